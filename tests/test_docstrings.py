@@ -14,7 +14,7 @@ import pytest
 
 ROOT = Path(__file__).resolve().parents[1]
 PURE = ROOT / "backend" / "sightline"
-ROOMS = ("adjustment", "detection", "geometry", "linescan", "sightdistance", "statistics")
+ROOMS = ("adjustment", "detection", "geometry", "linescan", "proposals", "sightdistance", "statistics")
 
 # Plain helpers, whose first sentence is all there is to say; their shapes are asked for like everybody's.
 NEED_NO_SOURCE = {
@@ -34,6 +34,7 @@ NEED_NO_SOURCE = {
         "spacing_px",
     },
     "linescan": {"median", "points_at"},
+    "proposals": set[str](),
     "sightdistance": set[str](),
     "statistics": {"sorted_values", "codes_of"},
 }

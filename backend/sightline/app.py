@@ -29,6 +29,7 @@ import sightline.quality.adjusting.routes
 import sightline.quality.checks.routes
 import sightline.quality.drift.routes
 import sightline.quality.repeats.routes
+import sightline.quality.which_model.routes
 import sightline.recordings.calibrating.routes
 import sightline.recordings.frames.routes
 import sightline.recordings.routes
@@ -38,6 +39,7 @@ import sightline.results.overview.routes
 import sightline.results.routes
 import sightline.results.sampling.routes
 import sightline.results.sightdistance.routes
+import sightline.reviews.lots.routes
 import sightline.reviews.routes
 import sightline.scans.heights.routes
 import sightline.scans.routes
@@ -55,6 +57,7 @@ from sightline.infra.web.guard import Guard
 from sightline.infra.web.openapi import DESCRIPTION, TITLE, VERSION, Api, operation_id
 from sightline.infra.web.person import Person
 from sightline.infra.web.secret import signing_secret
+from sightline.infra.web.turns import READERS, Turns
 from sightline.infra.web.write_gate import WriteGate
 from sightline.people.service import Attempts
 from sightline.people.store import get_person
@@ -93,7 +96,9 @@ ROUTERS: tuple[tuple[str, APIRouter], ...] = (
     ("measurements", sightline.measurements.routes.router),
     ("computings", sightline.measurements.again.routes.router),
     ("reviews", sightline.reviews.routes.router),
+    ("lots", sightline.reviews.lots.routes.router),
     ("repeats", sightline.quality.repeats.routes.router),
+    ("which model", sightline.quality.which_model.routes.router),
     ("scans", sightline.scans.routes.router),
     ("scans_vehicles", sightline.scans.vehicles.routes.router),
     ("line_heights", sightline.scans.heights.routes.router),
@@ -152,6 +157,8 @@ def create_app(settings: Settings | None = None, services: Services | None = Non
     )
     app.state.services = services
     app.state.write_gate = WriteGate()
+    app.state.readers = Turns(READERS)
+    app.state.readers = Turns(READERS)
     app.state.sign_in = SignIn(
         signing_secret(settings), settings.secure_cookies, lambda id_: _person(services, id_)
     )

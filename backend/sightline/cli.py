@@ -23,6 +23,7 @@ COMMANDS = {
     "height": "sightline.commands.geometry:height",
     "adjust": "sightline.commands.adjust:adjust_command",
     "passes": "sightline.commands.passes:passes",
+    "propose": "sightline.commands.propose:propose_command",
     "plan": "sightline.commands.plan:plan",
     "errors": "sightline.commands.errors:errors",
     "sightdistance": "sightline.commands.sightdistance:sightdistance",
@@ -34,6 +35,8 @@ COMMANDS = {
     "export": "sightline.commands.export:export",
     "verify": "sightline.commands.verify:verify",
     "checkpoint": "sightline.commands.checkpoint:checkpoint",
+    "backup": "sightline.commands.backup:backup",
+    "restore": "sightline.commands.backup:restore",
 }
 
 

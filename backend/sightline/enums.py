@@ -15,6 +15,8 @@ SideBasis = Literal["said", "direction", "place"]
 InsetSource = Literal["usual", "own"]
 InsetName = Literal["roof", "driver_eye_near", "driver_eye_far", "taillight", "headlight", "other"]
 Lighting = Literal["daytime", "low_light"]
+StreetLighting = Literal["on", "off"]
+StreetLamps = Literal["present", "none"]
 LightingGroup = Literal[Lighting, "unknown"]
 Category = Literal[
     "hatchback",
@@ -50,6 +52,12 @@ ComputingKind = Literal["asked", "sides", "adjustment", "undo"]
 ComputingCause = Literal["pose", "inset", "side", "program"]
 DoubtKind = Literal["above_roof", "below_lamp", "outside_class", "far_from_maker"]
 ReviewSign = Literal["large_u", "unusual", "far_from_maker", "new_operator"]
+LotGrouping = Literal["target", "lighting", "operator", "day"]
+LotChoice = Literal["accepted", "full_inspection", "dissolved", "taken_back"]
+LotState = Literal["open", LotChoice]
+LotRole = Literal["sample", "rest", "left"]
+LotLeaving = Literal["measured_again", "withdrawn", "vehicle_deleted", "verdict_of_its_own"]
+VerdictBasis = Literal["individual", "lot"]
 QueueState = Literal["to_review", "accepted", "fixed", "rejected", "all"]
 TravelSource = Literal["followed", "measured", "assumed"]
 InsetMethod = Literal["known_heights", "trend", "two_frames"]
@@ -65,6 +73,8 @@ Discarded = Literal["no_vehicle", "twice", "cut_off", "stopped", "other"]
 PassEnd = Literal["measured", "not_visible", "open", "out_of_sample", "discarded"]
 ResponseLighting = Literal["all", Lighting, "unknown"]
 ResponseSet = Literal["all", ClassSet, "none"]
+ProposedPoint = Literal["contact_rear", "contact_front", "roof", "taillight", "headlight", "driver_eye"]
+WheelEnd = Literal["rear", "front"]
 NotVisible = Literal["hidden", "glare", "too_dark", "outside", "no_driver"]
 StepKey = Literal["camera", "recordings", "pose", "vehicles", "review", "results"]
 StepState = Literal["done", "next", "waiting"]
@@ -116,3 +126,7 @@ USUALLY_ASKED: dict[Lighting, tuple[AskedTarget, ...]] = {
     "daytime": ("roof", "driver_eye"),
     "low_light": ("roof", "taillight"),
 }
+#: The databases that an installation can have.
+DatabaseKind = Literal["sqlite", "postgresql"]
+#: Where a key in a backup comes from: a file that is in it, a setting that is not, nowhere yet.
+KeyFrom = Literal["file", "environment", "none"]

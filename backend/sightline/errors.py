@@ -7,6 +7,7 @@ SightlineError
   NotFound (404)
   Conflict (409)            somebody else changed it first
   TooMany (429)
+  Busy (503)                too many at once; the same request may be sent again
   NoRoom (507)              the disk is full
   Damaged (500)             stored data does not match its checksum or its chain
 """
@@ -79,6 +80,11 @@ class Conflict(SightlineError):
 class TooMany(SightlineError):
     status = 429
     kind = "too_many"
+
+
+class Busy(SightlineError):
+    status = 503
+    kind = "busy"
 
 
 class NoRoom(SightlineError):

@@ -15,6 +15,9 @@ WRITTEN_ONCE: dict[str, tuple[str, ...]] = {
     "measurement_series": ("client_key",),
     "computings": (),
     "measurements": ("series_id", "revision"),
+    "lots": ("survey_id", "number"),
+    "lot_items": ("lot_id", "place"),
+    "lot_decisions": (),
     "reviews": (),
     "calibrations": (),
     "road_poses": (),
@@ -25,6 +28,7 @@ WRITTEN_ONCE: dict[str, tuple[str, ...]] = {
     "scan_reviews": (),
     "line_poses": ("scan_id", "revision"),
     "line_heights": ("vehicle_id", "target", "revision"),
+    "line_height_reviews": (),
 }
 # Keys between tables that name each other; SQLite takes them with the table itself.
 CIRCULAR = (
@@ -177,6 +181,12 @@ def create_tables() -> None:
         sa.Column("traffic_side", sa.String(length=20), nullable=True),
         sa.Column("steering_side", sa.String(length=20), nullable=True),
         sa.Column("camera_place", sa.String(length=20), nullable=True),
+        sa.Column("latitude_deg", sa.Float(), nullable=True),
+        sa.Column("longitude_deg", sa.Float(), nullable=True),
+        sa.Column("road_class", sa.String(length=100), nullable=True),
+        sa.Column("speed_limit_mps", sa.Float(), nullable=True),
+        sa.Column("street_lamps", sa.String(length=20), nullable=True),
+        sa.Column("time_zone", sa.String(length=60), nullable=True),
         sa.Column("asked", sa.Text(), nullable=False),
         sa.Column("classes", sa.Text(), nullable=False),
         sa.Column("sampling", sa.Text(), nullable=False),
@@ -187,6 +197,7 @@ def create_tables() -> None:
         sa.Column("updated_at", sa.DateTime(timezone=True), nullable=False),
         sa.Column("updated_by", sa.Integer(), nullable=True),
         sa.CheckConstraint("camera_place IN ('verge', 'median')", name=op.f("ck_surveys_camera_place_known")),
+        sa.CheckConstraint("street_lamps IN ('present', 'none')", name=op.f("ck_surveys_street_lamps_known")),
         sa.CheckConstraint("steering_side IN ('right', 'left')", name=op.f("ck_surveys_steering_side_known")),
         sa.CheckConstraint("traffic_side IN ('right', 'left')", name=op.f("ck_surveys_traffic_side_known")),
         sa.CheckConstraint("version >= 1", name=op.f("ck_surveys_version_counts")),
@@ -223,6 +234,9 @@ def create_tables() -> None:
         sa.Column("survey_id", sa.Integer(), nullable=False),
         sa.Column("name", sa.String(length=200), nullable=False),
         sa.Column("notes", sa.Text(), nullable=False),
+        sa.Column("lens", sa.String(length=200), nullable=False),
+        sa.Column("zoom", sa.String(length=100), nullable=False),
+        sa.Column("focus", sa.String(length=100), nullable=False),
         sa.Column("current_calibration_id", sa.Integer(), nullable=True),
         sa.Column("created_at", sa.DateTime(timezone=True), nullable=False),
         sa.Column("created_by", sa.Integer(), nullable=True),
@@ -355,6 +369,11 @@ def create_tables() -> None:
         sa.Column("pose_id", sa.Integer(), nullable=True),
         sa.Column("lighting", sa.String(length=20), nullable=True),
         sa.Column("lighting_proposed", sa.String(length=20), nullable=True),
+        sa.Column("start_proposed", sa.DateTime(timezone=True), nullable=True),
+        sa.Column("started_at", sa.DateTime(timezone=True), nullable=True),
+        sa.Column("time_zone", sa.String(length=60), nullable=True),
+        sa.Column("weather", sa.String(length=100), nullable=True),
+        sa.Column("street_lighting", sa.String(length=20), nullable=True),
         sa.Column("drift", sa.Text(), nullable=True),
         sa.Column("drift_decision", sa.Text(), nullable=True),
         sa.Column("created_at", sa.DateTime(timezone=True), nullable=False),
@@ -364,6 +383,12 @@ def create_tables() -> None:
         sa.CheckConstraint(
             "lighting_proposed IN ('daytime', 'low_light')",
             name=op.f("ck_recordings_lighting_proposed_known"),
+        ),
+        sa.CheckConstraint(
+            "(started_at IS NULL) = (time_zone IS NULL)", name=op.f("ck_recordings_start_has_zone")
+        ),
+        sa.CheckConstraint(
+            "street_lighting IN ('on', 'off')", name=op.f("ck_recordings_street_lighting_known")
         ),
         sa.CheckConstraint(
             "state <> 'failed' OR error IS NOT NULL", name=op.f("ck_recordings_failed_has_error")
@@ -857,6 +882,36 @@ def create_tables() -> None:
     op.create_index(op.f("ix_line_heights_scan_id"), "line_heights", ["scan_id"], unique=False)
     op.create_index(op.f("ix_line_heights_survey_id"), "line_heights", ["survey_id"], unique=False)
     op.create_table(
+        "line_height_reviews",
+        sa.Column("id", sa.Integer(), nullable=False),
+        sa.Column("survey_id", sa.Integer(), nullable=False),
+        sa.Column("height_id", sa.Integer(), nullable=False),
+        sa.Column("verdict", sa.String(length=20), nullable=False),
+        sa.Column("reason", sa.Text(), nullable=True),
+        sa.Column("created_at", sa.DateTime(timezone=True), nullable=False),
+        sa.Column("created_by", sa.Integer(), nullable=True),
+        sa.CheckConstraint(
+            "verdict <> 'rejected' OR reason IS NOT NULL",
+            name=op.f("ck_line_height_reviews_rejected_has_reason"),
+        ),
+        sa.CheckConstraint(
+            "verdict IN ('accepted', 'rejected', 'reopened')",
+            name=op.f("ck_line_height_reviews_verdict_known"),
+        ),
+        sa.ForeignKeyConstraint(
+            ["created_by"], ["people.id"], name=op.f("fk_line_height_reviews_created_by")
+        ),
+        sa.ForeignKeyConstraint(
+            ["height_id"], ["line_heights.id"], name=op.f("fk_line_height_reviews_height_id")
+        ),
+        sa.ForeignKeyConstraint(["survey_id"], ["surveys.id"], name=op.f("fk_line_height_reviews_survey_id")),
+        sa.PrimaryKeyConstraint("id", name=op.f("pk_line_height_reviews")),
+    )
+    op.create_index("ix_line_height_reviews_height_id", "line_height_reviews", ["height_id"], unique=False)
+    op.create_index(
+        op.f("ix_line_height_reviews_survey_id"), "line_height_reviews", ["survey_id"], unique=False
+    )
+    op.create_table(
         "computings",
         sa.Column("id", sa.Integer(), nullable=False),
         sa.Column("survey_id", sa.Integer(), nullable=False),
@@ -965,6 +1020,68 @@ def create_tables() -> None:
     )
     op.create_index(op.f("ix_measurements_computing_id"), "measurements", ["computing_id"], unique=False)
     op.create_table(
+        "lots",
+        sa.Column("id", sa.Integer(), nullable=False),
+        sa.Column("survey_id", sa.Integer(), nullable=False),
+        sa.Column("number", sa.Integer(), nullable=False),
+        sa.Column("common", sa.Text(), nullable=False),
+        sa.Column("size", sa.Integer(), nullable=False),
+        sa.Column("sample_size", sa.Integer(), nullable=False),
+        sa.Column("acceptance_number", sa.Integer(), nullable=False),
+        sa.Column("producer_quality", sa.Float(), nullable=False),
+        sa.Column("producer_risk", sa.Float(), nullable=False),
+        sa.Column("consumer_quality", sa.Float(), nullable=False),
+        sa.Column("consumer_risk", sa.Float(), nullable=False),
+        sa.Column("seed", sa.String(length=64), nullable=False),
+        sa.Column("created_at", sa.DateTime(timezone=True), nullable=False),
+        sa.Column("created_by", sa.Integer(), nullable=True),
+        sa.CheckConstraint(
+            "acceptance_number < sample_size AND sample_size <= size", name=op.f("ck_lots_plan_fits")
+        ),
+        sa.ForeignKeyConstraint(["created_by"], ["people.id"], name=op.f("fk_lots_created_by")),
+        sa.ForeignKeyConstraint(["survey_id"], ["surveys.id"], name=op.f("fk_lots_survey_id")),
+        sa.PrimaryKeyConstraint("id", name=op.f("pk_lots")),
+        sa.UniqueConstraint("survey_id", "number", name=op.f("uq_lots_survey_id_number")),
+    )
+    op.create_index(op.f("ix_lots_survey_id"), "lots", ["survey_id"], unique=False)
+    op.create_table(
+        "lot_items",
+        sa.Column("id", sa.Integer(), nullable=False),
+        sa.Column("lot_id", sa.Integer(), nullable=False),
+        sa.Column("series_id", sa.Integer(), nullable=False),
+        sa.Column("revision", sa.Integer(), nullable=False),
+        sa.Column("place", sa.Integer(), nullable=False),
+        sa.ForeignKeyConstraint(["lot_id"], ["lots.id"], name=op.f("fk_lot_items_lot_id")),
+        sa.ForeignKeyConstraint(
+            ["series_id"], ["measurement_series.id"], name=op.f("fk_lot_items_series_id")
+        ),
+        sa.PrimaryKeyConstraint("id", name=op.f("pk_lot_items")),
+        sa.UniqueConstraint("lot_id", "place", name=op.f("uq_lot_items_lot_id_place")),
+        sa.UniqueConstraint("lot_id", "series_id", name=op.f("uq_lot_items_lot_id_series_id")),
+    )
+    op.create_index(op.f("ix_lot_items_series_id"), "lot_items", ["series_id"], unique=False)
+    op.create_table(
+        "lot_decisions",
+        sa.Column("id", sa.Integer(), nullable=False),
+        sa.Column("lot_id", sa.Integer(), nullable=False),
+        sa.Column("choice", sa.String(length=20), nullable=False),
+        sa.Column("judged", sa.Integer(), nullable=False),
+        sa.Column("nonconforming", sa.Integer(), nullable=False),
+        sa.Column("rest", sa.Integer(), nullable=False),
+        sa.Column("sample", sa.Text(), nullable=False),
+        sa.Column("left_out", sa.Text(), nullable=False),
+        sa.Column("created_at", sa.DateTime(timezone=True), nullable=False),
+        sa.Column("created_by", sa.Integer(), nullable=True),
+        sa.CheckConstraint(
+            "choice IN ('accepted', 'full_inspection', 'dissolved', 'taken_back')",
+            name=op.f("ck_lot_decisions_choice_known"),
+        ),
+        sa.ForeignKeyConstraint(["created_by"], ["people.id"], name=op.f("fk_lot_decisions_created_by")),
+        sa.ForeignKeyConstraint(["lot_id"], ["lots.id"], name=op.f("fk_lot_decisions_lot_id")),
+        sa.PrimaryKeyConstraint("id", name=op.f("pk_lot_decisions")),
+    )
+    op.create_index(op.f("ix_lot_decisions_lot_id"), "lot_decisions", ["lot_id"], unique=False)
+    op.create_table(
         "reviews",
         sa.Column("id", sa.Integer(), nullable=False),
         sa.Column("series_id", sa.Integer(), nullable=False),
@@ -972,18 +1089,25 @@ def create_tables() -> None:
         sa.Column("result_revision", sa.Integer(), nullable=False),
         sa.Column("verdict", sa.String(length=20), nullable=False),
         sa.Column("reason", sa.Text(), nullable=True),
+        sa.Column("lot_id", sa.Integer(), nullable=True),
         sa.Column("created_at", sa.DateTime(timezone=True), nullable=False),
         sa.Column("created_by", sa.Integer(), nullable=True),
         sa.CheckConstraint(
             "verdict <> 'rejected' OR reason IS NOT NULL", name=op.f("ck_reviews_rejected_has_reason")
         ),
         sa.CheckConstraint(
+            "lot_id IS NULL OR verdict IN ('accepted', 'reopened')",
+            name=op.f("ck_reviews_lot_accepts_or_reopens"),
+        ),
+        sa.CheckConstraint(
             "verdict IN ('accepted', 'fixed', 'rejected', 'reopened')", name=op.f("ck_reviews_verdict_known")
         ),
         sa.ForeignKeyConstraint(["created_by"], ["people.id"], name=op.f("fk_reviews_created_by")),
+        sa.ForeignKeyConstraint(["lot_id"], ["lots.id"], name=op.f("fk_reviews_lot_id")),
         sa.ForeignKeyConstraint(["series_id"], ["measurement_series.id"], name=op.f("fk_reviews_series_id")),
         sa.PrimaryKeyConstraint("id", name=op.f("pk_reviews")),
     )
+    op.create_index(op.f("ix_reviews_lot_id"), "reviews", ["lot_id"], unique=False)
     op.create_index(
         "ix_reviews_series_id_result_revision", "reviews", ["series_id", "result_revision"], unique=False
     )

@@ -97,14 +97,14 @@ def test_what_is_no_video_is_refused_in_one_sentence(
     page.get_by_label("Choose videos to upload").set_input_files([str(path) for path in files])
     for words, path in no_videos.items():
         notice = told(page, path.name)
-        expect(notice).to_have_count(1, timeout=30_000)
+        expect(notice).to_have_count(1, timeout=90_000)
         expect(notice).to_contain_text(words)
         expect(notice).to_contain_text(path.name)
         one_sentence(notice.inner_text())
     # what is sound beside them is not held up, and half a film is half a film
-    expect(page.locator("article").filter(has_text="good.mp4")).to_contain_text("30 frames", timeout=30_000)
+    expect(page.locator("article").filter(has_text="good.mp4")).to_contain_text("30 frames", timeout=90_000)
     half = page.locator("article").filter(has_text="torn.mp4")
-    expect(half).to_contain_text("The header speaks of 60 frames", timeout=30_000)
+    expect(half).to_contain_text("The header speaks of 60 frames", timeout=90_000)
     expect(half).to_contain_text("ready")
     states = {r["name"]: r["state"] for r in page.request.get(f"/api/surveys/{survey}/recordings").json()}
     assert states.pop("good.mp4") == states.pop("torn.mp4") == "ready"

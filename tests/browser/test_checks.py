@@ -37,7 +37,7 @@ def test_insets_are_used_with_their_origin(page: Page) -> None:
     roof = page.get_by_test_id("insets-check").locator("tbody").filter(has_text="Roof")
     expect(roof.get_by_text("estimate", exact=True)).to_be_visible()
     expect(page.get_by_test_id("inset-drawing")).to_be_visible()
-    button = roof.get_by_role("button", name=re.compile(r"Use 0\.\d\d m ± 0\.\d\d m for roofs"))
+    button = roof.get_by_role("button", name=re.compile(r"Use 0\.\d\d m \(u = 0\.\d\d m\) for roofs"))
     offered = re.findall(r"0\.\d\d", button.inner_text())
     try:
         button.click()

@@ -148,6 +148,53 @@ def test_a_line_rate_is_planned_with_the_surveys_rig(page: Page, scan: dict[str,
     expect(plan).to_contain_text(re.compile(r"6\s?600\sHz"))
 
 
+def test_heights_of_a_line_scan_are_reviewed(page: Page, scan: dict[str, Any], screenshots: Path) -> None:
+    """One after the other with the keys of the motion: accepted, rejected with a reason, taken back."""
+    address = f"/api/scans/{scan['id']}/heights"
+    waiting = [one for one in page.request.get(address).json() if one["review"]["verdict"] == "to_review"]
+    of_one = [one for one in waiting if one["vehicle_id"] == waiting[0]["vehicle_id"]]
+    assert len(of_one) >= 2 and scan["counts"]["heights_to_review"] == len(waiting)
+    vehicles = page.request.get(f"/api/scans/{scan['id']}/vehicles").json()
+    number = next(one["number"] for one in vehicles if one["id"] == waiting[0]["vehicle_id"])
+    page.goto(f"/surveys/{scan['survey_id']}/scan?scan={scan['id']}")
+    row = page.get_by_test_id(f"scan-vehicle-{number}")
+    expect(row).to_contain_text(f"{len(of_one)} heights to review")
+    row.get_by_role("button").click()
+    turn = page.locator(".line-heights__verdict--turn")
+    expect(turn).to_have_count(1)
+    turn.scroll_into_view_if_needed()
+    page.screenshot(path=screenshots / "scan-height-review.png")
+    strips = page.get_by_test_id("strips")
+    strips.focus()
+
+    def is_verdict(answer: Any) -> bool:
+        return bool(re.search(r"/line-heights/\d+/review$", answer.url))
+
+    with page.expect_response(is_verdict) as accepted:
+        page.keyboard.press("a")
+    assert accepted.value.json()["review"]["verdict"] == "accepted"
+    expect(row).to_contain_text(f"{len(of_one) - 1} height")
+    strips.focus()
+    page.keyboard.press("x")
+    turn.get_by_role("button", name="The target point is beside the feature.").click()
+    page.screenshot(path=screenshots / "scan-height-reject.png")
+    with page.expect_response(is_verdict) as rejected:
+        turn.get_by_role("button", name="Reject", exact=True).click()
+    refused = rejected.value.json()
+    assert (refused["review"]["verdict"], refused["target"]) != ("accepted", accepted.value.json()["target"])
+    undo = page.get_by_test_id("undo").get_by_role("button")
+    for _ in range(2):
+        with page.expect_response(is_verdict) as back:
+            undo.click()
+        assert back.value.json()["review"]["verdict"] == "reopened"
+    expect(row).to_contain_text(f"{len(of_one)} heights to review")
+    # the report of the survey counts what is accepted and says what waits
+    page.goto(f"/surveys/{scan['survey_id']}/scans/results")
+    expect(page.get_by_test_id("scanned-heights")).to_contain_text("Roof")
+    expect(page.get_by_text(f"{len(waiting)} heights wait for a verdict")).to_be_visible()
+    page.screenshot(path=screenshots / "scan-heights-results.png")
+
+
 def place_of(strips: Locator, line: float, row: float, shown: tuple[float, float]) -> tuple[float, float]:
     """Where a line and a row of camera 1 lie while all 256 rows are shown."""
     box = strips.bounding_box()

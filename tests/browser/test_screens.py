@@ -17,7 +17,7 @@ from playwright.sync_api import (
     expect,
 )
 
-from .conftest import wait_for_demonstration
+from .conftest import choose_plan, wait_for_demonstration
 from .server import ROOT, Server
 
 AXE = ROOT / "frontend" / "node_modules" / "axe-core" / "axe.min.js"
@@ -192,3 +192,13 @@ def test_every_screen_is_shown_without_fault(
         expect(page.locator(sign).first).to_be_visible()
         wrong += look_at(page, name, variant, screenshots)
     assert not wrong + complaints, "\n".join(wrong + complaints)
+
+
+def test_at_200_percent_the_verdict_stands_beside_the_picture(page: Page) -> None:
+    page.set_viewport_size({"width": 720, "height": 450})
+    page.goto("/")
+    survey = wait_for_demonstration(page)
+    choose_plan(page, survey, 0)  # nothing is to be clicked blind first
+    page.goto(f"/surveys/{survey}/review")
+    expect(page.get_by_role("button", name="Accept")).to_be_in_viewport(ratio=1)
+    expect(page.get_by_test_id("frame-view")).to_be_in_viewport(ratio=1)

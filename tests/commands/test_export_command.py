@@ -38,8 +38,9 @@ def test_a_survey_by_name_or_number_is_written_and_verified(
     one, two = (
         set((stored / place / "SHA256SUMS").read_text().splitlines()) for place in ("by-name", "by-number")
     )
-    # each has a seal of its own, and its signature
-    assert {line.partition("  ")[2] for line in one - two} == {"audit.csv", "checkpoint.json"}
+    # each has a seal of its own, its signature, and both again for the page
+    own = {"audit.csv", "checkpoint.json", "audit.js"}
+    assert {line.partition("  ")[2] for line in one - two} == own
     assert "Other" not in (stored / "by-name" / "audit.csv").read_text()
 
 

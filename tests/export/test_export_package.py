@@ -76,6 +76,7 @@ def test_the_button_makes_a_package_that_holds_everything_and_the_same_state_the
     # but for the chain, which has a seal more, and its sum
     assert {name for name in once if once[name] != twice.get(name)} == {
         "audit.csv",
+        "audit.js",
         "checkpoint.json",
         "SHA256SUMS",
     }
@@ -123,6 +124,7 @@ def test_frictionless_finds_nothing_to_complain_about(package: Path) -> None:
     assert {path for path in there - named if not path.startswith("crops/")} == {
         "SHA256SUMS",
         "datapackage.json",
+        "audit.js",
         "checkpoint.json",
     }
 

@@ -54,7 +54,8 @@ def built(
     made = viewer.seen(f"/surveys/{ground.survey_id}/exports")[0]
     with zipfile.ZipFile(io.BytesIO(viewer.http.get(made["url"]).content)) as archive:
         archive.extractall(place)
-    assert made["selection"] == {"lighting": None, "class_sets": [], "categories": [], **chosen}
+    nothing = {"lighting": None, "class_sets": [], "categories": [], "filmed_from": None, "filmed_to": None}
+    assert made["selection"] == {**nothing, **chosen}
     return place
 
 
@@ -89,6 +90,9 @@ def test_a_package_is_of_the_vehicles_chosen(
     vehicles = [row["id"] for row in rows(place, "vehicles.csv")]
     assert len(vehicles) == len(KINDS)  # the tables stay whole
     assert counted(place) == {vehicles[k] for k in kept}
+    pictured = {row["measurement_id"] for row in rows(place, "crops.csv")}
+    of = {row["id"]: row["vehicle_id"] for row in rows(place, "measurements.csv")}
+    assert {of[id_] for id_ in pictured} == {vehicles[k] for k in kept}
     errors = rows(place, "statistics/error_table.csv")
     of_all = {row["n"] for row in errors if row["group"] == "overall"}
     assert of_all == {str(len(kept))}
@@ -170,3 +174,44 @@ def test_the_command_takes_several_sets_and_classes(
         ("category", "van"),
     ]
     assert len(counted(place)) == 3
+
+
+def test_a_package_of_days_of_filming(
+    operator: Client,
+    reviewer: Client,
+    viewer: Client,
+    ground: Ground,
+    work: Callable[[], list[Job]],
+    tmp_path: Path,
+) -> None:
+    """Midnight passes while it is filmed: page and package take the same vehicles for a day."""
+    start = {"local": "2026-05-03T23:59:59.900", "time_zone": "Europe/Paris"}
+    for first, height in ((0, 1.31), (0, 1.32), (5, 1.33)):
+        known = {"manufacturer_height_m": height, "first_frame": first}
+        made = measure(operator, add_vehicle(operator, ground.recording_id, **known)["id"], frame=6)
+        reviewer.made(f"/measurements/{made['id']}/reviews", {"revision": 1, "verdict": "accepted"})
+
+    def counted(query: str) -> int:
+        found = viewer.seen(f"/statistics?survey={ground.survey_id}&{query}")
+        count: int = found["counted"]["vehicles"]
+        return count
+
+    assert (counted(""), counted("filmed_from=2026-05-03"), counted("filmed_to=2026-05-05")) == (3, 0, 0)
+    answer = operator.put(f"/recordings/{ground.recording_id}", {"start": start})
+    assert answer.status_code == 200, answer.text
+    assert (counted("filmed_from=2026-05-04"), counted("filmed_to=2026-05-03")) == (1, 2)
+    assert counted("filmed_from=2026-05-03&filmed_to=2026-05-04") == 3
+    refused = viewer.get("/statistics?filmed_from=2026-05-04&filmed_to=2026-05-03")
+    assert refused.status_code == 422
+
+    place = built(viewer, ground, work, tmp_path / "day", {"filmed_from": "2026-05-04"})
+    found = {row["id"]: row["filmed_at"] for row in rows(place, "vehicles.csv")}
+    assert sorted(one[:10] for one in found.values()) == ["2026-05-03", "2026-05-03", "2026-05-04"]
+    assert {row["filmed_at"] for row in rows(place, "measurements.csv")} == {"2026-05-04T00:00:00.140+02:00"}
+    error = rows(place, "statistics/error_table.csv")
+    assert {row["n"] for row in error if row["group"] == "overall"} == {"1"}
+    first_page = words((place / "report.pdf").read_bytes())
+    flat = " ".join(first_page.split())
+    assert "Only: filmed from 2026-05-04" in flat
+    assert "2026-05-03 23:59 to 2026-05-04 00:00 (Europe/Paris)" in flat
+    assert verify_package(FolderFiles(place)).ok

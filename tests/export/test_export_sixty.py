@@ -20,7 +20,7 @@ import pytest
 import rfc8785
 from cryptography.hazmat.primitives.asymmetric.ed25519 import Ed25519PrivateKey
 
-from tests.support.mutations import Package, checked, load
+from tests.support.mutations import Package, checked, load, script_of
 from tests.support.packages import ground, package, worked
 
 __all__ = ["ground", "package", "worked"]
@@ -253,6 +253,30 @@ SIXTY: dict[str, Forgery] = {
         cell("recordings.csv", "sha256", "0" * 64), told(r'"sha256":"[0-9a-f]{64}"', f'"sha256":"{"0" * 64}"')
     ),
     "the recording's rate": cell("recordings.csv", "variable_rate", "true"),
+    "the class of the road": cell("survey.csv", "road_class", "motorway"),
+    "the coordinates": both(
+        cell("survey.csv", "latitude_deg", "49.5"), cell("survey.csv", "longitude_deg", "1.5")
+    ),
+    "when it was filmed": everywhere(
+        "filmed_at", lambda text: text.replace("T08", "T07"), "measurements.csv", "vehicles.csv"
+    ),
+    "the recording's start": both(
+        everywhere("filmed_at", lambda text: text.replace("T08", "T07"), "measurements.csv", "vehicles.csv"),
+        everywhere("started_at", lambda text: text.replace("T08", "T07"), "recordings.csv"),
+    ),
+    "the start and its event": both(
+        everywhere("filmed_at", lambda text: text.replace("T08", "T07"), "measurements.csv", "vehicles.csv"),
+        everywhere("started_at", lambda text: text.replace("T08", "T07"), "recordings.csv"),
+        told('"started_at":"2026-05-03T06', '"started_at":"2026-05-03T05'),
+    ),
+    "the zone": cell("recordings.csv", "time_zone", "Europe/London"),
+    "the weather": cell("recordings.csv", "weather", "snow"),
+    "street lamps": cell("recordings.csv", "street_lighting", "on"),
+    "the camera's lens": cell("cameras.csv", "lens", "another"),
+    "the camera's zoom and its event": both(
+        cell("cameras.csv", "zoom", "35 mm"), told('"zoom":"28 mm"', '"zoom":"35 mm"')
+    ),
+    "the camera of a calibration": everywhere("camera_name", lambda text: "Right", "calibrations.csv"),
     "the camera stood still": both(
         cell("recordings.csv", "drift_state", "still"), told('"state":"moved"', '"state":"still"')
     ),
@@ -295,7 +319,7 @@ def _chained(files: Package) -> None:
         before = _linked(one, before)
     seal, after = events[-1], json.loads(events[-1]["after"])
     crops = sorted(path for path in files if path.startswith("crops/"))
-    own = {"SHA256SUMS", "checkpoint.json", "audit.csv", *crops}
+    own = {"SHA256SUMS", "checkpoint.json", "audit.csv", "audit.js", *crops}
     named = {path: _sum(content) for path, content in files.items() if path not in own}
     named["crops/"] = _sum("".join(f"{_sum(files[path])}  {path}\n" for path in crops).encode())
     named["audit.csv"] = _sum(_written(events[:-1], header))
@@ -318,6 +342,8 @@ def _linked(one: Cells, before: str) -> str:
 
 def _listed(files: Package) -> None:
     files.pop("SHA256SUMS")
+    if "audit.js" in files:
+        files["audit.js"] = script_of(files)
     files["SHA256SUMS"] = "".join(f"{_sum(files[path])}  {path}\n" for path in sorted(files)).encode()
 
 

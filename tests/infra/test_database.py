@@ -5,7 +5,7 @@ import threading
 from pathlib import Path
 
 import pytest
-from sqlalchemy import Engine, text
+from sqlalchemy import Engine, make_url, text
 from sqlalchemy.exc import OperationalError
 from sqlalchemy.orm import Session
 
@@ -24,6 +24,7 @@ from sightline.infra.database.engine import (
 )
 from sightline.settings import Settings, load_settings
 from sightline.surveys.store import create_survey, list_surveys
+from tests.conftest import SERVER
 
 pytestmark = pytest.mark.dialect
 
@@ -184,3 +185,16 @@ def test_different_surveys_are_written_side_by_side_and_each_in_turns(
     assert sorted(came) == ["all", "other", "same"]
     with reading(factory) as session:
         assert verify_records(session).ok
+
+
+def test_who_shares_the_database_in_another_schema_is_not_waited_for(database_url: str) -> None:
+    if not SERVER:
+        pytest.skip("SQLite has one installation a file")
+    own = make_url(database_url)
+    options = f"{own.query['options']} -clock_timeout=2000"
+    engine = make_engine(own.update_query_dict({"options": options}).render_as_string(hide_password=False))
+    neighbour = make_engine(SERVER)
+    with writing(session_factory(neighbour)), writing(session_factory(engine)) as session:
+        create_survey(session, name="meanwhile", actor=None)
+    neighbour.dispose()
+    engine.dispose()

@@ -19,6 +19,7 @@ from sightline.cameras.store import (
     create_camera,
     remove_calibration_image,
     set_detection,
+    update_camera,
 )
 from sightline.export.store import add_export
 from sightline.geometry.sides import TrafficFacts
@@ -60,6 +61,8 @@ from sightline.recordings.store import (
 )
 from sightline.recordings.uploads.store import create_upload, finish_upload, remove_upload, strip_arrived
 from sightline.results.standards_store import choose_standards
+from sightline.reviews.lots.query import get_lot
+from sightline.reviews.lots.store import add_decision, add_taking_back, add_verdicts_by_lot
 from sightline.reviews.plan_store import choose_review_plan
 from sightline.reviews.store import add_review
 from sightline.statistics.sampling import Sampling
@@ -70,6 +73,7 @@ from sightline.surveys.photographs.store import (
     remove_photograph,
     restore_photograph,
 )
+from sightline.surveys.place import Place
 from sightline.surveys.records import Asked
 from sightline.surveys.store import create_survey, update_survey
 from sightline.vehicles.catalogue.records import CatalogueRow
@@ -125,6 +129,17 @@ def _withdrawn(session: Session, one: Sample) -> Any:
 
 def _review(session: Session, one: Sample, made: Any) -> Any:
     return add_review(session, made.id, seen_revision=1, verdict="accepted", actor=one.rene.id)
+
+
+def _lot(session: Session, one: Sample) -> Any:
+    samples.measure(session, one)
+    return samples.lot(session, one)
+
+
+def _accepted_lot(session: Session, one: Sample) -> Any:
+    lot = _lot(session, one)
+    add_decision(session, lot, "accepted", (), actor=one.rene.id)
+    return get_lot(session, lot.id)
 
 
 def _wheels(session: Session, one: Sample) -> Any:
@@ -186,6 +201,7 @@ WRITES: dict[str, tuple[Write, Callable[[Session, Sample, Any], Any]]] = {
             site="",
             description="",
             traffic=TrafficFacts(),
+            place=Place(),
             asked=Asked(),
             classes=USUAL_CLASSES,
             sampling=Sampling(),
@@ -218,6 +234,10 @@ WRITES: dict[str, tuple[Write, Callable[[Session, Sample, Any], Any]]] = {
     "restore_photograph": (
         _no_photograph,
         lambda s, o, made: restore_photograph(s, made.id, actor=o.olga.id),
+    ),
+    "update_camera": (
+        lambda s, o: None,
+        lambda s, o, _: update_camera(s, o.camera.id, {"zoom": "28 mm"}, actor=o.olga.id),
     ),
     "create_camera": (
         lambda s, o: None,
@@ -339,6 +359,21 @@ WRITES: dict[str, tuple[Write, Callable[[Session, Sample, Any], Any]]] = {
         lambda s, o: None,
         lambda s, o, _: add_computing(s, o.survey.id, [], kind="asked", actor=o.olga.id),
     ),
+    "add_lot": (lambda s, o: samples.measure(s, o), lambda s, o, _: samples.lot(s, o)),
+    "add_decision": (
+        _lot,
+        lambda s, o, lot: add_decision(s, lot, "full_inspection", (), actor=o.rene.id),
+    ),
+    "add_taking_back": (
+        _accepted_lot,
+        lambda s, o, lot: add_taking_back(s, lot, lot.decision, 0, actor=o.rene.id),
+    ),
+    "add_verdicts_by_lot": (
+        _lot,
+        lambda s, o, lot: add_verdicts_by_lot(
+            s, lot, "accepted", [(1, 1, o.vehicle.id)], then="to_review", actor=o.rene.id
+        ),
+    ),
     "add_wheel_pair": (lambda s, o: None, lambda s, o, _: _wheels(s, o)),
     "withdraw_wheel_pair": (
         _wheels,
@@ -384,12 +419,13 @@ NO_EVENT = {
     "append_measurement_revision": "writes an event; part of revise, withdraw, restore and reviews.add",
     "append_computed_again": "writes an event of each; part of add_computing",
     "record": "is the event",
+    "held": "begins a chain; part of record",
     "record_many": "is the events",
     "seal_package": "is the event that a package ends with",
 }
 WRITING = re.compile(
     r"(?<![.\w])(insert|update|sql_update|delete|add_rows?|change_row|_append|_appended|create_scan_vehicles|append_scan_measurements|_end|_back|_state|_drift_decision)\("
-    r"|append_measurement_revision\(|trail\.record(_many)?\("
+    r"|append_measurement_revision\(|trail\.record(_many)?\(|_add_decision\("
 )
 
 

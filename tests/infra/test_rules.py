@@ -50,6 +50,7 @@ from sightline.reviews.query import measurement_history
 from sightline.reviews.store import add_review, review_queue
 from sightline.statistics.sampling import Sampling
 from sightline.surveys.classes import USUAL_CLASSES
+from sightline.surveys.place import Place
 from sightline.surveys.records import Asked, Inset
 from sightline.surveys.store import create_survey, get_survey, update_survey
 from sightline.vehicles.catalogue.records import CatalogueRow
@@ -180,6 +181,7 @@ def test_the_second_of_two_tabs_is_told(session: Session, one: Sample) -> None:
         "site": "",
         "description": "",
         "traffic": TrafficFacts(),
+        "place": Place(),
         "asked": Asked(),
         "classes": USUAL_CLASSES,
         "sampling": Sampling(),
@@ -358,6 +360,7 @@ def test_insets_start_with_defaults_and_are_checked(session: Session, one: Sampl
         "version": 1,
         "actor": None,
         "traffic": TrafficFacts(),
+        "place": Place(),
         "asked": Asked(),
         "classes": USUAL_CLASSES,
         "sampling": Sampling(),

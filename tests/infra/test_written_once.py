@@ -33,7 +33,9 @@ from sightline.measurements.click_sigma_store import choose_click_sigma
 from sightline.people.store import person_by_email
 from sightline.quality.checks.store import add_wheel_pair
 from sightline.recordings.store import remove_recording
+from sightline.reviews.lots.store import add_decision
 from sightline.reviews.store import add_review
+from sightline.scans.heights.review_store import add_line_height_review
 from sightline.scans.vehicles.review_store import add_scan_review
 from sightline.settings import Settings
 from sightline.surveys.photographs.store import order_photographs
@@ -48,6 +50,9 @@ WRITTEN_ONCE = (
     "measurement_series",
     "computings",
     "measurements",
+    "lots",
+    "lot_items",
+    "lot_decisions",
     "reviews",
     "calibrations",
     "road_poses",
@@ -58,6 +63,7 @@ WRITTEN_ONCE = (
     "scan_reviews",
     "line_poses",
     "line_heights",
+    "line_height_reviews",
 )
 
 
@@ -70,6 +76,7 @@ def filled(factory: SessionFactory) -> SessionFactory:
         add_review(session, made.id, seen_revision=1, verdict="accepted", actor=one.rene.id)
         add_computing(session, one.survey.id, [], kind="asked", actor=one.olga.id)
         samples.measure(session, one, "taillight", 2)
+        add_decision(session, samples.lot(session, one), "dissolved", (), actor=one.rene.id)
         create_vehicle(session, one.recording.id, {"first_frame": 50, "last_frame": 60}, actor=None)
         crc = int(samples.frame_table().crc32[20])
         points: dict[str, Any] = {"first": (1.0, 2.0), "second": (3.0, 2.0)}
@@ -82,7 +89,8 @@ def filled(factory: SessionFactory) -> SessionFactory:
         scans_samples.run(session, one, scanned.scan_id)
         add_scan_review(session, scanned.id, verdict="accepted", actor=one.rene.id)
         rod = scans_samples.rod(session, one, scanned.scan_id)
-        scans_samples.tall(session, one, scanned.vehicle_id, rod)
+        height = scans_samples.tall(session, one, scanned.vehicle_id, rod)
+        add_line_height_review(session, height.id, verdict="accepted", actor=one.rene.id)
     return factory
 
 
@@ -248,6 +256,10 @@ TAMPERED: dict[str, tuple[tuple[str, ...], str]] = {
     "a height in a line scan": (
         ("UPDATE line_heights SET height_m = 1.41 WHERE id = 1",),
         "scanned vehicle's height 1 is not",
+    ),
+    "a verdict on a height in a line scan": (
+        ("UPDATE line_height_reviews SET verdict = 'reopened' WHERE id = 1",),
+        "review of a scanned vehicle's height 1 is not",
     ),
     "another vehicle": (
         ("UPDATE measurement_series SET vehicle_id = 2 WHERE id = 1",),

@@ -101,6 +101,14 @@ def test_where_links_do_not_work_bytes_are_copied(
     assert [p.name for p in (tmp_path / "media").rglob("*") if p.is_file()] == ["b"]
 
 
+def test_all_files_are_listed_with_their_sizes(store: MediaStore, video: Path) -> None:
+    assert list(store.listing()) == []
+    for key in ("cd/ef/later.jpg", "ab/cd/first.mp4"):
+        store.put_file(key, video)
+    size = video.stat().st_size
+    assert list(store.listing()) == [("ab/cd/first.mp4", size), ("cd/ef/later.jpg", size)]
+
+
 def test_missing_files_are_told_in_a_sentence(store: MediaStore) -> None:
     for ask in (store.local_path, store.open):
         with pytest.raises(NotFound, match="missing from the store"):

@@ -69,6 +69,20 @@ def test_another_fleet_of_one_class_is_that_class(services: Services, survey: in
     assert {one["category"] for one in found["classes"]} == {"hatchback", "saloon", "suv", "van"}
 
 
+def test_they_go_by_class(services: Services, survey: int, viewer: Client) -> None:
+    eyes = heights(services, "driver_eye")
+    for query, kept in (
+        ("&category=suv", ("suv",)),
+        ("&class_set=light_trucks", ("van",)),
+        ("&class_set=light_trucks&category=suv", ("suv", "van")),
+    ):
+        found = viewer.get(ASKED.format(survey=survey) + query).json()
+        mine = eyes["height_m"][np.isin(eyes["category"], kept)]
+        assert found["eyes"] == len(mine)
+        quantile = np.quantile(mine, 0.10, method="median_unbiased")
+        assert found["cases"][1]["crest"]["eye_m"]["value"] == pytest.approx(float(quantile), abs=1e-9)
+
+
 def test_feet_take_the_other_set_of_formulas(survey: int, viewer: Client) -> None:
     found = viewer.get(ASKED.format(survey=survey) + "&unit=ft&speed_mps=26.8224").json()
     assert round(found["distance"]["design_m"] / 0.3048) == 570

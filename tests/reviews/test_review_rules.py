@@ -227,6 +227,6 @@ def test_what_is_most_likely_wrong_comes_first_and_ones_own_last(
     assert "far_from_maker" in first["signs"] and "new_operator" in first["signs"]
     assert first["error_m"] == pytest.approx(0.4, abs=1e-6) and first["U95_error_m"] > 0.0
     work = reviewer.seen(f"/surveys/{ground.survey_id}/review-work")
-    assert work == {"to_review": 3, "own": 1}
+    assert work == {"to_review": 3, "own": 1, "in_lots": 0}
     page = reviewer.seen(f"/surveys/{ground.survey_id}/review-queue?limit=2&after={ids[0]}")
     assert [item["measurement"]["id"] for item in page] == ids[1:3]

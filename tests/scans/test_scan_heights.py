@@ -81,6 +81,57 @@ def test_from_the_rod_to_a_height_and_back(
     assert kept.status_code == 409 and "worked on" in error_of(kept)
 
 
+def test_a_height_is_reviewed_by_somebody_else(
+    operator: Client, reviewer: Client, viewer: Client, vehicle: ScanMeasurement
+) -> None:
+    """Append-only verdicts on what was seen; clicks stay those of who placed them, whoever computes again."""
+    scan, heights = f"/scans/{vehicle.scan_id}", f"/scan-vehicles/{vehicle.vehicle_id}/heights"
+    operator.put(f"{scan}/line-pose", rod())
+    first = reviewer.made(heights, {**clicks(), "revision": 0})
+    assert (first["review"]["verdict"], first["mine"]) == ("to_review", True)
+    own = reviewer.post(f"/line-heights/{first['id']}/review", {"verdict": "accepted"})
+    assert own.status_code == 403 and "clicked or computed themselves" in error_of(own)
+    # computed again with another rod by the operator: the reviewer's clicks all the same
+    operator.put(f"{scan}/line-pose", rod(1, u_distance_m=0.02))
+    again = operator.made(heights, {**clicks(), "revision": 1})
+    assert reviewer.seen(f"{scan}/heights")[0]["mine"]
+    assert reviewer.post(f"/line-heights/{again['id']}/review", {"verdict": "accepted"}).status_code == 403
+
+    made = operator.made(heights, {**clicks(height_m=1.46), "revision": 2})
+    verdict = f"/line-heights/{made['id']}/review"
+    counts = viewer.seen(scan)["counts"]
+    assert (counts["heights"], counts["heights_to_review"]) == (1, 1)
+    stale = reviewer.post(f"/line-heights/{again['id']}/review", {"verdict": "accepted"})
+    assert stale.status_code == 409 and "measured again meanwhile" in error_of(stale)
+    why = reviewer.post(verdict, {"verdict": "rejected", "reason": " "})
+    assert why.status_code == 422 and "needs a reason" in error_of(why)
+    early = reviewer.post(verdict, {"verdict": "reopened"})
+    assert early.status_code == 409 and "waits for a review already" in error_of(early)
+    rejected = reviewer.made(verdict, {"verdict": "rejected", "reason": "A rack.", "seen": "to_review"})
+    assert (rejected["review"]["verdict"], rejected["review"]["reason"]) == ("rejected", "A rack.")
+    late = reviewer.post(verdict, {"verdict": "accepted", "seen": "to_review"})
+    assert late.status_code == 409
+    survey = f"/surveys/{vehicle.survey_id}"
+    asked = f"{survey}/scan-statistics"
+    (row,) = viewer.seen(asked)["heights"]
+    assert (row["n"], row["to_review"], row["rejected"], row["mean_m"]) == (0, 0, 1, None)
+    reviewer.made(verdict, {"verdict": "reopened"})
+    (row,) = viewer.seen(asked)["heights"]
+    assert (row["n"], row["to_review"]) == (0, 1)
+    (row,) = viewer.seen(f"{asked}?accepted_only=false")["heights"]
+    assert (row["n"], row["to_review"]) == (1, 1)
+    progress = viewer.seen(survey)["scans"]
+    assert "Review 1 of 1 height." in progress["summary"] and progress["heights_to_review"] == 1
+    reviewer.made(verdict, {"verdict": "accepted"})
+    (row,) = viewer.seen(asked)["heights"]
+    assert (row["n"], row["to_review"], row["mean_m"]) == (1, 0, made["height_m"])
+
+    taken = operator.delete(heights, params={"target": "roof", "revision": 3}).json()
+    gone = reviewer.post(f"/line-heights/{taken['id']}/review", {"verdict": "accepted"})
+    assert gone.status_code == 409 and "nothing to review" in error_of(gone)
+    assert viewer.seen(asked)["heights"] == [] and viewer.seen(scan)["counts"]["heights"] == 0
+
+
 def test_what_cannot_be_is_said_in_words(operator: Client, viewer: Client, vehicle: ScanMeasurement) -> None:
     scan, heights = f"/scans/{vehicle.scan_id}", f"/scan-vehicles/{vehicle.vehicle_id}/heights"
     one_stand = rod(marks=rod()["marks"][:4])

@@ -13,6 +13,7 @@ from sightline.export.verify.derived import check_statistics
 from sightline.export.verify.package import verify_place
 from sightline.infra.csv_package.files import FolderFiles, Staging
 from sightline.infra.services import Services
+from sightline.scans.heights.review_store import add_line_height_review
 from sightline.scans.vehicles.measurement_store import append_scan_measurement
 from sightline.scans.vehicles.review_store import add_scan_review
 from sightline.scans.verify import check_scans
@@ -32,7 +33,10 @@ def one(services: Services) -> Sample:
         second = append_scan_measurement(session, first.vehicle_id, moved, actor=made.olga.id)
         add_scan_review(session, second.id, verdict="accepted", actor=made.rene.id)
         rod = scans_samples.rod(session, made, first.scan_id)
-        scans_samples.tall(session, made, first.vehicle_id, rod)
+        roof = scans_samples.tall(session, made, first.vehicle_id, rod)
+        scans_samples.tall(session, made, first.vehicle_id, rod, target="other")
+        add_line_height_review(session, roof.id, verdict="rejected", reason="A rack.", actor=made.rene.id)
+        add_line_height_review(session, roof.id, verdict="accepted", actor=made.rene.id)
         scans_samples.removed(session, made)
     return made
 
@@ -64,9 +68,17 @@ def test_rows_say_what_is_stored(package: Path) -> None:
     (pose,) = rows(package, "line_poses")
     assert (pose["camera_height_m"], pose["sigma_px"]) == ("1.100000", "0.5")
     assert len(rows(package, "line_marks")) == 8
-    (height,) = rows(package, "line_heights")
+    height, other = rows(package, "line_heights")
     assert (height["height_m"], height["distance_m"], height["current"]) == ("1.400000", "3.000000", "true")
-    assert len(rows(package, "line_height_budget")) == 4
+    last = rows(package, "line_height_reviews")[-1]
+    assert (height["verdict"], height["reviewer_id"], height["reviewed_at"]) == (
+        "accepted",
+        last["reviewer_id"],
+        last["at"],
+    )
+    assert (other["verdict"], other["reviewer_id"], other["reviewed_at"]) == ("to_review", "", "")
+    assert [one["verdict"] for one in rows(package, "line_height_reviews")] == ["rejected", "accepted"]
+    assert len(rows(package, "line_height_budget")) == 8
     found = verify_place(package)
     assert found.ok, found.problem
 
@@ -78,7 +90,14 @@ def test_statistics_figures_and_report_tell_of_line_scans(package: Path) -> None
     speeds = [one for one in rows(package / "statistics", "scan_percentiles") if one["quantity"] == "speed"]
     assert {one["value"] for one in speeds} == {"19.31415"} and all(one["reason"] for one in speeds)
     said = "".join(words((package / "report.pdf").read_bytes()).split())
-    for expected in ("Linescans", "1acceptedvehiclecountsof1found.", "69.5", "fromthetraffic", "Roof11.400"):
+    for expected in (
+        "Linescans",
+        "1acceptedvehiclecountsof1found.",
+        "69.5",
+        "fromthetraffic",
+        "Roof11.400",
+        "Other0––––1",
+    ):
         assert expected in said
     assert (package / "figures" / "scan-speed.svg").is_file()
     table = package / "statistics" / "scan_quantities.csv"
@@ -100,13 +119,29 @@ TAMPERED = {
     "an interval": ("line_heights.csv", ",ok,", "9,ok,", "U95_height_m"),
     "a share of the budget": ("line_height_budget.csv", "inset,0", "inset,1", "inset of height 1"),
     "a verdict": ("scan_reviews.csv", "accepted", "rejected", "verdict of row 1"),
+    "a verdict's reviewer": ("scan_reviews.csv", "accepted,,2", "accepted,,1", "reviewer_id of row 1"),
+    "a height's verdict given": (
+        "line_height_reviews.csv",
+        "2,1,accepted",
+        "2,1,rejected",
+        "verdict of row 2",
+    ),
+    "a height's verdict": ("line_heights.csv", ",accepted,", ",rejected,", "line_heights.csv: .*1"),
+    "a verdict on a height that waits": (
+        "line_heights.csv",
+        ",to_review,",
+        ",accepted,",
+        "line_heights.csv: .*2",
+    ),
+    "who judged a height": ("line_heights.csv", ",accepted,,2,", ",accepted,,1,", "line_heights.csv: .*1"),
+    "a height's refusal removed": ("line_height_reviews.csv", "\n1,1,", "\n7,1,", "row 1 is there|row 7 is"),
 }
 
 
 def test_tampering_is_found(package: Path) -> None:
     """By the audit events alone: whoever tampers can write new sums."""
     files = FolderFiles(package)
-    assert check_scans(files, walk(files, read_seal(files))) == 8
+    assert check_scans(files, walk(files, read_seal(files))) == 11
     for name, old, new, problem in TAMPERED.values():
         path = package / name
         text = path.read_text(encoding="utf-8")

@@ -10,6 +10,7 @@ import pyarrow.parquet as pq
 import pytest
 
 from sightline.cli import main
+from sightline.studies.query import READ
 from tests.export.test_export_package import ground, package, worked
 from tests.support.studies import CLASS_M, Invented, invent
 
@@ -57,6 +58,26 @@ def test_four_packages_are_one_study(
     for name in ("figures", "errors", "classes", "plan", "packages"):
         written = pq.read_table(tmp_path / "study" / "parquet" / f"{name}.parquet")
         assert written.num_rows == len(told[name])
+
+
+def test_only_heights_in_the_sample_count_and_it_is_said(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    surveys = [Invented(f"survey {n}", f"site {n}", 150, sample_one_in=1 + n) for n in range(2)]
+    places = [str(invent(tmp_path / one.site, one, n)) for n, one in enumerate(surveys)]
+    assert main(["study", *places, "--quick", "--json", "-o", str(tmp_path / "study")]) == 0
+    told = json.loads(capsys.readouterr().out)
+    assert (told["heights"], told["vehicles"]) == (450 + 225, 150 + 75)
+    assert [(one["counted"], one["out_of_sample"]) for one in told["packages"]] == [(450, 0), (225, 225)]
+    assert any("225 accepted heights are of vehicles outside" in note for note in told["notes"])
+
+
+def test_a_package_that_does_not_tell_its_sample_is_refused(
+    four: list[str], tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("sightline.studies.packages.columns_of", lambda place: {name: () for name in READ})
+    assert main(["study", *four, "--quick", "-o", str(tmp_path / "study")]) == 2
+    assert "does not say which vehicles were in its sample" in capsys.readouterr().err
 
 
 def test_the_error_table_is_that_of_the_rows(

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import base64
 import csv
 import hashlib
 import io
 import json
+import zlib
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -21,7 +23,7 @@ Package = dict[str, bytes]
 #: What was done, in words, and the package then.
 Mutation = tuple[str, Package]
 SUMS, DESCRIPTION, CHAIN = "SHA256SUMS", "datapackage.json", "audit.csv"
-CHECKPOINT = "checkpoint.json"
+CHECKPOINT, SCRIPT = "checkpoint.json", "audit.js"
 
 
 class MemoryFiles:
@@ -74,8 +76,21 @@ def with_sums(changed: Package, whole: Package, *, seal: bool = False) -> Packag
     if seal and CHAIN in made:
         made[CHAIN] = _sealed(made)
         made[CHECKPOINT] = _signed(made)
+        if changed.get(SCRIPT) == whole.get(SCRIPT) is not None:
+            made[SCRIPT] = script_of(made)
     made[SUMS] = "".join(f"{_sum(made[path])}  {path}\n" for path in sorted(made) if path != SUMS).encode()
     return made
+
+
+def script_of(package: Package) -> bytes:
+    """audit.js over a package's chain and checkpoint, as the format of the package says."""
+
+    def packed(content: bytes) -> str:
+        packer = zlib.compressobj(wbits=-15)
+        return base64.b64encode(packer.compress(content) + packer.flush()).decode()
+
+    told = json.dumps({path: packed(package.get(path, b"")) for path in (CHAIN, CHECKPOINT)})
+    return f"globalThis.sightlineAudit = {told};\n".encode()
 
 
 def _sealed(package: Package) -> bytes:
@@ -87,7 +102,9 @@ def _sealed(package: Package) -> bytes:
         after = json.loads(event["after"])
         crops = sorted(path for path in package if path.startswith("crops/"))
         files = {
-            path: _sum(package[path]) for path in package if path not in (CHAIN, CHECKPOINT, SUMS, *crops)
+            path: _sum(package[path])
+            for path in package
+            if path not in (CHAIN, CHECKPOINT, SCRIPT, SUMS, *crops)
         }
         files["crops/"] = _sum("".join(f"{_sum(package[path])}  {path}\n" for path in crops).encode())
         after["files"] = {**files, CHAIN: _sum(b"".join(before))}

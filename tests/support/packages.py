@@ -16,7 +16,8 @@ import pytest
 from sightline.export.build import build
 from sightline.export.contents import tables_of
 from sightline.export.derived import derive_tables, drawn
-from sightline.export.seal import sealed
+from sightline.export.page import write_audit_script, write_page
+from sightline.export.seal import PAGE, sealed
 from sightline.infra.audit.hashing import canonical_json, event_hash, link_hash
 from sightline.infra.audit.merkle import root_of
 from sightline.infra.audit.records import AuditHead
@@ -24,7 +25,14 @@ from sightline.infra.audit.signing import SigningKey
 from sightline.infra.csv_package.chain import hashed
 from sightline.infra.csv_package.files import FolderFiles, Staging, fresh_folder, sum_of
 from sightline.infra.csv_package.parquet import write_parquet
-from sightline.infra.csv_package.schema import CHECKSUMS, DESCRIPTION, Written, json_bytes, sha256_hex
+from sightline.infra.csv_package.schema import (
+    CHECKSUMS,
+    DESCRIPTION,
+    AnyTable,
+    Written,
+    json_bytes,
+    sha256_hex,
+)
 from sightline.infra.services import Services
 from sightline.media.images import jpeg
 from sightline.recordings.store import get_recording, store_drift
@@ -73,6 +81,11 @@ def worked(operator: Client, reviewer: Client, ground: Ground, services: Service
     operator.delete(f"/measurements/{gone['id']}?revision=1")
     _moved(services, ground)
     operator.put(f"/recordings/{ground.recording_id}/drift/decision", {"reason": "A bird sat on it."})
+    start = {"local": "2026-05-03T08:10:00", "time_zone": "Europe/Paris"}
+    facts = {"start": start, "weather": "overcast", "street_lighting": "off"}
+    operator.put(f"/recordings/{ground.recording_id}", facts)
+    words = {"lens": "24-70 mm", "zoom": "28 mm", "focus": "manual, 5 m"}
+    assert operator.put(f"/cameras/{ground.camera_id}", words).status_code == 200
     return ground
 
 
@@ -150,6 +163,10 @@ def reseal(place: Path, *, seal: bool = True) -> None:
     """
     described = json.loads((place / DESCRIPTION).read_text())
     files = FolderFiles(place)
+    staging = Staging(place)
+    staging.written = _sums(place)
+    if PAGE in files.paths:
+        write_page(staging, _tables(place))
     for resource in described["resources"]:
         if "hash" in resource and resource["path"] in files.paths:
             found = sum_of(files, resource["path"])
@@ -157,8 +174,8 @@ def reseal(place: Path, *, seal: bool = True) -> None:
     (place / DESCRIPTION).write_bytes(json_bytes(described))
     if seal:
         seal_anew(place)
-    staging = Staging(place)
     staging.written = _sums(place)
+    write_audit_script(staging)
     staging.add_checksums()
 
 
@@ -208,8 +225,13 @@ def columns_again(place: Path) -> None:
     """Write the Parquet of every table anew, with the program itself."""
     staging = Staging(place)
     staging.written = _sums(place)
-    most = sum(name.startswith("frame") and name[5:].isdigit() for name in rows(place, "measurements.csv")[0])
-    write_parquet(staging, tables_of(most + 1))
+    write_parquet(staging, _tables(place))
+
+
+def _tables(place: Path) -> tuple[AnyTable, ...]:
+    head = (place / "measurements.csv").read_text().partition("\n")[0].split(",")
+    most = sum(name.startswith("frame") and name[5:].isdigit() for name in head)
+    return tables_of(most + 1)
 
 
 def _sums(place: Path) -> dict[str, Written]:

@@ -26,6 +26,10 @@ from sightline.poses.store import add_pose
 from sightline.recordings.frames.records import FrameTable
 from sightline.recordings.records import Facts, Recording
 from sightline.recordings.store import create_recording, get_recording, note_ingested
+from sightline.reviews.lots.query import get_lot
+from sightline.reviews.lots.records import Lot
+from sightline.reviews.lots.store import add_lot
+from sightline.statistics.acceptance import USUAL_RISKS, SamplingPlan
 from sightline.surveys.photographs.records import Photograph
 from sightline.surveys.photographs.store import add_photograph
 from sightline.surveys.records import Survey
@@ -179,6 +183,14 @@ def measure(session: Session, one: Sample, target: Target = "roof", key: int = 1
     content = values(one, target=target)
     return add_measurement(
         session, one.vehicle.id, client_key=KEY.format(key), values=content, actor=one.olga.id
+    )
+
+
+def lot(session: Session, one: Sample) -> Lot:
+    """A lot of the measurement that was made first, drawn by Rene."""
+    plan = SamplingPlan(1, 1, 0, 0.0, 0.0)
+    return get_lot(
+        session, add_lot(session, one.survey.id, {}, [(1, 1)], plan, USUAL_RISKS, actor=one.rene.id)
     )
 
 

@@ -6,10 +6,12 @@ from typing import Any
 
 from sqlalchemy.orm import Session
 
+from sightline.enums import Target
 from sightline.linescan.line_pose import solve_line_pose
 from sightline.linescan.parts import Rig
 from sightline.scans.heights.pose_store import append_line_pose
 from sightline.scans.heights.poses import solved_values
+from sightline.scans.heights.review_store import add_line_height_review
 from sightline.scans.heights.service import RowClicks, height_values
 from sightline.scans.heights.store import append_line_height, withdraw_line_height
 from sightline.scans.records import Scan, ScanRunValues, ScanValues, StripFacts, StripSource
@@ -133,9 +135,16 @@ def rod(session: Session, one: Sample, scan_id: int, seen_revision: int = 0) -> 
     return append_line_pose(session, scan_id, told, seen_revision=seen_revision, actor=one.olga.id)
 
 
-def tall(session: Session, one: Sample, vehicle_id: int, pose: Any, seen_revision: int = 0) -> Any:
-    """A roof 1.4 m above a contact at 3 m: the row of a target 0.3 m behind it."""
-    clicks = RowClicks("roof", (1300.0, 830.0), (1500.0, 500.0 - 900.0 * 0.3 / 3.3), 1.0, 0.3, 0.1)
+def tall(
+    session: Session,
+    one: Sample,
+    vehicle_id: int,
+    pose: Any,
+    seen_revision: int = 0,
+    target: Target = "roof",
+) -> Any:
+    """A height 1.4 m above a contact at 3 m: the row of a target 0.3 m behind it."""
+    clicks = RowClicks(target, (1300.0, 830.0), (1500.0, 500.0 - 900.0 * 0.3 / 3.3), 1.0, 0.3, 0.1)
     told = height_values(pose, clicks, [])
     return append_line_height(session, vehicle_id, told, seen_revision=seen_revision, actor=one.olga.id)
 
@@ -213,6 +222,10 @@ WRITES: dict[str, tuple[Write, Callable[[Session, Sample, Any], Any]]] = {
     "append_line_height": (
         _calibrated,
         lambda s, o, made: tall(s, o, made[0].id, made[1]),
+    ),
+    "add_line_height_review": (
+        _tall,
+        lambda s, o, made: add_line_height_review(s, made.id, verdict="accepted", actor=o.rene.id),
     ),
     "withdraw_line_height": (
         _tall,

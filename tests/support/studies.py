@@ -36,6 +36,8 @@ class Invented:
     moved_m: float = 0.0
     version: str = "test"
     poses: int = 1
+    #: every how manieth vehicle is in the sample; the others were measured all the same
+    sample_one_in: int = 1
 
 
 def invent(folder: Path, survey: Invented, seed: int = 0, *, with_csv: bool = True) -> Path:
@@ -55,6 +57,8 @@ def invent(folder: Path, survey: Invented, seed: int = 0, *, with_csv: bool = Tr
         "lighting": pa.array(lighting),
         "category": pa.array(words[which]),
         "manufacturer_height_m": roof,
+        "in_sample": ids % survey.sample_one_in == 0,
+        "discarded": pa.nulls(n, pa.string()),
     }
     error = survey.moved_m + rng.normal(0.0, 0.004)
     of = np.repeat(np.arange(n), len(TARGETS))

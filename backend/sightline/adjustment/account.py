@@ -1,7 +1,6 @@
 """The account of an adjustment, as `adjusted.json` and a stored pose have it."""
 
 from collections.abc import Sequence
-from dataclasses import asdict
 from typing import Any
 
 from sightline.adjustment.adjust import Adjustment, LeftOut
@@ -19,7 +18,10 @@ def adjustment_to_dict(found: Adjustment, unread: Sequence[LeftOut] = ()) -> dic
         "chi2": found.chi2,
         "degrees_of_freedom": found.degrees_of_freedom,
         "chi2_limit": found.chi2_limit,
-        "moved": [asdict(one) for one in found.moved],
+        "moved": [
+            {"name": one.name, "value": one.value, "u_before": one.u_before, "u_after": one.u_after}
+            for one in found.moved
+        ],
         "heading_rad": found.heading_rad,
         "u_heading_rad": found.u_heading_rad,
         "notes": list(found.notes),

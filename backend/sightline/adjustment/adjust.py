@@ -45,13 +45,14 @@ class DroppedPoint:
 @dataclass(frozen=True)
 class Moved:
     """One shared error: what it was found to be (new minus old), and its standard uncertainty before and
-    after, in the unit that its name ends in.
+    after, in the unit that its name ends in. `by_u`: how many u_before it moved by; None of what could not.
     """
 
     name: str
     value: float
     u_before: float
     u_after: float
+    by_u: float | None
 
 
 @dataclass(frozen=True)
@@ -217,23 +218,29 @@ def _moved(shared: SharedErrors, found: Cleaned) -> tuple[Moved, ...]:
 def _moved_by(shared: SharedErrors, z: Floats, covariance: Floats) -> tuple[Moved, ...]:
     first, u = shared.first_part, np.sqrt(np.diag(covariance))
     out = [
-        Moved(part.name, part.u * float(z[first + i]), part.u, part.u * float(u[first + i]))
+        _entry(part.name, part.u * float(z[first + i]), part.u, part.u * float(u[first + i]))
         for i, part in enumerate(shared.parts)
     ]
     increments = shared.root @ z
     before, after = _prior_root(shared), shared.root @ covariance @ shared.root.T
     up = np.concatenate([np.zeros(len(before) - 3), -shared.pose.rotation[:, 2]])
     height = moved_pose(shared.pose, increments).centre_m[2] - shared.pose.centre_m[2]
-    out.append(Moved("camera_height_m", float(height), _along(up, before), _along(up, after)))
+    out.append(_entry("camera_height_m", float(height), _along(up, before), _along(up, after)))
     for name, axis in (("road_lean_rad", 0), ("road_roll_rad", 1)):
         turn = np.concatenate([np.zeros(len(before) - 6), shared.pose.rotation[:, axis], np.zeros(3)])
-        out.append(Moved(name, float(turn @ increments), _along(turn, before), _along(turn, after)))
+        out.append(_entry(name, float(turn @ increments), _along(turn, before), _along(turn, after)))
     names = (*shared.pose.camera.parameters, *(f"{n}_{'rad' if n[0] == 'r' else 'm'}" for n in POSE_NAMES))
     for i, name in enumerate(names):
         out.append(
-            Moved(name, float(increments[i]), float(before[i, i]) ** 0.5, float(max(after[i, i], 0.0)) ** 0.5)
+            _entry(
+                name, float(increments[i]), float(before[i, i]) ** 0.5, float(max(after[i, i], 0.0)) ** 0.5
+            )
         )
     return tuple(out)
+
+
+def _entry(name: str, value: float, u_before: float, u_after: float) -> Moved:
+    return Moved(name, value, u_before, u_after, abs(value) / u_before if u_before > 0.0 else None)
 
 
 def _along(by: Floats, covariance: Floats) -> float:

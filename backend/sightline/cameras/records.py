@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass
 from datetime import datetime
+from typing import TypedDict
 
 from sightline.enums import CalibrationSource
 from sightline.infra.audit.records import Who
@@ -20,10 +21,25 @@ class CalibrationSummary:
 
 @dataclass(frozen=True, slots=True)
 class Camera:
+    """A body and lens at one setting; `lens`, `zoom` and `focus` in words."""
+
     id: int
     survey_id: int
     name: str
     notes: str
+    lens: str
+    zoom: str
+    focus: str
     current_calibration_id: int | None
     images: int
     calibrations: tuple[CalibrationSummary, ...]
+
+
+class CameraWords(TypedDict, total=False):
+    """What people say of a camera; keys left out stay as they are."""
+
+    name: str
+    notes: str
+    lens: str
+    zoom: str
+    focus: str

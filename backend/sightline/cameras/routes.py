@@ -12,7 +12,7 @@ from sightline.cameras.calibrations import images as calibration_images
 from sightline.cameras.calibrations.bodies import CalibrationSummaryBody
 from sightline.cameras.calibrations.calibrating import under_way
 from sightline.cameras.calibrations.records import CalibrationImage
-from sightline.cameras.records import Camera
+from sightline.cameras.records import Camera, CameraWords
 from sightline.enums import Point
 from sightline.infra.jobs.records import Job
 from sightline.infra.web.bodies import Id, In, JobBody, Name, Out, Text
@@ -32,6 +32,9 @@ class CameraBody(Out):
     survey_id: int
     name: str
     notes: str
+    lens: str
+    zoom: str
+    focus: str
     current_calibration_id: int | None
     images: int
     calibrations: list[CalibrationSummaryBody]
@@ -59,6 +62,9 @@ class CameraDetail(Out):
     survey_id: int
     name: str
     notes: str
+    lens: str
+    zoom: str
+    focus: str
     current_calibration_id: int | None
     images: list[CalibrationImageBody]
     calibrations: list[CalibrationSummaryBody]
@@ -68,6 +74,15 @@ class CameraDetail(Out):
 class NewCamera(In):
     name: Name
     notes: Text = ""
+    lens: Annotated[str, Field(max_length=200)] = ""
+    zoom: Annotated[str, Field(max_length=100)] = ""
+    focus: Annotated[str, Field(max_length=100)] = ""
+
+
+class CameraChange(NewCamera):
+    """Any subset; what is left out stays."""
+
+    name: Name = Field(default="", validate_default=False)
 
 
 class BoardSize(Markers):
@@ -90,8 +105,15 @@ def list_cameras(survey_id: PathId, who: Viewer, session: Reading) -> list[Camer
 @router.post("/surveys/{survey_id}/cameras", status_code=201)
 def add_camera(survey_id: PathId, body: NewCamera, who: Operator, session: Writing) -> CameraBody:
     """A new camera: a body and lens at one setting."""
-    made = store.create_camera(session, survey_id, name=body.name, notes=body.notes, actor=who.id)
+    made = store.create_camera(session, survey_id, **body.model_dump(), actor=who.id)
     return CameraBody.model_validate(made)
+
+
+@router.put("/cameras/{camera_id}")
+def change_camera(camera_id: PathId, body: CameraChange, who: Operator, session: Writing) -> CameraBody:
+    """Change what is said of a camera: name, notes, lens, zoom, focus."""
+    changes = CameraWords(**body.model_dump(exclude_unset=True))  # type: ignore[typeddict-item]
+    return CameraBody.model_validate(store.update_camera(session, camera_id, changes, actor=who.id))
 
 
 @router.get("/cameras/{camera_id}")

@@ -3,7 +3,7 @@
 from collections import defaultdict
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict
-from typing import Any
+from typing import Any, Unpack
 
 from sqlalchemy import delete, func, select
 from sqlalchemy.orm import Session
@@ -11,7 +11,7 @@ from sqlalchemy.orm import Session
 from sightline.cameras.calibrations.records import CalibrationImage, Detection
 from sightline.cameras.calibrations.store import summaries
 from sightline.cameras.calibrations.tables import calibration_images, calibrations
-from sightline.cameras.records import CalibrationSummary, Camera
+from sightline.cameras.records import CalibrationSummary, Camera, CameraWords
 from sightline.cameras.tables import cameras
 from sightline.errors import BadInput
 from sightline.infra.audit import trail
@@ -21,16 +21,41 @@ from sightline.surveys.tables import surveys
 
 
 def create_camera(
-    session: Session, survey_id: int, *, name: str, notes: str = "", actor: int | None
+    session: Session,
+    survey_id: int,
+    *,
+    name: str,
+    notes: str = "",
+    lens: str = "",
+    zoom: str = "",
+    focus: str = "",
+    actor: int | None,
 ) -> Camera:
     """A new camera in a survey. Raises NotFound, BadInput."""
     get_row(session, surveys, survey_id, "survey")
-    if not name.strip():
-        raise BadInput("cameras-camera-needs-name-fill")
-    content = {"survey_id": survey_id, "name": name.strip(), "notes": notes.strip()}
+    words = _words(name=name, notes=notes, lens=lens, zoom=zoom, focus=focus)
+    content = {"survey_id": survey_id, **words}
     camera_id = add_row(session, cameras, {**content, "created_at": now(), "created_by": actor})
     trail.record(session, actor, "create", "camera", camera_id, survey_id, None, content)
     return get_camera(session, camera_id)
+
+
+def update_camera(session: Session, camera_id: int, changes: CameraWords, *, actor: int | None) -> Camera:
+    """Change what is said of a camera; what is left out stays. Raises NotFound, BadInput."""
+    before = get_row(session, cameras, camera_id, "camera")
+    change = _words(**changes)
+    if change:
+        change_row(session, cameras, camera_id, change)
+    what = trail.changed(before, change, change)
+    trail.record(session, actor, "update", "camera", camera_id, before["survey_id"], *what)
+    return get_camera(session, camera_id)
+
+
+def _words(**words: Unpack[CameraWords]) -> dict[str, str]:
+    stripped = {name: str(text).strip() for name, text in words.items()}
+    if stripped.get("name") == "":
+        raise BadInput("cameras-camera-needs-name-fill")
+    return stripped
 
 
 def get_camera(session: Session, camera_id: int) -> Camera:
@@ -147,6 +172,9 @@ def _cameras(session: Session, rows: Sequence[Mapping[str, Any]]) -> tuple[Camer
             survey_id=row["survey_id"],
             name=row["name"],
             notes=row["notes"],
+            lens=row["lens"],
+            zoom=row["zoom"],
+            focus=row["focus"],
             current_calibration_id=row["current_calibration_id"],
             images=counts.get(row["id"], 0),
             calibrations=tuple(per_camera[row["id"]]),

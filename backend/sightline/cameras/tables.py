@@ -17,6 +17,10 @@ cameras = Table(
     Column("survey_id", ForeignKey("surveys.id"), nullable=False, index=True),
     Column("name", String(200), nullable=False),
     Column("notes", Text, nullable=False),
+    # what calibration holds for: lens, and its zoom and focus, in words
+    Column("lens", String(200), nullable=False),
+    Column("zoom", String(100), nullable=False),
+    Column("focus", String(100), nullable=False),
     # cameras and calibrations point at each other: this one is added last
     Column("current_calibration_id", ForeignKey("calibrations.id", use_alter=True)),
     Column("created_at", UtcDateTime, nullable=False),

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import os
 from pathlib import Path
 
 import click
 
+from sightline.commands.files import write_whole
 from sightline.commands.options import data_dir_option, require_database, settings_of
 
 
@@ -39,7 +39,7 @@ def checkpoint(output: Path | None, new_key: bool, data_dir: Path | None) -> Non
                 hand_on(session, key, after, actor=None)
                 key = after
             signed = sign_checkpoint(session, key, actor=None)
-            document = json_bytes({**signed, "keys": known_keys(session)})
+            document = json_bytes({**signed, "keys": known_keys(session)}).decode()
         if waiting is not None:
             # after the commit: until then the file waits beside the key in force
             if settings.signing_key is None:
@@ -49,9 +49,7 @@ def checkpoint(output: Path | None, new_key: bool, data_dir: Path | None) -> Non
     finally:
         services.close()
     if output is None:
-        click.echo(document.decode(), nl=False)
+        click.echo(document, nl=False)
     else:
-        fresh = output.with_name(f".{output.name}.{os.getpid()}")
-        fresh.write_bytes(document)
-        os.replace(fresh, output)
+        write_whole(output, document)
         click.echo(f"Signed with key {signed['key']}.")

@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-import sys
-from collections.abc import Callable
+from datetime import datetime
 from pathlib import Path
-from typing import get_args
+from typing import Any, get_args
 
 import click
 
-from sightline.commands.options import data_dir_option, require_database, settings_of
+from sightline.commands.options import data_dir_option, progress_told, require_database, settings_of
 from sightline.enums import Category, ClassSet, Lighting
+
+_DAY = click.DateTime(["%Y-%m-%d"])
 
 
 @click.command()
@@ -38,6 +39,8 @@ from sightline.enums import Category, ClassSet, Lighting
     type=click.Choice(get_args(Category)),
     help="Statistics and report only of this class; several add up.",
 )
+@click.option("--filmed-from", type=_DAY, help="Statistics and report only of what was filmed from this day.")
+@click.option("--filmed-to", type=_DAY, help="... up to this day, included, by the clocks of the place.")
 @data_dir_option
 def export(
     survey: str,
@@ -46,6 +49,8 @@ def export(
     lighting: str | None,
     class_sets: tuple[str, ...],
     categories: tuple[str, ...],
+    filmed_from: datetime | None,
+    filmed_to: datetime | None,
     data_dir: Path | None,
 ) -> None:
     """Write the package of a survey: tables, poses, crops, audit chain, statistics, figures and report.
@@ -59,7 +64,8 @@ def export(
     from sightline.infra.services import open_services
     from sightline.results.selection import selection_of
 
-    chosen = {"lighting": lighting, "class_sets": class_sets, "categories": categories}
+    chosen: dict[str, Any] = {"lighting": lighting, "class_sets": class_sets, "categories": categories}
+    chosen |= {"filmed_from": filmed_from and filmed_from.date(), "filmed_to": filmed_to and filmed_to.date()}
     settings = settings_of(data_dir=data_dir)
     require_database(settings)
     services = open_services(settings)
@@ -69,7 +75,13 @@ def export(
             staging = Staging(folder)
             survey_id = find_survey(session, survey).id
             built = build(
-                staging, session, survey_id, services, _told(), crops=crops, selection=selection_of(chosen)
+                staging,
+                session,
+                survey_id,
+                services,
+                progress_told(),
+                crops=crops,
+                selection=selection_of(chosen),
             )
     finally:
         services.close()
@@ -78,20 +90,3 @@ def export(
         f"({len(staging.written)} files). Audit head {built.head.hash}; keep it elsewhere, for "
         "`sightline verify --head`."
     )
-
-
-def _told() -> Callable[[float, str], None]:
-    """Progress on standard error: one line that changes on a terminal, one line a step elsewhere."""
-    last = ""
-
-    def tell(fraction: float, words: str) -> None:
-        nonlocal last
-        said = f"{100 * fraction:3.0f} %  {words}"
-        if sys.stderr.isatty():
-            end = "\n" if fraction >= 1.0 else ""
-            click.echo(f"\r{said:<70}{end}", err=True, nl=False)
-        elif words != last:
-            click.echo(said, err=True)
-        last = words
-
-    return tell

@@ -65,3 +65,20 @@ def print_json(value: object) -> None:
     """One JSON object, full precision, no NaN."""
     json.dump(value, sys.stdout, indent=2, ensure_ascii=False, allow_nan=False)
     sys.stdout.write("\n")
+
+
+def progress_told() -> Callable[[float, str], None]:
+    """Progress on standard error: one line that changes on a terminal, one line a step elsewhere."""
+    last = ""
+
+    def tell(fraction: float, words: str) -> None:
+        nonlocal last
+        said = f"{100 * fraction:3.0f} %  {words}"
+        if sys.stderr.isatty():
+            end = "\n" if fraction >= 1.0 else ""
+            click.echo(f"\r{said:<70}{end}", err=True, nl=False)
+        elif words != last:
+            click.echo(said, err=True)
+        last = words
+
+    return tell

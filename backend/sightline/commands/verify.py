@@ -8,11 +8,12 @@ from typing import Any
 
 import click
 
-from sightline.commands.options import json_option, print_json
+from sightline.commands.options import json_option, print_json, progress_told
 from sightline.errors import BadInput, Damaged
 from sightline.settings import sqlite_url
 
 DATABASE = "sightline.db"
+BACKUP = "manifest.json"
 
 
 @click.command()
@@ -21,7 +22,8 @@ DATABASE = "sightline.db"
 @click.option("--key", help="Signing key of the installation (16 signs or more); for an export.")
 @json_option
 def verify(place: str, head: str | None, key: str | None, as_json: bool) -> None:
-    """Check the audit chain of a database (file, data folder or postgresql:// address) or a whole export.
+    """Check the audit chain of a database (file, data folder or postgresql:// address), or a whole export
+    or backup.
 
     Of an export also its seal, by which the chain names every file, every height and every statistic,
     computed again, every row against the audit chain, and the signature over its end. A chain that was
@@ -45,6 +47,8 @@ def check(place: str, head: str | None = None, key: str | None = None) -> dict[s
         raise BadInput("commands-not-exist-name-database-data-folder", place=place)
     if path.is_dir() and (path / DATABASE).is_file():
         path = path / DATABASE
+    if path.is_dir() and (path / BACKUP).is_file():
+        return check_backup_folder(path)
     if path.is_dir() or path.suffix == ".zip":
         return check_export(path, head, key)
     return check_database(sqlite_url(path.absolute()), str(path))
@@ -59,6 +63,15 @@ def check_export(path: Path, head: str | None = None, key: str | None = None) ->
     return {"kind": "export", **found, "sha256": sha256_of(path) if path.is_file() else None}
 
 
+def check_backup_folder(path: Path) -> dict[str, Any]:
+    """A folder of `sightline backup`: every file by its hash, of SQLite the audit chains too."""
+    from sightline.commands.backup import read_words
+    from sightline.infra.backup.restore import check_backup
+
+    found = check_backup(path, progress_told())
+    return {"kind": "backup", "ok": True, "problem": None, "said": read_words(path, found)}
+
+
 def check_database(url: str, name: str = "This address") -> dict[str, Any]:
     """A database; nothing in it is changed."""
     from sightline.infra.audit.verification import verify_database
@@ -67,6 +80,8 @@ def check_database(url: str, name: str = "This address") -> dict[str, Any]:
 
 
 def _words(place: str, found: dict[str, Any]) -> str:
+    if found["kind"] == "backup":
+        return str(found["said"])
     said = f"{place}: the audit chain of {found['checked']} events holds, head {found['head_hash'][:16]}"
     if found["kind"] != "export":
         return said + "."

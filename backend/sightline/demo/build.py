@@ -7,6 +7,7 @@ in them.
 from __future__ import annotations
 
 from collections.abc import Mapping
+from datetime import UTC, datetime
 from typing import Any
 
 from sightline.cameras.calibrations.calibrating import DetectedView, document_of, summary_of, view_rows
@@ -30,9 +31,12 @@ from sightline.people.store import create_person, person_by_email, update_person
 from sightline.poses.service import Solved
 from sightline.poses.store import add_pose
 from sightline.recordings.drift_request import request_if_posed
+from sightline.recordings.filming import Filming
 from sightline.recordings.ingest_job import facts_of, table_of
+from sightline.recordings.records import RecordingChanges
 from sightline.recordings.store import create_recording, list_recordings, note_ingested, update_recording
 from sightline.simulation.models import catalogue as demo_catalogue
+from sightline.surveys.place import Place
 from sightline.surveys.records import Asked
 from sightline.surveys.store import create_survey, demo_survey_id
 from sightline.vehicles.catalogue.records import CatalogueRow
@@ -48,7 +52,26 @@ DESCRIPTION = (
     "recording has 15 vehicles more, with speed, length and gaps."
 )
 TRAFFIC = TrafficFacts(traffic_side="right", steering_side="left", camera_place="verge")
+PLACE = Place(
+    road_class="single carriageway, rural",
+    speed_limit_mps=80 / 3.6,
+    street_lamps="present",
+    time_zone="Europe/Paris",
+)
 LIGHTING: dict[str, Lighting] = {"day": "daytime", "low_light": "low_light"}
+# Invented, as all of it: when each scene was filmed, in what weather, whether lamps were lit.
+FILMED: dict[str, RecordingChanges] = {
+    "day": {
+        "filming": Filming(datetime(2025, 5, 14, 6, 10, tzinfo=UTC), "Europe/Paris"),
+        "weather": "some cloud",
+        "street_lighting": "off",
+    },
+    "low_light": {
+        "filming": Filming(datetime(2025, 5, 14, 19, 40, tzinfo=UTC), "Europe/Paris"),
+        "weather": "clear",
+        "street_lighting": "on",
+    },
+}
 MEASURED = {"day": 7, "low_light": 3}
 WHEELED = {"day": 10, "low_light": 6}
 OPERATOR = ("Demonstration operator", "demonstration-operator@sightline.invalid")
@@ -96,6 +119,7 @@ def build(session: Session, parts: Parts, scanned: ScanParts) -> tuple[int, dict
         site=SITE,
         description=DESCRIPTION,
         traffic=TRAFFIC,
+        place=PLACE,
         asked=Asked(TARGETS, TARGETS),
         is_demo=True,
         actor=None,
@@ -132,7 +156,8 @@ def _model(row: Mapping[str, Any]) -> CatalogueRow:
 def _camera(session: Session, survey_id: int, parts: Parts) -> tuple[int, int]:
     """The camera with its lab pictures and the calibration that was made from them."""
     notes = "Rendered: 640 x 480 px, wide lens with barrel distortion."
-    camera = create_camera(session, survey_id, name="Roadside camera", notes=notes, actor=None)
+    setting = {"lens": "wide angle, invented", "zoom": "fixed", "focus": "fixed, all in focus"}
+    camera = create_camera(session, survey_id, name="Roadside camera", notes=notes, **setting, actor=None)
     seen = [_lab_image(session, camera.id, one) for one in parts.lab]
     checked = parts.calibration
     result = checked.result
@@ -178,7 +203,8 @@ def _recording(session: Session, survey_id: int, camera_id: int, video: Video) -
         actor=None,
     )
     note_ingested(session, made.id, facts_of(video.found, None), table_of(video.found), actor=None)
-    update_recording(session, made.id, {"lighting": LIGHTING[video.scene.name]}, actor=None)
+    facts: RecordingChanges = {**FILMED[video.scene.name], "lighting": LIGHTING[video.scene.name]}
+    update_recording(session, made.id, facts, actor=None)
     return made.id
 
 

@@ -10,6 +10,7 @@ from __future__ import annotations
 import tempfile
 from collections.abc import Iterator
 from dataclasses import dataclass
+from datetime import UTC, date, datetime, time
 from pathlib import Path
 from uuid import UUID, uuid5
 
@@ -19,8 +20,8 @@ from numpy.typing import NDArray
 
 from sightline.cameras.calibrations.store import add_calibration
 from sightline.cameras.store import create_camera
-from sightline.demo.build import OPERATOR, REVIEWER, TRAFFIC, demo_person
-from sightline.enums import AskedTarget, Lighting, Point
+from sightline.demo.build import OPERATOR, PLACE, REVIEWER, TRAFFIC, demo_person
+from sightline.enums import AskedTarget, Lighting, LotGrouping, Point
 from sightline.geometry.camera import Camera, project
 from sightline.geometry.documents import camera_to_dict
 from sightline.geometry.insets import USUAL_INSETS, inset_name
@@ -28,18 +29,23 @@ from sightline.geometry.road_pose import RoadPose
 from sightline.infra.database import Session
 from sightline.infra.jobs import registry
 from sightline.infra.services import Services
+from sightline.measurements.bulk_service import NewHeight, store_measurements
 from sightline.measurements.records import Clicks
-from sightline.measurements.service import store_measurement
 from sightline.media.store.local import key_of, sha256_of
 from sightline.media.video.ingest import Ingested, ingest
 from sightline.media.video.writer import write_mp4
 from sightline.poses.service import described
 from sightline.poses.store import add_pose
+from sightline.recordings.filming import Filming
 from sightline.recordings.ingest_job import facts_of, pack_thumbnails, table_of, thumbnails_key_of
+from sightline.recordings.records import RecordingChanges
 from sightline.recordings.store import create_recording, note_ingested, update_recording
+from sightline.reviews.lots.query import get_lot, waiting_measurements
+from sightline.reviews.lots.service import accept_lot, draw_lots, lots_with_items, planned_lots
 from sightline.reviews.plan_store import choose_review_plan
 from sightline.reviews.store import add_review
 from sightline.simulation.models import MODELS, Model
+from sightline.statistics.acceptance import USUAL_RISKS
 from sightline.surveys.records import Asked
 from sightline.surveys.store import create_survey, survey_names
 from sightline.vehicles.records import VehicleChanges
@@ -74,6 +80,7 @@ class Site:
 
     name: str
     seed: int
+    day: date
     daytime: int
     low_light: int
     height_m: float
@@ -89,6 +96,7 @@ SITES = (
     Site(
         name="Invented road A, two lanes",
         seed=1,
+        day=date(2025, 5, 13),
         daytime=100,
         low_light=63,
         height_m=1.45,
@@ -98,6 +106,7 @@ SITES = (
     Site(
         name="Invented road B, two lanes",
         seed=2,
+        day=date(2025, 5, 14),
         daytime=100,
         low_light=63,
         height_m=1.60,
@@ -107,6 +116,7 @@ SITES = (
     Site(
         name="Invented street C",
         seed=3,
+        day=date(2025, 5, 15),
         daytime=100,
         low_light=62,
         height_m=1.35,
@@ -116,6 +126,7 @@ SITES = (
     Site(
         name="Invented bypass D",
         seed=4,
+        day=date(2025, 5, 20),
         daytime=100,
         low_light=62,
         height_m=1.50,
@@ -164,6 +175,7 @@ def store_site(session: Session, site: Site, films: dict[Lighting, Film]) -> int
         site=site.name,
         description=DESCRIPTION,
         traffic=TRAFFIC,
+        place=PLACE,
         asked=Asked(**_TARGETS),
         actor=None,
     )
@@ -194,7 +206,12 @@ def store_site(session: Session, site: Site, films: dict[Lighting, Film]) -> int
             actor=None,
         )
         note_ingested(session, recording.id, facts_of(film.found, None), table_of(film.found), actor=None)
-        update_recording(session, recording.id, {"lighting": lighting}, actor=None)
+        facts: RecordingChanges = {
+            "lighting": lighting,
+            "weather": "clear, simulated",
+            **_filmed(site, lighting),
+        }
+        update_recording(session, recording.id, facts, actor=None)
         found = described(off(true, rng), np.zeros((0, 2)))
         add_pose(
             session,
@@ -211,10 +228,37 @@ def store_site(session: Session, site: Site, films: dict[Lighting, Film]) -> int
             overlay=found.overlay,
             actor=None,
         )
-        for n in range(site.count(lighting)):
-            model = _model(site, rng)
-            _vehicle(session, recording.id, true, n, model, lighting, rng, operator, reviewer)
+        fresh = [
+            one
+            for n in range(site.count(lighting))
+            for one in _vehicle(session, recording.id, true, n, _model(site, rng), lighting, rng, operator)
+        ]
+        waiting = [one for one in fresh if one.clicks.frame % _OPEN_ONE_IN == 0]
+        others = [one for one in fresh if one.clicks.frame % _OPEN_ONE_IN]
+        store_measurements(session, survey.id, others, actor=operator)
+        _review_by_lots(session, survey.id, reviewer)
+        store_measurements(session, survey.id, waiting, actor=operator)
     return survey.id
+
+
+def _review_by_lots(session: Session, survey_id: int, reviewer: int) -> None:
+    """Each target's heights are a lot, accepted by its sample; a lot too small for that one by one."""
+    by: tuple[LotGrouping, ...] = ("target", "lighting")
+    saves = any(one.saves for one in planned_lots(session, survey_id, by, USUAL_RISKS))
+    drawn = draw_lots(session, survey_id, by, USUAL_RISKS, actor=reviewer) if saves else ()
+    for lot, items in lots_with_items(session, [get_lot(session, lot_id) for lot_id in drawn]):
+        for item in items:
+            if item.role == "sample":
+                add_review(
+                    session,
+                    item.measurement_id,
+                    seen_revision=item.revision,
+                    verdict="accepted",
+                    actor=reviewer,
+                )
+        accept_lot(session, lot.id, actor=reviewer)
+    for left in waiting_measurements(session, survey_id):
+        add_review(session, left.series_id, seen_revision=left.revision, verdict="accepted", actor=reviewer)
 
 
 def true_pose(site: Site) -> RoadPose:
@@ -272,9 +316,8 @@ def _vehicle(
     lighting: Lighting,
     rng: Rng,
     operator: int,
-    reviewer: int,
-) -> None:
-    """A vehicle on frame n with its heights, reviewed unless its lot still waits."""
+) -> list[NewHeight]:
+    """A vehicle on frame n, and the clicks on it."""
     right = bool(rng.random() < 0.55)
     fields: VehicleChanges = {
         "first_frame": n,
@@ -291,11 +334,14 @@ def _vehicle(
         "direction": "right" if right else "left",
     }
     vehicle = create_vehicle(session, recording_id, fields, actor=operator)
-    for clicks in _clicks(true, n, model, right, lighting, rng):
-        key = str(uuid5(_NAMESPACE, f"{vehicle.id} {clicks.target}"))
-        made = store_measurement(session, vehicle.id, key, clicks, actor=operator)
-        if n % _OPEN_ONE_IN:
-            add_review(session, made.id, seen_revision=made.revision, verdict="accepted", actor=reviewer)
+    return [
+        NewHeight(
+            vehicle_id=vehicle.id,
+            client_key=str(uuid5(_NAMESPACE, f"{vehicle.id} {clicks.target}")),
+            clicks=clicks,
+        )
+        for clicks in _clicks(true, n, model, right, lighting, rng)
+    ]
 
 
 def _clicks(
@@ -327,6 +373,13 @@ def _clicks(
 def _beside(point: Floats, rng: Rng) -> Point:
     x, y = point + rng.normal(0.0, CLICK_NOISE_PX, 2)
     return round(float(x), 2), round(float(y), 2)
+
+
+def _filmed(site: Site, lighting: Lighting) -> RecordingChanges:
+    """Half past nine in the morning, or in the evening with lamps lit, on the site's invented day."""
+    by_day = lighting == "daytime"
+    at = datetime.combine(site.day, time(7 if by_day else 19, 30), UTC)
+    return {"filming": Filming(at, "Europe/Paris"), "street_lighting": "off" if by_day else "on"}
 
 
 def _film(services: Services, site: Site, lighting: Lighting) -> Film:

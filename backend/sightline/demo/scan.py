@@ -16,7 +16,7 @@ from typing import Any, cast
 
 import numpy as np
 
-from sightline.demo.scan_heights import RODS, store_heights
+from sightline.demo.scan_heights import RODS, review_heights, store_heights
 from sightline.infra.database import Session
 from sightline.infra.services import Services
 from sightline.linescan.parts import Pixels, Rig
@@ -172,6 +172,7 @@ def store_scan(session: Session, survey_id: int, parts: ScanParts, *, operator: 
             _slip(session, one.id, parts, operator)
         _judge(session, one.id, index, reviewer)
     store_heights(session, scan.id, SITE, parts.truth, operator)
+    review_heights(session, scan.id, reviewer)
     return scan.id
 
 

@@ -1,4 +1,4 @@
-"""The demonstration's heights in its line scan: a person clicks the rod's marks, roofs, eyes and lamps."""
+"""The demonstration's heights in its line scan: one clicks rod marks, roofs, eyes and lamps, one reviews."""
 
 from __future__ import annotations
 
@@ -10,7 +10,9 @@ from sightline.geometry.insets import USUAL_INSETS
 from sightline.infra.database import Session
 from sightline.scans.heights import poses
 from sightline.scans.heights.poses import Mark, Rod
+from sightline.scans.heights.review_store import add_line_height_review
 from sightline.scans.heights.service import Clicked, store_line_height
+from sightline.scans.heights.store import list_line_heights
 from sightline.scans.vehicles.store import list_scan_vehicles
 from sightline.simulation.scan_rod import HeldRod, row_of
 from sightline.simulation.scan_traffic import ScanSite, ScanTruth
@@ -21,6 +23,8 @@ RODS = (HeldRod(2.7, 1.3, 2.0), HeldRod(4.5, 2.9, 3.6))
 MARK_SIGMA_PX, CLICK_SIGMA_PX, TAPE_SIGMA_M = 0.5, 1.0, 0.005
 # by the order of passing: those whose heights are clicked
 CLICKED = range(6)
+# those of the vehicle that was clicked last wait for a verdict
+_WAITING = 1
 _MARGIN_ROWS = 4.0
 
 
@@ -41,6 +45,15 @@ def store_heights(
         for name, spot in targets_of(site, true).items():
             clicked = Clicked(name, contact, _off(spot, rng), **_of_near_driver(name))  # type: ignore[arg-type]
             store_line_height(session, one.id, clicked, seen_revision=0, actor=operator)
+
+
+def review_heights(session: Session, scan_id: int, reviewer: int) -> None:
+    """The other person accepts the heights, but for those of the vehicle that was clicked last."""
+    heights = [one for one in list_line_heights(session, scan_id) if one.values.status == "ok"]
+    clicked = list(dict.fromkeys(one.vehicle_id for one in heights))
+    for one in heights:
+        if one.vehicle_id in clicked[:-_WAITING]:
+            add_line_height_review(session, one.id, verdict="accepted", actor=reviewer)
 
 
 def _of_near_driver(name: str) -> dict[str, float]:

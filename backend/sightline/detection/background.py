@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections import deque
 from dataclasses import dataclass
+from itertools import pairwise
 
 import cv2
 import numpy as np
@@ -59,13 +60,27 @@ class Sampler:
 
     def background(self) -> Background:
         """What the window shows. Raises ValueError before the first picture."""
-        level = densest(np.stack(self._kept))
         noise = float(np.median(self._noise)) if self._noise else 1.0
-        smooth = cv2.GaussianBlur(level, (3, 3), 0)
-        kernel = np.ones((3, 3), np.uint8)
-        edges = cv2.dilate(smooth, kernel) - cv2.erode(smooth, kernel)
-        tolerance = LEAST_CONTRAST + NOISE_FACTOR * noise + EDGE_SHARE * edges
-        return Background(level, np.asarray(tolerance, np.float32))
+        return _background(np.stack(self._kept), noise)
+
+
+def background_of(samples: NDArray[np.uint8]) -> Background:
+    """The empty road that `samples` (n, h, w) show, in order of time.
+
+    Own method: `densest` of each pixel; noise from neighbouring samples, what moved between them clipped
+    away.
+    """
+    noise = [_noise(one, other) for one, other in pairwise(samples)]
+    return _background(samples, float(np.median(noise)) if noise else 1.0)
+
+
+def _background(samples: NDArray[np.uint8], noise: float) -> Background:
+    level = densest(samples)
+    smooth = cv2.GaussianBlur(level, (3, 3), 0)
+    kernel = np.ones((3, 3), np.uint8)
+    edges = cv2.dilate(smooth, kernel) - cv2.erode(smooth, kernel)
+    tolerance = LEAST_CONTRAST + NOISE_FACTOR * noise + EDGE_SHARE * edges
+    return Background(level, np.asarray(tolerance, np.float32))
 
 
 def densest(samples: NDArray[np.uint8]) -> NDArray[np.float32]:

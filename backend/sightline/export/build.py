@@ -16,10 +16,13 @@ import numpy as np
 
 from sightline.cameras.calibrations.csv import CALIBRATIONS, NamedCalibration, calibration_path
 from sightline.cameras.calibrations.store import list_calibrations
+from sightline.cameras.csv import CAMERAS
 from sightline.cameras.store import list_cameras
+from sightline.export.chosen import chosen_vehicles
 from sightline.export.contents import about_of, described, tables_of
 from sightline.export.crops import CROPS, Spots, spots_of, take_crops
 from sightline.export.derived import derive
+from sightline.export.page import write_audit_script, write_page
 from sightline.export.query import (
     audit_pages,
     calibration_contents,
@@ -75,6 +78,9 @@ from sightline.results.csv import SELECTION, STANDARDS, selection_rows
 from sightline.results.selection import Selection
 from sightline.results.standards_store import get_standards
 from sightline.reviews.csv import REVIEWS
+from sightline.reviews.lots.csv import LOT_ITEMS, LOTS, ItemOfLot
+from sightline.reviews.lots.query import items_of_deleted_vehicles, list_lots
+from sightline.reviews.lots.service import lots_with_items
 from sightline.scans.csv import fill_scans
 from sightline.surveys.csv import CLASSES, INSETS, QUOTAS, SAMPLING, SURVEY, insets_in_force
 from sightline.surveys.photographs.csv import PHOTOGRAPHS, photograph_path
@@ -161,14 +167,14 @@ def build(
     _photographs(staging, session, survey_id, services, seen)
     audit = _audit(staging, session, survey_id, seen)
     staging.fill(PEOPLE, (Who(id_, name) for id_, name in sorted(seen.people.items())))
-    taken = _crops(
-        staging, services, seen, _part(tell, 0.45, 0.75, "Cutting out the pictures of each click.")
-    )
     staging.fill(SELECTION, selection_rows(selection))
+    tick = _part(tell, 0.45, 0.75, "Cutting out the pictures of each click.")
+    taken = _crops(staging, services, seen, selection, tick)
     derive(staging, _part(tell, 0.75, 1.0, "Computing statistics, drawing figures and the report."))
     about = about_of(survey.name, survey.site, survey.description, audit.moment, selection_words(selection))
     tables = tables_of(most)
     write_parquet(staging, tables)
+    write_page(staging, tables)
     staging.add(DESCRIPTION, json_bytes(described(about, tables, staging.written)))
     key = signing_key(services.settings)
     ends = {name: one for name, one in trail.heads(session).items() if name in ("people", "catalogue")}
@@ -177,6 +183,7 @@ def build(
         signed = sign_checkpoint(writing, key, actor=actor)
         chain = survey_chain(survey_id)
         staging.add(CHECKPOINT, json_bytes(checkpoint_of_chain(writing, signed, chain)))
+    write_audit_script(staging)
     staging.add_checksums()
     return Built(head, seen.measurements, seen.vehicles, taken)
 
@@ -269,6 +276,7 @@ def _small_tables(staging: Staging, session: Session, survey: Survey, seen: _See
             for review in reviews:
                 seen.name(review.reviewer)
                 table_of_reviews.add(review)
+    _lots(staging, session, survey.id, seen)
     computed = list_computings(session, survey.id)
     for one in computed:
         seen.name(one.created_by)
@@ -289,6 +297,25 @@ def _small_tables(staging: Staging, session: Session, survey: Survey, seen: _See
     _set_up(staging, session, survey, seen)
 
 
+def _lots(staging: Staging, session: Session, survey_id: int, seen: _Seen) -> None:
+    """Lots with their items; those of deleted vehicles are in no table."""
+    lots = list_lots(session, survey_id)
+    for lot in lots:
+        for who in (lot.created_by, lot.common.operator, *(one.created_by for one in lot.decisions)):
+            seen.name(who)
+    staging.fill(LOTS, lots)
+    gone = items_of_deleted_vehicles(session, survey_id)
+    staging.fill(
+        LOT_ITEMS,
+        (
+            ItemOfLot(lot, item)
+            for lot, items in lots_with_items(session, lots)
+            for item in items
+            if item.measurement_id not in gone
+        ),
+    )
+
+
 def _photographs(staging: Staging, session: Session, survey_id: int, services: Services, seen: _Seen) -> None:
     found = list_photographs(session, survey_id)
     for one in found:
@@ -301,7 +328,9 @@ def _set_up(staging: Staging, session: Session, survey: Survey, seen: _Seen) -> 
     """Poses and calibrations: as tables, as files for the command line, and as the audit chain knows them."""
     found = list_whole_poses(session, survey.id)
     staging.fill(POSES, found)
-    names = {camera.id: camera.name for camera in list_cameras(session, survey.id)}
+    cameras = list_cameras(session, survey.id)
+    staging.fill(CAMERAS, cameras)
+    names = {camera.id: camera.name for camera in cameras}
     lenses = list_calibrations(session, survey.id)
     staging.fill(CALIBRATIONS, (NamedCalibration(lens, names.get(lens.camera_id)) for lens in lenses))
     for pose in found:
@@ -374,8 +403,14 @@ def _seal(
     return AuditHead(number, str(event["hash"]))
 
 
-def _crops(staging: Staging, services: Services, seen: _Seen, tick: Callable[[float], None]) -> int:
+def _crops(
+    staging: Staging, services: Services, seen: _Seen, selection: Selection, tick: Callable[[float], None]
+) -> int:
+    """Pictures of the vehicles that the package is of."""
     spots = [page for page in seen.spots if len(page)]
+    if spots and not selection.is_all:
+        chosen = np.array([int(one) for one in chosen_vehicles(staging.files())], dtype=np.int64)
+        spots = [kept for page in spots if len(kept := page[np.isin(page["vehicle"], chosen)])]
     if not spots:
         return staging.fill(CROPS, ())
     return take_crops(staging, services, np.concatenate(spots), tick)

@@ -10,10 +10,12 @@ from pathlib import Path
 from typing import Any
 
 from sightline.cameras.calibrations.csv import CALIBRATIONS
+from sightline.cameras.csv import CAMERAS
 from sightline.export.crops import CROPS
 from sightline.export.exclusions import EXCLUSIONS
+from sightline.export.page import page_version
 from sightline.export.response import RESPONSE
-from sightline.export.seal import CHECKPOINT
+from sightline.export.seal import AUDIT_SCRIPT, CHECKPOINT, PAGE
 from sightline.export.statistics_csv import TABLES
 from sightline.infra.csv_package.audit import AUDIT
 from sightline.infra.csv_package.schema import PARQUET, About, AnyTable, Other, Written, description_of
@@ -29,6 +31,7 @@ from sightline.recordings.csv import RECORDINGS
 from sightline.recordings.frames.csv import FRAMES
 from sightline.results.csv import SELECTION, STANDARDS
 from sightline.reviews.csv import REVIEWS
+from sightline.reviews.lots.csv import LOT_ITEMS, LOTS
 from sightline.scans.csv import TABLES as SCANS
 from sightline.surveys.csv import CLASSES, INSETS, QUOTAS, SAMPLING, SURVEY
 from sightline.surveys.photographs.csv import FOLDER as PHOTOGRAPHS_FOLDER
@@ -46,8 +49,11 @@ _OTHER_TABLES: tuple[AnyTable, ...] = (
     RECORDINGS,
     FRAMES,
     POSES,
+    CAMERAS,
     CALIBRATIONS,
     REVIEWS,
+    LOTS,
+    LOT_ITEMS,
     COMPUTINGS,
     INSETS,
     CLASSES,
@@ -68,6 +74,7 @@ _OTHER_TABLES: tuple[AnyTable, ...] = (
 )
 
 _OTHERS = (
+    (PAGE, "text/html", "This package as a page: open it in a browser; it checks itself, without a server."),
     (REPORT, "application/pdf", "Report: site, set-up, calibration, method, errors, figures, exclusions."),
     (FIGURES, "image/svg+xml", "A figure of the statistics."),
     (PHOTOGRAPHS_FOLDER, "image/jpeg", "A photograph of the set-up."),
@@ -97,7 +104,9 @@ _ABOUT = (
 
 def described(about: About, tables: Sequence[AnyTable], written: Mapping[str, Written]) -> dict[str, Any]:
     """`datapackage.json`. It comes before the seal, and so names no hash of the table that ends with it."""
-    without = {path: one for path, one in written.items() if path not in (AUDIT.path, CHECKPOINT)}
+    without = {
+        path: one for path, one in written.items() if path not in (AUDIT.path, AUDIT_SCRIPT, CHECKPOINT)
+    }
     return description_of(about, tables, others_of(without), without)
 
 
@@ -136,10 +145,12 @@ def about_of(name: str, site: str, description: str, created: str | None, only: 
 
 
 def made_with() -> dict[str, str]:
-    """What figures and report were drawn with: all but the first the same draw the same bytes."""
+    """What figures, report and page were made with: all the same but `sightline` and `page` draw the same
+    figures and report.
+    """
     used = ("numpy", "scipy", "matplotlib", "pillow", "typst")
     versions = {name: version(name) for name in used}
-    return {"sightline": code_version(), "drawing": _drawing(), **versions}
+    return {"sightline": code_version(), "drawing": _drawing(), "page": page_version(), **versions}
 
 
 #: The folders that figures, report and statistics are made by: a change in them changes what they make.

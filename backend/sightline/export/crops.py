@@ -28,7 +28,15 @@ from sightline.recordings.frames.stills import stills_of
 MARGIN_PX = 48
 QUALITY = 92
 _RECORD = np.dtype(
-    [("recording", "i8"), ("frame", "i8"), ("id", "i8"), ("k", "i4"), ("target", "u1"), ("crc", "i8")]
+    [
+        ("recording", "i8"),
+        ("frame", "i8"),
+        ("vehicle", "i8"),
+        ("id", "i8"),
+        ("k", "i4"),
+        ("target", "u1"),
+        ("crc", "i8"),
+    ]
     + [(name, "f8") for name in ("contact_x", "contact_y", "target_x", "target_y", "height_m", "U95_m")]
 )
 Spots = NDArray[Any]
@@ -41,7 +49,8 @@ def _in_crop(name: str, meaning: str) -> Column:
 CROPS = Table(
     "crops",
     "The part of each frame that a measurement was clicked on: crops/mN-K.jpg is frame K of measurement N, "
-    "unmarked, crops/mN-K.svg shows it with its points. Measurements that were withdrawn have none.",
+    "unmarked, crops/mN-K.svg shows it with its points. Measurements that were withdrawn have none, nor have "
+    "those of vehicles that the package is not of (selection.csv).",
     (
         Column("measurement_id", "integer", "measurement", required=True),
         Column("k", "integer", "which of the measurement's frames, from 1", required=True, minimum=1),
@@ -88,8 +97,9 @@ def spots_of(found: Sequence[Measurement]) -> Spots:
         height, u95 = (np.nan if m is None else m for m in (values.height_m, values.U95_height_m))
         on_frames: tuple[MeasurementValues | FurtherFrame, ...] = (values, *values.more_frames)
         for k, on in enumerate(on_frames, start=1):
-            place = (one.recording_id, on.frame, one.id, k, TARGETS.index(values.target), on.frame_crc32)
-            rows.append((*place, *on.contact, *on.target_point, height, u95))
+            place = (one.recording_id, on.frame, one.vehicle_id, one.id, k)
+            on_what = (TARGETS.index(values.target), on.frame_crc32)
+            rows.append((*place, *on_what, *on.contact, *on.target_point, height, u95))
     return np.array(rows, dtype=_RECORD)
 
 

@@ -10,14 +10,17 @@ from sightline.export.report.figures import drawings
 from sightline.export.report.package_facts import report_facts
 from sightline.export.report.report import report
 from sightline.export.response import RESPONSE, response_rows
-from sightline.export.seal import CHECKPOINT
+from sightline.export.seal import AUDIT_SCRIPT, CHECKPOINT, PAGE
 from sightline.export.statistics_csv import TABLES, statistics_rows
 from sightline.infra.csv_package.audit import AUDIT
 from sightline.infra.csv_package.files import Files, Staging, Tick
 from sightline.infra.csv_package.schema import PARQUET, Written
 
 # What the report lists no sums of: itself, what comes after it, and what there may be thousands of.
-_UNLISTED = ("crops/", PARQUET, FIGURES, AUDIT.path, CHECKPOINT, "SHA256SUMS", "datapackage.json", REPORT)
+_UNLISTED = (
+    *("crops/", PARQUET, FIGURES, AUDIT.path, CHECKPOINT, "SHA256SUMS", "datapackage.json", REPORT),
+    *(PAGE, AUDIT_SCRIPT),
+)
 
 
 def derive(staging: Staging, tick: Tick) -> None:

@@ -60,6 +60,7 @@ class Cars:
     """What the vehicles of a package are, by id: lighting, category and set as indices, lengths in metres."""
 
     lighting: dict[str, int]
+    filmed_day: dict[str, int]
     lane: dict[str, int]
     category: dict[str, int]
     class_set: dict[str, int]
@@ -85,7 +86,11 @@ def statistics_of(files: Files, choices: StatisticsOptions = StatisticsOptions()
     """
     chosen_of = selection_in(files)
     filter_ = Filter(
-        lighting=chosen_of.lighting, categories=chosen_of.categories, class_sets=chosen_of.class_sets
+        lighting=chosen_of.lighting,
+        categories=chosen_of.categories,
+        class_sets=chosen_of.class_sets,
+        filmed_from=chosen_of.filmed_from,
+        filmed_to=chosen_of.filmed_to,
     )
     measured, left_out = filtered(measured_of(files), filter_)
     groupings = _groupings(files, measured)
@@ -103,7 +108,7 @@ def measured_of(files: Files) -> Measured:
     """The standing measurements with a height, from measurements.csv, vehicles.csv and recordings.csv."""
     cars = _cars(files)
     whole = {name: array("q") for name in ("id", "vehicle", "operator", "day", "target", "verdict", "pose")}
-    of_car = {name: array("q") for name in ("lighting", "lane", "category", "class_set")}
+    of_car = {name: array("q") for name in ("lighting", "filmed_day", "lane", "category", "class_set")}
     lengths = {name: array("d") for name in ("height", "paper", "known", "u_known", "across", *UNCERTAINTY)}
     cameras = _Cameras(files)
     for id_, car, target, height, paper, withdrawn, verdict, maker, at, pose, y, *parts in read_columns(
@@ -114,10 +119,11 @@ def measured_of(files: Files) -> Measured:
         whole["id"].append(int(id_))
         whole["vehicle"].append(int(car))
         whole["operator"].append(int(maker) if maker else NONE)
-        whole["day"].append(date.fromisoformat(at[:10]).toordinal() - _EPOCH)
+        whole["day"].append(_day(at))
         whole["target"].append(TARGETS.index(target))
         whole["verdict"].append(VERDICTS.index(verdict))
         of_car["lighting"].append(cars.lighting[car])
+        of_car["filmed_day"].append(cars.filmed_day[car])
         of_car["lane"].append(cars.lane[car])
         of_car["category"].append(cars.category[car])
         of_car["class_set"].append(cars.class_set[car])
@@ -136,6 +142,7 @@ def measured_of(files: Files) -> Measured:
         operator_id=_ints(whole["operator"]),
         day=_ints(whole["day"]),
         target=_ints(whole["target"]),
+        filmed_day=_ints(of_car["filmed_day"]),
         lighting=_ints(of_car["lighting"]),
         lane=_ints(of_car["lane"]),
         category=_ints(of_car["category"]),
@@ -175,22 +182,29 @@ def _cars(files: Files) -> Cars:
         "id",
         "recording_id",
         "lighting",
+        "filmed_at",
         "direction",
         "category",
         "manufacturer_height_m",
         "u_manufacturer_height_m",
     )
     cars, sets = Cars(**{one.name: {} for one in fields(Cars)}), class_sets_in(files)
-    for id_, recording, lighting, direction, category, height, u_height in read_columns(
+    for id_, recording, lighting, filmed_at, direction, category, height, u_height in read_columns(
         files, "vehicles.csv", names
     ):
         cars.lighting[id_] = _code(lighting or of_recording.get(recording, ""), LIGHTING)
+        cars.filmed_day[id_] = _day(filmed_at) if filmed_at else NONE
         cars.lane[id_] = _code(direction, LANES)
         cars.category[id_] = _code(category, CATEGORIES)
         cars.class_set[id_] = _code(sets[category] if category else "", CLASS_SETS)
         cars.height_m[id_] = float(height) if height else np.nan
         cars.u_height_m[id_] = float(u_height) if u_height else np.nan
     return cars
+
+
+def _day(at: str) -> int:
+    """Days since 1970-01-01 of an ISO 8601 time, as it is written."""
+    return date.fromisoformat(at[:10]).toordinal() - _EPOCH
 
 
 def _code(word: str, words: tuple[str, ...]) -> int:

@@ -15,7 +15,7 @@ from sightline.infra.audit.tables import audit_events
 from sightline.infra.database.people import people
 from sightline.infra.database.rows import row_content
 from sightline.measurements.csv import OfVehicle
-from sightline.measurements.drift_query import flagged
+from sightline.measurements.derived_query import derived
 from sightline.measurements.query import is_first, measurement_of_row, measurement_revision_rows
 from sightline.measurements.records import Measurement, VehicleSheet
 from sightline.measurements.sheets.query import list_sheets_by_id
@@ -64,7 +64,7 @@ def revision_pages(session: Session, survey_id: int) -> Iterator[list[tuple[Meas
         rows = session.execute(chosen.where(measurement_series.c.id.between(first, last))).all()
         found = tuple([measurement_of_row(row) for row in rows])
         cars = [OfVehicle(**{name: getattr(row, name) for name in OfVehicle.__slots__}) for row in rows]
-        yield list(zip(flagged(session, found), cars, strict=True))
+        yield list(zip(derived(session, found), cars, strict=True))
 
 
 def vehicle_pages(session: Session, survey_id: int) -> Iterator[list[VehicleSheet]]:

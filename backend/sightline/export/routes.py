@@ -1,7 +1,7 @@
 """Exports: the CSV package for a standards body."""
 
 import re
-from datetime import datetime
+from datetime import date, datetime
 from typing import Annotated, get_args
 from urllib.parse import quote
 
@@ -30,6 +30,8 @@ class WantedBody(In):
     lighting: Lighting | None = None
     class_sets: Annotated[tuple[ClassSet, ...], Field(max_length=len(get_args(ClassSet)))] = ()
     categories: Annotated[tuple[Category, ...], Field(max_length=len(get_args(Category)))] = ()
+    filmed_from: Annotated[date | None, Field(description="By the clocks of the place.")] = None
+    filmed_to: Annotated[date | None, Field(description="The last day, included.")] = None
 
 
 class ExportBody(Out):

@@ -28,6 +28,8 @@ from sightline.infra.csv_package.schema import (
 
 ENTITY, ACTION = "package", "seal"
 CHECKPOINT = "checkpoint.json"
+#: The package's page, and the chain and checkpoint for it, written after both.
+PAGE, AUDIT_SCRIPT = "index.html", "audit.js"
 _CROPS = "crops/"  # one hash for all of them: there may be a million
 
 
@@ -48,7 +50,7 @@ def sealed(written: Mapping[str, Written], before_sha256: str) -> dict[str, str]
     """The SHA-256 of every file by path; of audit.csv that of all lines but the seal's, of the crops that of
     their lines in SHA256SUMS.
     """
-    own = {CHECKSUMS, CHECKPOINT, AUDIT.path}
+    own = {CHECKSUMS, CHECKPOINT, AUDIT.path, AUDIT_SCRIPT}
     crops = {path: one for path, one in written.items() if path.startswith(_CROPS)}
     named = {path: one.sha256 for path, one in written.items() if path not in own and path not in crops}
     return {**named, _CROPS: sha256_hex(checksum_lines(crops)), AUDIT.path: before_sha256}
@@ -81,12 +83,14 @@ def read_seal(files: Files) -> Seal:
 def check_seal(seal: Seal, written: Mapping[str, Written]) -> None:
     """Every file is the one that the seal names, and there is no other. Raises Damaged."""
     found = sealed(written, seal.before_sha256)
-    # what tells of others after them: a table's Parquet, and last the description
-    for path in sorted(
-        {*found, *seal.files}, key=lambda path: (path == DESCRIPTION, path.startswith(PARQUET), path)
-    ):
+    for path in sorted({*found, *seal.files}, key=_told_first):
         if found.get(path) != seal.files.get(path):
             raise Damaged("export-not-the-file-that-the-seal-names", path=path)
+
+
+def _told_first(path: str) -> tuple[bool, bool, bool, str]:
+    """What tells of others comes after them: a table's Parquet, the page, last the description."""
+    return path == DESCRIPTION, path == PAGE, path.startswith(PARQUET), path
 
 
 def check_sealed(files: Files, tables: Sequence[str]) -> str | None:

@@ -23,12 +23,13 @@ _LEAST_SCALE_RAD = float(np.deg2rad(0.1))  # vehicles keep no straighter course 
 @dataclass(frozen=True)
 class Heading:
     """A vehicle's direction of travel against the road's X axis, whichever way it goes; and from how far
-    apart its contacts are.
+    apart its contacts are. `u_base_m`: that of the clicks on both tyres; None of a travel between frames.
     """
 
     heading_rad: float
     u_heading_rad: float
     base_m: float
+    u_base_m: float | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -65,11 +66,15 @@ def headings_of_pairs(
     step = road[:, :, 1] - road[:, :, 0]
     sign = np.where(step[:, :1, 0] >= 0, 1.0, -1.0)
     angle = np.arctan2(sign * step[:, :, 1], sign * step[:, :, 0])
-    base = np.hypot(step[:, 0, 0], step[:, 0, 1])
-    u = sigma_px * np.linalg.norm((angle[:, 2::2] - angle[:, 1::2]) / (2.0 * _STEP_PX), axis=1)
+    lengths = np.hypot(step[..., 0], step[..., 1])
+    base = lengths[:, 0]
+    u, u_base = (
+        sigma_px * np.linalg.norm((of[:, 2::2] - of[:, 1::2]) / (2.0 * _STEP_PX), axis=1)
+        for of in (angle, lengths)
+    )
     return [
-        _why_none(pose, pair, float(b), float(w)) or Heading(float(a), float(w), float(b))
-        for pair, a, w, b in zip(clicks, angle[:, 0], u, base, strict=True)
+        _why_none(pose, pair, float(b), float(w)) or Heading(float(a), float(w), float(b), float(ub))
+        for pair, a, w, b, ub in zip(clicks, angle[:, 0], u, base, u_base, strict=True)
     ]
 
 

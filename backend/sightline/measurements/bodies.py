@@ -38,6 +38,13 @@ class MeasurementBody(MeasurementValues):
         list[str],
         Field(description="As stored, and, derived when read, that the camera had moved on this frame."),
     ]
+    filmed_at: Annotated[
+        str | None,
+        Field(
+            description="Derived: when its frame was filmed, ISO 8601 with offset; null until a person has "
+            "confirmed the start of the recording."
+        ),
+    ]
     created_by: Who | None
     created_at: datetime
     withdrawn: bool

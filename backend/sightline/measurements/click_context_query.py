@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from typing import Any
 
 from sqlalchemy import ScalarSelect, and_, select
 from sqlalchemy.orm import Session
@@ -19,6 +20,8 @@ from sightline.surveys.store import TRAFFIC, traffic_of_row
 from sightline.surveys.tables import surveys
 from sightline.vehicles.records import NOT_VISIBLE
 from sightline.vehicles.tables import vehicles
+
+_SOME = 500
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -123,9 +126,7 @@ def _context(
         calibration_id=row.calibration_id,
         size_px=(row.width_px, row.height_px),
         insets={target: Inset(**values) for target, values in row.insets.items()},
-        not_visible=frozenset(
-            target for target, name in NOT_VISIBLE.items() if row._mapping[name] is not None
-        ),
+        not_visible=said_not_visible(row),
         discarded=row.discarded is not None,
         side=driver_side(row.driver_side, row.direction, traffic_of_row(row._mapping)),
         own_sigma_px=row.own_sigma_px,
@@ -135,6 +136,22 @@ def _context(
             if of.n is not None
         },
     )
+
+
+def said_not_visible(row: Any) -> frozenset[str]:
+    """The targets that a vehicle's row says are not to be seen."""
+    return frozenset(target for target, name in NOT_VISIBLE.items() if row._mapping[name] is not None)
+
+
+def frames_by_number(session: Session, recording_id: int, numbers: Sequence[int]) -> dict[int, Frame]:
+    """Some of a recording's frames; those that it does not have are left out."""
+    found: dict[int, Frame] = {}
+    for at in range(0, len(numbers), _SOME):
+        query = select(*(frames.c[name] for name in ("n", "pts", "time_s", "key", "crc32"))).where(
+            frames.c.recording_id == recording_id, frames.c.n.in_(numbers[at : at + _SOME])
+        )
+        found |= {row.n: Frame(**row._mapping) for row in session.execute(query)}
+    return found
 
 
 def _own_sigma(person_id: int | None) -> ScalarSelect[float | None]:

@@ -18,6 +18,7 @@ from sightline.enums import (
     SideBasis,
     Target,
     Verdict,
+    VerdictBasis,
 )
 from sightline.infra.csv_package.columns import (
     flag,
@@ -285,6 +286,24 @@ _MEASURED: Columns = (
     *_HEIGHT,
 )
 
+_FILMED: Columns = (
+    Column(
+        "filmed_at",
+        "datetime",
+        "when that frame was filmed, by the clocks of the place (ISO 8601 with offset): started_at of its "
+        "recording and time_s; empty while nobody has confirmed that start",
+        of=lambda m: m.filmed_at,
+    ),
+)
+
+
+def verdict_basis(verdict: str, lot_id: int | None) -> str | None:
+    """What a verdict rests on, in the word of its column; None while there is none."""
+    if verdict == "to_review":
+        return None
+    return "individual" if lot_id is None else "lot"
+
+
 MEASUREMENTS: Table[Measurement] = Table(
     "measurements",
     "The current revision of every measurement, with the verdict on it. Withdrawn ones are kept and marked.",
@@ -292,6 +311,7 @@ MEASUREMENTS: Table[Measurement] = Table(
         key("id", "measurement (a series of revisions)", lambda m: m.id),
         key("revision", "number of the current revision, from 1", lambda m: m.revision),
         *_MEASURED,
+        *_FILMED,
         text(
             "verdict",
             "state of the review of this revision",
@@ -302,6 +322,13 @@ MEASUREMENTS: Table[Measurement] = Table(
         text("review_reason", "the reviewer's reason", lambda m: m.review.reason),
         person("reviewer_id", "who reviewed", lambda m: m.review.reviewer),
         moment("reviewed_at", "when it was reviewed", lambda m: m.review.at),
+        text(
+            "verdict_by",
+            "whether somebody judged this measurement itself, or the lot that it belongs to by a sample",
+            lambda m: verdict_basis(m.review.verdict, m.review.lot_id),
+            enum=get_args(VerdictBasis),
+        ),
+        integer("lot_id", "of a verdict by lot: the lot", lambda m: m.review.lot_id),
     ),
     primary=("id",),
     foreign=(
@@ -313,6 +340,7 @@ MEASUREMENTS: Table[Measurement] = Table(
         (("computing_id",), "computings", ("id",)),
         (("created_by_id",), "people", ("id",)),
         (("reviewer_id",), "people", ("id",)),
+        (("lot_id",), "lots", ("id",)),
     ),
 )
 

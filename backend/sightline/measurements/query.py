@@ -11,7 +11,7 @@ from sqlalchemy.orm import Session
 from sightline.enums import JsonObject
 from sightline.infra.database.people import people
 from sightline.infra.database.rows import who
-from sightline.measurements.drift_query import flagged
+from sightline.measurements.derived_query import derived
 from sightline.measurements.records import FurtherFrame, Measurement, MeasurementValues, ReviewState
 from sightline.measurements.tables import measurement_series, measurements, reviews
 
@@ -73,6 +73,7 @@ def measurement_revision_rows() -> Select[Any]:
             *(reviews.c.verdict, reviews.c.reason.label("review_reason")),
             *(reviews.c.created_by.label("reviewer_id"), _reviewer.c.name.label("reviewer_name")),
             *(reviews.c.created_at.label("reviewed_at"), reviews.c.result_revision.label("judged_revision")),
+            reviews.c.lot_id.label("verdict_lot_id"),
             *(_m.computing_id, _m.verdict_of_revision),
         )
         .outerjoin(_maker, _maker.c.id == measurements.c.created_by)
@@ -82,7 +83,7 @@ def measurement_revision_rows() -> Select[Any]:
 
 def fetch_measurements(session: Session, query: Select[Any]) -> tuple[Measurement, ...]:
     """Run a `measurement_revision_rows()` query."""
-    return flagged(session, tuple([measurement_of_row(row) for row in session.execute(query).all()]))
+    return derived(session, tuple([measurement_of_row(row) for row in session.execute(query).all()]))
 
 
 def measurements_of_vehicles(
@@ -115,7 +116,9 @@ _OUTER = {
 _outer_of, _values_of = _getter(_OUTER.values()), _getter(_STORED)
 _clicks_of = _getter(("contact_x_px", "contact_y_px", "target_x_px", "target_y_px", "more_frames"))
 _maker_of = _getter(("created_by", "maker_name"))
-_review_of = _getter(("verdict", "review_reason", "reviewer_id", "reviewer_name", "reviewed_at"))
+_review_of = _getter(
+    ("verdict", "review_reason", "reviewer_id", "reviewer_name", "reviewed_at", "verdict_lot_id")
+)
 
 
 def measurement_of_row(row: Row[Any]) -> Measurement:
@@ -140,10 +143,13 @@ def _further(document: JsonObject) -> FurtherFrame:
     return FurtherFrame(**{**document, **points})
 
 
-def _review(verdict: Any, reason: Any, reviewer_id: Any, reviewer_name: Any, at: Any) -> ReviewState:
+def _review(
+    verdict: Any, reason: Any, reviewer_id: Any, reviewer_name: Any, at: Any, lot_id: Any
+) -> ReviewState:
     if verdict is None:
         return _NOT_YET
-    return ReviewState(verdict=verdict, reason=reason, reviewer=who(reviewer_id, reviewer_name), at=at)
+    by = who(reviewer_id, reviewer_name)
+    return ReviewState(verdict=verdict, reason=reason, reviewer=by, at=at, lot_id=lot_id)
 
 
 _NOT_YET = ReviewState("to_review")

@@ -186,6 +186,9 @@ class ReviewState:
     reason: str | None = None
     reviewer: Who | None = None
     at: datetime | None = None
+    lot_id: Annotated[int | None, Field(description="The lot whose sample it rests on; null: its own.")] = (
+        None
+    )
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -215,6 +218,8 @@ class Measurement:
     judged_revision: int | None = None
     #: Derived when read, never stored: the camera had moved on this frame.
     drift_flag: str | None = None
+    #: Derived too: when its first frame was filmed, ISO 8601 with offset; None: the start is not confirmed.
+    filmed_at: str | None = None
 
     @property
     def all_flags(self) -> list[str]:

@@ -110,12 +110,17 @@ def store_measurement(
     made = add_measurement(
         session, vehicle_id, client_key=client_key, values=values, repeat_of=repeat_of, actor=actor
     )
-    gone = [f"{clicks.target}_not_visible"] if clicks.target in context.not_visible else []
-    gone += ["discarded"] if context.discarded else []
+    gone = gone_by_measuring(context, clicks.target)
     if gone and repeat_of is None:
-        seen = cast(VehicleChanges, dict.fromkeys(gone))
-        update_vehicle(session, vehicle_id, seen, version=None, actor=actor)
+        update_vehicle(session, vehicle_id, gone, version=None, actor=actor)
     return made
+
+
+def gone_by_measuring(context: ClickContext, target: Target) -> VehicleChanges:
+    """What was said of a vehicle and no longer holds once the target is measured."""
+    gone = [f"{target}_not_visible"] if target in context.not_visible else []
+    gone += ["discarded"] if context.discarded else []
+    return cast(VehicleChanges, dict.fromkeys(gone))
 
 
 def store_revision(
@@ -161,9 +166,13 @@ def values_of_clicks(session: Session, context: ClickContext, clicks: Clicks) ->
 
     `context` holds the frames of the clicks. Raises NotFound for a frame outside the recording.
     """
-    pose, pose_id, calibration_id = pose_in_force(session, context)
+    pose, _, _ = pose_in_force(session, context)
     clicks = clicks_in_context(clicks, context)
-    found = answer(pose, clicks)
+    return values_of_answer(context, clicks, answer(pose, clicks))
+
+
+def values_of_answer(context: ClickContext, clicks: Clicks, found: Answer) -> MeasurementValues:
+    """What is stored of clicks that `clicks_in_context` filled in and of the height that they gave."""
     frame = context.frame(clicks.frame)
     return filled_from(
         MeasurementValues,
@@ -172,8 +181,8 @@ def values_of_clicks(session: Session, context: ClickContext, clicks: Clicks) ->
         pts=frame.pts,
         time_s=frame.time_s,
         frame_crc32=frame.crc32,
-        pose_id=pose_id,
-        calibration_id=calibration_id,
+        pose_id=context.pose_id,
+        calibration_id=context.calibration_id,
         code_version=code_version(),
         more_frames=tuple(_further(context, one) for one in clicks.more_frames),
     )

@@ -1,6 +1,7 @@
 """Measurements: append-only revisions of a series. Nothing changes a row; the database refuses it too."""
 
-from collections.abc import Sequence
+from collections import defaultdict
+from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass, replace
 from datetime import datetime
 from typing import Any
@@ -16,7 +17,8 @@ from sightline.infra.audit.hashing import content_hash, plain
 from sightline.infra.audit.records import name_or_somebody
 from sightline.infra.database.rows import add_row, add_rows, missing, name_of, row_content
 from sightline.infra.database.types import columns_of, now
-from sightline.measurements.drift_query import flagged_by
+from sightline.measurements.click_context_query import frames_by_number
+from sightline.measurements.derived_query import TELLING, derived_from
 from sightline.measurements.query import (
     fetch_measurements,
     is_current,
@@ -24,7 +26,7 @@ from sightline.measurements.query import (
     measurement_of_row,
     measurement_revision_rows,
 )
-from sightline.measurements.records import FurtherFrame, Measurement, MeasurementValues
+from sightline.measurements.records import FurtherFrame, Measurement, MeasurementValues, ReviewState
 from sightline.measurements.tables import measurement_series, measurements
 from sightline.poses.tables import road_poses
 from sightline.recordings.frames.store import missing_frame
@@ -77,6 +79,90 @@ def add_measurement(
     place |= {"vehicle_id": vehicle_id, "repeat_of": _repeated(session, vehicle_id, repeat_of, values.target)}
     series_id = add_row(session, measurement_series, {**place, "client_key": client_key})
     return _append(session, series_id, 1, values, withdrawn=False, before=None, action="create", actor=actor)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class NewMeasurement:
+    """The first revision of a measurement to come."""
+
+    vehicle_id: int
+    client_key: str
+    values: MeasurementValues
+
+
+def add_measurements(
+    session: Session, survey_id: int, fresh: Sequence[NewMeasurement], *, actor: int | None
+) -> list[int]:
+    """`add_measurement` of thousands of a survey, each with its audit event; their ids, in their order.
+
+    Raises as that does, and Conflict for a known `client_key`; ValueError for two of one vehicle's target.
+    """
+    if len({(one.vehicle_id, one.values.target) for one in fresh}) < len(fresh):
+        raise ValueError("two heights of one vehicle's target")
+    made: list[int] = []
+    for at in range(0, len(fresh), _SOME):
+        made += _add_some(session, survey_id, fresh[at : at + _SOME], actor)
+    return made
+
+
+def _add_some(
+    session: Session, survey_id: int, fresh: Sequence[NewMeasurement], actor: int | None
+) -> list[int]:
+    grounds = _grounds_of(session, survey_id, fresh)
+    for one, ground in zip(fresh, grounds, strict=True):
+        if ground.known_id is not None:
+            raise Conflict("measurements-measurement-stored-another-vehicle-already-click")
+        _check(ground, one.values)
+        if ground.standing_id is not None:
+            raise _already_measured(session, ground.standing_id)
+    places = [
+        {
+            "survey_id": survey_id,
+            "recording_id": ground.recording_id,
+            "vehicle_id": one.vehicle_id,
+            "repeat_of": None,
+            "client_key": one.client_key,
+        }
+        for one, ground in zip(fresh, grounds, strict=True)
+    ]
+    ids = add_rows(session, measurement_series, places)
+    moment = now()
+    stamps = {"revision": 1, "withdrawn": False, "created_at": moment, "created_by": actor}
+    rows = [{**_row_of(one.values), "series_id": id_, **stamps} for id_, one in zip(ids, fresh, strict=True)]
+    revision_ids = add_rows(session, measurements, rows)
+    content_of = _contents(session, revision_ids)
+    events = [
+        (
+            id_,
+            None,
+            _after(
+                Measurement(
+                    id=id_,
+                    revision=1,
+                    revision_id=revision_id,
+                    survey_id=survey_id,
+                    vehicle_id=one.vehicle_id,
+                    recording_id=ground.recording_id,
+                    repeat_of=None,
+                    values=one.values,
+                    created_by=None,
+                    created_at=moment,
+                    withdrawn=False,
+                    review=ReviewState("to_review"),
+                ),
+                content_of[revision_id],
+            ),
+        )
+        for id_, revision_id, one, ground in zip(ids, revision_ids, fresh, grounds, strict=True)
+    ]
+    trail.record_many(session, actor, "create", "measurement", survey_id, events)
+    return ids
+
+
+def _contents(session: Session, revision_ids: Sequence[int]) -> dict[int, JsonObject]:
+    """The rows of revisions as the database gives them back, by id: what a verification hashes."""
+    rows = session.execute(select(measurements).where(measurements.c.id.in_(revision_ids))).mappings()
+    return {row["id"]: plain(row_content(row)) for row in rows}
 
 
 def revise_measurement(
@@ -147,7 +233,7 @@ def _with_place() -> Select[Any]:
     return (
         measurement_revision_rows()
         .add_columns(
-            *(recordings.c.drift, recordings.c.drift_decision),
+            *TELLING,
             *(vehicles.c.number.label("vehicle_number"), vehicles.c.deleted_at.label("vehicle_deleted_at")),
             *(vehicles.c.updated_at.label("vehicle_updated_at"), vehicles.c.updated_by.label("deleter_id")),
         )
@@ -165,7 +251,7 @@ def _current_row(session: Session, series_id: int) -> Row[Any]:
 
 
 def _measurement_of(row: Row[Any]) -> Measurement:
-    return flagged_by(measurement_of_row(row), row.drift, row.drift_decision)
+    return derived_from(measurement_of_row(row), row._mapping)
 
 
 def measurement_revisions(session: Session, series_id: int) -> tuple[Measurement, ...]:
@@ -325,8 +411,7 @@ def append_computed_again(
     for at in range(0, len(computed), _SOME):
         some = computed[at : at + _SOME]
         ids = add_rows(session, measurements, [_row_again(one, computing_id, moment) for one in some])
-        rows = session.execute(select(measurements).where(measurements.c.id.in_(ids))).mappings()
-        content_of = {row["id"]: plain(row_content(row)) for row in rows}
+        content_of = _contents(session, ids)
         events = [
             (one.before.id, _before_again(one), _after(_made_again(one, row_id), content_of[row_id]))
             for one, row_id in zip(some, ids, strict=True)
@@ -454,6 +539,65 @@ def _ground_of(
         has_calibration=row.calibration_id is not None,
         frames={of.n: (of.pts, of.crc32) for of in rows if of.n is not None},
     )
+
+
+def _grounds_of(session: Session, survey_id: int, fresh: Sequence[NewMeasurement]) -> list[_Ground]:
+    """`_ground_of` each of some hundred in a survey. Raises NotFound for a vehicle that is not in it."""
+    ids = {one.vehicle_id for one in fresh}
+    cars = select(vehicles.c.id, vehicles.c.recording_id).where(
+        vehicles.c.id.in_(ids), vehicles.c.survey_id == survey_id, vehicles.c.deleted_at.is_(None)
+    )
+    recording_of = {row.id: row.recording_id for row in session.execute(cars)}
+    if lost := ids - set(recording_of):
+        raise missing("vehicle", min(lost))
+    series = measurement_series.c
+    keys = select(series.client_key, series.id, series.vehicle_id).where(
+        series.client_key.in_({one.client_key for one in fresh})
+    )
+    known = {row.client_key: (row.id, row.vehicle_id) for row in session.execute(keys)}
+    standing = (
+        select(series.vehicle_id, measurements.c.target, func.min(series.id).label("id"))
+        .join(measurements, measurements.c.series_id == series.id)
+        .where(series.vehicle_id.in_(ids), is_first, is_current, ~measurements.c.withdrawn)
+        .group_by(series.vehicle_id, measurements.c.target)
+    )
+    stands = {(row.vehicle_id, row.target): row.id for row in session.execute(standing)}
+    of_poses = select(road_poses.c.id, road_poses.c.survey_id).where(
+        road_poses.c.id.in_({one.values.pose_id for one in fresh})
+    )
+    poses = {row.id: row.survey_id for row in session.execute(of_poses)}
+    of_lenses = select(calibrations.c.id).where(
+        calibrations.c.id.in_({one.values.calibration_id for one in fresh})
+    )
+    lenses = set(session.execute(of_lenses).scalars())
+    frames_of = _frames_of(session, fresh, recording_of)
+    return [
+        _Ground(
+            survey_id=survey_id,
+            recording_id=recording_of[one.vehicle_id],
+            vehicle_deleted=False,
+            known_id=known.get(one.client_key, (None, None))[0],
+            known_vehicle_id=known.get(one.client_key, (None, None))[1],
+            standing_id=stands.get((one.vehicle_id, one.values.target)),
+            pose_survey_id=poses.get(one.values.pose_id),
+            has_calibration=one.values.calibration_id in lenses,
+            frames=frames_of[recording_of[one.vehicle_id]],
+        )
+        for one in fresh
+    ]
+
+
+def _frames_of(
+    session: Session, fresh: Sequence[NewMeasurement], recording_of: Mapping[int, int]
+) -> dict[int, dict[int, tuple[int, int]]]:
+    """(pts, CRC-32) of the frames clicked on, by recording and number."""
+    numbers: dict[int, set[int]] = defaultdict(set)
+    for one in fresh:
+        numbers[recording_of[one.vehicle_id]] |= set(one.values.frames)
+    return {
+        id_: {n: (one.pts, one.crc32) for n, one in frames_by_number(session, id_, sorted(wanted)).items()}
+        for id_, wanted in numbers.items()
+    }
 
 
 def _check(ground: _Ground, values: MeasurementValues) -> None:

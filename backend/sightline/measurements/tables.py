@@ -21,6 +21,7 @@ from sightline.enums import (
     ComputingKind,
     DriverSide,
     InsetSource,
+    LotChoice,
     MeasurementStatus,
     ReviewVerdict,
     SideBasis,
@@ -153,6 +154,65 @@ click_sigmas = Table(
 )
 
 
+# Heights of a survey that are judged by a sample. The audit event names its items and binds the draw.
+lots = Table(
+    "lots",
+    metadata,
+    identity(),
+    Column("survey_id", ForeignKey("surveys.id"), nullable=False, index=True),
+    Column("number", Integer, nullable=False),
+    # what its heights have in common: {target, lighting, operator_id, day}, those that were asked for
+    Column("common", CanonicalJson, nullable=False),
+    Column("size", Integer, nullable=False),
+    Column("sample_size", Integer, nullable=False),
+    Column("acceptance_number", Integer, nullable=False),
+    Column("producer_quality", Float, nullable=False),
+    Column("producer_risk", Float, nullable=False),
+    Column("consumer_quality", Float, nullable=False),
+    Column("consumer_risk", Float, nullable=False),
+    Column("seed", String(64), nullable=False),
+    Column("created_at", UtcDateTime, nullable=False),
+    Column("created_by", ForeignKey("people.id")),
+    UniqueConstraint("survey_id", "number"),
+    CheckConstraint("acceptance_number < sample_size AND sample_size <= size", name="plan_fits"),
+    info=vouched(WrittenOnce("lot", "lot")),
+)
+
+
+# `place`: when it is drawn, from 1.
+lot_items = Table(
+    "lot_items",
+    metadata,
+    identity(),
+    Column("lot_id", ForeignKey("lots.id"), nullable=False),
+    Column("series_id", ForeignKey("measurement_series.id"), nullable=False, index=True),
+    Column("revision", Integer, nullable=False),
+    Column("place", Integer, nullable=False),
+    UniqueConstraint("lot_id", "place"),
+    UniqueConstraint("lot_id", "series_id"),
+    info=vouched(WrittenOnceApart("lot_items")),
+)
+
+
+# What became of a lot; the newest row counts. `sample`: series judged; `left_out`: reason by series.
+lot_decisions = Table(
+    "lot_decisions",
+    metadata,
+    identity(),
+    Column("lot_id", ForeignKey("lots.id"), nullable=False, index=True),
+    Column("choice", String(20), nullable=False),
+    Column("judged", Integer, nullable=False),
+    Column("nonconforming", Integer, nullable=False),
+    Column("rest", Integer, nullable=False),
+    Column("sample", CanonicalJson, nullable=False),
+    Column("left_out", CanonicalJson, nullable=False),
+    Column("created_at", UtcDateTime, nullable=False),
+    Column("created_by", ForeignKey("people.id")),
+    enum_check("choice", LotChoice),
+    info=vouched(WrittenOnce("lot_decision", "decision on a lot")),
+)
+
+
 # `revision` is what the reviewer saw, `result_revision` what the verdict holds for (a fix makes a new one).
 reviews = Table(
     "reviews",
@@ -163,10 +223,13 @@ reviews = Table(
     Column("result_revision", Integer, nullable=False),
     Column("verdict", String(20), nullable=False),
     Column("reason", Text),
+    # empty for a verdict on this measurement alone
+    Column("lot_id", ForeignKey("lots.id"), index=True),
     Column("created_at", UtcDateTime, nullable=False),
     Column("created_by", ForeignKey("people.id")),
     enum_check("verdict", ReviewVerdict),
     CheckConstraint("verdict <> 'rejected' OR reason IS NOT NULL", name="rejected_has_reason"),
+    CheckConstraint("lot_id IS NULL OR verdict IN ('accepted', 'reopened')", name="lot_accepts_or_reopens"),
     info=vouched(WrittenOnce("review", "review")),
 )
 

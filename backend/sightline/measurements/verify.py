@@ -34,6 +34,8 @@ from sightline.measurements.records import (
     ReviewState,
 )
 from sightline.poses.csv import pose_path
+from sightline.recordings.csv import filmings_in
+from sightline.recordings.filming import Filming
 
 Row = Mapping[str, str]
 #: The sentence about a camera that had moved, by recording, pose and frames; None where it had not.
@@ -48,7 +50,8 @@ _RECOMPUTED = tuple(
     if (one.name.endswith("_m") and not one.name.startswith(("u_", "U95_", "inset")))
     or one.name in ("u_clicks_m", "u_by_inset_m")
 )
-_ONLY_CURRENT = ("id", "verdict", "review_reason", "reviewer_id", "reviewed_at")
+_VERDICT = ("verdict", "review_reason", "reviewer_id", "reviewed_at", "verdict_by", "lot_id")
+_ONLY_CURRENT = ("id", "filmed_at", *_VERDICT)
 
 
 @dataclass(eq=False)
@@ -152,6 +155,7 @@ def check_measurements(
     clicks = _Lockstep(files, "clicks.csv", "id")
     of_poses: dict[str, _Lockstep] = {}
     budget = _Budget(files, events.budgets)
+    filmings = filmings_in(files)
     for current in read_rows(files, "measurements.csv"):
         name, mine = next(revisions, ("", iter(())))
         rows = list(mine)
@@ -162,6 +166,7 @@ def check_measurements(
             _by_event(events, drift_flag, "revisions.csv", row, (int(name), int(row["revision"])))
             count += 1
         _is_newest(current, rows[-1])
+        _is_filmed(current, filmings.get(current["recording_id"]))
         budget.check(current)
         if current["withdrawn"] != "true":
             path = clicks_path(int(current["pose_id"]))
@@ -262,6 +267,12 @@ def _is_newest(current: Row, newest: Row) -> None:
             raise Damaged(
                 "measurements-measurements-csv-another-last-revision", id=current["id"], column=column
             )
+
+
+def _is_filmed(row: Row, filming: Filming | None) -> None:
+    """When a frame was filmed follows from its recording's start; that is held against its events."""
+    if row["filmed_at"] != ("" if filming is None else filming.at(float(row["time_s"]))):
+        raise Damaged("measurements-filmed-at-another-time", id=row["id"])
 
 
 def _same_clicks(path: str, row: Row, current: Row) -> None:

@@ -45,6 +45,25 @@ traffic-steering = Steering wheel usually
 wheel-left = on the left
 wheel-right = on the right
 traffic-camera = The camera stands
+place-title = Place and road
+place-latitude = Latitude (WGS84)
+place-longitude = Longitude
+place-coordinates-problem = Coordinates are decimal degrees, as 49.44315 and 1.09932; south and west are negative.
+place-road = Class of the road
+place-roads = motorway; dual carriageway; single carriageway, rural; urban arterial; urban street; local road
+place-limit = Speed limit
+place-limit-is = limit { $limit }
+place-limit-problem = A speed limit is a number of { $unit }.
+place-lamps = Street lamps
+place-lamps-present = there are
+place-lamps-none = there are none
+place-lamps-are = { $lamps ->
+    [present] street lamps
+   *[none] no street lamps
+}
+place-not-said = not said yet
+place-zone = Time zone
+place-zone-hint = Whose clocks are told there, as Europe/Paris; proposed for each recording.
 camera-verge = on the verge
 camera-median = in the median
 
@@ -254,6 +273,7 @@ command-proposeContact = Propose the tyre's contact at the pointer
 command-driverSide = Driver on the other side, near or far
 command-selectNext = Select the next point
 command-bestFrame = Best frame of the pass
+command-whichModel = Which model fits: go to the list
 command-passBegin = Mark the first frame of a pass or the board
 command-passEnd = Mark the last frame of a pass or the board
 command-passSplit = Split the pass before this frame
@@ -607,8 +627,19 @@ camera-add-first = Add the camera
 camera-list = Cameras
 camera-add = Add a camera
 camera-name = Camera { $number }
+camera-edit = Change
+camera-edit-title = { $camera }
+camera-words-none = Lens, zoom and focus are not said yet.
+camera-zoomed = zoom { $zoom }
+camera-focused = focus { $focus }
+camera-lens-words = Lens
+camera-lens-words-hint = Maker and range, as engraved on it: 24-70 mm f/2.8.
+camera-zoom = Zoom
+camera-zoom-hint = As it was set, and whether it is taped: 28 mm, taped.
+camera-focus = Focus
+camera-focus-hint = By hand, and at what distance. Autofocus changes the lens with every picture.
 camera-name-problem = A camera needs a name.
-camera-notes-hint = Body, lens, zoom and focus setting: what must stay the same for the calibration to hold.
+camera-notes-hint = Body, picture size, steadying switched off: what else must stay the same for the calibration to hold.
 
 ## Camera: calibrating
 
@@ -731,8 +762,8 @@ camera-across = { $model ->
     [fisheye] fisheye, about { $angle }° across
    *[brown] ordinary lens, about { $angle }° across
 }
-camera-u = ± { $u }
-camera-u-note = ± is one standard uncertainty (k = 1).
+camera-u = u = { $u }
+camera-u-note = u is the standard uncertainty (k = 1).
 camera-fx = focal length, across
 camera-fy = focal length, down
 camera-cx = optical centre, across
@@ -929,6 +960,35 @@ recordings-lighting-of = Lighting of { $recording }
 recordings-lighting-of-proposed = Lighting of { $recording }, proposed by the machine
 recordings-lighting-guess = { $lighting } ?
 
+filmed-start = Filmed from { $time } ({ $zone })
+filmed-at = filmed { $time }
+filmed-proposed = Start not confirmed; proposed from the file: { $time } ({ $zone })
+filmed-unknown = Start not known: the file states none.
+filmed-edit = Change
+filmed-edit-of = Change when and in what weather { $recording } was filmed
+filmed-confirm = Confirm the start
+filmed-confirm-of = Confirm the start of { $recording }
+filmed-confirm-action = Confirm
+filmed-title = When { $recording } was filmed
+filmed-started = First frame, by the clocks of the place
+filmed-unsay = Not known
+filmed-from-file = Proposed from the file: { $time }. Cameras’ clocks are often off by minutes, or by the hour of summer time: compare with a watch that was filmed, or with your notes.
+filmed-from-file-none = The file states no time: take it from a watch that was filmed, or from your notes.
+filmed-zone = Time zone
+filmed-which = This hour came twice
+filmed-first = the first time ({ $offset })
+filmed-second = the second time ({ $offset })
+filmed-weather = Weather
+filmed-weathers = clear, some cloud, overcast, fog, light rain, rain, snow
+filmed-lamps = Street lighting
+filmed-lamps-on = on
+filmed-lamps-off = off
+filmed-lamps-are = { $state ->
+    [on] street lighting on
+   *[off] street lighting off
+}
+filmed-not-said = not said
+
 ## Uploads
 
 upload-state = { $state ->
@@ -987,6 +1047,7 @@ file-csv = CSV
 figure-share-of-vehicles = share of vehicles (%)
 with-unit = { $name } ({ $unit })
 percent = { $percent } %
+with-u = { $value } (u = { $u })
 value-px = { $value } px
 value-s = { $value } s
 file-svg = SVG
@@ -1141,9 +1202,9 @@ checks-insets-table = Insets in force
 checks-target = target
 checks-in-force = in force
 checks-from = from
-checks-inset-and-u = inset ± u of the mean
+checks-inset-and-u = inset, u of the mean
 checks-moves = moves a typical height by
-checks-insets-note = An inset used here counts for measurements made from now on; those that are stored keep theirs until they are computed again. Its ± is that of a single vehicle: the mean’s, and how much vehicles differ among themselves.
+checks-insets-note = An inset used here counts for measurements made from now on; those that are stored keep theirs until they are computed again. Its u is that of a single vehicle: the mean’s, and how much vehicles differ among themselves.
 checks-by-known_heights = manufacturers’ heights
 checks-by-trend = trend with distance
 checks-by-two_frames = two-frame measurements
@@ -1164,12 +1225,12 @@ checks-vehicles-without = { $count ->
 checks-left-out-help = They do not fit the others; look at their clicks and heights.
 checks-spread = { $spread } between vehicles
 checks-use = { $target ->
-    [roof] Use { $inset } ± { $u_inset } for roofs
-    [driver_eye_near] Use { $inset } ± { $u_inset } for near drivers’ eyes
-    [driver_eye_far] Use { $inset } ± { $u_inset } for far drivers’ eyes
-    [taillight] Use { $inset } ± { $u_inset } for taillights
-    [headlight] Use { $inset } ± { $u_inset } for headlights
-   *[other] Use { $inset } ± { $u_inset } for other targets
+    [roof] Use { $inset } (u = { $u_inset }) for roofs
+    [driver_eye_near] Use { $inset } (u = { $u_inset }) for near drivers’ eyes
+    [driver_eye_far] Use { $inset } (u = { $u_inset }) for far drivers’ eyes
+    [taillight] Use { $inset } (u = { $u_inset }) for taillights
+    [headlight] Use { $inset } (u = { $u_inset }) for headlights
+   *[other] Use { $inset } (u = { $u_inset }) for other targets
 }
 checks-used = { $target ->
     [roof] The inset of roofs is changed for new measurements; stored ones keep theirs.
@@ -1244,7 +1305,7 @@ checks-turn = Turn
 checks-turn-done = The turned pose now holds for new measurements; stored ones keep theirs.
 checks-turn-back-done = The pose before the turn holds again.
 checks-heading = heading
-checks-u = ± u
+checks-u = u
 checks-apart = apart
 checks-two-frames = from two frames
 checks-tyres = tyres of vehicle { $vehicle }
@@ -1366,13 +1427,15 @@ measure-find-pose = Find the road pose
 measure-no-pose = This recording has no road pose yet, so nothing can be measured on it.
 measure-choose-pass = Choose a pass on the left, or mark a new one with [ and ].
 measure-look-only = You may look, not measure.
-measure-vehicle-done = All that is asked for is answered. { $key } goes to the next pass, 1 to 5 measure again.
+measure-vehicle-done = All that is asked for is answered; 1 to 5 measure again.
+measure-next-pass = Next pass
 measure-choose-target = Choose a target: 1 to 5.
 measure-drift = The camera had moved by { $moved_px } px since its road pose. <link>Take a new pose or decide</link>
 measure-drift-off = The camera had moved by { $moved_px } px since its road pose, heights here are off by up to { $off }. <link>Take a new pose or decide</link>
 measure-proposal-looking = Looking for the wheel…
 measure-proposal-take = { $proposal }. Enter or a click on it takes it.
 measure-proposal-no-pass = Choose a pass first; then a contact can be proposed.
+measure-axes-awaited = axes on their way…
 measure-proposal-no-contact = No contact is awaited here; begin a new one with the key for a new contact point.
 measure-proposal-no-pointer = Point at where the tyre meets the road, then ask for a proposal.
 
@@ -1408,7 +1471,7 @@ measure-discard = Discard
 measure-doubt = { $kind ->
     [above_roof] This lies above the roof ({ $low }): is the point on the right feature of this vehicle?
     [below_lamp] The headlight lies higher ({ $low }): is the point on the driver’s eye?
-    [far_from_maker] The maker says { $low }: are the points, and make and model, those of this vehicle?
+    [far_from_maker] The manufacturer says { $low }: are the points, and make and model, those of this vehicle?
    *[outside_class] Vehicles of this kind lie between { $low } and { $high }: are the points and the category right?
 }
 measure-not-yet-saved = not yet saved…
@@ -1426,11 +1489,11 @@ measure-without-inset = Without inset
 measure-withdraw = Withdraw
 measure-px = { $across_px }, { $down_px } px
 measure-inset = Inset
-measure-inset-u = ± u
+measure-inset-u = u
 measure-estimate = estimate
 measure-inset-solved = not used while several frames are clicked: they solve for it
 measure-inset-what = how far the target lies behind the side of the vehicle
-measure-inset-as-survey = As the survey has it: { $inset } ± { $u_inset }
+measure-inset-as-survey = As the survey has it: { $inset } (u = { $u_inset })
 measure-inset-side = The driver sits on the
 measure-unseen = Not visible: { $why }.
 measure-unseen-back = It is
@@ -1457,7 +1520,7 @@ measure-side-from = { $from ->
    *[unknown] not known yet, so the eye has no height: say it here for this vehicle, or on the survey’s page for all
 }
 measure-inset-roof = Clicked on the roof: its
-measure-inset-now = inset { $inset } ± { $u_inset }, estimate
+measure-inset-now = inset { $inset } (u = { $u_inset }), estimate
 
 ## Measure: several frames
 
@@ -1525,8 +1588,17 @@ measure-vehicle-none = Choose a pass on the left. Its vehicle and measurements a
 measure-save-again = Save again
 measure-record = Vehicle record
 measure-facts-of = facts of vehicle { $vehicle }
-measure-makers-height = Maker's height
-measure-makers-height-u = ± u of it
+which-model-title = Models that fit
+which-model-cannot = { $model } cannot fit: { $differences } (measured minus catalogue). The right model would differ this much with a chance of { $p }; the limit is { $limit }.
+which-model-row-cannot = cannot fit, p { $p }
+which-model-height = roof
+which-model-length = length
+which-model-width = width
+which-model-wheelbase = wheelbase
+which-model-taillight = taillight
+which-model-headlight = headlight
+measure-makers-height = Manufacturer’s height
+measure-makers-height-u = its u
 measure-year-problem = A year has four digits.
 measure-span = Frames of the pass
 measure-span-first = First
@@ -1550,8 +1622,8 @@ measure-field-make = Make
 measure-field-model = Model
 measure-field-year = Year
 measure-field-category = Category
-measure-field-manufacturer_height_m = Manufacturer height
-measure-field-u_manufacturer_height_m = ± of the manufacturer height
+measure-field-manufacturer_height_m = Manufacturer’s height
+measure-field-u_manufacturer_height_m = u of the manufacturer’s height
 measure-field-height_source = Source of the height
 measure-field-lighting = Lighting
 measure-field-direction = Goes
@@ -1572,8 +1644,8 @@ measure-fact = { $field ->
     [model] model { $value }
     [year] year { $value }
     [category] category { $value }
-    [manufacturer_height_m] manufacturer height { $value }
-    [u_manufacturer_height_m] ± of the manufacturer height { $value }
+    [manufacturer_height_m] manufacturer’s height { $value }
+    [u_manufacturer_height_m] u of the manufacturer’s height { $value }
     [height_source] source of the height { $value }
     [lighting] lighting { $value }
     [direction] goes { $value }
@@ -1676,13 +1748,13 @@ review-pixels = { $point ->
 }
 review-vehicle = Vehicle
 review-vehicle-unknown = not known
-review-manufacturer-height = Manufacturer height
+review-manufacturer-height = Manufacturer’s height
 review-lighting = Lighting
 review-frame-at = { $frame }, { $time }
 review-further-frames = Further frames
 review-distance = Distance
 review-inset = Inset
-review-inset-estimate = { $inset } (u { $u_inset }, estimate)
+review-inset-estimate = { $inset } (u = { $u_inset }, estimate)
 review-clicked-by = Clicked by
 
 ## Review: the verdict
@@ -1704,13 +1776,13 @@ review-reason-hidden = The feature is hidden.
 review-reason-wrong = The wrong vehicle or target.
 review-reason-side = The driver sits on the other side.
 review-step-verdict = verdict on { $target } of vehicle { $vehicle }
-review-error = Error against the maker’s height
+review-error = Error against it
 review-side = Driver’s side
 review-signs = Look closely
 review-sign = { $sign ->
     [large_u] large uncertainty
     [unusual] unusual height in this survey
-    [far_from_maker] far from the maker’s height
+    [far_from_maker] far from the manufacturer’s height
    *[new_operator] operator with few measurements
 }
 review-own-waiting = { $count ->
@@ -1852,6 +1924,14 @@ scans-count-to-review = { NUMBER($count) } to review
 scans-count-accepted = { NUMBER($count) } accepted
 scans-count-rejected = { NUMBER($count) } rejected
 scans-count-not-measurable = { NUMBER($count) } not measurable
+scans-count-heights = { $count ->
+    [one] { $count } height
+   *[other] { NUMBER($count) } heights
+}
+scans-count-heights-to-review = { $count ->
+    [one] { $count } height to review
+   *[other] { NUMBER($count) } heights to review
+}
 
 ## Line scans: what a line scan cannot measure
 
@@ -1937,7 +2017,7 @@ scans-traffic-swapped = The cameras were exchanged; the vehicles are being found
 scans-traffic-swap = Swap the cameras
 scans-traffic-table = The rig as the traffic says it
 scans-traffic-says = the traffic says
-scans-traffic-value = value ± u
+scans-traffic-value = value and u
 scans-traffic-from = from
 scans-traffic-in-force = in force
 scans-traffic-take = take it over
@@ -1947,7 +2027,7 @@ scans-traffic-baseline = { $of ->
     [length] Baseline by lengths
    *[wheelbase] Baseline by wheelbases
 }
-scans-traffic-note = ± u is the standard uncertainty. Nothing here is in force by itself: “Use…” fills it in, and you store it.
+scans-traffic-note = u is the standard uncertainty. Nothing here is in force by itself: “Use…” fills it in, and you store it.
 scans-traffic-use = Use…
 scans-traffic-use-for = Use this for { $what }
 
@@ -2154,7 +2234,7 @@ scan-verdict-done = Vehicle { $vehicle }: { $verdict ->
     [accepted] accepted.
    *[rejected] rejected.
 }
-scan-verdict-none-left = No other vehicle of this line scan waits for a verdict.
+scan-verdict-none-left = Nothing else of this line scan waits for your verdict.
 scan-verdict-reopen = Reopen
 scan-verdict-accept = Accept
 scan-verdict-reject = Reject
@@ -2202,6 +2282,21 @@ scan-height-measure-again = { $target ->
     [headlight] Measure again: headlight
    *[other] Measure again: other
 }
+scan-height-verdict-mine = You clicked or computed this height, so somebody else reviews it.
+scan-height-verdict-done = Vehicle { $vehicle }, { $target ->
+    [roof] roof
+    [driver_eye] driver's eye
+    [taillight] taillight
+    [headlight] headlight
+   *[other] other
+}: { $verdict ->
+    [accepted] accepted.
+   *[rejected] rejected.
+}
+scan-heights-waiting = { $count ->
+    [one] { $count } height to review
+   *[other] { $count } heights to review
+}
 scan-height-unsaved = not yet saved…
 scan-height-older = Computed with the calibration before; compute it again.
 scan-height-again = Compute again
@@ -2211,7 +2306,7 @@ scan-height-inset-driver_eye = The driver sits on the
 scan-height-inset-roof = Clicked on the roof: its
 scan-height-distance = Lateral distance
 scan-height-inset = Inset
-scan-height-inset-value = { $inset } ± { $u_inset }, estimate
+scan-height-inset-value = { $inset } (u = { $u_inset }), estimate
 scan-height-rows = Rows
 scan-height-rows-value = contact { $contact_px }, target { $target_px }
 scan-height-revision = { $height } <muted>{ $person }, { $time }</muted>
@@ -2268,6 +2363,13 @@ scan-step-height = { $target ->
     [taillight] taillight of vehicle { $vehicle }
     [headlight] headlight of vehicle { $vehicle }
    *[other] other of vehicle { $vehicle }
+}
+scan-step-height-verdict = { $target ->
+    [roof] verdict on the roof of vehicle { $vehicle }
+    [driver_eye] verdict on the driver's eye of vehicle { $vehicle }
+    [taillight] verdict on the taillight of vehicle { $vehicle }
+    [headlight] verdict on the headlight of vehicle { $vehicle }
+   *[other] verdict on the other height of vehicle { $vehicle }
 }
 scan-step-withdraw = { $target ->
     [roof] withdrawing the roof of vehicle { $vehicle }
@@ -2330,12 +2432,23 @@ motion-counted = { $vehicles ->
     [one] { $scans } line scan
    *[other] { $scans } line scans
 }.
+motion-heights-target = Target
+motion-heights-mean = Mean
+motion-heights-sd = SD
+motion-heights-median = Median
+motion-heights-u95 = Typical U95
+motion-heights-to-review = To review
+motion-heights-rejected = Rejected
+motion-heights-waiting = { $count ->
+    [one] { $count } height waits for a verdict
+   *[other] { $count } heights wait for a verdict
+}
 motion-by-lengths = By lengths
 motion-by-wheelbases = By wheelbases
 
 ## Motion: errors against known sizes
 
-motion-errors-title = Measured minus the maker’s value
+motion-errors-title = Measured minus the manufacturer’s value
 motion-errors-note = with 95 % intervals
 motion-errors-table = Errors of lengths and wheelbases
 motion-errors-of = of
@@ -2432,6 +2545,8 @@ statistics-filter-lighting = Lighting
 statistics-filter-any = any
 statistics-filter-operator = Operator
 statistics-filter-anybody = anybody
+statistics-filter-filmed-from = Filmed from
+statistics-filter-filmed-to = to
 statistics-filter-first-day = Measured from (UTC)
 statistics-filter-last-day = to
 statistics-filter-correction = Correction
@@ -2451,7 +2566,7 @@ statistics-filter-surveys-some = { $count ->
 statistics-filter-surveys-none = all surveys
 statistics-filter-surveys-help = Surveys that count; none chosen: all
 statistics-reference-u = u of a reference height
-statistics-reference-u-hint = as if within ±{ $limit }, all alike
+statistics-reference-u-hint = as if within { $limit } either way, all alike
 statistics-reference-u-inches = Give a number of inches.
 statistics-reference-u-millimetres = Give a number of millimetres.
 
@@ -2503,7 +2618,7 @@ statistics-density-note-rounded = Gaussian kernel, bandwidth { $bandwidths }, at
 statistics-signed-error = signed error ({ $unit })
 statistics-density-y = share of vehicles (% per { $unit })
 statistics-trend-title = Signed error against the manufacturer’s height
-statistics-trend-says = Signed error over the manufacturer's height of { $count ->
+statistics-trend-says = Signed error over the manufacturer’s height of { $count ->
     [one] { $count } vehicle
    *[other] { $count } vehicles
 }.
@@ -2550,6 +2665,20 @@ statistics-share = Share of { $target ->
     [taillight] taillights
    *[headlight] headlights
 } below { $height } ({ $standard }): <strong>{ $share }</strong> <muted>({ $low } to { $high }; { NUMBER($below) } of { NUMBER($n) })</muted>
+statistics-compared-title = { $second } beside { $first }
+statistics-compared-figure = Figure
+statistics-compared-mean = mean
+statistics-compared-heights = Heights
+statistics-compared-of = { NUMBER($first) } and { NUMBER($second) }
+statistics-compared-difference = Difference
+statistics-compared-interval = { $low } to { $high }
+statistics-compared-verdict = Verdict
+statistics-compared-higher = higher: more than noise
+statistics-compared-lower = lower: more than noise
+statistics-compared-alike = not told apart
+statistics-compared-unknown = no interval: { $reason }
+statistics-compared-none = No target has two heights or more in both surveys.
+statistics-compared-note = Figures of true heights, the survey made later less the one made earlier, with total 95 % intervals. A figure is called higher or lower where its interval leaves 0 out. Errors are taken to be each survey’s own: where both share some, the intervals are too wide, never too narrow.
 statistics-rule-title = The same rule today
 statistics-rule-standard = Standard
 statistics-rule-rule = Its rule
@@ -2833,7 +2962,7 @@ survey-traffic-say = Say it
 survey-scans-none = <link>Line scans</link>: { $summary }
 survey-scans-label = Line scans, a way of their own beside these steps
 survey-scans = Line scans
-survey-scan-results = <link>Results</link>: speeds, gaps, lengths against the makers’.
+survey-scan-results = <link>Results</link>: speeds, gaps, lengths against the manufacturers’.
 survey-count-scans = { $count ->
     [one] line scan
    *[other] line scans
@@ -2863,7 +2992,7 @@ survey-insets = Insets
 survey-insets-help = How far each target lies behind the plane through the tyres’ outer faces, away from the camera. Used for every new measurement; the second figure is its standard uncertainty.
 survey-insets-target = Target
 survey-insets-inset = inset ({ $unit })
-survey-insets-u = ± u ({ $unit })
+survey-insets-u = u ({ $unit })
 survey-inset-label = { $target }: inset in { $unit ->
     [ft] feet
    *[m] metres
@@ -3049,6 +3178,7 @@ audit-action-create = made
 audit-action-decide_drift = decided on the drift of
 audit-action-delete = took out
 audit-action-detect = found the board in
+audit-action-draw = drew
 audit-action-done = finished
 audit-action-failed = failed at
 audit-action-finish = finished
@@ -3079,6 +3209,10 @@ audit-action-update = changed
 audit-action-use = used
 audit-action-compute_again = computed again
 audit-action-undo = put back
+audit-action-accepted = accepted
+audit-action-full_inspection = sent to full inspection
+audit-action-dissolved = dissolved
+audit-action-taken_back = took back
 audit-action-withdraw = withdrew
 audit-entity-survey = survey
 audit-entity-camera = camera
@@ -3099,11 +3233,14 @@ audit-entity-click_sigma = click sigma
 audit-entity-standards = standards
 audit-entity-scan = scan
 audit-entity-scan_run = scan run
+audit-entity-lot = lot
+audit-entity-lot_decision = decision on a lot
 audit-entity-scan_vehicle = scan vehicle
 audit-entity-scan_measurement = scan measurement
 audit-entity-scan_review = scan review
 audit-entity-line_pose = line pose
 audit-entity-line_height = line height
+audit-entity-line_height_review = line height review
 audit-entity-export = export
 audit-entity-package = package
 audit-entity-checkpoint = checkpoint
@@ -3134,6 +3271,8 @@ export-lead = A zip file with everything needed to check each height, and to com
 export-crops = with pictures of the clicks
 export-of-title = Vehicles in statistics and report
 export-of-lighting = Lighting
+export-of-filmed-from = filmed from { $day }
+export-of-filmed-to = filmed up to { $day }
 export-of-help = Statistics, figures and report are of these vehicles, and the report’s first page says so. The tables are whole, so that the audit trail can vouch for them; exclusions.csv names what is left out.
 export-of = of
 export-of-all = all vehicles
@@ -3186,7 +3325,7 @@ export-contents-statistics = error table, percentiles, distributions and correct
 export-contents-crops = the picture that each click was made on, unmarked, and with its points beside it
 export-contents-revisions = every revision with its clicks, and where its uncertainty comes from
 export-contents-clicks = the clicks alone: “sightline height” computes the same heights from them
-export-contents-vehicles = make, model, year, manufacturer height and its source, lighting
+export-contents-vehicles = make, model, year, manufacturer’s height and its source, lighting
 export-contents-recordings = file hashes, and the time stamp and checksum of each frame measured on
 export-contents-poses = where the camera stood and what its lens does, as tables and as JSON
 export-contents-classes = classes of vehicles with their sets; the vehicles that statistics and report are of
@@ -3205,6 +3344,8 @@ cameras-not-text-file-choose-calibration-yaml = { $file_name } is not a text fil
 cameras-not-file-give-picture-files-clip = { $path } is not a file; give picture files or a clip.
 cameras-choose-calibration-give-pictures-width-height = Choose a calibration, or give the picture's width and height in pixels and its horizontal field of view in degrees.
 cameras-calibration-belongs-another-survey-choose-one = Calibration { $calibration_id } belongs to another survey; choose one of this survey's cameras.
+cameras-cameras-csv-not-what-audit = cameras.csv: camera { $id } is not what its audit events made of it; the table was changed.
+cameras-calibration-of-another-camera = calibrations.csv: { $id } names its camera otherwise than the audit events; the table was changed.
 cameras-camera-needs-name-fill = A camera needs a name; fill it in.
 cameras-calibration-belongs-another-camera-choose-one = Calibration { $calibration_id } belongs to another camera; choose one of this camera's.
 cameras-image-without-board-needs-reason-why = An image without a board needs the reason why; say what was looked for.
@@ -3242,6 +3383,28 @@ commands-give-either-contact-target-clicks-not = Give either --contact and --tar
 commands-no-effect-here-use-instead = --{ $name } has no effect here; use { $instead } instead.
 commands-cannot-written-folder-not-exist-choose = { $output } cannot be written, its folder does not exist; choose another place.
 commands-given-twice-give-strips-both-cameras = { $first } is given twice; give the strips of both cameras.
+backup-none-here = { $folder } holds no whole backup (no manifest.json); run sightline backup into it again, or name another folder.
+backup-other-format = { $folder } holds a backup of another format; use the version of Sightline that made it.
+backup-manifest-damaged = { $path } is not what the backup wrote; use another backup.
+backup-file-missing = { $name } is missing from the backup; use another backup, or run sightline backup into it again.
+backup-file-changed = { $name } of the backup is not the file that was backed up; use another backup.
+backup-folder-holds-other-things = { $folder } holds other things than a backup; choose an empty folder or an earlier backup.
+backup-folder-in-data-folder = { $folder } and the data folder hold each other; choose a folder elsewhere, on another disk at best.
+backup-under-way = Another backup is being written to { $folder }; wait until it ends.
+backup-database-not-copied = The database { $path } could not be copied ({ $said }); try again.
+backup-of-another-installation = The folder holds a backup of another installation, or of a later state than this; choose another folder.
+backup-other-tables = The backup has a table { $name } that this version does not know; restore it with the version that made it.
+backup-rows-do-not-fit = The rows of { $name } in the backup do not fit their table; use another backup.
+backup-other-kind-of-database = The backup is of a { $kind } database and is restored into that kind only; set SIGHTLINE_DATABASE_URL accordingly.
+backup-place-not-empty = { $place } is not empty; restore into a new or empty place.
+backup-database-not-empty = The PostgreSQL database already has tables; restore into an empty one.
+backup-chains-end-elsewhere = The audit chains in the backup's database do not end where its manifest says; use another backup.
+backup-chain-broken = The database in the backup does not verify: { $problem }
+backup-media-missing = { $count ->
+    [one] The backup is whole, but a media file that the database names is not in the media store: { $names }
+   *[other] The backup is whole, but { $count } media files that the database names are not in the media store, such as { $names }
+ }; look for it in an earlier backup.
+
 commands-no-database-name-folder-data-dir = There is no database at { $path }; name its folder with --data-dir.
 commands-cannot-used-correct = { $name } cannot be used ({ $said }{ $said_2 }); correct it.
 commands-give-either-camera-size-field-view = Give either --camera, or --size and --field-of-view.
@@ -3292,6 +3455,9 @@ export-checkpoint-keys = checkpoint.json does not tell how its key followed from
 export-checkpoint-other-key = The package was signed with key { $key } and not with the key that was given; it is another installation's or forged.
 export-key-too-short = The first characters of a key prove little; give { $least } or more.
 export-no-seal = audit.csv does not end with the event that seals the package: it was cut off or changed; take the whole export again.
+export-page-not-described = { $path } is not described by datapackage.json, or missing although it is; take the whole export again.
+export-page-another-program = { $path } is not the page that datapackage.json names; take the whole export again.
+export-page-carries-another = The page carries another { $path } than the package; take the whole export again.
 export-not-the-file-that-the-seal-names = { $path } is not what the package's seal, the last event of audit.csv, says: it was changed, taken out or put in after the export, and the sums with it.
 export-event-of-another-survey-or-time = audit.csv: event { $number } is told or withheld where the package's seal says otherwise, or the chain does not begin with the survey; audit.csv was changed after the export.
 
@@ -3411,6 +3577,7 @@ jobs-job-given-another-worker-one-stops = Job { $id } was given to another worke
 
 ## Errors: web
 
+web-server-busy = The server has more to do than it can at the moment; nothing was done, try again in a few seconds.
 web-you-not-signed-sign-try-again = You are not signed in; sign in and try again.
 web-needs-role-you-ask-admin = This needs the role { $needed }, and you are { $role }; ask an admin for it.
 web-larger-mb-make-smaller-try-again = { $name } is larger than { $most_bytes } MB; make it smaller and try again.
@@ -3585,6 +3752,7 @@ video-no-frame-recording-frames-0 = There is no frame { $n }; this recording has
 video-crop-x-pixels-scale-out-bounds = A crop of { $w } x { $h } pixels at scale { $scale } is out of bounds; ask for a smaller one.
 video-holds-no-picture-decoded-copy-again = { $name } holds no picture that can be decoded; copy it again or convert it to MP4.
 video-changes-picture-size-way-split-where = { $name } changes its picture size on the way; split it where the size changes.
+video-proposals-cancelled = Making proposals for { $name } was cancelled; nothing of it was kept.
 video-search-passes-cancelled-nothing-kept = The search for passes in { $name } was cancelled; nothing of it was kept.
 video-cannot-made-addressable-frame-frame-convert = { $name } cannot be made addressable frame by frame; convert it to MP4 with H.264 and try again.
 video-disk-full-not-taken-make-room = The disk is full, { $name } was not taken in; make room and try again.
@@ -3642,6 +3810,18 @@ recordings-ingest-cancelled-start-again-delete-recording = The ingest was cancel
 recordings-being-ingested-cancel-first = { $name } is being ingested; cancel that first.
 recordings-recordings-cannot-changed-leave-out = A recording's { $unknown } cannot be changed; leave it out.
 recordings-recording-needs-name-fill = A recording needs a name; fill it in.
+recordings-street-lighting-on-or-off = Street lighting is on or off; choose one.
+recordings-start-in-future = { $start } in { $zone } has not come yet; give the time at which the recording was begun.
+recordings-start-too-early = There was no digital video in { $start }; give the day on which the recording was begun.
+recordings-misfit-size = Its pictures are { $width } x { $height } px and its camera’s calibration is for { $lens_width } x { $lens_height } px: film at the calibrated size, or calibrate at this one.
+recordings-misfit-focal = Its file states a focal length of { $stated_mm } mm on 35 mm film and its camera’s calibration is of about { $lens_mm } mm: was the zoom another one?
+local-time-unknown-zone = { $zone } is no time zone of the IANA list; choose one such as Europe/Paris.
+local-time-cannot-read = { $text } cannot be read as a time; write it as 2026-05-03T08:10:00.
+local-time-skipped = { $time } does not exist in { $zone }, where clocks went forward over it; give the time that they showed ({ $before } before the change, { $after } after it).
+local-time-twice = { $time } comes twice in { $zone }, where clocks went back; say whether it is the first ({ $first }) or the second ({ $second }).
+local-time-other-offset = At { $time } clocks in { $zone } are at { $offset }; give that offset or none.
+measurements-filmed-at-another-time = measurements.csv: { $id } was filmed at another time than its recording’s start gives; one of them was changed.
+measurements-vehicles-csv-other-time = vehicles.csv: { $id } was filmed at another time than its recording’s start gives; one of them was changed.
 recordings-lighting-daytime-low-light-choose-one = The lighting is daytime or low_light; choose one.
 recordings-recording-measurements-stays-audit-needs-frames = This recording has measurements and stays; an audit needs its frames.
 recordings-camera-not-found-moved-since-road = The camera was not found to have moved since the road pose; there is nothing to decide.
@@ -3746,6 +3926,10 @@ scans-vehicle-no-speed-needs-reason-why = A vehicle that has no speed needs the 
 scans-vehicle-measured-again-meanwhile-look-newer = This vehicle was measured again meanwhile; look at the newer result.
 scans-nobody-reviews-boundaries-they-placed-themselves = Nobody reviews boundaries that they placed themselves; ask another reviewer.
 scans-vehicle-waits-review-already = This vehicle waits for a review already.
+scans-height-measured-again-meanwhile-look-newer = This height was measured again meanwhile; look at the newer result.
+scans-height-without-figure-nothing-review = This height was withdrawn or has no figure, so there is nothing to review.
+scans-nobody-reviews-height-they-clicked-themselves = Nobody reviews a height that they clicked or computed themselves; ask another reviewer.
+scans-height-waits-review-already = This height waits for a review already.
 scans-camera-2-needs-both-lines-front = Camera 2 needs both lines, front and rear, or none; send both or leave both out.
 scans-wheelbase-needs-both-wheels-send-both = A wheelbase needs both wheels; send both lines, or none to take them away.
 scans-vehicle-not-deleted-nothing-restore = This vehicle was not deleted, so there is nothing to restore.
@@ -3776,6 +3960,10 @@ surveys-not-photograph-audit-event-names-exchanged = { $file } is not the photog
 surveys-not-what-audit-events-say-changed = { $path }: { $name } of { $id } is not what its audit events say; it was changed.
 surveys-no-survey-named-check-name-home = There is no survey named “{ $name }”; check the name on the home page.
 surveys-changed-survey-look-again-redo = { $name } changed this survey at { $when }; look again and redo yours.
+surveys-place-half-coordinates = Coordinates are a latitude and a longitude; give both or none.
+surveys-place-latitude = A latitude lies between -90 and 90 degrees; { $latitude } does not: are latitude and longitude exchanged?
+surveys-place-longitude = A longitude lies between -180 and 180 degrees; { $longitude } does not.
+surveys-place-speed-limit = A speed limit lies above 0 and up to { $fastest } km/h; { $kmh } km/h does not.
 surveys-survey-needs-name-fill = A survey needs a name; fill it in.
 surveys-inset-cannot-used-give-known-target = The inset of “{ $target }” cannot be used; give a known target and an uncertainty >= 0.
 surveys-asks-nothing-choose-target = A survey asks for at least one target by day and one in low light; choose them.
@@ -3808,7 +3996,7 @@ vehicles-vehicle-no-leave-out = A vehicle has no { $unknown }; leave it out.
 vehicles-frames-not-span-recording-ends-frame = Frames { $first } to { $last } are not a span of this recording; it ends at frame { $end }.
 vehicles-best-frame-lies-outside-frames-choose = The best frame { $best } lies outside frames { $first } to { $last }; choose one of them.
 vehicles-no-driver-only-eye-choose-another = “No driver seen” is a reason for the driver’s eye, not for { $target }; choose another.
-vehicles-manufacturers-height-m-cannot-used-give = A manufacturer's height of { $height } m cannot be used; give it in metres, as in 1.624.
+vehicles-manufacturers-height-m-cannot-used-give = A manufacturer’s height of { $height } m cannot be used; give it in metres, as in 1.624.
 vehicles-uncertainty-m-cannot-used-give-metres = An uncertainty of { $u_height } m cannot be used; give it in metres, as in 0.005.
 
 ## Errors: what the framework refuses, and what was said before
@@ -3832,6 +4020,141 @@ measurements-discarded-but-measured-withdraw = Vehicle { $number } is measured, 
 measurements-vehicles-csv-not-in-sample = vehicles.csv: whether vehicle { $id } is in the sample is not what sampling.csv and the passes give; it was changed.
 measurements-not-visible-but-measured-withdraw = { $target } is measured of this vehicle, so it is visible; withdraw the measurement first.
 measurements-already-measured = { $name } has measured this target of the vehicle already; keep one of the two.
+lots-tab = Lots
+lots-lead = Instead of one by one, heights can be reviewed by lots: a sample is judged, and the lot is accepted by it or inspected whole. The plan says how often either would be a mistake.
+lots-loading = the lots
+lots-summary = Accepted by a verdict of their own: { $individual }; by their lot’s sample: { $by_lot }.
+lots-outgoing = { $count ->
+    [one] Of the 1 that nobody looked at, { $estimate } is wrong by estimate and { $most } at most ({ $share }, one-sided 95 %).
+   *[other] Of the { $count } that nobody looked at, { $estimate } are wrong by estimate and { $most } at most ({ $share }, one-sided 95 %).
+  }
+lots-held = { $count ->
+    [one] 1 height waits for its lot’s sample.
+   *[other] { $count } heights wait for their lot’s sample.
+  }
+lots-draw-title = Draw lots from what waits
+lots-draw = Draw
+lots-by = Heights of a lot have in common
+lots-by-target = target
+lots-by-lighting = lighting
+lots-by-operator = who measured
+lots-by-day = day measured
+lots-producer-quality = A lot with so many wrong should pass
+lots-producer-risk = chance that it does not
+lots-consumer-quality = A lot with so many wrong should not pass
+lots-consumer-risk = chance that it does
+lots-nonconforming = Wrong (nonconforming) is a height that its reviewer rejects, or fixes by more than its own U95. The sample is drawn by a seed from the audit chain before anybody judges. The acceptance criterion is that of ISO 2859; its tables are not used: the plan is computed for each lot’s size.
+lots-nothing-waits = Nothing waits for a verdict outside of lots.
+lots-planned = Lots that could be drawn
+lots-lot = lot
+lots-size = heights
+lots-sample = sample
+lots-number = wrong ones allowed
+lots-what = what it saves
+lots-saves = { $count ->
+    [one] 1 verdict
+   *[other] { $count } verdicts
+  }
+lots-saves-nothing = nothing: the sample is the whole lot; review it one by one
+lots-everything = everything that waited
+lots-named = Lot { $number }: { $common }
+lots-of = { NUMBER($part) } of { NUMBER($all) }
+lots-judged = sample judged
+lots-bad = wrong
+lots-state = state
+lots-state-open = open
+lots-state-accepted = accepted
+lots-state-full_inspection = full inspection
+lots-state-dissolved = dissolved
+lots-state-taken_back = taken back
+lots-left = Left the lot: { $reasons }.
+lots-left-measured_again = { $count } measured again
+lots-left-withdrawn = { $count } withdrawn
+lots-left-vehicle_deleted = { $count } whose vehicle was deleted
+lots-left-verdict_of_its_own = { $count } with a verdict of their own
+lots-plan = { $size } heights, a sample of { $sample }, accepted with at most { $most } wrong.
+lots-says-waits = { $count ->
+    [one] 1 of the sample still waits for its verdict.
+   *[other] { $count } of the sample still wait for their verdict.
+  }
+lots-says-accept = { $count ->
+    [one] The sample is judged: 1 is wrong, { $most } may be. The lot can be accepted.
+   *[other] The sample is judged: { $count } are wrong, { $most } may be. The lot can be accepted.
+  }
+lots-says-refused = { $count ->
+    [one] 1 of the sample is wrong, and { $most } may be: the rest goes to full inspection.
+   *[other] { $count } of the sample are wrong, and { $most } may be: the rest goes to full inspection.
+  }
+lots-says-accepted = { $count ->
+    [one] Accepted: { $bad } of the sample wrong, 1 height accepted by it. Of that, { $estimate } is wrong by estimate and { $most } at most ({ $share }, one-sided 95 %).
+   *[other] Accepted: { $bad } of the sample wrong, { $count } heights accepted by it. Of these, { $estimate } are wrong by estimate and { $most } at most ({ $share }, one-sided 95 %).
+  }
+lots-says-inspected = { $count ->
+    [one] Not accepted by its sample: 1 height went to the queue.
+   *[other] Not accepted by its sample: { $count } heights went to the queue.
+  }
+lots-says-taken-back = { $count ->
+    [one] Accepted, then taken back: 1 height waits again.
+   *[other] Accepted, then taken back: { $count } heights wait again.
+  }
+lots-says-dissolved = Dissolved before anything was judged.
+lots-judge = Judge the sample
+lots-accept = Accept the lot
+lots-inspect = Full inspection
+lots-inspect-text = { $count ->
+    [one] 1 height of the rest goes to the queue and enters no other lot.
+   *[other] { $count } heights of the rest go to the queue, each for itself, and enter no other lot.
+  }
+lots-dissolve = Dissolve
+lots-take-back = Take back
+lots-own = { $count ->
+    [one] 1 of the sample is your own; somebody else judges it.
+   *[other] { $count } of the sample are your own; somebody else judges them.
+  }
+lots-drawn = Drawn { $when } by { $person }; seed { $seed }…
+lots-nobody = the program
+lots-curve = How often such a lot is accepted
+lots-curve-says = The probability that the plan accepts a lot, falling with the share of wrong heights in it: with { $good } wrong it is not accepted in { $refused } of cases, with { $bad } it is accepted in { $passed }.
+lots-curve-note = Exact for a lot of this size (hypergeometric). With { $good } wrong, { $refused } of such lots are not accepted; with { $bad }, { $passed } are.
+lots-curve-x = wrong heights in the lot (%)
+lots-curve-y = accepted (%)
+lots-producer = should pass
+lots-consumer = should not pass
+lots-sample-of = sample of lot { $number }
+lots-badge = lot { $number }
+lots-sample-done = This lot’s sample is judged.
+lots-show-all = Show all
+lots-by-lot = Accepted by the sample of its lot; nobody looked at this one.
+lots-fraction-between = A fraction nonconforming is a number from 0 to below 1, such as 0.01 for 1 in 100.
+lots-risk-between = A risk is a number between 0.001 and 0.5, such as 0.05 for 1 in 20.
+lots-fractions-in-order = The fraction of a lot that should pass has to be smaller than that of one that should not; change one of them.
+lots-nothing-to-draw = No lot would save anything: what waits is too little for these risks, or in lots already. Divide it less, or review it one by one.
+lots-sample-not-judged = { $count ->
+    [one] 1 height of the sample still waits for its verdict; judge it first.
+   *[other] { $count } heights of the sample still wait for their verdict; judge them first.
+  }
+lots-too-many = { $count ->
+    [one] 1 height of the sample is nonconforming; this lot is accepted with { $most } at most, so its rest goes to full inspection.
+   *[other] { $count } heights of the sample are nonconforming; this lot is accepted with { $most } at most, so its rest goes to full inspection.
+  }
+lots-own-heights = Nobody accepts heights of their own: the rest of this lot holds some of yours. Ask another reviewer.
+lots-judged-already = Some of this sample is judged already, so the draw stands; accept the lot or inspect it fully.
+lots-not-accepted = Only an accepted lot can be taken back; look at what became of this one.
+lots-decided-already = Lot { $number } was decided on meanwhile; look at it first.
+lots-event-another-row = audit.csv: event { $number } holds another lot than it hashed; take the whole export again.
+lots-verdict-of-no-lot = reviews.csv: a verdict by lot { $lot }, of which there is none; take the whole export again.
+lots-lots-csv-not-what-event-says = lots.csv: lot { $id } is not what its audit events say; it was changed.
+lots-lot-missing = lots.csv: lot { $id } is missing, though its audit event is there.
+lots-seed-not-the-chains = lots.csv: the seed of lot { $id } does not follow from the audit chain; the draw was chosen.
+lots-not-drawn-by-its-seed = audit.csv: lot { $id } was not drawn in the order of its seed; the draw was changed.
+lots-plan-keeps-no-risk = lots.csv: the plan of lot { $id } does not keep the risks that it names; it was changed.
+lots-decided-otherwise = audit.csv: what was decided on lot { $id } does not follow one from the other; it was changed.
+lots-sample-not-the-draws = audit.csv: the sample of lot { $id } is not the first of its draw; it was changed.
+lots-counts-not-those-of-verdicts = audit.csv: the counts of lot { $id } are not those of its sample’s verdicts; one is wrong.
+lots-accepted-beyond-its-plan = audit.csv: lot { $id } was accepted with more nonconforming heights than its plan allows, or unjudged.
+lots-verdicts-not-those-of-its-rest = reviews.csv: the verdicts by lot { $id } are not those of its rest; some were put in or taken out.
+lots-verdict-before-the-decision = audit.csv: a verdict by lot { $id } came before its decision; one is wrong.
+lots-items-csv-not-what-events-say = lot_items.csv: place { $place } of lot { $id } is not what the audit events say; it was changed.
 reviews-verdict-given-meanwhile = { $name } gave the verdict “{ $verdict }” meanwhile; look at it first.
 
 ## Sight distance: the page
@@ -3939,7 +4262,7 @@ sightdistance-class-unseen = The fleet has a share of { $category }, of which th
 
 ## Catalogue: the page
 
-catalogue-lead = Makers’ sizes of models, each with its source: what measured heights and lengths are compared with.
+catalogue-lead = Manufacturers’ sizes of models, each with its source: what measured heights and lengths are compared with.
 catalogue-loading = Loading the catalogue ...
 catalogue-search = Search by make, model and year
 catalogue-which = Which models
@@ -4051,6 +4374,7 @@ studies-not-csv = { $path } cannot be read as CSV ({ $why }); save it as CSV in 
 studies-not-an-amount = { $path }, row { $row }: { $name } is { $cell }, not a number from 0; correct it.
 studies-no-package-there = { $place } is no package and holds none; name exported folders or ZIPs, or a folder of them.
 studies-package-does-not-verify = { $place } does not verify, so that no study is made of it: { $problem }
+studies-package-without-sample = { $place } does not say which vehicles were in its sample, for it was made by an earlier version; export its survey again.
 studies-package-without-parquet = { $place } was made by an earlier version, without Parquet; export its survey again.
 studies-survey-without-poses = { $place } has no road pose, and so no height; leave it out, or pose its recordings and export it again.
 studies-same-survey-twice = { $first } and { $second } are packages of the same survey; keep the later one.
@@ -4064,3 +4388,109 @@ studies-more-sites-than-there = Stratum { $stratum } has { $count } sites here, 
 studies-goal-no-length = --goal { $goal } is no U95 in metres between 0 and 1; 0.010 is 10 mm.
 commands-compare-two-values = --compare { $text } needs --by and two different values of its column, as in --by year --compare 2020,2026.
 commands-compare-no-such-value = No row with a height has { $name } in { $by }; compare two of { $known }.
+
+## The page that a package carries (index.html): read without a server; it shares no code with what measured
+
+opened-reading = Reading the package…
+opened-unreadable = This page cannot read the package that it carries. Use a browser of 2023 or later, or run sightline verify.
+opened-made-with = Made with Sightline { $version }.
+opened-report = Report (PDF)
+opened-measurements = Measurements
+opened-figures = Figures
+opened-tables = Tables
+opened-sizes = Sizes
+opened-checking = Checking the package…
+opened-is-fine = Nothing in what this page can check contradicts anything else.
+opened-is-wrong = This package is not as it was made.
+opened-failed = The package cannot be read to its end: { $words }.
+opened-heights-agree = { $count ->
+    [one] The height was computed again from its clicks and agrees.
+   *[other] { NUMBER($count) } heights were computed again from their clicks and agree.
+  } The largest difference is { NUMBER($off_um, maximumFractionDigits: 2) } µm; tables are written to the micrometre.
+opened-heights-refused = { $count ->
+    [one] One was not computed: see its line.
+   *[other] { NUMBER($count) } were not computed: see their lines.
+  }
+opened-heights-differ = { $count ->
+    [one] One measurement differs from what its clicks give: { $named }.
+   *[other] { NUMBER($count) } measurements differ from what their clicks give: { $named }.
+  }
+opened-chain-whole = { $count ->
+    [one] The audit chain of 1 event is whole.
+   *[other] The audit chain of { NUMBER($count) } events is whole: each holds what was hashed and follows the one before.
+  }
+opened-chain-broken = The audit chain is broken at event { $number }.
+opened-chain-absent = The audit chain was not checked: audit.js does not lie beside this page, or the chain is too large for a page. Use sightline verify.
+opened-seal-none = The audit chain does not end with the seal of a package.
+opened-seal-chain = The audit chain before the seal is not the one that the seal names.
+opened-seal-holds = The { NUMBER($count) } files that this page carries are those that the seal names.
+opened-seal-wrong = Not the files that the seal names: { $named }.
+opened-rows-agree = Every measurement says what its audit event says.
+opened-rows-differ = { $count ->
+    [one] One measurement is not what its audit event says: { $named }.
+   *[other] { NUMBER($count) } measurements are not what their audit events say: { $named }.
+  }
+opened-poses-agree = Every road pose is the one that its audit event names.
+opened-poses-differ = Not the road poses that their audit events name: { $named }.
+opened-signature-holds = Signed on { $at } with key { $key }…: compare it with the one that the installation shows.
+opened-signature-wrong = The signature does not hold for the end of this chain.
+opened-signature-unknown = The signature was not checked, for this browser has no Ed25519. Use sightline verify.
+opened-folder-choose = Check the files of the folder too: choose the folder in which this page lies. Nothing leaves this computer.
+opened-folder-checking = Checking the files…
+opened-folder-fine = All { NUMBER($count) } files of the folder ({ NUMBER($mb, maximumSignificantDigits: 2) } MB) are those that the seal names.
+opened-folder-changed = Changed after the export: { $named }.
+opened-folder-missing = Missing from the folder: { $named }.
+opened-folder-strange = Not part of the package: { $named }.
+opened-what-title = What is checked where
+opened-what-here = Here, from the copies of the tables that this page carries: every height in force from clicks, lens and road pose, by arithmetic of this page’s own; U95 as 1.96 u and u as the root sum of squares of its budget; the audit chain with its seal and signature; every measurement and road pose against its audit event.
+opened-what-folder = Only once you choose the folder: whether the files beside this page (pictures, figures, report, tables) are those that the seal names. A browser does not let a page read its neighbours unasked.
+opened-what-verify = Only by sightline verify: earlier revisions and repeats, the parts of the budgets, verdicts against reviews, vehicles, line scans, the statistics, figures and report made again, Parquet against CSV.
+opened-what-page = A page can be forged as a whole, and would then say what its forger likes. For a verdict that matters run sightline verify with the key that the installation shows.
+opened-measurements-none = No measurement in this package.
+opened-figures-none = No figures: too few accepted measurements.
+opened-left-out = Too large for this page, so neither shown nor checked here: { $named }. Use sightline verify.
+opened-table-empty = No rows.
+opened-table-cut = The first { NUMBER($shown) } of { NUMBER($count) } rows; the file has all.
+opened-sizes-total = { NUMBER($files) } files, { NUMBER($mb, maximumSignificantDigits: 3) } MB, beside this page, the description, the audit chain and the list of sums.
+opened-size-top = { NUMBER($files) } files at the top, { NUMBER($mb, maximumSignificantDigits: 2) } MB
+opened-size = { $folder } { NUMBER($files) } files, { NUMBER($mb, maximumSignificantDigits: 2) } MB
+opened-filter = Show
+opened-filter-all = all
+opened-filter-differs = those that differ
+opened-before = Previous
+opened-after = Next
+opened-range = { NUMBER($from) } to { NUMBER($to) } of { NUMBER($count) }
+opened-target-roof = Roof
+opened-target-driver_eye = Driver’s eye
+opened-target-taillight = Taillight
+opened-target-headlight = Headlight
+opened-target-other = Other
+opened-verdict-accepted = accepted
+opened-verdict-fixed = corrected
+opened-verdict-rejected = rejected
+opened-verdict-unreviewed = not reviewed
+opened-withdrawn = withdrawn
+opened-column-id = No.
+opened-column-target = Target
+opened-column-package = Height in the package
+opened-column-here = Computed here
+opened-column-review = Review
+opened-height = { $height_m } ± { $U95_m } m
+opened-height-here = { $height_m } m
+opened-height-none = no height
+opened-refused-pose = not computed: its road pose is not in the package
+opened-refused-form = not computed: its frames are not all in the table
+opened-one = Measurement { $id }: { $target }
+opened-crops-none = No picture of it in this package.
+opened-crop = Frame { $frame } with both points
+opened-differs = Not what the clicks give: { $named }.
+opened-pair-package = Height in the package, m
+opened-pair-here = Computed in this page
+opened-pair-off = Difference
+opened-nanometres = { $off_nm } nm
+opened-pair-contact = Tyre contact, px
+opened-pair-target = Target, px
+opened-pair-inset = Inset, m
+opened-pair-frame = Recording and frame
+opened-pair-pose = Road pose
+opened-pair-u = u from { $source }, m

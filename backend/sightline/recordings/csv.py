@@ -4,13 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from datetime import datetime
 from typing import get_args
 
-from sightline.enums import DriftState, Lighting
+from sightline.enums import DriftState, Lighting, StreetLighting
 from sightline.infra.csv_package.chain import stamp
 from sightline.infra.csv_package.columns import flag, integer, key, metres, number, of_part, text
+from sightline.infra.csv_package.files import Files, read_columns, unsafe, whole
+from sightline.infra.csv_package.files import number as figure
 from sightline.infra.csv_package.schema import Cell, Cells, Column, Table
+from sightline.infra.local_time import local_text
 from sightline.recordings.drift import DriftDecision, DriftFigures, drift_check_of, drift_figures
+from sightline.recordings.filming import Filming, frame_s
 from sightline.recordings.records import Recording
 
 
@@ -86,6 +91,13 @@ _DRIFT: tuple[Column[Drift], ...] = (
     integer("drift_decided_by_id", "who decided that", _decided("by_id")),
     Column("drift_decided_at", "datetime", "when that was decided (ISO 8601, UTC)", of=_time(_decided("at"))),
 )
+
+
+def started_text(started_at: datetime | None, time_zone: str | None) -> str | None:
+    """A start by the clocks of its zone."""
+    return None if started_at is None or time_zone is None else local_text(started_at, time_zone)
+
+
 _FACTS: tuple[Column[Recording], ...] = (
     key("id", "recording", lambda r: r.id),
     text("name", "name of the file", lambda r: r.name, required=True),
@@ -99,6 +111,21 @@ _FACTS: tuple[Column[Recording], ...] = (
     text("container", "container of the file", lambda r: r.container),
     flag("variable_rate", "true where the time between frames varies", lambda r: r.vfr),
     text("lighting", "light in the recording", lambda r: r.lighting, enum=get_args(Lighting)),
+    Column(
+        "started_at",
+        "datetime",
+        "when its first frame was filmed, as a person confirmed, by the clocks of the place (ISO 8601 with "
+        "offset)",
+        of=lambda r: started_text(r.started_at, r.time_zone),
+    ),
+    text("time_zone", "whose clocks these are (IANA)", lambda r: r.time_zone),
+    text("weather", "weather, in words", lambda r: r.weather),
+    text(
+        "street_lighting",
+        "whether street lamps were lit",
+        lambda r: r.street_lighting,
+        enum=get_args(StreetLighting),
+    ),
     integer("camera_id", "camera that made it", lambda r: r.camera_id),
     integer("pose_id", "road pose in force", lambda r: r.pose_id),
 )
@@ -122,3 +149,26 @@ RECORDINGS: Table[DescribedRecording] = Table(
     primary=("id",),
     foreign=((("drift_decided_by_id",), "people", ("id",)),),
 )
+
+
+def frames_s(files: Files) -> dict[str, float]:
+    """How long a frame of each recording of a package is on average, seconds; 0 where that is not known."""
+    columns = read_columns(files, RECORDINGS.path, ("id", "duration_s", "frame_count"))
+    return {id_: frame_s(figure(duration), whole(frames)) for id_, duration, frames in columns}
+
+
+def filmings_in(files: Files) -> dict[str, Filming]:
+    """The start of each recording of a package that has one, by its number."""
+    columns = read_columns(files, RECORDINGS.path, ("id", "started_at", "time_zone"))
+    return {id_: Filming(datetime.fromisoformat(at), unsafe(zone)) for id_, at, zone in columns if at}
+
+
+def filmed_in(files: Files) -> Callable[[str, int], str]:
+    """When a frame of a recording was filmed, as a package writes it of a pass; empty where nobody knows."""
+    frames, filmings = frames_s(files), filmings_in(files)
+
+    def filmed_at(recording: str, frame: int) -> str:
+        filming = filmings.get(recording)
+        return "" if filming is None else filming.at(frame * frames[recording])
+
+    return filmed_at

@@ -167,6 +167,7 @@ def facts_of(found: Ingested, working_copy: str | None) -> Facts:
         "sample_aspect": str(facts.sample_aspect),
         "interlaced": facts.interlaced,
         "pixel_format": facts.pixel_format,
+        "focal_35mm_mm": found.stated.focal_35mm_mm,
     }
     if working_copy is not None:
         kept["working_copy"] = working_copy
@@ -181,6 +182,7 @@ def facts_of(found: Ingested, working_copy: str | None) -> Facts:
         report=kept,
         thumbs=[thumb.n for thumb in found.thumbnails],
         lighting_proposed=_lighting(found),
+        start_proposed=found.stated.begun_at,
     )
 
 

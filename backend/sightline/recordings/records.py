@@ -8,9 +8,11 @@ from sightline.enums import (
     JsonObject,
     Lighting,
     RecordingState,
+    StreetLighting,
 )
 from sightline.infra.jobs.records import Job
 from sightline.recordings.drift import DriftChecks, DriftDecision
+from sightline.recordings.filming import Filming
 
 
 @dataclass(frozen=True, slots=True)
@@ -27,11 +29,16 @@ class Facts:
     report: JsonObject = field(default_factory=dict)
     thumbs: list[int] = field(default_factory=list)
     lighting_proposed: Lighting | None = None
+    start_proposed: datetime | None = None
 
 
 @dataclass(frozen=True, slots=True)
 class Recording:
-    """A video. Facts are None until it is ready; `thumbs` are the frame numbers that have a thumbnail."""
+    """A video. Facts are None until it is ready; `thumbs` are the frame numbers that have a thumbnail.
+
+    `start_proposed`: when the file states that it was begun; `started_at`: what a person said, with the zone
+    whose clocks it is told by.
+    """
 
     id: int
     survey_id: int
@@ -56,6 +63,11 @@ class Recording:
     pose_id: int | None
     lighting: Lighting | None
     lighting_proposed: Lighting | None
+    start_proposed: datetime | None
+    started_at: datetime | None
+    time_zone: str | None
+    weather: str | None
+    street_lighting: StreetLighting | None
     drift: DriftChecks | None
     drift_decision: DriftDecision | None
     created_at: datetime
@@ -68,3 +80,6 @@ class RecordingChanges(TypedDict, total=False):
     camera_id: int | None
     pose_id: int | None
     lighting: Lighting | None
+    filming: Filming | None
+    weather: str | None
+    street_lighting: StreetLighting | None

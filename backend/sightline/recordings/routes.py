@@ -1,15 +1,21 @@
 """Recordings of a survey: what they are, what belongs to them, and trying an ingest again."""
 
-from datetime import datetime
+from collections.abc import Mapping
+from datetime import UTC, datetime
+from typing import Annotated, Any
 
 from fastapi import APIRouter
 from pydantic import Field
 
-from sightline.enums import Lighting, RecordingState
+from sightline.cameras.calibrations.store import documents_in_force
+from sightline.enums import Lighting, RecordingState, StreetLighting
+from sightline.infra.database import Session
 from sightline.infra.web.bodies import Id, In, JobBody, Name, Out
 from sightline.infra.web.deps import Operator, PathId, Reading, Viewer, Wired
 from sightline.recordings import ingest_job, store
+from sightline.recordings.csv import started_text
 from sightline.recordings.drift_request import request_if_posed
+from sightline.recordings.filming import misfits, start_of
 from sightline.recordings.frames.stills import stills_of
 from sightline.recordings.records import Recording, RecordingChanges
 
@@ -42,8 +48,30 @@ class RecordingBody(Out):
     pose_id: int | None
     lighting: Lighting | None
     lighting_proposed: Lighting | None
+    start_proposed: Annotated[
+        datetime | None, Field(description="When it was begun, as its file states; for a person to confirm.")
+    ]
+    started_at: Annotated[datetime | None, Field(description="As a person confirmed.")]
+    time_zone: str | None
+    started_local: Annotated[
+        str | None, Field(description="`started_at` by the clocks of `time_zone`, ISO 8601 with offset.")
+    ]
+    weather: str | None
+    street_lighting: StreetLighting | None
+    misfits: Annotated[
+        list[str], Field(description="Where it does not fit the calibration of its camera, in sentences.")
+    ]
     created_at: datetime
     thumbs: list[Thumb]
+
+
+class StartIn(In):
+    """When the first frame was filmed, as clocks of the place showed it."""
+
+    local: str = Field(
+        max_length=40, description="ISO 8601; with its offset where the clocks showed that time twice."
+    )
+    time_zone: str = Field(max_length=60, description="IANA, as Europe/Paris.")
 
 
 class RecordingChange(In):
@@ -53,11 +81,20 @@ class RecordingChange(In):
     camera_id: Id | None = None
     pose_id: Id | None = None
     lighting: Lighting | None = None
+    start: Annotated[StartIn | None, Field(description="Null: nobody has confirmed it.")] = None
+    weather: Annotated[str, Field(max_length=100)] | None = None
+    street_lighting: StreetLighting | None = None
 
 
-def recording_body(recording: Recording) -> RecordingBody:
-    """A recording as it goes out, with the addresses of its thumbnails."""
-    values = {name: getattr(recording, name) for name in RecordingBody.model_fields if name != "thumbs"}
+_MADE_HERE = ("thumbs", "started_local", "misfits")
+
+
+def recording_body(recording: Recording, lens: Mapping[str, Any] | None) -> RecordingBody:
+    """A recording as it goes out, with the addresses of its thumbnails; `lens`: its camera's calibration."""
+    values = {name: getattr(recording, name) for name in RecordingBody.model_fields if name not in _MADE_HERE}
+    values["started_local"] = started_text(recording.started_at, recording.time_zone)
+    size, focal = (recording.width_px, recording.height_px), recording.report.get("focal_35mm_mm")
+    values["misfits"] = [] if lens is None else misfits(size, focal, lens)
     address = f"/api/recordings/{recording.id}/thumbs"
     thumbs = [Thumb(frame=n, url=f"{address}/{n}.jpg?v={recording.sha256[:12]}") for n in recording.thumbs]
     return RecordingBody.model_validate({**values, "thumbs": thumbs})
@@ -66,27 +103,41 @@ def recording_body(recording: Recording) -> RecordingBody:
 @router.get("/surveys/{survey_id}/recordings")
 def list_recordings(survey_id: PathId, who: Viewer, session: Reading) -> list[RecordingBody]:
     """The recordings of a survey, in the order in which they came."""
-    return [recording_body(one) for one in store.list_recordings(session, survey_id)]
+    found = store.list_recordings(session, survey_id)
+    lenses = documents_in_force(session, [one.camera_id for one in found])
+    return [recording_body(one, lenses.get(one.camera_id)) for one in found]
 
 
 @router.get("/recordings/{recording_id}")
 def get_recording(recording_id: PathId, who: Viewer, session: Reading) -> RecordingBody:
     """One recording with its latest job."""
-    return recording_body(store.get_recording(session, recording_id))
+    return _body(session, store.get_recording(session, recording_id))
+
+
+def _body(session: Session, recording: Recording) -> RecordingBody:
+    lenses = documents_in_force(session, [recording.camera_id])
+    return recording_body(recording, lenses.get(recording.camera_id))
 
 
 @router.put("/recordings/{recording_id}")
 def change_recording(
     recording_id: PathId, body: RecordingChange, who: Operator, services: Wired
 ) -> RecordingBody:
-    """Change name, camera, road pose or lighting."""
-    changes = RecordingChanges(**body.model_dump(exclude_unset=True))  # type: ignore[typeddict-item]
+    """Change name, camera, road pose, lighting, or when and in what weather it was filmed."""
+    given = body.model_dump(exclude_unset=True, exclude={"start"})
+    if body.weather is not None:
+        given["weather"] = body.weather.strip() or None
+    if "start" in body.model_fields_set:
+        said = body.start
+        given["filming"] = said and start_of(said.local, said.time_zone, datetime.now(UTC))
+    changes = RecordingChanges(**given)  # type: ignore[typeddict-item]
     with services.writing() as session:
         changed = store.update_recording(session, recording_id, changes, actor=who.id)
         if changes.get("pose_id") is not None:
             request_if_posed(session, recording_id, actor=who.id)
+        answer = _body(session, changed)
     stills_of(services).forget(recording_id)
-    return recording_body(changed)
+    return answer
 
 
 @router.delete("/recordings/{recording_id}", status_code=204)

@@ -2,12 +2,13 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict
-from typing import Any, cast
+from typing import Any, cast, get_args
 
 from sqlalchemy import ColumnElement, select
 from sqlalchemy.orm import Session
 
 from sightline.cameras.tables import cameras
+from sightline.enums import StreetLighting
 from sightline.errors import BadInput, Conflict
 from sightline.infra.audit import trail
 from sightline.infra.database.rows import add_row, change_row, get_row, is_held, name_of, named_table
@@ -75,16 +76,24 @@ def list_recordings(session: Session, survey_id: int) -> tuple[Recording, ...]:
 def update_recording(
     session: Session, recording_id: int, changes: RecordingChanges, *, actor: int | None
 ) -> Recording:
-    """Change name, camera, pose or lighting. Raises NotFound, BadInput for things of another survey."""
+    """Change name, camera, pose, lighting, or when and in what weather it was filmed.
+
+    Raises NotFound, BadInput for things of another survey.
+    """
     before = _row(session, recording_id)
-    change = dict(changes)
-    unknown = set(change) - {"name", "camera_id", "pose_id", "lighting"}
+    change: dict[str, Any] = dict(changes)
+    unknown = set(change) - set(RecordingChanges.__annotations__)
     if unknown:
         raise BadInput("recordings-recordings-cannot-changed-leave-out", unknown=", ".join(sorted(unknown)))
+    if "filming" in change:
+        filming = change.pop("filming")
+        change |= dict.fromkeys(("started_at", "time_zone")) if filming is None else asdict(filming)
     if "name" in change and not str(change["name"]).strip():
         raise BadInput("recordings-recording-needs-name-fill")
     if change.get("lighting") not in (None, "daytime", "low_light"):
         raise BadInput("recordings-lighting-daytime-low-light-choose-one")
+    if change.get("street_lighting") not in (None, *get_args(StreetLighting)):
+        raise BadInput("recordings-street-lighting-on-or-off")
     for column, word in ((recordings.c.camera_id, "camera"), (recordings.c.pose_id, "road pose")):
         if change.get(column.name) is not None:
             row_id = cast(int, change[column.name])

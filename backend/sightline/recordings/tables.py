@@ -13,8 +13,15 @@ from sqlalchemy import (
     Text,
 )
 
-from sightline.enums import Lighting, RecordingState
-from sightline.infra.database.types import CanonicalJson, UtcDateTime, enum_check, identity, metadata
+from sightline.enums import Lighting, RecordingState, StreetLighting
+from sightline.infra.database.types import (
+    NEEDS_MEDIA,
+    CanonicalJson,
+    UtcDateTime,
+    enum_check,
+    identity,
+    metadata,
+)
 
 recordings = Table(
     "recordings",
@@ -24,7 +31,7 @@ recordings = Table(
     Column("name", String(400), nullable=False),
     Column("state", String(20), nullable=False),
     Column("error", Text),
-    Column("media_key", String(400), nullable=False, index=True),
+    Column("media_key", String(400), nullable=False, index=True, info=NEEDS_MEDIA),
     Column("sha256", String(64), nullable=False),
     Column("size_bytes", BigInteger, nullable=False),
     Column("width_px", Integer),
@@ -42,6 +49,12 @@ recordings = Table(
     Column("pose_id", ForeignKey("road_poses.id", use_alter=True)),
     Column("lighting", String(20)),
     Column("lighting_proposed", String(20)),
+    # when its first frame was filmed: as the file states, and as a person said, with the zone of the clocks
+    Column("start_proposed", UtcDateTime),
+    Column("started_at", UtcDateTime),
+    Column("time_zone", String(60)),
+    Column("weather", String(100)),
+    Column("street_lighting", String(20)),
     # whether the camera moved since its pose was taken, and what a person decided about it
     Column("drift", CanonicalJson),
     Column("drift_decision", CanonicalJson),
@@ -51,6 +64,8 @@ recordings = Table(
     enum_check("state", RecordingState),
     enum_check("lighting", Lighting),
     enum_check("lighting_proposed", Lighting),
+    enum_check("street_lighting", StreetLighting),
+    CheckConstraint("(started_at IS NULL) = (time_zone IS NULL)", name="start_has_zone"),
     CheckConstraint("state <> 'ready' OR frame_count IS NOT NULL", name="ready_has_frames"),
     CheckConstraint("state <> 'failed' OR error IS NOT NULL", name="failed_has_error"),
 )

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from datetime import datetime
 from typing import Any
 
 from sightline.errors import Damaged
 from sightline.infra.csv_package.files import Files, read_rows
 from sightline.infra.csv_package.schema import Cells
 from sightline.infra.csv_package.verify import says
-from sightline.recordings.csv import RECORDINGS, drift_cells, drift_of
+from sightline.recordings.csv import RECORDINGS, drift_cells, drift_of, started_text
 from sightline.recordings.drift import DriftDecision, DriftFigures, SpanTold, flag_of_frames, undecided
 
 _MAKES = ("create", "update", "ingest")
@@ -69,6 +70,9 @@ def check_recordings(files: Files, events: RecordingEvents) -> None:
 
 def _cells(events: RecordingEvents, number: int, made: Mapping[str, Any], pose: str) -> dict[str, Any]:
     told = {**_NOTHING, **made, "id": number, "variable_rate": made.get("vfr", False)}
+    start = made.get("started_at")
+    at = None if start is None else datetime.fromisoformat(start)
+    told["started_at"] = started_text(at, made.get("time_zone"))
     return {**told, **_drift(events, number, pose)}
 
 

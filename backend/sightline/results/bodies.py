@@ -13,6 +13,7 @@ from sightline.infra.web.figures import (
     FigureBody,
     ReasonBody,
 )
+from sightline.results.survey_comparison import ComparedSurveys
 from sightline.results.survey_statistics import SampleCounts
 from sightline.statistics.agreement import BlandAltman, ReferencePart
 from sightline.statistics.distributions import Percentile
@@ -158,6 +159,7 @@ class LateralBody(Out):
 class StatisticsBody(Out):
     rules: list[RuleToday] = Field(description="The rules of standards on the heights of their classes.")
     lateral: LateralBody | None
+    comparison: ComparedSurveys | None = Field(description="Where what counts is of two surveys.")
     counted: SampleCounts
     errors: ErrorsBody
     targets: list[TargetBody]

@@ -78,13 +78,15 @@ _WORDS: dict[str, tuple[str, ...]] = {
     "class_set": get_args(ClassSet),
     "category": get_args(Category),
 }
+_DAYS = ("filmed_from", "filmed_to")
 SELECTION: Table[Chosen] = Table(
     "selection",
-    "The vehicles that statistics, figures and report of this package are of: of the lighting named, and of "
-    "any set or class named; what is not named is not limited. The other tables are of the whole survey.",
+    "The vehicles that statistics, figures and report of this package are of: of the lighting named, of any "
+    "set or class named, and filmed on those days; what is not named is not limited. The other tables are of "
+    "the whole survey.",
     (
-        text("by", "what is chosen by", lambda c: c[0], required=True, enum=tuple(_WORDS)),
-        text("word", "the lighting, set of classes or class", lambda c: c[1], required=True),
+        text("by", "what is chosen by", lambda c: c[0], required=True, enum=(*_WORDS, *_DAYS)),
+        text("word", "the lighting, set of classes, class or day", lambda c: c[1], required=True),
     ),
     primary=("by", "word"),
 )
@@ -97,20 +99,24 @@ def selection_rows(selection: Selection) -> list[Chosen]:
         *(("lighting", one) for one in lighting),
         *(("class_set", one) for one in selection.class_sets),
         *(("category", one) for one in selection.categories),
+        *((name, day) for name in _DAYS if isinstance(day := selection.stored()[name], str)),
     ]
 
 
 def selection_in(files: Files) -> Selection:
     """What a package is of. Raises Damaged."""
     rows = [(by, word) for by, word in read_columns(files, SELECTION.path, ("by", "word"))]
-    chosen: dict[str, list[str]] = {name: [word for by, word in rows if by == name] for name in _WORDS}
+    chosen: dict[str, list[str]] = {
+        name: [word for by, word in rows if by == name] for name in (*_WORDS, *_DAYS)
+    }
     selection = selection_of(
         {
             "lighting": chosen["lighting"][0] if chosen["lighting"] else None,
             "class_sets": chosen["class_set"],
             "categories": chosen["category"],
+            **{name: chosen[name][0] for name in _DAYS if chosen[name]},
         }
     )
-    if selection_rows(selection) != rows or any(word not in _WORDS[by] for by, word in rows):
+    if selection_rows(selection) != rows or any(word not in _WORDS[by] for by, word in rows if by in _WORDS):
         raise Damaged("results-cannot-read-take-whole-export-again", path=SELECTION.path, name="word")
     return selection

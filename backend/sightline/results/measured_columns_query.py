@@ -21,6 +21,7 @@ from sightline.geometry.documents import camera_across_m
 from sightline.infra.audit.tables import audit_chains
 from sightline.measurements.tables import measurement_series, measurements, reviews
 from sightline.poses.tables import road_poses
+from sightline.recordings.filming import filming_of, frame_s
 from sightline.recordings.tables import recordings
 from sightline.surveys.classes import sets_of
 from sightline.surveys.store import classes_of_surveys
@@ -52,7 +53,9 @@ class Measured:
     In the order of `measurement_id`. Words are indices into TARGETS, LIGHTING, LANES (the way that a vehicle
     goes in the picture), CATEGORIES, CLASS_SETS,
     VERDICTS, -1 for none; `class_set` is what the survey makes of the category; `day` counts days since
-    1970-01-01 (UTC) of the revision's making, 0 unless asked for; `across_m`: the contact's distance from the
+    1970-01-01 (UTC) of the revision's making, 0 unless asked for; `filmed_day`: the day on which
+    its pass was filmed, by the clocks of the place, days since 1970-01-01, -1 where nobody has confirmed the
+    start of its recording; `across_m`: the contact's distance from the
     camera across the road; lengths in metres, NaN where unknown.
     """
 
@@ -61,6 +64,7 @@ class Measured:
     survey_id: Ints
     operator_id: Ints
     day: Ints
+    filmed_day: Ints
     target: Ints
     lighting: Ints
     lane: Ints
@@ -113,6 +117,7 @@ def load_measured_columns(
         survey_id=survey,
         operator_id=_ints(revisions, "created_by")[row],
         day=_days(revisions)[row] if days else np.zeros(len(row), np.int64),
+        filmed_day=_filmed_days(session, cars)[car],
         target=_codes(revisions, "target", TARGETS)[row],
         lighting=_codes(cars, "lighting", LIGHTING)[car],
         lane=_codes(cars, "direction", LANES)[car],
@@ -158,6 +163,8 @@ def _vehicles(survey_ids: Sequence[int] | None) -> Select[Any]:
     query = select(
         v.id,
         v.survey_id,
+        v.recording_id,
+        v.first_frame,
         lighting,
         v.direction,
         v.category,
@@ -184,6 +191,20 @@ def _judged(survey_ids: Sequence[int] | None) -> Select[Any]:
     r = reviews.c
     query = select(r.id, r.series_id, r.result_revision, r.verdict)
     return query.where(*_series_of(r.series_id, survey_ids))
+
+
+def _filmed_days(session: Session, cars: pa.Table) -> Ints:
+    """The day on which each pass (V,) was filmed, NONE where nobody has confirmed its recording's start."""
+    recording, frame = _ints(cars, "recording_id"), _ints(cars, "first_frame")
+    day = np.full(len(recording), NONE, dtype=np.int64)
+    r = recordings.c
+    query = select(r.id, r.started_at, r.time_zone, r.duration_s, r.frame_count)
+    for row in session.execute(query.where(r.started_at.is_not(None))).mappings():
+        of = np.flatnonzero(recording == row["id"])
+        filming, each_s = filming_of(row), frame_s(row["duration_s"], row["frame_count"])
+        if filming is not None:
+            day[of] = filming.days(frame[of].astype(np.float64) * each_s)
+    return day
 
 
 def _cameras_across(session: Session, pose_id: Ints) -> Floats:

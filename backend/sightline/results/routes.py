@@ -61,6 +61,8 @@ def statistics_of_measurements(
     operator: Id | None = None,
     first_day: date | None = None,
     last_day: date | None = None,
+    filmed_from: Annotated[date | None, Query(description="By the clocks of the place.")] = None,
+    filmed_to: Annotated[date | None, Query(description="The last day, included.")] = None,
     state: StatisticsState = "accepted",
     target: Annotated[
         StatisticsTarget | None,
@@ -86,6 +88,8 @@ def statistics_of_measurements(
         operator_id=operator,
         first_day=first_day,
         last_day=last_day,
+        filmed_from=filmed_from,
+        filmed_to=filmed_to,
         state=state,
         target=target,
     )
@@ -133,6 +137,7 @@ def statistics_body(found: Statistics, correction: Correction) -> StatisticsBody
                 _target(name, one, standards_of(found.standards, name)) for name, one in found.targets.items()
             ],
             "lateral": _lateral(found.lateral),
+            "comparison": found.comparison,
             "standards": found.standards,
             "surveys": [Who(*one) for one in found.surveys.items()],
             "operators": [Who(*one) for one in found.operators.items()],

@@ -47,6 +47,7 @@ from sightline.results.measured_columns_query import (
     load_measured_columns,
 )
 from sightline.results.standards_store import standards_of_surveys
+from sightline.results.survey_comparison import ComparedSurveys, compared_surveys
 from sightline.statistics.agreement import U_MANUFACTURER_M
 from sightline.statistics.lateral import Lateral, lateral_positions
 from sightline.statistics.rules import RuleToday, rule_today
@@ -83,7 +84,8 @@ _EPOCH = date(1970, 1, 1)
 
 @dataclass(frozen=True)
 class Filter:
-    """Which measurements count; None or empty: no limit. Days are of a measurement's making (UTC).
+    """Which measurements count; None or empty: no limit. Days are of a measurement's making (UTC),
+    days of filming those of the clocks of the place.
 
     A vehicle counts if its class is one of `categories` or counts in one of `class_sets`.
 
@@ -97,6 +99,8 @@ class Filter:
     operator_id: int | None = None
     first_day: date | None = None
     last_day: date | None = None
+    filmed_from: date | None = None
+    filmed_to: date | None = None
     state: StatisticsState = "accepted"
     target: StatisticsTarget | None = None
 
@@ -136,6 +140,7 @@ class Statistics:
     operators: dict[int, str]
     rules: tuple[RuleToday, ...] = ()
     lateral: Lateral | None = None
+    comparison: ComparedSurveys | None = None
 
 
 def survey_statistics(
@@ -188,6 +193,8 @@ def _columns(session: Session, _last_hash: str, survey_ids: tuple[int, ...], day
 def _refuse(chosen: Filter, places: Mapping[int, Any]) -> None:
     if chosen.first_day and chosen.last_day and chosen.last_day < chosen.first_day:
         raise BadInput("results-last-day-lies-before-first-exchange")
+    if chosen.filmed_from and chosen.filmed_to and chosen.filmed_to < chosen.filmed_from:
+        raise BadInput("results-last-day-lies-before-first-exchange")
     for survey_id in chosen.survey_ids:
         if survey_id not in places:
             raise NotFound("results-no-survey-may-been-removed", survey_id=survey_id)
@@ -206,6 +213,10 @@ def filtered(found: Measured, chosen: Filter) -> tuple[Measured, dict[str, int]]
         keep &= found.day >= (chosen.first_day - _EPOCH).days
     if chosen.last_day is not None:
         keep &= found.day <= (chosen.last_day - _EPOCH).days
+    if chosen.filmed_from is not None:
+        keep &= found.filmed_day >= (chosen.filmed_from - _EPOCH).days
+    if chosen.filmed_to is not None:
+        keep &= (found.filmed_day != NONE) & (found.filmed_day <= (chosen.filmed_to - _EPOCH).days)
     wanted = np.isin(found.verdict, [VERDICTS.index(word) for word in _STATES[chosen.state]])
     of_target = _of_target(found, chosen.target)
     others = np.bincount(found.verdict[keep & ~wanted & of_target], minlength=len(VERDICTS))
@@ -265,6 +276,9 @@ def made_of(
         operators=operators,
         lateral=_lateral(measured.where(_of_target(measured, only))),
         rules=_rules(measured, against, sites) if choices.correction == "inset" and only is None else (),
+        comparison=compared_surveys(
+            measured, {name: _of_target(measured, name) for name in targets}, named_surveys, height_sample
+        ),
     )
 
 

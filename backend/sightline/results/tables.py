@@ -10,14 +10,14 @@ from sqlalchemy import (
 )
 
 from sightline.infra.audit.vouched import CarriesHead, vouched
-from sightline.infra.database.types import CanonicalJson, UtcDateTime, identity, metadata
+from sightline.infra.database.types import NEEDS_MEDIA, CanonicalJson, UtcDateTime, identity, metadata
 
 exports = Table(
     "exports",
     metadata,
     identity(),
     Column("survey_id", ForeignKey("surveys.id"), nullable=False, index=True),
-    Column("media_key", String(400), nullable=False),
+    Column("media_key", String(400), nullable=False, info=NEEDS_MEDIA),
     Column("size_bytes", BigInteger, nullable=False),
     Column("sha256", String(64), nullable=False),
     # the chain as it stood when the package was made: proof against a cut tail

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import get_args
 
 from sightline.enums import ReviewVerdict
-from sightline.infra.csv_package.columns import key, moment, person, text
+from sightline.infra.csv_package.columns import integer, key, moment, person, text
 from sightline.infra.csv_package.schema import Table
 from sightline.reviews.records import Review
 
@@ -23,9 +23,14 @@ REVIEWS: Table[Review] = Table(
         ),
         text("verdict", "the verdict", lambda r: r.verdict, required=True, enum=get_args(ReviewVerdict)),
         text("reason", "the reviewer's reason", lambda r: r.reason),
+        integer("lot_id", "of a verdict by lot: the lot; else the verdict is individual", lambda r: r.lot_id),
         person("reviewer_id", "who reviewed", lambda r: r.reviewer),
         moment("at", "when", lambda r: r.at),
     ),
     primary=("id",),
-    foreign=((("measurement_id",), "measurements", ("id",)), (("reviewer_id",), "people", ("id",))),
+    foreign=(
+        (("measurement_id",), "measurements", ("id",)),
+        (("lot_id",), "lots", ("id",)),
+        (("reviewer_id",), "people", ("id",)),
+    ),
 )

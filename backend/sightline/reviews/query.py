@@ -29,6 +29,7 @@ def reviews_of_series(session: Session, condition: ColumnElement[bool]) -> tuple
             reason=row.reason,
             reviewer=who(row.created_by, row.reviewer_name),
             at=row.created_at,
+            lot_id=row.lot_id,
         )
         for row in session.execute(query)
     )

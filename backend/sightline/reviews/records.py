@@ -12,6 +12,7 @@ from sightline.enums import (
 )
 from sightline.infra.audit.records import Who
 from sightline.measurements.records import Measurement, VehicleSheet
+from sightline.reviews.lots.records import LotPlace
 
 
 @dataclass(frozen=True, slots=True)
@@ -26,6 +27,7 @@ class Review:
     reason: str | None
     reviewer: Who | None
     at: datetime
+    lot_id: int | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,6 +52,7 @@ class ReviewWork:
 
     to_review: Annotated[int, Field(description="By somebody else than the asker, who may judge them.")]
     own: Annotated[int, Field(description="The asker's own, which somebody else has to review.")]
+    in_lots: Annotated[int, Field(description="Held by open lots, whose samples decide on them.")] = 0
 
 
 @dataclass(frozen=True, slots=True)
@@ -60,6 +63,7 @@ class Judged:
     signs: Annotated[tuple[ReviewSign, ...], Field(description="Why it may be wrong.")]
     error_m: Annotated[float | None, Field(description="Of a roof: less the maker's height.")] = None
     U95_error_m: float | None = None
+    lot: Annotated[LotPlace | None, Field(description="The open lot that holds it.")] = None
 
 
 @dataclass(frozen=True, slots=True)

@@ -28,6 +28,7 @@ def review_queue(
     state: Annotated[QueueState, Query(description="What was said of them so far.")] = "to_review",
     after: Annotated[QueryId | None, Query(description="Those behind this measurement.")] = None,
     measurement: Annotated[QueryId | None, Query(description="This one alone, if it is there.")] = None,
+    lot: Annotated[QueryId | None, Query(description="The sample of this open lot alone.")] = None,
     limit: Annotated[int, Query(ge=1, le=1000)] = 200,
 ) -> list[QueueItemBody]:
     """The survey's standing measurements by verdict, a page at a time, those most likely wrong first.
@@ -36,7 +37,7 @@ def review_queue(
     """
     get_survey(session, survey_id)
     found = store.review_queue(
-        session, survey_id, state=state, after=after, only=measurement, limit=limit, actor=who.id
+        session, survey_id, state=state, after=after, only=measurement, lot=lot, limit=limit, actor=who.id
     )
     return [
         filled_from(QueueItemBody, item, measurement=measurement_body(item.measurement)) for item in found

@@ -28,6 +28,8 @@ from sightline.measurements.store import (
 )
 from sightline.measurements.tables import measurement_series, reviews
 from sightline.measurements.tables import measurements as revision_rows
+from sightline.reviews.lots.records import LotPlace
+from sightline.reviews.lots.service import places_in_open_lots
 from sightline.reviews.order_query import Standing, standing_order
 from sightline.reviews.plan_store import get_review_plan, is_drawn
 from sightline.reviews.query import reviews_of_series
@@ -57,6 +59,7 @@ def add_review(
     result_revision = seen_revision
     content: dict[str, Any] = {"series_id": series_id, "revision": seen_revision, "verdict": verdict}
     content["reason"] = (reason or "").strip() or None
+    content["lot_id"] = None
     if fixed is not None:
         result_revision = append_measurement_revision(
             session, before, fixed, withdrawn=False, action="fix", actor=actor
@@ -86,15 +89,18 @@ def review_queue(
     state: QueueState = "to_review",
     after: int | None = None,
     only: int | None = None,
+    lot: int | None = None,
     limit: int | None = None,
     actor: int | None,
 ) -> tuple[QueueItem, ...]:
     """A survey's standing measurements by what was said of them; reopened ones are "to_review" again.
 
     Those most likely wrong come first, one's own last; a page of at most `limit` starts `after` a measurement
-    (also one that left the queue meanwhile). `only`: that measurement alone, if it is in this state.
+    (also one that left the queue meanwhile). `only`: that measurement alone, if it is in this state. `lot`:
+    the sample of this open lot alone. What waits for its lot's sample is not "to_review".
     """
     order = standing_order(session, survey_id, actor)
+    places = places_in_open_lots(session, survey_id)
     if only is not None:
         wanted = [only] if only in order else []
     else:
@@ -103,18 +109,30 @@ def review_queue(
             if after not in order:
                 raise missing("measurement", after)
             wanted = wanted[wanted.index(after) + 1 :]
+        if lot is not None:
+            wanted = [one for one in wanted if one in places and _sample_of(places[one], lot)]
+        elif state == "to_review":
+            wanted = [one for one in wanted if one not in places or places[one].in_sample]
         if state != "all":
             wanted = [one for one in wanted if order[one].verdict == state]
     found = _standing(session, wanted[:limit], state)
     sheets = list_sheets_by_id(session, {one.vehicle_id for one in found})
     by_id = {vehicle.id: vehicle for vehicle in sheets}
     drawn = _drawn(session, survey_id, found, actor)
-    return tuple(_item(one, by_id[one.vehicle_id], order[one.id], one.id in drawn) for one in found)
+    return tuple(
+        _item(one, by_id[one.vehicle_id], order[one.id], one.id in drawn, places.get(one.id)) for one in found
+    )
 
 
-def _item(one: Measurement, vehicle: VehicleSheet, place: Standing, drawn: bool) -> QueueItem:
+def _sample_of(place: LotPlace, lot: int) -> bool:
+    return place.in_sample and place.lot_id == lot
+
+
+def _item(
+    one: Measurement, vehicle: VehicleSheet, place: Standing, drawn: bool, lot: LotPlace | None
+) -> QueueItem:
     error_m, u_m = place.error_m, place.u_error_m
-    judged = Judged(drawn and not place.mine, place.signs, error_m, u_m and COVERAGE_95 * u_m)
+    judged = Judged(drawn and not place.mine, place.signs, error_m, u_m and COVERAGE_95 * u_m, lot)
     return QueueItem(one, vehicle, place.mine, judged)
 
 
@@ -132,10 +150,11 @@ def _plain(verdict: Verdict) -> Verdict:
 
 def review_work(session: Session, survey_id: int, *, actor: int | None) -> ReviewWork:
     """What waits for a verdict, by whose it is."""
-    waiting = [
-        one.mine for one in standing_order(session, survey_id, actor).values() if one.verdict == "to_review"
-    ]
-    return ReviewWork(waiting.count(False), waiting.count(True))
+    places = places_in_open_lots(session, survey_id)
+    held = {number for number, place in places.items() if not place.in_sample}
+    order = standing_order(session, survey_id, actor)
+    waiting = [one.mine for number, one in order.items() if one.verdict == "to_review" and number not in held]
+    return ReviewWork(waiting.count(False), waiting.count(True), len(held))
 
 
 def require_clicked_again(session: Session, one: Measurement, actor: int) -> None:

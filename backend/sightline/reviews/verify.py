@@ -33,14 +33,15 @@ def check_verdicts(
     for id_, made in reviews.items():
         if id_ not in there and not is_gone(int(made["vehicle_id"])):
             raise Damaged("reviews-reviews-csv-missing-though-audit-event", id=id_)
-    names = ("verdict", "review_reason", "reviewer_id", "reviewed_at")
+    names = ("verdict", "review_reason", "reviewer_id", "reviewed_at", "verdict_by", "lot_id")
     columns = ("id", "revision", "verdict_of_revision", *names)
     for one, revision, carried, *said in read_columns(files, "measurements.csv", columns):
         judged = [found for of in (revision, carried) if (found := newest.get((one, of))) is not None]
         review = max(judged, key=lambda row: int(row["id"]), default=None)
-        wanted = [_DEFAULT_VERDICT, "", "", ""]
+        wanted = [_DEFAULT_VERDICT, "", "", "", "", ""]
         if review is not None:
             wanted = [review[name] for name in ("verdict", "reason", "reviewer_id", "at")]
+            wanted += ["lot" if review["lot_id"] else "individual", review["lot_id"]]
         if said != wanted:
             raise Damaged("reviews-measurements-csv-verdict-not-newest-review", one=one)
 

@@ -126,6 +126,8 @@ class ScanCountsBody(Out):
     rejected: int
     not_measurable: int
     older: int = Field(description="Measured with other values of the rig; find again brings them up.")
+    heights: int = Field(description="Standing heights of targets.")
+    heights_to_review: int
 
 
 class ScanRunBody(Out):

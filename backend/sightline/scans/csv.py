@@ -386,6 +386,7 @@ def scan_records(session: Session, survey_id: int) -> ScanRecords:
             found.measurements += scan_measurement_history(session, one.vehicle.id)
         found.name(found.heights.add_scan(session, scan.id, [one.vehicle.id for one in passed]))
     found.heights.heights.sort(key=lambda one: one.height.id)
+    found.heights.reviews.sort(key=lambda one: one.id)
     found.measurements.sort(key=lambda one: one.id)
     for revision in found.measurements:
         found.name((revision.created_by, revision.review.reviewer))

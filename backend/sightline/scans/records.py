@@ -60,7 +60,10 @@ class StripFacts:
 
 @dataclass(frozen=True, slots=True)
 class ScanCounts:
-    """Computed when asked, never stored; `older` were measured with other values of the rig."""
+    """Computed when asked, never stored; `older` were measured with other values of the rig.
+
+    `heights`: standing heights of targets, and those among them that wait for a verdict.
+    """
 
     vehicles: int = 0
     to_review: int = 0
@@ -68,6 +71,8 @@ class ScanCounts:
     rejected: int = 0
     not_measurable: int = 0
     older: int = 0
+    heights: int = 0
+    heights_to_review: int = 0
 
 
 @dataclass(frozen=True, slots=True)
@@ -284,7 +289,7 @@ class ScanReview:
 
 @dataclass(frozen=True, slots=True)
 class ScanProgress:
-    """The line scans of a survey: vehicles by what was done with them, and what to do next."""
+    """The line scans of a survey: vehicles and heights by what was done with them, and what to do next."""
 
     state: OptionalStepState
     summary: str
@@ -295,3 +300,5 @@ class ScanProgress:
     accepted: int = 0
     rejected: int = 0
     not_measurable: int = 0
+    heights: int = 0
+    heights_to_review: int = 0

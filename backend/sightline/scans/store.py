@@ -1,7 +1,7 @@
 """Line-scan recordings: from two strips (or two columns of a video) through reading to use."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import asdict
+from dataclasses import asdict, replace
 from typing import Any, cast
 
 from sqlalchemy import ColumnElement, or_, select
@@ -18,8 +18,17 @@ from sightline.linescan.parts import Rig
 from sightline.linescan.rig import require_rig
 from sightline.recordings.tables import recordings
 from sightline.recordings.uploads.tables import uploads
+from sightline.scans.heights.store import line_height_states
 from sightline.scans.heights.tables import line_heights, line_poses
-from sightline.scans.records import ColumnSource, Scan, ScanChanges, ScanCounts, StripFacts, StripSource
+from sightline.scans.records import (
+    ColumnSource,
+    Scan,
+    ScanChanges,
+    ScanCounts,
+    StripFacts,
+    StripSource,
+    state_of,
+)
 from sightline.scans.tables import scan_measurements, scan_reviews, scan_vehicles, scans
 from sightline.scans.vehicles.run_store import latest_scan_runs
 from sightline.scans.vehicles.store import counts_of_scans
@@ -211,15 +220,25 @@ def _scans(session: Session, rows: Sequence[Mapping[str, Any]]) -> tuple[Scan, .
     people = names(session, [row[key] for row in rows for key in ("created_by", "updated_by")])
     rigs = {row["id"]: Rig(**{key: row[key] for key in RIG}) for row in rows}
     counted = counts_of_scans(session, {key: rig_columns(rig) for key, rig in rigs.items()})
+    heights = _height_counts(session, ids)
     return tuple(
         Scan(
             rig=rigs[row["id"]],
             job=latest.get(row["id"]),
             run=runs.get(row["id"]),
-            counts=counted.get(row["id"], ScanCounts()),
+            counts=replace(counted.get(row["id"], ScanCounts()), **heights[row["id"]]),
             created_by=who(row["created_by"], people.get(cast(int, row["created_by"]))),
             updated_by=who(row["updated_by"], people.get(cast(int, row["updated_by"]))),
             **{name: row[name] for name in _NAMED},
         )
         for row in rows
     )
+
+
+def _height_counts(session: Session, scan_ids: Sequence[int]) -> dict[int, dict[str, int]]:
+    """How many standing heights each scan has, and how many of them wait for a verdict."""
+    counted = {scan_id: {"heights": 0, "heights_to_review": 0} for scan_id in scan_ids}
+    for scan_id, verdict in session.execute(line_height_states(line_heights.c.scan_id.in_(scan_ids))):
+        counted[scan_id]["heights"] += 1
+        counted[scan_id]["heights_to_review"] += state_of("ok", verdict) == "to_review"
+    return counted

@@ -27,7 +27,14 @@ from sightline.enums import (
     VehicleOrigin,
 )
 from sightline.infra.audit.vouched import ChangedByEvents, WrittenOnce, vouched
-from sightline.infra.database.types import CanonicalJson, UtcDateTime, enum_check, identity, metadata
+from sightline.infra.database.types import (
+    NEEDS_MEDIA,
+    CanonicalJson,
+    UtcDateTime,
+    enum_check,
+    identity,
+    metadata,
+)
 
 # A pair of strips and the rig that took them. `first` is the camera that a vehicle reaches first.
 scans = Table(
@@ -51,8 +58,8 @@ scans = Table(
     Column("second_source_sha256", String(64)),
     Column("time_axis", String(20), nullable=False),
     # the tiled form that everything is read from
-    Column("first_key", String(400)),
-    Column("second_key", String(400)),
+    Column("first_key", String(400), info=NEEDS_MEDIA),
+    Column("second_key", String(400), info=NEEDS_MEDIA),
     Column("first_sha256", String(64)),
     Column("second_sha256", String(64)),
     Column("rows_px", Integer),

@@ -11,7 +11,7 @@ from sightline.infra.csv_package.chain import chain
 from sightline.infra.csv_package.files import Files, read_rows
 from sightline.infra.csv_package.schema import AnyTable, cell_text
 from sightline.scans.csv import LINE_SCANS, SCAN_MEASUREMENTS, SCAN_REVIEWS, SCAN_VEHICLES
-from sightline.scans.heights.csv import LINE_HEIGHTS, LINE_POSES
+from sightline.scans.heights.csv import LINE_HEIGHT_REVIEWS, LINE_HEIGHTS, LINE_POSES
 from sightline.scans.heights.verify import check_line_heights
 
 _ENTITIES: dict[str, AnyTable] = {
@@ -21,7 +21,11 @@ _ENTITIES: dict[str, AnyTable] = {
     "scan_review": SCAN_REVIEWS,
     "line_pose": LINE_POSES,
     "line_height": LINE_HEIGHTS,
+    "line_height_review": LINE_HEIGHT_REVIEWS,
 }
+# Verdicts, and how the row that is judged calls what they say.
+_REVIEWS = ("scan_review", "line_height_review")
+_SAID = {"verdict": "verdict", "review_reason": "reason", "reviewer_id": "reviewer_id", "reviewed_at": "at"}
 # What an event says in other words than the table.
 _OTHER_WORDS = ("notes", "created_at")
 
@@ -44,7 +48,8 @@ def check_scans(files: Files, events_of_scans: int) -> int:
         for number, row in rows[entity].items():
             _same(table, row, told[entity][number])
     _current(rows["scan_vehicle"], rows["scan_measurement"])
-    _verdicts(rows["scan_measurement"], rows["scan_review"])
+    _verdicts(SCAN_MEASUREMENTS, rows["scan_measurement"], "measurement_id", rows["scan_review"])
+    _verdicts(LINE_HEIGHTS, rows["line_height"], "height_id", rows["line_height_review"])
     check_line_heights(files, told["line_pose"])
     return sum(len(found) for found in rows.values())
 
@@ -55,6 +60,8 @@ def _told(files: Files) -> dict[str, dict[int, dict[str, Any]]]:
         if event["entity"] in told and event["after"]:
             known = told[event["entity"]].setdefault(int(event["entity_id"]), {"deleted": False})
             known.update(json.loads(event["after"]))
+            if event["entity"] in _REVIEWS:
+                known["reviewer_id"] = event["actor_id"]
     return told
 
 
@@ -76,8 +83,9 @@ def _gone(told: Mapping[str, Mapping[int, Mapping[str, Any]]]) -> dict[str, set[
         "scan_measurement": measurements,
         "scan_review": reviews,
         "line_pose": {number for number, one in told["line_pose"].items() if one["scan_id"] in scans},
-        "line_height": {
-            number for number, one in told["line_height"].items() if one["vehicle_id"] in vehicles
+        **{
+            entity: {number for number, one in told[entity].items() if one["vehicle_id"] in vehicles}
+            for entity in ("line_height", "line_height_review")
         },
     }
 
@@ -120,9 +128,15 @@ def _current(vehicles: Mapping[int, Mapping[str, str]], revisions: Mapping[int, 
             raise Damaged("scans-vehicle-not-newest-revision-changed", path=SCAN_VEHICLES.path, number=number)
 
 
-def _verdicts(revisions: Mapping[int, Mapping[str, str]], reviews: Mapping[int, Mapping[str, str]]) -> None:
-    """A revision's verdict is the newest that was given on it."""
-    newest = {int(one["measurement_id"]): one["verdict"] for _, one in sorted(reviews.items())}
+def _verdicts(
+    judged: AnyTable,
+    revisions: Mapping[int, Mapping[str, str]],
+    of: str,
+    reviews: Mapping[int, Mapping[str, str]],
+) -> None:
+    """A revision's verdict, with its reason, reviewer and time, is the newest that was given on it."""
+    newest = {int(one[of]): one for _, one in sorted(reviews.items())}
     for number, row in revisions.items():
-        if row["verdict"] != newest.get(number, "to_review"):
-            raise Damaged("scans-verdict-row-not-one-given", path=SCAN_MEASUREMENTS.path, number=number)
+        given = newest.get(number, {"verdict": "to_review"})
+        if any(row[name] != given.get(said, "") for name, said in _SAID.items()):
+            raise Damaged("scans-verdict-row-not-one-given", path=judged.path, number=number)

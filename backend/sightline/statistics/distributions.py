@@ -136,10 +136,16 @@ def share_below(ordered: Floats, limit: float, confidence: float = CONFIDENCE) -
     if n == 0:
         return None
     below = int(np.searchsorted(ordered, limit, side="left"))
-    tail = 0.5 * (1.0 - confidence)
-    low = float(stats.beta.ppf(tail, below, n - below + 1)) if below else 0.0
-    high = float(stats.beta.ppf(1.0 - tail, below + 1, n - below)) if below < n else 1.0
+    low, high = share_interval(below, n, confidence)
     return Share(limit=limit, below=below, n=n, share=below / n, low=low, high=high)
+
+
+def share_interval(count: int, n: int, confidence: float = CONFIDENCE) -> tuple[float, float]:
+    """The exact interval of a share `count` / `n` (Clopper and Pearson 1934); n must be positive."""
+    tail = 0.5 * (1.0 - confidence)
+    low = float(stats.beta.ppf(tail, count, n - count + 1)) if count else 0.0
+    high = float(stats.beta.ppf(1.0 - tail, count + 1, n - count)) if count < n else 1.0
+    return low, high
 
 
 def ecdf(ordered: Floats, most: int = 600, confidence: float = CONFIDENCE) -> Ecdf | None:

@@ -14,6 +14,7 @@ from scipy import stats
 
 from sightline.coverage import COVERAGE_95
 from sightline.enums import Lighting, Rounding
+from sightline.statistics.distributions import share_interval
 from sightline.statistics.wording import are_too_few
 
 Floats = NDArray[np.float64]
@@ -136,8 +137,7 @@ def _shares(error: Floats) -> tuple[dict[str, float | None], dict[str, Interval 
     for name, limit_m in SHARES_WITHIN_M.items():
         within = int(np.count_nonzero(np.abs(error) <= limit_m + _ROUNDING_M))
         values[name] = within / len(error)
-        found = stats.binomtest(within, len(error)).proportion_ci(0.95, "exact")
-        ci95[name] = Interval(float(found.low), float(found.high))
+        ci95[name] = Interval(*share_interval(within, len(error)))
     return values, ci95
 
 

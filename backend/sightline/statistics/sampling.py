@@ -11,8 +11,6 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import get_args
 
-from scipy import stats
-
 from sightline.enums import (
     AskedTarget,
     ClassSet,
@@ -22,6 +20,7 @@ from sightline.enums import (
     ResponseSet,
     SamplingMethod,
 )
+from sightline.statistics.distributions import share_interval
 
 MOST_STEP, MOST_HEADWAY_S = 1000, 60.0
 
@@ -194,8 +193,7 @@ def _row(
     measured = ends.get("measured", 0)
     low = high = None
     if wanted:
-        interval = stats.binomtest(measured, wanted).proportion_ci(0.95, "exact")
-        low, high = float(interval.low), float(interval.high)
+        low, high = share_interval(measured, wanted)
     return Response(
         lighting=lighting,  # type: ignore[arg-type]
         class_set=class_set,  # type: ignore[arg-type]

@@ -29,6 +29,8 @@ PACKAGES: Table = Table(
         text("site", "site: surveys of one site are one cluster"),
         text("made_with", "version that made the package"),
         text("chain_sha256", "SHA-256 of the package's audit chain without its seal"),
+        integer("counted", "accepted heights of vehicles in the survey's sample: those that count"),
+        integer("out_of_sample", "accepted heights of other vehicles, which do not count"),
     ),
 )
 FIGURES: Table = Table(
@@ -105,8 +107,9 @@ def study_rows(study: Study) -> dict[str, Iterator[Cells]]:
 
 
 def _packages(study: Study) -> Iterator[Cells]:
-    for one in study.packages:
+    for one, n, outside in zip(study.packages, study.counted, study.out_of_sample, strict=True):
         told: Cells = {"place": str(one.place), "survey": one.name, "site": one.site}
+        told |= {"counted": n, "out_of_sample": outside}
         yield {**told, "made_with": one.made_with, "chain_sha256": one.seal}
 
 

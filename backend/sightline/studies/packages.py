@@ -95,6 +95,8 @@ def _refuse_twice(packages: Sequence[StudiedPackage]) -> None:
 def _refuse_versions(packages: Sequence[StudiedPackage]) -> None:
     """Tables of one form: columns of further frames aside, which depend on how many were clicked."""
     first = _form(packages[0])
+    if "in_sample bool" not in first["vehicles.csv"]:
+        raise BadInput("studies-package-without-sample", place=packages[0].place)
     for one in packages[1:]:
         form = _form(one)
         for name in READ:

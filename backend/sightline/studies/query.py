@@ -78,22 +78,28 @@ class StudyTables:
         )
         return _ints(rows["package"]), _ints(rows["category"]), _ints(rows["lighting"])
 
-    def counted(self) -> Ints:
-        """How many heights count of each package, (P,)."""
+    def counted(self) -> tuple[Ints, Ints]:
+        """How many heights count of each package, and how many accepted ones do not, for their vehicle is not
+        in its survey's sample: (P,) each.
+        """
         rows = self._numbers(
-            f"SELECT m.file_index AS p, count(*) AS n FROM {self._of('measurements.csv')} m "
-            f"WHERE {_COUNTED} GROUP BY 1"
+            f"""
+            SELECT m.file_index AS p, count(c.id) AS n, count(*) - count(c.id) AS outside
+            FROM {self._of("measurements.csv")} m
+            LEFT JOIN cars c ON c.package = m.file_index AND c.id = m.vehicle_id
+            WHERE {_COUNTED} GROUP BY 1
+            """
         )
-        found = np.zeros(len(self._files["measurements.csv"]), dtype=np.int64)
-        found[_ints(rows["p"])] = _ints(rows["n"])
-        return found
+        found = np.zeros((2, len(self._files["measurements.csv"])), dtype=np.int64)
+        found[:, _ints(rows["p"])] = _ints(rows["n"]), _ints(rows["outside"])
+        return found[0], found[1]
 
     def _codes(self, words: Sequence[str], name: str) -> None:
         self._db.execute(f"CREATE TABLE {name} (word VARCHAR, code TINYINT)")
         self._db.executemany(f"INSERT INTO {name} VALUES (?, ?)", [(word, n) for n, word in enumerate(words)])
 
     def _cars(self) -> None:
-        """Living vehicles; one without lighting has its recording's."""
+        """Vehicles of their surveys' samples; one without lighting has its recording's."""
         self._db.execute(
             f"""
             CREATE TABLE cars AS
@@ -103,6 +109,7 @@ class StudyTables:
             LEFT JOIN {self._of("recordings.csv")} r ON r.file_index = v.file_index AND r.id = v.recording_id
             LEFT JOIN categories c ON c.word = v.category
             LEFT JOIN lightings l ON l.word = coalesce(v.lighting, r.lighting)
+            WHERE v.in_sample AND v.discarded IS NULL
             """,
             {name: value for name, value in self._places().items() if name in ("vehicles", "recordings")},
         )

@@ -113,9 +113,13 @@ class PlannedStudy:
 
 @dataclass(frozen=True)
 class Study:
-    """Everything that comes out of a study."""
+    """Everything that comes out of a study. `counted`, `out_of_sample`: accepted heights of each package that
+    count, and that do not, for their vehicle is not in its survey's sample.
+    """
 
     packages: list[StudiedPackage]
+    counted: list[int]
+    out_of_sample: list[int]
     heights: int
     vehicles: int
     targets: list[TargetFigures]

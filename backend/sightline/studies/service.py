@@ -69,10 +69,8 @@ def make_study(
     places = _places_of(packages, sites)
     notes = _notes(packages, places)
     with StudyTables(packages, CATEGORIES, LIGHTING) as tables:
-        counted = tables.counted()
-        for one, n in zip(packages, counted, strict=True):
-            if n == 0:
-                notes.append(f"{one.name} has no accepted height; it says nothing here.")
+        counted, outside = tables.counted()
+        notes += _notes_of_counts(packages, counted, outside)
         if not counted.sum():
             raise BadInput("studies-no-height-counts")
         cars = tables.vehicles()
@@ -88,6 +86,8 @@ def make_study(
                 errors = _error_figures(found, places)
     return Study(
         packages=list(packages),
+        counted=counted.tolist(),
+        out_of_sample=outside.tolist(),
         heights=int(counted.sum()),
         vehicles=len(cars[0]),
         targets=targets,
@@ -132,6 +132,20 @@ def _notes(packages: Sequence[StudiedPackage], places: _Places) -> list[str]:
         )
     if len(places.names) == 1:
         notes.append("One site: intervals speak of that place alone.")
+    return notes
+
+
+def _notes_of_counts(packages: Sequence[StudiedPackage], counted: Ints, outside: Ints) -> list[str]:
+    notes = [
+        f"{one.name} has no accepted height in its sample; it says nothing here."
+        for one, n in zip(packages, counted.tolist(), strict=True)
+        if n == 0
+    ]
+    if outside.any():
+        notes.append(
+            f"{int(outside.sum())} accepted heights are of vehicles outside their survey's sample; they do "
+            "not count."
+        )
     return notes
 
 

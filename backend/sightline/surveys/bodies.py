@@ -14,6 +14,7 @@ from sightline.enums import (
     Hand,
     Lighting,
     SamplingMethod,
+    StreetLamps,
 )
 from sightline.geometry.insets import INSET_CHOICES
 from sightline.infra.web.bodies import In, Name, Out, Text
@@ -86,6 +87,29 @@ class TrafficIn(In):
     traffic_side: Hand | None = None
     steering_side: Hand | None = None
     camera_place: CameraPlace | None = None
+
+
+class PlaceBody(Out):
+    """Where the site lies, what road it is, and whose clocks are told; null while nobody has said."""
+
+    latitude_deg: Annotated[float | None, Field(description="WGS84, north positive.")] = None
+    longitude_deg: Annotated[float | None, Field(description="WGS84, east positive.")] = None
+    road_class: str | None = None
+    speed_limit_mps: float | None = None
+    street_lamps: StreetLamps | None = None
+    time_zone: Annotated[str | None, Field(description="IANA; proposed for recordings.")] = None
+
+
+Degrees = Annotated[float, Field(allow_inf_nan=False)]
+
+
+class PlaceIn(In):
+    latitude_deg: Degrees | None = None
+    longitude_deg: Degrees | None = None
+    road_class: Annotated[str, Field(max_length=100)] | None = None
+    speed_limit_mps: Annotated[float, Field(allow_inf_nan=False)] | None = None
+    street_lamps: StreetLamps | None = None
+    time_zone: Annotated[str, Field(max_length=60)] | None = None
 
 
 class AskedBody(Out):
@@ -169,6 +193,7 @@ class SurveyFacts(Out):
     version: int
     created_at: datetime
     traffic: TrafficBody
+    place: PlaceBody
     asked: AskedBody
     classes: tuple[VehicleClassBody, ...]
     sampling: SamplingBody
@@ -186,6 +211,7 @@ class NewSurvey(In):
     site: Annotated[str, Field(max_length=200)] = ""
     description: Text = ""
     traffic: TrafficIn | None = Field(default=None, description="Left out: as it is, at first not said.")
+    place: PlaceIn | None = Field(default=None, description="Left out: as it is, at first not said.")
     asked: AskedIn | None = Field(default=None, description="Left out: as it is, at first the usual.")
 
 

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from typing import get_args
 
-from sightline.enums import AskedTarget, Category, ClassSet, InsetName, Lighting, SamplingMethod
+from sightline.enums import AskedTarget, Category, ClassSet, InsetName, Lighting, SamplingMethod, StreetLamps
 from sightline.infra.csv_package.columns import integer, key, metres, number, text
-from sightline.infra.csv_package.files import Files, read_columns, read_rows
+from sightline.infra.csv_package.files import Files, read_columns, read_rows, unsafe
 from sightline.infra.csv_package.files import number as figure
 from sightline.infra.csv_package.schema import Table
 from sightline.statistics.sampling import Quota, Sampling
 from sightline.surveys.classes import VehicleClass
+from sightline.surveys.place import Place
 from sightline.surveys.records import Asked, Inset, Survey
 
 #: A target and the inset that is in force for it.
@@ -26,6 +27,17 @@ SURVEY: Table[Survey] = Table(
             "site", "where it was filmed; a study takes surveys of one site as one cluster", lambda s: s.site
         ),
         text("description", "what was said of the survey", lambda s: s.description),
+        number("latitude_deg", "latitude (WGS84), north positive", "deg", lambda s: s.place.latitude_deg),
+        number("longitude_deg", "longitude (WGS84), east positive", "deg", lambda s: s.place.longitude_deg),
+        text("road_class", "class of the road, in words", lambda s: s.place.road_class),
+        number("speed_limit_mps", "speed limit", "m/s", lambda s: s.place.speed_limit_mps),
+        text(
+            "street_lamps",
+            "whether the road has street lamps",
+            lambda s: s.place.street_lamps,
+            enum=get_args(StreetLamps),
+        ),
+        text("time_zone", "whose clocks are told there (IANA)", lambda s: s.place.time_zone),
     ),
     primary=("id",),
 )
@@ -149,3 +161,17 @@ def asked_in(files: Files) -> Asked:
         tuple(known[word] for word in row[f"asked_{lighting}"].split()) for lighting in get_args(Lighting)
     )
     return Asked(by_day, in_low_light)
+
+
+def place_in(files: Files) -> Place:
+    """The place of a package's survey."""
+    (row,) = read_rows(files, SURVEY.path)
+    lamps: dict[str, StreetLamps] = {word: word for word in get_args(StreetLamps)}
+    return Place(
+        latitude_deg=figure(row["latitude_deg"]),
+        longitude_deg=figure(row["longitude_deg"]),
+        road_class=unsafe(row["road_class"]) or None,
+        speed_limit_mps=figure(row["speed_limit_mps"]),
+        street_lamps=lamps.get(row["street_lamps"]),
+        time_zone=unsafe(row["time_zone"]) or None,
+    )

@@ -9,6 +9,7 @@ from sightline.enums import USUALLY_ASKED, AskedTarget, Lighting
 from sightline.geometry.sides import TrafficFacts
 from sightline.statistics.sampling import Sampling
 from sightline.surveys.classes import VehicleClass
+from sightline.surveys.place import Place
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,7 +38,7 @@ class Asked:
 
 @dataclass(frozen=True, slots=True)
 class Survey:
-    """Words, traffic, targets, classes, sample, and insets by `InsetName`; its progress: see `results`."""
+    """Words, traffic, place, targets, classes, sample, insets by `InsetName`; its progress: `results`."""
 
     id: int
     name: str
@@ -47,6 +48,7 @@ class Survey:
     version: int
     created_at: datetime
     traffic: TrafficFacts
+    place: Place
     asked: Asked
     classes: tuple[VehicleClass, ...]
     sampling: Sampling

@@ -1,4 +1,4 @@
-"""Surveys: their words, traffic and insets."""
+"""Surveys: their words, traffic, place and insets."""
 
 from collections.abc import Mapping
 from dataclasses import asdict
@@ -16,11 +16,12 @@ from sightline.infra.database.rows import add_row, change_row, get_row, last_cha
 from sightline.infra.database.types import now
 from sightline.statistics.sampling import MOST_HEADWAY_S, MOST_STEP, Quota, Sampling
 from sightline.surveys.classes import USUAL_CLASSES, VehicleClass, classes_of, stored_classes
+from sightline.surveys.place import PLACE, Place, checked_place
 from sightline.surveys.records import Asked, Inset, Survey
 from sightline.surveys.tables import surveys
 
 TRAFFIC = ("traffic_side", "steering_side", "camera_place")
-EDITABLE = ("name", "site", "description", *TRAFFIC, "asked", "classes", "sampling", "insets")
+EDITABLE = ("name", "site", "description", *TRAFFIC, *PLACE, "asked", "classes", "sampling", "insets")
 
 
 def default_insets() -> dict[str, Inset]:
@@ -35,6 +36,7 @@ def create_survey(
     site: str = "",
     description: str = "",
     traffic: TrafficFacts = TrafficFacts(),
+    place: Place = Place(),
     asked: Asked = Asked(),
     classes: tuple[VehicleClass, ...] = USUAL_CLASSES,
     sampling: Sampling = Sampling(),
@@ -44,7 +46,9 @@ def create_survey(
 ) -> Survey:
     """A new, empty survey. Raises BadInput without a name."""
     moment = now()
-    content = _content(name, site, description, traffic, asked, classes, sampling, insets or default_insets())
+    content = _content(
+        name, site, description, traffic, place, asked, classes, sampling, insets or default_insets()
+    )
     stamps = {"created_at": moment, "created_by": actor, "updated_at": moment, "updated_by": actor}
     survey_id = add_row(session, surveys, {**content, **stamps, "is_demo": is_demo, "version": 1})
     trail.record(session, actor, "create", "survey", survey_id, survey_id, None, content)
@@ -97,6 +101,7 @@ def update_survey(
     site: str,
     description: str,
     traffic: TrafficFacts,
+    place: Place,
     asked: Asked,
     classes: tuple[VehicleClass, ...],
     sampling: Sampling,
@@ -109,7 +114,7 @@ def update_survey(
     if before["version"] != version:
         who, when = last_change(session, before)
         raise Conflict("surveys-changed-survey-look-again-redo", name=who, when=when)
-    content = _content(name, site, description, traffic, asked, classes, sampling, insets)
+    content = _content(name, site, description, traffic, place, asked, classes, sampling, insets)
     stamps = {"version": version + 1, "updated_at": now(), "updated_by": actor}
     change_row(session, surveys, survey_id, {**content, **stamps})
     what = trail.changed(before, content, EDITABLE)
@@ -122,6 +127,7 @@ def _content(
     site: str,
     description: str,
     traffic: TrafficFacts,
+    place: Place,
     asked: Asked,
     classes: tuple[VehicleClass, ...],
     sampling: Sampling,
@@ -140,6 +146,7 @@ def _content(
         "site": site.strip(),
         "description": description.strip(),
         **asdict(traffic),
+        **asdict(checked_place(place)),
         "asked": {lighting: list(targets) for lighting, targets in asdict(asked).items()},
         "classes": stored_classes(classes),
         "sampling": stored_sampling(sampling),
@@ -157,6 +164,7 @@ def _survey(row: Mapping[str, Any]) -> Survey:
         version=row["version"],
         created_at=row["created_at"],
         traffic=traffic_of_row(row),
+        place=Place(**{name: row[name] for name in PLACE}),
         asked=asked_of(row["asked"]),
         classes=classes_of(row["classes"]),
         sampling=sampling_of(row["sampling"]),

@@ -4,6 +4,7 @@ from sqlalchemy import (
     Boolean,
     CheckConstraint,
     Column,
+    Float,
     ForeignKey,
     Integer,
     String,
@@ -11,7 +12,7 @@ from sqlalchemy import (
     Text,
 )
 
-from sightline.enums import CameraPlace, Hand
+from sightline.enums import CameraPlace, Hand, StreetLamps
 from sightline.infra.database.types import CanonicalJson, UtcDateTime, enum_check, identity, metadata
 
 surveys = Table(
@@ -26,6 +27,13 @@ surveys = Table(
     Column("traffic_side", String(20)),
     Column("steering_side", String(20)),
     Column("camera_place", String(20)),
+    # where it lies, what road it is, whose clocks are told; empty while nobody has said
+    Column("latitude_deg", Float),
+    Column("longitude_deg", Float),
+    Column("road_class", String(100)),
+    Column("speed_limit_mps", Float),
+    Column("street_lamps", String(20)),
+    Column("time_zone", String(60)),
     # the targets asked for by lighting
     Column("asked", CanonicalJson, nullable=False),
     # by class of vehicle its set and what the EU and FHWA call it
@@ -41,5 +49,6 @@ surveys = Table(
     enum_check("traffic_side", Hand),
     enum_check("steering_side", Hand),
     enum_check("camera_place", CameraPlace),
+    enum_check("street_lamps", StreetLamps),
     CheckConstraint("version >= 1", name="version_counts"),
 )

@@ -12,11 +12,13 @@ from sightline.infra.csv_package.schema import cell_text
 from sightline.infra.csv_package.verify import says
 from sightline.surveys.classes import classes_of
 from sightline.surveys.csv import CLASSES, INSETS, QUOTAS, SAMPLING, SURVEY
+from sightline.surveys.place import PLACE
 
 
 def check_survey(files: Files, survey_id: int, survey: Mapping[str, Any]) -> None:
     """The survey's row is what its events say of it. Raises Damaged."""
     said = {"id": survey_id, **{name: survey.get(name) or None for name in ("name", "site", "description")}}
+    said |= {name: survey.get(name) for name in PLACE}
     rows = list(read_rows(files, SURVEY.path))
     if len(rows) != 1 or not says(SURVEY, rows[0], said):
         raise Damaged("surveys-survey-csv-not-what-audit")

@@ -71,6 +71,14 @@ class Vehicle:
     ]
 
     in_sample: Annotated[bool, Field(description="Whether the survey's rule takes it into the sample.")]
+    filmed_at: Annotated[
+        str | None,
+        Field(
+            description="When its first frame was filmed, by the clocks of the place, ISO 8601 with offset; "
+            "frames are taken to be as long as the recording's on average. Null until a person has confirmed "
+            "the start of the recording."
+        ),
+    ]
 
     @property
     def not_visible(self) -> dict[AskedTarget, NotVisible]:

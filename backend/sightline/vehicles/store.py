@@ -14,6 +14,7 @@ from sightline.infra.audit import trail
 from sightline.infra.database.people import people
 from sightline.infra.database.rows import add_row, change_row, get_row, last_change, missing, who
 from sightline.infra.database.types import columns_of, now
+from sightline.recordings.filming import filming_of, frame_s
 from sightline.recordings.tables import recordings
 from sightline.statistics.sampling import PassTime, headways, is_in_sample
 from sightline.surveys.store import TRAFFIC, asked_of, sampling_of, traffic_of_row
@@ -35,6 +36,7 @@ _ALIVE: ColumnElement[bool] = vehicles.c.deleted_at.is_(None)
 _FIELDS = frozenset(VehicleChanges.__annotations__)
 _SKIPPED = ("created_at", "created_by", "updated_by", "deleted_at")
 _NAMED = [column.name for column in columns_of(vehicles, *_SKIPPED)]
+_OF_RECORDING = ("started_at", "time_zone", "duration_s", "frame_count")
 
 
 def create_vehicle(
@@ -169,7 +171,8 @@ def vehicle_rows(*where: ColumnElement[bool], deleted: bool = False) -> Select[A
     """
     of_survey = (*(surveys.c[name] for name in TRAFFIC), surveys.c.asked, surveys.c.sampling)
     light = func.coalesce(vehicles.c.lighting, recordings.c.lighting).label("light")
-    query = select(vehicles, people.c.name.label("changer"), *of_survey, light)
+    filmed = (recordings.c[name] for name in _OF_RECORDING)
+    query = select(vehicles, people.c.name.label("changer"), *of_survey, light, *filmed)
     query = query.join(surveys, surveys.c.id == vehicles.c.survey_id)
     query = query.join(recordings, recordings.c.id == vehicles.c.recording_id)
     query = query.outerjoin(people, people.c.id == vehicles.c.updated_by).order_by(vehicles.c.number)
@@ -212,4 +215,13 @@ def facts_of_row(row: Mapping[Any, Any], headway_s: Mapping[int, float]) -> dict
     side = {"side": found and found.side, "side_from": found and found.basis}
     chosen = is_in_sample(sampling_of(row["sampling"]), row["number"], headway_s.get(row["id"]))
     answers = {"asked": asked_of(row["asked"]).of(row["light"]), "in_sample": chosen}
-    return {**stored, **changed, **side, **answers}
+    filmed = {"filmed_at": pass_filmed_at(row)}
+    return {**stored, **changed, **side, **answers, **filmed}
+
+
+def pass_filmed_at(row: Mapping[Any, Any]) -> str | None:
+    """When the first frame of a pass was filmed, from its row joined with its recording's."""
+    filming = filming_of(row)
+    if filming is None:
+        return None
+    return filming.at(row["first_frame"] * frame_s(row["duration_s"], row["frame_count"]))

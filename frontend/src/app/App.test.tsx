@@ -36,6 +36,14 @@ const survey: Survey = {
   version: 1,
   created_at: "2026-11-21T10:00:00Z",
   inset_choices: {},
+  place: {
+    latitude_deg: null,
+    longitude_deg: null,
+    road_class: null,
+    speed_limit_mps: null,
+    street_lamps: null,
+    time_zone: null,
+  },
   traffic: { traffic_side: null, steering_side: null, camera_place: null },
   asked: { daytime: ["roof", "driver_eye"], low_light: ["roof", "taillight"] },
   classes: [],
@@ -80,6 +88,8 @@ const survey: Survey = {
     accepted: 0,
     rejected: 0,
     not_measurable: 0,
+    heights: 0,
+    heights_to_review: 0,
   },
 };
 
@@ -201,6 +211,13 @@ describe("a recording that failed", () => {
     pose_id: null,
     lighting: null,
     lighting_proposed: null,
+    start_proposed: null,
+    started_at: null,
+    time_zone: null,
+    started_local: null,
+    weather: null,
+    street_lighting: null,
+    misfits: [],
     created_at: "2026-11-21T10:00:00Z",
     thumbs: [],
   };

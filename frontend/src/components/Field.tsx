@@ -62,6 +62,8 @@ interface TextFieldProps {
   required?: boolean;
   disabled?: boolean;
   rows?: number;
+  /** What may be meant; anything else can be typed too. */
+  suggestions?: readonly string[];
   onChange?: (value: string) => void;
 }
 
@@ -91,8 +93,21 @@ export function TextField(props: TextFieldProps) {
             type={(props.type ?? "text") as "text"}
             inputMode={numeric ? "decimal" : undefined}
             autoComplete={props.autoComplete ?? "off"}
+            list={props.suggestions && `${wiring.id}-list`}
           />
         );
+        if (props.suggestions) {
+          return (
+            <>
+              {input}
+              <datalist id={`${wiring.id}-list`}>
+                {props.suggestions.map((one) => (
+                  <option key={one} value={one} />
+                ))}
+              </datalist>
+            </>
+          );
+        }
         return unit ? (
           <span class="input-unit">
             {input}
@@ -102,6 +117,29 @@ export function TextField(props: TextFieldProps) {
           input
         );
       }}
+    </Field>
+  );
+}
+
+interface DateFieldProps {
+  label: ComponentChildren;
+  /** "2026-05-03"; empty: none. */
+  value: string;
+  onChange: (value: string | null) => void;
+}
+
+export function DateField({ label, value, onChange }: DateFieldProps) {
+  return (
+    <Field label={label}>
+      {(wiring) => (
+        <input
+          {...wiring}
+          class="input"
+          type="date"
+          value={value}
+          onChange={(event) => onChange(typed(event) || null)}
+        />
+      )}
     </Field>
   );
 }

@@ -49,6 +49,7 @@ export const ACTIONS = {
   proposeContact: { scope: "measure", keys: ["A"] },
   selectNext: { scope: "measure", keys: ["W"] },
   bestFrame: { scope: "measure", keys: ["B"] },
+  whichModel: { scope: "measure", keys: ["Shift+M"] },
   passBegin: { scope: "measure", keys: ["["] },
   passEnd: { scope: "measure", keys: ["]"] },
   passSplit: { scope: "measure", keys: ["Shift+K"] },

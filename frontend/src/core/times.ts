@@ -14,6 +14,16 @@ const dayTime = format({
   minute: "2-digit",
 });
 
+const placeDayTime = format({
+  day: "numeric",
+  month: "short",
+  year: "numeric",
+  hour: "2-digit",
+  minute: "2-digit",
+  second: "2-digit",
+  timeZone: "UTC",
+});
+
 function format(options: Intl.DateTimeFormatOptions) {
   return computed(() => new Intl.DateTimeFormat(region.value, options));
 }
@@ -41,6 +51,36 @@ export function formatAgo(iso: string, now = new Date()): string {
   if (seconds < 3600) return say("time-minutes-ago", { minutes: Math.floor(seconds / 60) });
   if (then.toDateString() === now.toDateString()) return say("time-today", { time: hour.value.format(then) });
   return formatMoment(iso);
+}
+
+/* -- times by the clocks of a place, as "2026-05-03T08:10:00.000+02:00": shown as they stand there -- */
+
+/** "3 May 2026, 08:10:00" */
+export function formatPlaceMoment(local: string): string {
+  return placeDayTime.value.format(new Date(`${local.slice(0, 19)}Z`));
+}
+
+/** "08:10:00" */
+export function formatPlaceClock(local: string): string {
+  return local.slice(11, 19);
+}
+
+/** What clocks of a zone show at an instant, "2026-05-03T08:10:00"; null for a zone that the browser does not know. */
+export function placeTime(iso: string, zone: string): string | null {
+  try {
+    const parts = { dateStyle: "short", timeStyle: "medium", timeZone: zone } as const;
+    return new Intl.DateTimeFormat("sv-SE", parts).format(new Date(iso)).replace(" ", "T");
+  } catch {
+    return null;
+  }
+}
+
+/** Every time zone that the browser knows, by its IANA name. */
+export const TIME_ZONES: readonly string[] = Intl.supportedValuesOf("timeZone");
+
+/** That of the browser. */
+export function ownZone(): string {
+  return Intl.DateTimeFormat().resolvedOptions().timeZone;
 }
 
 /** A position in a recording: "42.800 s", or "3:02.800" from one minute on. */

@@ -13,6 +13,7 @@ export type Target = Schemas["MeasurementBody"]["target"];
 export type Verdict = Schemas["ReviewState"]["verdict"];
 export type StepKey = Schemas["Step"]["key"];
 export type Lighting = NonNullable<Schemas["VehicleBody"]["lighting"]>;
+export type StreetLighting = NonNullable<Schemas["RecordingBody"]["street_lighting"]>;
 export type Direction = NonNullable<Schemas["VehicleBody"]["direction"]>;
 export type DriverSide = NonNullable<Schemas["VehicleBody"]["driver_side"]>;
 export type Category = NonNullable<Schemas["VehicleBody"]["category"]>;
@@ -32,6 +33,8 @@ export type Step = Schemas["Step"];
 export type Survey = Schemas["SurveyBody"];
 /** How traffic goes at a site and where the camera stands; null: nobody has said. */
 export type Traffic = Survey["traffic"];
+/** Where its site lies and what road it is; null: nobody has said. */
+export type Place = Survey["place"];
 /** The targets that a survey asks for, by lighting. */
 export type Asked = Survey["asked"];
 export type AskedTarget = Asked["daytime"][number];
@@ -61,6 +64,7 @@ export type Drift = Schemas["DriftBody"];
 export type DriftCheck = NonNullable<Drift["check"]>;
 export type ContactProposal = Schemas["ContactProposal"];
 export type Recording = Schemas["RecordingBody"];
+export type RecordingChange = Partial<Schemas["RecordingChange"]>;
 export type UnfinishedUpload = Schemas["UploadBody"];
 
 export type BoardFinding = Schemas["BoardBody"];
@@ -97,11 +101,16 @@ export type VehicleFields = Pick<
   | "notes"
 >;
 export type CatalogueRow = Schemas["CatalogueEntry"];
+export type ModelFits = Schemas["WhichModel"];
+export type FittingModel = Schemas["FittingModel"];
 export type History = Schemas["HistoryBody"];
 export type ReviewItem = Schemas["QueueItemBody"];
 export type NamedEvent = Schemas["NamedEvent"];
 export type StillSpan = Schemas["StillSpan"];
 export type ReviewPlan = Schemas["ReviewPlan"];
+export type ShownLot = Schemas["ShownLot"];
+export type PlannedLot = Schemas["PlannedLot"];
+export type LotSummary = Schemas["LotSummary"];
 export type ReviewWork = Schemas["ReviewWork"];
 
 export type Comparison = Schemas["ComparisonBody"];

@@ -1,12 +1,18 @@
-/** Axes and ladder through the contact in use, as the server answered them. */
-import type { AxesAnswer } from "../core/types";
+/** Axes and ladder through the contact in use, as the server answered them, or that they are awaited. */
+import { say } from "../core/messages";
 import { formatLength } from "../core/units";
 import { linesShown } from "./display";
-import { AxesLayer, LadderLayer } from "./Overlay";
+import type { Geometry } from "./geometry";
+import { AxesLayer, LadderLayer, Word } from "./Overlay";
 import type { FrameStage } from "./stage";
 
-export function AnswerLines({ answer, stage }: { answer: AxesAnswer | null; stage: FrameStage }) {
-  if (!linesShown.value || !answer?.axes) return null;
+export function AnswerLines({ geometry, stage }: { geometry: Geometry; stage: FrameStage }) {
+  const answer = geometry.axes.value;
+  const awaited = geometry.awaited.value;
+  if (!linesShown.value) return null;
+  // lines of another contact would say something of this one
+  if (awaited) return <Word stage={stage} at={awaited} text={say("measure-axes-awaited")} dx={18} dy={18} />;
+  if (!answer?.axes) return null;
   const rungs = answer.ladder.map((rung) => ({ ...rung, words: formatLength(rung.height_m, 1) }));
   return (
     <>

@@ -72,7 +72,7 @@ export function Transport({ player, stage }: { player: Player; stage: FrameStage
             stage.focus();
           }}
         />
-        <span class="small muted nowrap">
+        <span class="small muted nowrap transport__of">
           {count === null ? "" : say("transport-of", { last_frame: String(count - 1) })}
         </span>
       </label>

@@ -11,6 +11,8 @@ import { clickBody, type FramePoints, frameBody, type Inset, type Values } from 
 
 /** How long questions of the next target wait for the click before it to be stored. */
 export const AFTER_CLICK_MS = 150;
+/** After how long without an answer it is said that one is awaited. */
+export const SLOW_MS = 250;
 
 export interface AxesWish {
   readonly recordingId: number;
@@ -42,12 +44,16 @@ export class Geometry {
   readonly problem = signal<string | null>(null);
   /** The height under the pointer, for the newest answer that came. */
   readonly live = signal<Live | null>(null);
+  /** The contact whose axes are awaited, once that takes long. */
+  readonly awaited = signal<ImagePoint | null>(null);
   private wished: AxesWish | null = null;
+  private slow: ReturnType<typeof setTimeout> | undefined;
   private timer: ReturnType<typeof setTimeout> | undefined;
 
   private readonly axesAsker = new Latest<AxesWish, AxesAnswer>(
     askAxes,
-    (answer) => {
+    (answer, wish) => {
+      if (wish === this.wished) this.arrived();
       this.axes.value = answer;
       this.problem.value = answer.ok ? null : answer.reason;
     },
@@ -72,12 +78,25 @@ export class Geometry {
     this.wished = wish;
     if (wish === null) {
       this.axesAsker.cancel();
+      this.arrived();
       this.axes.value = null;
       this.problem.value = null;
     } else if (before && samePoint(before.contact, wish.contact)) {
       // only the target is another, most likely because a click is being stored: that goes first
       this.timer = setTimeout(() => this.axesAsker.want(wish), AFTER_CLICK_MS);
-    } else this.axesAsker.want(wish);
+    } else {
+      this.arrived();
+      this.slow = setTimeout(() => {
+        this.awaited.value = wish.contact;
+      }, SLOW_MS);
+      this.axesAsker.want(wish);
+    }
+  }
+
+  /** Nothing is awaited any more. */
+  private arrived(): void {
+    clearTimeout(this.slow);
+    this.awaited.value = null;
   }
 
   wantHeight(wish: HeightWish): void {
@@ -106,6 +125,7 @@ export class Geometry {
   }
 
   private failed(error: unknown): void {
+    this.arrived();
     this.axes.value = null;
     this.problem.value = explain(error);
     this.wished = null;

@@ -19,6 +19,7 @@ from sightline.export.report.facts import (
 from sightline.geometry.insets import USUAL_INSETS
 from sightline.results.survey_statistics import Statistics, StatisticsOptions
 from sightline.surveys.photographs.records import PhotographFile
+from sightline.surveys.place import Place
 
 _LENS = (
     ("fx_px", 1210.44, 1.13),
@@ -50,13 +51,29 @@ def facts(
         statistics=statistics,
         choices=choices,
         as_of=datetime(2026, 5, 4, 13, 12, 9, tzinfo=UTC),
+        place=Place(49.44315, 1.09932, "dual carriageway", 90 / 3.6, "none", "Europe/Paris"),
         first_day=date(2026, 4, 20),
         last_day=date(2026, 5, 3),
         counts=(("recordings", 2), ("vehicles", 412), ("measurements", 1228), ("accepted", 1200)),
         photos=photos,
         recordings=tuple(
-            RecordingFacts(name, "Axis 211W", light, 5400, 180.0, 1920, 1080, "9f2c" * 16)
-            for name, light in (("lane-1-day.mkv", "daytime"), ("lane-1-dusk.mkv", "low_light"))
+            RecordingFacts(
+                name,
+                "Axis 211W",
+                light,
+                5400,
+                180.0,
+                1920,
+                1080,
+                "9f2c" * 16,
+                start,
+                "Europe/Paris",
+                "overcast",
+            )
+            for name, light, start in (
+                ("lane-1-day.mkv", "daytime", "2026-04-18T08:10:00.000+02:00"),
+                ("lane-1-dusk.mkv", "low_light", "2026-04-18T21:05:00.000+02:00"),
+            )
         ),
         calibrations=(
             CalibrationFacts(

@@ -1,6 +1,6 @@
 """Calibrations of cameras: written once, never changed, their content's hash kept in the audit event."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from typing import Any
 
 from sqlalchemy import select
@@ -96,6 +96,17 @@ def list_calibrations(session: Session, survey_id: int) -> tuple[Calibration, ..
         Calibration(created_by=who(row.created_by, row.maker), **{name: getattr(row, name) for name in named})
         for row in session.execute(query)
     )
+
+
+def documents_in_force(session: Session, camera_ids: Iterable[int | None]) -> dict[int | None, JsonObject]:
+    """The document of the current calibration of those cameras that have one."""
+    ids = sorted({one for one in camera_ids if one is not None})
+    query = (
+        select(cameras.c.id, calibrations.c.document)
+        .join(calibrations, calibrations.c.id == cameras.c.current_calibration_id)
+        .where(cameras.c.id.in_(ids))
+    )
+    return {row.id: row.document for row in session.execute(query)} if ids else {}
 
 
 def summaries(session: Session, camera_ids: Sequence[int]) -> tuple[CalibrationSummary, ...]:

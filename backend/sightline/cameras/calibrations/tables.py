@@ -14,7 +14,14 @@ from sqlalchemy import (
 
 from sightline.enums import CalibrationSource
 from sightline.infra.audit.vouched import WrittenOnce, vouched
-from sightline.infra.database.types import CanonicalJson, UtcDateTime, enum_check, identity, metadata
+from sightline.infra.database.types import (
+    NEEDS_MEDIA,
+    CanonicalJson,
+    UtcDateTime,
+    enum_check,
+    identity,
+    metadata,
+)
 
 calibration_images = Table(
     "calibration_images",
@@ -22,7 +29,7 @@ calibration_images = Table(
     identity(),
     Column("camera_id", ForeignKey("cameras.id"), nullable=False, index=True),
     Column("name", String(400), nullable=False),
-    Column("media_key", String(400), nullable=False),
+    Column("media_key", String(400), nullable=False, info=NEEDS_MEDIA),
     Column("width_px", Integer, nullable=False),
     Column("height_px", Integer, nullable=False),
     Column("found", Boolean, nullable=False),

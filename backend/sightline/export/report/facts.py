@@ -12,9 +12,11 @@ from datetime import date, datetime
 
 from sightline.enums import LengthUnit
 from sightline.results.survey_statistics import Statistics, StatisticsOptions
+from sightline.scans.statistics.heights import ScannedHeights
 from sightline.scans.statistics.service import ScanStatistics
 from sightline.statistics.sampling import Response, Sampling
 from sightline.surveys.photographs.records import PhotographFile
+from sightline.surveys.place import Place
 
 
 @dataclass(frozen=True)
@@ -29,6 +31,9 @@ class RecordingFacts:
     width_px: int | None
     height_px: int | None
     sha256: str
+    started_at: str = ""
+    time_zone: str = ""
+    weather: str = ""
 
 
 @dataclass(frozen=True)
@@ -129,18 +134,6 @@ class RigFacts:
     u_misalignment_px: float
 
 
-@dataclass(frozen=True)
-class ScannedHeights:
-    """Heights of one target by two clicks in a strip; `U95_m`: the median half-width of their intervals."""
-
-    target: str
-    n: int
-    mean_m: float
-    sd_m: float | None
-    median_m: float
-    U95_m: float
-
-
 @dataclass(frozen=True, eq=False)
 class ScanFacts:
     """The line scans of a survey. `methods`: how many counted vehicles each method measured."""
@@ -177,6 +170,7 @@ class ReportFacts:
     as_of: datetime | None = None
     first_day: date | None = None
     last_day: date | None = None
+    place: Place = field(default_factory=Place)
     filter_words: str = "Accepted measurements only."
     selection: str | None = None
     counts: tuple[tuple[str, int], ...] = ()

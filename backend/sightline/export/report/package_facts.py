@@ -38,7 +38,7 @@ from sightline.infra.csv_package.files import (
 from sightline.infra.csv_package.schema import Written
 from sightline.results.csv import selection_in
 from sightline.results.survey_statistics import StatisticsOptions
-from sightline.surveys.csv import sampling_in
+from sightline.surveys.csv import place_in, sampling_in
 from sightline.surveys.photographs.csv import photos_in
 from sightline.vehicles.records import NOT_VISIBLE
 
@@ -75,6 +75,7 @@ def report_facts(files: Files, made: PackageStatistics, written: Mapping[str, Wr
             ("left out", exclusions),
             *_scanned(made),
         ),
+        place=place_in(files),
         photos=photos_in(files),
         recordings=tuple(_recording(row, cameras) for row in recordings.values()),
         calibrations=tuple(
@@ -170,6 +171,9 @@ def _recording(row: Mapping[str, str], cameras: Mapping[str, str]) -> RecordingF
         width_px=whole(row["width_px"]),
         height_px=whole(row["height_px"]),
         sha256=row["sha256"],
+        started_at=row["started_at"],
+        time_zone=unsafe(row["time_zone"]),
+        weather=unsafe(row["weather"]),
     )
 
 

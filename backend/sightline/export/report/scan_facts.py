@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Collection, Iterator, Mapping
-from statistics import fmean, median, stdev
 
 from sightline.export.chosen import chosen_scanned
-from sightline.export.report.facts import RigFacts, ScanFacts, ScannedHeights
+from sightline.export.report.facts import RigFacts, ScanFacts
 from sightline.infra.csv_package.files import Files, number, read_columns, read_rows, unsafe, whole
+from sightline.scans.statistics.heights import HeightSeen, scanned_heights
 from sightline.scans.statistics.service import ScanStatistics
 
 
@@ -24,28 +24,17 @@ def scan_facts(files: Files, found: ScanStatistics) -> ScanFacts | None:
         if (status, verdict) == ("ok", "accepted") and id_ in chosen
     }
     methods = tuple(sorted(Counter(used.values()).items()))
-    return ScanFacts(rigs, found, methods, tuple(_heights(files, used.keys())))
+    return ScanFacts(rigs, found, methods, scanned_heights(_heights(files, chosen), accepted_only=True))
 
 
-def _heights(files: Files, vehicles: Collection[str]) -> Iterator[ScannedHeights]:
-    """The standing heights of these vehicles, target by target."""
-    names = ("vehicle_id", "target", "current", "withdrawn", "height_m", "U95_height_m")
-    found: dict[str, list[tuple[float, float]]] = {}
-    for id_, target, current, withdrawn, height, u95 in read_columns(files, "line_heights.csv", names):
+def _heights(files: Files, vehicles: Collection[str]) -> Iterator[HeightSeen]:
+    """The standing heights of these vehicles."""
+    names = ("vehicle_id", "target", "current", "withdrawn", "verdict", "height_m", "U95_height_m")
+    for id_, target, current, withdrawn, verdict, height, u95 in read_columns(
+        files, "line_heights.csv", names
+    ):
         if id_ in vehicles and (current, withdrawn) == ("true", "false") and height and u95:
-            found.setdefault(target, []).append((float(height), float(u95)))
-    for target, pairs in sorted(found.items()):
-        heights = [height for height, _ in pairs]
-        sd = stdev(heights) if len(heights) > 1 else None
-        spread = median(u95 for _, u95 in pairs)
-        yield ScannedHeights(
-            target=target,
-            n=len(pairs),
-            mean_m=fmean(heights),
-            sd_m=sd,
-            median_m=median(heights),
-            U95_m=spread,
-        )
+            yield HeightSeen(target, verdict, float(height), float(u95))
 
 
 def _rig(row: Mapping[str, str]) -> RigFacts:

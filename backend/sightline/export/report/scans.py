@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from sightline.enums import LengthUnit
-from sightline.export.report.facts import ReportFacts, RigFacts, ScannedHeights
+from sightline.export.report.facts import ReportFacts, RigFacts
 from sightline.export.report.pictures import Pictures
 from sightline.export.report.results import percentile_interval, without_interval
 from sightline.export.report.scan_figures import NAMES, scale_of
@@ -13,6 +13,7 @@ from sightline.export.report.settable import Json, Values
 from sightline.export.report.units import HEIGHT, SMALL, Scale, fixed
 from sightline.export.report.words import GROUPS, LIGHTING, target_words
 from sightline.linescan.rig import RigEstimate
+from sightline.scans.statistics.heights import ScannedHeights
 from sightline.scans.statistics.service import Row, ScanStatistics, Spread
 from sightline.statistics.distributions import Percentile
 from sightline.statistics.errors import ErrorGroup
@@ -153,6 +154,7 @@ def _height(heights: ScannedHeights, scale: Scale) -> Values:
     return {
         "target": target_words(heights.target),
         "n": heights.n,
+        "waiting": heights.to_review,
         "mean": scale.number(heights.mean_m),
         "sd": scale.number(heights.sd_m),
         "median": scale.number(heights.median_m),

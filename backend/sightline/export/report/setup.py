@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from datetime import UTC, date, datetime
+from datetime import UTC, date, datetime, timedelta
 
 import numpy as np
 
@@ -18,6 +18,7 @@ from sightline.export.report.pictures import Pictures
 from sightline.export.report.settable import Json, Values
 from sightline.export.report.units import HEIGHT, SMALL, Scale, fixed
 from sightline.export.report.words import LIGHTING, target_words
+from sightline.infra.local_time import zone_of
 
 _MOST_VERSIONS = 6
 _MOST_IN_HEAD = 70  # characters of a name in the running head
@@ -37,6 +38,8 @@ def title(facts: ReportFacts) -> Values:
         "short": name if len(name) <= _MOST_IN_HEAD else f"{name[:_MOST_IN_HEAD]}…",
         "site": facts.site,
         "description": [words for words in facts.description.split("\n\n") if words.strip()],
+        "filmed": filmed_words(facts.recordings),
+        "place": _place(facts),
         "first_day": _day(facts.first_day),
         "last_day": _day(facts.last_day),
         "counts": facts.counts,
@@ -48,6 +51,41 @@ def title(facts: ReportFacts) -> Values:
         "versions": facts.code_versions[:_MOST_VERSIONS],
         "more_versions": max(len(facts.code_versions) - _MOST_VERSIONS, 0),
     }
+
+
+def filmed_words(recordings: Sequence[RecordingFacts]) -> str | None:
+    """ "2026-05-03 08:10 to 16:40 (Europe/Paris)", each zone apart; None where no start is confirmed."""
+    spans: dict[str, list[datetime]] = {}
+    for one in recordings:
+        if one.started_at:
+            zone, start = zone_of(one.time_zone), datetime.fromisoformat(one.started_at).astimezone(UTC)
+            ends = (start, start + timedelta(seconds=one.duration_s or 0.0))
+            spans.setdefault(one.time_zone, []).extend(end.astimezone(zone) for end in ends)
+    words = [_span(min(times), max(times), zone) for zone, times in sorted(spans.items())]
+    unsaid = sum(not one.started_at for one in recordings)
+    if words and unsaid:
+        words.append(f"{unsaid} recording{'s' if unsaid > 1 else ''} without a confirmed start")
+    return "; ".join(words) or None
+
+
+def _span(first: datetime, last: datetime, zone: str) -> str:
+    end = f"{last:%H:%M}" if last.date() == first.date() else f"{last:%Y-%m-%d %H:%M}"
+    return f"{first:%Y-%m-%d %H:%M} to {end} ({zone})"
+
+
+def _place(facts: ReportFacts) -> str | None:
+    """Coordinates, class of the road, speed limit and street lamps, as far as they were said."""
+    place, words = facts.place, []
+    if place.latitude_deg is not None and place.longitude_deg is not None:
+        words.append(f"{place.latitude_deg:.5f}, {place.longitude_deg:.5f} (WGS84)")
+    if place.road_class is not None:
+        words.append(place.road_class)
+    if place.speed_limit_mps is not None:
+        factor, unit = (3.6, "km/h") if facts.unit == "m" else (3600 / 1609.344, "mph")
+        words.append(f"limit {place.speed_limit_mps * factor:.0f} {unit}")
+    if place.street_lamps is not None:
+        words.append("street lamps" if place.street_lamps == "present" else "no street lamps")
+    return "; ".join(words) or None
 
 
 def _day(day: date | None) -> str | None:
@@ -68,6 +106,8 @@ def _recording(recording: RecordingFacts) -> Values:
         "name": recording.name,
         "camera": recording.camera or None,
         "lighting": LIGHTING.get(recording.lighting, recording.lighting),
+        "start": recording.started_at[:16].replace("T", " ") or None,
+        "weather": recording.weather or None,
         "width_px": recording.width_px if sized else None,
         "height_px": recording.height_px if sized else None,
         "frames": recording.frames,

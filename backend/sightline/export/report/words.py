@@ -90,4 +90,6 @@ def selection_words(selection: Selection) -> str | None:
         *(CATEGORIES[one] for one in selection.categories),
     ]
     lighting = [] if selection.lighting is None else [LIGHTING[selection.lighting]]
-    return "; ".join([*lighting, *([", ".join(classes)] if classes else [])])
+    days = (("filmed from", selection.filmed_from), ("filmed up to", selection.filmed_to))
+    filmed = [f"{words} {day.isoformat()}" for words, day in days if day is not None]
+    return "; ".join([*lighting, *([", ".join(classes)] if classes else []), *filmed])

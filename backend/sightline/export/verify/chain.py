@@ -16,6 +16,7 @@ from sightline.measurements.again.verify import count_revisions
 from sightline.measurements.verify import MeasurementEvents
 from sightline.quality.repeats.csv import REPEATS
 from sightline.recordings.verify import RecordingEvents
+from sightline.reviews.lots.verify import LotEvents
 
 
 @dataclass(eq=False)
@@ -35,12 +36,14 @@ class ReplayedState:
     recordings: RecordingEvents = field(default_factory=RecordingEvents)
     measurements: MeasurementEvents = field(default_factory=lambda: MeasurementEvents(REPEATS))
     reviews: dict[int, dict[str, Any]] = field(default_factory=dict)
+    lots: LotEvents = field(default_factory=LotEvents)
     poses: dict[int, str] = field(default_factory=dict)
     calibrations: CalibrationEvents = field(default_factory=CalibrationEvents)
     computings: dict[int, dict[str, Any]] = field(default_factory=dict)
     revisions_of_computings: Counter[int] = field(default_factory=Counter)
     pairs: dict[int, dict[str, Any]] = field(default_factory=dict)
     photographs: dict[int, dict[str, Any]] = field(default_factory=dict)
+    cameras: dict[int, dict[str, Any]] = field(default_factory=dict)
     scans: int = 0
 
     def is_gone(self, vehicle_id: int) -> bool:
@@ -86,7 +89,9 @@ def _gather(told: ReplayedState, event: Event, after: dict[str, Any]) -> None:
         told.recordings.add(action, number, after)
     elif entity in ("review", "computing"):
         rows = told.reviews if entity == "review" else told.computings
-        rows[number] = {**after, "at": event["at"], "actor_id": event["actor_id"]}
+        rows[number] = {**after, "at": event["at"], "actor_id": event["actor_id"], "event": told.count}
+    elif entity in ("lot", "lot_decision"):
+        told.lots.add(entity, number, event, after)
     elif entity == "wheel_pair":
         told.pairs[number] = {**after, "created_by_id": _number(event["actor_id"])}
     elif entity == "photograph":
@@ -102,8 +107,12 @@ def _gather(told: ReplayedState, event: Event, after: dict[str, Any]) -> None:
 def _gather_set_up(told: ReplayedState, entity: str, number: int, after: dict[str, Any]) -> None:
     if entity == "calibration":
         told.calibrations.add(number, after)
+        if after.get("current"):
+            told.cameras[after["camera_id"]]["current_calibration_id"] = number
     elif entity == "calibration_image":
         told.calibrations.add_image(number, after)
+    elif entity == "camera":
+        told.cameras.setdefault(number, {}).update(after)
     elif entity == "pose":
         told.poses[number] = after["content_sha256"]
         if after["attached"]:

@@ -18,6 +18,7 @@ from sightline.export.crops import expected_overlay
 from sightline.export.derived import drawn
 from sightline.export.exclusions import EXCLUSIONS, exclusion_rows
 from sightline.export.measured import PackageStatistics, statistics_of
+from sightline.export.page import check_page
 from sightline.export.report.words import selection_words
 from sightline.export.response import RESPONSE, response_rows
 from sightline.export.statistics_csv import TABLES, same_cell, statistics_rows
@@ -82,12 +83,18 @@ def check_description(
             named = (theirs or mine).get("path", "a file")
             raise Damaged("export-describes-otherwise-program-changed", description=DESCRIPTION, named=named)
         notes.append(f"{mine['path']} is described otherwise by this version.")
-    drawn_alike = not other - {"sightline"}
+    drawn_alike = not other - {"sightline", "page"}
     if not drawn_alike:
         notes.append("Figures and report were made by another version: not drawn again, but sealed.")
     if notes:
         notes.append(f"The package was made with {made_with.get('sightline')}; verify it with that for more.")
     return drawn_alike, notes
+
+
+def check_page_again(files: Files, written: Mapping[str, Written]) -> list[str]:
+    """The page is the program that the description names and carries these tables; notes. Raises Damaged."""
+    made_with = read_json(files, DESCRIPTION)["made_with"]
+    return check_page(files, made_with, described_tables(files), written)
 
 
 def check_tables_again(files: Files) -> int:

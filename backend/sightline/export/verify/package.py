@@ -4,7 +4,7 @@ In order: the sums of all files and their one form; the audit chain, link by lin
 every file; the installation's signature over the chain's end; then, as though there were neither: every
 height from clicks, pose and camera, and every row against its audit event; keys; poses, calibrations and
 photographs against the chain; verdicts; the description; exclusions and statistics computed again from the
-rows; crops; figures and report drawn again.
+rows; crops; figures and report drawn again; the page, which carries the tables and nothing else.
 
 What is left: who holds the installation's key can write and sign another chain; who does not can sign one
 with a key of their own, which is told by the key that the installation shows (`--key`).
@@ -16,6 +16,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from sightline.cameras.calibrations.verify import check_calibrations
+from sightline.cameras.verify import check_cameras
 from sightline.errors import BadInput, Damaged
 from sightline.export.seal import CHECKPOINT, check_seal, read_seal
 from sightline.export.verify.chain import ReplayedState, walk
@@ -23,6 +24,7 @@ from sightline.export.verify.derived import (
     check_crops,
     check_description,
     check_drawn,
+    check_page_again,
     check_statistics,
     check_tables_again,
     described_tables,
@@ -51,6 +53,7 @@ from sightline.quality.checks.verify import check_wheel_pairs
 from sightline.quality.repeats.verify import check_repeats
 from sightline.recordings.verify import check_recordings
 from sightline.results.verify import check_standards
+from sightline.reviews.lots.verify import check_lots
 from sightline.reviews.verify import check_verdicts
 from sightline.scans.verify import check_scans
 from sightline.surveys.photographs.verify import check_photographs
@@ -148,6 +151,7 @@ def _check(files: Files, head: str | None, key: str | None, found: _Found, tick:
     tick(0.2)
     check_poses(files, told.poses)
     check_calibrations(files, told.calibrations)
+    check_cameras(files, told.cameras)
     check_survey(files, seal.survey_id, told.survey)
     check_insets(files, told.survey.get("insets", {}))
     check_classes(files, told.survey["classes"])
@@ -164,6 +168,7 @@ def _check(files: Files, head: str | None, key: str | None, found: _Found, tick:
     check_wheel_pairs(files, told.pairs, told.is_gone)
     check_computings(files, told.computings, told.revisions_of_computings)
     check_verdicts(files, told.reviews, told.is_gone)
+    check_lots(files, told.lots, told.reviews, told.measurements.of_vehicle, told.is_gone)
     check_frames(files, told.measurements)
     check_scans(files, told.scans)
     check_photographs(files, told.photographs, written)
@@ -178,6 +183,7 @@ def _check(files: Files, head: str | None, key: str | None, found: _Found, tick:
     if drawn_alike:
         found.drawings = check_drawn(files, seal.as_of, statistics, written)
     check_tables_again(files)
+    found.notes += check_page_again(files, written)
 
 
 def _same_head(told: ReplayedState, head: str | None) -> list[str]:

@@ -12,7 +12,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from datetime import date, datetime
 from typing import Any
 
-from sqlalchemy import ColumnElement, Row, insert, select, update
+from sqlalchemy import ColumnElement, Row, Select, insert, select, update
 from sqlalchemy.orm import Session
 
 from sightline.enums import JsonObject
@@ -55,7 +55,7 @@ def record_many(
 ) -> int:
     """Append an event for each change to the chain that it belongs to, in their order; the last one's id."""
     chain = chain_of(entity, survey_id)
-    last = _held(session, chain)
+    last = held(session, chain)
     rows: list[dict[str, Any]] = []
     for number, (entity_id, before, after) in enumerate(changes, last.count + 1):
         row = {
@@ -87,15 +87,17 @@ def chain_of(entity: str, survey_id: int | None) -> str:
     return _CHAINS.get(entity, SETTINGS)
 
 
-def _held(session: Session, chain: str) -> AuditHead:
+def held(session: Session, chain: str) -> AuditHead:
     """The end of a chain, which nobody else adds to before this transaction ends; begun where it is new."""
-    c = audit_chains.c
-    query = select(c.count, c.hash).where(c.name == chain).with_for_update()
-    row = session.execute(query).one_or_none()
+    row = session.execute(_end_of(chain).with_for_update()).one_or_none()
     if row is None:
         session.execute(insert(audit_chains), {"name": chain, "count": 0, "hash": GENESIS})
         return AuditHead(0, GENESIS)
     return AuditHead(row[0], row[1])
+
+
+def _end_of(chain: str) -> Select[int, str]:
+    return select(audit_chains.c.count, audit_chains.c.hash).where(audit_chains.c.name == chain)
 
 
 def heads(session: Session) -> dict[str, AuditHead]:
@@ -107,9 +109,10 @@ def heads(session: Session) -> dict[str, AuditHead]:
 
 def head(session: Session, survey_id: int | None = None) -> AuditHead:
     """The end of a survey's chain; of all chains together, how many events they have and their root."""
-    ends = heads(session)
     if survey_id is not None:
-        return ends.get(survey_chain(survey_id), AuditHead(0, GENESIS))
+        row = session.execute(_end_of(survey_chain(survey_id))).one_or_none()
+        return AuditHead(0, GENESIS) if row is None else AuditHead(row[0], row[1])
+    ends = heads(session)
     return AuditHead(sum(one.count for one in ends.values()), root_of(ends))
 
 

@@ -7,7 +7,6 @@ record that people change with what its events made of it. Which those are, tabl
 themselves (`vouched`).
 """
 
-import json
 from collections import defaultdict
 from collections.abc import Iterator
 from typing import Any
@@ -123,7 +122,11 @@ class _Walk:
             self.checked += 1
             hashes.append(row["hash"])
             event = Event(
-                row["entity"], row["action"], row["entity_id"], row["survey_id"], _object(row["after"])
+                row["entity"],
+                row["action"],
+                row["entity_id"],
+                row["survey_id"],
+                trail.object_of(row["after"]) or {},
             )
             self._note(event)
             if (event.entity, event.action) == (CHECKPOINT, SIGN):
@@ -151,11 +154,6 @@ class _Walk:
                 records[row_id]["position"] = position
         elif event.entity_id is not None:
             records.setdefault(event.entity_id, {"deleted": False}).update(event.after)
-
-
-def _object(text: str | None) -> dict[str, Any]:
-    """The JSON object of an event's text, empty where there is none."""
-    return {} if text is None else dict(json.loads(text))
 
 
 def _anchors(session: Session, walk: _Walk) -> None:

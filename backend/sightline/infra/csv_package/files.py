@@ -15,6 +15,7 @@ import tempfile
 import zipfile
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import AbstractContextManager, contextmanager
+from functools import cached_property
 from itertools import islice
 from pathlib import Path
 from typing import BinaryIO, Generic, Protocol, TypeVar, cast
@@ -226,7 +227,7 @@ class FolderFiles:
     def __init__(self, folder: Path) -> None:
         self._folder = folder
 
-    @property
+    @cached_property
     def paths(self) -> frozenset[str]:
         found = list(islice(_below(self._folder), MOST_FILES + 1))
         if len(found) > MOST_FILES:

@@ -19,7 +19,12 @@ from sqlalchemy.orm import Session, sessionmaker
 
 from sightline.errors import BadInput, NoRoom, SightlineError
 
-WRITER_LOCK, _SURVEYS = 7_419_001, 7_419
+# Advisory locks are the database's; an installation's are those of its schema.
+_TURN = "pg_advisory_xact_lock{kind}(hashtextextended(current_schema() || :turn, 7419))"
+_EXCLUSIVE, _SHARED = text(f"SELECT {_TURN.format(kind='')}"), text(f"SELECT {_TURN.format(kind='_shared')}")
+_EVERYTHING = {"turn": "/everything"}
+# More connections than requests may read at once (infra/web/turns.py), for there are short questions beside.
+_POOL: dict[str, Any] = {"pool_size": 10, "max_overflow": 30, "pool_timeout": 10}
 _USE = "use sqlite:///FILE or postgresql+psycopg://USER@HOST/NAME."
 _WRITING = "sightline_writing"
 _sqlite_writer = threading.RLock()
@@ -59,7 +64,7 @@ def make_engine(url: str, *, must_exist: bool = False) -> Engine:
             raise BadInput("database-no-database-check-name", path=path)
         return _sqlite_engine(path, parsed.render_as_string(hide_password=False))
     if backend == "postgresql":
-        return create_engine(parsed, pool_pre_ping=True, pool_size=10, max_overflow=20)
+        return create_engine(parsed, pool_pre_ping=True, **_POOL)
     raise BadInput("database-database-not-supported-use-sqlite-file", backend=backend)
 
 
@@ -67,7 +72,7 @@ def _sqlite_engine(path: str, url: str) -> Engine:
     if path in ("", ":memory:"):
         raise BadInput("database-memory-database-would-lost-name-file")
     Path(path).absolute().parent.mkdir(parents=True, exist_ok=True)
-    engine = create_engine(url, connect_args={"timeout": 10, "check_same_thread": False})
+    engine = create_engine(url, connect_args={"timeout": 10, "check_same_thread": False}, **_POOL)
     event.listen(engine, "connect", _prepare_sqlite)
     event.listen(engine, "begin", _begin_sqlite)
     return engine
@@ -127,7 +132,7 @@ def migrate(engine: Engine) -> None:
         writer = connection.execution_options(**{_WRITING: True})
         with writer.begin():
             if engine.dialect.name == "postgresql":
-                writer.execute(text("SELECT pg_advisory_xact_lock(:key)"), {"key": WRITER_LOCK})
+                writer.execute(_EXCLUSIVE, _EVERYTHING)
             upgrade(writer)
 
 
@@ -190,11 +195,11 @@ def _write(factory: SessionFactory, survey: InSurvey | None) -> Iterator[Session
 def _await_turn(session: Session, survey: InSurvey | None) -> None:
     """Wait for the turn to write; SQLite's BEGIN IMMEDIATE has done it already."""
     if survey is None:
-        session.execute(text("SELECT pg_advisory_xact_lock(:key)"), {"key": WRITER_LOCK})
+        session.execute(_EXCLUSIVE, _EVERYTHING)
         return
-    session.execute(text("SELECT pg_advisory_xact_lock_shared(:key)"), {"key": WRITER_LOCK})
+    session.execute(_SHARED, _EVERYTHING)
     number = survey if isinstance(survey, int) else survey(session)
-    session.execute(text("SELECT pg_advisory_xact_lock(:key, :survey)"), {"key": _SURVEYS, "survey": number})
+    session.execute(_EXCLUSIVE, {"turn": f"/survey {number}"})
 
 
 def engine_of(factory: SessionFactory) -> Engine:

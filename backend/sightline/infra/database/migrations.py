@@ -19,15 +19,15 @@ def alembic_config() -> Config:
     return config
 
 
-def upgrade(connection: Connection) -> None:
-    """Migrate to the newest revision in the connection's transaction. Raises BadInput if it is newer still.
+def upgrade(connection: Connection, to: str = "head") -> None:
+    """Migrate up to a revision in the connection's transaction. Raises BadInput if it is newer still.
 
     What the database is at is asked again here: whoever held the lock before may have migrated.
     """
     config = alembic_config()
     known = {script.revision for script in ScriptDirectory.from_config(config).walk_revisions()}
     current = stored_revision(connection)
-    if current is not None and current not in known:
+    if {current, to} - known - {None, "head"}:
         raise BadInput("database-database-made-newer-version-update-one")
     config.attributes["connection"] = connection
-    command.upgrade(config, "head")
+    command.upgrade(config, to)

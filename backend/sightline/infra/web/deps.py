@@ -12,17 +12,19 @@ at the end. Every route declares a role (`Viewer`, `Operator`, `Reviewer`, `Admi
 all of them.
 """
 
-from collections.abc import AsyncIterator, Callable, Iterator
+from collections.abc import AsyncIterator, Callable
 from contextlib import asynccontextmanager
 from typing import Annotated
 
 from fastapi import Depends, Path, Request
+from fastapi.concurrency import contextmanager_in_threadpool
 from sqlalchemy.orm import Session
 
 from sightline.enums import Role
 from sightline.errors import NotAllowed, NotSignedIn
 from sightline.infra.services import Services
 from sightline.infra.web.person import Person
+from sightline.infra.web.turns import Turns
 from sightline.infra.web.write_gate import WriteGate
 
 RANK: dict[Role, int] = {"viewer": 0, "operator": 1, "reviewer": 2, "admin": 3}
@@ -37,8 +39,9 @@ async def services_of(request: Request) -> Services:
 Wired = Annotated[Services, Depends(services_of)]
 
 
-def reading_session(services: Wired) -> Iterator[Session]:
-    with services.reading() as session:
+async def reading_session(request: Request, services: Wired) -> AsyncIterator[Session]:
+    turns: Turns = request.app.state.readers
+    async with turns.turn(), contextmanager_in_threadpool(services.reading()) as session:
         yield session
 
 

@@ -9,13 +9,15 @@ from fastapi.exceptions import RequestValidationError
 from fastapi.responses import JSONResponse
 from pydantic_core import to_jsonable_python
 from sqlalchemy.exc import DataError, OperationalError
+from sqlalchemy.exc import TimeoutError as PoolTimeout
 from starlette.exceptions import HTTPException
 
-from sightline.errors import BadInput, Conflict, NoRoom, NotFound, SightlineError
+from sightline.errors import BadInput, Busy, Conflict, NoRoom, NotFound, SightlineError
 from sightline.infra.database.engine import explanation
 
 log = logging.getLogger(__name__)
 
+RETRY_AFTER_S = 2
 FULL = NoRoom("database-disk-full-nothing-saved-make-room")
 
 
@@ -41,7 +43,8 @@ def known(_request: Request, error: Exception) -> JSONResponse:
     assert isinstance(error, SightlineError)
     current = error.current if isinstance(error, Conflict) else None
     more = {} if current is None else {"current": to_jsonable_python(current)}
-    return answer(error, **more)
+    headers = {"Retry-After": str(RETRY_AFTER_S)} if isinstance(error, Busy) else None
+    return answer(error, headers, **more)
 
 
 def malformed(_request: Request, error: Exception) -> JSONResponse:
@@ -77,6 +80,8 @@ def plain_http(request: Request, error: Exception) -> JSONResponse:
 
 def unexpected(request: Request, error: Exception) -> JSONResponse:
     """Anything else: logged whole for us, one sentence for the person in front."""
+    if isinstance(error, PoolTimeout):
+        return known(request, Busy("web-server-busy"))
     if isinstance(error, OperationalError):
         return answer(explanation(error))
     if isinstance(error, DataError):
@@ -94,6 +99,7 @@ def install(app: FastAPI) -> None:
     app.add_exception_handler(RequestValidationError, malformed)
     app.add_exception_handler(HTTPException, plain_http)
     app.add_exception_handler(OperationalError, unexpected)
+    app.add_exception_handler(PoolTimeout, unexpected)
     app.add_exception_handler(DataError, unexpected)
     app.add_exception_handler(OSError, unexpected)
     app.add_exception_handler(Exception, unexpected)

@@ -9,6 +9,8 @@ from typing import Any, TypeVar
 import anyio
 from sqlalchemy.orm import Session
 
+from sightline.infra.web.turns import WAIT_S, Turns
+
 Result = TypeVar("Result")
 
 
@@ -20,14 +22,17 @@ class WriteGate:
     thread of their own, because the store's lock must be given back by the thread that took it.
     """
 
-    def __init__(self) -> None:
-        self._turn = asyncio.Lock()
+    def __init__(self, wait_s: float = WAIT_S) -> None:
+        self._turns = Turns(1, wait_s)
         self._thread = ThreadPoolExecutor(max_workers=1, thread_name_prefix="writer")
 
     @asynccontextmanager
     async def unit(self, opened: AbstractContextManager[Session]) -> AsyncIterator[Session]:
-        """The session of one write transaction; committed at the end, rolled back on any error."""
-        async with self._turn:
+        """The session of one write transaction; committed at the end, rolled back on any error.
+
+        Raises Busy where its turn does not come in time.
+        """
+        async with self._turns.turn():
             session = await self._run(opened.__enter__)
             try:
                 yield session

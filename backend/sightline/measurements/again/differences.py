@@ -73,18 +73,23 @@ def _same(one: float | None, other: float | None) -> bool:
     return abs(one - other) <= _SAME_M
 
 
-def moved_beyond_u(then: MeasurementValues, now: MeasurementValues) -> bool:
+def moved_beyond_u(then_m: float | None, u_then_m: float | None, now_m: float | None) -> bool:
     """Whether a height moved by more than the standard uncertainty that it had, or came or went."""
-    if then.height_m is None or now.height_m is None:
-        return (then.height_m is None) != (now.height_m is None)
-    return abs(now.height_m - then.height_m) > (then.u_height_m or 0.0)
+    if then_m is None or now_m is None:
+        return (then_m is None) != (now_m is None)
+    return abs(now_m - then_m) > (u_then_m or 0.0)
+
+
+def goes_to_review(then: MeasurementValues, now: MeasurementValues) -> bool:
+    """Whether a content computed again is another height to a reviewer."""
+    return moved_beyond_u(then.height_m, then.u_height_m, now.height_m)
 
 
 def verdict_still_holding(before: Measurement, now: MeasurementValues) -> int | None:
     """The revision whose verdict holds for the new content too: of what hardly moved, and of a rejection,
     for the clicks that were rejected are the same.
     """
-    if before.review.verdict != "rejected" and moved_beyond_u(before.values, now):
+    if before.review.verdict != "rejected" and goes_to_review(before.values, now):
         return None
     return before.judged_revision
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, replace
 from typing import Any
 
 from sqlalchemy import Text, and_, func, select, type_coerce
@@ -13,9 +13,9 @@ from sightline.enums import Target
 from sightline.geometry.sides import driver_side
 from sightline.infra.database.people import people
 from sightline.infra.database.rows import missing, who
-from sightline.measurements.again.differences import Facts
+from sightline.measurements.again.differences import Facts, moved_beyond_u
 from sightline.measurements.again.records import ComputedHeight, Computing
-from sightline.measurements.click_context_query import ClickContext
+from sightline.measurements.click_context_query import ClickContext, said_not_visible
 from sightline.measurements.query import fetch_measurements, is_current, measurement_revision_rows
 from sightline.measurements.records import Measurement
 from sightline.measurements.tables import computings, measurement_series, measurements
@@ -23,6 +23,7 @@ from sightline.poses.tables import road_poses
 from sightline.recordings.tables import recordings
 from sightline.surveys.records import Inset, Survey
 from sightline.surveys.store import get_survey
+from sightline.vehicles.records import NOT_VISIBLE
 from sightline.vehicles.tables import vehicles
 
 _SOME = 500
@@ -37,13 +38,21 @@ def contexts_of_survey(session: Session, survey_id: int) -> dict[int, ClickConte
     Raises NotFound.
     """
     survey = get_survey(session, survey_id)
-    return {row.vehicle_id: _context(survey, row, survey.insets) for row in _places(session, survey_id)}
+    return {
+        row.vehicle_id: replace(
+            _context(survey, row, survey.insets),
+            not_visible=said_not_visible(row),
+            discarded=row.discarded is not None,
+        )
+        for row in _places(session, survey_id)
+    }
 
 
 def _places(session: Session, survey_id: int) -> Sequence[Any]:
     query = (
         select(
             *(vehicles.c.id.label("vehicle_id"), vehicles.c.direction, vehicles.c.driver_side),
+            *(vehicles.c.discarded, *(vehicles.c[name] for name in NOT_VISIBLE.values())),
             *(recordings.c.id.label("recording_id"), recordings.c.name, recordings.c.pose_id),
             *(recordings.c.width_px, recordings.c.height_px, road_poses.c.calibration_id),
         )
@@ -180,8 +189,7 @@ def _computed(row: Any) -> ComputedHeight:
     both = row.height_m is not None and row.height_before_m is not None
     change = row.height_m - row.height_before_m if both else None
     by_u = abs(change) / row.u_before_m if change is not None and row.u_before_m else None
-    moved = not both and row.height_m != row.height_before_m
-    moved = moved or (change is not None and abs(change) > (row.u_before_m or 0.0))
+    moved = moved_beyond_u(row.height_before_m, row.u_before_m, row.height_m)
     return ComputedHeight(
         measurement_id=row.series_id,
         revision=row.revision,

@@ -14,7 +14,7 @@ from sightline.infra.audit import trail
 from sightline.infra.database.rows import add_row, stored_hash
 from sightline.infra.database.types import now
 from sightline.infra.version import code_version
-from sightline.measurements.again.differences import largest_change_m, moved_beyond_u
+from sightline.measurements.again.differences import goes_to_review, largest_change_m
 from sightline.measurements.again.query import get_computing
 from sightline.measurements.again.records import Computing
 from sightline.measurements.store import ComputedAgain, append_computed_again
@@ -45,7 +45,7 @@ def add_computing(
         for one in changed
         if kind != "undo"
         and one.verdict_of_revision is None
-        and moved_beyond_u(one.before.values, one.values)
+        and goes_to_review(one.before.values, one.values)
     ]
     moment = now()
     content: dict[str, Any] = {

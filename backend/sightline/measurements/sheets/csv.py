@@ -48,6 +48,14 @@ VEHICLES: Table[VehicleSheet] = Table(
             enum=get_args(DriverSide),
         ),
         *(_not_visible(target) for target in NOT_VISIBLE),
+        Column(
+            "filmed_at",
+            "datetime",
+            "when its first frame was filmed, by the clocks of the place (ISO 8601 with offset): started_at "
+            "of its recording and first_frame, frames as long as on average; empty while nobody has "
+            "confirmed that start",
+            of=lambda v: v.filmed_at,
+        ),
         flag("in_sample", "whether the rule of sampling.csv takes it", lambda v: v.in_sample, required=True),
         text(
             "discarded",

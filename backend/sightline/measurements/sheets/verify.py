@@ -9,6 +9,7 @@ from sightline.errors import Damaged
 from sightline.infra.csv_package.files import Files, read_columns, read_rows
 from sightline.infra.csv_package.verify import says
 from sightline.measurements.sheets.csv import VEHICLES
+from sightline.recordings.csv import filmed_in, frames_s
 from sightline.statistics.sampling import PassTime, headways, is_in_sample
 from sightline.surveys.csv import sampling_in
 
@@ -19,7 +20,7 @@ def check_vehicles(
     """Vehicles are what their events made of them, by number, and in the sample where its rule says so;
     deleted ones are gone. Raises Damaged.
     """
-    rule, behind = sampling_in(files), _headways(files)
+    rule, behind, filmed = sampling_in(files), _headways(files), filmed_in(files)
     missing = {id_ for id_ in vehicles if not is_gone(id_)}
     for row in read_rows(files, VEHICLES.path):
         id_ = int(row["id"])
@@ -28,6 +29,8 @@ def check_vehicles(
             raise Damaged("measurements-vehicles-csv-not-what-audit-events", id=id_)
         if row["in_sample"] != str(is_in_sample(rule, int(row["number"]), behind.get(id_))).lower():
             raise Damaged("measurements-vehicles-csv-not-in-sample", id=id_)
+        if row["filmed_at"] != filmed(row["recording_id"], int(row["first_frame"])):
+            raise Damaged("measurements-vehicles-csv-other-time", id=id_)
         missing.discard(id_)
     if missing:
         raise Damaged("measurements-vehicles-csv-missing-though-audit-event", missing=min(missing))
@@ -35,13 +38,7 @@ def check_vehicles(
 
 def _headways(files: Files) -> dict[int, float]:
     """As `vehicles.store.headways_of`, from the rows of a package."""
-    seconds = {
-        id_: float(duration) / int(frames)
-        for id_, duration, frames in read_columns(
-            files, "recordings.csv", ("id", "duration_s", "frame_count")
-        )
-        if duration and frames and int(frames)
-    }
+    seconds = frames_s(files)
     names = ("id", "recording_id", "direction", "first_frame", "discarded")
     return headways(
         PassTime(int(id_), int(of), direction or None, int(first) * seconds.get(of, 0.0), not discarded)

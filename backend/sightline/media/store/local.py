@@ -42,6 +42,9 @@ class MediaStore(Protocol):
     def open(self, key: str) -> BinaryIO:
         """The content from its start, for reading; the caller closes it. Raises NotFound."""
 
+    def listing(self) -> Iterator[tuple[str, int]]:
+        """Key and size in bytes of every file, in the order of keys."""
+
 
 def open_store(media_url: str, cache_dir: Path | None = None, cache_bytes: int = 20 << 30) -> MediaStore:
     """The store that an address names: a folder (path or file:///path) or s3://bucket/prefix.
@@ -131,6 +134,12 @@ class LocalStore:
 
     def open(self, key: str) -> BinaryIO:
         return self.local_path(key).open("rb")
+
+    def listing(self) -> Iterator[tuple[str, int]]:
+        for path in sorted(self._folder.rglob("*")):
+            with suppress(FileNotFoundError):  # it may go while the others are told
+                if path.is_file() and not path.name.startswith("."):
+                    yield path.relative_to(self._folder).as_posix(), path.stat().st_size
 
     def _path(self, key: str) -> Path:
         return safe_path(self._folder, key)

@@ -108,6 +108,14 @@ class S3Store:
         except BotoCoreError as error:
             raise _failed(key, error) from error
 
+    def listing(self) -> Iterator[tuple[str, int]]:
+        prefix = self._name("")
+        with _told(self._bucket):
+            pages = self._client.get_paginator("list_objects_v2").paginate(Bucket=self._bucket, Prefix=prefix)
+            for page in pages:
+                for found in page.get("Contents", ()):
+                    yield found["Key"].removeprefix(prefix), int(found["Size"])
+
     def _name(self, key: str) -> str:
         return f"{self._prefix}/{key}" if self._prefix else key
 

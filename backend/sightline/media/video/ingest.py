@@ -5,7 +5,7 @@ from __future__ import annotations
 import time
 from collections.abc import Callable
 from contextlib import closing
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 import numpy as np
@@ -30,6 +30,7 @@ from sightline.media.video.decode import (
 from sightline.media.video.picture import Layout, layout_of, luma_crc
 from sightline.media.video.remux import WorkingCopy, make_copy, needs_copy
 from sightline.media.video.report import IngestReport, report_of
+from sightline.media.video.stated import Stated, stated_of
 from sightline.media.video.thumbnails import ROOM_BYTES, Thumbnail, ThumbnailWriter
 
 PROGRESS_EVERY_S = 0.25
@@ -74,6 +75,7 @@ class Ingested:
     thumbnails: tuple[Thumbnail, ...]
     media_path: Path
     is_working_copy: bool
+    stated: Stated = field(default_factory=Stated)
 
 
 @dataclass
@@ -105,6 +107,7 @@ def ingest(
     folder = work_dir or path.parent
     copy: WorkingCopy | None = None
     container = open_container(path, name)
+    stated = stated_of(container)  # of the file as it came: a working copy has lost it
     if needs_copy(container.format.name):
         container.close()
         copy = make_copy(path, folder, name, is_cancelled, keep_times=True)
@@ -115,7 +118,7 @@ def ingest(
         copy = make_copy(path, folder, name, is_cancelled, keep_times=False)
         result = _ingest_open(open_container(copy.path, name), path, copy, watch, thumb_dir)
     on_progress(1.0)
-    return result
+    return replace(result, stated=stated)
 
 
 def _ingest_open(

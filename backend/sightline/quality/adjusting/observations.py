@@ -94,7 +94,7 @@ def _tyres(
     if not vehicle.make or not vehicle.model:
         return "Its make and model are not filled in, so its wheelbase is unknown."
     entries = models.get((vehicle.make.lower(), vehicle.model.lower()), [])
-    fitting = [one for one in entries if one.wheelbase_m is not None and _of_year(one, vehicle.year)]
+    fitting = [one for one in entries if one.wheelbase_m is not None and one.built_in(vehicle.year)]
     lengths = [one.wheelbase_m for one in fitting if one.wheelbase_m is not None]
     if not lengths:
         return "The catalogue has no wheelbase of this model and year."
@@ -109,12 +109,6 @@ def _tyres(
         sigma_px=np.full(2, DEFAULT_SIGMA_PX),
         wheelbase=Known(lengths[0], u_wheelbase_m if u_m is None else u_m),
     )
-
-
-def _of_year(entry: CatalogueEntry, year: int | None) -> bool:
-    if year is None:
-        return True
-    return (entry.year_from or year) <= year <= (entry.year_to or year)
 
 
 def _roof(vehicle: VehicleSheet) -> ObservedPass | str | None:

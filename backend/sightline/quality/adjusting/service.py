@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import replace
-from typing import Any
 
 import numpy as np
 
@@ -22,8 +21,8 @@ from sightline.measurements.records import Measurement
 from sightline.measurements.service import clicks_to_compute_again, road_pose
 from sightline.measurements.store import list_measurements
 from sightline.poses.records import Pose
-from sightline.poses.service import described
-from sightline.poses.store import add_pose, get_pose
+from sightline.poses.service import Solved, described
+from sightline.poses.store import get_pose
 from sightline.quality.adjusting.observations import Observations, Seen, observations_of
 from sightline.quality.adjusting.records import (
     AdjustedHeight,
@@ -32,6 +31,7 @@ from sightline.quality.adjusting.records import (
     PoseAdjustment,
     WithoutModel,
 )
+from sightline.quality.in_force import replace_in_force
 from sightline.recordings.records import Recording
 from sightline.recordings.store import list_recordings, update_recording
 
@@ -213,35 +213,29 @@ def put_in_force(
     if abs(_camera_height(found).value - seen_camera_height_m) > _SAME_M:
         raise Conflict("adjusting-says-something-else-now")
     before = get_pose(session, pose_id)
-    users = _users(session, before)
-    if not users:
-        raise Conflict("quality-no-recording-uses-road-pose-any")
-    own = next((one for one in users if one.id == before.recording_id), users[0])
-    made = add_pose(session, own.id, **_content(before, found), adjusted_from=pose_id, actor=actor)
-    for one in users:
-        if one.id != own.id:
-            update_recording(session, one.id, {"pose_id": made.id}, actor=actor)
+    made = replace_in_force(
+        session,
+        before,
+        _users(session, before),
+        _adjusted_pose(before, found),
+        turned_from=before.turned_from,
+        turned_by_rad=before.turned_by_rad,
+        adjusted_from=pose_id,
+        actor=actor,
+    )
     return made, ask_to_compute(session, before.survey_id, kind="adjustment", actor=actor)
 
 
-def _content(before: Pose, found: Adjustment) -> dict[str, Any]:
+def _adjusted_pose(before: Pose, found: Adjustment) -> Solved:
     corners = np.asarray(before.overlay.get("corners_px") or [], dtype=np.float64).reshape(-1, 2)
     solved = described(found.pose, corners)
     told = f"Adjusted by {found.used} passes of known wheelbase or height."
-    return {
-        "calibration_id": before.calibration_id,
-        "first_frame": before.first_frame,
-        "last_frame": before.last_frame,
-        "rms_px": before.rms_px,
-        "distance_m": before.distance_m,
-        "summary": f"{told} {solved.summary}",
-        "document": {**solved.document, "adjustment": adjustment_to_dict(found)},
-        "warnings": [*before.warnings, f"{told} The pose before it was number {before.id}.", *found.notes],
-        "expected": solved.expected,
-        "overlay": solved.overlay,
-        "turned_from": before.turned_from,
-        "turned_by_rad": before.turned_by_rad,
-    }
+    return replace(
+        solved,
+        summary=f"{told} {solved.summary}",
+        document={**solved.document, "adjustment": adjustment_to_dict(found)},
+        warnings=[*before.warnings, f"{told} The pose before it was number {before.id}.", *found.notes],
+    )
 
 
 def take_back(session: Session, pose_id: int, *, actor: int) -> Job | None:

@@ -8,7 +8,6 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from sightline.enums import Target
-from sightline.errors import Conflict
 from sightline.geometry.arrays import Floats
 from sightline.geometry.height import measure_heights
 from sightline.geometry.multiframe import measure_frames
@@ -19,9 +18,9 @@ from sightline.measurements.records import Measurement
 from sightline.measurements.service import road_pose
 from sightline.poses.records import Pose
 from sightline.poses.service import Solved, described
-from sightline.poses.store import add_pose, get_pose
+from sightline.poses.store import get_pose
+from sightline.quality.in_force import replace_in_force
 from sightline.recordings.records import Recording
-from sightline.recordings.store import update_recording
 
 _MOST_LISTED = 200
 
@@ -116,29 +115,8 @@ def store_turned(
 
     Raises Conflict where no recording uses the pose any more.
     """
-    if not users:
-        raise Conflict("quality-no-recording-uses-road-pose-any")
     before = get_pose(session, pose_id)
     solved = turned_pose(session, pose_id, turn_rad, u_turn_rad, vehicles)
-    own = next((one for one in users if one.id == before.recording_id), users[0])
-    made = add_pose(
-        session,
-        own.id,
-        calibration_id=before.calibration_id,
-        first_frame=before.first_frame,
-        last_frame=before.last_frame,
-        rms_px=before.rms_px,
-        distance_m=before.distance_m,
-        summary=solved.summary,
-        document=solved.document,
-        warnings=solved.warnings,
-        expected=solved.expected,
-        overlay=solved.overlay,
-        turned_from=pose_id,
-        turned_by_rad=turn_rad,
-        actor=actor,
+    return replace_in_force(
+        session, before, users, solved, turned_from=pose_id, turned_by_rad=turn_rad, actor=actor
     )
-    for one in users:
-        if one.id != own.id:
-            update_recording(session, one.id, {"pose_id": made.id}, actor=actor)
-    return made

@@ -11,6 +11,7 @@ from sightline.scans.records import ScanProgress
 from sightline.surveys import store
 from sightline.surveys.bodies import InsetChanges, NewSurvey, SurveyChange, SurveyFacts
 from sightline.surveys.classes import VehicleClass, chosen_classes
+from sightline.surveys.place import Place
 from sightline.surveys.records import Asked, Inset
 
 router = APIRouter()
@@ -33,6 +34,10 @@ def _traffic(body: NewSurvey, before: TrafficFacts) -> TrafficFacts:
     return before if body.traffic is None else TrafficFacts(**body.traffic.model_dump())
 
 
+def _place(body: NewSurvey, before: Place) -> Place:
+    return before if body.place is None else Place(**body.place.model_dump())
+
+
 def _asked(body: NewSurvey, before: Asked) -> Asked:
     return before if body.asked is None else Asked(**body.asked.model_dump())
 
@@ -52,6 +57,7 @@ def add_survey(body: NewSurvey, who: Operator, session: Writing) -> SurveyBody:
         site=body.site,
         description=body.description,
         traffic=_traffic(body, TrafficFacts()),
+        place=_place(body, Place()),
         asked=_asked(body, Asked()),
         actor=who.id,
     )
@@ -66,7 +72,7 @@ def get_survey(survey_id: PathId, who: Viewer, session: Reading) -> SurveyBody:
 
 @router.put("/surveys/{survey_id}")
 def change_survey(survey_id: PathId, body: SurveyChange, who: Operator, session: Writing) -> SurveyBody:
-    """Change words, traffic, targets or insets; they count for measurements made from now on.
+    """Change words, traffic, place, targets or insets; they count for measurements made from now on.
 
     Where the traffic tells the driver's side now, a job computes the eyes that waited for it.
     """
@@ -81,6 +87,7 @@ def change_survey(survey_id: PathId, body: SurveyChange, who: Operator, session:
         site=body.site,
         description=body.description,
         traffic=_traffic(body, before.traffic),
+        place=_place(body, before.place),
         asked=_asked(body, before.asked),
         classes=chosen_classes(
             (VehicleClass(**one.model_dump()) for one in body.classes or ()), before.classes

@@ -4,7 +4,15 @@ from typing import Annotated, get_args
 
 from fastapi import APIRouter, Query
 
-from sightline.enums import Category, LengthUnit, Lighting, SightKind, StatisticsState, StatisticsTarget
+from sightline.enums import (
+    Category,
+    ClassSet,
+    LengthUnit,
+    Lighting,
+    SightKind,
+    StatisticsState,
+    StatisticsTarget,
+)
 from sightline.errors import BadInput
 from sightline.infra.web.deps import Reading, Viewer
 from sightline.results.sightdistance.records import SightDistances, SightQuestion
@@ -24,6 +32,8 @@ def sight_distances_of_measurements(
     session: Reading,
     survey: Annotated[list[Id], Query(max_length=200)] = [],  # noqa: B006 (FastAPI copies it)
     lighting: Lighting | None = None,
+    category: Annotated[list[Category], Query(max_length=len(get_args(Category)))] = [],  # noqa: B006
+    class_set: Annotated[list[ClassSet], Query(max_length=len(get_args(ClassSet)))] = [],  # noqa: B006
     state: StatisticsState = "accepted",
     eye_m: Annotated[Number, Query(description="The standard's eye.")] = 1.08,
     object_m: Annotated[Number, Query(description="The standard's object.")] = 0.60,
@@ -45,7 +55,13 @@ def sight_distances_of_measurements(
 ) -> SightDistances:
     """Crests by the standard's heights, by the survey's and by another fleet's, with sag and curve."""
     question = SightQuestion(
-        chosen=Filter(survey_ids=tuple(sorted(set(survey))), lighting=lighting, state=state),
+        chosen=Filter(
+            survey_ids=tuple(sorted(set(survey))),
+            lighting=lighting,
+            categories=tuple(one for one in get_args(Category) if one in category),
+            class_sets=tuple(one for one in get_args(ClassSet) if one in class_set),
+            state=state,
+        ),
         eye_m=eye_m,
         object_m=object_m,
         eye_percent=eye_percent,

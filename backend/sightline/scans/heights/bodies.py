@@ -9,6 +9,7 @@ from sightline.enums import LineClicksStatus, MeasurementStatus, ScanPoseStatus,
 from sightline.infra.audit.records import Who
 from sightline.infra.web.bodies import Finite, In, Out
 from sightline.infra.web.quantities import BudgetEntryBody, InsetM, SigmaPx, UInsetM
+from sightline.measurements.records import ReviewState
 from sightline.scans.bodies import DistanceM, Line
 
 Row = Annotated[Finite, Field(ge=-1, le=1e6, description="Row of strip 1, fractional, from the top.")]
@@ -160,3 +161,5 @@ class LineHeightBody(Out):
     withdrawn: bool
     created_by: Who | None
     created_at: datetime
+    review: ReviewState
+    mine: bool = Field(description="You clicked or computed it, so somebody else reviews it.")

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Any, get_args
 
 from sightline.coverage import expanded
-from sightline.enums import JsonObject, MeasurementStatus, Target
+from sightline.enums import JsonObject, MeasurementStatus, ScanVerdict, Target
 from sightline.infra.audit.records import Who
 from sightline.infra.csv_package.columns import (
     flag,
@@ -26,17 +26,21 @@ from sightline.infra.database import Session
 from sightline.scans.heights.pose_store import line_pose_history
 from sightline.scans.heights.poses import line_pose_result
 from sightline.scans.heights.records import (
+    LineHeightReview,
     LineHeightValues,
     LinePoseValues,
     StoredLineHeight,
     StoredLinePose,
 )
+from sightline.scans.heights.review_store import reviews_of_scan_heights
 from sightline.scans.heights.store import line_height_history_of_scan
 
 _MADE = "version of the program that computed it"
 _MAKER = "who made it; empty for the program itself"
 _MADE_AT = "when the revision was stored"
 _MAKER_KEY = (("created_by_id",), "people", ("id",))
+_REVIEWER_KEY = (("reviewer_id",), "people", ("id",))
+_REVIEWER, _WHY = "who reviewed", "the reviewer's reason"
 
 
 @dataclass(frozen=True, slots=True)
@@ -225,13 +229,38 @@ LINE_HEIGHTS: Table[ListedHeight] = Table(
         *of_part(_MEASURED, _values),
         person("created_by_id", _MAKER, lambda h: h.height.created_by),
         moment("created_at", _MADE_AT, lambda h: h.height.created_at),
+        text(
+            "verdict",
+            "state of the review of this revision",
+            lambda h: h.height.review.verdict,
+            required=True,
+            enum=("to_review", *get_args(ScanVerdict)),
+        ),
+        text("review_reason", _WHY, lambda h: h.height.review.reason),
+        person("reviewer_id", _REVIEWER, lambda h: h.height.review.reviewer),
+        moment("reviewed_at", "when it was reviewed", lambda h: h.height.review.at),
     ),
     primary=("id",),
     foreign=(
         (("vehicle_id",), "scan_vehicles", ("id",)),
         (("pose_id",), "line_poses", ("id",)),
         _MAKER_KEY,
+        _REVIEWER_KEY,
     ),
+)
+LINE_HEIGHT_REVIEWS: Table[LineHeightReview] = Table(
+    "line_height_reviews",
+    "Every verdict given on a revision of a height measured in a line scan, oldest first.",
+    (
+        key("id", "verdict", lambda r: r.id),
+        key("height_id", "revision that was judged, in line_heights", lambda r: r.height_id),
+        text("verdict", "verdict", lambda r: r.verdict, required=True, enum=get_args(ScanVerdict)),
+        text("reason", _WHY, lambda r: r.reason),
+        person("reviewer_id", _REVIEWER, lambda r: r.reviewer),
+        moment("at", "when", lambda r: r.at),
+    ),
+    primary=("id",),
+    foreign=((("height_id",), "line_heights", ("id",)), _REVIEWER_KEY),
 )
 LINE_BUDGET: Table[HeightBudgetEntry] = Table(
     "line_height_budget",
@@ -249,7 +278,7 @@ LINE_BUDGET: Table[HeightBudgetEntry] = Table(
     primary=("height_id", "source"),
     foreign=((("height_id",), "line_heights", ("id",)),),
 )
-TABLES: tuple[Table[Any], ...] = (LINE_POSES, LINE_MARKS, LINE_HEIGHTS, LINE_BUDGET)
+TABLES: tuple[Table[Any], ...] = (LINE_POSES, LINE_MARKS, LINE_HEIGHTS, LINE_BUDGET, LINE_HEIGHT_REVIEWS)
 
 
 @dataclass(eq=False)
@@ -260,8 +289,9 @@ class HeightRecords:
     marks: list[RodMark] = field(default_factory=list)
     heights: list[ListedHeight] = field(default_factory=list)
     budget: list[HeightBudgetEntry] = field(default_factory=list)
+    reviews: list[LineHeightReview] = field(default_factory=list)
 
-    def add_scan(self, session: Session, scan_id: int, vehicle_ids: Iterable[int]) -> list[Who | None]:
+    def add_scan(self, session: Session, scan_id: int, vehicle_ids: Sequence[int]) -> list[Who | None]:
         """Add one recording, its vehicles in their order; gives back who stands in the rows."""
         poses = line_pose_history(session, scan_id)
         self.poses += poses
@@ -269,6 +299,10 @@ class HeightRecords:
             self.marks += _marks(pose)
         makers = [pose.created_by for pose in poses]
         of_vehicle = line_height_history_of_scan(session, scan_id)
+        living = set(vehicle_ids)
+        judged = [one for one in reviews_of_scan_heights(session, scan_id) if one.vehicle_id in living]
+        self.reviews += judged
+        makers += [one.reviewer for one in judged]
         for vehicle_id in vehicle_ids:
             revisions = of_vehicle.get(vehicle_id, [])
             newest = {one.values.target: one.id for one in revisions}
@@ -284,6 +318,7 @@ class HeightRecords:
         staging.fill(LINE_MARKS, self.marks)
         staging.fill(LINE_HEIGHTS, self.heights)
         staging.fill(LINE_BUDGET, self.budget)
+        staging.fill(LINE_HEIGHT_REVIEWS, self.reviews)
 
 
 def _marks(pose: StoredLinePose) -> list[RodMark]:

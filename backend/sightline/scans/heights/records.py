@@ -3,8 +3,9 @@
 from dataclasses import dataclass
 from datetime import datetime
 
-from sightline.enums import JsonObject, MeasurementStatus, Target
+from sightline.enums import JsonObject, MeasurementStatus, ScanVerdict, Target
 from sightline.infra.audit.records import Who
+from sightline.measurements.records import ReviewState
 
 
 @dataclass(frozen=True, slots=True)
@@ -79,3 +80,17 @@ class StoredLineHeight:
     values: LineHeightValues
     created_by: Who | None
     created_at: datetime
+    review: ReviewState
+
+
+@dataclass(frozen=True, slots=True)
+class LineHeightReview:
+    """One verdict given on a revision of a height."""
+
+    id: int
+    height_id: int
+    vehicle_id: int
+    verdict: ScanVerdict
+    reason: str | None
+    reviewer: Who | None
+    at: datetime

@@ -7,8 +7,9 @@ from fastapi import APIRouter, Query
 from sightline.coverage import expanded
 from sightline.enums import Target
 from sightline.infra.database import Session
-from sightline.infra.web.deps import Operator, PathId, Reading, Viewer, Writing
-from sightline.scans.heights import pose_store, poses, service, store
+from sightline.infra.web.deps import Operator, PathId, Reading, Reviewer, Viewer, Writing
+from sightline.scans.bodies import NewScanReview
+from sightline.scans.heights import pose_store, poses, review_store, service, store
 from sightline.scans.heights.bodies import (
     LineClicks,
     LineHeightAnswer,
@@ -81,14 +82,15 @@ def preview_line_height(
 def list_line_heights(scan_id: PathId, who: Viewer, session: Reading) -> list[LineHeightBody]:
     """The newest revision of every target of every vehicle, withdrawn ones too."""
     get_scan(session, scan_id)
-    return _height_bodies(session, scan_id, store.list_line_heights(session, scan_id))
+    return _height_bodies(session, scan_id, store.list_line_heights(session, scan_id), who.id)
 
 
 @router.get("/scan-vehicles/{vehicle_id}/heights")
 def history_of_line_heights(vehicle_id: PathId, who: Viewer, session: Reading) -> list[LineHeightBody]:
     """Every revision of a vehicle's heights, oldest first."""
     vehicle = get_scan_vehicle(session, vehicle_id, deleted=True)
-    return _height_bodies(session, vehicle.scan_id, store.line_height_history(session, vehicle_id))
+    history = store.line_height_history(session, vehicle_id)
+    return _height_bodies(session, vehicle.scan_id, history, who.id)
 
 
 @router.post("/scan-vehicles/{vehicle_id}/heights", status_code=201)
@@ -98,7 +100,7 @@ def store_line_height(
     """Store a target's height with the newest calibration: a new revision."""
     clicked = _clicked(body, (body.target_line, body.target_row_px))
     made = service.store_line_height(session, vehicle_id, clicked, seen_revision=body.revision, actor=who.id)
-    return _height_bodies(session, made.scan_id, (made,))[0]
+    return _height_bodies(session, made.scan_id, (made,), who.id)[0]
 
 
 @router.delete("/scan-vehicles/{vehicle_id}/heights")
@@ -111,11 +113,23 @@ def withdraw_line_height(
 ) -> LineHeightBody:
     """Take a height back; nothing of it is erased."""
     made = store.withdraw_line_height(session, vehicle_id, target, seen_revision=revision, actor=who.id)
-    return _height_bodies(session, made.scan_id, (made,))[0]
+    return _height_bodies(session, made.scan_id, (made,), who.id)[0]
+
+
+@router.post("/line-heights/{height_id}/review", status_code=201)
+def review_line_height(
+    height_id: PathId, body: NewScanReview, who: Reviewer, session: Writing
+) -> LineHeightBody:
+    """Accept, reject (with a reason) or reopen a revision; never clicks of one's own."""
+    judged = review_store.add_line_height_review(
+        session, height_id, verdict=body.verdict, reason=body.reason, seen=body.seen, actor=who.id
+    )
+    return _height_bodies(session, judged.scan_id, (judged,), who.id)[0]
 
 
 _OF_FOUND = ("reason", "distance_m", "height_m", "u_height_m", "U95_height_m", "warnings")
 _MADE = ("id", "revision", "created_by", "created_at")
+_OF_HEIGHT = (*_MADE, "vehicle_id", "review")
 
 
 def _rod(body: RodIn) -> Rod:
@@ -149,18 +163,19 @@ def _pose_body(one: StoredLinePose) -> LinePoseBody:
 
 
 def _height_bodies(
-    session: Session, scan_id: int, found: tuple[StoredLineHeight, ...]
+    session: Session, scan_id: int, found: tuple[StoredLineHeight, ...], asker: int
 ) -> list[LineHeightBody]:
     pose = pose_store.current_line_poses(session, scan_id)
-    return [_height_body(one, pose.id if pose else None) for one in found]
+    own = store.heights_of_own_clicks(session, scan_id, asker)
+    return [_height_body(one, pose.id if pose else None, one.id in own) for one in found]
 
 
-def _height_body(one: StoredLineHeight, pose_id: int | None) -> LineHeightBody:
+def _height_body(one: StoredLineHeight, pose_id: int | None, mine: bool) -> LineHeightBody:
     values = one.values
-    outer = (*_MADE, "vehicle_id")
-    derived = ("older", "U95_distance_m", "U95_height_m")
-    names = [name for name in LineHeightBody.model_fields if name not in (*outer, *derived)]
-    body = {name: getattr(values, name) for name in names} | {name: getattr(one, name) for name in outer}
+    derived = ("older", "mine", "U95_distance_m", "U95_height_m")
+    names = [name for name in LineHeightBody.model_fields if name not in (*_OF_HEIGHT, *derived)]
+    body = {name: getattr(values, name) for name in names}
+    body |= {name: getattr(one, name) for name in _OF_HEIGHT}
     for name in ("distance_m", "height_m"):
         body[f"U95_{name}"] = expanded(getattr(values, f"u_{name}"))
-    return LineHeightBody.model_validate({**body, "older": values.pose_id != pose_id})
+    return LineHeightBody.model_validate({**body, "older": values.pose_id != pose_id, "mine": mine})

@@ -3,7 +3,7 @@
 from dataclasses import asdict, replace
 from typing import Any
 
-from sqlalchemy import ColumnElement, exists, select
+from sqlalchemy import ColumnElement, Select, exists, func, select
 from sqlalchemy.orm import Session
 
 from sightline.enums import Target
@@ -13,8 +13,9 @@ from sightline.infra.audit.records import name_or_somebody
 from sightline.infra.database.people import people
 from sightline.infra.database.rows import add_row, missing, stored_hash, who
 from sightline.infra.database.types import now
+from sightline.measurements.records import ReviewState
 from sightline.scans.heights.records import LineHeightValues, StoredLineHeight
-from sightline.scans.heights.tables import line_heights
+from sightline.scans.heights.tables import line_height_reviews, line_heights
 from sightline.scans.tables import scan_vehicles
 from sightline.scans.vehicles.store import require_scan_vehicle_version
 
@@ -25,6 +26,14 @@ _is_current: ColumnElement[bool] = ~exists().where(
     _later.c.target == line_heights.c.target,
     _later.c.revision > line_heights.c.revision,
 )
+_newest_review = (
+    select(func.max(line_height_reviews.c.id))
+    .where(line_height_reviews.c.height_id == line_heights.c.id)
+    .correlate(line_heights)
+    .scalar_subquery()
+)
+_reviewer = people.alias("reviewer")
+_CLICKS = ("contact_line", "contact_row_px", "target_line", "target_row_px")
 
 
 def append_line_height(
@@ -59,6 +68,42 @@ def current(session: Session, vehicle_id: int, target: Target) -> StoredLineHeig
     mine = (line_heights.c.vehicle_id == vehicle_id) & (line_heights.c.target == target)
     found = _where(session, mine & _is_current)
     return found[0] if found else None
+
+
+def get_line_height(session: Session, height_id: int) -> StoredLineHeight:
+    """One revision. Raises NotFound."""
+    found = _where(session, line_heights.c.id == height_id)
+    if not found:
+        raise missing("height in a line scan", height_id)
+    return found[0]
+
+
+def is_newest_line_height(session: Session, one: StoredLineHeight) -> bool:
+    """Whether no later revision of the same vehicle and target is there."""
+    query = select(line_heights.c.id).where(line_heights.c.id == one.id, _is_current)
+    return session.execute(query).first() is not None
+
+
+def heights_of_own_clicks(session: Session, scan_id: int, person_id: int) -> frozenset[int]:
+    """The revisions of a scan whose clicks or figures this person made.
+
+    Computed again by somebody else, with another calibration, the clicks are still theirs who placed them.
+    """
+    mine = line_heights.alias("mine")
+    same = [mine.c[name] == line_heights.c[name] for name in ("vehicle_id", "target", *_CLICKS)]
+    made = exists().where(*same, mine.c.created_by == person_id)
+    query = select(line_heights.c.id).where(line_heights.c.scan_id == scan_id, made)
+    return frozenset(session.execute(query).scalars())
+
+
+def line_height_states(*conditions: ColumnElement[bool]) -> Select[Any]:
+    """(scan, verdict) of each standing height with a figure, of living vehicles: what counts are made of."""
+    return (
+        select(line_heights.c.scan_id, line_height_reviews.c.verdict)
+        .join(scan_vehicles, scan_vehicles.c.id == line_heights.c.vehicle_id)
+        .outerjoin(line_height_reviews, line_height_reviews.c.id == _newest_review)
+        .where(_is_current, _alive, line_heights.c.status == "ok", ~line_heights.c.withdrawn, *conditions)
+    )
 
 
 def list_line_heights(session: Session, scan_id: int) -> tuple[StoredLineHeight, ...]:
@@ -111,9 +156,19 @@ _alive: ColumnElement[bool] = scan_vehicles.c.deleted_at.is_(None)
 
 def _where(session: Session, condition: ColumnElement[bool]) -> tuple[StoredLineHeight, ...]:
     query = (
-        select(line_heights, people.c.name.label("maker"))
+        select(
+            line_heights,
+            people.c.name.label("maker"),
+            line_height_reviews.c.verdict,
+            line_height_reviews.c.reason.label("review_reason"),
+            line_height_reviews.c.created_by.label("reviewed_by"),
+            line_height_reviews.c.created_at.label("reviewed_at"),
+            _reviewer.c.name.label("reviewer_name"),
+        )
         .join(scan_vehicles, scan_vehicles.c.id == line_heights.c.vehicle_id)
         .outerjoin(people, people.c.id == line_heights.c.created_by)
+        .outerjoin(line_height_reviews, line_height_reviews.c.id == _newest_review)
+        .outerjoin(_reviewer, _reviewer.c.id == line_height_reviews.c.created_by)
         .where(condition)
         .order_by(line_heights.c.id)
     )
@@ -121,6 +176,10 @@ def _where(session: Session, condition: ColumnElement[bool]) -> tuple[StoredLine
 
 
 def _height(row: Any) -> StoredLineHeight:
+    review = ReviewState("to_review")
+    if row["verdict"] is not None:
+        reviewer = who(row["reviewed_by"], row["reviewer_name"])
+        review = ReviewState(row["verdict"], row["review_reason"], reviewer, row["reviewed_at"])
     return StoredLineHeight(
         id=row["id"],
         survey_id=row["survey_id"],
@@ -130,4 +189,5 @@ def _height(row: Any) -> StoredLineHeight:
         values=LineHeightValues(**{name: row[name] for name in _VALUES}),
         created_by=who(row["created_by"], row["maker"]),
         created_at=row["created_at"],
+        review=review,
     )

@@ -6,6 +6,7 @@ from sqlalchemy import (
     Column,
     Float,
     ForeignKey,
+    Index,
     Integer,
     String,
     Table,
@@ -13,7 +14,7 @@ from sqlalchemy import (
     UniqueConstraint,
 )
 
-from sightline.enums import MeasurementStatus, Target
+from sightline.enums import MeasurementStatus, ScanVerdict, Target
 from sightline.infra.audit.vouched import WrittenOnce, vouched
 from sightline.infra.database.types import CanonicalJson, UtcDateTime, enum_check, identity, metadata
 
@@ -83,3 +84,20 @@ line_heights = Table(
     ),
     info=vouched(WrittenOnce("line_height", "scanned vehicle's height")),
 )
+
+# Verdicts on a revision of a height; written once, the newest of a revision counts.
+line_height_reviews = Table(
+    "line_height_reviews",
+    metadata,
+    identity(),
+    Column("survey_id", ForeignKey("surveys.id"), nullable=False, index=True),
+    Column("height_id", ForeignKey("line_heights.id"), nullable=False),
+    Column("verdict", String(20), nullable=False),
+    Column("reason", Text),
+    Column("created_at", UtcDateTime, nullable=False),
+    Column("created_by", ForeignKey("people.id")),
+    enum_check("verdict", ScanVerdict),
+    CheckConstraint("verdict <> 'rejected' OR reason IS NOT NULL", name="rejected_has_reason"),
+    info=vouched(WrittenOnce("line_height_review", "review of a scanned vehicle's height")),
+)
+Index("ix_line_height_reviews_height_id", line_height_reviews.c.height_id)

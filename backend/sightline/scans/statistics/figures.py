@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from sightline.coverage import expanded
 from sightline.infra.database import Session
+from sightline.scans.heights.store import list_line_heights
 from sightline.scans.records import Scan
+from sightline.scans.statistics.heights import HeightSeen, ScannedHeights, scanned_heights
 from sightline.scans.statistics.service import GAPS, MOTION, ScanStatistics, VehicleMotion, statistics_of_seen
 from sightline.scans.store import list_scans
 from sightline.scans.vehicles.listing import ShownVehicle, shown
@@ -18,6 +21,19 @@ def scan_statistics(session: Session, survey_id: int, *, accepted_only: bool) ->
         for one in shown(scan, list_scan_vehicles(session, scan.id))
     ]
     return statistics_of_seen(found, accepted_only=accepted_only)
+
+
+def scan_height_statistics(
+    session: Session, survey_id: int, *, accepted_only: bool
+) -> tuple[ScannedHeights, ...]:
+    """The heights of a survey's line scans, target by target; rejected ones never count."""
+    seen = []
+    for scan in list_scans(session, survey_id):
+        for one in list_line_heights(session, scan.id):
+            values, u95 = one.values, expanded(one.values.u_height_m)
+            if not values.withdrawn and values.height_m is not None and u95 is not None:
+                seen.append(HeightSeen(values.target, one.review.verdict, values.height_m, u95))
+    return scanned_heights(seen, accepted_only=accepted_only)
 
 
 def _seen(scan: Scan, one: ShownVehicle) -> VehicleMotion:

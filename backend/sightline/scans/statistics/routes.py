@@ -9,7 +9,8 @@ from sightline.infra.web.bodies import Out
 from sightline.infra.web.deps import PathId, Reading, Viewer
 from sightline.infra.web.figures import DensityBody, EcdfBody, FigureBody, ReasonBody
 from sightline.linescan.rig import RigEstimate
-from sightline.scans.statistics.figures import scan_statistics
+from sightline.scans.statistics.figures import scan_height_statistics, scan_statistics
+from sightline.scans.statistics.heights import ScannedHeights
 from sightline.scans.statistics.paper import NOTE, TABLE_I
 from sightline.scans.statistics.service import ScanStatistics, Spread
 from sightline.statistics.distributions import Density, Ecdf, Percentile
@@ -78,6 +79,7 @@ class ScanStatisticsBody(Out):
     wheelbase_ratio: RigEstimate = Field(description=_RATIO)
     spreads: list[ScanSpreadBody] = Field(description="Speed, length, time gap, distance gap, headway.")
     table: list[ScanRowBody]
+    heights: list[ScannedHeights]
     paper: list[PaperCarBody]
     paper_note: str
 
@@ -91,10 +93,11 @@ def get_scan_statistics(
 ) -> ScanStatisticsBody:
     """Errors of length and wheelbase, distributions of speed and gaps, the paper's Table I beside it."""
     get_survey(session, survey_id)
-    return _body(scan_statistics(session, survey_id, accepted_only=accepted_only))
+    heights = scan_height_statistics(session, survey_id, accepted_only=accepted_only)
+    return _body(scan_statistics(session, survey_id, accepted_only=accepted_only), heights)
 
 
-def _body(found: ScanStatistics) -> ScanStatisticsBody:
+def _body(found: ScanStatistics, heights: tuple[ScannedHeights, ...]) -> ScanStatisticsBody:
     return ScanStatisticsBody(
         scans=found.scans,
         counted=found.counted,
@@ -104,6 +107,7 @@ def _body(found: ScanStatistics) -> ScanStatisticsBody:
         wheelbase_ratio=found.wheelbase_ratio,
         spreads=[_spread(one) for one in found.spreads],
         table=[ScanRowBody.model_validate(one) for one in found.table],
+        heights=list(heights),
         paper=[PaperCarBody.model_validate(one) for one in TABLE_I],
         paper_note=NOTE,
     )

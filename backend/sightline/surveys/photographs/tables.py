@@ -12,7 +12,7 @@ from sqlalchemy import (
 )
 
 from sightline.infra.audit.vouched import ChangedByEvents, vouched
-from sightline.infra.database.types import UtcDateTime, identity, metadata
+from sightline.infra.database.types import NEEDS_MEDIA, UtcDateTime, identity, metadata
 
 # Pictures of the set-up: the rig, the road, the board in place. `position` is their order on the page.
 survey_photographs = Table(
@@ -23,7 +23,7 @@ survey_photographs = Table(
     Column("name", String(400), nullable=False),
     Column("caption", Text, nullable=False),
     Column("position", Integer, nullable=False),
-    Column("media_key", String(400), nullable=False),
+    Column("media_key", String(400), nullable=False, info=NEEDS_MEDIA),
     Column("sha256", String(64), nullable=False),
     Column("size_bytes", BigInteger, nullable=False),
     Column("width_px", Integer, nullable=False),

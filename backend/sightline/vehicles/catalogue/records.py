@@ -48,6 +48,10 @@ class CatalogueRow:
         value: float | None = getattr(self, f"{name}_m")
         return value
 
+    def built_in(self, year: int | None) -> bool:
+        """Whether it may have been built in this year; None: unknown, so it may."""
+        return year is None or (self.year_from or year) <= year <= (self.year_to or year)
+
     def source_of(self, name: ModelSize) -> str:
         """Where a size comes from."""
         own: str | None = getattr(self, f"{name}_source")

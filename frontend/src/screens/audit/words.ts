@@ -16,6 +16,8 @@ export const ENTITY_WORDS = wordsOf({
   vehicle: "audit-entity-vehicle",
   measurement: "audit-entity-measurement",
   computing: "audit-entity-computing",
+  lot: "audit-entity-lot",
+  lot_decision: "audit-entity-lot_decision",
   review: "audit-entity-review",
   review_plan: "audit-entity-review_plan",
   wheel_pair: "audit-entity-wheel_pair",
@@ -28,6 +30,7 @@ export const ENTITY_WORDS = wordsOf({
   scan_review: "audit-entity-scan_review",
   line_pose: "audit-entity-line_pose",
   line_height: "audit-entity-line_height",
+  line_height_review: "audit-entity-line_height_review",
   export: "audit-entity-export",
   package: "audit-entity-package",
   checkpoint: "audit-entity-checkpoint",
@@ -42,6 +45,11 @@ const ACTION_WORDS = wordsOf({
   cancel: "audit-action-cancel",
   cancelled: "audit-action-cancelled",
   compute_again: "audit-action-compute_again",
+  accepted: "audit-action-accepted",
+  dissolved: "audit-action-dissolved",
+  draw: "audit-action-draw",
+  full_inspection: "audit-action-full_inspection",
+  taken_back: "audit-action-taken_back",
   check_drift: "audit-action-check_drift",
   choose: "audit-action-choose",
   choose_calibration: "audit-action-choose_calibration",
@@ -124,6 +132,8 @@ export function pageOf({ event, subject }: NamedEvent): string | null {
     review_plan: `${survey}/review`,
     computing: `${survey}/checks?tab=again&computing=${entity_id}`,
     export: `${survey}/export`,
+    lot: `${survey}/checks?tab=lots&lot=${entity_id}`,
+    lot_decision: `${survey}/checks?tab=lots`,
   };
   return pages[entity] ?? null;
 }

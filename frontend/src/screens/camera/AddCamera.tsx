@@ -2,7 +2,7 @@ import { useState } from "preact/hooks";
 import { FormDialog, TextField } from "../../components";
 import { api } from "../../core/api";
 import { say } from "../../core/messages";
-import type { Camera } from "../../core/types";
+import type { Camera, CameraDetail } from "../../core/types";
 
 interface AddProps {
   surveyId: number;
@@ -12,38 +12,72 @@ interface AddProps {
 }
 
 export function AddCamera({ surveyId, count, close, added }: AddProps) {
-  const [name, setName] = useState(() => say("camera-name", { number: String(count + 1) }));
-  const [notes, setNotes] = useState("");
-  const submit = async () => {
-    await added(
-      await api.write(
-        "POST /surveys/{survey_id}/cameras",
-        { survey_id: surveyId },
-        { body: { name: name.trim(), notes } },
-      ),
-    );
+  const first = { name: say("camera-name", { number: String(count + 1) }), ...NOTHING };
+  const send = async (body: CameraWords) =>
+    added(await api.write("POST /surveys/{survey_id}/cameras", { survey_id: surveyId }, { body }));
+  return <CameraDialog title={say("camera-add")} action={say("action-add")} {...{ first, send, close }} />;
+}
+
+interface EditProps {
+  camera: CameraDetail;
+  close: () => void;
+  changed: () => Promise<void>;
+}
+
+export function EditCamera({ camera, close, changed }: EditProps) {
+  const send = async (body: CameraWords) => {
+    await api.write("PUT /cameras/{camera_id}", { camera_id: camera.id }, { body });
+    await changed();
+    close();
   };
   return (
+    <CameraDialog
+      title={say("camera-edit-title", { camera: camera.name })}
+      action={say("action-save")}
+      first={camera}
+      {...{ send, close }}
+    />
+  );
+}
+
+const NOTHING = { notes: "", lens: "", zoom: "", focus: "" };
+type CameraWords = Pick<CameraDetail, "name" | "notes" | "lens" | "zoom" | "focus">;
+
+interface DialogProps {
+  title: string;
+  action: string;
+  first: CameraWords;
+  send: (words: CameraWords) => Promise<void>;
+  close: () => void;
+}
+
+function CameraDialog({ title, action, first, send, close }: DialogProps) {
+  const [words, setWords] = useState<CameraWords>(() => {
+    const { name, notes, lens, zoom, focus } = first;
+    return { name, notes, lens, zoom, focus };
+  });
+  const name = words.name.trim();
+  const field = (key: keyof CameraWords) => ({
+    value: words[key],
+    onInput: (text: string) => setWords({ ...words, [key]: text }),
+  });
+  return (
     <FormDialog
-      title={say("camera-add")}
-      action={say("action-add")}
+      title={title}
+      action={action}
       onClose={close}
-      submit={submit}
-      disabled={!name.trim()}
+      submit={() => send({ ...words, name })}
+      disabled={!name}
     >
       <TextField
         label={say("field-name")}
-        value={name}
-        onInput={setName}
-        problem={name.trim() ? null : say("camera-name-problem")}
+        {...field("name")}
+        problem={name ? null : say("camera-name-problem")}
       />
-      <TextField
-        label={say("field-notes")}
-        value={notes}
-        onInput={setNotes}
-        rows={2}
-        hint={say("camera-notes-hint")}
-      />
+      <TextField label={say("camera-lens-words")} {...field("lens")} hint={say("camera-lens-words-hint")} />
+      <TextField label={say("camera-zoom")} {...field("zoom")} hint={say("camera-zoom-hint")} />
+      <TextField label={say("camera-focus")} {...field("focus")} hint={say("camera-focus-hint")} />
+      <TextField label={say("field-notes")} {...field("notes")} rows={2} hint={say("camera-notes-hint")} />
     </FormDialog>
   );
 }

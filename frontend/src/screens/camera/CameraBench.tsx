@@ -5,6 +5,7 @@ import { cancelJob } from "../../core/jobs";
 import { say } from "../../core/messages";
 import { may } from "../../core/session";
 import type { CalibrationImage, CameraDetail } from "../../core/types";
+import { EditCamera } from "./AddCamera";
 import { BoardFields, useTypedBoard } from "./BoardFields";
 import { type Board, readBoard } from "./board";
 import { CalibrateForm, type Source } from "./CalibrateForm";
@@ -31,6 +32,7 @@ export function CameraBench({ camera, surveyId, reload, set }: Props) {
   const stale = board !== null && camera.images.some((image) => !sameBoard(image, board));
   return (
     <>
+      <Words camera={camera} changed={reload} />
       {work.shownId !== null && (
         <CalibrationPanel
           id={work.shownId}
@@ -182,5 +184,28 @@ function ImportButton({ take }: { take: (file: File) => void }) {
         }}
       />
     </label>
+  );
+}
+
+/** What is said of the camera: the lens and its setting, for which alone a calibration holds. */
+function Words({ camera, changed }: { camera: CameraDetail; changed: () => Promise<void> }) {
+  const [editing, setEditing] = useState(false);
+  const { lens, zoom, focus, notes } = camera;
+  const words = [
+    lens,
+    zoom && say("camera-zoomed", { zoom }),
+    focus && say("camera-focused", { focus }),
+    notes,
+  ].filter(Boolean);
+  return (
+    <div class="row row--wrap small" data-testid="camera-words">
+      <span>{words.length > 0 ? words.join("  ·  ") : say("camera-words-none")}</span>
+      {may("operator") && (
+        <Button small kind="quiet" onClick={() => setEditing(true)}>
+          {say("camera-edit")}
+        </Button>
+      )}
+      {editing && <EditCamera camera={camera} changed={changed} close={() => setEditing(false)} />}
+    </div>
   );
 }

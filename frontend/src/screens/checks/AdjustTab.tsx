@@ -29,6 +29,7 @@ import {
   smallText,
 } from "../../core/units";
 import { TARGET_WORDS } from "../../core/words";
+import { scaled } from "../../parts/figures/numbers";
 
 type Known = PoseAdjustment["known"];
 const USUAL: Known = { u_wheelbase_m: 0.01, u_wheelbase_common_m: 0.005, u_roof_common_m: 0.005 };
@@ -232,7 +233,7 @@ function inItsUnit(name: string, value: number): string {
 }
 
 function MovedTable({ found }: { found: PoseAdjustment }) {
-  const named = found.moved.filter((one) => MOVED[one.name] && one.u_before > 0);
+  const named = found.moved.filter((one) => MOVED[one.name] && one.by_u !== null);
   return (
     <TableScroll label={say("adjust-moved-title")}>
       <table class="table" data-testid="moved">
@@ -253,7 +254,7 @@ function MovedTable({ found }: { found: PoseAdjustment }) {
             <tr key={one.name}>
               <td>{MOVED[one.name]}</td>
               <td class="num">{inItsUnit(one.name, one.value)}</td>
-              <td class="num">{fixed(Math.abs(one.value) / one.u_before, 1)}</td>
+              <td class="num">{scaled(one.by_u, 1, 1)}</td>
               <td class="num">{inItsUnit(one.name, one.u_before)}</td>
               <td class="num">{inItsUnit(one.name, one.u_after)}</td>
             </tr>

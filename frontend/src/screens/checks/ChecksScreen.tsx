@@ -7,17 +7,19 @@ import { survey as openSurvey } from "../../core/survey";
 import { AdjustTab } from "./AdjustTab";
 import { AgainTab } from "./AgainTab";
 import { InsetsTab } from "./InsetsTab";
+import { LotsTab } from "./LotsTab";
 import { TrafficTab } from "./TrafficTab";
 import "./checks.css";
 
-type Tab = "insets" | "traffic" | "adjust" | "again";
-const TABS: readonly string[] = ["traffic", "adjust", "again"];
+type Tab = "insets" | "traffic" | "adjust" | "again" | "lots";
+const TABS: readonly string[] = ["traffic", "adjust", "again", "lots"];
 
 const LEADS = {
   insets: "checks-lead",
   traffic: "checks-lead",
   adjust: "adjust-lead",
   again: "computing-lead",
+  lots: "lots-lead",
 } as const;
 
 export default function ChecksScreen({ surveyId }: ScreenProps) {
@@ -40,14 +42,18 @@ export default function ChecksScreen({ surveyId }: ScreenProps) {
             { value: "traffic", label: say("checks-direction") },
             { value: "adjust", label: say("adjust-tab") },
             { value: "again", label: say("checks-again") },
+            { value: "lots", label: say("lots-tab") },
           ]}
-          onChange={(value) => setQuery({ tab: value === "insets" ? null : value, computing: null })}
+          onChange={(value) =>
+            setQuery({ tab: value === "insets" ? null : value, computing: null, lot: null })
+          }
         />
       </header>
       {tab === "insets" && <InsetsTab survey={survey} />}
       {tab === "traffic" && <TrafficTab surveyId={surveyId} />}
       {tab === "adjust" && <AdjustTab surveyId={surveyId} />}
       {tab === "again" && <AgainTab surveyId={surveyId} />}
+      {tab === "lots" && <LotsTab surveyId={surveyId} />}
     </div>
   );
 }

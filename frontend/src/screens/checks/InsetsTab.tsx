@@ -102,9 +102,7 @@ function TargetRows({ target, busy, use }: RowsProps) {
                 )}
               </th>
               <td rowSpan={rows} class="insets-check__force">
-                <span class="nowrap">
-                  {formatLength(target.in_force.inset_m, 2)} ± {formatLength(target.in_force.u_inset_m, 2)}
-                </span>{" "}
+                <span class="nowrap">{insetWithU(target.in_force)}</span>{" "}
                 {target.is_default && <span class="badge">{say("checks-estimate")}</span>}
                 {target.in_force.note && <div class="small muted">{target.in_force.note}</div>}
               </td>
@@ -124,15 +122,17 @@ function TargetRows({ target, busy, use }: RowsProps) {
   );
 }
 
+function insetWithU(of: { inset_m: number | null; u_inset_m: number | null }): string {
+  return say("with-u", { value: formatLength(of.inset_m, 2), u: formatLength(of.u_inset_m, 2) });
+}
+
 function Figures(props: { name: InsetName; one: Estimate; busy: string | null; use: RowsProps["use"] }) {
   const { name, one, busy, use } = props;
   const at = `${name} ${one.method}`;
   return (
     <>
       <td>
-        <span class="nowrap">
-          {formatLength(one.inset_m, 2)} ± {formatLength(one.u_inset_m, 2)}
-        </span>
+        <span class="nowrap">{insetWithU(one)}</span>
         <div class="small muted">
           <Vehicles one={one} />
         </div>

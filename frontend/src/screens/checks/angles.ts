@@ -1,4 +1,5 @@
 /** Angles as people read them; the server speaks radians. */
+import { say } from "../../core/messages";
 import { fixed } from "../../core/units";
 
 /** "−0.80°"; a missing value is an en dash. */
@@ -6,8 +7,10 @@ export function formatDegrees(rad: number | null, digits = 2): string {
   return rad === null ? "–" : `${fixed((rad * 180) / Math.PI, digits)}°`;
 }
 
-/** "0.80° ± 0.11°", where the second number is the standard uncertainty. */
+/** "0.80° (u = 0.11°)" */
 export function formatHeading(rad: number | null, u_rad: number | null): string {
   if (rad === null) return "–";
-  return u_rad === null ? formatDegrees(rad) : `${formatDegrees(rad)} ± ${formatDegrees(u_rad)}`;
+  return u_rad === null
+    ? formatDegrees(rad)
+    : say("with-u", { value: formatDegrees(rad), u: formatDegrees(u_rad) });
 }

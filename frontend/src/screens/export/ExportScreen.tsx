@@ -1,6 +1,7 @@
 import { useEffect, useState } from "preact/hooks";
 import {
   Button,
+  DateField,
   Empty,
   JobProgress,
   Loading,
@@ -25,7 +26,7 @@ import { ClassChoice, classWords } from "../../parts/vehicles/ClassChoice";
 import "./export.css";
 
 type Wanted = ExportPackage["selection"];
-const ALL: Wanted = { lighting: null, class_sets: [], categories: [] };
+const ALL: Wanted = { lighting: null, class_sets: [], categories: [], filmed_from: null, filmed_to: null };
 
 /** What a package holds, as the table says it. */
 const CONTENTS = [
@@ -189,15 +190,30 @@ function Choosing({ wanted, onChange }: { wanted: Wanted; onChange(wanted: Wante
           onClassSets={(chosen) => onChange({ ...wanted, class_sets: chosen as Wanted["class_sets"] })}
           onCategories={(chosen) => onChange({ ...wanted, categories: chosen as Wanted["categories"] })}
         />
+        <DateField
+          label={say("statistics-filter-filmed-from")}
+          value={wanted.filmed_from ?? ""}
+          onChange={(filmed_from) => onChange({ ...wanted, filmed_from })}
+        />
+        <DateField
+          label={say("statistics-filter-filmed-to")}
+          value={wanted.filmed_to ?? ""}
+          onChange={(filmed_to) => onChange({ ...wanted, filmed_to })}
+        />
         <p class="field__hint">{say("export-of-help")}</p>
       </div>
     </section>
   );
 }
 
-function wantedWords({ lighting, class_sets, categories }: Wanted): string {
-  const classes = classWords(class_sets, categories);
-  return [lighting ? LIGHTING_WORDS[lighting] : "", classes].filter(Boolean).join("; ");
+function wantedWords({ lighting, class_sets, categories, filmed_from, filmed_to }: Wanted): string {
+  const words = [
+    lighting && LIGHTING_WORDS[lighting],
+    classWords(class_sets, categories),
+    filmed_from && say("export-of-filmed-from", { day: filmed_from }),
+    filmed_to && say("export-of-filmed-to", { day: filmed_to }),
+  ];
+  return words.filter(Boolean).join("; ");
 }
 
 function openWords({ to_review, rejected }: Survey["counts"]): string {

@@ -1,6 +1,6 @@
 /** The frame with axes, ladder, points and the height under the pointer. */
 import { useSignal, useSignalEffect } from "@preact/signals";
-import { commandName, hint, showChord } from "../../core/commands";
+import { commandName, hint } from "../../core/commands";
 import { say } from "../../core/messages";
 import { canWork } from "../../core/session";
 import type { HeightAnswer } from "../../core/types";
@@ -41,7 +41,7 @@ export function FramePanel({ model, player }: { model: MeasureModel; player: Pla
           </>
         }
       >
-        <AnswerLines answer={model.geometry.axes.value} stage={stage} />
+        <AnswerLines geometry={model.geometry} stage={stage} />
         <Marks model={model} selections={points.selectable()} />
         <AssistLayer assist={assist} stage={stage} />
       </FrameView>
@@ -103,6 +103,14 @@ function Hint({ model }: { model: MeasureModel }) {
       {target && model.hasPose.value && <strong>{TARGET_WORDS[target]}</strong>}
       {target === "driver_eye" && vehicle && model.hasPose.value && <Driver model={model} />}
       <span role="status">{hintWords(model)}</span>
+      {!target && vehicle && canWork.value && model.points.missing().length === 0 && (
+        <InHint
+          name="next-pass"
+          title={commandName("confirmNext") + hint("confirmNext")}
+          words={say("measure-next-pass")}
+          onClick={() => model.confirmNext()}
+        />
+      )}
       {!model.hasPose.value && (
         <a href={`/surveys/${model.surveyId}/pose?recording=${model.reel.player.value?.recordingId ?? ""}`}>
           {say("measure-find-pose")}
@@ -117,18 +125,30 @@ function Driver({ model }: { model: MeasureModel }) {
   const words = say("measure-driver", { side: model.side.value ?? "unknown" });
   if (!canWork.value) return <em>{words}</em>;
   return (
-    <button
-      type="button"
-      class="frame-hint__turn"
-      data-testid="driver-side"
+    <InHint
+      name="driver-side"
       title={commandName("driverSide") + hint("driverSide")}
-      onPointerDown={(event) => event.stopPropagation()}
+      words={words}
       onClick={() => {
         model.turnSide();
         model.stage.focus();
       }}
+    />
+  );
+}
+
+/** A button over the picture: what is pressed there is no click on a frame. */
+function InHint(props: { name: string; title: string; words: string; onClick: () => void }) {
+  return (
+    <button
+      type="button"
+      class="frame-hint__turn"
+      data-testid={props.name}
+      title={props.title}
+      onPointerDown={(event) => event.stopPropagation()}
+      onClick={props.onClick}
     >
-      {words}
+      {props.words}
     </button>
   );
 }
@@ -143,9 +163,7 @@ function hintWords(model: MeasureModel): string {
   if (model.geometry.problem.value) return model.geometry.problem.value;
   if (target === null) {
     const done = model.points.missing().length === 0;
-    return done
-      ? say("measure-vehicle-done", { key: showChord("Ctrl+Enter") })
-      : say("measure-choose-target");
+    return done ? say("measure-vehicle-done") : say("measure-choose-target");
   }
   if (model.awaiting.value === "contact") return say("blind-contact");
   return say("blind-target", { target });

@@ -1,13 +1,14 @@
 /** The passes of the survey with their state; filter, order, a new pass. */
 import { useComputed, useSignalEffect } from "@preact/signals";
 import { useRef } from "preact/hooks";
-import { Button, StateMark } from "../../components";
+import { Button, LongList, StateMark } from "../../components";
 import { bringInSight } from "../../components/inSight";
 import { useOneTabStop } from "../../components/oneTabStop";
 import { Said } from "../../components/Said";
 import { hint } from "../../core/commands";
 import { say } from "../../core/messages";
 import { canWork } from "../../core/session";
+import { formatPlaceClock, formatPlaceMoment } from "../../core/times";
 import type { Vehicle } from "../../core/types";
 import { LIGHTING_NOUNS, LIGHTING_WORDS, STATE_WORDS, vehicleName } from "../../core/words";
 import { FindPasses } from "../../parts/vehicles/FindPasses";
@@ -27,12 +28,15 @@ import { PassMark } from "./passes/marks";
 import { PassMenu } from "./passes/PassMenu";
 import "../../parts/vehicles/passes.css";
 
+/** A pass and what stands below it. */
+const ROW_PX = 43;
+
 export function PassList({ model }: { model: MeasureModel }) {
   const all = model.vehicles.list.value;
   const list = model.list.value;
   const open = all.filter(isOpen).length;
   const recording = model.reel.recording.value;
-  const box = useRef<HTMLUListElement>(null);
+  const box = useRef<HTMLDivElement>(null);
   useOneTabStop(box, ".pass");
   useSignalEffect(() => {
     const id = model.vehicleId.value;
@@ -80,19 +84,22 @@ export function PassList({ model }: { model: MeasureModel }) {
         </div>
       </header>
       <Quotas model={model} />
-      <ul class="passes__list" ref={box}>
-        {list.map((vehicle) => (
-          <Row key={vehicle.id} model={model} vehicle={vehicle} />
-        ))}
-        {list.length === 0 && (
-          <li class="passes__none muted">
+      <LongList
+        class="passes__list"
+        box={box}
+        rows={list}
+        row_px={ROW_PX}
+        row={(vehicle) => <Row key={vehicle.id} model={model} vehicle={vehicle} />}
+      >
+        {list.length === 0 && model.loaded.value && (
+          <div role="listitem" class="passes__none muted">
             {say(all.length === 0 ? "measure-passes-none" : "measure-passes-none-in-state")}
             {all.length === 0 && recording && (
               <FindPasses recording={recording} found={() => readAgain(model)} />
             )}
-          </li>
+          </div>
         )}
-      </ul>
+      </LongList>
       {canWork.value && <NewPass model={model} />}
     </nav>
   );
@@ -120,7 +127,7 @@ function Row({ model, vehicle }: { model: MeasureModel; vehicle: Vehicle }) {
     return [shown.make, shown.model].filter(Boolean).join(" ");
   }).value;
   return (
-    <li>
+    <div role="listitem">
       <button
         type="button"
         class="pass"
@@ -144,9 +151,22 @@ function Row({ model, vehicle }: { model: MeasureModel; vehicle: Vehicle }) {
             <span class="visually-hidden">, {LIGHTING_NOUNS.low_light}</span>
           </span>
         )}
-        {name && <span class="pass__name clip">{name}</span>}
+        {(name || vehicle.filmed_at) && (
+          <span class="pass__line">
+            {vehicle.filmed_at && (
+              <time
+                class="pass__time"
+                dateTime={vehicle.filmed_at}
+                title={say("filmed-at", { time: formatPlaceMoment(vehicle.filmed_at) })}
+              >
+                {formatPlaceClock(vehicle.filmed_at)}
+              </time>
+            )}
+            {name && <span class="pass__name clip">{name}</span>}
+          </span>
+        )}
       </button>
-    </li>
+    </div>
   );
 }
 

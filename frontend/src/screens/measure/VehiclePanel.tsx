@@ -21,6 +21,7 @@ import { FIELD_WORDS } from "./fields";
 import { MeasurementList } from "./MeasurementList";
 import type { MeasureModel } from "./model";
 import { SpanEditor } from "./SpanEditor";
+import { CannotFit, useModelFits, WhichModel } from "./WhichModel";
 
 /** What can be chosen, or nothing. */
 function choices<W extends string>(words: Readonly<Record<W, string>>): { value: W | ""; label: string }[] {
@@ -88,6 +89,7 @@ function Facts({ model, vehicle }: { model: MeasureModel; vehicle: Vehicle }) {
     () => ({ start: () => model.vehicles.hold(vehicle.id), end: () => model.vehicles.release(vehicle.id) }),
     [model, vehicle.id],
   );
+  const fits = useModelFits(vehicle);
   const take = (row: CatalogueRow): void => model.edit(fromCatalogue(row));
   return (
     <section class="facts-form" aria-label={say("measure-record")}>
@@ -115,6 +117,10 @@ function Facts({ model, vehicle }: { model: MeasureModel; vehicle: Vehicle }) {
             onChoose={take}
             onCommit={(text) => model.edit({ model: text || null })}
           />
+          <div class="facts-form__wide">
+            <CannotFit fits={fits.data} vehicle={vehicle} />
+            <WhichModel found={fits} locked={locked} onChoose={take} />
+          </div>
           <div>
             <CommitField
               label={FIELD_WORDS.year}

@@ -6,10 +6,11 @@ import { say } from "../../core/messages";
 import { may } from "../../core/session";
 import { formatDuration, formatMoment } from "../../core/times";
 import { toast } from "../../core/toasts";
-import type { Camera, Recording } from "../../core/types";
+import type { Camera, Recording, RecordingChange } from "../../core/types";
 import { fixed, formatBytes } from "../../core/units";
 import { DriftVerdict } from "../../parts/drift/Drift";
 import { FindPasses } from "../../parts/vehicles/FindPasses";
+import { Filmed } from "./Filmed";
 import { CameraPick, LightPick } from "./pickers";
 
 interface Props {
@@ -30,12 +31,9 @@ export function RecordingCard({ recording, cameras, changed, reload }: Props) {
       setProblem(error);
     }
   };
-  const put = (part: Partial<Pick<Recording, "name" | "camera_id" | "lighting">>) =>
-    run(async () =>
-      changed(
-        await api.write("PUT /recordings/{recording_id}", { recording_id: recording.id }, { body: part }),
-      ),
-    );
+  const change = async (body: RecordingChange) =>
+    changed(await api.write("PUT /recordings/{recording_id}", { recording_id: recording.id }, { body }));
+  const put = (part: RecordingChange) => run(() => change(part));
   const remove = () =>
     run(async () => {
       const yes = await ask({
@@ -82,6 +80,12 @@ export function RecordingCard({ recording, cameras, changed, reload }: Props) {
           </div>
         </header>
         <Facts recording={recording} />
+        <Filmed recording={recording} change={change} />
+        {recording.misfits.map((misfit) => (
+          <Notice key={misfit} kind="warning">
+            {misfit}
+          </Notice>
+        ))}
         {recording.state === "ingesting" && recording.job && (
           <JobProgress job={recording.job} onCancel={canWork ? () => void cancel() : undefined} />
         )}

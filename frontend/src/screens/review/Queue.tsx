@@ -61,6 +61,7 @@ export function Queue({ model }: { model: ReviewModel }) {
           </select>
         </div>
         <Plan model={model} />
+        <LotLine model={model} />
         {counts && (
           <p class="small muted" data-testid="review-counts">
             {say("review-counts", {
@@ -85,6 +86,30 @@ export function Queue({ model }: { model: ReviewModel }) {
         )}
       </ul>
     </nav>
+  );
+}
+
+/** While the sample of one lot is judged, how to come back to all; else how much waits for its lot's sample. */
+function LotLine({ model }: { model: ReviewModel }) {
+  const held = model.work.value?.in_lots ?? 0;
+  if (model.lot !== null) {
+    const number = model.items.value?.[0]?.judged.lot?.number;
+    return (
+      <p class="small row" data-testid="review-lot">
+        <span class="grow">
+          {number ? say("lots-sample-of", { number: String(number) }) : say("lots-sample-done")}
+        </span>
+        <Button small kind="quiet" onClick={() => void model.leaveLot()}>
+          {say("lots-show-all")}
+        </Button>
+      </p>
+    );
+  }
+  if (held === 0) return null;
+  return (
+    <p class="small muted">
+      <a href={`/surveys/${model.surveyId}/checks?tab=lots`}>{say("lots-held", { count: held })}</a>
+    </p>
   );
 }
 
@@ -145,6 +170,11 @@ function Row({ model, item }: { model: ReviewModel; item: ReviewItem }) {
           <span class="badge">{say("review-mine")}</span>
         ) : (
           m.review.verdict !== "to_review" && <StateMark state={m.review.verdict} hideWord />
+        )}
+        {item.judged.lot && (
+          <span class="badge" title={say("lots-sample-of", { number: String(item.judged.lot.number) })}>
+            {say("lots-badge", { number: String(item.judged.lot.number) })}
+          </span>
         )}
         <span class="pass__name">
           {model.isHidden(item)

@@ -18,7 +18,7 @@ export function ReviewFrame({ model, player }: { model: ReviewModel; player: Pla
     <FrameView player={player} stage={model.stage} describedBy="review-hint" above={<Hint model={model} />}>
       {model.onFrame.value && contact && point && (
         <>
-          <AnswerLines answer={model.geometry.axes.value} stage={model.stage} />
+          <AnswerLines geometry={model.geometry} stage={model.stage} />
           <InImage stage={model.stage}>
             <Line points={[pair(contact), pair(point)]} kind="guide" />
           </InImage>

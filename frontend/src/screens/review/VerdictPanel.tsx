@@ -4,7 +4,7 @@ import { type ActionId, commandName, hint, keyMap, showChord } from "../../core/
 import { allOf, say } from "../../core/messages";
 import { may } from "../../core/session";
 import { survey } from "../../core/survey";
-import { formatFrameTime, formatMoment } from "../../core/times";
+import { formatFrameTime, formatMoment, formatPlaceMoment } from "../../core/times";
 import type { Measurement, Px, Recording, ReviewItem, Target } from "../../core/types";
 import { formatHeight, formatLength, inUnits } from "../../core/units";
 import { LIGHTING_NOUNS, STATE_WORDS, TARGET_NOUNS, TARGET_WORDS, vehicleName } from "../../core/words";
@@ -32,6 +32,11 @@ export function VerdictPanel({ model, item }: { model: ReviewModel; item: Review
         <p class="vehicle__height">
           {m.status === "ok" ? formatHeight(m.height_m, m.U95_height_m) : STATE_WORDS.not_measurable}
         </p>
+        {m.review.lot_id !== null && m.review.verdict === "accepted" && (
+          <p class="small row">
+            <Icon name="info" size={14} /> {say("lots-by-lot")}
+          </p>
+        )}
         {m.reason && <p>{inUnits(m.reason)}</p>}
         {m.flags.map((flag) => (
           <p key={flag} class="small row">
@@ -133,7 +138,12 @@ function Facts({ item }: { item: ReviewItem }) {
         </>
       )}
       <dt>{say("stage-frame")}</dt>
-      <dd>{say("review-frame-at", { frame: String(m.frame), time: formatFrameTime(m.time_s) })}</dd>
+      <dd>
+        {say("review-frame-at", { frame: String(m.frame), time: formatFrameTime(m.time_s) })}
+        {m.filmed_at && (
+          <div class="muted small">{say("filmed-at", { time: formatPlaceMoment(m.filmed_at) })}</div>
+        )}
+      </dd>
       {m.more_frames.length > 0 && (
         <>
           <dt>{say("review-further-frames")}</dt>

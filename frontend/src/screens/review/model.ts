@@ -170,6 +170,16 @@ export class ReviewModel {
     }
   }
 
+  /** The open lot whose sample alone is shown, by the address. */
+  get lot(): number | null {
+    return asked("lot");
+  }
+
+  async leaveLot(): Promise<void> {
+    setQuery({ lot: null });
+    await this.load();
+  }
+
   isHidden(item: ReviewItem): boolean {
     if (!item.judged.blind || !may("reviewer") || this.revealed.value.has(item.measurement.id)) return false;
     return isWaiting(item.measurement);
@@ -218,7 +228,7 @@ export class ReviewModel {
   async show(shown: Shown): Promise<void> {
     this.shown.value = shown;
     this.items.value = null;
-    setQuery({ measurement: null });
+    setQuery({ measurement: null, lot: null });
     await this.load();
   }
 
@@ -456,8 +466,9 @@ export class ReviewModel {
     measurement?: number;
     state?: Shown;
   }): Promise<ReviewItem[]> {
-    const asked = { survey_id: this.surveyId, state: this.shown.value, ...page };
-    return api.ask("GET /surveys/{survey_id}/review-queue", asked);
+    const lot = this.lot && page.measurement === undefined ? { lot: this.lot } : {};
+    const wanted = { survey_id: this.surveyId, state: this.shown.value, ...lot, ...page };
+    return api.ask("GET /surveys/{survey_id}/review-queue", wanted);
   }
 
   private clickedAgain({ clicks }: Again): void {
@@ -503,7 +514,7 @@ function isWaiting({ review }: Measurement): boolean {
 /** A measurement as it will be once the verdict is stored. */
 function expected(m: Measurement, { verdict, reason, points }: GivenVerdict): Measurement {
   const reviewer = me.value ? { id: me.value.person.id, name: me.value.person.name } : null;
-  return { ...m, ...points, review: { verdict, reason, reviewer, at: null } };
+  return { ...m, ...points, review: { verdict, reason, reviewer, at: null, lot_id: null } };
 }
 
 function isOwn(one: Comparison): boolean {

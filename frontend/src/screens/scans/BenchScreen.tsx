@@ -210,13 +210,8 @@ function benchCommands(model: ScanModel): ButtonCommand[] {
     { id: "passPrevious", label: say("scan-previous-vehicle"), run: () => model.step(-1) },
     { id: "selectNext", run: () => model.selectNext() },
     { id: "remove", label: say("scan-take-out-vehicle"), run: () => void model.remove() },
-    { id: "reviewAccept", run: () => void model.review("accepted") },
-    {
-      id: "reviewReject",
-      run: () => {
-        model.rejecting.value = true;
-      },
-    },
+    { id: "reviewAccept", run: () => model.accept() },
+    { id: "reviewReject", run: () => model.reject() },
     ...pictureCommands(stage),
   ];
 }

@@ -15,6 +15,7 @@ import { STATE_WORDS, TARGET_WORDS, TARGETS } from "../../core/words";
 import { Budget } from "../../parts/vehicles/Budget";
 import { heightKey } from "./heights";
 import type { ScanModel } from "./model";
+import { HeightVerdict } from "./Verdict";
 
 export function HeightList({ model }: { model: ScanModel }) {
   const { heights } = model;
@@ -106,6 +107,7 @@ function Row({ model, target, index }: { model: ScanModel; target: Target; index
       )}
       {live?.problem && <Notice kind="warning">{live.problem}</Notice>}
       <Why one={one} live={live?.answer ?? null} />
+      {one && !active && <HeightVerdict model={model} one={one} open={open} />}
       {(active || open) && <InsetOf model={model} target={target} />}
       {one && open && <Detail model={model} one={one} />}
     </li>

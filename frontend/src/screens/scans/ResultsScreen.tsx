@@ -5,6 +5,7 @@ import { api } from "../../core/api";
 import { say } from "../../core/messages";
 import type { ScreenProps } from "../../core/places";
 import { useResource } from "../../core/resource";
+import { ScannedHeights } from "./ScannedHeights";
 import { SizeErrors } from "./SizeErrors";
 import { SpreadFigure } from "./SpreadFigure";
 import { TableOne } from "./TableOne";
@@ -54,6 +55,7 @@ export default function ResultsScreen({ surveyId }: ScreenProps) {
           </Empty>
         </div>
       )}
+      {data && data.heights.length > 0 && <ScannedHeights heights={data.heights} />}
       {data && vehicles > 0 && (
         <div class="stack">
           <p class="small muted" data-testid="scan-counted">

@@ -99,7 +99,7 @@ function Told({ found, scan, use, narrow, changed }: Props & { found: Found }) {
             />
             <Row
               what={say("scans-traffic-gain")}
-              value={pair(gain.value, gain.u)}
+              value={withU(gain.value, gain.u)}
               n={gain.n}
               inForce={narrow ? null : say("scans-traffic-gain-own")}
               reason={gain.reason}
@@ -175,18 +175,17 @@ function Row({ what, value, n, inForce, reason, use }: RowProps) {
   );
 }
 
-const NBSP = "\u00a0";
-
-function pair(value: number | null, u: number | null): string | null {
-  if (value === null || u === null) return null;
-  return `${fixed(value, 3)}${NBSP}±${NBSP}${fixed(u, 3)}`;
+function withU(value: number | null, u: number | null): string | null {
+  return value === null || u === null ? null : say("with-u", { value: fixed(value, 3), u: fixed(u, 3) });
 }
 
 function pixels(value: number | null, u: number | null): string | null {
-  const both = pair(value, u);
-  return both && say("value-px", { value: both });
+  if (value === null || u === null) return null;
+  const px = (of: number) => say("value-px", { value: fixed(of, 3) });
+  return say("with-u", { value: px(value), u: px(u) });
 }
 
 function length(metres: number, u_m: number): string {
-  return `${typedLength(metres)}${NBSP}±${NBSP}${formatLength(u_m, 4, lengthUnit.value)}`;
+  const unit = lengthUnit.value;
+  return say("with-u", { value: formatLength(metres, 4, unit), u: formatLength(u_m, 4, unit) });
 }

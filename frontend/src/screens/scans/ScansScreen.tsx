@@ -254,5 +254,8 @@ function counts({ counts: one, run }: Scan): string {
   if (one.accepted > 0) parts.push(say("scans-count-accepted", { count: one.accepted }));
   if (one.rejected > 0) parts.push(say("scans-count-rejected", { count: one.rejected }));
   if (one.not_measurable > 0) parts.push(say("scans-count-not-measurable", { count: one.not_measurable }));
+  if (one.heights > 0) parts.push(say("scans-count-heights", { count: one.heights }));
+  if (one.heights_to_review > 0)
+    parts.push(say("scans-count-heights-to-review", { count: one.heights_to_review }));
   return parts.join(", ");
 }

@@ -53,6 +53,7 @@ function Row({ vehicle, model }: { vehicle: ScanVehicle; model: ScanModel }) {
   const here = model.chosenId.value === vehicle.id;
   const m = vehicle.measurement;
   const gap = vehicle.gap;
+  const waiting = model.heights.waitingOf(vehicle.id).length;
   return (
     <tr
       data-vehicle={vehicle.id}
@@ -84,6 +85,7 @@ function Row({ vehicle, model }: { vehicle: ScanVehicle; model: ScanModel }) {
       <td class="num">{gap?.headway_s == null ? "–" : fixed(gap.headway_s, 2)}</td>
       <td>
         <StateMark state={stateOf(vehicle)} />
+        {waiting > 0 && <div class="small muted">{say("scan-heights-waiting", { count: waiting })}</div>}
       </td>
     </tr>
   );

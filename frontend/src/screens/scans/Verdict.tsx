@@ -1,28 +1,91 @@
-/** Accept or reject a motion; a second person's work, as for heights. */
+/** Accept or reject a motion, or a height clicked in a strip; a second person's work, as for other heights. */
 import { useState } from "preact/hooks";
-import { Button, Notice, TextField } from "../../components";
+import { Button, Notice, StateMark, TextField } from "../../components";
 import { hint } from "../../core/commands";
 import { say, wordsOf } from "../../core/messages";
 import { may } from "../../core/session";
-import type { ScanMotion } from "../../core/types";
+import type { LineHeight, ScanMotion } from "../../core/types";
+import { mayBeJudged } from "./heights";
+import type { Verdict as Given } from "./kinds";
 import type { ScanModel } from "./model";
 
-const REASONS = wordsOf({
+const OF_MOTION = wordsOf({
   boundary: "scan-reason-boundary",
   notOne: "scan-reason-not-one",
   match: "scan-reason-match",
 });
+const OF_HEIGHT = wordsOf({
+  contact: "review-reason-contact",
+  point: "review-reason-point",
+  wrong: "review-reason-wrong",
+});
+const OF_EYE = wordsOf({ side: "review-reason-side" });
+
+interface Judging {
+  readonly model: ScanModel;
+  /** What is judged, as `model.rejecting` names it. */
+  readonly what: "motion" | number;
+  readonly review: LineHeight["review"];
+  readonly reasons: readonly string[];
+  /** The keys judge this one now. */
+  readonly keys: boolean;
+  give(verdict: Given["verdict"], reason?: string): void;
+}
 
 export function Verdict({ model, m }: { model: ScanModel; m: ScanMotion }) {
   if (m.status !== "ok" || !may("reviewer")) return null;
   if (m.mine) return <Notice>{say("scan-verdict-mine")}</Notice>;
-  if (model.rejecting.value) return <Reject model={model} />;
-  const verdict = m.review.verdict;
-  if (verdict === "accepted" || verdict === "rejected") {
+  return (
+    <Judge
+      model={model}
+      what="motion"
+      review={m.review}
+      reasons={Object.values(OF_MOTION)}
+      keys={model.judged.value === null}
+      give={(verdict, reason) => void model.review(verdict, reason)}
+    />
+  );
+}
+
+/** The state of a height's review; with the verdict where it is this one's turn, or where its details are open. */
+export function HeightVerdict({ model, one, open }: { model: ScanModel; one: LineHeight; open: boolean }) {
+  const turn = model.judged.value?.id === one.id;
+  const rejecting = model.rejecting.value === one.id;
+  if (!mayBeJudged(one) || !(turn || open || rejecting)) return <Standing one={one} open={open} />;
+  return (
+    <div class={turn ? "line-heights__verdict line-heights__verdict--turn" : "line-heights__verdict"}>
+      <Judge
+        model={model}
+        what={one.id}
+        review={one.review}
+        reasons={Object.values(one.target === "driver_eye" ? { ...OF_HEIGHT, ...OF_EYE } : OF_HEIGHT)}
+        keys={turn}
+        give={(verdict, reason) => void model.reviewHeight(one, verdict, reason)}
+      />
+    </div>
+  );
+}
+
+function Standing({ one, open }: { one: LineHeight; open: boolean }) {
+  const { review } = one;
+  if (one.status !== "ok") return null;
+  return (
+    <div class="line-heights__verdict small">
+      {(open && givenWords(review)) || <StateMark state={review.verdict} />}
+      {open && one.mine && may("reviewer") && <span class="muted">{say("scan-height-verdict-mine")}</span>}
+    </div>
+  );
+}
+
+function Judge(judging: Judging) {
+  const { model, what, review, keys, give } = judging;
+  if (model.rejecting.value === what) return <Reject {...judging} />;
+  const given = givenWords(review);
+  if (given) {
     return (
       <div class="row row--wrap">
-        <span class="small grow">{givenWords(verdict, m.review)}</span>
-        <Button small busy={model.busy.value} onClick={() => void model.review("reopened")}>
+        <span class="small grow">{given}</span>
+        <Button small busy={model.busy.value} onClick={() => give("reopened")}>
           {say("scan-verdict-reopen")}
         </Button>
       </div>
@@ -33,16 +96,18 @@ export function Verdict({ model, m }: { model: ScanModel; m: ScanMotion }) {
       <Button
         kind="primary"
         icon="check"
+        small={what !== "motion"}
         busy={model.busy.value}
-        title={say("scan-verdict-accept") + hint("reviewAccept")}
-        onClick={() => void model.review("accepted")}
+        title={say("scan-verdict-accept") + (keys ? hint("reviewAccept") : "")}
+        onClick={() => give("accepted")}
       >
         {say("scan-verdict-accept")}
       </Button>
       <Button
-        title={say("scan-verdict-reject") + hint("reviewReject")}
+        small={what !== "motion"}
+        title={say("scan-verdict-reject") + (keys ? hint("reviewReject") : "")}
         onClick={() => {
-          model.rejecting.value = true;
+          model.rejecting.value = what;
         }}
       >
         {say("scan-verdict-reject-why")}
@@ -51,24 +116,26 @@ export function Verdict({ model, m }: { model: ScanModel; m: ScanMotion }) {
   );
 }
 
-function givenWords(verdict: "accepted" | "rejected", review: ScanMotion["review"]): string {
-  const person = review.reviewer?.name ?? say("scan-by-somebody");
-  if (!review.reason) return say("scan-verdict-given", { verdict, person });
-  return say("scan-verdict-given-why", { verdict, person, reason: review.reason });
+/** Who said what; null while it waits. */
+function givenWords({ verdict, reason, reviewer }: LineHeight["review"]): string | null {
+  if (verdict !== "accepted" && verdict !== "rejected") return null;
+  const person = reviewer?.name ?? say("scan-by-somebody");
+  if (!reason) return say("scan-verdict-given", { verdict, person });
+  return say("scan-verdict-given-why", { verdict, person, reason });
 }
 
-function Reject({ model }: { model: ScanModel }) {
+function Reject({ model, reasons, give }: Judging) {
   const [reason, setReason] = useState<string>("");
   const send = (event: Event): void => {
     event.preventDefault();
     if (reason.trim() === "") return;
-    void model.review("rejected", reason.trim());
-    model.rejecting.value = false;
+    give("rejected", reason.trim());
+    model.rejecting.value = null;
   };
   return (
     <form class="stack stack--tight" onSubmit={send}>
       <div class="row row--wrap">
-        {Object.values(REASONS).map((one) => (
+        {reasons.map((one) => (
           <Button key={one} small pressed={reason === one} onClick={() => setReason(one)}>
             {one}
           </Button>
@@ -81,7 +148,7 @@ function Reject({ model }: { model: ScanModel }) {
         </Button>
         <Button
           onClick={() => {
-            model.rejecting.value = false;
+            model.rejecting.value = null;
           }}
         >
           {say("scan-verdict-leave")}

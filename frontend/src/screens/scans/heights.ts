@@ -8,21 +8,25 @@ import type { Ledger } from "../../core/history";
 import { Latest } from "../../core/latest";
 import { say } from "../../core/messages";
 import { outbox, type Wish } from "../../core/outbox";
-import { canWork } from "../../core/session";
+import { canWork, may, me } from "../../core/session";
 import { toast } from "../../core/toasts";
 import type { LineHeight, LineHeightAnswer, LinePose, LinePoses, Target } from "../../core/types";
 import { fixed, formatHeight } from "../../core/units";
-import { REQUIRED, STATE_WORDS } from "../../core/words";
+import { REQUIRED, STATE_WORDS, TARGETS } from "../../core/words";
 import type { Bench } from "./bench";
 import {
   type Clicks,
   clicksOf,
   contactBody,
+  HEIGHT_VERDICT,
   type HeightAbout,
+  type HeightVerdictAbout,
   type HeightWanted,
   type Inset,
   LINE_HEIGHT,
   pointBody,
+  type Verdict,
+  verdictWords,
 } from "./kinds";
 import type { Place } from "./view";
 
@@ -74,6 +78,14 @@ export class LineHeights {
   readonly older = computed<readonly LineHeight[]>(() =>
     this.all.value.filter((one) => one.older && !one.withdrawn),
   );
+
+  private readonly waiting = computed<ReadonlyMap<number, readonly LineHeight[]>>(() => {
+    const waiting = this.all.value.filter((one) => mayBeJudged(one) && !isJudged(one) && !isKept(one));
+    waiting.sort((a, b) => TARGETS.indexOf(a.target) - TARGETS.indexOf(b.target));
+    const byVehicle = new Map<number, LineHeight[]>();
+    for (const one of waiting) byVehicle.set(one.vehicle_id, [...(byVehicle.get(one.vehicle_id) ?? []), one]);
+    return byVehicle;
+  });
 
   private readonly insets = new Map<Target, Inset>();
   private resting: ReturnType<typeof setTimeout> | undefined;
@@ -226,6 +238,56 @@ export class LineHeights {
     );
   }
 
+  /** A vehicle's heights that wait for a verdict that this person may give, in the order of their targets. */
+  waitingOf(vehicleId: number): readonly LineHeight[] {
+    return this.waiting.value.get(vehicleId) ?? [];
+  }
+
+  /** Gives a verdict as a step that can be taken back; resolves once it is stored, or kept without a connection. */
+  async review(one: LineHeight, verdict: Verdict["verdict"], reason?: string): Promise<void> {
+    const named = { target: one.target, vehicle: String(this.bench.numberOf(one.vehicle_id)) };
+    await this.bench.change(say("scan-step-height-verdict", named), async (changes) => {
+      await changes.write(this.given, one.id, { verdict, reason: reason ?? null });
+    });
+  }
+
+  /** The verdict that stands on a revision; what waits is written as reopened. */
+  private readonly given: Ledger<number, Verdict> = {
+    read: (id) => {
+      const kept = outbox.get<LineHeight, Verdict, HeightVerdictAbout>(verdictKey(id))?.want;
+      const review = this.revision(id)?.review;
+      if (kept) return kept;
+      if (review?.verdict !== "accepted" && review?.verdict !== "rejected")
+        return { verdict: "reopened", reason: null };
+      return { verdict: review.verdict, reason: review.reason };
+    },
+    write: async (id, want) => {
+      const one = this.revision(id);
+      if (one) await this.give(one, want);
+    },
+  };
+
+  private async give(one: LineHeight, want: Verdict): Promise<void> {
+    const { id, vehicle_id, target } = one;
+    const vehicle = String(this.bench.numberOf(vehicle_id));
+    const stored = await outbox.store<LineHeight, Verdict, HeightVerdictAbout>({
+      key: verdictKey(id),
+      kind: HEIGHT_VERDICT,
+      lane: `scan.${this.bench.id}`,
+      about: { id, vehicleId: vehicle_id, target, by: me.value?.person.id ?? 0 },
+      what: say("scan-step-height-verdict", { target, vehicle }),
+      mine: verdictWords(want),
+      page: this.bench.page(vehicle_id),
+      saved: one,
+      want,
+    });
+    if (stored?.saved) this.stored.value = withHeight(this.stored.value, stored.saved);
+  }
+
+  private revision(id: number): LineHeight | undefined {
+    return this.stored.value.find((one) => one.id === id);
+  }
+
   /** Contact and target of the selected height in turn; false where there is none. */
   selectNext(): boolean {
     const heights = this.ofChosen.value;
@@ -326,6 +388,24 @@ export class LineHeights {
   }
 }
 
+/** Whether this person may give a verdict on it: it has a figure, stands, and is not of their own clicks. */
+export function mayBeJudged(one: LineHeight): boolean {
+  return may("reviewer") && one.status === "ok" && !one.withdrawn && !one.mine;
+}
+
+function isJudged({ review }: LineHeight): boolean {
+  return review.verdict === "accepted" || review.verdict === "rejected";
+}
+
+/** A verdict on it is on its way. */
+function isKept({ id }: LineHeight): boolean {
+  return outbox.get(verdictKey(id)) !== undefined;
+}
+
+function verdictKey(heightId: number): string {
+  return `height-verdict.${heightId}`;
+}
+
 type HeightWish = Wish<LineHeight, HeightWanted, HeightAbout>;
 
 export function heightKey(vehicleId: number, target: Target): string {
@@ -348,8 +428,19 @@ function expected({ about: { id, target, answer }, saved, want: { clicks } }: He
     id: Number.MAX_SAFE_INTEGER,
     older: false,
     withdrawn: clicks === null,
+    // a new revision waits for a verdict, of somebody else
+    mine: true,
+    review: WAITS,
   };
 }
+
+const WAITS: LineHeight["review"] = {
+  verdict: "to_review",
+  reason: null,
+  reviewer: null,
+  at: null,
+  lot_id: null,
+};
 
 const NO_FIGURES: Pick<LineHeight, Figure | "budget"> = {
   status: "not_measurable",

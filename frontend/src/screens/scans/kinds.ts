@@ -13,6 +13,7 @@ export const ROD = "rod";
 export const SCANNED = "scanned";
 export const ADDED = "added";
 export const SCAN_VERDICT = "scan-verdict";
+export const HEIGHT_VERDICT = "height-verdict";
 
 export const EDGES = ["front_line_1", "rear_line_1", "front_line_2", "rear_line_2"] as const;
 export type Edge = (typeof EDGES)[number];
@@ -58,10 +59,7 @@ const heightKind: Kind<LineHeight, HeightWanted, HeightAbout> = {
     const route = "POST /scan-vehicles/{vehicle_id}/heights";
     return api.write(route, { vehicle_id }, { body, retry: true, signal });
   },
-  async read({ about: { id: vehicle_id, target } }, _error, signal) {
-    const all = await api.ask("GET /scan-vehicles/{vehicle_id}/heights", { vehicle_id }, { signal });
-    return all.findLast((one) => one.target === target) ?? null;
-  },
+  read: ({ about: { id, target } }, _error, signal) => readHeight(id, target, signal),
   done({ saved, want: { clicks, again = 0 } }) {
     if (!saved || saved.withdrawn || !clicks) return !clicks && (!saved || saved.withdrawn);
     return saved.revision > again && sameClicks(clicksOf(saved), clicks);
@@ -74,6 +72,16 @@ const heightKind: Kind<LineHeight, HeightWanted, HeightAbout> = {
       : STATE_WORDS.not_measurable;
   },
 };
+
+/** The newest revision of a target's height. */
+async function readHeight(
+  vehicle_id: number,
+  target: Target,
+  signal: AbortSignal | undefined,
+): Promise<LineHeight | null> {
+  const all = await api.ask("GET /scan-vehicles/{vehicle_id}/heights", { vehicle_id }, { signal });
+  return all.findLast((one) => one.target === target) ?? null;
+}
 
 export function clicksOf(one: LineHeight): Clicks {
   return {
@@ -256,7 +264,7 @@ const addedKind: Kind<ScanVehicle, Added, { scanId: number }> = {
   words: () => "",
 };
 
-interface Verdict {
+export interface Verdict {
   readonly verdict: "accepted" | "rejected" | "reopened";
   readonly reason: string | null;
 }
@@ -293,10 +301,46 @@ const verdictKind: Kind<ScanVehicle, Verdict, VerdictAbout> = {
   },
   words: (saved) => {
     const review = saved?.measurement?.review;
-    if (!review) return "";
-    const person = review.reviewer?.name ?? say("scan-by-nobody");
-    return say("scan-wish-verdict-by", { verdict: review.verdict, person });
+    return review ? reviewWords(review) : "";
   },
+};
+
+function reviewWords({ verdict, reviewer }: LineHeight["review"]): string {
+  return say("scan-wish-verdict-by", { verdict, person: reviewer?.name ?? say("scan-by-nobody") });
+}
+
+/** What was wanted, as it reads beside what another gave meanwhile. */
+export function verdictWords({ verdict, reason }: Verdict): string {
+  return reason
+    ? say("scan-wish-verdict-why", { verdict, reason })
+    : say("scan-wish-verdict-word", { verdict });
+}
+
+export interface HeightVerdictAbout {
+  /** The revision that is judged. */
+  readonly id: number;
+  readonly vehicleId: number;
+  readonly target: Target;
+  /** Who gives it. */
+  readonly by: number;
+}
+
+const heightVerdictKind: Kind<LineHeight, Verdict, HeightVerdictAbout> = {
+  once: true,
+  send: ({ about, saved, want: { verdict, reason } }, signal) =>
+    api.write(
+      "POST /line-heights/{height_id}/review",
+      { height_id: about.id },
+      { body: { verdict, seen: saved?.review.verdict, ...(reason ? { reason } : {}) }, retry: true, signal },
+    ),
+  read: ({ about: { vehicleId, target } }, _error, signal) => readHeight(vehicleId, target, signal),
+  done({ about, saved, want }) {
+    if (saved?.id !== about.id) return false;
+    const { verdict, reason, reviewer } = saved.review;
+    return verdict === want.verdict && (reason ?? null) === want.reason && reviewer?.id === about.by;
+  },
+  version: (saved) => (saved ? `${saved.id} ${saved.review.verdict} ${saved.review.at}` : ""),
+  words: (saved) => (saved ? reviewWords(saved.review) : ""),
 };
 
 /** The same values under these names. */
@@ -313,3 +357,4 @@ outbox.register(ROD, rodKind);
 outbox.register(SCANNED, scannedKind);
 outbox.register(ADDED, addedKind);
 outbox.register(SCAN_VERDICT, verdictKind);
+outbox.register(HEIGHT_VERDICT, heightVerdictKind);

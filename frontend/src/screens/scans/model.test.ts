@@ -189,6 +189,50 @@ describe("judging vehicles of a line scan", () => {
     await quiet();
   });
 
+  it("goes through a vehicle's heights with the same keys, each verdict a step", async () => {
+    const given: string[] = [];
+    const height = (id: number, target: string, part: object = {}) => ({
+      ...{ id, target, vehicle_id: 2, revision: 1, status: "ok", withdrawn: false, mine: false },
+      ...{ review: REVIEW, warnings: [], budget: [], ...part },
+    });
+    let heights: Record<string, unknown>[] = [
+      height(31, "driver_eye"),
+      height(30, "roof"),
+      height(32, "taillight", { mine: true }),
+      height(33, "headlight", { status: "not_measurable" }),
+    ];
+    server.on("GET", /^\/scans\/3\/heights$/, () => heights);
+    server.on("POST", /^\/line-heights\/(\d+)\/review/, ([, id], { verdict, reason, seen }) => {
+      given.push([id, verdict, seen, reason].filter(Boolean).join(" "));
+      heights = heights.map((one) =>
+        String(one["id"]) === id ? { ...one, review: { verdict, reason } } : one,
+      );
+      return heights.find((one) => String(one["id"]) === id);
+    });
+    await model.heights.load();
+    expect(model.judged.value).toBeNull();
+    model.accept();
+    await quiet();
+    // the vehicle stays until its heights are through: roof, then eye
+    expect([model.chosenId.value, model.judged.value?.target]).toEqual([2, "roof"]);
+    model.accept();
+    await quiet();
+    expect(model.judged.value?.target).toBe("driver_eye");
+    model.reject();
+    expect(model.rejecting.value).toBe(31);
+    if (model.judged.value) await model.reviewHeight(model.judged.value, "rejected", "It is hidden.");
+    await quiet();
+    expect(model.chosenId.value).toBe(4);
+    await model.history.undo();
+    await quiet();
+    expect([model.chosenId.value, model.judged.value?.target]).toEqual([2, "driver_eye"]);
+    expect(given).toEqual([
+      "30 accepted to_review",
+      "31 rejected to_review It is hidden.",
+      "31 reopened rejected",
+    ]);
+  });
+
   it("begins with the first that waits, as large as the window lets it be", () => {
     expect(model.chosenId.value).toBe(2);
     const { perPx, width } = model.view.value;
@@ -202,7 +246,7 @@ describe("judging vehicles of a line scan", () => {
       expect(model.chosenId.value).toBe(expected);
     }
     expect(verdicts).toEqual(["102 accepted", "104 accepted", "105 accepted"]);
-    expect(toasts.value.at(-1)?.text).toContain("No other vehicle");
+    expect(toasts.value.at(-1)?.text).toContain("Nothing else");
   });
 
   it("writes one verdict where the key is pressed twice, and none on what is accepted", async () => {

@@ -9,11 +9,11 @@ import { outbox, type Wish } from "../../core/outbox";
 import { newKey } from "../../core/random";
 import { may, me } from "../../core/session";
 import { toast, toastProblem } from "../../core/toasts";
-import type { Job, Scan, ScanMethod, ScanVehicle, ScanVehicleDetail } from "../../core/types";
+import type { Job, LineHeight, Scan, ScanMethod, ScanVehicle, ScanVehicleDetail } from "../../core/types";
 import { fixed } from "../../core/units";
 import type { Tool } from "../../viewer/tool";
 import type { Mode, Strips } from "./bench";
-import { LineHeights } from "./heights";
+import { LineHeights, mayBeJudged } from "./heights";
 import {
   ADDED,
   type Crossings,
@@ -21,12 +21,15 @@ import {
   EDGES,
   type Edge,
   type Facts,
+  HEIGHT_VERDICT,
   type Hubs,
   ROD,
   SCAN_VERDICT,
   SCANNED,
   type ScannedWanted,
   scannedWords,
+  type Verdict,
+  verdictWords,
 } from "./kinds";
 import { type RigChange, type RigName, rigValues } from "./rig";
 import { RodDraft } from "./rod";
@@ -55,8 +58,8 @@ export class ScanModel implements Strips {
   readonly draft = signal<Crossings | null>(null);
   readonly mode = signal<Mode>("look");
   readonly busy = signal(false);
-  /** A reason is being written. */
-  readonly rejecting = signal(false);
+  /** What a reason is being written for: the motion, or a height by its number. */
+  readonly rejecting = signal<"motion" | number | null>(null);
   readonly job = signal<Job | null>(null);
   /** Undo goes to the vehicle that it changes. */
   readonly history: History = new History(() => {
@@ -85,6 +88,16 @@ export class ScanModel implements Strips {
     return measured ? [measured.front_wheel_line, measured.rear_wheel_line] : [];
   });
 
+  /** The height that the keys of the review judge: the one picked, or the next that waits; null: the motion. */
+  readonly judged = computed<LineHeight | null>(() => {
+    const vehicle = this.chosen.value;
+    const picked = this.heights.selected.value;
+    const height = picked && this.heights.of(picked.target);
+    if (height && mayBeJudged(height)) return height;
+    if (!vehicle || this.motionWaits(vehicle)) return null;
+    return this.heights.waitingOf(vehicle.id)[0] ?? null;
+  });
+
   /** Every vehicle as the server had it last, those taken out too. */
   private readonly seen = new Map<number, ScanVehicle>();
   private readonly stop = new AbortController();
@@ -93,7 +106,7 @@ export class ScanModel implements Strips {
       if (wish.about.scanId === this.id) this.follow(wish);
     }),
     // what an earlier page left, or what was kept without a connection, has come through
-    ...[ADDED, SCAN_VERDICT, ROD].map((kind) =>
+    ...[ADDED, SCAN_VERDICT, HEIGHT_VERDICT, ROD].map((kind) =>
       outbox.listen(kind, ({ state, lane }) => {
         if (state === "saved" && lane === this.lane && !this.busy.value) void this.reread();
       }),
@@ -143,7 +156,7 @@ export class ScanModel implements Strips {
     this.mode.value = "look";
     this.twoLines.back();
     this.edge.value = null;
-    this.rejecting.value = false;
+    this.rejecting.value = null;
     this.chosenId.value = id;
     this.detail.value = null;
     setQuery({ vehicle: id });
@@ -161,13 +174,22 @@ export class ScanModel implements Strips {
   private nextToJudge(id: number | null): ScanVehicle | undefined {
     const all = this.vehicles.value;
     const on = all.findIndex((one) => one.id === id) + 1;
-    const kept = new Set(
-      outbox.of<ScanVehicle, unknown, { id: number }>(SCAN_VERDICT).map((one) => one.about.id),
-    );
-    return [...all.slice(on), ...all.slice(0, on)].find(
-      (one) => one.id !== id && !kept.has(one.id) && waitsForVerdict(one),
-    );
+    return [...all.slice(on), ...all.slice(0, on)].find((one) => one.id !== id && this.waits(one));
   }
+
+  /** Its motion or one of its heights waits for this person's verdict. */
+  private waits(vehicle: ScanVehicle): boolean {
+    return this.motionWaits(vehicle) || this.heights.waitingOf(vehicle.id).length > 0;
+  }
+
+  private motionWaits(vehicle: ScanVehicle): boolean {
+    return waitsForVerdict(vehicle) && !this.keptMotions.value.has(vehicle.id);
+  }
+
+  /** Vehicles whose motion has a verdict that is not stored yet. */
+  private readonly keptMotions = computed(
+    () => new Set(outbox.of<ScanVehicle, unknown, { id: number }>(SCAN_VERDICT).map((one) => one.about.id)),
+  );
 
   /** What was chosen or taken up while something was stored stays. */
   private chooseUnless(id: number, before: number | null): void {
@@ -237,10 +259,10 @@ export class ScanModel implements Strips {
 
   cancel(): boolean {
     clearTimeout(this.nudging);
-    const placing = this.mode.value !== "look" || this.rejecting.value;
+    const placing = this.mode.value !== "look" || this.rejecting.value !== null;
     const chosen = this.edge.value !== null || this.heights.selected.value !== null;
     const held = this.draft.value !== null || chosen || placing;
-    this.rejecting.value = false;
+    this.rejecting.value = null;
     this.heights.end();
     this.draft.value = null;
     this.edge.value = null;
@@ -306,7 +328,40 @@ export class ScanModel implements Strips {
     });
   }
 
-  async review(verdict: "accepted" | "rejected" | "reopened", reason?: string): Promise<void> {
+  /** By keyboard: accepts what the keys judge. */
+  accept(): void {
+    const height = this.judged.value;
+    void (height ? this.reviewHeight(height, "accepted") : this.review("accepted"));
+  }
+
+  /** By keyboard: asks why it is rejected. */
+  reject(): void {
+    const m = this.chosen.value?.measurement;
+    const height = this.judged.value;
+    if (height || (m?.status === "ok" && !m.mine && may("reviewer")))
+      this.rejecting.value = height ? height.id : "motion";
+  }
+
+  async reviewHeight(one: LineHeight, verdict: Verdict["verdict"], reason?: string): Promise<void> {
+    if (!mayBeJudged(one) || this.judging) return;
+    const named = { vehicle: String(this.numberOf(one.vehicle_id)), target: one.target };
+    if (verdict === "accepted" && one.review.verdict === "accepted") {
+      this.passOn(one);
+      return;
+    }
+    this.judging = true;
+    await this.heights.review(one, verdict, reason);
+    if (verdict !== "reopened") this.passOn(one, say("scan-height-verdict-done", { ...named, verdict }));
+    this.judging = false;
+  }
+
+  /** From a height that was judged to the next that waits; what was picked meanwhile stays. */
+  private passOn(one: LineHeight, done = ""): void {
+    if (this.heights.selected.value?.target === one.target) this.heights.selected.value = null;
+    this.goOn(one.vehicle_id, done);
+  }
+
+  async review(verdict: Verdict["verdict"], reason?: string): Promise<void> {
     const vehicle = this.chosen.value;
     const measured = vehicle?.measurement;
     if (!vehicle || !measured || measured.mine || !may("reviewer") || this.judging) return;
@@ -323,9 +378,7 @@ export class ScanModel implements Strips {
         lane: this.lane,
         about: { id, measurementId: measured.id, by: me.value?.person.id ?? 0 },
         what: say("scan-wish-verdict", { vehicle: String(number) }),
-        mine: reason
-          ? say("scan-wish-verdict-why", { verdict, reason })
-          : say("scan-wish-verdict-word", { verdict }),
+        mine: verdictWords({ verdict, reason: reason ?? null }),
         page: this.page(id),
         saved: vehicle,
         want: { verdict, reason: reason ?? null },
@@ -337,12 +390,14 @@ export class ScanModel implements Strips {
     this.judging = false;
   }
 
-  /** To the next that waits for a verdict, unless something else was taken up meanwhile; says what was done. */
+  /** To the next vehicle that waits for a verdict once nothing of this one does, unless something else was taken up meanwhile; says what was done. */
   private goOn(id: number, done = ""): void {
     if (this.chosenId.value !== id || this.mode.value !== "look") return;
-    const next = this.nextToJudge(id);
+    const here = this.chosen.value;
+    const rest = here !== null && this.waits(here);
+    const next = rest ? undefined : this.nextToJudge(id);
     if (next) this.choose(next.id);
-    const words = [done, next ? "" : say("scan-verdict-none-left")].filter(Boolean).join(" ");
+    const words = [done, rest || next ? "" : say("scan-verdict-none-left")].filter(Boolean).join(" ");
     if (words) toast(words);
   }
 

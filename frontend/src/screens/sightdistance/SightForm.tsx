@@ -6,6 +6,7 @@ import { formatLength, lengthText, lengthUnit, parseLength, parseNumber, speedSc
 import { CATEGORY_WORDS, LIGHTING_WORDS, STATE_WORDS, TARGET_WORDS } from "../../core/words";
 import { STANDARD_OF, standardKey } from "../../parts/figures/standards";
 import type { Standard } from "../../parts/figures/types";
+import { ClassChoice } from "../../parts/vehicles/ClassChoice";
 import { KIND_WORDS, type Kind, type Sight, STANDARDS_OBJECT, sharesOf, usualObject } from "./model";
 
 /** What the crests are computed from. Each change goes into the address, and from there to the server. */
@@ -124,6 +125,12 @@ function SurveyRule() {
         ]}
         onChange={(value) => setQuery({ lighting: value || null })}
       />
+      <ClassChoice
+        classSets={at.getAll("class_set")}
+        categories={at.getAll("category")}
+        onClassSets={(chosen) => setSeveral("class_set", chosen)}
+        onCategories={(chosen) => setSeveral("category", chosen)}
+      />
     </fieldset>
   );
 }
@@ -200,9 +207,17 @@ function Fleet({ found }: { found: Sight }) {
 }
 
 function setShares(shares: ReadonlyMap<string, number>): void {
+  setSeveral(
+    "share",
+    [...shares].map(([name, percent]) => `${name}:${percent}`),
+  );
+}
+
+/** Puts values of one name into the address in the place of those before. */
+function setSeveral(name: string, values: readonly string[]): void {
   const next = new URLSearchParams(location.search);
-  next.delete("share");
-  for (const [name, percent] of shares) next.append("share", `${name}:${percent}`);
+  next.delete(name);
+  for (const value of values) next.append(name, value);
   navigate(`${location.pathname}?${next}`, { replace: true });
 }
 

@@ -50,6 +50,8 @@ export function sightQuery(query: URLSearchParams): AddressOf<"GET /sightdistanc
   const asked: AddressOf<"GET /sightdistance"> = {
     survey: query.getAll("survey"),
     share: query.getAll("share"),
+    category: query.getAll("category"),
+    class_set: query.getAll("class_set"),
   };
   for (const name of PLAIN) asked[name] = query.get(name) || undefined;
   const target = query.get("object_target") ?? usualObject(query.get("kind"));

@@ -1,5 +1,5 @@
 import { useState } from "preact/hooks";
-import { Button, Checklist, Field, SelectField, TextField } from "../../components";
+import { Button, Checklist, DateField, SelectField, TextField } from "../../components";
 import { query } from "../../core/address";
 import { say, wordsOf } from "../../core/messages";
 import { lengthUnit, parseSmall, smallScale, smallText } from "../../core/units";
@@ -65,8 +65,10 @@ export function FilterBar({ found }: { found: Statistics | null }) {
         { value: "", label: say("statistics-filter-anybody") },
         ...operators,
       ])}
-      <Day name="first_day" label={say("statistics-filter-first-day")} value={at.get("first_day") ?? ""} />
-      <Day name="last_day" label={say("statistics-filter-last-day")} value={at.get("last_day") ?? ""} />
+      <Day name="filmed_from" label={say("statistics-filter-filmed-from")} />
+      <Day name="filmed_to" label={say("statistics-filter-filmed-to")} />
+      <Day name="first_day" label={say("statistics-filter-first-day")} />
+      <Day name="last_day" label={say("statistics-filter-last-day")} />
       {choice("correction", say("statistics-filter-correction"), [
         ...CORRECTIONS.map((one) => ({ value: one === "inset" ? "" : one, label: CORRECTION_WORDS[one] })),
       ])}
@@ -110,19 +112,15 @@ function Surveys({ found, chosen }: { found: Statistics | null; chosen: readonly
   );
 }
 
-function Day({ name, label, value }: { name: "first_day" | "last_day"; label: string; value: string }) {
+type DayName = "first_day" | "last_day" | "filmed_from" | "filmed_to";
+
+function Day({ name, label }: { name: DayName; label: string }) {
   return (
-    <Field label={label}>
-      {(wiring) => (
-        <input
-          {...wiring}
-          class="input"
-          type="date"
-          value={value}
-          onChange={(event) => setFilter({ [name]: event.currentTarget.value || null })}
-        />
-      )}
-    </Field>
+    <DateField
+      label={label}
+      value={query.value.get(name) ?? ""}
+      onChange={(day) => setFilter({ [name]: day })}
+    />
   );
 }
 

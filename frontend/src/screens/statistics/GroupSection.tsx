@@ -1,13 +1,13 @@
 import { useState } from "preact/hooks";
 import { Segments, TableScroll } from "../../components";
 import { say, wordsOf } from "../../core/messages";
-import { formatCount, lengthScale } from "../../core/units";
+import { lengthScale } from "../../core/units";
 import { type Curve, ECDF_COLUMNS, ecdfMarks, ecdfRows } from "../../parts/figures/curves";
 import type { Hue } from "../../parts/figures/hues";
-import { NONE, percent, scaled } from "../../parts/figures/numbers";
 import { PlotFigure } from "../../parts/figures/PlotFigure";
 import type { Ecdf } from "../../parts/figures/types";
-import { groupWord, isThere, type OfTarget, TARGET_TITLES } from "./model";
+import { type Group, groupWord, isThere, type OfTarget, TARGET_TITLES } from "./model";
+import { SpreadCells, SpreadHead } from "./spread";
 
 /** Neighbours differ in hue, the fourth and on in their dashes too. */
 const HUES = 3;
@@ -93,8 +93,6 @@ export function GroupSection({ targets }: { targets: readonly OfTarget[] }) {
   );
 }
 
-type Group = OfTarget["groups"][string]["groups"][number];
-
 /** The largest groups, each with a hue and a dash of its own. */
 export function drawn(groups: readonly Group[], grouping: string): { ecdf: Ecdf; curve: Curve }[] {
   const largest = [...groups].sort((a, b) => b.n - a.n).slice(0, MOST_DRAWN);
@@ -114,36 +112,20 @@ export function drawn(groups: readonly Group[], grouping: string): { ecdf: Ecdf;
 }
 
 function GroupTable({ groups, grouping }: { groups: readonly Group[]; grouping: GroupingName }) {
-  const [factor, unit] = lengthScale();
-  const at = (one: Group, wanted: number) => one.percentiles.find((p) => p.percent === wanted)?.value ?? null;
   return (
     <TableScroll label={say("statistics-groups-head", { grouping })}>
       <table class="table">
         <thead>
           <tr>
             <th>{say("statistics-groups-head", { grouping })}</th>
-            <th class="num">n</th>
-            <th class="num">{say("statistics-groups-mean", { unit })}</th>
-            <th class="num">{say("statistics-groups-sd", { unit })}</th>
-            {PERCENTS.map((one) => (
-              <th key={one} class="num">
-                {percent(one / 100, 0)}
-              </th>
-            ))}
+            <SpreadHead percents={PERCENTS} />
           </tr>
         </thead>
         <tbody>
           {groups.map((one) => (
             <tr key={one.word}>
               <th scope="row">{groupWord(grouping, one.word)}</th>
-              <td class="num">{formatCount(one.n)}</td>
-              <td class="num">{scaled(one.mean_m, factor, 3)}</td>
-              <td class="num">{one.sd_m === null ? NONE : scaled(one.sd_m, factor, 3)}</td>
-              {PERCENTS.map((wanted) => (
-                <td key={wanted} class="num">
-                  {scaled(at(one, wanted), factor, 3)}
-                </td>
-              ))}
+              <SpreadCells of={one} percents={PERCENTS} decimals={3} />
             </tr>
           ))}
         </tbody>

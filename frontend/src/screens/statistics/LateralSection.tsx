@@ -1,13 +1,13 @@
 /** Where vehicles drive across the road: by lane as a figure, by lane and class as a table. */
 import { TableScroll } from "../../components";
 import { say } from "../../core/messages";
-import { formatCount, lengthScale } from "../../core/units";
+import { lengthScale } from "../../core/units";
 import { ECDF_COLUMNS, ecdfMarks, ecdfRows } from "../../parts/figures/curves";
-import { NONE, percent, scaled } from "../../parts/figures/numbers";
 import { PlotFigure } from "../../parts/figures/PlotFigure";
 import type { Ecdf } from "../../parts/figures/types";
 import { drawn } from "./GroupSection";
 import { groupWord, isThere, type Lateral } from "./model";
+import { SpreadCells, SpreadHead } from "./spread";
 
 const PERCENTS = [5, 50, 95];
 const laneWord = (word: string) => groupWord("lane", word);
@@ -50,21 +50,13 @@ export function LateralSection({ lateral }: { lateral: Lateral }) {
 }
 
 function LanesTable({ lateral }: { lateral: Lateral }) {
-  const unit = lengthScale()[1];
   return (
     <TableScroll label={say("statistics-lateral-title")}>
       <table class="table">
         <thead>
           <tr>
             <th>{say("statistics-lateral-vehicles")}</th>
-            <th class="num">n</th>
-            <th class="num">{say("statistics-groups-mean", { unit })}</th>
-            <th class="num">{say("statistics-groups-sd", { unit })}</th>
-            {PERCENTS.map((one) => (
-              <th key={one} class="num">
-                {percent(one / 100, 0)}
-              </th>
-            ))}
+            <SpreadHead percents={PERCENTS} />
           </tr>
         </thead>
         <tbody>
@@ -84,19 +76,10 @@ function LanesTable({ lateral }: { lateral: Lateral }) {
 }
 
 function Row({ word, one, within }: { word: string; one: Lateral["all"]; within?: boolean }) {
-  const factor = lengthScale()[0];
-  const at = (wanted: number) => one.percentiles.find((p) => p.percent === wanted)?.value ?? null;
   return (
     <tr>
       {within ? <td class="muted stat-within">{word}</td> : <th scope="row">{word}</th>}
-      <td class="num">{formatCount(one.n)}</td>
-      <td class="num">{scaled(one.mean_m, factor, 2)}</td>
-      <td class="num">{one.sd_m === null ? NONE : scaled(one.sd_m, factor, 2)}</td>
-      {PERCENTS.map((wanted) => (
-        <td key={wanted} class="num">
-          {scaled(at(wanted), factor, 2)}
-        </td>
-      ))}
+      <SpreadCells of={one} percents={PERCENTS} decimals={2} />
     </tr>
   );
 }

@@ -6,6 +6,7 @@ import { api, fromAddress } from "../../core/api";
 import { say } from "../../core/messages";
 import { useResource } from "../../core/resource";
 import { loadPlot } from "../../parts/figures/PlotFigure";
+import { ComparisonSection } from "./ComparisonSection";
 import { ErrorFigures } from "./ErrorFigures";
 import { ErrorTable } from "./ErrorTable";
 import { FilterBar } from "./FilterBar";
@@ -86,6 +87,7 @@ function Figures({ found, surveyId, reload }: FiguresProps) {
         />
       ))}
       <SameRule rules={found.rules} />
+      {found.comparison && <ComparisonSection compared={found.comparison} />}
       <GroupSection targets={found.targets} />
       {found.lateral && <LateralSection lateral={found.lateral} />}
       <Standards standards={found.standards} surveyId={surveyId} reload={reload} />

@@ -11,6 +11,8 @@ const SINGLE = [
   "operator",
   "first_day",
   "last_day",
+  "filmed_from",
+  "filmed_to",
   "state",
   "rounding",
   "correction",
@@ -56,6 +58,8 @@ const NARROWING = [
   "operator",
   "first_day",
   "last_day",
+  "filmed_from",
+  "filmed_to",
   "state",
 ] as const satisfies readonly (SingleName | RepeatedName)[];
 

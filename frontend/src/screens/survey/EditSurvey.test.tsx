@@ -13,6 +13,14 @@ const survey = {
   description: "",
   version: 1,
   traffic: { traffic_side: null, steering_side: null, camera_place: null },
+  place: {
+    latitude_deg: null,
+    longitude_deg: null,
+    road_class: null,
+    speed_limit_mps: null,
+    street_lamps: null,
+    time_zone: null,
+  },
   asked: { daytime: ["roof", "driver_eye"], low_light: ["roof", "taillight"] },
   insets: {
     roof: inset,

@@ -3,10 +3,11 @@ import { FormDialog, TextField } from "../../components";
 import { api } from "../../core/api";
 import { say } from "../../core/messages";
 import { refreshSurvey } from "../../core/survey";
-import type { Inset, InsetName, Survey } from "../../core/types";
+import type { Inset, InsetName, Place, Survey } from "../../core/types";
 import { lengthText, lengthUnit, parseLength } from "../../core/units";
 import { INSET_NAMES, INSET_WORDS } from "../../core/words";
 import { AskedFields } from "../../parts/vehicles/AskedFields";
+import { PlaceFields, readPlace, typedPlace } from "../../parts/vehicles/PlaceFields";
 import { TrafficFields } from "../../parts/vehicles/TrafficFields";
 
 type Typed = Record<InsetName, { inset: string; u: string }>;
@@ -18,14 +19,18 @@ export function EditSurvey({ survey, close }: { survey: Survey; close: () => voi
   const [description, setDescription] = useState(survey.description);
   const [asked, setAsked] = useState(survey.asked);
   const [traffic, setTraffic] = useState(survey.traffic);
+  const [place, setPlace] = useState(() => typedPlace(survey.place));
   const [insets, setInsets] = useState<Typed>(() => typedInsets(survey));
   const [wrong, setWrong] = useState<string | null>(null);
+  const [misplaced, setMisplaced] = useState<string | null>(null);
   const submit = () => {
     const read = readInsets(insets, survey);
+    const placed = readPlace(place, survey.place);
     setWrong(typeof read === "string" ? read : null);
-    return typeof read === "string" ? null : save(read);
+    setMisplaced(typeof placed === "string" ? placed : null);
+    return typeof read === "string" || typeof placed === "string" ? null : save(read, placed);
   };
-  const save = async (read: Record<InsetName, Inset>) => {
+  const save = async (read: Record<InsetName, Inset>, placed: Place) => {
     await api.write(
       "PUT /surveys/{survey_id}",
       { survey_id: survey.id },
@@ -35,6 +40,7 @@ export function EditSurvey({ survey, close }: { survey: Survey; close: () => voi
           site,
           description,
           traffic,
+          place: placed,
           asked,
           insets: read,
           version: survey.version,
@@ -57,6 +63,8 @@ export function EditSurvey({ survey, close }: { survey: Survey; close: () => voi
       />
       <TextField label={say("survey-site")} value={site} onInput={setSite} />
       <TextField label={say("survey-description")} value={description} onInput={setDescription} rows={3} />
+      <PlaceFields place={place} onChange={setPlace} />
+      {misplaced && <p class="field__problem">{misplaced}</p>}
       <TrafficFields traffic={traffic} onChange={setTraffic} />
       <AskedFields asked={asked} onChange={setAsked} />
       <fieldset class="insets">

@@ -8,8 +8,8 @@ import type { ScreenProps } from "../../core/places";
 import { useEvery, useResource } from "../../core/resource";
 import { may } from "../../core/session";
 import { survey as openSurvey, refreshSurvey } from "../../core/survey";
-import type { Step, Survey, Target } from "../../core/types";
-import { formatCount } from "../../core/units";
+import type { Place, Step, Survey, Target } from "../../core/types";
+import { fixed, formatCount, formatSpeed } from "../../core/units";
 import { STATE_WORDS, TARGET_NOUNS } from "../../core/words";
 import { entryOfStep } from "../../core/work";
 import { OutOfDateNotice } from "../../parts/again/OutOfDateNotice";
@@ -42,6 +42,7 @@ export default function SurveyScreen({ surveyId }: ScreenProps) {
             {survey.is_demo && <span class="badge title-badge">{say("survey-demonstration")}</span>}
           </h1>
           {survey.site && <p class="page__lead">{survey.site}</p>}
+          <PlaceOf place={survey.place} />
           {survey.description && <p class="page__lead">{survey.description}</p>}
         </div>
         <Button href={`/surveys/${survey.id}/planning`}>{say("page-planning")}</Button>
@@ -70,6 +71,25 @@ export default function SurveyScreen({ surveyId }: ScreenProps) {
       {editing && <EditSurvey survey={survey} close={() => setEditing(false)} />}
     </div>
   );
+}
+
+/** Where the site lies and what road it is, as far as that was said. */
+function PlaceOf({ place }: { place: Place }) {
+  const { latitude_deg, longitude_deg, road_class, speed_limit_mps, street_lamps, time_zone } = place;
+  const words = [
+    latitude_deg !== null &&
+      longitude_deg !== null &&
+      `${fixed(latitude_deg, 5)}, ${fixed(longitude_deg, 5)}`,
+    road_class,
+    speed_limit_mps !== null && say("place-limit-is", { limit: formatSpeed(speed_limit_mps, null, 0) }),
+    street_lamps && say("place-lamps-are", { lamps: street_lamps }),
+    time_zone,
+  ].filter(Boolean);
+  return words.length > 0 ? (
+    <p class="muted small" data-testid="place-said">
+      {words.join("  ·  ")}
+    </p>
+  ) : null;
 }
 
 /** How traffic goes here, in words; while nobody has said it, why that matters and one click to say it. */

@@ -3,8 +3,9 @@ import { FormDialog, TextField } from "../../components";
 import { navigate } from "../../core/address";
 import { api } from "../../core/api";
 import { say } from "../../core/messages";
-import type { Traffic } from "../../core/types";
+import type { Place, Traffic } from "../../core/types";
 import { AskedFields, USUALLY_ASKED } from "../../parts/vehicles/AskedFields";
+import { NO_PLACE, PlaceFields, readPlace } from "../../parts/vehicles/PlaceFields";
 import { TrafficFields } from "../../parts/vehicles/TrafficFields";
 
 const UNSAID: Traffic = { traffic_side: null, steering_side: null, camera_place: null };
@@ -15,16 +16,20 @@ export function NewSurvey({ close }: { close: () => void }) {
   const [description, setDescription] = useState("");
   const [traffic, setTraffic] = useState<Traffic>(UNSAID);
   const [asked, setAsked] = useState(USUALLY_ASKED);
+  const [place, setPlace] = useState(NO_PLACE);
+  const [misplaced, setMisplaced] = useState<string | null>(null);
   const [missing, setMissing] = useState(false);
   const submit = () => {
     setMissing(!name.trim());
-    return name.trim() ? make() : null;
+    const placed = readPlace(place, null);
+    setMisplaced(typeof placed === "string" ? placed : null);
+    return name.trim() && typeof placed !== "string" ? make(placed) : null;
   };
-  const make = async () => {
+  const make = async (placed: Place) => {
     const made = await api.write(
       "POST /surveys",
       {},
-      { body: { name: name.trim(), site: site.trim(), description, traffic, asked } },
+      { body: { name: name.trim(), site: site.trim(), description, place: placed, traffic, asked } },
     );
     navigate(`/surveys/${made.id}`);
   };
@@ -50,6 +55,8 @@ export function NewSurvey({ close }: { close: () => void }) {
         rows={3}
         hint={say("surveys-new-description-hint")}
       />
+      <PlaceFields place={place} onChange={setPlace} />
+      {misplaced && <p class="field__problem">{misplaced}</p>}
       <TrafficFields traffic={traffic} onChange={setTraffic} />
       <AskedFields asked={asked} onChange={setAsked} />
     </FormDialog>

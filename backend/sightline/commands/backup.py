@@ -1,0 +1,93 @@
+"""`sightline backup` and `sightline restore`: a running installation into a folder, and back."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from sightline.commands.options import (
+    data_dir_option,
+    progress_told,
+    require_database,
+    settings_of,
+)
+from sightline.errors import Damaged
+
+if TYPE_CHECKING:
+    from sightline.infra.backup.manifest import Manifest
+    from sightline.infra.backup.restore import ReadBackup
+
+_MISSING_SHOWN = 3
+
+
+@click.command()
+@click.argument("folder", metavar="DIR", type=click.Path(file_okay=False, path_type=Path))
+@click.option("--verify", "reading_back", is_flag=True, help="Then read everything back from DIR.")
+@click.option("--prune", is_flag=True, help="Remove media from DIR that the installation has no longer.")
+@data_dir_option
+def backup(folder: Path, reading_back: bool, prune: bool, data_dir: Path | None) -> None:
+    """Back up the database, the media and the keys into DIR, while the server runs.
+
+    Into the same DIR only what is new is copied. Stopped or killed it goes on where it was, and DIR stays the
+    backup that it was before. DIR holds the signing key and everybody's data: keep it as you keep those.
+    """
+    from sightline.infra.backup.make import make_backup
+    from sightline.infra.backup.restore import check_backup
+    from sightline.infra.services import open_services
+
+    settings = settings_of(data_dir=data_dir)
+    require_database(settings)
+    services = open_services(settings, decode_in_child=False)
+    try:
+        made = make_backup(services, folder, progress_told(), pruning=prune)
+    finally:
+        services.close()
+    removed = f", {made.pruned} old ones removed" if prune else ""
+    click.echo(f"{folder}: {_what(made.manifest)}; {made.fresh} media files are new{removed}.")
+    if reading_back:
+        click.echo(read_words(folder, check_backup(folder, progress_told())))
+    if missing := made.manifest.missing:
+        raise Damaged("backup-media-missing", count=len(missing), names=", ".join(missing[:_MISSING_SHOWN]))
+
+
+@click.command()
+@click.argument("folder", metavar="DIR", type=click.Path(exists=True, file_okay=False, path_type=Path))
+@click.option(
+    "--data-dir",
+    required=True,
+    type=click.Path(file_okay=False, path_type=Path),
+    help="New or empty folder for the installation.",
+)
+def restore(folder: Path, data_dir: Path) -> None:
+    """Restore the backup in DIR into an empty place: data folder, database, media store.
+
+    SQLite unless SIGHTLINE_DATABASE_URL names an empty PostgreSQL database, for a backup of one. Every file
+    is held against its hash and the audit chains are checked; if anything is wrong, nothing is restored.
+    """
+    from sightline.infra.backup.restore import restore_backup
+
+    settings = settings_of(data_dir=data_dir)
+    found = restore_backup(folder, settings, progress_told())
+    assert found.audit is not None
+    click.echo(
+        f"{data_dir}: {_what(found.manifest)}; the audit chain of {found.audit.checked} events holds, head "
+        f"{found.audit.head_hash[:16]}."
+    )
+    for name, where in found.manifest.keys.items():
+        if where == "environment":
+            click.echo(f"{name} was a setting and is not in the backup: set it as it was.", err=True)
+
+
+def read_words(folder: Path, found: ReadBackup) -> str:
+    """What reading a backup showed, as one sentence."""
+    said = f"{folder}: {_what(found.manifest)}; every file is the one that was backed up"
+    if found.audit is None:
+        return f"{said}. The audit chains of PostgreSQL are checked when it is restored."
+    return f"{said}, and the audit chain of {found.audit.checked} events holds."
+
+
+def _what(manifest: Manifest) -> str:
+    size = sum(one.size for one in (*manifest.files.values(), *manifest.media.values()))
+    return f"backup of {manifest.at[:19]} UTC, {len(manifest.media)} media files, {size / 1e6:.1f} MB"

@@ -1,0 +1,70 @@
+"""The command propose: where a person would click on each vehicle of a video (docs/formats.md)."""
+
+from pathlib import Path
+from typing import Any
+
+import click
+
+from sightline.commands.options import json_option, print_json
+from sightline.detection.classify import FoundPass
+from sightline.proposals.propose import Proposals, Proposed
+
+_PATH = click.Path(path_type=Path)
+
+
+@click.command("propose")
+@click.argument("video", type=_PATH)
+@click.option("--pose", "pose_file", type=_PATH, required=True, help="The pose.json.")
+@json_option
+def propose_command(video: Path, pose_file: Path, as_json: bool) -> None:
+    """Tyre contacts, roof and rear lamp of each vehicle of a VIDEO, or why not; nothing is measured."""
+    from sightline.commands.geometry import read_pose_file
+    from sightline.media.video.passes import find_passes
+    from sightline.media.video.proposals import propose_in_video
+    from sightline.vehicles.passes.find_job import square_at
+
+    pose = read_pose_file(pose_file)
+    search = find_passes(video, square_at=square_at(pose), name=str(video))
+    found = dict(propose_in_video(video, search.passes, pose, name=str(video)))
+    told = [_told(one, found[index]) for index, one in enumerate(search.passes)]
+    if as_json:
+        print_json({"passes": told, "notes": list(search.notes)})
+        return
+    for one in told:
+        click.echo(_line(one))
+    for note in search.notes:
+        click.echo(f"note: {note}")
+
+
+def _told(one: FoundPass, found: Proposals | str) -> dict[str, Any]:
+    out: dict[str, Any] = {"first": one.first_frame, "last": one.last_frame, "direction": one.direction}
+    if isinstance(found, str):
+        return out | {"frame": None, "reason": found, "wheelbase_m": None, "points": []}
+    points = [_point(name, point) for name, point in found.points.items()]
+    return out | {"frame": found.frame, "reason": None, "wheelbase_m": found.wheelbase_m, "points": points}
+
+
+def _point(name: str, point: Proposed | str) -> dict[str, Any]:
+    if isinstance(point, str):
+        return {"point": name, "reason": point}
+    x, y = point.point_px
+    place = {"x_px": round(x, 2), "y_px": round(y, 2), "expected_px": round(point.expected_px, 2)}
+    height = {} if point.expected_m is None else {"expected_m": round(point.expected_m, 4)}
+    return {"point": name, **place, **height}
+
+
+def _line(one: dict[str, Any]) -> str:
+    span = f"frames {one['first']} to {one['last']}"
+    if one["reason"] is not None:
+        return f"{span}: {one['reason']}"
+    return f"{span}, on frame {one['frame']}: " + "; ".join(_words(point) for point in one["points"])
+
+
+def _words(point: dict[str, Any]) -> str:
+    name = point["point"].replace("_", " ")
+    if "reason" in point:
+        return f"{name}: none"
+    error = f"{point['expected_px']:.1f} px" + (
+        f", {1000 * point['expected_m']:.0f} mm" if "expected_m" in point else ""
+    )
+    return f"{name} at ({point['x_px']:.1f}, {point['y_px']:.1f}), expect about {error}"

@@ -1,0 +1,218 @@
+"""The page that a package carries: index.html, which shows the package and checks it without a server.
+
+The program of the page is made with the front end (`frontend/src/package`, one file); an export puts the
+package's tables into it, for a page that is opened from a folder may not read its neighbours. The seal names
+the page as any other file. The audit chain ends with the seal, so it cannot stand in the page: `audit.js`
+beside it repeats audit.csv and checkpoint.json for the page, as they are and after both.
+"""
+
+from __future__ import annotations
+
+import base64
+import binascii
+import json
+import re
+import zlib
+from collections import defaultdict
+from collections.abc import Iterator, Mapping, Sequence
+from functools import cache
+from typing import Any
+
+from sightline.errors import Damaged
+from sightline.export.seal import AUDIT_SCRIPT, CHECKPOINT, PAGE
+from sightline.infra.csv_package.audit import AUDIT
+from sightline.infra.csv_package.files import Files, Staging, read_whole
+from sightline.infra.csv_package.schema import CHECKSUMS, DESCRIPTION, AnyTable, Written, sha256_hex
+from sightline.infra.version import code_version
+from sightline.settings import default_frontend_dir
+
+_MARK = "<!--package-->"
+_FILE = "package.html"
+#: A browser holds and reads this much of one table in a few seconds; larger ones the page does not carry.
+MOST_BYTES = 128_000_000
+_NAMES = (
+    "survey",
+    "measurements",
+    "budget",
+    "crops",
+    "vehicles",
+    "recordings",
+    "poses",
+    "people",
+    "insets",
+    "selection",
+    "exclusions",
+    "error_table",
+    "percentiles",
+    "total_uncertainty",
+    "same_rule",
+    "shares",
+    "lateral_positions",
+    "response",
+    "corrections",
+    "agreement",
+)
+_POSES = re.compile(r"records/pose-\d+\.json")
+_ABOUT = re.compile(r'<script type="application/json" id="about">(.*?)</script>\n', re.DOTALL)
+_BLOCK = re.compile(r'<script type="text/plain" data-path="([\w./-]+)">([A-Za-z0-9+/=]*)</script>\n')
+_SCRIPT = "globalThis.sightlineAudit = "
+#: Written with or after the page, so that its sizes leave them out.
+_LATER = (PAGE, DESCRIPTION, AUDIT.path, AUDIT_SCRIPT, CHECKPOINT, CHECKSUMS)
+
+
+@cache
+def template() -> str | None:
+    """The page without a package; None where the front end is not built (a checkout without Node)."""
+    place = default_frontend_dir() / _FILE
+    return place.read_text("utf-8") if place.is_file() else None
+
+
+def page_version() -> str:
+    """What tells one program of the page from another: the hash of all of it, "none" where it is not
+    built.
+    """
+    found = template()
+    return "none" if found is None else sha256_hex(found.encode())
+
+
+def write_page(staging: Staging, tables: Sequence[AnyTable]) -> None:
+    """index.html over what is written so far; nothing where the front end is not built."""
+    found = template()
+    if found is None:
+        return
+    before, _, after = found.partition(_MARK)
+    files, written = staging.files(), dict(staging.written)
+    with staging.file(PAGE) as out:
+        out.write(f"{before}{_MARK}\n{_about_block(tables, written)}".encode())
+        for path in _carried(tables, written):
+            packed = _packed(read_whole(files, path))
+            out.write(f'<script type="text/plain" data-path="{path}">{packed}</script>\n'.encode())
+        out.write(after.encode())
+
+
+def write_audit_script(staging: Staging) -> None:
+    """audit.js, once the chain and its checkpoint are written; nothing where there is no page."""
+    if PAGE not in staging.written:
+        return
+    files = staging.files()
+    small = staging.written[AUDIT.path].size <= MOST_BYTES
+    paths = (AUDIT.path, CHECKPOINT) if small else ()
+    told = json.dumps({path: _packed(read_whole(files, path)) for path in paths})
+    staging.add(AUDIT_SCRIPT, f"{_SCRIPT}{told};\n".encode())
+
+
+def check_page(
+    files: Files, made_with: Mapping[str, Any], tables: Sequence[AnyTable], written: Mapping[str, Written]
+) -> list[str]:
+    """The page is the program that the description names, and what it carries is the package; notes on what
+    could not be compared. Raises Damaged.
+    """
+    version = made_with.get("page", "none")
+    if version == "none" or PAGE not in files.paths:
+        if version != "none" or {PAGE, AUDIT_SCRIPT} & files.paths:
+            raise Damaged("export-page-not-described", path=PAGE)
+        return []
+    try:
+        text = read_whole(files, PAGE).decode("utf-8")
+    except UnicodeDecodeError as error:
+        raise Damaged("export-page-another-program", path=PAGE) from error
+    before, mark, rest = text.partition(f"{_MARK}\n")
+    about = _ABOUT.match(rest)
+    blocks = list(_blocks(rest, about.end() if about else 0))
+    after = rest[blocks[-1].end() if blocks else 0 :]
+    if about is None or not mark or sha256_hex(f"{before}{_MARK}{after}".encode()) != version:
+        raise Damaged("export-page-another-program", path=PAGE)
+    for block in blocks:
+        if block[1] not in files.paths or _unpacked(block[2]) != read_whole(files, block[1]):
+            raise Damaged("export-page-carries-another", path=block[1])
+    if version != page_version():
+        _check_audit_script(files)
+        return ["The page was made by another version: it is sealed, but its program was not compared."]
+    if about[0] != _about_block(tables, written, str(json.loads(about[1]).get("made_with"))):
+        raise Damaged("export-page-another-program", path=PAGE)
+    if [block[1] for block in blocks] != list(_carried(tables, written)):
+        raise Damaged("export-page-another-program", path=PAGE)
+    _check_audit_script(files)
+    return []
+
+
+def _check_audit_script(files: Files) -> None:
+    """audit.js holds this chain and checkpoint, or nothing where they are too large."""
+    text = read_whole(files, AUDIT_SCRIPT).decode("utf-8", "replace")
+    try:
+        told = json.loads(text.removeprefix(_SCRIPT).removesuffix(";\n"))
+        same = f"{_SCRIPT}{json.dumps(told)};\n" == text and list(told) in ([], [AUDIT.path, CHECKPOINT])
+        same = same and all(_unpacked(packed) == read_whole(files, path) for path, packed in told.items())
+    except (ValueError, AttributeError, TypeError) as error:
+        raise Damaged("export-page-carries-another", path=AUDIT_SCRIPT) from error
+    if not same:
+        raise Damaged("export-page-carries-another", path=AUDIT_SCRIPT)
+
+
+def _blocks(rest: str, start: int) -> Iterator[re.Match[str]]:
+    while found := _BLOCK.match(rest, start):
+        yield found
+        start = found.end()
+
+
+def _carried(tables: Sequence[AnyTable], written: Mapping[str, Written]) -> Iterator[str]:
+    """The files that the page carries, in their order: its tables and the poses that are not too large."""
+    known = {table.name: table.path for table in tables}
+    poses = sorted(path for path in written if _POSES.fullmatch(path))
+    for path in (*(known[name] for name in _NAMES), *poses):
+        if written[path].size <= MOST_BYTES:
+            yield path
+
+
+def _about_block(
+    tables: Sequence[AnyTable], written: Mapping[str, Written], version: str | None = None
+) -> str:
+    text = json.dumps(_about(tables, written, version), ensure_ascii=False).replace("<", "\\u003c")
+    return f'<script type="application/json" id="about">{text}</script>\n'
+
+
+def _about(
+    tables: Sequence[AnyTable], written: Mapping[str, Written], version: str | None
+) -> dict[str, object]:
+    """What the page says of the package: sizes by folder, figures, tables with their columns' meaning."""
+    folders: dict[str, list[int]] = defaultdict(lambda: [0, 0])
+    for path in sorted(written):
+        if path not in _LATER:
+            size = folders[path.rpartition("/")[0].partition("/")[0] + "/" if "/" in path else ""]
+            size[0], size[1] = size[0] + 1, size[1] + written[path].size
+    carried = set(_carried(tables, written))
+    described = {table.name: table for table in tables}
+    return {
+        "made_with": version or code_version(),
+        "folders": [
+            {"folder": name, "files": files, "bytes": size} for name, (files, size) in sorted(folders.items())
+        ],
+        "figures": sorted(path for path in written if path.startswith("figures/")),
+        "left_out": [described[name].path for name in _NAMES if described[name].path not in carried],
+        "tables": [
+            {
+                "path": described[name].path,
+                "meaning": described[name].meaning,
+                "columns": {column.name: column.meaning for column in described[name].columns},
+            }
+            for name in _NAMES
+            if described[name].path in carried
+        ],
+    }
+
+
+def _packed(content: bytes) -> str:
+    """Base64 of raw DEFLATE (RFC 1951), which a browser undoes by itself."""
+    packer = zlib.compressobj(6, zlib.DEFLATED, -15)
+    return base64.b64encode(packer.compress(content) + packer.flush()).decode("ascii")
+
+
+def _unpacked(text: str) -> bytes | None:
+    """What was packed; None for what is not, whole and nothing behind it."""
+    unpacker = zlib.decompressobj(-15)
+    try:
+        content = unpacker.decompress(base64.b64decode(text, validate=True), MOST_BYTES + 1)
+    except (zlib.error, binascii.Error):
+        return None
+    whole = unpacker.eof and not unpacker.unused_data and not unpacker.unconsumed_tail
+    return content if whole else None

@@ -1,0 +1,175 @@
+"""A backup of a running installation into a folder: media, then the database, then the media that came since.
+
+The database needs media. What it names at its moment is in the first pass, or came during it and is in the
+second; what is in the store and not in the database is harmless. So the database lies between two passes.
+"""
+
+import os
+import shutil
+from collections.abc import Callable
+from dataclasses import dataclass
+from datetime import UTC, datetime
+from pathlib import Path
+
+from sqlalchemy.orm import Session
+
+from sightline.enums import KeyFrom
+from sightline.errors import BadInput
+from sightline.infra.audit.signing import FILE as SIGNING_KEY
+from sightline.infra.backup.manifest import (
+    FORMAT,
+    JOURNAL,
+    MANIFEST,
+    STATES,
+    CopiedTable,
+    Manifest,
+    StoredFile,
+    database_kind,
+    locked,
+    read_manifest,
+    stored_file,
+    write_manifest,
+)
+from sightline.infra.backup.media_copy import MediaCopies, prune
+from sightline.infra.backup.postgres_copy import copy_out
+from sightline.infra.backup.sqlite_copy import copy_sqlite, settle
+from sightline.infra.backup.state import continues, heads_of, needed_media, require_this_version
+from sightline.infra.database.engine import make_engine, reading, session_factory, sqlite_file
+from sightline.infra.services import Services
+from sightline.infra.version import code_version
+from sightline.infra.web.secret import FILE as SECRET
+from sightline.media.store.local import no_room_told, sync_folder
+from sightline.settings import Settings, sqlite_url
+
+DATABASE = "sightline.db"
+Tell = Callable[[float, str], None]
+
+
+@dataclass(frozen=True)
+class MadeBackup:
+    """A backup, how many media files were copied for it, and how many older ones were removed."""
+
+    manifest: Manifest
+    fresh: int
+    pruned: int
+
+
+@dataclass(frozen=True)
+class _State:
+    """The database as it was copied."""
+
+    revision: str
+    heads: dict[str, tuple[int, str]]
+    needed: set[str]
+    tables: dict[str, CopiedTable]
+
+
+def make_backup(services: Services, folder: Path, tell: Tell, *, pruning: bool = False) -> MadeBackup:
+    """Back up into a folder, which stays the backup that it was until this one is whole.
+
+    `pruning` removes media of earlier backups that this one does not name.
+    Raises BadInput (a folder with other things, another installation's), Conflict, NoRoom, DatabaseAway.
+    """
+    settings = services.settings
+    _require_apart(folder, settings)
+    with locked(folder):
+        before = read_manifest(folder) if (folder / MANIFEST).is_file() else None
+        copies = MediaCopies(folder, before)
+        copies.take(services.media, lambda share: tell(0.6 * share, "media"))
+        moment = datetime.now(UTC)
+        name = moment.strftime("%Y%m%dT%H%M%S.%fZ")
+        place = folder / STATES / name
+        place.mkdir(parents=True, mode=0o700)
+        state = _copy_database(services, place, before, lambda share: tell(0.6 + 0.3 * share, "database"))
+        keys = _copy_keys(settings, place)
+        copies.take(services.media, lambda share: tell(0.9 + 0.1 * share, "media that came meanwhile"))
+        manifest = Manifest(
+            format=FORMAT,
+            at=moment.isoformat(timespec="microseconds"),
+            program=code_version(),
+            revision=state.revision,
+            database=database_kind(services.engine.dialect.name),
+            state=name,
+            files={path.name: _kept(path) for path in sorted(place.iterdir())},
+            tables=state.tables,
+            keys=keys,
+            settings=_told_settings(services),
+            heads=state.heads,
+            media=dict(sorted(copies.copied.items())),
+            missing=sorted(state.needed - set(copies.copied)),
+        )
+        for made in (place, place.parent):
+            sync_folder(made)
+        write_manifest(folder, manifest)
+        tell(1.0, "whole")
+        return MadeBackup(manifest, copies.fresh, _tidy(folder, manifest, pruning))
+
+
+def _require_apart(folder: Path, settings: Settings) -> None:
+    """Neither holds the other: a backup must outlive the data folder, and not hold itself."""
+    ours, data = folder.absolute().resolve(), settings.data_dir.absolute().resolve()
+    if ours.is_relative_to(data) or data.is_relative_to(ours):
+        raise BadInput("backup-folder-in-data-folder", folder=folder)
+
+
+def _copy_database(
+    services: Services, place: Path, before: Manifest | None, told: Callable[[float], None]
+) -> _State:
+    """Copy what one moment's database holds into the state's folder."""
+    path = sqlite_file(services.settings.database_url)
+    if path is None:
+        with services.reading() as session:
+            return _described(session, before, copy_out(session.connection(), place, told))
+    with no_room_told("the backup"):
+        copy_sqlite(path, place / DATABASE, told)
+    engine = make_engine(sqlite_url(place / DATABASE))
+    try:
+        with reading(session_factory(engine)) as session:
+            state = _described(session, before, {})
+    finally:
+        engine.dispose()
+    settle(place / DATABASE)
+    return state
+
+
+def _described(session: Session, before: Manifest | None, tables: dict[str, CopiedTable]) -> _State:
+    revision = require_this_version(session)
+    if before is not None and not continues(session, before.heads):
+        raise BadInput("backup-of-another-installation")
+    return _State(revision, heads_of(session), needed_media(session), tables)
+
+
+def _copy_keys(settings: Settings, place: Path) -> dict[str, KeyFrom]:
+    """The data folder's keys, readable by their owner alone; those of the environment stay there."""
+    found: dict[str, KeyFrom] = {}
+    for name, given in ((SIGNING_KEY, settings.signing_key), (SECRET, settings.secret)):
+        source = settings.data_dir / name
+        found[name] = "environment" if given is not None else "file" if source.is_file() else "none"
+        if found[name] == "file":
+            handle = os.open(place / name, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o600)
+            with os.fdopen(handle, "wb") as file:
+                file.write(source.read_bytes())
+    return found
+
+
+def _told_settings(services: Services) -> dict[str, object]:
+    """The settings without any secret: for who sets the restored installation up."""
+    told = services.settings.model_dump(mode="json", exclude={"secret", "signing_key"})
+    return {**told, "database_url": services.engine.url.render_as_string(hide_password=True)}
+
+
+def _kept(path: Path) -> StoredFile:
+    """A file of the state, for its owner alone and safe from a power cut."""
+    path.chmod(0o600)
+    with path.open("rb") as file:
+        os.fsync(file.fileno())
+    return stored_file(path)
+
+
+def _tidy(folder: Path, manifest: Manifest, pruning: bool) -> int:
+    """Remove earlier states and the journal, which the manifest has taken the place of; media if asked."""
+    for state in (folder / STATES).iterdir():
+        if state.name != manifest.state:
+            shutil.rmtree(state)
+    (folder / JOURNAL).unlink(missing_ok=True)
+    return prune(folder, manifest) if pruning else 0

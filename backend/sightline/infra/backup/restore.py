@@ -1,0 +1,193 @@
+"""A backup read back: checked where it lies, or restored into an empty place and checked there."""
+
+import os
+import shutil
+import tempfile
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+from sqlalchemy import Connection, inspect
+from sqlalchemy.orm import Session
+
+from sightline.errors import BadInput, Damaged
+from sightline.infra.audit.records import Verification
+from sightline.infra.audit.verification import verify_records
+from sightline.infra.backup.make import DATABASE, Tell
+from sightline.infra.backup.manifest import STATES, Manifest, read_manifest, require_whole
+from sightline.infra.backup.media_copy import check_media, put_back
+from sightline.infra.backup.postgres_copy import copy_in
+from sightline.infra.backup.state import heads_of
+from sightline.infra.database.engine import (
+    explained,
+    make_engine,
+    migrate,
+    reading,
+    session_factory,
+    sqlite_file,
+)
+from sightline.infra.database.migrations import upgrade
+from sightline.media.store.local import MediaStore, check_room, copy_whole, open_store
+from sightline.settings import Settings, sqlite_url
+
+
+@dataclass(frozen=True)
+class ReadBackup:
+    """A backup that is whole. `audit`: what its chains said; None where no database was there to ask."""
+
+    manifest: Manifest
+    audit: Verification | None
+
+
+def check_backup(folder: Path, tell: Tell) -> ReadBackup:
+    """Read a whole backup and change nothing: every file by its hash, and of SQLite the audit chains.
+
+    Raises BadInput for what is no backup, Damaged with the name of what is not whole.
+    """
+    manifest = read_manifest(folder)
+    check_media(folder, manifest, lambda share: tell(0.8 * share, "media"))
+    state = _whole_state(folder, manifest, tell, 0.8)
+    if manifest.database != "sqlite":
+        tell(1.0, "read")
+        return ReadBackup(manifest, None)
+    with tempfile.TemporaryDirectory(prefix="sightline-check-") as scratch:
+        check_room(Path(scratch), (state / DATABASE).stat().st_size, "a copy of the database to check")
+        audit = _sqlite_in(state / DATABASE, Path(scratch) / DATABASE, manifest)
+    tell(1.0, "read")
+    return ReadBackup(manifest, audit)
+
+
+def restore_backup(folder: Path, settings: Settings, tell: Tell) -> ReadBackup:
+    """Restore into an empty data folder, database and media store; after an error they are empty again.
+
+    The database comes last and is kept only if its audit chains hold and end as they did.
+    Raises BadInput (a place that is not empty, another kind of database), Damaged by name, NoRoom.
+    """
+    manifest = read_manifest(folder)
+    data_dir, path = settings.data_dir, sqlite_file(settings.database_url)
+    _require_empty(manifest, settings)
+    state = _whole_state(folder, manifest, tell, 0.0)
+    was_there = data_dir.is_dir()
+    data_dir.mkdir(parents=True, exist_ok=True)
+    store: MediaStore | None = None
+    try:
+        store = _empty_store(settings)
+        put_back(folder, manifest, store, lambda share: tell(0.1 + 0.6 * share, "media"))
+        told = _part(tell, 0.7, 0.3, "database")
+        _put_keys(state, manifest, data_dir)
+        audit = (
+            _postgresql(state, settings.database_url, manifest, told)
+            if path is None
+            else _sqlite_in(state / DATABASE, path, manifest)
+        )
+    except BaseException:
+        if store is not None:
+            for key in manifest.media:
+                store.delete(key)
+        _empty(data_dir, itself=not was_there)
+        raise
+    tell(1.0, "restored")
+    return ReadBackup(manifest, audit)
+
+
+def _part(tell: Tell, start: float, share: float, words: str) -> Callable[[float], None]:
+    return lambda done: tell(start + share * done, words)
+
+
+def _whole_state(folder: Path, manifest: Manifest, tell: Tell, start: float) -> Path:
+    """The folder of database and keys, every file of it checked."""
+    state = folder / STATES / manifest.state
+    for number, (name, one) in enumerate(manifest.files.items()):
+        tell(start + 0.1 * number / len(manifest.files), "checking the database's files")
+        require_whole(folder, state / name, one)
+    return state
+
+
+def _require_empty(manifest: Manifest, settings: Settings) -> None:
+    path = sqlite_file(settings.database_url)
+    if (manifest.database == "sqlite") != (path is not None):
+        raise BadInput("backup-other-kind-of-database", kind=manifest.database)
+    if settings.data_dir.exists() and any(settings.data_dir.iterdir()):
+        raise BadInput("backup-place-not-empty", place=settings.data_dir)
+    if path is not None and path.exists():
+        raise BadInput("backup-place-not-empty", place=path)
+    if path is None:
+        engine = make_engine(settings.database_url)
+        try:
+            with explained(), engine.connect() as connection:
+                _require_no_tables(connection)
+        finally:
+            engine.dispose()
+
+
+def _require_no_tables(connection: Connection) -> None:
+    if inspect(connection).get_table_names():
+        raise BadInput("backup-database-not-empty")
+
+
+def _empty_store(settings: Settings) -> MediaStore:
+    store = open_store(settings.media_url, settings.data_dir / "cache" / "media")
+    if next(iter(store.listing()), None) is not None:
+        raise BadInput("backup-place-not-empty", place=settings.media_url)
+    return store
+
+
+def _empty(folder: Path, *, itself: bool) -> None:
+    """Take away what was put into a folder that was empty."""
+    for found in folder.iterdir():
+        if found.is_dir() and not found.is_symlink():
+            shutil.rmtree(found)
+        else:
+            found.unlink()
+    if itself:
+        folder.rmdir()
+
+
+def _put_keys(state: Path, manifest: Manifest, data_dir: Path) -> None:
+    for name in (name for name, where in manifest.keys.items() if where == "file"):
+        copy_whole(state / name, data_dir / name)
+        os.chmod(data_dir / name, 0o600)
+
+
+def _sqlite_in(source: Path, target: Path, manifest: Manifest) -> Verification:
+    """Copy a SQLite database, migrate it, check its chains; only then does it get its name."""
+    waiting = target.with_name(f"{target.name}.restoring")
+    try:
+        copy_whole(source, waiting)
+        engine = make_engine(sqlite_url(waiting))
+        try:
+            migrate(engine)
+            with reading(session_factory(engine)) as session:
+                found = _verified(session, manifest)
+        finally:
+            engine.dispose()
+        os.replace(waiting, target)
+    finally:
+        for left in target.parent.glob(f"{waiting.name}*"):
+            left.unlink()
+    return found
+
+
+def _postgresql(state: Path, url: str, manifest: Manifest, told: Callable[[float], None]) -> Verification:
+    """Make the backup's schema, fill it, migrate it and check its chains, all in one transaction."""
+    engine = make_engine(url)
+    try:
+        with explained(), engine.begin() as connection:
+            _require_no_tables(connection)
+            upgrade(connection, manifest.revision)
+            copy_in(connection, state, manifest.tables, told)
+            upgrade(connection)
+            with Session(connection, autoflush=False) as session:
+                return _verified(session, manifest)
+    finally:
+        engine.dispose()
+
+
+def _verified(session: Session, manifest: Manifest) -> Verification:
+    """Raises Damaged where a chain does not hold, or does not end as the manifest says."""
+    if heads_of(session) != manifest.heads:
+        raise Damaged("backup-chains-end-elsewhere")
+    found = verify_records(session)
+    if not found.ok:
+        raise Damaged("backup-chain-broken", problem=str(found.problem))
+    return found

@@ -1,0 +1,39 @@
+"""A running SQLite database copied as one moment had it, by SQLite's own backup interface."""
+
+import sqlite3
+from collections.abc import Callable
+from contextlib import closing
+from pathlib import Path
+
+from sightline.infra.database.engine import DatabaseAway
+
+_PAGES = 2048  # a step; between steps progress is told and Ctrl-C is heard
+
+
+def copy_sqlite(source: Path, target: Path, told: Callable[[float], None]) -> None:
+    """Copy the database at `source` to the new file `target`; `told` gets the share that is done.
+
+    The reading transaction is held from before the first step: a step would begin the copy anew wherever
+    somebody wrote between two. Writers do not wait (write-ahead log). Raises DatabaseAway.
+    """
+
+    def step(_status: int, left: int, pages: int) -> None:
+        told(1 - left / max(pages, 1))
+
+    try:
+        with (
+            closing(sqlite3.connect(source, timeout=10, isolation_level=None)) as read,
+            closing(sqlite3.connect(target, isolation_level=None)) as write,
+        ):
+            read.execute("BEGIN")
+            read.execute("SELECT count(*) FROM sqlite_master").fetchone()
+            read.backup(write, pages=_PAGES, progress=step)
+            read.execute("ROLLBACK")
+    except sqlite3.Error as error:
+        raise DatabaseAway("backup-database-not-copied", path=source, said=str(error)) from error
+
+
+def settle(path: Path) -> None:
+    """Put all of a database that nobody uses into its one file, without a log beside it."""
+    with closing(sqlite3.connect(path, isolation_level=None)) as connection:
+        connection.execute("PRAGMA journal_mode=DELETE").fetchone()

@@ -1,0 +1,129 @@
+"""Both wheels of a passing vehicle on one frame: the contact assistant along the lower edge of what moves."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import combinations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from sightline.enums import Direction
+from sightline.geometry.contact import Proposal, propose
+from sightline.geometry.road import road_point
+from sightline.geometry.road_pose import RoadPose
+
+Box = tuple[float, float, float, float]
+EVERY_PX = 14.0
+SAME_PX = 8.0
+WHEELBASE_M = (1.7, 7.5)
+ASIDE_M = 0.12  # how far apart across the road both wheels may stand, beside their clicks' part
+RADII_M = 0.06
+
+
+@dataclass(frozen=True)
+class Wheel:
+    """A wheel found: its contact in pixels and on the road, metres."""
+
+    contact_px: tuple[float, float]
+    x_m: float
+    y_m: float
+    radius_m: float
+    expected_px: float
+
+
+@dataclass(frozen=True)
+class Wheels:
+    """Rear and front wheel of a vehicle; one of them may be None."""
+
+    rear: Wheel | None
+    front: Wheel | None
+
+    @property
+    def found(self) -> tuple[Wheel, ...]:
+        return tuple(one for one in (self.rear, self.front) if one is not None)
+
+    @property
+    def y_m(self) -> float:
+        """The side plane: mean of both."""
+        return float(np.mean([one.y_m for one in self.found]))
+
+
+def wheels_on(
+    gray: NDArray[np.uint8],
+    standing: NDArray[np.bool_],
+    pose: RoadPose,
+    box: Box,
+    direction: Direction,
+    expected_px: Sequence[tuple[float, float]] | None = None,
+) -> Wheels | str:
+    """The wheels of the vehicle in `box` (left, top, right, bottom) px on a frame `gray` (H, W), of which
+    `standing` (H, W) stands before the road; or why none is seen. `expected_px`: where they are looked for.
+
+    Own method: the contact assistant is asked along the lower edge of what stands there, or where a wheel is
+    expected; of what it finds, the pair that stands on one line along the road, with like radii, farthest
+    apart.
+    """
+    found: list[Wheel] = []
+    for pointer in _pointers(standing, box) if expected_px is None else expected_px:
+        if any(np.hypot(pointer[0] - w.contact_px[0], pointer[1] - w.contact_px[1]) < SAME_PX for w in found):
+            continue
+        one = propose(gray, pose, np.array(pointer))
+        if isinstance(one, Proposal):
+            found = _with(found, _wheel(pose, one), box)
+    if not found:
+        return "No wheel stands out from shadow and body on these frames."
+    return _paired(found, box, direction)
+
+
+def _pointers(standing: NDArray[np.bool_], box: Box) -> list[tuple[float, float]]:
+    """Places along the lower edge of what stands before the road."""
+    height, width = standing.shape
+    left, right = max(0, int(box[0])), min(width - 1, int(box[2]))
+    top, bottom = max(0, int(box[1])), min(height - 1, int(box[3] + 14))
+    part = standing[top : bottom + 1, left : right + 1]
+    if part.size == 0:
+        return []
+    lowest = top + part.shape[0] - 1 - np.argmax(part[::-1], axis=0)
+    some = np.asarray(part.any(axis=0), dtype=np.bool_).reshape(-1)
+    out = []
+    for at in np.arange(EVERY_PX / 2, right - left, EVERY_PX):
+        near = slice(max(0, int(at - EVERY_PX / 2)), int(at + EVERY_PX / 2) + 1)
+        if some[near].any():
+            out.append((left + float(at), float(np.median(lowest[near][some[near]]))))
+    return out
+
+
+def _wheel(pose: RoadPose, one: Proposal) -> Wheel | None:
+    at = road_point(pose, one.contact_px)
+    if isinstance(at, str):
+        return None
+    return Wheel(one.contact_px, float(at[0]), float(at[1]), one.radius_m, one.expected_px)
+
+
+def _with(found: list[Wheel], one: Wheel | None, box: Box) -> list[Wheel]:
+    """The list with a wheel more, the surer one of two at the same place."""
+    if one is None or not box[0] - 4 <= one.contact_px[0] <= box[2] + 4:
+        return found
+    for i, other in enumerate(found):
+        if np.hypot(*np.subtract(one.contact_px, other.contact_px)) < SAME_PX:
+            return [*found[:i], min(one, other, key=lambda w: w.expected_px), *found[i + 1 :]]
+    return [*found, one]
+
+
+def _paired(found: list[Wheel], box: Box, direction: Direction) -> Wheels:
+    pairs = [(one, two) for one, two in combinations(found, 2) if _belong(one, two)]
+    if pairs:
+        first, second = max(pairs, key=lambda pair: abs(pair[0].x_m - pair[1].x_m))
+        behind = (first.x_m < second.x_m) == (direction == "right")
+        return Wheels(first, second) if behind else Wheels(second, first)
+    one = min(found, key=lambda w: w.expected_px)
+    left = one.contact_px[0] < (box[0] + box[2]) / 2
+    return Wheels(one, None) if left == (direction == "right") else Wheels(None, one)
+
+
+def _belong(one: Wheel, two: Wheel) -> bool:
+    base, aside = abs(one.x_m - two.x_m), abs(one.y_m - two.y_m)
+    alike = abs(one.radius_m - two.radius_m) <= RADII_M
+    return WHEELBASE_M[0] <= base <= WHEELBASE_M[1] and aside <= ASIDE_M and alike

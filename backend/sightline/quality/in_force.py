@@ -1,0 +1,55 @@
+"""A road pose made of another one, in force wherever that one was."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from sightline.errors import Conflict
+from sightline.infra.database import Session
+from sightline.poses.records import Pose
+from sightline.poses.service import Solved
+from sightline.poses.store import add_pose
+from sightline.recordings.records import Recording
+from sightline.recordings.store import update_recording
+
+
+def replace_in_force(
+    session: Session,
+    before: Pose,
+    users: Sequence[Recording],
+    solved: Solved,
+    *,
+    turned_from: int | None = None,
+    turned_by_rad: float | None = None,
+    adjusted_from: int | None = None,
+    actor: int,
+) -> Pose:
+    """Store a pose made of `before`, in force for the recordings that use it; measurements keep theirs.
+
+    Raises Conflict where no recording uses the pose any more.
+    """
+    if not users:
+        raise Conflict("quality-no-recording-uses-road-pose-any")
+    own = next((one for one in users if one.id == before.recording_id), users[0])
+    made = add_pose(
+        session,
+        own.id,
+        calibration_id=before.calibration_id,
+        first_frame=before.first_frame,
+        last_frame=before.last_frame,
+        rms_px=before.rms_px,
+        distance_m=before.distance_m,
+        summary=solved.summary,
+        document=solved.document,
+        warnings=solved.warnings,
+        expected=solved.expected,
+        overlay=solved.overlay,
+        turned_from=turned_from,
+        turned_by_rad=turned_by_rad,
+        adjusted_from=adjusted_from,
+        actor=actor,
+    )
+    for one in users:
+        if one.id != own.id:
+            update_recording(session, one.id, {"pose_id": made.id}, actor=actor)
+    return made

@@ -1,0 +1,53 @@
+"""What was measured of a vehicle, and the models of the catalogue that fit it."""
+
+from dataclasses import dataclass
+from typing import Annotated
+
+from pydantic import Field
+
+from sightline.enums import ModelSize
+from sightline.vehicles.catalogue.records import CatalogueEntry
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class MeasuredSize:
+    """A size of the vehicle, metres; `reason`: why there is none."""
+
+    size: ModelSize
+    value_m: float | None = None
+    u_m: float | None = None
+    reason: str | None = None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class SizeDifference:
+    """Measured minus the catalogue's size, and the u of that difference, metres."""
+
+    size: ModelSize
+    difference_m: float
+    u_m: float
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class FittingModel:
+    """A model and how it fits."""
+
+    entry: CatalogueEntry
+    chi_square: float
+    compared: Annotated[int, Field(description="How many sizes could be compared.")]
+    p: Annotated[float, Field(description="How often the right model differs at least as much.")]
+    cannot: Annotated[bool, Field(description="Differs by more than the uncertainties allow.")]
+    differences: tuple[SizeDifference, ...]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class WhichModel:
+    """The models that fit best, the likeliest first, and how the one filled in fits."""
+
+    measured: tuple[MeasuredSize, ...]
+    fitting: tuple[FittingModel, ...]
+    chosen: Annotated[
+        FittingModel | None, Field(description="The row of make and model filled in; of several the best.")
+    ]
+    limit_p: Annotated[float, Field(description="Below this p a model cannot fit.")]
+    reason: Annotated[str | None, Field(description="Why nothing can be said.")]

@@ -1,0 +1,132 @@
+"""Joins the sizes measured of a vehicle with the catalogue."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from sightline.enums import ModelSize, Target
+from sightline.geometry.traffic import heading_of_pair
+from sightline.infra.database import Session
+from sightline.measurements.height_of_clicks import DEFAULT_SIGMA_PX
+from sightline.measurements.records import VehicleSheet
+from sightline.measurements.service import road_pose
+from sightline.measurements.sheets.query import get_sheet
+from sightline.quality.checks.store import of_vehicle
+from sightline.quality.which_model.records import FittingModel, MeasuredSize, SizeDifference, WhichModel
+from sightline.statistics.agreement import U_MANUFACTURER_M
+from sightline.statistics.which_model import CANNOT_FIT_P, ModelFits, fit_models
+from sightline.vehicles.catalogue.records import CatalogueEntry
+from sightline.vehicles.catalogue.store import all_of_catalogue
+
+MOST_SHOWN = 5
+# A catalogue size that states no u, metres (estimates; lamps move with load, tyres and trim).
+USUAL_U_M: dict[ModelSize, float] = {
+    "height": float(U_MANUFACTURER_M),
+    "wheelbase": 0.010,
+    "taillight": 0.020,
+    "headlight": 0.020,
+}
+TARGET_OF: dict[ModelSize, Target] = {"height": "roof", "taillight": "taillight", "headlight": "headlight"}
+SCALE_U = 0.015  # of a length on the road: what the pose may be off by, a share of it (estimate)
+
+
+def which_model(session: Session, vehicle_id: int) -> WhichModel:
+    """The catalogue's models that fit a vehicle best, and whether its own can. Raises NotFound."""
+    sheet = get_sheet(session, vehicle_id)
+    entries = all_of_catalogue(session)
+    measured = (*(_height(sheet, size) for size in TARGET_OF), _wheelbase(session, vehicle_id))
+    if not entries:
+        return _nothing(measured, "The catalogue is empty.")
+    values, u = (_numbers([getattr(one, name) for one in measured]) for name in ("value_m", "u_m"))
+    sizes = _numbers([[entry.size(one.size) for one in measured] for entry in entries])
+    u_sizes = _numbers([[_u_of(entry, one.size) for one in measured] for entry in entries])
+    fits = fit_models(values, u, sizes, u_sizes, _same_class(sheet, entries))
+    if isinstance(fits, str):
+        return _nothing(measured, fits)
+    shown = [
+        _fitting(entries[index], index, fits, measured, np.hypot(u, u_sizes[index])) for index in fits.order
+    ]
+    return WhichModel(
+        measured=measured,
+        fitting=tuple(shown[:MOST_SHOWN]),
+        chosen=next((one for one in shown if _is_chosen(one.entry, sheet)), None),
+        limit_p=CANNOT_FIT_P,
+        reason=None,
+    )
+
+
+def _nothing(measured: tuple[MeasuredSize, ...], reason: str) -> WhichModel:
+    return WhichModel(measured=measured, fitting=(), chosen=None, limit_p=CANNOT_FIT_P, reason=reason)
+
+
+def _height(sheet: VehicleSheet, size: ModelSize) -> MeasuredSize:
+    """The height of the target that shows this size, if it stands and is not rejected."""
+    target = TARGET_OF[size]
+    made = next((one for one in sheet.measurements if one.values.target == target), None)
+    if made is None:
+        return MeasuredSize(size=size, reason="It is not measured.")
+    if made.review.verdict == "rejected":
+        return MeasuredSize(size=size, reason="Its measurement was rejected.")
+    if made.values.height_m is None:
+        return MeasuredSize(size=size, reason=made.values.reason)
+    return MeasuredSize(size=size, value_m=made.values.height_m, u_m=made.values.u_height_m)
+
+
+def _wheelbase(session: Session, vehicle_id: int) -> MeasuredSize:
+    """The distance of both tyre contacts (Checks, Road direction)."""
+    pair = of_vehicle(session, vehicle_id)
+    if pair is None or pair.pose_id is None:
+        return MeasuredSize(size="wheelbase", reason="Both tyres are not clicked on one frame.")
+    found = heading_of_pair(road_pose(session, pair.pose_id), pair.first, pair.second, DEFAULT_SIGMA_PX)
+    if isinstance(found, str) or found.u_base_m is None:
+        return MeasuredSize(size="wheelbase", reason=str(found))
+    u_m = float(np.hypot(found.u_base_m, SCALE_U * found.base_m))
+    return MeasuredSize(size="wheelbase", value_m=found.base_m, u_m=u_m)
+
+
+def _numbers(values: object) -> np.ndarray[tuple[int, ...], np.dtype[np.float64]]:
+    """None becomes NaN."""
+    return np.array(values, dtype=np.float64)
+
+
+def _u_of(entry: CatalogueEntry, size: ModelSize) -> float:
+    stated: float | None = getattr(entry, f"u_{size}_m")
+    return USUAL_U_M[size] if stated is None else stated
+
+
+def _same_class(sheet: VehicleSheet, entries: Sequence[CatalogueEntry]) -> list[float] | None:
+    if sheet.category is None:
+        return None
+    return [np.nan if one.category is None else float(one.category == sheet.category) for one in entries]
+
+
+def _fitting(
+    entry: CatalogueEntry,
+    index: int,
+    fits: ModelFits,
+    measured: Sequence[MeasuredSize],
+    u_m: np.ndarray[tuple[int, ...], np.dtype[np.float64]],
+) -> FittingModel:
+    told = zip(measured, fits.deviate[index], u_m, strict=True)
+    return FittingModel(
+        entry=entry,
+        chi_square=float(fits.chi_square[index]),
+        compared=int(fits.compared[index]),
+        p=float(fits.p[index]),
+        cannot=bool(fits.cannot[index]),
+        differences=tuple(
+            SizeDifference(size=one.size, difference_m=float(z * u), u_m=float(u))
+            for one, z, u in told
+            if np.isfinite(z)
+        ),
+    )
+
+
+def _is_chosen(entry: CatalogueEntry, sheet: VehicleSheet) -> bool:
+    """Whether make, model and, where it is given, year are those filled in."""
+    if not sheet.make or not sheet.model:
+        return False
+    named = (entry.make.lower(), entry.model.lower()) == (sheet.make.lower(), sheet.model.lower())
+    return named and entry.built_in(sheet.year)

@@ -1,0 +1,163 @@
+"""The tables of lots in the package: each lot with its plan, draw and decision, and what it holds."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import get_args
+
+from sightline.enums import Lighting, LotLeaving, LotRole, LotState, Target
+from sightline.infra.csv_package.columns import integer, key, moment, number, person, text
+from sightline.infra.csv_package.schema import Column, Table
+from sightline.reviews.lots.records import Decision, Lot, LotItem
+from sightline.statistics.acceptance import Outgoing, outgoing
+
+
+@dataclass(frozen=True, slots=True)
+class ItemOfLot:
+    """A measurement of a lot; its part is told once something was decided."""
+
+    lot: Lot
+    item: LotItem
+
+
+def _decided(name: str, meaning: str, of: Callable[[Decision], int]) -> Column[Lot]:
+    return integer(name, meaning, lambda lot: of(lot.decision) if lot.decision else None, minimum=0)
+
+
+def outgoing_of(lot: Lot) -> Outgoing | None:
+    """What an accepted lot lets through; None for any other."""
+    made = lot.decision
+    if made is None or made.choice != "accepted":
+        return None
+    return outgoing(made.judged + made.rest, made.judged, made.nonconforming)
+
+
+def _let_through(lot: Lot) -> float | None:
+    found = outgoing_of(lot)
+    return None if found is None else round(found.estimate, 6)
+
+
+def _at_most(lot: Lot) -> int | None:
+    found = outgoing_of(lot)
+    return None if found is None else found.at_most
+
+
+LOTS: Table[Lot] = Table(
+    "lots",
+    "Heights that were judged by a sample: plan, draw and decision. A height is nonconforming "
+    "if its reviewer rejected it, or fixed it by more than its own U95. seed is sha256 over previous_hash of "
+    'the lot\'s event in audit.csv and all "measurement_id.revision" of the lot in ascending order, '
+    'separated by blanks; the draw\'s order is that of sha256 over "seed measurement_id".',
+    (
+        key("id", "lot", lambda lot: lot.id),
+        key("number", "number of the lot in its survey", lambda lot: lot.number),
+        text("target", "target of all its heights", lambda lot: lot.common.target, enum=get_args(Target)),
+        text("lighting", "lighting of all", lambda lot: lot.common.lighting, enum=get_args(Lighting)),
+        person("operator_id", "who clicked all of them", lambda lot: lot.common.operator),
+        text("day", "day on which all were measured (UTC)", lambda lot: lot.common.day),
+        integer("size", "heights in it when it was drawn", lambda lot: lot.size, required=True, minimum=1),
+        integer("sample_size", "of them to be judged", lambda lot: lot.sample_size, required=True, minimum=1),
+        integer(
+            "acceptance_number",
+            "it is accepted with so many nonconforming ones in the sample, or fewer",
+            lambda lot: lot.acceptance_number,
+            required=True,
+            minimum=0,
+        ),
+        number(
+            "producer_quality",
+            "fraction nonconforming of a lot that should be accepted",
+            "",
+            lambda lot: lot.risks.producer_quality,
+            required=True,
+        ),
+        number(
+            "producer_risk",
+            "chance, at most, that such a lot is not",
+            "",
+            lambda lot: lot.risks.producer_risk,
+            required=True,
+        ),
+        number(
+            "consumer_quality",
+            "fraction nonconforming of a lot that should not be accepted",
+            "",
+            lambda lot: lot.risks.consumer_quality,
+            required=True,
+        ),
+        number(
+            "consumer_risk",
+            "chance, at most, that such a lot is",
+            "",
+            lambda lot: lot.risks.consumer_risk,
+            required=True,
+        ),
+        text("seed", "what the draw follows from", lambda lot: lot.seed, required=True),
+        person("created_by_id", "who had it drawn", lambda lot: lot.created_by),
+        moment("created_at", "when", lambda lot: lot.created_at),
+        text(
+            "state",
+            "open; accepted by its sample; full inspection: its rest was reviewed one by one; dissolved "
+            "before anything was judged; taken back: accepted before",
+            lambda lot: lot.state,
+            required=True,
+            enum=get_args(LotState),
+        ),
+        _decided("judged", "heights of the sample that were judged", lambda one: one.judged),
+        _decided("nonconforming", "nonconforming ones among them", lambda one: one.nonconforming),
+        _decided(
+            "rest",
+            "heights beside the sample that followed the decision; of one taken back: that it still held for",
+            lambda one: one.rest,
+        ),
+        number(
+            "outgoing_estimate",
+            "of an accepted lot: nonconforming heights among the rest, by estimate",
+            "",
+            _let_through,
+        ),
+        integer(
+            "outgoing_at_most",
+            "of an accepted lot: nonconforming heights among the rest, upper limit (one-sided, 95 %)",
+            _at_most,
+        ),
+        person("decided_by_id", "who decided", lambda lot: lot.decision.created_by if lot.decision else None),
+        moment("decided_at", "when", lambda lot: lot.decision.created_at if lot.decision else None),
+    ),
+    primary=("id",),
+    foreign=(
+        (("operator_id",), "people", ("id",)),
+        (("created_by_id",), "people", ("id",)),
+        (("decided_by_id",), "people", ("id",)),
+    ),
+)
+
+LOT_ITEMS: Table[ItemOfLot] = Table(
+    "lot_items",
+    "What each lot holds, in the order of the draw.",
+    (
+        key("lot_id", "lot", lambda one: one.lot.id),
+        integer("place", "when it was drawn, from 1", lambda one: one.item.place, required=True, minimum=1),
+        key("measurement_id", "measurement", lambda one: one.item.measurement_id),
+        key("revision", "its revision when the lot was drawn", lambda one: one.item.revision),
+        text(
+            "role",
+            "of a lot that was decided on: judged as part of the sample, part of the rest, or left before",
+            lambda one: one.item.role if one.lot.decisions else None,
+            enum=get_args(LotRole),
+        ),
+        text(
+            "left_because",
+            "why it left the lot",
+            lambda one: one.item.why if one.lot.decisions else None,
+            enum=get_args(LotLeaving),
+        ),
+    ),
+    primary=("lot_id", "place"),
+    foreign=(
+        (("lot_id",), "lots", ("id",)),
+        (("measurement_id",), "measurements", ("id",)),
+        (("measurement_id", "revision"), "revisions", ("measurement_id", "revision")),
+    ),
+)

@@ -1,0 +1,98 @@
+"""What the verdicts since the draw say of a lot's items: which are its sample, which left, which conform.
+
+An item conforms if it was accepted, or fixed by no more than its own U95. It does not if it was rejected, or
+fixed by more, or its height went. What is said first of the lot's revision counts, whatever comes after; an
+item changed before anybody judged it leaves the lot, and the next of the draw takes its place in the sample.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+
+from sightline.enums import LotLeaving, LotRole, ReviewVerdict
+from sightline.reviews.lots.records import LotItem
+
+
+@dataclass(frozen=True, slots=True)
+class Said:
+    """A verdict since the draw: on which revision, and for which it holds."""
+
+    revision: int
+    result_revision: int
+    verdict: ReviewVerdict
+
+
+@dataclass(frozen=True, slots=True)
+class ItemNow:
+    """A drawn item with what became of its measurement. `heights`: (height, U95) by revision, metres.
+
+    `newest`: the current revision; `gone`: why it counts for nothing any more, if it does not.
+    """
+
+    measurement_id: int
+    revision: int
+    place: int
+    newest: int
+    gone: LotLeaving | None = None
+    said: Sequence[Said] = ()
+    heights: Mapping[int, tuple[float | None, float | None]] = field(default_factory=dict)
+
+
+def items_of(found: Iterable[ItemNow], sample_size: int) -> tuple[LotItem, ...]:
+    """The items in the order of the draw, each with its part: the sample are the first that did not leave."""
+    out: list[LotItem] = []
+    taken = 0
+    for one in sorted(found, key=lambda item: item.place):
+        standing, conforming = _judged(one)
+        why = None if conforming is not None else _left(one, standing)
+        if why is None and taken < sample_size:
+            taken += 1
+            out.append(_item(one, "sample", conforming))
+            continue
+        if why is None and conforming is not None:
+            why = "verdict_of_its_own"
+        elif why is None and standing != one.revision:
+            why = "measured_again"
+        role: LotRole = "rest" if why is None else "left"
+        out.append(_item(one, role, conforming, why))
+    return tuple(out)
+
+
+def _item(one: ItemNow, role: LotRole, conforming: bool | None, why: LotLeaving | None = None) -> LotItem:
+    return LotItem(
+        measurement_id=one.measurement_id,
+        revision=one.revision,
+        place=one.place,
+        role=role,
+        conforming=conforming,
+        why=why,
+    )
+
+
+def _judged(one: ItemNow) -> tuple[int, bool | None]:
+    """The revision that the verdicts led to, and what they say of the lot's; a reopened one waits again."""
+    standing, conforming = one.revision, None
+    for said in one.said:
+        if said.revision != standing:
+            continue
+        standing = said.result_revision
+        if said.verdict == "reopened":
+            conforming = None
+        else:
+            conforming = said.verdict != "rejected" and not _moved(one, standing)
+    return standing, conforming
+
+
+def _moved(one: ItemNow, standing: int) -> bool:
+    """Whether the height that stands is another one than the lot's by more than the U95 that had."""
+    if standing == one.revision:
+        return False
+    (then, U95), (now, _) = one.heights[one.revision], one.heights[standing]
+    return then is None or now is None or U95 is None or abs(now - then) > U95
+
+
+def _left(one: ItemNow, standing: int) -> LotLeaving | None:
+    if one.gone is not None:
+        return one.gone
+    return None if one.newest == standing else "measured_again"

@@ -1,0 +1,258 @@
+"""Reading lots: what could be drawn, what was, and what became of the items, for all of a survey at once."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Iterable, Sequence
+from dataclasses import fields
+from typing import Any
+
+from sqlalchemy import ColumnElement, and_, exists, func, select
+from sqlalchemy.orm import Session
+
+from sightline.enums import LotLeaving
+from sightline.infra.database.people import people
+from sightline.infra.database.rows import missing, names, who
+from sightline.measurements.query import is_current, is_first, verdict, waits, with_verdict
+from sightline.measurements.tables import (
+    lot_decisions,
+    lot_items,
+    lots,
+    measurement_series,
+    measurements,
+    reviews,
+)
+from sightline.recordings.tables import recordings
+from sightline.reviews.lots.judged import ItemNow, Said
+from sightline.reviews.lots.records import Common, Decision, Lot
+from sightline.statistics.acceptance import RiskPoints
+from sightline.vehicles.tables import vehicles
+
+_m, _item = measurements.c, lot_items.c
+_RISKS = tuple(one.name for one in fields(RiskPoints))
+_newer = lot_decisions.alias("newer")
+_newest: ColumnElement[bool] = ~exists().where(
+    _newer.c.lot_id == lot_decisions.c.lot_id, _newer.c.id > lot_decisions.c.id
+)
+
+
+def waiting_measurements(session: Session, survey_id: int) -> Sequence[Any]:
+    """The standing heights of a survey that wait for a verdict and are in no lot that is open, nor went to
+    full inspection with this revision: (series_id, revision, target, lighting, operator_id, day).
+    """
+    light = func.coalesce(vehicles.c.lighting, recordings.c.lighting).label("lighting")
+    closed = (
+        select(lot_items.c.series_id)
+        .select_from(lot_items)
+        .outerjoin(lot_decisions, and_(lot_decisions.c.lot_id == _item.lot_id, _newest))
+        .where(_item.series_id == _m.series_id, _item.revision == _m.revision)
+        .where(func.coalesce(lot_decisions.c.choice, "open").in_(("open", "full_inspection")))
+        .correlate(measurements)
+    )
+    query = (
+        with_verdict(
+            *(_m.series_id, _m.revision, _m.target, light),
+            *(_m.created_by.label("operator_id"), _m.created_at),
+        )
+        .join(vehicles, vehicles.c.id == measurement_series.c.vehicle_id)
+        .join(recordings, recordings.c.id == measurement_series.c.recording_id)
+        .where(measurement_series.c.survey_id == survey_id, vehicles.c.deleted_at.is_(None))
+        .where(is_current, is_first, waits, ~_m.withdrawn, _m.status == "ok", ~closed.exists())
+        .order_by(_m.series_id)
+    )
+    return session.execute(query).all()
+
+
+def list_lots(session: Session, survey_id: int) -> tuple[Lot, ...]:
+    """A survey's lots, oldest first."""
+    return _lots(session, lots.c.survey_id == survey_id)
+
+
+def get_lot(session: Session, lot_id: int) -> Lot:
+    """One of them. Raises NotFound."""
+    found = _lots(session, lots.c.id == lot_id)
+    if not found:
+        raise missing("lot", lot_id)
+    return found[0]
+
+
+def open_lots(session: Session, survey_id: int) -> tuple[Lot, ...]:
+    """Those on which nothing was decided."""
+    decided = exists().where(_newer.c.lot_id == lots.c.id)
+    return _lots(session, and_(lots.c.survey_id == survey_id, ~decided))
+
+
+def _lots(session: Session, condition: ColumnElement[bool]) -> tuple[Lot, ...]:
+    maker = people.c.name.label("maker")
+    drawn = session.execute(
+        select(lots, maker)
+        .outerjoin(people, people.c.id == lots.c.created_by)
+        .where(condition)
+        .order_by(lots.c.id)
+    ).all()
+    if not drawn:
+        return ()
+    by_lot: dict[int, list[Decision]] = defaultdict(list)
+    decided = (
+        select(lot_decisions, maker)
+        .join(lots, lots.c.id == lot_decisions.c.lot_id)
+        .outerjoin(people, people.c.id == lot_decisions.c.created_by)
+        .where(condition)
+        .order_by(lot_decisions.c.id)
+    )
+    for row in session.execute(decided):
+        by_lot[row.lot_id].append(decision_of(row._mapping, row.maker))
+    operators = names(session, [row.common.get("operator_id") for row in drawn])
+    return tuple(lot_of(row._mapping, row.maker, operators, by_lot[row.id]) for row in drawn)
+
+
+def decision_of(row: Any, maker: str | None) -> Decision:
+    """The record of a row of `lot_decisions`, or of what its event says."""
+    plain = {name: row[name] for name in ("id", "choice", "judged", "nonconforming", "rest", "created_at")}
+    left = {int(number): why for number, why in row["left_out"].items()}
+    return Decision(
+        **plain, sample=tuple(row["sample"]), left_out=left, created_by=who(row["created_by"], maker)
+    )
+
+
+def lot_of(row: Any, maker: str | None, operators: Any, decisions: Iterable[Decision]) -> Lot:
+    """The record of a row of `lots`, or of what its event says; `operators`: names by number."""
+    told = dict(row["common"])
+    by = told.pop("operator_id", None)
+    plain = ("id", "survey_id", "number", "size", "sample_size", "acceptance_number", "seed", "created_at")
+    return Lot(
+        **{name: row[name] for name in plain},
+        common=Common(**told, operator=who(by, operators.get(by))),
+        risks=RiskPoints(**{name: float(row[name]) for name in _RISKS}),
+        created_by=who(row["created_by"], maker),
+        decisions=tuple(decisions),
+    )
+
+
+def items_now(session: Session, lots_: Sequence[Lot]) -> dict[int, list[ItemNow]]:
+    """The items of these lots with what became of them since each was drawn, by lot; three queries."""
+    if not lots_:
+        return {}
+    wanted = _item.lot_id.in_([one.id for one in lots_])
+    said = _said(session, wanted)
+    heights = _heights(session, wanted)
+    current = (
+        select(*(_item.lot_id, _item.series_id, _item.revision, _item.place), _m.revision.label("newest"))
+        .add_columns(_m.withdrawn, vehicles.c.deleted_at)
+        .select_from(lot_items)
+        .join(measurements, measurements.c.series_id == _item.series_id)
+        .join(measurement_series, measurement_series.c.id == _item.series_id)
+        .join(vehicles, vehicles.c.id == measurement_series.c.vehicle_id)
+        .where(wanted, is_current)
+        .order_by(_item.lot_id, _item.place)
+    )
+    found: dict[int, list[ItemNow]] = {one.id: [] for one in lots_}
+    for row in session.execute(current):
+        key = (row.lot_id, row.series_id)
+        found[row.lot_id].append(
+            ItemNow(
+                measurement_id=row.series_id,
+                revision=row.revision,
+                place=row.place,
+                newest=row.newest,
+                gone=_gone(row.deleted_at is not None, row.withdrawn),
+                said=said.get(key, ()),
+                heights=heights.get(key, {}),
+            )
+        )
+    return found
+
+
+def _gone(deleted: bool, withdrawn: bool) -> LotLeaving | None:
+    if deleted:
+        return "vehicle_deleted"
+    return "withdrawn" if withdrawn else None
+
+
+def _said(session: Session, wanted: ColumnElement[bool]) -> dict[tuple[int, int], list[Said]]:
+    r = reviews.c
+    query = (
+        select(_item.lot_id, r.series_id, r.revision, r.result_revision, r.verdict)
+        .select_from(reviews)
+        .join(lot_items, _item.series_id == r.series_id)
+        .join(lots, lots.c.id == _item.lot_id)
+        .where(wanted, r.lot_id.is_(None), r.created_at >= lots.c.created_at)
+        .order_by(r.id)
+    )
+    found: dict[tuple[int, int], list[Said]] = defaultdict(list)
+    for row in session.execute(query):
+        found[row.lot_id, row.series_id].append(Said(row.revision, row.result_revision, row.verdict))
+    return found
+
+
+def _heights(
+    session: Session, wanted: ColumnElement[bool]
+) -> dict[tuple[int, int], dict[int, tuple[float | None, float | None]]]:
+    """Of items with revisions since, the heights of the lot's revision and of those after it."""
+    later = measurements.alias("later_one")
+    changed = exists().where(later.c.series_id == _item.series_id, later.c.revision > _item.revision)
+    query = (
+        select(_item.lot_id, _m.series_id, _m.revision, _m.height_m, _m.U95_height_m)
+        .select_from(measurements)
+        .join(lot_items, _item.series_id == _m.series_id)
+        .where(wanted, _m.revision >= _item.revision, changed)
+    )
+    found: dict[tuple[int, int], dict[int, tuple[float | None, float | None]]] = defaultdict(dict)
+    for row in session.execute(query):
+        found[row.lot_id, row.series_id][row.revision] = (row.height_m, row.U95_height_m)
+    return found
+
+
+def clicked_by(session: Session, series: Sequence[int], person_id: int) -> set[int]:
+    """Of these, the ones of which a revision is this person's; some hundred at a time."""
+    found: set[int] = set()
+    for at in range(0, len(series), 500):
+        query = select(_m.series_id).where(
+            _m.series_id.in_(series[at : at + 500]), _m.created_by == person_id
+        )
+        found |= set(session.execute(query).scalars())
+    return found
+
+
+def standing_by_lot(session: Session, lot_id: int) -> Sequence[Any]:
+    """The heights whose verdict is this lot's: (series_id, revision, vehicle_id), as they stand."""
+    query = (
+        with_verdict(_m.series_id, _m.revision, measurement_series.c.vehicle_id)
+        .where(is_current, ~_m.withdrawn, reviews.c.lot_id == lot_id, verdict == "accepted")
+        .order_by(_m.series_id)
+    )
+    return session.execute(query).all()
+
+
+def vehicles_of(session: Session, lot_id: int) -> dict[int, int]:
+    """The vehicle of each item of a lot."""
+    query = (
+        select(measurement_series.c.id, measurement_series.c.vehicle_id)
+        .join(lot_items, _item.series_id == measurement_series.c.id)
+        .where(_item.lot_id == lot_id)
+    )
+    return {row.id: row.vehicle_id for row in session.execute(query)}
+
+
+def accepted_counts(session: Session, survey_id: int) -> tuple[int, int]:
+    """How many standing heights were accepted or fixed by themselves, and how many accepted by lot."""
+    query = (
+        with_verdict(reviews.c.lot_id.is_not(None).label("by_lot"), func.count().label("count"))
+        .join(vehicles, vehicles.c.id == measurement_series.c.vehicle_id)
+        .where(measurement_series.c.survey_id == survey_id, vehicles.c.deleted_at.is_(None))
+        .where(is_current, is_first, ~_m.withdrawn, verdict.in_(("accepted", "fixed")))
+        .group_by(reviews.c.lot_id.is_not(None))
+    )
+    found = {bool(row.by_lot): int(row._mapping["count"]) for row in session.execute(query)}
+    return found.get(False, 0), found.get(True, 0)
+
+
+def items_of_deleted_vehicles(session: Session, survey_id: int) -> set[int]:
+    """The measurements in lots of a survey whose vehicle was deleted."""
+    query = (
+        select(_item.series_id)
+        .join(measurement_series, measurement_series.c.id == _item.series_id)
+        .join(vehicles, vehicles.c.id == measurement_series.c.vehicle_id)
+        .where(vehicles.c.survey_id == survey_id, vehicles.c.deleted_at.is_not(None))
+    )
+    return set(session.execute(query).scalars())

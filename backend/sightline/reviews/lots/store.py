@@ -1,0 +1,136 @@
+"""Writing lots: a draw, a decision, and the verdicts that follow from it, each with its audit event.
+
+A lot's verdicts are written together: a few statements for a lot, however many heights it holds.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import asdict
+from typing import Any
+
+from sqlalchemy import func, select
+from sqlalchemy.orm import Session
+
+from sightline.enums import LotChoice, ReviewVerdict
+from sightline.infra.audit import trail
+from sightline.infra.audit.records import survey_chain
+from sightline.infra.database.rows import add_row, add_rows, stored_hash, stored_hashes
+from sightline.infra.database.types import now
+from sightline.measurements.tables import lot_decisions, lot_items, lots, reviews
+from sightline.reviews.lots.draw import drawn_order, seed_of
+from sightline.reviews.lots.records import Decision, Lot, LotItem
+from sightline.statistics.acceptance import RiskPoints, SamplingPlan
+
+_SOME = 500
+
+
+def add_lot(
+    session: Session,
+    survey_id: int,
+    common: Mapping[str, Any],
+    items: Sequence[tuple[int, int]],
+    plan: SamplingPlan,
+    risks: RiskPoints,
+    *,
+    actor: int | None,
+) -> int:
+    """Draw a lot of (measurement, revision): the seed is the chain's end, which nobody chooses. Its id."""
+    head = trail.held(session, survey_chain(survey_id))
+    seed = seed_of(head.hash, items)
+    revision = dict(items)
+    order = drawn_order(seed, revision)
+    last = session.execute(select(func.max(lots.c.number)).where(lots.c.survey_id == survey_id)).scalar_one()
+    content = {
+        "survey_id": survey_id,
+        "number": (last or 0) + 1,
+        "common": dict(common),
+        "size": plan.size,
+        "sample_size": plan.sample_size,
+        "acceptance_number": plan.acceptance_number,
+        **asdict(risks),
+        "seed": seed,
+        "created_at": now(),
+        "created_by": actor,
+    }
+    lot_id = add_row(session, lots, content)
+    places = [
+        {"lot_id": lot_id, "series_id": number, "revision": revision[number], "place": place}
+        for place, number in enumerate(order, 1)
+    ]
+    add_rows(session, lot_items, places)
+    after = {**content, "items": [(number, revision[number]) for number in order]}
+    after["content_sha256"] = stored_hash(session, lots, lot_id)
+    trail.record(session, actor, "draw", "lot", lot_id, survey_id, None, after)
+    return lot_id
+
+
+def add_decision(
+    session: Session, lot: Lot, choice: LotChoice, items: Sequence[LotItem], *, actor: int | None
+) -> int:
+    """Note what becomes of a lot as its items stand."""
+    sample = [one for one in items if one.role == "sample"]
+    told = {
+        "judged": sum(one.conforming is not None for one in sample),
+        "nonconforming": sum(one.conforming is False for one in sample),
+        "rest": sum(one.role == "rest" for one in items),
+        "sample": [one.measurement_id for one in sample],
+        "left_out": {str(one.measurement_id): one.why for one in items if one.role == "left"},
+    }
+    return _add_decision(session, lot, choice, told, actor)
+
+
+def add_taking_back(session: Session, lot: Lot, accepted: Decision, rest: int, *, actor: int | None) -> int:
+    """Note that an acceptance was taken back; `rest` verdicts stood by it still."""
+    told = {
+        "judged": accepted.judged,
+        "nonconforming": accepted.nonconforming,
+        "rest": rest,
+        "sample": list(accepted.sample),
+        "left_out": {str(number): why for number, why in accepted.left_out.items()},
+    }
+    return _add_decision(session, lot, "taken_back", told, actor)
+
+
+def _add_decision(
+    session: Session, lot: Lot, choice: LotChoice, told: Mapping[str, Any], actor: int | None
+) -> int:
+    content = {"lot_id": lot.id, "choice": choice, **told, "created_at": now(), "created_by": actor}
+    row_id = add_row(session, lot_decisions, content)
+    after = {**content, "content_sha256": stored_hash(session, lot_decisions, row_id)}
+    trail.record(session, actor, choice, "lot_decision", row_id, lot.survey_id, {"choice": lot.state}, after)
+    return row_id
+
+
+def add_verdicts_by_lot(
+    session: Session,
+    lot: Lot,
+    verdict: ReviewVerdict,
+    judged: Sequence[tuple[int, int, int]],
+    *,
+    then: str,
+    actor: int | None,
+) -> None:
+    """The same verdict on (measurement, revision, vehicle) by lot; each has an audit event of its own."""
+    moment = now()
+    for at in range(0, len(judged), _SOME):
+        some = judged[at : at + _SOME]
+        contents = [
+            {
+                "series_id": number,
+                "revision": revision,
+                "result_revision": revision,
+                "verdict": verdict,
+                "reason": None,
+                "lot_id": lot.id,
+                "created_at": moment,
+            }
+            for number, revision, _ in some
+        ]
+        ids = add_rows(session, reviews, [{**one, "created_by": actor} for one in contents])
+        hashes = stored_hashes(session, reviews, ids)
+        events = [
+            (id_, {"verdict": then}, {**content, "vehicle_id": vehicle, "content_sha256": hashes[id_]})
+            for id_, content, (_, _, vehicle) in zip(ids, contents, some, strict=True)
+        ]
+        trail.record_many(session, actor, "review", "review", lot.survey_id, events)

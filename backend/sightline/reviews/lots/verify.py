@@ -1,0 +1,239 @@
+"""Holding the lots of a package against the audit chain: draw, sample and verdicts by lot."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+from datetime import datetime
+from typing import Any
+
+from sightline.errors import Damaged
+from sightline.infra.audit.hashing import content_hash
+from sightline.infra.csv_package.files import Files, read_columns, read_rows
+from sightline.infra.csv_package.files import number as figure_of
+from sightline.measurements.verify import cells_of
+from sightline.reviews.lots.csv import LOT_ITEMS, LOTS, ItemOfLot
+from sightline.reviews.lots.draw import drawn_order, seed_of
+from sightline.reviews.lots.judged import ItemNow, Said, items_of
+from sightline.reviews.lots.query import decision_of, lot_of
+from sightline.reviews.lots.records import Lot, LotItem
+from sightline.reviews.lots.service import decided_items
+from sightline.statistics.acceptance import accepted_with, best_bad, worst_good
+
+_HAIR = 1e-6
+_LENGTH_M = 2e-6  # two heights and a U95 of six decimals
+Event = Mapping[str, Any]
+Heights = Mapping[int, Mapping[int, tuple[float | None, float | None]]]
+
+
+@dataclass(eq=False)
+class LotEvents:
+    """What the chain says of lots: draws and decisions by number, each with its event's own number."""
+
+    draws: dict[int, dict[str, Any]] = field(default_factory=dict)
+    decisions: dict[int, list[dict[str, Any]]] = field(default_factory=lambda: defaultdict(list))
+
+    def add(self, entity: str, row_id: int, event: Event, after: Mapping[str, Any]) -> None:
+        """An event of a lot or of a decision. Raises Damaged where its row is not the one it hashed."""
+        apart = ("content_sha256", "items")
+        row = {name: value for name, value in after.items() if name not in apart}
+        if content_hash(row) != after["content_sha256"]:
+            raise Damaged("lots-event-another-row", number=event["number"])
+        told = {**after, "id": row_id, "event": int(event["number"]), "head": event["previous_hash"]}
+        told["created_at"] = datetime.fromisoformat(after["created_at"])
+        if entity == "lot":
+            self.draws[row_id] = told
+        else:
+            self.decisions[int(after["lot_id"])].append(told)
+
+
+def check_lots(
+    files: Files,
+    events: LotEvents,
+    reviews: Mapping[int, Event],
+    vehicle_of: Mapping[int, int],
+    is_gone: Callable[[int], bool],
+) -> None:
+    """Every lot is that of its event, drawn as its seed says, decided as its sample's verdicts say, and its
+    verdicts are those of its rest. `reviews`: by number, with their event's; `vehicle_of`: of a measurement.
+
+    Raises Damaged.
+    """
+    lots = {id_: _lot(draw, events.decisions.get(id_, ())) for id_, draw in events.draws.items()}
+    _check_rows(files, lots)
+    heights = _heights(files, {int(number) for one in events.draws.values() for number, _ in one["items"]})
+    by_lot: dict[int, list[Event]] = defaultdict(list)
+    by_series: dict[int, list[Event]] = defaultdict(list)
+    for _, review in sorted(reviews.items()):
+        if review.get("lot_id") is not None:
+            by_lot[int(review["lot_id"])].append(review)
+        else:
+            by_series[int(review["series_id"])].append(review)
+    if strange := set(by_lot) - set(lots):
+        raise Damaged("lots-verdict-of-no-lot", lot=min(strange))
+
+    def there(number: int) -> bool:
+        return not is_gone(vehicle_of[number])
+
+    items: dict[int, tuple[LotItem, ...]] = {}
+    for id_, lot in lots.items():
+        draw, decisions = events.draws[id_], events.decisions.get(id_, ())
+        _check_draw(lot, draw)
+        now = [ItemNow(number, rev, place, rev) for place, (number, rev) in enumerate(draw["items"], 1)]
+        items[id_] = decided_items(lot, now) if lot.decisions else items_of(now, lot.sample_size)
+        _check_decisions(lot, draw, decisions, by_series, heights, there, items[id_])
+        _check_verdicts(lot, decisions, by_lot.get(id_, ()), items[id_])
+    _check_items(files, lots, items, there)
+
+
+def _lot(draw: Event, decisions: Sequence[Event]) -> Lot:
+    return lot_of(draw, "", {}, [decision_of(one, "") for one in decisions])
+
+
+def _check_rows(files: Files, lots: Mapping[int, Lot]) -> None:
+    left = dict(lots)
+    for row in read_rows(files, LOTS.path):
+        lot = left.pop(int(row["id"]), None)
+        if lot is None or cells_of(LOTS, lot) != {name: text for name, text in row.items() if text}:
+            raise Damaged("lots-lots-csv-not-what-event-says", id=row["id"])
+    if left:
+        raise Damaged("lots-lot-missing", id=min(left))
+
+
+def _heights(files: Files, wanted: set[int]) -> Heights:
+    found: dict[int, dict[int, tuple[float | None, float | None]]] = defaultdict(dict)
+    columns = ("measurement_id", "revision", "height_m", "U95_height_m")
+    for number, revision, height, u95 in read_columns(files, "revisions.csv", columns):
+        if int(number) in wanted:
+            found[int(number)][int(revision)] = (figure_of(height), figure_of(u95))
+    return found
+
+
+def _check_draw(lot: Lot, draw: Event) -> None:
+    """The seed is the chain's, the order the seed's, and the plan keeps both risks that it promises."""
+    items = [(int(number), int(revision)) for number, revision in draw["items"]]
+    if seed_of(draw["head"], items) != lot.seed:
+        raise Damaged("lots-seed-not-the-chains", id=lot.id)
+    numbers = [number for number, _ in items]
+    if drawn_order(lot.seed, numbers) != numbers or len(set(numbers)) != lot.size or len(items) != lot.size:
+        raise Damaged("lots-not-drawn-by-its-seed", id=lot.id)
+    plan = (lot.sample_size, lot.acceptance_number)
+    refused = 1.0 - accepted_with(lot.size, worst_good(lot.size, lot.risks), *plan)
+    passed = accepted_with(lot.size, best_bad(lot.size, lot.risks), *plan)
+    if refused > lot.risks.producer_risk + _HAIR or passed > lot.risks.consumer_risk + _HAIR:
+        raise Damaged("lots-plan-keeps-no-risk", id=lot.id)
+
+
+def _check_decisions(
+    lot: Lot,
+    draw: Event,
+    decisions: Sequence[Event],
+    by_series: Mapping[int, Sequence[Event]],
+    heights: Heights,
+    there: Callable[[int], bool],
+    items: Sequence[LotItem],
+) -> None:
+    """One decision, and after an acceptance one that took it back; its sample is the first of the draw that
+    did not leave, its counts are those of their verdicts between draw and decision.
+    """
+    if not decisions:
+        return
+    first = lot.decisions[0]
+    if [one["choice"] for one in decisions] not in _COURSES:
+        raise Damaged("lots-decided-otherwise", id=lot.id)
+    left = set(first.left_out)
+    drawn = [one.measurement_id for one in items if one.measurement_id not in left]
+    if list(first.sample) != drawn[: lot.sample_size] or first.rest != len(drawn) - len(first.sample):
+        raise Damaged("lots-sample-not-the-draws", id=lot.id)
+    span = (int(draw["event"]), int(decisions[0]["event"]))
+    least, most, judged = 0, 0, 0
+    for one in items:
+        if one.role != "sample":
+            continue
+        said = [each for each in by_series.get(one.measurement_id, ()) if span[0] < each["event"] < span[1]]
+        conforming = _conforming(
+            one, said, heights.get(one.measurement_id) if there(one.measurement_id) else None
+        )
+        judged += conforming is not None
+        least += conforming == {False}
+        most += conforming is not None and False in conforming
+    if judged != first.judged or not least <= first.nonconforming <= most:
+        raise Damaged("lots-counts-not-those-of-verdicts", id=lot.id)
+    enough = first.judged == len(first.sample) > 0 and first.nonconforming <= lot.acceptance_number
+    if first.choice == "accepted" and not enough:
+        raise Damaged("lots-accepted-beyond-its-plan", id=lot.id)
+
+
+_COURSES = (["accepted"], ["full_inspection"], ["dissolved"], ["accepted", "taken_back"])
+
+
+def _conforming(
+    one: LotItem, said: Sequence[Event], heights: Mapping[int, tuple[float | None, float | None]] | None
+) -> set[bool] | None:
+    """What the verdicts may say of an item: None where nobody judged it; both where a fix moved it by just
+    about its U95, or where its heights are not in the package any more (its vehicle was deleted).
+    """
+    verdicts = [Said(int(each["revision"]), int(each["result_revision"]), each["verdict"]) for each in said]
+    found: set[bool | None] = set()
+    for hair in (-_LENGTH_M, _LENGTH_M) if heights is not None else (-1e9, 1e9):
+        known = heights if heights is not None else {each: (0.0, 0.0) for each in _revisions(one, verdicts)}
+        moved = {each: (height, None if u95 is None else u95 + hair) for each, (height, u95) in known.items()}
+        now = ItemNow(
+            measurement_id=one.measurement_id,
+            revision=one.revision,
+            place=1,
+            newest=max(_revisions(one, verdicts)),
+            said=verdicts,
+            heights=moved,
+        )
+        found.add(items_of([now], 1)[0].conforming)
+    return None if None in found else {bool(each) for each in found}
+
+
+def _revisions(one: LotItem, verdicts: Sequence[Said]) -> set[int]:
+    return {one.revision, *(each.result_revision for each in verdicts)}
+
+
+def _check_verdicts(
+    lot: Lot, decisions: Sequence[Event], given: Sequence[Event], items: Sequence[LotItem]
+) -> None:
+    """An accepted lot gave its verdict to each of its rest, of the revision drawn, after the decision; one
+    taken back took it from as many as it says, and from no other.
+    """
+    rest = {(one.measurement_id, one.revision) for one in items if one.role == "rest"}
+    accepted = [one for one in given if one["verdict"] == "accepted"]
+    again = [one for one in given if one["verdict"] == "reopened"]
+    chosen = {one["choice"]: one for one in decisions}
+    told = [(int(one["series_id"]), int(one["revision"])) for one in accepted]
+    wanted = rest if "accepted" in chosen else set()
+    if set(told) != wanted or len(told) != len(wanted) or len(again) + len(accepted) != len(given):
+        raise Damaged("lots-verdicts-not-those-of-its-rest", id=lot.id)
+    taken = {int(one["series_id"]) for one in again}
+    back = chosen.get("taken_back")
+    if not taken <= {number for number, _ in rest} or len(again) != (int(back["rest"]) if back else 0):
+        raise Damaged("lots-verdicts-not-those-of-its-rest", id=lot.id)
+    for verdicts, choice in ((accepted, "accepted"), (again, "taken_back")):
+        if any(one["event"] < chosen[choice]["event"] for one in verdicts):
+            raise Damaged("lots-verdict-before-the-decision", id=lot.id)
+
+
+def _check_items(
+    files: Files,
+    lots: Mapping[int, Lot],
+    items: Mapping[int, Sequence[LotItem]],
+    there: Callable[[int], bool],
+) -> None:
+    wanted = {
+        (str(id_), str(one.place)): cells_of(LOT_ITEMS, ItemOfLot(lots[id_], one))
+        for id_, found in items.items()
+        for one in found
+        if there(one.measurement_id)
+    }
+    for row in read_rows(files, LOT_ITEMS.path):
+        told = wanted.pop((row["lot_id"], row["place"]), None)
+        if told != {name: text for name, text in row.items() if text}:
+            raise Damaged("lots-items-csv-not-what-events-say", id=row["lot_id"], place=row["place"])
+    if wanted:
+        lot, place = min(wanted)
+        raise Damaged("lots-items-csv-not-what-events-say", id=lot, place=place)

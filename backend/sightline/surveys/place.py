@@ -1,0 +1,49 @@
+"""The place of a survey: where it lies, what road it is, and whose clocks are told."""
+
+from dataclasses import dataclass, replace
+
+from sightline.enums import StreetLamps
+from sightline.errors import BadInput
+from sightline.infra.local_time import zone_of
+
+_FASTEST_MPS = 60.0
+
+
+@dataclass(frozen=True, slots=True)
+class Place:
+    """What is known of a survey's site; None while nobody has said.
+
+    Latitude and longitude in degrees (WGS84), north and east positive; `time_zone` by its IANA name, proposed
+    for recordings.
+    """
+
+    latitude_deg: float | None = None
+    longitude_deg: float | None = None
+    road_class: str | None = None
+    speed_limit_mps: float | None = None
+    street_lamps: StreetLamps | None = None
+    time_zone: str | None = None
+
+
+PLACE: tuple[str, ...] = tuple(Place.__dataclass_fields__)
+
+
+def checked_place(place: Place) -> Place:
+    """The place, its words without blanks around them. Raises BadInput for what cannot be true."""
+    latitude, longitude = place.latitude_deg, place.longitude_deg
+    if (latitude is None) != (longitude is None):
+        raise BadInput("surveys-place-half-coordinates")
+    if latitude is not None and not -90.0 <= latitude <= 90.0:
+        raise BadInput("surveys-place-latitude", latitude=format(latitude, "g"))
+    if longitude is not None and not -180.0 <= longitude <= 180.0:
+        raise BadInput("surveys-place-longitude", longitude=format(longitude, "g"))
+    limit = place.speed_limit_mps
+    if limit is not None and not 0.0 < limit <= _FASTEST_MPS:
+        raise BadInput(
+            "surveys-place-speed-limit", kmh=f"{3.6 * limit:.3g}", fastest=f"{3.6 * _FASTEST_MPS:.3g}"
+        )
+    zone = (place.time_zone or "").strip() or None
+    if zone is not None:
+        zone_of(zone)
+    road = (place.road_class or "").strip() or None
+    return replace(place, road_class=road, time_zone=zone)

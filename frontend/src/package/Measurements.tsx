@@ -1,0 +1,251 @@
+import { useState } from "preact/hooks";
+import type { Row } from "./csv";
+import type { Again } from "./measured";
+import { again, type Opened } from "./opened";
+import { say } from "./say";
+
+const PAGE = 50;
+
+/** The list of measurements, and the one that is chosen with its pictures and both heights. */
+export function Measurements({ found }: { found: Opened }) {
+  const [filter, setFilter] = useState("");
+  const [from, setFrom] = useState(0);
+  const [chosen, setChosen] = useState<string | null>(null);
+  const rows = found.measurements.filter((row) => matches(row, filter));
+  const shown = rows.slice(from, from + PAGE);
+  const one = found.measurements.find((row) => row["id"] === chosen) ?? shown[0];
+  return (
+    <section class="opened__section" id="measurements">
+      <h2 class="opened__name">{say("opened-measurements")}</h2>
+      {found.measurements.length === 0 && <p class="opened__quiet">{say("opened-measurements-none")}</p>}
+      {found.measurements.length > 0 && (
+        <>
+          <div class="opened__tools">
+            <label class="opened__filter">
+              {say("opened-filter")}
+              <select
+                value={filter}
+                onChange={(event) => {
+                  setFilter(event.currentTarget.value);
+                  setFrom(0);
+                }}
+              >
+                <option value="">{say("opened-filter-all")}</option>
+                <option value="differs">{say("opened-filter-differs")}</option>
+                {["roof", "driver_eye", "taillight", "headlight", "other"].map((target) => (
+                  <option key={target} value={target}>
+                    {targetWord(target)}
+                  </option>
+                ))}
+              </select>
+            </label>
+            <button type="button" disabled={from === 0} onClick={() => setFrom(from - PAGE)}>
+              {say("opened-before")}
+            </button>
+            <span>
+              {say("opened-range", {
+                from: Math.min(from + 1, rows.length),
+                to: Math.min(from + PAGE, rows.length),
+                count: rows.length,
+              })}
+            </span>
+            <button type="button" disabled={from + PAGE >= rows.length} onClick={() => setFrom(from + PAGE)}>
+              {say("opened-after")}
+            </button>
+          </div>
+          <div class="opened__split">
+            <List rows={shown} chosen={one?.["id"] ?? null} choose={setChosen} />
+            {one && <Detail row={one} found={found} />}
+          </div>
+        </>
+      )}
+    </section>
+  );
+}
+
+function matches(row: Row, filter: string): boolean {
+  if (filter === "") return true;
+  return filter === "differs"
+    ? (again.value.get(row["id"] ?? "")?.differs.length ?? 0) > 0
+    : row["target"] === filter;
+}
+
+function targetWord(target: string): string {
+  const words: Record<string, string> = {
+    roof: say("opened-target-roof"),
+    driver_eye: say("opened-target-driver_eye"),
+    taillight: say("opened-target-taillight"),
+    headlight: say("opened-target-headlight"),
+    other: say("opened-target-other"),
+  };
+  return words[target] ?? target;
+}
+
+function verdictWord(row: Row): string {
+  if (row["withdrawn"] === "true") return say("opened-withdrawn");
+  const words: Record<string, string> = {
+    accepted: say("opened-verdict-accepted"),
+    fixed: say("opened-verdict-fixed"),
+    rejected: say("opened-verdict-rejected"),
+  };
+  return words[row["verdict"] ?? ""] ?? say("opened-verdict-unreviewed");
+}
+
+interface ListProps {
+  rows: readonly Row[];
+  chosen: string | null;
+  choose: (id: string) => void;
+}
+
+function List({ rows, chosen, choose }: ListProps) {
+  return (
+    <div class="opened__scroll opened__list">
+      <table class="opened__rows">
+        <thead>
+          <tr>
+            <th scope="col">{say("opened-column-id")}</th>
+            <th scope="col">{say("opened-column-target")}</th>
+            <th scope="col">{say("opened-column-package")}</th>
+            <th scope="col">{say("opened-column-here")}</th>
+            <th scope="col">{say("opened-column-review")}</th>
+          </tr>
+        </thead>
+        <tbody>
+          {rows.map((row) => (
+            <Line key={row["id"]} row={row} isChosen={row["id"] === chosen} choose={choose} />
+          ))}
+        </tbody>
+      </table>
+    </div>
+  );
+}
+
+function Line({ row, isChosen, choose }: { row: Row; isChosen: boolean; choose: (id: string) => void }) {
+  const id = row["id"] ?? "";
+  const found = again.value.get(id);
+  const height = found?.lengths.height_m;
+  return (
+    <tr
+      class={isChosen ? "opened__line opened__line--chosen" : "opened__line"}
+      data-measurement={id}
+      data-height={height ?? ""}
+      data-differs={found?.differs.join(" ")}
+    >
+      <td>
+        <button type="button" class="opened__pick" aria-pressed={isChosen} onClick={() => choose(id)}>
+          {id}
+        </button>
+      </td>
+      <td>{targetWord(row["target"] ?? "")}</td>
+      <td class="opened__figures-cell">
+        {row["height_m"]
+          ? say("opened-height", { height_m: row["height_m"], U95_m: row["U95_height_m"] ?? "" })
+          : say("opened-height-none")}
+      </td>
+      <td
+        class={
+          found?.differs.length ? "opened__figures-cell opened__figures-cell--wrong" : "opened__figures-cell"
+        }
+      >
+        {hereWords(found)}
+      </td>
+      <td>{verdictWord(row)}</td>
+    </tr>
+  );
+}
+
+function hereWords(found: Again | undefined): string {
+  if (found === undefined) return "…";
+  if (found.refused === "pose") return say("opened-refused-pose");
+  if (found.refused === "form") return say("opened-refused-form");
+  const height = found.lengths.height_m;
+  return height === null
+    ? say("opened-height-none")
+    : say("opened-height-here", { height_m: height.toFixed(9) });
+}
+
+function Detail({ row, found }: { row: Row; found: Opened }) {
+  const id = row["id"] ?? "";
+  const crops = found.crops.get(id) ?? [];
+  const parts = found.budget.get(id) ?? [];
+  const mine = again.value.get(id);
+  return (
+    <div class="opened__detail">
+      <h3 class="opened__name">{say("opened-one", { id, target: targetWord(row["target"] ?? "") })}</h3>
+      {crops.length === 0 && <p class="opened__quiet">{say("opened-crops-none")}</p>}
+      <div class="opened__crops">
+        {crops.map((crop) => (
+          <Crop key={crop["k"]} crop={crop} />
+        ))}
+      </div>
+      {row["reason"] && <p>{row["reason"]}</p>}
+      {row["flags"] && <p class="opened__quiet">{row["flags"]}</p>}
+      {mine && mine.differs.length > 0 && (
+        <p class="opened__wrong">{say("opened-differs", { named: mine.differs.join(", ") })}</p>
+      )}
+      <table class="opened__rows">
+        <tbody>
+          <Pair name={say("opened-pair-package")} value={row["height_m"] || say("opened-height-none")} />
+          <Pair name={say("opened-pair-here")} value={hereWords(mine)} />
+          {mine?.off_m !== null && mine !== undefined && (
+            <Pair
+              name={say("opened-pair-off")}
+              value={say("opened-nanometres", { off_nm: (mine.off_m * 1e9).toFixed(1) })}
+            />
+          )}
+          <Pair name={say("opened-pair-contact")} value={`${row["contact_x_px"]}, ${row["contact_y_px"]}`} />
+          <Pair name={say("opened-pair-target")} value={`${row["target_x_px"]}, ${row["target_y_px"]}`} />
+          <Pair name={say("opened-pair-inset")} value={row["solved_inset_m"] || row["inset_m"] || ""} />
+          <Pair name={say("opened-pair-frame")} value={`${row["recording_id"]}: ${row["frame"]}`} />
+          <Pair name={say("opened-pair-pose")} value={row["pose_id"] ?? ""} />
+          {parts.map((part) => (
+            <Pair
+              key={part["source"]}
+              name={say("opened-pair-u", { source: part["source"] ?? "" })}
+              value={part["u_m"] ?? ""}
+            />
+          ))}
+        </tbody>
+      </table>
+    </div>
+  );
+}
+
+function Pair({ name, value }: { name: string; value: string }) {
+  return (
+    <tr>
+      <th scope="row">{name}</th>
+      <td class="opened__figures-cell">{value}</td>
+    </tr>
+  );
+}
+
+/** The picture that was clicked on, with the two points as crops.csv has them. */
+function Crop({ crop }: { crop: Row }) {
+  if (!crop["file"]) return <p class="opened__quiet">{crop["reason"]}</p>;
+  const number = (name: string) => Number(crop[name]);
+  const [width, height] = [number("width_px"), number("height_px")];
+  const points = ["contact", "target"].map(
+    (word) => [number(`${word}_x_px`) + 0.5, number(`${word}_y_px`) + 0.5] as const,
+  );
+  const [[cx, cy], [tx, ty]] = points as [readonly [number, number], readonly [number, number]];
+  return (
+    <svg
+      class="opened__crop"
+      viewBox={`0 0 ${width} ${height}`}
+      role="img"
+      aria-label={say("opened-crop", { frame: crop["frame"] ?? "" })}
+    >
+      <image href={crop["file"]} width={width} height={height} />
+      {(["dark", "light"] as const).map((shade) => (
+        <g key={shade} class={`opened__points opened__points--${shade}`}>
+          <path d={`M${cx} ${cy}L${tx} ${ty}`} stroke-dasharray="4 3" />
+          <circle cx={cx} cy={cy} r="5" />
+          <path d={`M${cx - 9} ${cy}h18`} />
+          <circle cx={tx} cy={ty} r="5" />
+          <path d={`M${tx} ${ty - 9}v18`} />
+        </g>
+      ))}
+    </svg>
+  );
+}

@@ -1,0 +1,219 @@
+import { useState } from "preact/hooks";
+import { type Row, unsafe } from "./csv";
+import { Measurements } from "./Measurements";
+import { again, audited, checkFolder, done, failed, folder, type Opened, opened, progress } from "./opened";
+import { say } from "./say";
+import { type Check, ofChain, ofFolder, ofHeights } from "./verdict";
+
+export function Page() {
+  const found = opened.value;
+  if (found === null) {
+    return (
+      <p class="opened opened__wait">
+        {failed.value === null ? say("opened-reading") : say("opened-unreadable")}
+      </p>
+    );
+  }
+  const [survey] = found.rows("survey.csv");
+  return (
+    <main class="opened">
+      <header class="opened__head">
+        <h1 class="opened__title">{unsafe(survey?.["name"] ?? "")}</h1>
+        <p class="opened__quiet">
+          {[unsafe(survey?.["site"] ?? ""), unsafe(survey?.["description"] ?? "")].filter(Boolean).join(". ")}
+        </p>
+        <p class="opened__quiet">{say("opened-made-with", { version: found.about.made_with })}</p>
+        <nav class="opened__links">
+          <a href="report.pdf">{say("opened-report")}</a>
+          <a href="#measurements">{say("opened-measurements")}</a>
+          <a href="#figures">{say("opened-figures")}</a>
+          <a href="#tables">{say("opened-tables")}</a>
+          <a href="#sizes">{say("opened-sizes")}</a>
+        </nav>
+      </header>
+      <Checks />
+      <Measurements found={found} />
+      <Figures found={found} />
+      <Tables found={found} />
+      <Sizes found={found} />
+    </main>
+  );
+}
+
+function checksSoFar(): Check[] {
+  const known = audited.value;
+  const files = folder.value;
+  return [
+    ...(again.value.size > 0 || done.value ? [ofHeights(again.value)] : []),
+    ...(known === null ? [] : ofChain(known)),
+    ...(files === null || files === "checking" ? [] : [ofFolder(files)]),
+    ...(failed.value === null
+      ? []
+      : [{ name: "failed", state: "wrong", words: say("opened-failed", { words: failed.value }) } as const]),
+  ];
+}
+
+function Checks() {
+  const checks = checksSoFar();
+  const wrong = checks.some((one) => one.state === "wrong");
+  const state = wrong ? "wrong" : done.value ? "fine" : "open";
+  const verdict = {
+    wrong: say("opened-is-wrong"),
+    fine: say("opened-is-fine"),
+    open: say("opened-checking"),
+  }[state];
+  return (
+    <section class="opened__section" aria-live="polite">
+      <p class={`opened__verdict opened__verdict--${state}`} data-verdict={state}>
+        {verdict}
+      </p>
+      {!done.value && (
+        <progress class="opened__progress" value={progress.value} aria-label={say("opened-checking")} />
+      )}
+      <ul class="opened__checks">
+        {checks.map((one) => (
+          <li
+            key={one.name}
+            class={`opened__check opened__check--${one.state}`}
+            data-check={one.name}
+            data-state={one.state}
+          >
+            {one.words}
+          </li>
+        ))}
+      </ul>
+      <FolderChoice />
+      <details class="opened__about">
+        <summary>{say("opened-what-title")}</summary>
+        <p>{say("opened-what-here")}</p>
+        <p>{say("opened-what-folder")}</p>
+        <p>{say("opened-what-verify")}</p>
+        <p>{say("opened-what-page")}</p>
+      </details>
+    </section>
+  );
+}
+
+function FolderChoice() {
+  const known = audited.value;
+  const usable = known !== null && known !== "absent" && known.chain.seal !== null;
+  if (!usable) return null;
+  return (
+    <label class="opened__choice">
+      <span>{folder.value === "checking" ? say("opened-folder-checking") : say("opened-folder-choose")}</span>
+      <input
+        type="file"
+        multiple
+        ref={(input) => input?.setAttribute("webkitdirectory", "")}
+        disabled={folder.value === "checking"}
+        onClick={(event) => {
+          event.currentTarget.value = ""; // the same folder once more
+        }}
+        onChange={(event) => checkFolder([...(event.currentTarget.files ?? [])])}
+      />
+    </label>
+  );
+}
+
+function Figures({ found }: { found: Opened }) {
+  const { figures } = found.about;
+  return (
+    <section class="opened__section" id="figures">
+      <h2 class="opened__name">{say("opened-figures")}</h2>
+      {figures.length === 0 && <p class="opened__quiet">{say("opened-figures-none")}</p>}
+      <div class="opened__figures">
+        {figures.map((path) => (
+          <img key={path} class="opened__figure" src={path} alt={path} loading="lazy" />
+        ))}
+      </div>
+    </section>
+  );
+}
+
+function Tables({ found }: { found: Opened }) {
+  const others = found.about.tables.filter(
+    (one) => !["measurements.csv", "budget.csv", "crops.csv"].includes(one.path),
+  );
+  return (
+    <section class="opened__section" id="tables">
+      <h2 class="opened__name">{say("opened-tables")}</h2>
+      {found.about.left_out.length > 0 && (
+        <p>{say("opened-left-out", { named: found.about.left_out.join(", ") })}</p>
+      )}
+      {others.map((one) => (
+        <Table key={one.path} {...one} rows={found.rows} />
+      ))}
+    </section>
+  );
+}
+
+const MOST_ROWS = 200;
+
+interface TableProps {
+  path: string;
+  meaning: string;
+  columns: Readonly<Record<string, string>>;
+  rows: (path: string) => readonly Row[];
+}
+
+function Table({ path, meaning, columns, rows }: TableProps) {
+  const [isOpen, setOpen] = useState(false);
+  const shown = isOpen ? rows(path) : [];
+  const names = Object.keys(columns);
+  return (
+    <details class="opened__table" onToggle={(event) => setOpen(event.currentTarget.open)}>
+      <summary>
+        <a href={path}>{path}</a> {meaning}
+      </summary>
+      {isOpen && shown.length === 0 && <p class="opened__quiet">{say("opened-table-empty")}</p>}
+      {shown.length > MOST_ROWS && (
+        <p class="opened__quiet">{say("opened-table-cut", { shown: MOST_ROWS, count: shown.length })}</p>
+      )}
+      {shown.length > 0 && (
+        <div class="opened__scroll">
+          <table class="opened__rows">
+            <thead>
+              <tr>
+                {names.map((name) => (
+                  <th key={name} scope="col" title={columns[name]}>
+                    {name}
+                  </th>
+                ))}
+              </tr>
+            </thead>
+            <tbody>
+              {shown.slice(0, MOST_ROWS).map((row) => (
+                <tr key={names.map((name) => row[name]).join()}>
+                  {names.map((name) => (
+                    <td key={name}>{unsafe(row[name] ?? "")}</td>
+                  ))}
+                </tr>
+              ))}
+            </tbody>
+          </table>
+        </div>
+      )}
+    </details>
+  );
+}
+
+function Sizes({ found }: { found: Opened }) {
+  const { folders } = found.about;
+  const files = folders.reduce((sum, one) => sum + one.files, 0);
+  const bytes = folders.reduce((sum, one) => sum + one.bytes, 0);
+  return (
+    <section class="opened__section" id="sizes">
+      <h2 class="opened__name">{say("opened-sizes")}</h2>
+      <p>{say("opened-sizes-total", { files, mb: bytes / 1e6 })}</p>
+      <ul class="opened__sizes">
+        {folders.map((one) => (
+          <li key={one.folder}>
+            {one.folder === ""
+              ? say("opened-size-top", { files: one.files, mb: one.bytes / 1e6 })
+              : say("opened-size", { folder: one.folder, files: one.files, mb: one.bytes / 1e6 })}
+          </li>
+        ))}
+      </ul>
+    </section>
+  );
+}

@@ -1,0 +1,158 @@
+/** What the page found, as signals: tables at once, then heights, chain and signature while somebody reads. */
+
+import { signal } from "@preact/signals";
+import { auditFiles, type Held, heldFiles, textOf } from "./blocks";
+import { type Chain, type Signed, signed, walked } from "./chain";
+import { type Row, rowsOf } from "./csv";
+import { type Pose, poseOf } from "./documents";
+import { checkedFolder, type FolderCheck } from "./folder";
+import { type Again, computedAgain } from "./measured";
+import { notVouched, posesNotVouched } from "./vouched";
+
+/** What the package says of itself for this page: sizes of its folders, figures, tables with their columns. */
+interface About {
+  readonly made_with: string;
+  readonly folders: readonly { folder: string; files: number; bytes: number }[];
+  readonly figures: readonly string[];
+  /** tables that are too large for a page */
+  readonly left_out: readonly string[];
+  readonly tables: readonly { path: string; meaning: string; columns: Readonly<Record<string, string>> }[];
+}
+
+export interface Opened {
+  readonly about: About;
+  readonly held: ReadonlyMap<string, Held>;
+  readonly rows: (path: string) => readonly Row[];
+  readonly measurements: readonly Row[];
+  readonly budget: ReadonlyMap<string, readonly Row[]>;
+  readonly crops: ReadonlyMap<string, readonly Row[]>;
+  readonly poses: ReadonlyMap<string, Pose>;
+  readonly records: ReadonlyMap<string, unknown>;
+}
+
+export interface Audited {
+  readonly chain: Chain;
+  readonly signed: Signed;
+  /** files carried by the page that are not those that the seal names */
+  readonly notSealed: readonly string[];
+  readonly sealed: number;
+  readonly notVouched: readonly string[];
+  readonly posesNotVouched: readonly string[];
+  readonly beside: readonly Held[];
+}
+
+export const opened = signal<Opened | null>(null);
+/** heights computed again, by measurement; grows */
+export const again = signal<ReadonlyMap<string, Again>>(new Map());
+export const audited = signal<Audited | "absent" | null>(null);
+export const progress = signal<number>(0);
+export const folder = signal<FolderCheck | "checking" | null>(null);
+export const failed = signal<string | null>(null);
+export const done = signal(false);
+
+/** Reads what the page carries and checks it, step by step. */
+export async function open(): Promise<void> {
+  try {
+    const found = await read();
+    opened.value = found;
+    await computeAll(found);
+    await auditAll(found);
+  } catch (error) {
+    failed.value = String(error instanceof Error ? error.message : error);
+  }
+  done.value = true;
+}
+
+async function read(): Promise<Opened> {
+  const held = await heldFiles();
+  const tables = new Map<string, readonly Row[]>();
+  const rows = (path: string) => {
+    const known = tables.get(path) ?? (held.has(path) ? rowsOf(textOf(held.get(path))) : []);
+    tables.set(path, known);
+    return known;
+  };
+  const poses = new Map<string, Pose>();
+  const records = new Map<string, unknown>();
+  for (const [path, one] of held) {
+    const id = /^records\/pose-(\d+)\.json$/.exec(path)?.[1];
+    if (id === undefined) continue;
+    const record = JSON.parse(textOf(one)) as { document: unknown };
+    records.set(id, record);
+    poses.set(id, poseOf(record.document));
+  }
+  const about = JSON.parse(document.getElementById("about")?.textContent ?? "{}") as About;
+  return {
+    about,
+    held,
+    rows,
+    measurements: rows("measurements.csv"),
+    budget: grouped(rows("budget.csv")),
+    crops: grouped(rows("crops.csv")),
+    poses,
+    records,
+  };
+}
+
+function grouped(rows: readonly Row[]): Map<string, Row[]> {
+  const found = new Map<string, Row[]>();
+  for (const row of rows) {
+    const id = row["measurement_id"] ?? "";
+    const list = found.get(id);
+    if (list) list.push(row);
+    else found.set(id, [row]);
+  }
+  return found;
+}
+
+async function computeAll(found: Opened): Promise<void> {
+  const results = new Map<string, Again>();
+  const breathe = breathing();
+  for (const row of found.measurements) {
+    const parts = (found.budget.get(row["id"] ?? "") ?? []).map((part) => Number(part["u_m"]));
+    results.set(row["id"] ?? "", computedAgain(row, found.poses.get(row["pose_id"] ?? ""), parts));
+    await breathe(results.size / found.measurements.length);
+  }
+  again.value = results;
+}
+
+async function auditAll(found: Opened): Promise<void> {
+  const beside = await auditFiles();
+  if (beside === null) {
+    audited.value = "absent";
+    return;
+  }
+  const chain = await walked(beside.audit, breathing());
+  const sealed = chain.seal?.files ?? {};
+  audited.value = {
+    chain,
+    signed: await signed(beside.checkpoint, chain),
+    notSealed: [...found.held.values()]
+      .filter((one) => sealed[one.path] !== one.sha256)
+      .map((one) => one.path),
+    sealed: found.held.size,
+    notVouched: notVouched(found.measurements, chain),
+    posesNotVouched: posesNotVouched(found.records, chain),
+    beside: [beside.audit, beside.checkpoint],
+  };
+}
+
+/** Holds the files of a folder that somebody chose against the seal. */
+export async function checkFolder(chosen: readonly File[]): Promise<void> {
+  const known = audited.value;
+  if (known === null || known === "absent" || known.chain.seal === null || chosen.length === 0) return;
+  folder.value = "checking";
+  folder.value = await checkedFolder(chosen, known.chain.seal, known.beside, breathing());
+}
+
+const BREATH_MS = 16;
+
+/** Lets the browser draw now and then, and tells how far things are. */
+function breathing(): (fraction: number) => Promise<void> {
+  let last = performance.now();
+  return async (fraction) => {
+    if (performance.now() - last < BREATH_MS) return;
+    progress.value = fraction;
+    await new Promise((go) => setTimeout(go));
+    last = performance.now();
+  };
+}

@@ -1,0 +1,102 @@
+/** Where a survey's site lies, what road it is, and whose clocks are told there. */
+import { SelectField, TextField } from "../../components";
+import { say, wordsOf } from "../../core/messages";
+import { TIME_ZONES } from "../../core/times";
+import type { Place } from "../../core/types";
+import { parseNumber, speedScale } from "../../core/units";
+import "./surveyFields.css";
+
+const LAMPS = wordsOf({ present: "place-lamps-present", none: "place-lamps-none" });
+
+/** The fields as they are typed. */
+export interface TypedPlace {
+  latitude: string;
+  longitude: string;
+  road: string;
+  limit: string;
+  lamps: NonNullable<Place["street_lamps"]> | "";
+  zone: string;
+}
+
+export const NO_PLACE: TypedPlace = { latitude: "", longitude: "", road: "", limit: "", lamps: "", zone: "" };
+
+export function typedPlace(place: Place): TypedPlace {
+  const limit = place.speed_limit_mps;
+  return {
+    latitude: place.latitude_deg === null ? "" : String(place.latitude_deg),
+    longitude: place.longitude_deg === null ? "" : String(place.longitude_deg),
+    road: place.road_class ?? "",
+    limit: limit === null ? "" : String(Number((limit * speedScale()[0]).toFixed(1))),
+    lamps: place.street_lamps ?? "",
+    zone: place.time_zone ?? "",
+  };
+}
+
+/** What was typed, or the sentence on what is no number. */
+export function readPlace(typed: TypedPlace, before: Place | null): Place | string {
+  const latitude_deg = optional(typed.latitude);
+  const longitude_deg = optional(typed.longitude);
+  const limit = optional(typed.limit);
+  if (latitude_deg === undefined || longitude_deg === undefined) return say("place-coordinates-problem");
+  if (limit === undefined) return say("place-limit-problem", { unit: speedScale()[1] });
+  // one that was left as it stood is not rounded by having been shown
+  const kept = before !== null && typed.limit === typedPlace(before).limit;
+  return {
+    latitude_deg,
+    longitude_deg,
+    road_class: typed.road.trim() || null,
+    speed_limit_mps: kept ? before.speed_limit_mps : limit === null ? null : limit / speedScale()[0],
+    street_lamps: typed.lamps || null,
+    time_zone: typed.zone.trim() || null,
+  };
+}
+
+/** Null for an empty field, undefined for what is no number. */
+function optional(text: string): number | null | undefined {
+  return text.trim() === "" ? null : (parseNumber(text) ?? undefined);
+}
+
+interface Props {
+  place: TypedPlace;
+  onChange(place: TypedPlace): void;
+}
+
+export function PlaceFields({ place, onChange }: Props) {
+  const field = (key: Exclude<keyof TypedPlace, "lamps">) => ({
+    value: place[key],
+    onInput: (text: string) => onChange({ ...place, [key]: text }),
+  });
+  return (
+    <fieldset class="survey-fields stack" data-testid="place">
+      <legend>{say("place-title")}</legend>
+      <div class="row row--wrap">
+        <TextField label={say("place-latitude")} numeric {...field("latitude")} placeholder="49.44315" />
+        <TextField label={say("place-longitude")} numeric {...field("longitude")} placeholder="1.09932" />
+      </div>
+      <div class="row row--wrap">
+        <TextField
+          label={say("place-road")}
+          {...field("road")}
+          suggestions={say("place-roads").split("; ")}
+        />
+        <TextField label={say("place-limit")} numeric unit={speedScale()[1]} {...field("limit")} />
+        <SelectField<TypedPlace["lamps"]>
+          label={say("place-lamps")}
+          value={place.lamps}
+          options={[
+            { value: "", label: say("place-not-said") },
+            { value: "present", label: LAMPS.present },
+            { value: "none", label: LAMPS.none },
+          ]}
+          onChange={(lamps) => onChange({ ...place, lamps })}
+        />
+      </div>
+      <TextField
+        label={say("place-zone")}
+        hint={say("place-zone-hint")}
+        {...field("zone")}
+        suggestions={TIME_ZONES}
+      />
+    </fieldset>
+  );
+}

@@ -1,0 +1,206 @@
+/** One lot: its plan's operating characteristic with both risk points, how far its sample is, and what is decided. */
+import { useState } from "preact/hooks";
+import { ask, Button, Problem, Progress } from "../../components";
+import { api } from "../../core/api";
+import { say } from "../../core/messages";
+import { may } from "../../core/session";
+import { formatMoment } from "../../core/times";
+import type { ShownLot } from "../../core/types";
+import { formatCount } from "../../core/units";
+import { percent } from "../../parts/figures/numbers";
+import { PlotFigure } from "../../parts/figures/PlotFigure";
+import { commonInWords, leftInWords } from "./lots";
+
+interface Props {
+  surveyId: number;
+  shown: ShownLot;
+  done(): Promise<void>;
+}
+
+type Act = "accept" | "inspect" | "dissolve" | "take-back";
+
+export function LotPanel({ surveyId, shown, done }: Props) {
+  const { lot } = shown;
+  const left = leftInWords(shown);
+  const title = say("lots-named", { number: String(lot.number), common: commonInWords(lot.common) });
+  return (
+    <section class="panel" aria-label={title} data-testid="lot">
+      <header class="panel__head">
+        <h2>{title}</h2>
+      </header>
+      <div class="panel__body stack">
+        <p data-testid="lot-words">{inWords(shown)}</p>
+        {left && <p class="small">{say("lots-left", { reasons: left })}</p>}
+        <Progress
+          value={shown.progress.judged / Math.max(1, shown.progress.sample)}
+          label={say("lots-judged")}
+          figure={say("lots-of", { part: shown.progress.judged, all: shown.progress.sample })}
+          still
+        />
+        <Acts surveyId={surveyId} shown={shown} done={done} />
+        <Curve shown={shown} />
+        <p class="small muted">
+          {say("lots-drawn", {
+            when: formatMoment(lot.created_at),
+            person: lot.created_by?.name ?? say("lots-nobody"),
+            seed: lot.seed.slice(0, 16),
+          })}
+        </p>
+      </div>
+    </section>
+  );
+}
+
+function inWords({ lot, progress, state, outgoing }: ShownLot): string {
+  const bad = { count: progress.nonconforming, most: formatCount(lot.acceptance_number) };
+  const plan = say("lots-plan", {
+    size: formatCount(lot.size),
+    sample: formatCount(progress.sample),
+    most: formatCount(lot.acceptance_number),
+  });
+  if (state === "open") {
+    const waits = progress.sample - progress.judged;
+    if (progress.nonconforming > lot.acceptance_number) return `${plan} ${say("lots-says-refused", bad)}`;
+    if (waits > 0) return `${plan} ${say("lots-says-waits", { count: waits })}`;
+    return `${plan} ${say("lots-says-accept", bad)}`;
+  }
+  if (state === "accepted" && outgoing) {
+    const values = {
+      count: progress.rest,
+      bad: formatCount(progress.nonconforming),
+      estimate: outgoing.estimate.toFixed(1),
+      most: formatCount(outgoing.at_most),
+      share: percent(outgoing.count > 0 ? outgoing.at_most / outgoing.count : 0),
+    };
+    return `${plan} ${say("lots-says-accepted", values)}`;
+  }
+  if (state === "full_inspection") return `${plan} ${say("lots-says-inspected", { count: progress.rest })}`;
+  if (state === "taken_back") return `${plan} ${say("lots-says-taken-back", { count: progress.rest })}`;
+  return `${plan} ${say("lots-says-dissolved")}`;
+}
+
+function Acts({ surveyId, shown, done }: Props) {
+  const [busy, setBusy] = useState<Act | null>(null);
+  const [problem, setProblem] = useState<unknown>(null);
+  const { lot, progress, state } = shown;
+  const act = async (one: Act) => {
+    setBusy(one);
+    setProblem(null);
+    const where = { lot_id: lot.id };
+    try {
+      if (one === "accept") await api.write("POST /lots/{lot_id}/accept", where);
+      if (one === "inspect") await api.write("POST /lots/{lot_id}/inspect", where);
+      if (one === "dissolve") await api.write("POST /lots/{lot_id}/dissolve", where);
+      if (one === "take-back") await api.write("POST /lots/{lot_id}/take-back", where);
+    } catch (error) {
+      setProblem(error);
+    }
+    await done();
+    setBusy(null);
+  };
+  const inspect = async () => {
+    const yes = await ask({
+      title: say("lots-inspect"),
+      body: say("lots-inspect-text", { count: progress.rest }),
+      action: say("lots-inspect"),
+    });
+    if (yes) await act("inspect");
+  };
+  if (!may("reviewer")) return null;
+  return (
+    <>
+      <Problem error={problem} />
+      <div class="row lots__acts">
+        {state === "open" && (
+          <>
+            {progress.judged < progress.sample && (
+              <Button kind="primary" href={`/surveys/${surveyId}/review?lot=${lot.id}`}>
+                {say("lots-judge")}
+              </Button>
+            )}
+            <Button
+              kind={progress.may_accept ? "primary" : undefined}
+              busy={busy === "accept"}
+              disabled={!progress.may_accept}
+              onClick={() => void act("accept")}
+            >
+              {say("lots-accept")}
+            </Button>
+            <Button busy={busy === "inspect"} onClick={() => void inspect()}>
+              {say("lots-inspect")}
+            </Button>
+            {progress.judged === 0 && (
+              <Button kind="quiet" busy={busy === "dissolve"} onClick={() => void act("dissolve")}>
+                {say("lots-dissolve")}
+              </Button>
+            )}
+          </>
+        )}
+        {state === "accepted" && (
+          <Button icon="undo" busy={busy === "take-back"} onClick={() => void act("take-back")}>
+            {say("lots-take-back")}
+          </Button>
+        )}
+      </div>
+      {state === "open" && progress.own > 0 && (
+        <p class="small">{say("lots-own", { count: progress.own })}</p>
+      )}
+    </>
+  );
+}
+
+function Curve({ shown }: { shown: ShownLot }) {
+  const { kept, curve, lot } = shown;
+  const points = [
+    { fraction: kept.producer_quality, accepted: 1 - kept.producer_risk },
+    { fraction: kept.consumer_quality, accepted: kept.consumer_risk },
+  ];
+  const values = {
+    good: percent(kept.producer_quality),
+    refused: percent(kept.producer_risk),
+    bad: percent(kept.consumer_quality),
+    passed: percent(kept.consumer_risk),
+  };
+  return (
+    <PlotFigure
+      name={`lot-${lot.number}-plan`}
+      title={say("lots-curve")}
+      says={say("lots-curve-says", values)}
+      note={say("lots-curve-note", values)}
+      data={shown}
+      options={(plot) => ({
+        x: { label: say("lots-curve-x"), zero: true },
+        y: { label: say("lots-curve-y"), domain: [0, 100] },
+        marks: [
+          plot.line(curve, {
+            x: (one) => one.fraction * 100,
+            y: (one) => one.accepted * 100,
+            stroke: "var(--ink)",
+            strokeWidth: 1.6,
+          }),
+          plot.dot(points, {
+            x: (one) => one.fraction * 100,
+            y: (one) => one.accepted * 100,
+            r: 5,
+            fill: "var(--ink)",
+          }),
+          ...points.map((one, i) =>
+            plot.text([one], {
+              x: [one.fraction * 100],
+              y: [one.accepted * 100],
+              text: [say(i === 0 ? "lots-producer" : "lots-consumer")],
+              // beside the first: the axis has its name above, the curve falls below
+              dx: i === 0 ? 24 : 9,
+              dy: i === 0 ? 5 : -9,
+              textAnchor: "start",
+            }),
+          ),
+        ],
+      })}
+      table={() => ({
+        columns: ["fraction_nonconforming", "probability_accepted"],
+        rows: curve.map((one) => [one.fraction, one.accepted]),
+      })}
+    />
+  );
+}

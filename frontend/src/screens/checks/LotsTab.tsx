@@ -1,0 +1,284 @@
+/** Review by lots: what could be drawn, the lots, and one of them with its curve, its progress and its decision in words. */
+import { useState } from "preact/hooks";
+import { Button, Loading, Notice, Problem, TableScroll, TextField } from "../../components";
+import { query, setQuery } from "../../core/address";
+import { api } from "../../core/api";
+import { say, wordsOf } from "../../core/messages";
+import { useResource } from "../../core/resource";
+import { may } from "../../core/session";
+import { refreshSurvey } from "../../core/survey";
+import type { LotSummary, PlannedLot, ShownLot } from "../../core/types";
+import { formatCount } from "../../core/units";
+import { percent } from "../../parts/figures/numbers";
+import { LotPanel } from "./LotPanel";
+import { commonInWords, LOT_STATES } from "./lots";
+
+const GROUPINGS = ["target", "lighting", "operator", "day"] as const;
+type Grouping = (typeof GROUPINGS)[number];
+const GROUPING_WORDS: Readonly<Record<Grouping, string>> = wordsOf({
+  target: "lots-by-target",
+  lighting: "lots-by-lighting",
+  operator: "lots-by-operator",
+  day: "lots-by-day",
+});
+const RISKS = ["producer_quality", "producer_risk", "consumer_quality", "consumer_risk"] as const;
+type Risk = (typeof RISKS)[number];
+const RISK_WORDS: Readonly<Record<Risk, string>> = wordsOf({
+  producer_quality: "lots-producer-quality",
+  producer_risk: "lots-producer-risk",
+  consumer_quality: "lots-consumer-quality",
+  consumer_risk: "lots-consumer-risk",
+});
+/** In per cent: 1 wrong height in 100 nearly always passes, 1 in 10 hardly ever. */
+const USUAL: Readonly<Record<Risk, string>> = {
+  producer_quality: "1",
+  producer_risk: "5",
+  consumer_quality: "10",
+  consumer_risk: "10",
+};
+
+export function LotsTab({ surveyId }: { surveyId: number }) {
+  const where = { survey_id: surveyId };
+  const read = useResource(
+    async (signal) => {
+      const [lots, summary] = await Promise.all([
+        api.ask("GET /surveys/{survey_id}/lots", where, { signal }),
+        api.ask("GET /surveys/{survey_id}/lots/summary", where, { signal }),
+      ]);
+      return { lots, summary };
+    },
+    [surveyId],
+    { keep: true },
+  );
+  if (!read.data)
+    return read.error ? (
+      <Problem error={read.error} again={read.reload} />
+    ) : (
+      <Loading what={say("lots-loading")} />
+    );
+  const { lots, summary } = read.data;
+  const wanted = Number(query.value.get("lot"));
+  const shown = lots.find((one) => one.lot.id === wanted) ?? lots[0];
+  const again = async () => {
+    await Promise.all([read.reload(), refreshSurvey()]);
+  };
+  return (
+    <>
+      <Summary summary={summary} />
+      <Draw surveyId={surveyId} changed={read.data} done={again} />
+      {lots.length > 0 && <Lots lots={lots} shown={shown} />}
+      {shown && <LotPanel key={shown.lot.id} surveyId={surveyId} shown={shown} done={again} />}
+    </>
+  );
+}
+
+function Summary({ summary }: { summary: LotSummary }) {
+  const { individual, by_lot, waiting, outgoing } = summary;
+  return (
+    <Notice kind="info">
+      <span data-testid="lots-summary">
+        {say("lots-summary", { individual: formatCount(individual), by_lot: formatCount(by_lot) })}{" "}
+        {outgoing.count > 0 &&
+          say("lots-outgoing", {
+            count: outgoing.count,
+            estimate: outgoing.estimate.toFixed(1),
+            most: formatCount(outgoing.at_most),
+            share: percent(outgoing.at_most / outgoing.count),
+          })}{" "}
+        {waiting > 0 && say("lots-held", { count: waiting })}
+      </span>
+    </Notice>
+  );
+}
+
+interface DrawProps {
+  surveyId: number;
+  /** What was read of the lots: what waits is another thing after a draw. */
+  changed: unknown;
+  done(): Promise<void>;
+}
+
+function Draw({ surveyId, changed, done }: DrawProps) {
+  const [by, setBy] = useState<readonly Grouping[]>(["target", "lighting"]);
+  const [typed, setTyped] = useState(USUAL);
+  const [busy, setBusy] = useState(false);
+  const [problem, setProblem] = useState<unknown>(null);
+  const risks = fractions(typed);
+  const plan = useResource(
+    (signal) =>
+      api.ask(
+        "GET /surveys/{survey_id}/lots/plan",
+        { survey_id: surveyId, by: [...by], ...risks },
+        { signal },
+      ),
+    [surveyId, JSON.stringify([by, risks]), changed],
+    { keep: true },
+  );
+  const draw = async () => {
+    setBusy(true);
+    setProblem(null);
+    try {
+      const body = { by: [...by], ...risks };
+      const made = await api.write("POST /surveys/{survey_id}/lots", { survey_id: surveyId }, { body });
+      setQuery({ lot: String(made[0]?.lot.id ?? "") });
+      await done();
+    } catch (error) {
+      setProblem(error);
+    }
+    setBusy(false);
+  };
+  const planned = plan.data ?? [];
+  return (
+    <section class="panel" aria-label={say("lots-draw-title")} data-testid="lots-draw">
+      <header class="panel__head">
+        <h2>{say("lots-draw-title")}</h2>
+        {may("reviewer") && (
+          <Button
+            kind="primary"
+            busy={busy}
+            disabled={!!plan.error || !planned.some((one) => one.saves)}
+            onClick={() => void draw()}
+          >
+            {say("lots-draw")}
+          </Button>
+        )}
+      </header>
+      <div class="panel__body stack">
+        <fieldset class="lots__by row">
+          <legend class="field__label">{say("lots-by")}</legend>
+          {GROUPINGS.map((one) => (
+            <label key={one} class="row">
+              <input
+                type="checkbox"
+                checked={by.includes(one)}
+                onChange={(event) =>
+                  setBy(
+                    GROUPINGS.filter((each) =>
+                      each === one ? event.currentTarget.checked : by.includes(each),
+                    ),
+                  )
+                }
+              />
+              {GROUPING_WORDS[one]}
+            </label>
+          ))}
+        </fieldset>
+        <div class="lots__risks">
+          {RISKS.map((one) => (
+            <TextField
+              key={one}
+              label={RISK_WORDS[one]}
+              value={typed[one]}
+              numeric
+              unit="%"
+              onInput={(value) => setTyped({ ...typed, [one]: value })}
+            />
+          ))}
+        </div>
+        <p class="small muted">{say("lots-nonconforming")}</p>
+        <Problem error={problem ?? plan.error} />
+      </div>
+      {!plan.error && <Planned planned={planned} />}
+    </section>
+  );
+}
+
+function fractions(typed: Readonly<Record<Risk, string>>): Record<Risk, number> {
+  const of = (one: Risk): number => {
+    const value = Number(typed[one].replace(",", "."));
+    return typed[one].trim() === "" || Number.isNaN(value) ? -1 : value / 100;
+  };
+  return {
+    producer_quality: of("producer_quality"),
+    producer_risk: of("producer_risk"),
+    consumer_quality: of("consumer_quality"),
+    consumer_risk: of("consumer_risk"),
+  };
+}
+
+function Planned({ planned }: { planned: readonly PlannedLot[] }) {
+  if (planned.length === 0) return <p class="panel__body muted">{say("lots-nothing-waits")}</p>;
+  return (
+    <TableScroll label={say("lots-planned")} class="lots__planned">
+      <table class="table" data-testid="lots-planned">
+        <thead>
+          <tr>
+            <th>{say("lots-lot")}</th>
+            <th class="num">{say("lots-size")}</th>
+            <th class="num">{say("lots-sample")}</th>
+            <th class="num">{say("lots-number")}</th>
+            <th>{say("lots-what")}</th>
+          </tr>
+        </thead>
+        <tbody>
+          {planned.map((one) => (
+            <tr key={JSON.stringify(one.common)}>
+              <td>{commonInWords(one.common)}</td>
+              <td class="num">{formatCount(one.size)}</td>
+              <td class="num">{formatCount(one.sample_size)}</td>
+              <td class="num">{formatCount(one.acceptance_number)}</td>
+              <td>
+                {one.saves ? (
+                  say("lots-saves", { count: one.size - one.sample_size })
+                ) : (
+                  <span class="muted">{say("lots-saves-nothing")}</span>
+                )}
+              </td>
+            </tr>
+          ))}
+        </tbody>
+      </table>
+    </TableScroll>
+  );
+}
+
+function Lots({ lots, shown }: { lots: readonly ShownLot[]; shown: ShownLot | undefined }) {
+  return (
+    <section class="panel" aria-label={say("lots-tab")}>
+      <header class="panel__head">
+        <h2>{say("lots-tab")}</h2>
+      </header>
+      <TableScroll label={say("lots-tab")} class="lots__planned">
+        <table class="table" data-testid="lots">
+          <thead>
+            <tr>
+              <th>{say("lots-lot")}</th>
+              <th class="num">{say("lots-size")}</th>
+              <th class="num">{say("lots-judged")}</th>
+              <th class="num">{say("lots-bad")}</th>
+              <th>{say("lots-state")}</th>
+              <th />
+            </tr>
+          </thead>
+          <tbody>
+            {lots.map((one) => (
+              <tr key={one.lot.id} aria-current={one === shown ? "true" : undefined}>
+                <td>
+                  {say("lots-named", {
+                    number: String(one.lot.number),
+                    common: commonInWords(one.lot.common),
+                  })}
+                </td>
+                <td class="num">{formatCount(one.lot.size)}</td>
+                <td class="num nowrap">
+                  {say("lots-of", { part: one.progress.judged, all: one.progress.sample })}
+                </td>
+                <td class="num">{formatCount(one.progress.nonconforming)}</td>
+                <td>{LOT_STATES[one.state]}</td>
+                <td>
+                  {one === shown ? (
+                    <span class="muted">{say("computing-shown")}</span>
+                  ) : (
+                    <Button small onClick={() => setQuery({ lot: String(one.lot.id) })}>
+                      {say("computing-show")}
+                    </Button>
+                  )}
+                </td>
+              </tr>
+            ))}
+          </tbody>
+        </table>
+      </TableScroll>
+    </section>
+  );
+}

@@ -1,0 +1,74 @@
+import { TableScroll } from "../../components";
+import { say } from "../../core/messages";
+import { formatSmall } from "../../core/units";
+import { TARGET_WORDS } from "../../core/words";
+import { NONE } from "../../parts/figures/numbers";
+import type { Comparison } from "./model";
+
+type Figure = Comparison["figures"][number];
+
+/** Where what counts is of two surveys or years: whether they differ by more than noise. */
+export function ComparisonSection({ compared }: { compared: Comparison }) {
+  const title = say("statistics-compared-title", {
+    first: compared.first.name,
+    second: compared.second.name,
+  });
+  return (
+    <section class="panel" aria-labelledby="stat-compared" data-testid="comparison">
+      <header class="panel__head">
+        <h2 id="stat-compared">{title}</h2>
+      </header>
+      {compared.figures.length === 0 ? (
+        <p class="stat-notes small">{say("statistics-compared-none")}</p>
+      ) : (
+        <TableScroll label={title}>
+          <table class="table">
+            <thead>
+              <tr>
+                <th>{say("statistics-compared-figure")}</th>
+                <th class="num">{say("statistics-compared-heights")}</th>
+                <th class="num">{say("statistics-compared-difference")}</th>
+                <th>{say("statistics-compared-verdict")}</th>
+              </tr>
+            </thead>
+            <tbody>
+              {compared.figures.map((one) => (
+                <Row key={`${one.target}|${one.percent}`} one={one} />
+              ))}
+            </tbody>
+          </table>
+        </TableScroll>
+      )}
+      <p class="stat-notes small">{say("statistics-compared-note")}</p>
+    </section>
+  );
+}
+
+function Row({ one }: { one: Figure }) {
+  const { U95_low_m: low, U95_high_m: high } = one;
+  const figure = one.percent === null ? say("statistics-compared-mean") : `P${one.percent}`;
+  return (
+    <tr>
+      <th scope="row">
+        {TARGET_WORDS[one.target]}, {figure}
+      </th>
+      <td class="num">{say("statistics-compared-of", { first: one.n_first, second: one.n_second })}</td>
+      <td class="num">
+        {one.value_m === null ? NONE : <strong>{formatSmall(one.value_m)}</strong>}
+        {low !== null && high !== null && (
+          <div class="stat-ci">
+            {say("statistics-compared-interval", { low: formatSmall(low), high: formatSmall(high) })}
+          </div>
+        )}
+      </td>
+      <td>{verdict(one)}</td>
+    </tr>
+  );
+}
+
+function verdict({ verdict: word, reason }: Figure): string {
+  if (word === "higher") return say("statistics-compared-higher");
+  if (word === "lower") return say("statistics-compared-lower");
+  if (word === "not_told_apart") return say("statistics-compared-alike");
+  return say("statistics-compared-unknown", { reason: reason ?? "" });
+}

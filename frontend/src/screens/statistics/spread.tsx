@@ -1,0 +1,44 @@
+/** The columns of a spread: how many vehicles, their mean, SD and percentiles. */
+import { say } from "../../core/messages";
+import { formatCount, lengthScale } from "../../core/units";
+import { NONE, percent, scaled } from "../../parts/figures/numbers";
+import type { Group } from "./model";
+
+export function SpreadHead({ percents }: { percents: readonly number[] }) {
+  const unit = lengthScale()[1];
+  return (
+    <>
+      <th class="num">n</th>
+      <th class="num">{say("statistics-groups-mean", { unit })}</th>
+      <th class="num">{say("statistics-groups-sd", { unit })}</th>
+      {percents.map((one) => (
+        <th key={one} class="num">
+          {percent(one / 100, 0)}
+        </th>
+      ))}
+    </>
+  );
+}
+
+interface CellsProps {
+  of: Pick<Group, "n" | "mean_m" | "sd_m" | "percentiles">;
+  percents: readonly number[];
+  decimals: number;
+}
+
+export function SpreadCells({ of, percents, decimals }: CellsProps) {
+  const factor = lengthScale()[0];
+  const at = (wanted: number) => of.percentiles.find((p) => p.percent === wanted)?.value ?? null;
+  return (
+    <>
+      <td class="num">{formatCount(of.n)}</td>
+      <td class="num">{scaled(of.mean_m, factor, decimals)}</td>
+      <td class="num">{of.sd_m === null ? NONE : scaled(of.sd_m, factor, decimals)}</td>
+      {percents.map((wanted) => (
+        <td key={wanted} class="num">
+          {scaled(at(wanted), factor, decimals)}
+        </td>
+      ))}
+    </>
+  );
+}

@@ -1,0 +1,60 @@
+"""When a recording was filmed is confirmed on its page; passes then have a time of day."""
+
+from pathlib import Path
+
+from playwright.sync_api import Page, expect
+
+from .conftest import wait_for_demonstration
+
+
+def test_a_start_is_confirmed_and_passes_have_their_time(page: Page, screenshots: Path) -> None:
+    page.goto("/")
+    survey_id = wait_for_demonstration(page)
+    recording = page.request.get(f"/api/surveys/{survey_id}/recordings").json()[0]
+    usual = {"local": recording["started_local"], "time_zone": recording["time_zone"]}
+    try:
+        _confirmed(page, survey_id, recording, screenshots)
+    finally:  # other tests look at the same survey
+        body = {"start": usual, "weather": recording["weather"]}
+        put = page.request.put(f"/api/recordings/{recording['id']}", data=body, headers={"X-Sightline": "1"})
+        assert put.ok, put.text()
+
+
+def _confirmed(page: Page, survey_id: int, recording: dict[str, object], screenshots: Path) -> None:
+    page.goto(f"/surveys/{survey_id}/recordings")
+    card = page.get_by_role("article").filter(has_text=str(recording["name"]))
+    expect(card.get_by_test_id("filmed")).to_contain_text("Filmed from 14 May 2025, 08:10:00 (Europe/Paris)")
+    card.get_by_test_id("filmed").get_by_role("button").click()
+    dialog = page.get_by_role("dialog")
+    page.screenshot(path=screenshots / "filming-dialog.png")
+    dialog.get_by_label("First frame").fill("2999-01-01T08:10:00")
+    dialog.get_by_role("button", name="Save").click()
+    expect(dialog.get_by_text("has not come yet")).to_be_visible()
+    dialog.get_by_label("First frame").fill("2025-03-30T02:30:00")
+    dialog.get_by_role("button", name="Save").click()
+    expect(dialog.get_by_text("does not exist in Europe/Paris")).to_be_visible()
+    dialog.get_by_label("First frame").fill("2025-10-26T02:30:00")
+    dialog.get_by_role("button", name="Save").click()
+    expect(dialog.get_by_text("comes twice in Europe/Paris")).to_be_visible()
+    dialog.get_by_label("the second time (+01:00)").check()
+    dialog.get_by_label("Weather").fill("fog")
+    page.screenshot(path=screenshots / "filming-twice.png")
+    dialog.get_by_role("button", name="Save").click()
+    expect(dialog).not_to_be_visible()
+    expect(card.get_by_test_id("filmed")).to_contain_text("Filmed from 26 Oct 2025, 02:30:00 (Europe/Paris)")
+    expect(card.get_by_test_id("filmed")).to_contain_text("fog")
+    page.screenshot(path=screenshots / "filming.png")
+    page.set_viewport_size({"width": 1024, "height": 768})
+    page.screenshot(path=screenshots / "filming-1024.png")
+
+    page.goto(f"/surveys/{survey_id}/measure?recording={recording['id']}")
+    vehicles = page.request.get(f"/api/surveys/{survey_id}/vehicles").json()
+    first = next(one for one in vehicles if one["recording_id"] == recording["id"])
+    assert first["filmed_at"].endswith("+01:00")
+    row = page.get_by_test_id(f"pass-{first['number']}")
+    expect(row).to_contain_text(first["filmed_at"][11:19])
+    page.screenshot(path=screenshots / "filming-measure.png")
+    page.goto(f"/surveys/{survey_id}/camera")
+    expect(page.get_by_test_id("camera-words")).to_contain_text("wide angle")
+    page.get_by_test_id("camera-words").get_by_role("button", name="Change").click()
+    page.screenshot(path=screenshots / "filming-camera.png")

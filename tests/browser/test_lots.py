@@ -1,0 +1,118 @@
+"""Review by lots from end to end: drawn, judged by key, accepted, taken back; another inspected whole."""
+
+import re
+from collections.abc import Iterator
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Browser, Page, expect
+
+from sightline.demo import invented
+from sightline.infra.database.engine import migrate
+from sightline.infra.services import open_services
+from sightline.people.service import first_sign_in_link
+from sightline.settings import Settings
+
+from .server import Server, start
+
+SITE = replace(invented.SITES[0], daytime=24, low_light=0)
+
+
+@pytest.fixture
+def server(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Server]:
+    """A server with one simulated site that nobody has reviewed: 24 roofs and 24 eyes by day."""
+    monkeypatch.setattr(invented, "_review_by_lots", lambda *_, **__: None)
+    services = open_services(Settings(data_dir=tmp_path, find_passes=False))
+    migrate(services.engine)
+    assert first_sign_in_link(services)
+    films = {"daytime": invented._film(services, SITE, "daytime")}
+    with services.writing() as session:
+        invented.store_site(session, SITE, films)  # type: ignore[arg-type]
+    services.close()
+    started = start("serve", tmp_path)
+    try:
+        started.wait(60)
+        yield started
+    finally:
+        started.stop()
+
+
+def test_a_lot_from_its_draw_to_its_decision(browser: Browser, server: Server, screenshots: Path) -> None:
+    context = browser.new_context(base_url=server.url, viewport={"width": 1440, "height": 900})
+    page = context.new_page()
+    page.set_default_timeout(30_000)
+    page.goto(server.sign_in_link())
+    page.wait_for_url(lambda url: "sign-in" not in url)
+    (survey,) = page.request.get("/api/surveys").json()
+    lots = f"/surveys/{survey['id']}/checks?tab=lots"
+    page.goto(lots)
+    _drawn(page, screenshots)
+    sample, size = _judged(page, screenshots)
+    lot = page.get_by_test_id("lot")
+    lot.get_by_role("button", name="Accept the lot").click()
+    words = page.get_by_test_id("lot-words")
+    expect(words).to_contain_text(f"{size - sample} heights accepted by it")
+    expect(page.get_by_test_id("lots-summary")).to_contain_text(
+        f"verdict of their own: {sample}; by their lot’s sample: {size - sample}"
+    )
+    lot.get_by_role("img").first.scroll_into_view_if_needed()
+    page.screenshot(path=screenshots / "lots-accepted.png", full_page=True)
+    lot.get_by_role("button", name="Take back").click()
+    expect(words).to_contain_text(f"taken back: {size - sample} heights wait again")
+    page.get_by_test_id("lots").get_by_role("button", name="Show").click()
+    lot.get_by_role("button", name="Full inspection").click()
+    page.get_by_role("dialog").get_by_role("button", name="Full inspection").click()
+    expect(words).to_contain_text("Not accepted by its sample")
+    page.set_viewport_size({"width": 1024, "height": 768})
+    page.screenshot(path=screenshots / "lots-1024.png")
+    found = page.request.get(f"/api/surveys/{survey['id']}/lots").json()
+    assert sorted(one["state"] for one in found) == ["full_inspection", "taken_back"]
+    audit = page.request.get(f"/api/audit/verify?survey_id={survey['id']}")
+    assert not audit.ok or audit.json()["ok"]
+    context.close()
+
+
+def _drawn(page: Page, screenshots: Path) -> None:
+    """Risks that are none are said in one sentence; the plan follows from those that are."""
+    planned = page.get_by_test_id("lots-planned")
+    expect(planned.locator("tbody tr")).to_have_count(2)
+    page.get_by_label("A lot with so many wrong should pass").fill("30")
+    expect(page.get_by_text("has to be smaller than that of one that should not")).to_be_visible()
+    page.get_by_label("A lot with so many wrong should pass").fill("1")
+    page.get_by_label("A lot with so many wrong should not pass").fill("25")
+    page.get_by_label("chance that it does", exact=True).fill("20")
+    expect(planned).to_contain_text("verdicts")
+    page.screenshot(path=screenshots / "lots-plan.png")
+    page.get_by_role("button", name="Draw", exact=True).click()
+    expect(page.get_by_test_id("lots").locator("tbody tr")).to_have_count(2)
+    expect(page.get_by_test_id("lot-words")).to_contain_text("of the sample still wait")
+
+
+def _judged(page: Page, screenshots: Path) -> tuple[int, int]:
+    """The whole sample in the queue, by one key; how many of how many."""
+    words = page.get_by_test_id("lot-words").inner_text()
+    size, sample = (int(one) for one in re.findall(r"\d+", words)[:2])
+    page.get_by_role("link", name="Judge the sample").click()
+    rows = page.locator(".review__row")
+    expect(rows).to_have_count(sample)
+    expect(page.get_by_test_id("review-lot")).to_contain_text("sample of lot")
+    page.screenshot(path=screenshots / "lots-queue.png")
+    accept = page.get_by_test_id("review-accept").get_by_role("button")
+    for at in range(sample):
+        expect(accept).to_be_enabled()
+        current = page.locator(".review__row[aria-current=true]")
+        measurement = current.get_attribute("data-measurement")
+        with page.expect_response(lambda answer: answer.url.endswith("/reviews") and answer.status == 201):
+            page.keyboard.press("a")
+        if at < sample - 1:
+            expect(page.locator(f'[data-measurement="{measurement}"][aria-current=true]')).to_have_count(0)
+    page.go_back()
+    page.wait_for_url(re.compile("tab=lots|review"))
+    found = page.request.get("/api/surveys").json()
+    page.goto(f"/surveys/{found[0]['id']}/checks?tab=lots")
+    page.get_by_test_id("lots").locator("tr", has_text=f"{sample} of {sample}").get_by_role("button").or_(
+        page.get_by_test_id("lots").locator("tr[aria-current=true]", has_text=f"{sample} of {sample}")
+    ).first.click()
+    expect(page.get_by_test_id("lot-words")).to_contain_text("The lot can be accepted")
+    return sample, size

@@ -1,0 +1,180 @@
+"""The page of a package, opened from a folder without a server: what it computes, finds and shows."""
+
+import base64
+import csv
+import json
+import re
+import shutil
+import zlib
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Browser, Page, expect
+
+from sightline.export.build import build
+from sightline.geometry.documents import pose_from_dict
+from sightline.infra.csv_package.files import Staging
+from sightline.infra.services import open_services
+from sightline.measurements.height_of_clicks import answer
+from sightline.measurements.verify import clicks_of_row
+from sightline.settings import Settings
+from sightline.surveys.store import list_surveys
+
+from .conftest import made_once
+
+
+@pytest.fixture(scope="module")
+def whole(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The package of the small demonstration survey."""
+    here = tmp_path_factory.getbasetemp()
+    shared = here.parent if here.name.startswith("popen") else here
+    data_dir = tmp_path_factory.mktemp("opened") / "data"
+    shutil.copytree(made_once(shared / "small-demonstration"), data_dir)
+    services = open_services(Settings(data_dir=data_dir))
+    place = data_dir.parent / "package"
+    place.mkdir()
+    with services.reading() as session:
+        (survey,) = list_surveys(session)
+        build(Staging(place), session, survey.id, services)
+    services.close()
+    return place
+
+
+@pytest.fixture
+def opened(browser: Browser) -> Iterator[Callable[[Path], Page]]:
+    """Opens a package from its folder; whatever goes wrong in the page fails the test."""
+    context = browser.new_context(viewport={"width": 1440, "height": 900}, offline=True)
+    problems: list[str] = []
+
+    def open_(place: Path) -> Page:
+        page = context.new_page()
+        page.on("pageerror", lambda error: problems.append(str(error)))
+        page.on("console", lambda told: problems.append(told.text) if told.type == "error" else None)
+        page.goto(f"file://{place}/index.html")
+        expect(page.locator('html[data-checked="true"]')).to_be_attached()
+        return page
+
+    yield open_
+    context.close()
+    assert problems == []
+
+
+def states(page: Page) -> dict[str, str]:
+    found = page.locator("[data-check]").all()
+    return {str(one.get_attribute("data-check")): str(one.get_attribute("data-state")) for one in found}
+
+
+def heights(page: Page) -> dict[str, str]:
+    """Every height that the page computed, in all its digits."""
+    found: dict[str, str] = {}
+    while True:
+        for one in page.locator("[data-measurement]").all():
+            found[str(one.get_attribute("data-measurement"))] = str(one.get_attribute("data-height"))
+        after = page.get_by_role("button", name="Next")
+        if after.is_disabled():
+            return found
+        after.click()
+
+
+def rows(place: Path, name: str) -> list[dict[str, str]]:
+    with (place / name).open(encoding="utf-8", newline="") as file:
+        return list(csv.DictReader(file))
+
+
+def test_its_heights_are_those_of_verify_to_a_nanometre(whole: Path, opened: Callable[[Path], Page]) -> None:
+    page = opened(whole)
+    assert set(states(page).values()) == {"fine"}, states(page)
+    assert page.locator("[data-verdict]").get_attribute("data-verdict") == "fine"
+    found = heights(page)
+    told = rows(whole, "measurements.csv")
+    assert set(found) == {row["id"] for row in told} and len(told) >= 10
+    assert any(row["frames"] != "1" for row in told), "several frames are computed too"
+    poses = {
+        row["id"]: json.loads((whole / f"poses/pose-{row['id']}.json").read_text())
+        for row in rows(whole, "poses.csv")
+    }
+    for row in told:
+        height_m = answer(pose_from_dict(poses[row["pose_id"]]), clicks_of_row(row)).height_m
+        assert (height_m is None) == (found[row["id"]] == ""), row["id"]
+        assert height_m is None or abs(float(found[row["id"]]) - height_m) <= 1e-9, row["id"]
+
+
+def test_crops_figures_tables_and_sizes_are_shown(whole: Path, opened: Callable[[Path], Page]) -> None:
+    page = opened(whole)
+    for figure in page.locator("#figures img").all():
+        figure.scroll_into_view_if_needed()
+        expect(figure).to_have_js_property("complete", True)
+        assert figure.evaluate("one => one.naturalWidth") > 0
+    crop = next(row for row in rows(whole, "crops.csv") if row["file"])
+    page.locator(f'[data-measurement="{crop["measurement_id"]}"]').get_by_role("button").click()
+    assert page.locator("#measurements image").first.get_attribute("href") == crop["file"]
+    expect(page.locator("#measurements circle").first).to_be_visible()
+    page.get_by_text("statistics/total_uncertainty.csv").locator("..").click(position={"x": 4, "y": 8})
+    expect(page.get_by_role("columnheader", name="raw_m")).to_be_visible()
+    beside = {"index.html", "datapackage.json", "audit.csv", "audit.js", "checkpoint.json", "SHA256SUMS"}
+    files = [one for one in whole.rglob("*") if one.is_file() and one.name not in beside]
+    expect(page.locator("#sizes")).to_contain_text(f"{len(files):,} files")
+
+
+def test_a_package_that_was_changed_shows_it(
+    whole: Path, opened: Callable[[Path], Page], tmp_path: Path
+) -> None:
+    place = Path(shutil.copytree(whole, tmp_path / "changed"))
+    row = next(row for row in rows(whole, "measurements.csv") if row["status"] == "ok")
+    index = place / "index.html"
+    index.write_text(with_table(index.read_text(), "measurements.csv", row["height_m"], "1.999999"))
+    page = opened(place)
+    found = states(page)
+    assert (found["heights"], found["seal"], found["rows"], found["chain"]) == (
+        "wrong",
+        "wrong",
+        "wrong",
+        "fine",
+    )
+    expect(page.locator("[data-verdict]")).to_have_text("This package is not as it was made.")
+    page.get_by_label("Show").select_option("differs")
+    expect(page.locator(f'[data-measurement="{row["id"]}"]')).to_contain_text("1.999999")
+
+
+def test_a_chain_that_was_changed_shows_it(
+    whole: Path, opened: Callable[[Path], Page], tmp_path: Path
+) -> None:
+    place = Path(shutil.copytree(whole, tmp_path / "chain"))
+    script = place / "audit.js"
+    told = json.loads(script.read_text().removeprefix("globalThis.sightlineAudit = ").removesuffix(";\n"))
+    text = zlib.decompress(base64.b64decode(told["audit.csv"]), -15).replace(b"height_m", b"heigth_m", 1)
+    told["audit.csv"] = packed(text)
+    script.write_text(f"globalThis.sightlineAudit = {json.dumps(told)};\n")
+    found = states(opened(place))
+    assert (found["chain"], found["seal"]) == ("wrong", "wrong")
+
+
+def test_the_files_beside_it_are_checked_once_the_folder_is_chosen(
+    whole: Path, opened: Callable[[Path], Page], tmp_path: Path
+) -> None:
+    place = Path(shutil.copytree(whole, tmp_path / "folder"))
+    page = opened(place)
+    choice = page.locator("input[type=file]")
+    choice.set_input_files(place)
+    expect(page.locator('[data-check="folder"]')).to_have_attribute("data-state", "fine")
+    picture = next((place / "crops").glob("*.jpg"))
+    picture.write_bytes(picture.read_bytes() + b"\0")
+    (place / "more.txt").write_text("put in")
+    choice.set_input_files(place)
+    expect(page.locator('[data-check="folder"]')).to_have_attribute("data-state", "wrong")
+    expect(page.locator('[data-check="folder"]')).to_contain_text("crops/")
+    expect(page.locator("[data-verdict]")).to_have_attribute("data-verdict", "wrong")
+
+
+def with_table(text: str, path: str, old: str, new: str) -> str:
+    """The page with some words of a table replaced."""
+    found = re.search(rf'data-path="{path}">([^<]*)<', text)
+    assert found
+    table = zlib.decompress(base64.b64decode(found[1]), -15).replace(old.encode(), new.encode(), 1)
+    return text.replace(found[1], packed(table))
+
+
+def packed(content: bytes) -> str:
+    packer = zlib.compressobj(6, zlib.DEFLATED, -15)
+    return base64.b64encode(packer.compress(content) + packer.flush()).decode()

@@ -1,0 +1,495 @@
+"""Backup and restore: a round trip, under load, resumed, of what is damaged; on SQLite and on PostgreSQL."""
+
+import itertools
+import json
+import os
+import stat
+import subprocess
+import sys
+import threading
+import time
+from collections.abc import Callable, Iterator
+from dataclasses import replace
+from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
+from uuid import uuid4
+
+import pytest
+from sqlalchemy import create_engine, func, make_url, select, text
+from sqlalchemy.orm import Session
+
+from sightline.cli import main
+from sightline.errors import BadInput, Conflict, Damaged, SightlineError
+from sightline.infra.audit.signing import signing_key
+from sightline.infra.audit.tables import audit_events
+from sightline.infra.audit.verification import verify_database
+from sightline.infra.backup import make
+from sightline.infra.backup.make import MadeBackup, make_backup
+from sightline.infra.backup.manifest import (
+    JOURNAL,
+    LOCK,
+    MANIFEST,
+    STATES,
+    media_file,
+    read_manifest,
+    write_manifest,
+)
+from sightline.infra.backup.restore import check_backup, restore_backup
+from sightline.infra.database.engine import make_engine, migrate, reading, session_factory
+from sightline.infra.database.types import metadata
+from sightline.infra.services import Services, open_services
+from sightline.infra.stored_bytes import put_bytes
+from sightline.measurements.records import MeasurementValues
+from sightline.measurements.store import add_measurement
+from sightline.measurements.tables import measurement_series
+from sightline.poses.tables import road_poses
+from sightline.settings import Settings
+from tests.conftest import SERVER
+from tests.media.test_store import OpenS3, open_s3, s3_endpoint
+from tests.support import samples
+
+pytestmark = pytest.mark.dialect
+
+assert open_s3 and s3_endpoint  # the fixtures
+
+NewPlace = Callable[[str], Settings]
+
+
+def silent(_share: float, _words: str) -> None:
+    """Progress that nobody looks at."""
+
+
+@pytest.fixture
+def new_place(tmp_path: Path) -> Iterator[NewPlace]:
+    """Settings of an empty place to restore into, of the same kind of database."""
+    schemas: list[str] = []
+
+    def made(name: str) -> Settings:
+        folder = tmp_path / name
+        if not SERVER:
+            return Settings(data_dir=folder)
+        schemas.append(f"sightline_restored_{uuid4().hex[:12]}")
+        _on_server(f'CREATE SCHEMA "{schemas[-1]}"')
+        url = make_url(SERVER).update_query_dict({"options": f"-csearch_path={schemas[-1]}"})
+        return Settings(data_dir=folder, database_url=url.render_as_string(hide_password=False))
+
+    yield made
+    for schema in schemas:
+        _on_server(f'DROP SCHEMA "{schema}" CASCADE')
+
+
+def _on_server(statement: str) -> None:
+    server = create_engine(SERVER, isolation_level="AUTOCOMMIT")
+    with server.connect() as connection:
+        connection.execute(text(statement))
+    server.dispose()
+
+
+@pytest.fixture
+def filled(services: Services) -> Services:
+    """An installation with measurements, media and both keys."""
+    with services.writing() as session:
+        one = samples.sample(session)
+        first = samples.measure(session, one)
+    for number in range(2, 9):
+        with services.writing() as session:
+            click(session, samples.KEY.format(number), samples.values(one), first.id)
+    put_bytes(services, b"a video" * 1000, ".mp4")
+    put_bytes(services, b"a picture", ".jpg")
+    signing_key(services.settings)
+    return services
+
+
+def click(session: Session, key: str, values: MeasurementValues, first: int) -> None:
+    """A repeat of the first measurement of the sample: as many as one likes may stand."""
+    add_measurement(session, 1, client_key=key, values=values, repeat_of=first, actor=1)
+
+
+def backed_up(services: Services, folder: Path, **options: bool) -> MadeBackup:
+    return make_backup(services, folder, silent, **options)
+
+
+def rows_of(url: str) -> dict[str, list[tuple[object, ...]]]:
+    """Every row of every table but the job engine's own, in an order that does not depend on the database."""
+    engine = make_engine(url, must_exist=True)
+    with reading(session_factory(engine)) as session:
+        found = {
+            table.name: sorted((tuple(row) for row in session.execute(select(table))), key=repr)
+            for table in metadata.sorted_tables
+        }
+    engine.dispose()
+    return found
+
+
+def test_what_is_restored_is_what_was_there(filled: Services, tmp_path: Path, new_place: NewPlace) -> None:
+    made = backed_up(filled, tmp_path / "backup")
+    place = new_place("restored")
+    found = restore_backup(tmp_path / "backup", place, silent)
+    assert found.audit is not None and found.audit.ok and found.audit.checked > 10
+    assert rows_of(place.database_url) == rows_of(filled.settings.database_url)
+    restored = open_services(place, decode_in_child=False)
+    assert list(restored.media.listing()) == list(filled.media.listing())
+    # counters stand where they stood: the next row gets a number of its own
+    with restored.writing() as session:
+        samples.person(session, "Petra")
+    restored.close()
+    assert verify_database(place.database_url).ok
+    key = place.data_dir / "signing.key"
+    assert key.read_bytes() == (filled.settings.data_dir / "signing.key").read_bytes()
+    assert stat.S_IMODE(key.stat().st_mode) == 0o600
+    assert made.fresh == len(made.manifest.media) == 2
+
+
+def test_what_is_written_once_stays_so_after_a_restore(
+    filled: Services, tmp_path: Path, new_place: NewPlace
+) -> None:
+    backed_up(filled, tmp_path / "backup")
+    place = new_place("restored")
+    restore_backup(tmp_path / "backup", place, silent)
+    engine = make_engine(place.database_url)
+    with engine.connect() as connection, pytest.raises(Exception, match="written once"):
+        connection.execute(text("UPDATE measurements SET revision = 7"))
+    engine.dispose()
+
+
+def test_the_folder_is_for_its_owner_alone(filled: Services, tmp_path: Path) -> None:
+    made = backed_up(filled, tmp_path / "backup").manifest
+    state = tmp_path / "backup" / STATES / made.state
+    assert stat.S_IMODE((tmp_path / "backup").stat().st_mode) == 0o700
+    assert stat.S_IMODE(state.stat().st_mode) == 0o700
+    assert {stat.S_IMODE(path.stat().st_mode) for path in state.iterdir()} == {0o600}
+    # what comes from the environment stays there, and no secret is among the settings
+    assert made.keys == {"signing.key": "file", "secret.key": "environment"}
+    assert "a secret for tests only" not in (tmp_path / "backup" / MANIFEST).read_text()
+
+
+def test_only_what_is_new_is_copied(filled: Services, tmp_path: Path) -> None:
+    first = backed_up(filled, tmp_path / "backup").manifest
+    put_bytes(filled, b"another picture", ".jpg")
+    second = backed_up(filled, tmp_path / "backup")
+    assert (second.fresh, len(second.manifest.media)) == (1, 3)
+    assert [path.name for path in (tmp_path / "backup" / STATES).iterdir()] == [second.manifest.state]
+    assert first.state != second.manifest.state
+    assert not (tmp_path / "backup" / JOURNAL).exists()
+
+
+def test_a_stopped_backup_goes_on_and_leaves_the_one_before_whole(
+    filled: Services, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, new_place: NewPlace
+) -> None:
+    folder = tmp_path / "backup"
+
+    def stopped(*_: object) -> None:
+        raise KeyboardInterrupt
+
+    with monkeypatch.context() as patch, pytest.raises(KeyboardInterrupt):
+        patch.setattr(make, "_copy_database", stopped)
+        backed_up(filled, folder)
+    with pytest.raises(BadInput, match="no whole backup"):
+        restore_backup(folder, new_place("too soon"), silent)
+    with (folder / JOURNAL).open("a") as journal:
+        journal.write('["torn')
+    first = backed_up(filled, folder)
+    assert (first.fresh, len(first.manifest.media)) == (0, 2)
+    put_bytes(filled, b"later", ".jpg")
+    with monkeypatch.context() as patch, pytest.raises(KeyboardInterrupt):
+        patch.setattr(make, "write_manifest", stopped)
+        backed_up(filled, folder)
+    assert check_backup(folder, silent).manifest == first.manifest
+
+
+HOLD = """
+import fcntl, sys, time
+file = open(sys.argv[1], "ab")
+fcntl.lockf(file, fcntl.LOCK_EX)
+print("held", flush=True)
+time.sleep(60)
+"""
+
+
+def test_one_backup_at_a_time_in_a_folder(filled: Services, tmp_path: Path) -> None:
+    backed_up(filled, tmp_path / "backup")
+    holder = [sys.executable, "-c", HOLD, str(tmp_path / "backup" / LOCK)]
+    with subprocess.Popen(holder, stdout=subprocess.PIPE) as other:
+        try:
+            assert other.stdout is not None
+            assert other.stdout.readline() == b"held\n"
+            with pytest.raises(Conflict, match="Another backup"):
+                backed_up(filled, tmp_path / "backup")
+        finally:
+            other.kill()
+    backed_up(filled, tmp_path / "backup")
+
+
+def test_a_killed_backup_goes_on(filled: Services, tmp_path: Path, new_place: NewPlace) -> None:
+    """SIGKILL at three places: what was copied is not copied again, and nothing looks whole before it is."""
+    for number in range(120):
+        put_bytes(filled, bytes([number % 251]) * 20_000 + str(number).encode(), ".jpg")
+    folder, settings = tmp_path / "backup", filled.settings
+    asked = ["backup", str(folder), "--data-dir", str(settings.data_dir)]
+    addresses = {"SIGHTLINE_DATABASE_URL": settings.database_url, "SIGHTLINE_MEDIA_URL": settings.media_url}
+    copied = 0
+    for _ in range(3):
+        command = [sys.executable, "-m", "sightline.cli", *asked]
+        with subprocess.Popen(command, env=os.environ | addresses, stderr=subprocess.DEVNULL) as running:
+            while running.poll() is None and _lines(folder / JOURNAL) < copied + 15:
+                time.sleep(0.001)
+            running.kill()
+        copied = _lines(folder / JOURNAL)
+        assert not (folder / MANIFEST).exists()
+        with pytest.raises(BadInput, match="no whole backup"):
+            check_backup(folder, silent)
+    made = backed_up(filled, folder)
+    assert (made.fresh + copied, len(made.manifest.media)) == (122, 122)
+    assert list(folder.rglob("*.part")) == []
+    assert restore_backup(folder, new_place("restored"), silent).audit is not None
+
+
+def _lines(path: Path) -> int:
+    return path.read_bytes().count(b"\n") if path.is_file() else 0
+
+
+def test_media_in_s3(
+    filled: Services, open_s3: OpenS3, tmp_path: Path, new_place: NewPlace, s3_endpoint: str
+) -> None:
+    store = open_s3()
+    for key, _ in filled.media.listing():
+        store.put_file(key, filled.media.local_path(key))
+    made = backed_up(replace(filled, media=store), tmp_path / "backup")
+    assert made.fresh == 2
+    address = f"s3://restored-{uuid4().hex[:8]}/some/place?endpoint={s3_endpoint}"
+    place = new_place("restored").model_copy(update={"media_url": address})
+    restore_backup(tmp_path / "backup", place, silent)
+    restored = open_services(place, decode_in_child=False)
+    assert list(restored.media.listing()) == list(filled.media.listing())
+    restored.close()
+    again = new_place("again").model_copy(update={"media_url": address})
+    with pytest.raises(BadInput, match="is not empty"):
+        restore_backup(tmp_path / "backup", again, silent)
+    assert not again.data_dir.exists()
+
+
+def test_clicks_are_stored_while_it_runs(
+    filled: Services, tmp_path: Path, new_place: NewPlace, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A restored database verifies, holds the clicks up to one of those acknowledged, none after it, and the
+    media of each.
+    """
+    with filled.reading() as session:
+        before = session.execute(select(func.count()).select_from(measurement_series)).scalar_one()
+        first = session.execute(select(func.min(measurement_series.c.id))).scalar_one()
+        values = samples.values(_sample_of(session))
+    acknowledged: list[tuple[str, str]] = []
+    stop = threading.Event()
+
+    def click_on() -> None:
+        for number in itertools.count(10_000):
+            if stop.is_set():
+                return
+            picture, key = put_bytes(filled, str(number).encode(), ".jpg"), samples.KEY.format(number)
+            with filled.writing(1) as session:
+                click(session, key, values, first)
+            acknowledged.append((key, picture))
+
+    moments: list[int] = []
+    copy = {name: getattr(make, name) for name in ("copy_sqlite", "copy_out")}
+
+    def between(*given: Any) -> Any:
+        """The copy of the database with clicks before, while and after."""
+        moments.append(_wait_for(acknowledged, 5))
+        done = copy["copy_out" if SERVER else "copy_sqlite"](*given[:2], lambda _: _wait_for(acknowledged, 1))
+        moments.append(_wait_for(acknowledged, 5))
+        return done
+
+    for name in copy:
+        monkeypatch.setattr(make, name, between)
+    monkeypatch.setattr("sightline.infra.backup.sqlite_copy._PAGES", 16)
+    thread = threading.Thread(target=click_on)
+    thread.start()
+    try:
+        backed_up(filled, tmp_path / "backup")
+    finally:
+        stop.set()
+        thread.join()
+    place = new_place("restored")
+    found = restore_backup(tmp_path / "backup", place, silent)
+    assert found.audit is not None and found.audit.ok
+    restored = open_services(place, decode_in_child=False)
+    s = measurement_series.c
+    with restored.reading() as session:
+        stored = list(session.execute(select(s.client_key).order_by(s.id).offset(before)).scalars())
+    assert stored == [key for key, _ in acknowledged[: len(stored)]]
+    # PostgreSQL's snapshot is older than its first table; a click may be on its way while one is taken
+    assert (0 if SERVER else moments[0]) <= len(stored) <= moments[1] + 1
+    assert len(acknowledged) >= moments[0] + 10
+    assert all(restored.media.exists(picture) for _, picture in acknowledged[: len(stored)])
+    restored.close()
+
+
+def _wait_for(growing: list[Any], more: int) -> int:
+    """Wait until a list has so many more; how many it has."""
+    start = len(growing)
+    for _ in range(2000):
+        if len(growing) >= start + more:
+            break
+        time.sleep(0.005)
+    return len(growing)
+
+
+def _sample_of(session: Session) -> Any:
+    """The numbers that `samples.values` takes of the sample that is stored."""
+    pose = session.execute(select(road_poses.c.id, road_poses.c.calibration_id)).one()
+    return SimpleNamespace(
+        pose=SimpleNamespace(id=pose.id), calibration=SimpleNamespace(id=pose.calibration_id)
+    )
+
+
+@pytest.mark.parametrize("harm", ["truncated", "changed", "gone"])
+@pytest.mark.parametrize("of", ["media", "database", "manifest"])
+def test_a_damaged_backup_is_refused_by_name(
+    filled: Services, tmp_path: Path, new_place: NewPlace, harm: str, of: str
+) -> None:
+    made = backed_up(filled, tmp_path / "backup").manifest
+    path = {
+        "media": media_file(tmp_path / "backup", next(iter(made.media.values())).sha256),
+        "database": tmp_path / "backup" / STATES / made.state / next(iter(made.files)),
+        "manifest": tmp_path / "backup" / MANIFEST,
+    }[of]
+    content = path.read_bytes()
+    if harm == "gone":
+        path.unlink()
+    elif harm == "truncated":
+        path.write_bytes(content[: len(content) // 2])
+    else:
+        path.write_bytes(content.replace(b'"files"', b'"fi1es"') if of == "manifest" else b"!" + content[1:])
+    place = new_place("restored")
+    for refused in (
+        lambda: check_backup(tmp_path / "backup", silent),
+        lambda: restore_backup(tmp_path / "backup", place, silent),
+    ):
+        with pytest.raises(SightlineError) as said:
+            refused()
+        assert path.name in said.value.message
+    assert not place.data_dir.exists()
+
+
+def test_figures_changed_in_the_manifest_are_seen(
+    filled: Services, tmp_path: Path, new_place: NewPlace
+) -> None:
+    backed_up(filled, tmp_path / "backup")
+    path = tmp_path / "backup" / MANIFEST
+    content = json.loads(path.read_bytes())
+    content["heads"] = {name: [count - 1, hash_] for name, (count, hash_) in content["heads"].items()}
+    path.write_text(json.dumps(content))
+    with pytest.raises(Damaged, match=r"manifest\.json"):
+        restore_backup(tmp_path / "backup", new_place("restored"), silent)
+
+
+def test_a_place_that_is_not_empty_is_refused(filled: Services, tmp_path: Path, new_place: NewPlace) -> None:
+    backed_up(filled, tmp_path / "backup")
+    place = new_place("restored")
+    place.data_dir.mkdir()
+    (place.data_dir / "mine.txt").write_text("mine")
+    with pytest.raises(BadInput, match="is not empty"):
+        restore_backup(tmp_path / "backup", place, silent)
+    assert [path.name for path in place.data_dir.iterdir()] == ["mine.txt"]
+    there = place.model_copy(update={"data_dir": tmp_path / "new"})
+    if SERVER:
+        engine = make_engine(there.database_url)
+        migrate(engine)
+        engine.dispose()
+        with pytest.raises(BadInput, match="already has tables"):
+            restore_backup(tmp_path / "backup", there, silent)
+        assert not there.data_dir.exists()
+
+
+def test_another_kind_of_database_is_refused(filled: Services, tmp_path: Path) -> None:
+    backed_up(filled, tmp_path / "backup")
+    other = "sqlite:///" + str(tmp_path / "x.db") if SERVER else "postgresql://127.0.0.1:1/none"
+    with pytest.raises(BadInput, match="that kind only"):
+        restore_backup(tmp_path / "backup", Settings(data_dir=tmp_path / "new", database_url=other), silent)
+
+
+def test_folders_that_hold_other_things_are_left_alone(filled: Services, tmp_path: Path) -> None:
+    (tmp_path / "mine").mkdir()
+    (tmp_path / "mine" / "letter.txt").write_text("dear")
+    with pytest.raises(BadInput, match="other things"):
+        backed_up(filled, tmp_path / "mine")
+    with pytest.raises(BadInput, match="hold each other"):
+        backed_up(filled, filled.settings.data_dir / "backup")
+    with pytest.raises(BadInput, match="hold each other"):
+        backed_up(filled, tmp_path)
+
+
+def test_a_backup_of_another_installation_is_not_replaced(filled: Services, tmp_path: Path) -> None:
+    backed_up(filled, tmp_path / "backup")
+    path = tmp_path / "backup" / MANIFEST
+    manifest = read_manifest(tmp_path / "backup")
+    other = {name: (count, "0" * 64) for name, (count, _) in manifest.heads.items()}
+    write_manifest(tmp_path / "backup", replace(manifest, heads=other))
+    before = path.read_bytes()
+    with pytest.raises(BadInput, match="another installation"):
+        backed_up(filled, tmp_path / "backup")
+    assert path.read_bytes() == before
+
+
+def test_old_media_go_only_when_asked(filled: Services, tmp_path: Path) -> None:
+    key = put_bytes(filled, b"soon gone", ".jpg")
+    backed_up(filled, tmp_path / "backup")
+    filled.media.delete(key)
+
+    def files() -> int:
+        return len(list((tmp_path / "backup" / "media").glob("??/??/*")))
+
+    assert backed_up(filled, tmp_path / "backup").pruned == 0
+    assert files() == 3
+    assert backed_up(filled, tmp_path / "backup", pruning=True).pruned == 1
+    assert files() == 2
+    check_backup(tmp_path / "backup", silent)
+
+
+def test_a_chain_that_does_not_hold_is_not_restored(
+    filled: Services, tmp_path: Path, new_place: NewPlace
+) -> None:
+    with filled.engine.begin() as connection:
+        if SERVER:
+            connection.execute(text("SET LOCAL session_replication_role = replica"))
+        else:
+            connection.execute(text("DROP TRIGGER audit_events_refuse_update"))
+        first = select(func.min(audit_events.c.id)).scalar_subquery()
+        connection.execute(audit_events.update().where(audit_events.c.id == first).values(action="forge"))
+    backed_up(filled, tmp_path / "backup")
+    place = new_place("restored")
+    with pytest.raises(Damaged, match="does not verify"):
+        restore_backup(tmp_path / "backup", place, silent)
+    assert not place.data_dir.exists()
+
+
+def test_by_commands(
+    filled: Services,
+    tmp_path: Path,
+    new_place: NewPlace,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    monkeypatch.setenv("SIGHTLINE_DATABASE_URL", filled.settings.database_url)
+    monkeypatch.setenv("SIGHTLINE_MEDIA_URL", filled.settings.media_url)
+    folder = str(tmp_path / "backup")
+    data_dir = str(filled.settings.data_dir)
+    # the sample's recording has a row and no file: said, and the rest is backed up all the same
+    assert main(["backup", folder, "--data-dir", data_dir, "--verify", "--prune"]) == 1
+    said = capsys.readouterr()
+    assert "not in the media store" in said.err and "media files are new" in said.out
+    assert "every file is the one that was backed up" in said.out
+    assert main(["verify", folder]) == 0
+    assert "every file" in capsys.readouterr().out
+    place = new_place("restored")
+    monkeypatch.delenv("SIGHTLINE_MEDIA_URL")
+    if SERVER:
+        monkeypatch.setenv("SIGHTLINE_DATABASE_URL", place.database_url)
+    else:
+        monkeypatch.delenv("SIGHTLINE_DATABASE_URL")
+    assert main(["restore", folder, "--data-dir", str(place.data_dir)]) == 0
+    assert "events holds" in capsys.readouterr().out
+    assert main(["restore", folder, "--data-dir", str(place.data_dir)]) == 2
+    assert verify_database(place.database_url).ok

@@ -1,0 +1,204 @@
+"""Many people clicking at once: `make soak` (python -m tests.load.soak [--seconds S] [--clients 1,8]).
+
+Starts the real server on a copy of a small demonstration and prints, for each number of clients, stored
+clicks a second, their median and 99th percentile, what else was answered, and the processor time that the
+server spent on a click; then the same with people who look at frames and lists beside. Every click is one
+revision: audit, budget and all. The clicks are counted again in the database at the end: as many as were
+acknowledged.
+"""
+
+from __future__ import annotations
+
+import argparse
+import asyncio
+import os
+import shutil
+import statistics
+import tempfile
+import time
+from collections import Counter
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+from uuid import uuid4
+
+import httpx2
+from sqlalchemy import make_url, text
+
+from sightline.infra.database.engine import make_engine
+from tests.browser.conftest import made_once
+from tests.browser.server import Server, start
+
+LATE = 1.0
+
+
+@dataclass
+class Told:
+    """What came back: seconds of each answer, and how many of which status."""
+
+    took_s: list[float] = field(default_factory=list)
+    statuses: Counter[int] = field(default_factory=Counter)
+    said: Counter[str] = field(default_factory=Counter)
+
+    def note(self, answer: httpx2.Response) -> None:
+        self.statuses[answer.status_code] += 1
+        if answer.status_code >= 500:
+            self.said[answer.text[:200]] += 1
+
+    def quantile(self, share: float) -> float:
+        ordered = sorted(self.took_s)
+        return ordered[min(len(ordered) - 1, int(share * len(ordered)))] if ordered else float("nan")
+
+
+@dataclass
+class Ground:
+    url: str
+    cookies: Any
+    survey: int
+    recording: dict[str, Any]
+    server_pid: int
+
+
+def signed_in(server: Server) -> tuple[Any, int]:
+    """The first administrator's cookie, and the demonstration's survey."""
+    with httpx2.Client(base_url=server.url, headers={"X-Sightline": "1"}, timeout=60) as http:
+        token = server.sign_in_link().split("token=")[1]
+        http.post("/api/session/link", json={"token": token}).raise_for_status()
+        while not (survey := http.get("/api/session").json().get("demo_survey_id")):
+            time.sleep(0.5)
+        return dict(http.cookies), int(survey)
+
+
+async def vehicle_of(http: httpx2.AsyncClient, ground: Ground) -> dict[str, Any]:
+    """A vehicle with one stored roof, for one client to click again and again."""
+    recording = ground.recording["id"]
+    made = await http.post(f"/api/recordings/{recording}/vehicles", json={"first_frame": 1, "last_frame": 9})
+    made.raise_for_status()
+    clicks = {"frame": 5, "contact": [320.0, 400.0], "target_point": [320.0, 200.0], "inset_m": 0.3}
+    body = {**clicks, "u_inset_m": 0.1, "target": "roof", "client_key": str(uuid4())}
+    stored = await http.post(f"/api/vehicles/{made.json()['id']}/measurements", json=body)
+    stored.raise_for_status()
+    return {**body, "id": stored.json()["id"], "revision": stored.json()["revision"]}
+
+
+async def click(http: httpx2.AsyncClient, ground: Ground, told: Told, until: float) -> None:
+    """One person: each click is another pixel, so each is a revision."""
+    mine = await vehicle_of(http, ground)
+    moved = 0
+    while time.perf_counter() < until:
+        moved += 1
+        body = {name: mine[name] for name in ("frame", "contact", "inset_m", "u_inset_m", "revision")}
+        body["target_point"] = [320.0 + (moved % 50) / 10, 200.0]
+        started = time.perf_counter()
+        answer = await http.put(f"/api/measurements/{mine['id']}", json=body)
+        told.took_s.append(time.perf_counter() - started)
+        told.note(answer)
+        if answer.status_code == 200:
+            mine["revision"] = answer.json()["revision"]
+        elif answer.status_code == 503:
+            await asyncio.sleep(float(answer.headers.get("Retry-After", LATE)))
+        else:
+            raise AssertionError(answer.text)
+
+
+async def look(http: httpx2.AsyncClient, ground: Ground, told: Told, until: float) -> None:
+    """One person who plays the recording at 25 frames a second and reads a list now and then."""
+    count, number = int(ground.recording["frame_count"]), 0
+    while time.perf_counter() < until:
+        number += 1
+        path = f"/api/recordings/{ground.recording['id']}/frames/{number * 7 % count}.jpg"
+        if number % 25 == 0:
+            path = f"/api/surveys/{ground.survey}/vehicles"
+        started = time.perf_counter()
+        answer = await http.get(path)
+        took = time.perf_counter() - started
+        told.took_s.append(took)
+        told.note(answer)
+        await asyncio.sleep(max(0.0, 0.04 - took))
+
+
+async def under_load(ground: Ground, clickers: int, lookers: int, seconds: float) -> tuple[Told, Told]:
+    limits = httpx2.Limits(max_connections=None)
+    clicked, seen = Told(), Told()
+    headers = {"X-Sightline": "1"}
+    async with httpx2.AsyncClient(
+        base_url=ground.url, cookies=ground.cookies, headers=headers, timeout=120, limits=limits
+    ) as http:
+        until = time.perf_counter() + seconds
+        people = [click(http, ground, clicked, until) for _ in range(clickers)]
+        people += [look(http, ground, seen, until) for _ in range(lookers)]
+        await asyncio.gather(*people)
+    return clicked, seen
+
+
+def processor_s(ground: Ground) -> float:
+    """Seconds of processor time that the server has spent (Linux)."""
+    fields = Path(f"/proc/{ground.server_pid}/stat").read_text().rsplit(")", 1)[1].split()
+    return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
+
+
+def resident_mb(ground: Ground) -> float:
+    pages = int(Path(f"/proc/{ground.server_pid}/statm").read_text().split()[1])
+    return pages * os.sysconf("SC_PAGE_SIZE") / 1e6
+
+
+def report(ground: Ground, clickers: int, lookers: int, seconds: float) -> int:
+    """Prints one row; how many clicks were acknowledged."""
+    before = processor_s(ground)
+    clicked, seen = asyncio.run(under_load(ground, clickers, lookers, seconds))
+    spent = processor_s(ground) - before
+    stored = clicked.statuses[200]
+    row = f"{clickers:4d} clicking, {lookers:2d} looking: {stored / seconds:6.1f} clicks/s"
+    row += f"  p50 {1000 * statistics.median(clicked.took_s):6.0f} ms"
+    row += f"  p99 {1000 * clicked.quantile(0.99):6.0f} ms"
+    row += f"  {1000 * spent / max(stored, 1):5.1f} ms of processor a click" if not lookers else ""
+    if seen.took_s:
+        row += f"  frames p50 {1000 * seen.quantile(0.5):.0f} p99 {1000 * seen.quantile(0.99):.0f} ms"
+    others = {**clicked.statuses, **{f"read {k}": v for k, v in seen.statuses.items()}}
+    print(f"{row}  {others}  {resident_mb(ground):.0f} MB  load {os.getloadavg()[0]:.1f}", flush=True)
+    for sentence, count in (clicked.said + seen.said).most_common(3):
+        print(f"     {count} times: {sentence}")
+    return stored
+
+
+def counted(database_url: str) -> int:
+    """Revisions in the database."""
+    engine = make_engine(database_url)
+    try:
+        with engine.connect() as connection:
+            return int(connection.execute(text("SELECT count(*) FROM measurements")).scalar_one())
+    finally:
+        engine.dispose()
+
+
+def main() -> None:
+    options = argparse.ArgumentParser(description=__doc__)
+    options.add_argument("--seconds", type=float, default=10.0)
+    options.add_argument("--clients", default="1,8,32,64")
+    options.add_argument("--looking", type=int, default=8)
+    options.add_argument("--ground", type=Path, help="a small demonstration made before")
+    chosen = options.parse_args()
+    with tempfile.TemporaryDirectory() as made:
+        here = Path(made)
+        data = here / "data"
+        shutil.copytree(chosen.ground or made_once(here / "small"), data)
+        server = start("demo", data)
+        try:
+            server.wait(120)
+            cookies, survey = signed_in(server)
+            with httpx2.Client(base_url=server.url, cookies=cookies) as http:
+                recording = http.get(f"/api/surveys/{survey}/recordings").json()[0]
+            ground = Ground(server.url, cookies, survey, recording, server.process.pid)
+            url = make_url(f"sqlite:///{data / 'sightline.db'}").render_as_string(hide_password=False)
+            before, acknowledged = counted(url), 0
+            for number in (int(one) for one in chosen.clients.split(",")):
+                acknowledged += number + report(ground, number, 0, chosen.seconds)
+            acknowledged += 8 + report(ground, 8, chosen.looking, chosen.seconds)
+            lost = acknowledged - (counted(url) - before)
+            print(f"{acknowledged} clicks acknowledged, {lost} of them not in the database")
+        finally:
+            server.stop()
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,53 @@
+"""Which model fits: heights and tyres of a vehicle against the catalogue, and the model that cannot be it."""
+
+from typing import Any
+
+import pytest
+
+from sightline.infra.services import Services
+from tests.support.app import Client
+from tests.support.ground import Ground, add_vehicle, lay_ground, measure, pixel
+
+
+@pytest.fixture
+def ground(services: Services, survey_id: int, recording_id: int) -> Ground:
+    return lay_ground(services, survey_id, recording_id)
+
+
+def add_model(client: Client, model: str, **sizes: Any) -> None:
+    client.made("/catalogue", {"make": "Tesmer", "model": model, "source": "test", **sizes})
+
+
+def asked(client: Client, vehicle_id: int) -> Any:
+    return client.seen(f"/vehicles/{vehicle_id}/which-model")
+
+
+def test_reasons_come_before_anything_is_measured(operator: Client, ground: Ground) -> None:
+    vehicle = add_vehicle(operator, ground.recording_id)["id"]
+    assert asked(operator, vehicle)["reason"] == "The catalogue is empty."
+    add_model(operator, "Juna", wheelbase_m=2.0)
+    said = asked(operator, vehicle)
+    assert said["fitting"] == [] and "was measured of this vehicle yet" in said["reason"]
+    assert all(one["reason"] for one in said["measured"])
+    measure(operator, vehicle, target="taillight", height_m=0.74)
+    assert "No model in the catalogue" in asked(operator, vehicle)["reason"]
+
+
+def test_tyres_and_lamps_rank_the_models_and_the_wrong_one_is_flagged(
+    operator: Client, viewer: Client, ground: Ground
+) -> None:
+    add_model(operator, "Juna", wheelbase_m=2.0, taillight_m=0.74)
+    add_model(operator, "Taiga", wheelbase_m=2.9, taillight_m=0.74)
+    add_model(operator, "Blank")
+    vehicle = add_vehicle(operator, ground.recording_id, make="Tesmer", model="Taiga")["id"]
+    pair = {"frame": 2, "first": pixel(-1.0, 0.0, 0.0), "second": pixel(1.0, 0.0, 0.0)}
+    operator.made(f"/vehicles/{vehicle}/wheel-pair", pair)
+    measure(operator, vehicle, target="taillight", height_m=0.74)
+    said = asked(viewer, vehicle)
+    sizes = {one["size"]: one["value_m"] for one in said["measured"]}
+    assert sizes["wheelbase"] == pytest.approx(2.0) and sizes["height"] is None
+    assert [one["entry"]["model"] for one in said["fitting"]] == ["Juna", "Taiga"]
+    first, chosen = said["fitting"][0], said["chosen"]
+    assert not first["cannot"] and first["compared"] == 2
+    assert chosen["entry"]["model"] == "Taiga" and chosen["cannot"] and chosen["p"] < said["limit_p"]
+    assert operator.get("/vehicles/999999/which-model").status_code == 404

@@ -1,0 +1,118 @@
+"""When a recording was filmed: proposed from its file, confirmed by a person; and whether its camera fits."""
+
+from datetime import UTC, datetime, timedelta
+from pathlib import Path
+from typing import Any
+
+import av
+import pytest
+
+from sightline.media.video.ingest import ingest
+from sightline.media.video.stated import Stated
+from sightline.recordings.filming import misfits
+from tests.media.clips import painted
+from tests.support.app import Client
+
+LENS = {"width_px": 1920, "height_px": 1080, "fx_px": 1400.0, "fy_px": 1400.0}
+START = {"local": "2026-05-03T08:10:00", "time_zone": "Europe/Paris"}
+
+
+def clip(path: Path, of_file: dict[str, str], of_stream: dict[str, str]) -> Path:
+    """A short clip whose container states this."""
+    options = {"movflags": "use_metadata_tags"}
+    with av.open(str(path), "w", options=options) as out:
+        stream = out.add_stream("libx264", rate=25)
+        stream.width, stream.height, stream.pix_fmt = 320, 240, "yuv420p"
+        out.metadata.update(of_file)
+        stream.metadata.update(of_stream)
+        for n in range(4):
+            out.mux(stream.encode(av.VideoFrame.from_ndarray(painted(n), format="bgr24")))
+        out.mux(stream.encode(None))
+    return path
+
+
+def stated(path: Path, tmp_path: Path) -> Stated:
+    return ingest(path, lambda _: None, lambda: False, tmp_path / "thumbs").stated
+
+
+@pytest.mark.parametrize(
+    ("name", "of_file", "begun"),
+    [
+        ("a.mp4", {"creation_time": "2026-05-03T06:10:00Z"}, datetime(2026, 5, 3, 6, 10, tzinfo=UTC)),
+        (
+            "b.mov",
+            {"com.apple.quicktime.creationdate": "2026-05-03T08:10:05+0200"},
+            datetime(2026, 5, 3, 6, 10, 5, tzinfo=UTC),
+        ),
+        ("c.mkv", {"creation_time": "2026-05-03T06:10:00Z"}, datetime(2026, 5, 3, 6, 10, tzinfo=UTC)),
+        ("d.mp4", {}, None),
+        ("e.mp4", {"creation_time": "1970-01-01T00:00:00Z"}, None),
+        ("f.mkv", {"creation_time": "a Sunday"}, None),
+    ],
+)
+def test_a_file_states_when_it_was_begun(
+    tmp_path: Path, name: str, of_file: dict[str, str], begun: datetime | None
+) -> None:
+    assert stated(clip(tmp_path / name, of_file, {}), tmp_path).begun_at == begun
+
+
+@pytest.mark.parametrize(("text", "focal"), [("26.00mm", 26.0), ("50", 50.0), ("0mm", None), ("wide", None)])
+def test_a_file_states_its_focal_length(tmp_path: Path, text: str, focal: float | None) -> None:
+    told = {"com.apple.quicktime.camera.focal_length.35mm_equivalent": text}
+    assert stated(clip(tmp_path / "a.mov", told, {}), tmp_path).focal_35mm_mm == focal
+
+
+def test_a_person_confirms_the_start(operator: Client, viewer: Client, recording_id: int) -> None:
+    path = f"/recordings/{recording_id}"
+    before = viewer.seen(path)
+    assert (before["started_at"], before["time_zone"], before["started_local"]) == (None, None, None)
+    assert viewer.put(path, json={"start": START}).status_code == 403
+    made = operator.put(path, json={"start": START, "weather": " light rain ", "street_lighting": "off"})
+    assert made.status_code == 200, made.text
+    assert made.json()["started_local"] == "2026-05-03T08:10:00.000+02:00"
+    assert made.json()["started_at"].startswith("2026-05-03T06:10:00")
+    assert (made.json()["weather"], made.json()["street_lighting"]) == ("light rain", "off")
+    taken_back = operator.put(path, json={"start": None, "weather": ""}).json()
+    assert (taken_back["started_at"], taken_back["time_zone"], taken_back["weather"]) == (None, None, None)
+    assert taken_back["street_lighting"] == "off"
+
+
+def test_what_cannot_be_a_start_is_refused_in_one_sentence(operator: Client, recording_id: int) -> None:
+    tomorrow = (datetime.now(UTC) + timedelta(days=1)).isoformat(timespec="seconds")[:19]
+    for local, code in (
+        (tomorrow, "recordings-start-in-future"),
+        ("1896-01-25T10:00:00", "recordings-start-too-early"),
+        ("2026-03-29T02:30:00", "local-time-skipped"),
+        ("2025-10-26T02:30:00", "local-time-twice"),
+    ):
+        answer = operator.put(f"/recordings/{recording_id}", json={"start": {**START, "local": local}})
+        assert answer.status_code == 422
+        assert answer.json()["error"]["code"] == code, answer.text
+    assert operator.seen(f"/recordings/{recording_id}")["started_at"] is None
+
+
+def test_a_pass_and_its_heights_have_their_time(operator: Client, recording_id: int) -> None:
+    span = {"first_frame": 5, "last_frame": 9}
+    made = operator.post(f"/recordings/{recording_id}/vehicles", json=span).json()
+    assert made["filmed_at"] is None
+    operator.put(f"/recordings/{recording_id}", json={"start": START})
+    assert operator.seen(f"/vehicles/{made['id']}")["filmed_at"] == "2026-05-03T08:10:00.200+02:00"
+
+
+@pytest.mark.parametrize(
+    ("size", "focal", "lens", "said"),
+    [
+        ((1920, 1080), None, LENS, None),
+        ((1280, 720), None, LENS, "1280 x 720"),
+        ((1920, 1080), 27.5, LENS, None),
+        ((1920, 1080), 52.0, LENS, "52 mm"),
+        ((1920, 1080), 13.0, LENS, "13 mm"),
+        ((None, None), 13.0, LENS, None),
+        ((1920, 1080), 13.0, {"fx_px": 1400.0}, None),
+    ],
+)
+def test_a_calibration_that_does_not_fit_is_warned_of(
+    size: tuple[int | None, int | None], focal: float | None, lens: dict[str, Any], said: str | None
+) -> None:
+    found = misfits(size, focal, lens)
+    assert (found == []) if said is None else (len(found) == 1 and said in found[0])
