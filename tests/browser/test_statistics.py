@@ -88,9 +88,9 @@ def test_figures_are_filtered_downloaded_and_linked(page: Page) -> None:
     expect(drawn).not_to_contain_text("United Kingdom, high")
 
     page.get_by_label("Measured from (UTC)").fill("2000-01-02")
-    page.get_by_label("to", exact=True).nth(1).fill("2000-01-01")
+    page.get_by_label("Measured to (UTC)").fill("2000-01-01")
     expect(page.get_by_role("alert")).to_contain_text("The last day lies before the first")
-    page.get_by_label("to", exact=True).nth(1).fill("2000-01-03")
+    page.get_by_label("Measured to (UTC)").fill("2000-01-03")
     expect(page.get_by_text("The filter leaves no measurement")).to_be_visible()
     page.get_by_role("button", name="Clear the filter").first.click()
     expect(counted).to_contain_text(f"{told['counted']['measurements']} measurements")
