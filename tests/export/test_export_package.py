@@ -45,7 +45,6 @@ def test_room_is_looked_at_before_an_export(
 def test_the_button_makes_a_package_that_holds_everything_and_the_same_state_the_same_bytes(
     viewer: Client, worked: Ground, work: Callable[[], list[Job]], services: Services, tmp_path: Path
 ) -> None:
-    (services.scratch / "export-999").mkdir()  # of a worker that was killed
     job = viewer.made(f"/surveys/{worked.survey_id}/exports")
     assert [one.state for one in work()] == ["done"]
     made = viewer.seen(f"/surveys/{worked.survey_id}/exports")

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-import shutil
+import tempfile
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
 from contextlib import closing
@@ -94,17 +94,12 @@ class _Drawing:
 
 
 def make_parts(services: Services, progress: Progress, scenes: Sequence[str] = SCENES) -> Parts:
-    """Render, encode, ingest, calibrate and pose; files of an earlier, interrupted try are thrown away.
+    """Render, encode, ingest, calibrate and pose.
 
     Everything slow is done here, so that the transaction that stores the survey is short.
     """
-    scratch = services.scratch / "demonstration"
-    shutil.rmtree(scratch, ignore_errors=True)
-    scratch.mkdir(parents=True)
-    try:
-        videos, (lab, calibration) = _side_by_side(services, scratch, progress, scenes)
-    finally:
-        shutil.rmtree(scratch, ignore_errors=True)
+    with tempfile.TemporaryDirectory(prefix="demonstration-", dir=services.scratch) as scratch:
+        videos, (lab, calibration) = _side_by_side(services, Path(scratch), progress, scenes)
     progress(0.96, "Solving for the demonstration's road poses.")
     poses = tuple(_pose(video, calibration.result) for video in videos)
     return Parts(videos, lab, calibration, poses)

@@ -5,7 +5,6 @@ Its vehicles are found and measured by this program; two people fill in facts, c
 
 from __future__ import annotations
 
-import shutil
 import tempfile
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
@@ -105,17 +104,14 @@ def make_scan(
         check_cancelled(is_cancelled, NAME)
         pieces[0].append(first)
         pieces[1].append(second)
-    folder = Path(tempfile.mkdtemp(prefix="demonstration-scan-", dir=services.scratch))
-    try:
-        stored = []
+    stored = []
+    with tempfile.TemporaryDirectory(prefix="demonstration-scan-", dir=services.scratch) as folder:
         for camera, held in enumerate(pieces, 1):
             strip = _Pictured(f"camera {camera} of {NAME}", cast(Pixels, np.concatenate(held)))
-            target = folder / f"{camera}{SUFFIX}"
+            target = Path(folder) / f"{camera}{SUFFIX}"
             one = store_strip(strip, target, is_cancelled=is_cancelled)
             services.media.put_file(key_of(one.sha256, SUFFIX), target, link=True)
             stored.append(one)
-    finally:
-        shutil.rmtree(folder, ignore_errors=True)
     keys = [key_of(one.sha256, SUFFIX) for one in stored]
     first_reader, second_reader = (StripReader(services.media.local_path(key)) for key in keys)
     readers = (first_reader, second_reader)

@@ -2,20 +2,16 @@
 
 from __future__ import annotations
 
-import shutil
-from collections.abc import Iterator, Mapping
-from contextlib import contextmanager
+import tempfile
+from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from sightline.errors import NotFound
 from sightline.export.store import add_export
 from sightline.infra.csv_package.files import Staging, zip_folder
 from sightline.infra.database import Session
 from sightline.infra.jobs import registry
 from sightline.infra.jobs.records import Job
-from sightline.infra.jobs.store import get_job
-from sightline.infra.services import Services
 from sightline.media.store.local import check_room, key_of, sha256_of
 from sightline.results.selection import Selection, selection_of
 from sightline.surveys.records import Survey
@@ -25,7 +21,6 @@ if TYPE_CHECKING:
     from sightline.export.build import Built, Tell
 
 KIND = "export"
-_FOLDER = "export-"
 _BUILT, _ZIPPED = 0.85, 0.97  # of the whole work, by progress
 
 
@@ -59,8 +54,8 @@ def export(context: registry.JobContext) -> registry.Outcome:
     crops = bool(context.payload.get("crops", True))
     selection = selection_of(context.payload.get("selection", {}))
     context.progress(0.0, "Reading the survey.")
-    with _scratch(services, context.job.id) as folder:
-        built, package = _package(context, survey_id, crops, selection, folder)
+    with tempfile.TemporaryDirectory(prefix="export-", dir=services.scratch) as folder:
+        built, package = _package(context, survey_id, crops, selection, Path(folder))
         context.progress(_ZIPPED, "Storing the package.")
         size, sha256 = package.stat().st_size, sha256_of(package)
         key = key_of(sha256, ".zip")
@@ -109,31 +104,3 @@ def _package(
 
 def _within(tell: Tell, most: float) -> Tell:
     return lambda fraction, words: tell(most * fraction, words)
-
-
-@contextmanager
-def _scratch(services: Services, job_id: int) -> Iterator[Path]:
-    """A folder for one job, gone when it ends; what killed workers left of jobs that are over goes first."""
-    _sweep(services, job_id)
-    folder = services.scratch / f"{_FOLDER}{job_id}"
-    shutil.rmtree(folder, ignore_errors=True)
-    folder.mkdir()
-    try:
-        yield folder
-    finally:
-        shutil.rmtree(folder, ignore_errors=True)
-
-
-def _sweep(services: Services, job_id: int) -> None:
-    for folder in services.scratch.glob(f"{_FOLDER}*"):
-        number = folder.name.removeprefix(_FOLDER)
-        if number.isdigit() and int(number) != job_id and not _is_running(services, int(number)):
-            shutil.rmtree(folder, ignore_errors=True)
-
-
-def _is_running(services: Services, job_id: int) -> bool:
-    try:
-        with services.reading() as session:
-            return get_job(session, job_id).state == "running"
-    except NotFound:
-        return False

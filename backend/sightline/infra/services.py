@@ -18,6 +18,7 @@ from sightline.infra.database.engine import (
     session_factory,
     writing,
 )
+from sightline.infra.scratch import Scratch, sweep
 from sightline.media.store.local import MediaStore, open_store
 from sightline.media.video.decode_host import DecodeHost
 from sightline.media.video.frames import FrameServer
@@ -25,6 +26,7 @@ from sightline.settings import Settings
 
 FRAME_MEMORY_BYTES = 256 * 1024**2
 FRAME_DISK_BYTES = 2 * 1024**3
+_SCRATCH = "scratch"
 
 
 class Part(Protocol):
@@ -69,10 +71,8 @@ class Services:
 
     @property
     def scratch(self) -> Path:
-        """A folder for files on their way to somewhere else, on the disk of the data folder."""
-        folder = self.settings.data_dir / "scratch"
-        folder.mkdir(parents=True, exist_ok=True)
-        return folder
+        """This process's folder for files on their way to somewhere else, on the disk of the data folder."""
+        return self.part(_scratch).folder()
 
     def close(self) -> None:
         """Give files and connections back."""
@@ -84,14 +84,19 @@ class Services:
 
 
 def open_services(settings: Settings, *, decode_in_child: bool = True) -> Services:
-    """Open database and media store. Migrates nothing and starts nothing.
+    """Open database and media store, and remove what killed processes left. Migrates and starts nothing.
 
     `decode_in_child`: a hostile file may end the child in which stills are decoded, never this process.
     """
     engine = make_engine(settings.database_url)
     sessions = session_factory(engine)
+    sweep(settings.data_dir / _SCRATCH)
     cache = settings.data_dir / "cache"
     store = open_store(settings.media_url, cache / "media")
     pictures = DecodeHost(FRAME_MEMORY_BYTES * 3 // 4) if decode_in_child else None
     server = FrameServer(cache, FRAME_MEMORY_BYTES, FRAME_DISK_BYTES, pictures=pictures)
     return Services(settings, engine, sessions, store, server)
+
+
+def _scratch(services: Services) -> Scratch:
+    return Scratch(services.settings.data_dir / _SCRATCH)

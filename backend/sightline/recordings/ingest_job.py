@@ -1,6 +1,5 @@
 """Ingest: the frame table, facts and thumbnails of an uploaded video, as a job; all of it or nothing."""
 
-import shutil
 import tempfile
 import zipfile
 from collections.abc import Mapping
@@ -74,13 +73,10 @@ def run_ingest(context: JobContext) -> Finish:
     assert recording_id is not None
     with services.reading() as session:
         recording = recordings.get_recording(session, recording_id)
-    folder = Path(tempfile.mkdtemp(prefix="ingest-", dir=services.scratch))
-    try:
-        found = _read(context, services.media.local_path(recording.media_key), recording, folder)
+    with tempfile.TemporaryDirectory(prefix="ingest-", dir=services.scratch) as folder:
+        found = _read(context, services.media.local_path(recording.media_key), recording, Path(folder))
         working_copy = _keep_working_copy(services.media, recording, found)
-        _keep_thumbnails(services.media, recording, folder / "thumbs", found)
-    finally:
-        shutil.rmtree(folder, ignore_errors=True)
+        _keep_thumbnails(services.media, recording, Path(folder) / "thumbs", found)
     facts, table = facts_of(found, working_copy), table_of(found)
 
     def finish(session: Session) -> Mapping[str, Any]:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import shutil
 import tempfile
 from collections.abc import Mapping
 from contextlib import ExitStack
@@ -56,13 +55,11 @@ def read_scan(context: JobContext) -> Finish:
     assert scan_id is not None
     with services.reading() as session:
         scan = get_scan(session, scan_id)
-    folder = Path(tempfile.mkdtemp(prefix="scan-", dir=services.scratch))
     try:
-        facts = _stored(context, services, scan, folder)
+        with tempfile.TemporaryDirectory(prefix="scan-", dir=services.scratch) as folder:
+            facts = _stored(context, services, scan, Path(folder))
     except IngestCancelled as stopped:
         raise Cancelled("said", sentence=CANCELLED) from stopped
-    finally:
-        shutil.rmtree(folder, ignore_errors=True)
 
     def finish(session: Session) -> Mapping[str, Any]:
         note_scan_read(session, scan_id, facts, actor=context.actor)
