@@ -7,7 +7,7 @@ PIP := $(BIN)/python -m pip --quiet --disable-pip-version-check
 NPM := npm --prefix frontend --no-fund --no-audit --loglevel=error
 WEB_SOURCES := $(shell find frontend/src backend/sightline/messages frontend/public docs CONVENTIONS.md frontend/index.html frontend/vite.config.ts frontend/package.vite.config.ts -type f 2>/dev/null)
 
-.PHONY: run wheel image test test-postgresql test-browser setup check lock types dev bench soak clean
+.PHONY: run wheel image test test-postgresql test-browser setup check lock types dev bench soak faults clean
 .DELETE_ON_ERROR:
 
 run: setup
@@ -106,6 +106,10 @@ bench: setup .build/python-dev .build/chromium
 # Many people at once, for as long as you like: make soak SOAK="--seconds 60 --clients 1,8,32,64"
 soak: setup .build/python-dev
 	@$(BIN)/python -m tests.load.soak $(SOAK)
+
+# Kills server, decoder, workers (with --postgresql the database too) under work: make faults FAULTS="--kills 100 --seed 7"
+faults: setup .build/python-dev
+	@$(BIN)/python -m tests.load.faults $(FAULTS)
 
 # Renews the lock files. Hashes only: no lock names where a package came from.
 UV := $(BIN)/uv pip compile --universal --python-version 3.11 --generate-hashes --no-emit-index-url --no-header --no-annotate --quiet

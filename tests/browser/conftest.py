@@ -22,7 +22,7 @@ from sightline.demo.request import ensure_requested
 from sightline.infra.database.engine import migrate
 from sightline.infra.services import open_services
 from sightline.people.service import first_sign_in_link
-from sightline.settings import Settings
+from sightline.settings import load_settings
 from tests.support.working import run_jobs
 
 from .server import ROOT, Server, start
@@ -90,9 +90,9 @@ def made_once(folder: Path) -> Path:
     return folder
 
 
-def make_small_survey(data_dir: Path) -> None:
+def make_small_survey(data_dir: Path, **settings: str) -> None:
     """As a worker of `sightline demo` makes it, but of fewer vehicles."""
-    services = open_services(Settings(data_dir=data_dir, find_passes=False))
+    services = open_services(load_settings(data_dir=data_dir, find_passes=False, **settings))
     migrate(services.engine)
     assert first_sign_in_link(services)  # whoever makes it comes first; the server then prints their link
     with services.writing() as session:

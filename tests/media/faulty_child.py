@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import ctypes
+import os
+import signal
 import time
 from typing import Any
 
@@ -20,17 +22,24 @@ def _eat(name: str) -> None:
         HELD.append(bytearray(b"x" * 150_000_000))
 
 
+def _end(name: str) -> None:
+    """Crash, at once or after a while, or be killed."""
+    if name.startswith("late"):
+        time.sleep(0.6)
+    if name.startswith(("crash", "late")):
+        ctypes.string_at(0)
+    if name.startswith("killed"):
+        os.kill(os.getpid(), signal.SIGKILL)
+
+
 def main() -> None:
     """The child's own main with a seeker that has faults."""
     find = seeker.Seeker.find
 
     def faulty(self: seeker.Seeker, n: int, *rest: Any, **more: Any) -> Any:
         name = self._media.path.name
-        if n >= AT and name.startswith("crash"):
-            ctypes.string_at(0)
-        if n >= AT and name.startswith("late"):
-            time.sleep(0.6)
-            ctypes.string_at(0)
+        if n >= AT:
+            _end(name)
         if n >= AT and name.startswith("hang"):
             time.sleep(3600)
         if n >= AT and name.startswith("stuck"):

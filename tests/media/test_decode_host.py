@@ -95,6 +95,7 @@ def test_checksums_are_verified_in_the_child(plain: RecordingMedia, served: Fram
     ("fault", "words"),
     [
         ("crash", "crashed"),
+        ("killed", "was killed twice"),
         ("hang", "no progress for 2 s"),
         ("stuck", "no progress for 2 s"),
         ("greedy", "0.5 GB of memory"),
@@ -130,6 +131,22 @@ def test_a_frame_that_fits_alone_is_given_from_full_memory_and_a_greedy_one_is_n
     greedy = named(plain, "greedy", tmp_path)
     with pytest.raises(CannotDecode, match=r"alone in a fresh process, there; .* to smaller"):
         served.still(greedy, AT)
+
+
+def test_whoever_killed_the_child_the_recording_is_not_blamed(
+    plain: RecordingMedia, host: DecodeHost, served: FrameServer, tmp_path: Path
+) -> None:
+    """The system does, where memory runs out."""
+    slow = named(plain, "slow", tmp_path)
+    served.bgr(slow, 3)
+    with ThreadPoolExecutor(1) as pool:
+        for n in range(AT, AT + 4):  # more often than a recording may end it
+            asked = pool.submit(served.bgr, slow, n)
+            time.sleep(0.3)
+            assert host.process_id is not None
+            os.kill(host.process_id, signal.SIGKILL)
+            assert read_number(asked.result(30)) == n
+            host.start()
 
 
 def test_a_recording_that_does_it_again_and_again_is_set_aside(

@@ -9,7 +9,7 @@ import socket
 from collections.abc import Callable
 from contextlib import ExitStack, suppress
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import IO, TYPE_CHECKING
 
 import click
 
@@ -63,11 +63,15 @@ def listen(host: str, port: int) -> socket.socket:
         listener.listen(2048)
     except OSError as error:
         listener.close()
-        why = (error.strerror or str(error)).lower()
         raise BadInput(
-            "commands-port-cannot-used-choose-another-port", port=port, host=host, why=why
+            "commands-port-cannot-used-choose-another-port", port=port, host=host, why=said(error)
         ) from error
     return listener
+
+
+def said(error: OSError) -> str:
+    """What the system says, as part of a sentence."""
+    return (error.strerror or str(error)).lower()
 
 
 def serve_on(
@@ -82,6 +86,8 @@ def serve_on(
 
     settings.data_dir.mkdir(parents=True, exist_ok=True)
     engine = make_engine(settings.database_url)
+    if engine.dialect.name == "sqlite":
+        stack.enter_context(only_server(settings.data_dir))
     migrate(engine)
     engine.dispose()
     services = open_services(settings)
@@ -101,6 +107,19 @@ def serve_on(
     gc.freeze()
     gc.enable()
     answer(listener, app, link, answering)
+
+
+def only_server(folder: Path) -> IO[bytes]:
+    """Held while this process lives: on SQLite one server does the writing. Raises BadInput for a second."""
+    from sightline.infra.file_lock import take_lock
+
+    try:
+        held = take_lock(folder / "server.lock")
+    except OSError as error:
+        raise BadInput("commands-folder-cannot-written", folder=str(folder), why=said(error)) from error
+    if held is None:
+        raise BadInput("commands-another-server-has-folder", folder=str(folder))
+    return held
 
 
 def request_demonstration(services: Services) -> None:

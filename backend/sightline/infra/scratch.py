@@ -1,12 +1,13 @@
 """A process's own folder for files on their way to somewhere else, gone when the process is."""
 
-import fcntl
 import shutil
 from contextlib import suppress
 from pathlib import Path
 from threading import Lock
 from typing import IO
 from uuid import uuid4
+
+from sightline.infra.file_lock import hold
 
 _HELD = ".lock"
 
@@ -45,7 +46,7 @@ def sweep(root: Path) -> None:
     for path in root.glob(f"*{_HELD}"):
         with suppress(FileNotFoundError):  # somebody else sweeps too
             file = path.open("rb+")
-            if _locked(file):
+            if hold(file):
                 _remove(path.with_suffix(""), file)
             else:
                 file.close()
@@ -61,7 +62,7 @@ def _own_folder(root: Path) -> tuple[Path, IO[bytes]]:
     lock = folder.with_suffix(_HELD)
     made = folder.with_suffix(".new")
     file = made.open("ab")
-    if not _locked(file):
+    if not hold(file):
         raise RuntimeError(f"{made} is locked, though nobody knows its name")
     made.rename(lock)
     folder.mkdir()
@@ -72,11 +73,3 @@ def _remove(folder: Path, lock: IO[bytes]) -> None:
     shutil.rmtree(folder, ignore_errors=True)
     folder.with_suffix(_HELD).unlink(missing_ok=True)
     lock.close()
-
-
-def _locked(file: IO[bytes]) -> bool:
-    try:
-        fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
-    except OSError:
-        return False
-    return True

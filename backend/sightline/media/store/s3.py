@@ -2,22 +2,35 @@
 
 from __future__ import annotations
 
+import io
 import os
 import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from typing import Any, BinaryIO, cast
+from typing import Any, BinaryIO
 from urllib.parse import parse_qs, urlsplit
 from weakref import WeakValueDictionary
 
 import boto3
 from botocore.config import Config
 from botocore.exceptions import BotoCoreError, ClientError
+from urllib3.exceptions import HTTPError
 
 from sightline.errors import BadInput, NotFound, SightlineError
 from sightline.media.atomic import PART, atomic_file
 from sightline.media.store.local import check_room, no_room_told, safe_path
+
+#: tries of one request, and seconds of silence until one has failed
+ATTEMPTS, READ_S = 4, 60.0
+_PIECE_BYTES = 1 << 20
+
+
+class StorageAway(SightlineError):
+    """The object store does not answer, or not as it should."""
+
+    status = 503
+    kind = "storage_away"
 
 
 class _Turn:
@@ -47,7 +60,7 @@ class S3Store:
         self._fetching: WeakValueDictionary[str, _Turn] = WeakValueDictionary()
         self._coming_bytes = 0
         cache_dir.mkdir(parents=True, exist_ok=True)
-        config = Config(retries={"max_attempts": 4}, connect_timeout=5, read_timeout=60)
+        config = Config(retries={"max_attempts": ATTEMPTS}, connect_timeout=5, read_timeout=READ_S)
         self._client: Any = boto3.client(
             "s3",
             endpoint_url=query.get("endpoint", [None])[0],
@@ -100,7 +113,8 @@ class S3Store:
 
     def open(self, key: str) -> BinaryIO:
         try:
-            return cast(BinaryIO, self._client.get_object(Bucket=self._bucket, Key=self._name(key))["Body"])
+            body = self._client.get_object(Bucket=self._bucket, Key=self._name(key))["Body"]
+            return io.BufferedReader(_Body(key, body), _PIECE_BYTES)
         except ClientError as error:
             if _code(error) in ("NoSuchKey", "404"):
                 raise NotFound("store-media-file-missing-store", key=key) from error
@@ -153,6 +167,28 @@ class S3Store:
             held -= size
 
 
+class _Body(io.RawIOBase):
+    """An object's bytes as they come; an answer that breaks off is told like one that does not come."""
+
+    def __init__(self, key: str, body: Any) -> None:
+        self._key, self._body = key, body
+
+    def readable(self) -> bool:
+        return True
+
+    def readinto(self, buffer: Any) -> int:
+        try:
+            piece = self._body.read(len(buffer))
+        except (BotoCoreError, HTTPError) as error:
+            raise _failed(self._key, error) from error
+        buffer[: len(piece)] = piece
+        return len(piece)
+
+    def close(self) -> None:
+        self._body.close()
+        super().close()
+
+
 class _told:
     """Turn what the S3 library raises into one sentence."""
 
@@ -167,8 +203,8 @@ class _told:
             raise _failed(self._key, error) from error
 
 
-def _failed(key: str, error: Exception) -> SightlineError:
-    return SightlineError("store-media-storage-did-not-answer-check", key=key, name=type(error).__name__)
+def _failed(key: str, error: Exception) -> StorageAway:
+    return StorageAway("store-media-storage-did-not-answer-check", key=key, name=type(error).__name__)
 
 
 def _code(error: ClientError) -> str:

@@ -50,7 +50,7 @@ Reply = tuple[Header, bytes]
 
 class _Died(Exception):
     """The child ended in the middle; `culprits` are the recordings that are blamed for it. Who was decoded
-    when the memory of a child with other work ran out is not: it is tried `alone`.
+    when the memory of a child with other work ran out, or when it was killed, is not: it is tried `alone`.
     """
 
     def __init__(self, why: str, culprits: Set[str], *, alone: bool = False) -> None:
@@ -213,11 +213,14 @@ class _Child:
             calls = list(self._calls.values())
             self._calls.clear()
             # the decoders kept warm and what others asked fill the memory too: only one alone tells its need
-            crowded = status == TOO_MUCH_MEMORY and not self._for_one
-            blamed = self._ready and not self._is_closed and not crowded
+            is_full = status == TOO_MUCH_MEMORY
+            # by the system, which is out of memory, or by a person: neither is the recording's doing yet
+            is_killed = status == -signal.SIGKILL and self._why is None
+            alone = (is_full or is_killed) and not self._for_one
+            blamed = self._ready and not self._is_closed and not alone
             decoding = frozenset(call.recording for call in calls) if blamed else frozenset()
             why = self._why or _why(status, self._limits)
-            self._end = _Died(why, self._crashes.died(decoding), alone=crowded)
+            self._end = _Died(why, self._crashes.died(decoding), alone=alone)
             self._link.close()
         if calls and not self._is_closed:
             log.warning("the decoding process %s (status %s) and is started anew", why, status)
@@ -344,6 +347,8 @@ def _why(status: int, limits: Limits) -> str:
         return f"{needed}, alone in a fresh process,"
     if status == -signal.SIGALRM:
         return "hung"
+    if status == -signal.SIGKILL:
+        return "was killed twice, the second time alone in a fresh process,"
     return "crashed"
 
 

@@ -1,0 +1,76 @@
+"""A PostgreSQL cluster of one's own, on a free port, whose postmaster may be killed (Linux)."""
+
+import os
+import shutil
+import signal
+import subprocess
+import time
+from contextlib import suppress
+from pathlib import Path
+
+from sqlalchemy import create_engine, text
+
+from tests.browser.server import free_port
+
+USER = "postgres"
+
+
+class Cluster:
+    """Made in `folder`; `start`, `kill` and `stop` as often as wanted."""
+
+    def __init__(self, folder: Path) -> None:
+        self.folder, self.port = folder, free_port()
+        folder.mkdir(parents=True)
+        if os.geteuid() == 0:  # PostgreSQL refuses to run as root
+            shutil.chown(folder, USER, USER)
+            for above in folder.parents:
+                if above.stat().st_uid == 0 and above.parts[:2] == folder.parts[:2] and len(above.parts) > 2:
+                    above.chmod(above.stat().st_mode | 0o011)
+        self._run(
+            "initdb", "--auth=trust", f"--username={USER}", "--no-sync", "--pgdata", str(folder / "data")
+        )
+
+    @property
+    def url(self) -> str:
+        return f"postgresql+psycopg://{USER}@127.0.0.1:{self.port}/postgres"
+
+    def start(self) -> None:
+        """Until it answers; after a kill it recovers first, once the last of its processes is gone."""
+        options = f"-p {self.port} -k {self.folder} -c listen_addresses=127.0.0.1"
+        until = time.monotonic() + 60
+        while True:
+            try:
+                self._run(
+                    "pg_ctl", "start", "-w", "-D", str(self.folder / "data"), "-o", options, "-l", self._log
+                )
+                break
+            except subprocess.CalledProcessError:
+                if time.monotonic() > until:
+                    raise
+                time.sleep(0.3)
+        engine = create_engine(self.url)
+        with engine.connect() as connection:
+            connection.execute(text("SELECT 1"))
+        engine.dispose()
+
+    def kill(self) -> None:
+        """SIGKILL to the postmaster; its processes notice and end."""
+        os.kill(self._postmaster(), signal.SIGKILL)
+
+    def stop(self) -> None:
+        with suppress(subprocess.CalledProcessError):
+            self._run("pg_ctl", "stop", "-m", "immediate", "-D", str(self.folder / "data"))
+
+    @property
+    def _log(self) -> str:
+        return str(self.folder / "log")
+
+    def _postmaster(self) -> int:
+        return int((self.folder / "data" / "postmaster.pid").read_text().splitlines()[0])
+
+    def _run(self, name: str, *words: str) -> None:
+        found = shutil.which(name) or max(map(str, Path("/usr/lib/postgresql").glob(f"*/bin/{name}")))
+        as_user = ["runuser", "-u", USER, "--"] if os.geteuid() == 0 else []
+        subprocess.run(
+            [*as_user, found, *words], check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
+        )
