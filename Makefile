@@ -7,7 +7,7 @@ PIP := $(BIN)/python -m pip --quiet --disable-pip-version-check
 NPM := npm --prefix frontend --no-fund --no-audit --loglevel=error
 WEB_SOURCES := $(shell find frontend/src backend/sightline/messages frontend/public docs CONVENTIONS.md frontend/index.html frontend/vite.config.ts frontend/package.vite.config.ts -type f 2>/dev/null)
 
-.PHONY: run wheel image test test-postgresql test-browser setup check lock types dev bench soak faults clean
+.PHONY: run wheel image test test-postgresql test-browser setup check lock types dev bench soak faults hostile clean
 .DELETE_ON_ERROR:
 
 run: setup
@@ -110,6 +110,10 @@ soak: setup .build/python-dev
 # Kills server, decoder, workers (with --postgresql the database too) under work: make faults FAULTS="--kills 100 --seed 7"
 faults: setup .build/python-dev
 	@$(BIN)/python -m tests.load.faults $(FAULTS)
+
+# Spoiled files and random requests by the thousand, for the night: make hostile HOSTILE="--seed 7 --cases 1000"
+hostile: setup .build/python-dev
+	@$(BIN)/python -m tests.load.hostile.run $(HOSTILE)
 
 # Renews the lock files. Hashes only: no lock names where a package came from.
 UV := $(BIN)/uv pip compile --universal --python-version 3.11 --generate-hashes --no-emit-index-url --no-header --no-annotate --quiet

@@ -173,3 +173,11 @@ def test_a_value_that_is_missing_is_no_sentence() -> None:
 def test_an_error_tells_its_sentence_in_english() -> None:
     error = errors.BadInput("said", sentence=Path("a/b"))
     assert (str(error), error.values) == ("a/b", {"sentence": "a/b"})
+
+
+def test_a_value_of_any_size_and_any_sign_stays_one_line() -> None:
+    hostile = "\x00\n\u202e" + "x" * 5000
+    said = errors.BadInput("said", sentence=hostile).message
+    assert (
+        said.startswith("\N{REPLACEMENT CHARACTER}" * 3 + "x") and said.endswith("x…") and len(said) <= 1000
+    )

@@ -12,7 +12,14 @@ SightlineError
   Damaged (500)             stored data does not match its checksum or its chain
 """
 
+import re
+
 from sightline.messages import Value, say
+
+#: of a text in a sentence; somebody's cell of a table may hold a megabyte
+MOST_SIGNS = 900
+# A line has no second line, and no sign turns the order of the others round.
+_UNSEEN = re.compile(r"[\x00-\x1f\x7f-\x9f\u202a-\u202e\u2066-\u2069\ud800-\udfff]")
 
 
 class SightlineError(Exception):
@@ -40,8 +47,11 @@ class SightlineError(Exception):
 
 
 def _plain(value: object) -> Value:
-    """What JSON and every language can hold; a truth is a text here."""
-    return value if isinstance(value, str | int | float) and not isinstance(value, bool) else str(value)
+    """What JSON and every language can hold; a truth is a text here, and a text has an end."""
+    if isinstance(value, int | float) and not isinstance(value, bool):
+        return value
+    text = _UNSEEN.sub("\N{REPLACEMENT CHARACTER}", str(value))
+    return text if len(text) <= MOST_SIGNS else text[: MOST_SIGNS - 1] + "…"
 
 
 class BadInput(SightlineError):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 import os
 import stat
 import time
@@ -33,6 +34,7 @@ ZIPS: dict[str, tuple[Callable[[Path], Path], str]] = {
     "a bomb": (lambda at: _zip(at, (_entry("audit.csv"), bytes(40_000_000))), "would unpack to far more"),
     "a way out": (lambda at: _zip(at, (_entry("../../etc/passwd"), b"x")), "no plain file"),
     "from the root": (lambda at: _zip(at, (_entry("/etc/passwd"), b"x")), "no plain file"),
+    "a name of two lines": (lambda at: _zip(at, (_entry("../a\nb"), b"x")), "no plain file"),
     "a drive": (lambda at: _zip(at, (_entry("C:/audit.csv"), b"x")), "no plain file"),
     "a link": (
         lambda at: _zip(at, (_entry("audit.csv", stat.S_IFLNK | 0o777), b"/etc/passwd")),
@@ -59,6 +61,17 @@ def _refused(place: Path, words: str, capsys: pytest.CaptureFixture[str]) -> Non
 def test_a_hostile_zip_is_refused(tmp_path: Path, capsys: pytest.CaptureFixture[str], kind: str) -> None:
     make, words = ZIPS[kind]
     _refused(make(tmp_path / "package.zip"), words, capsys)
+
+
+def test_a_file_that_does_not_unpack_is_named(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    content = b"id,height_m\n" * 500
+    sums = f"{hashlib.sha256(content).hexdigest()}  heights.csv\n".encode()
+    place = _zip(tmp_path / "package.zip", (_entry("heights.csv"), content), (_entry("SHA256SUMS"), sums))
+    whole = bytearray(place.read_bytes())
+    at = whole.index(b"heights.csv") + len("heights.csv")
+    whole[at : at + 12] = b"\xff" * 12
+    place.write_bytes(whole)
+    _refused(place, "heights.csv", capsys)
 
 
 def test_a_zip_that_lists_too_much_is_refused_before_the_list_is_read(

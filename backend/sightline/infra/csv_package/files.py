@@ -13,6 +13,7 @@ import shutil
 import stat
 import tempfile
 import zipfile
+import zlib
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import AbstractContextManager, contextmanager
 from functools import cached_property
@@ -286,7 +287,7 @@ class ZipFiles:
         try:
             with self._archive.open(path) as file:
                 yield cast(BinaryIO, file)
-        except zipfile.BadZipFile as error:
+        except (zipfile.BadZipFile, zlib.error, EOFError) as error:
             raise Damaged("csv_package-cannot-unpacked-take-whole-export-again", path=path) from error
 
 
