@@ -237,6 +237,7 @@ def create_tables() -> None:
         sa.Column("lens", sa.String(length=200), nullable=False),
         sa.Column("zoom", sa.String(length=100), nullable=False),
         sa.Column("focus", sa.String(length=100), nullable=False),
+        sa.Column("taken_from", sa.String(length=500), nullable=False),
         sa.Column("current_calibration_id", sa.Integer(), nullable=True),
         sa.Column("created_at", sa.DateTime(timezone=True), nullable=False),
         sa.Column("created_by", sa.Integer(), nullable=True),

@@ -15,6 +15,11 @@ CAMERAS: Table[Camera] = Table(
         text("lens", "its lens", lambda c: c.lens),
         text("zoom", "how the lens was zoomed", lambda c: c.zoom),
         text("focus", "how it was focused", lambda c: c.focus),
+        text(
+            "taken_from",
+            "survey and camera that it was taken from with its calibration, if it was",
+            lambda c: c.taken_from,
+        ),
         text("notes", "remarks", lambda c: c.notes),
         integer(
             "current_calibration_id",

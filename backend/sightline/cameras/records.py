@@ -21,7 +21,9 @@ class CalibrationSummary:
 
 @dataclass(frozen=True, slots=True)
 class Camera:
-    """A body and lens at one setting; `lens`, `zoom` and `focus` in words."""
+    """A body and lens at one setting; `lens`, `zoom` and `focus` in words, `taken_from` the survey and camera
+    that it was taken from, empty for one of this survey's own.
+    """
 
     id: int
     survey_id: int
@@ -30,6 +32,7 @@ class Camera:
     lens: str
     zoom: str
     focus: str
+    taken_from: str
     current_calibration_id: int | None
     images: int
     calibrations: tuple[CalibrationSummary, ...]

@@ -5,7 +5,7 @@ from typing import Annotated
 from fastapi import APIRouter, Query, Request, Response, UploadFile
 from pydantic import Field
 
-from sightline.cameras import store
+from sightline.cameras import store, taking
 from sightline.cameras.board_bodies import Dictionary, KindAsked, MarkerM, Markers, SquareM
 from sightline.cameras.boards import board_told
 from sightline.cameras.calibrations import images as calibration_images
@@ -35,6 +35,7 @@ class CameraBody(Out):
     lens: str
     zoom: str
     focus: str
+    taken_from: str = Field(description="Survey and camera that it was taken from; empty for one of its own.")
     current_calibration_id: int | None
     images: int
     calibrations: list[CalibrationSummaryBody]
@@ -65,6 +66,7 @@ class CameraDetail(Out):
     lens: str
     zoom: str
     focus: str
+    taken_from: str = Field(description="Survey and camera that it was taken from; empty for one of its own.")
     current_calibration_id: int | None
     images: list[CalibrationImageBody]
     calibrations: list[CalibrationSummaryBody]
@@ -107,6 +109,12 @@ def add_camera(survey_id: PathId, body: NewCamera, who: Operator, session: Writi
     """A new camera: a body and lens at one setting."""
     made = store.create_camera(session, survey_id, **body.model_dump(), actor=who.id)
     return CameraBody.model_validate(made)
+
+
+@router.post("/surveys/{survey_id}/cameras/from/{camera_id}", status_code=201)
+def take_camera(survey_id: PathId, camera_id: PathId, who: Operator, session: Writing) -> CameraBody:
+    """A camera of another survey, with its current calibration and the pictures that was made of."""
+    return CameraBody.model_validate(taking.take_camera(session, survey_id, camera_id, actor=who.id))
 
 
 @router.put("/cameras/{camera_id}")

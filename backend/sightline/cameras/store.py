@@ -29,12 +29,13 @@ def create_camera(
     lens: str = "",
     zoom: str = "",
     focus: str = "",
+    taken_from: str = "",
     actor: int | None,
 ) -> Camera:
     """A new camera in a survey. Raises NotFound, BadInput."""
     get_row(session, surveys, survey_id, "survey")
     words = _words(name=name, notes=notes, lens=lens, zoom=zoom, focus=focus)
-    content = {"survey_id": survey_id, **words}
+    content = {"survey_id": survey_id, "taken_from": taken_from, **words}
     camera_id = add_row(session, cameras, {**content, "created_at": now(), "created_by": actor})
     trail.record(session, actor, "create", "camera", camera_id, survey_id, None, content)
     return get_camera(session, camera_id)
@@ -175,6 +176,7 @@ def _cameras(session: Session, rows: Sequence[Mapping[str, Any]]) -> tuple[Camer
             lens=row["lens"],
             zoom=row["zoom"],
             focus=row["focus"],
+            taken_from=row["taken_from"],
             current_calibration_id=row["current_calibration_id"],
             images=counts.get(row["id"], 0),
             calibrations=tuple(per_camera[row["id"]]),

@@ -21,6 +21,8 @@ cameras = Table(
     Column("lens", String(200), nullable=False),
     Column("zoom", String(100), nullable=False),
     Column("focus", String(100), nullable=False),
+    # the survey and camera that it was taken from with its calibration; empty for one of this survey's own
+    Column("taken_from", String(500), nullable=False),
     # cameras and calibrations point at each other: this one is added last
     Column("current_calibration_id", ForeignKey("calibrations.id", use_alter=True)),
     Column("created_at", UtcDateTime, nullable=False),

@@ -190,8 +190,9 @@ function ImportButton({ take }: { take: (file: File) => void }) {
 /** What is said of the camera: the lens and its setting, for which alone a calibration holds. */
 function Words({ camera, changed }: { camera: CameraDetail; changed: () => Promise<void> }) {
   const [editing, setEditing] = useState(false);
-  const { lens, zoom, focus, notes } = camera;
+  const { lens, zoom, focus, notes, taken_from } = camera;
   const words = [
+    taken_from && say("camera-taken-from", { place: taken_from }),
     lens,
     zoom && say("camera-zoomed", { zoom }),
     focus && say("camera-focused", { focus }),

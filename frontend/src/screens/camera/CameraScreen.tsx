@@ -10,6 +10,7 @@ import { refreshSurvey } from "../../core/survey";
 import type { Camera } from "../../core/types";
 import { AddCamera } from "./AddCamera";
 import { CameraBench } from "./CameraBench";
+import { TakeCamera } from "./TakeCamera";
 import "./camera.css";
 
 /** The survey's cameras; one is open. */
@@ -19,6 +20,7 @@ export default function CameraScreen({ surveyId }: ScreenProps) {
     [surveyId],
   );
   const [adding, setAdding] = useState(false);
+  const [taking, setTaking] = useState(false);
   const list = cameras.data ?? [];
   // the address is followed, so that a link to another camera opens it
   void query.value;
@@ -26,6 +28,7 @@ export default function CameraScreen({ surveyId }: ScreenProps) {
   const open = list.find((camera) => camera.id === wanted) ?? list[0] ?? null;
   const added = async (camera: Camera) => {
     setAdding(false);
+    setTaking(false);
     await cameras.reload();
     setQuery({ camera: camera.id });
     await refreshSurvey();
@@ -39,9 +42,12 @@ export default function CameraScreen({ surveyId }: ScreenProps) {
           <p class="page__lead">{say("camera-lead")}</p>
         </div>
         {canWork && list.length > 0 && (
-          <Button icon="add" onClick={() => setAdding(true)}>
-            {say("camera-another")}
-          </Button>
+          <div class="row">
+            <Button onClick={() => setTaking(true)}>{say("camera-take-open")}</Button>
+            <Button icon="add" onClick={() => setAdding(true)}>
+              {say("camera-another")}
+            </Button>
+          </div>
         )}
       </header>
       <Problem error={cameras.error} again={cameras.reload} />
@@ -55,9 +61,12 @@ export default function CameraScreen({ surveyId }: ScreenProps) {
             title={say("camera-none-title")}
             actions={
               canWork && (
-                <Button kind="primary" icon="add" onClick={() => setAdding(true)}>
-                  {say("camera-add-first")}
-                </Button>
+                <>
+                  <Button kind="primary" icon="add" onClick={() => setAdding(true)}>
+                    {say("camera-add-first")}
+                  </Button>
+                  <Button onClick={() => setTaking(true)}>{say("camera-take-open")}</Button>
+                </>
               )
             }
           >
@@ -84,6 +93,7 @@ export default function CameraScreen({ surveyId }: ScreenProps) {
       {adding && (
         <AddCamera surveyId={surveyId} count={list.length} close={() => setAdding(false)} added={added} />
       )}
+      {taking && <TakeCamera surveyId={surveyId} close={() => setTaking(false)} added={added} />}
     </div>
   );
 }

@@ -1,0 +1,71 @@
+import { useState } from "preact/hooks";
+import { FormDialog, Loading, Notice, Problem, SelectField } from "../../components";
+import { api } from "../../core/api";
+import { say } from "../../core/messages";
+import { useResource } from "../../core/resource";
+import type { Camera } from "../../core/types";
+
+interface Props {
+  surveyId: number;
+  close: () => void;
+  added: (camera: Camera) => Promise<void>;
+}
+
+/** A camera of another survey, with its calibration, for this one too. */
+export function TakeCamera({ surveyId, close, added }: Props) {
+  const surveys = useResource((signal) => api.ask("GET /surveys", {}, { signal }), []);
+  const others = (surveys.data ?? []).filter((one) => one.id !== surveyId);
+  const [from, setFrom] = useState<number | null>(null);
+  const there = from ?? others[0]?.id ?? null;
+  const cameras = useResource(
+    (signal) =>
+      there === null
+        ? Promise.resolve([])
+        : api.ask("GET /surveys/{survey_id}/cameras", { survey_id: there }, { signal }),
+    [there],
+  );
+  const calibrated = (cameras.data ?? []).filter((one) => one.current_calibration_id !== null);
+  const [picked, setPicked] = useState<number | null>(null);
+  const camera = calibrated.find((one) => one.id === picked) ?? calibrated[0] ?? null;
+  const now = camera?.calibrations.find((one) => one.id === camera.current_calibration_id);
+  const send = async () => {
+    if (camera) {
+      const place = { survey_id: surveyId, camera_id: camera.id };
+      await added(await api.write("POST /surveys/{survey_id}/cameras/from/{camera_id}", place, {}));
+    }
+  };
+  return (
+    <FormDialog
+      title={say("camera-take-title")}
+      action={say("camera-take")}
+      onClose={close}
+      submit={send}
+      disabled={camera === null}
+    >
+      <p class="muted">{say("camera-take-lead")}</p>
+      <Problem error={surveys.error ?? cameras.error} />
+      {!surveys.data && surveys.loading && <Loading what={say("camera-loading-all")} />}
+      {surveys.data && others.length === 0 && <Notice kind="info">{say("camera-take-no-other")}</Notice>}
+      {others.length > 0 && (
+        <SelectField
+          label={say("camera-take-survey")}
+          value={String(there)}
+          onChange={(value) => setFrom(Number(value))}
+          options={others.map((one) => ({ value: String(one.id), label: one.name }))}
+        />
+      )}
+      {cameras.data && there !== null && calibrated.length === 0 && (
+        <Notice kind="info">{say("camera-take-none")}</Notice>
+      )}
+      {calibrated.length > 0 && (
+        <SelectField
+          label={say("camera-take-camera")}
+          value={String(camera?.id)}
+          onChange={(value) => setPicked(Number(value))}
+          options={calibrated.map((one) => ({ value: String(one.id), label: one.name }))}
+          hint={now?.summary}
+        />
+      )}
+    </FormDialog>
+  );
+}
