@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 from sqlalchemy import text
 
+from sightline.export.verdicts import verdicts_in
 from sightline.export.verify.package import verify_package
 from sightline.infra.audit.verification import verify_records
 from sightline.infra.csv_package.files import FolderFiles
@@ -17,6 +18,7 @@ from sightline.infra.services import Services
 from sightline.reviews.lots.draw import drawn_order, seed_of
 from sightline.reviews.lots.judged import ItemNow, Said, items_of
 from sightline.statistics.acceptance import outgoing
+from tests.export.report.pdf_text import words
 from tests.support.app import Client, error_of
 from tests.support.ground import Ground, add_vehicle, clicks, lay_ground, measure, pixel
 from tests.support.packages import edit, rehash, reseal, rewrite, rows, written
@@ -280,6 +282,15 @@ def test_a_package_tells_which_verdicts_are_by_lot_and_what_is_forged_is_found(p
     judged = [(one["verdict"], one["verdict_by"], one["lot_id"]) for one in rows(package, "measurements.csv")]
     assert ("accepted", "lot", told[1]["id"]) in judged and ("accepted", "individual", "") in judged
     assert ("to_review", "", "") in judged
+    counts = verdicts_in(FolderFiles(package))
+    assert (counts.by_lot, counts.individual) == tuple(
+        sum(one[:2] == ("accepted", basis) for one in judged) for basis in ("lot", "individual")
+    )
+    assert counts.outgoing is not None and counts.outgoing.at_most == int(told[1]["outgoing_at_most"])
+    report = " ".join(words((package / "report.pdf").read_bytes()).split())
+    assert (
+        f"{counts.by_lot} by their lot’s sample" in report and "that nobody looked at in 1 accepted" in report
+    )
     for name, column, value, said in (
         ("lots.csv", "seed", "0" * 64, "lots.csv: lot 1 is not what its audit events say"),
         ("lots.csv", "acceptance_number", "3", "lots.csv: lot 1 is not what its audit events say"),

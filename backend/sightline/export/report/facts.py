@@ -11,6 +11,7 @@ from dataclasses import dataclass, field
 from datetime import date, datetime
 
 from sightline.enums import LengthUnit
+from sightline.export.verdicts import VerdictCounts
 from sightline.results.survey_statistics import Statistics, StatisticsOptions
 from sightline.scans.statistics.heights import ScannedHeights
 from sightline.scans.statistics.service import ScanStatistics
@@ -184,6 +185,7 @@ class ReportFacts:
     scans: ScanFacts | None = None
     sampling: Sampling = field(default_factory=Sampling)
     response: tuple[Response, ...] = ()
+    verdicts: VerdictCounts = field(default_factory=VerdictCounts)
     code_versions: tuple[str, ...] = ()
     audit_events: int = 0
     audit_head: str = ""

@@ -25,6 +25,7 @@ from sightline.export.report.scan_facts import scan_facts
 from sightline.export.report.words import selection_words
 from sightline.export.response import response_in
 from sightline.export.seal import ENTITY
+from sightline.export.verdicts import verdicts_in
 from sightline.geometry.documents import pose_from_dict
 from sightline.infra.csv_package.files import (
     Files,
@@ -95,6 +96,7 @@ def report_facts(files: Files, made: PackageStatistics, written: Mapping[str, Wr
         scans=scan_facts(files, made.scans),
         sampling=sampling_in(files),
         response=tuple(response_in(files)),
+        verdicts=verdicts_in(files),
         code_versions=tuple(sorted(used.code_versions)),
         audit_events=head.count,
         audit_head=head.hash,

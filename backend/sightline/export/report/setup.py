@@ -18,6 +18,7 @@ from sightline.export.report.pictures import Pictures
 from sightline.export.report.settable import Json, Values
 from sightline.export.report.units import HEIGHT, SMALL, Scale, fixed
 from sightline.export.report.words import LIGHTING, target_words
+from sightline.export.verdicts import VerdictCounts
 from sightline.infra.local_time import zone_of
 
 _MOST_VERSIONS = 6
@@ -47,9 +48,25 @@ def title(facts: ReportFacts) -> Values:
         "vehicles": counted.vehicles,
         "with_reference": counted.with_reference,
         "filter": facts.filter_words,
+        "verdicts": _verdicts(facts.verdicts),
         "selection": facts.selection,
         "versions": facts.code_versions[:_MOST_VERSIONS],
         "more_versions": max(len(facts.code_versions) - _MOST_VERSIONS, 0),
+    }
+
+
+def _verdicts(counts: VerdictCounts) -> Values | None:
+    """Who was judged how; None where nothing was judged by lot."""
+    through = counts.outgoing
+    if through is None:
+        return None
+    return {
+        "individual": counts.individual,
+        "by_lot": counts.by_lot,
+        "lots": counts.lots,
+        "estimate": fixed(through.estimate, 1),
+        "at_most": through.at_most,
+        "of": through.count,
     }
 
 

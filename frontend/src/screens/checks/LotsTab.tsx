@@ -9,7 +9,7 @@ import { may } from "../../core/session";
 import { refreshSurvey } from "../../core/survey";
 import type { LotSummary, PlannedLot, ShownLot } from "../../core/types";
 import { formatCount } from "../../core/units";
-import { percent } from "../../parts/figures/numbers";
+import { lotWords } from "../../parts/lots/words";
 import { LotPanel } from "./LotPanel";
 import { commonInWords, LOT_STATES } from "./lots";
 
@@ -73,20 +73,9 @@ export function LotsTab({ surveyId }: { surveyId: number }) {
 }
 
 function Summary({ summary }: { summary: LotSummary }) {
-  const { individual, by_lot, waiting, outgoing } = summary;
   return (
     <Notice kind="info">
-      <span data-testid="lots-summary">
-        {say("lots-summary", { individual: formatCount(individual), by_lot: formatCount(by_lot) })}{" "}
-        {outgoing.count > 0 &&
-          say("lots-outgoing", {
-            count: outgoing.count,
-            estimate: outgoing.estimate.toFixed(1),
-            most: formatCount(outgoing.at_most),
-            share: percent(outgoing.at_most / outgoing.count),
-          })}{" "}
-        {waiting > 0 && say("lots-held", { count: waiting })}
-      </span>
+      <span data-testid="lots-summary">{lotWords(summary)}</span>
     </Notice>
   );
 }

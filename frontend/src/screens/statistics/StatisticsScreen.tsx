@@ -6,6 +6,7 @@ import { api, fromAddress } from "../../core/api";
 import { say } from "../../core/messages";
 import { useResource } from "../../core/resource";
 import { loadPlot } from "../../parts/figures/PlotFigure";
+import { lotWords } from "../../parts/lots/words";
 import { ComparisonSection } from "./ComparisonSection";
 import { ErrorFigures } from "./ErrorFigures";
 import { ErrorTable } from "./ErrorTable";
@@ -47,6 +48,7 @@ export default function StatisticsScreen() {
         </div>
       </header>
       <p class="stat-printonly small">{location.href}</p>
+      {only && <ByLot surveyId={Number(only)} />}
       <FilterBar found={data} />
       <Problem error={found.error} again={found.reload} />
       {!data && found.loading && <Loading what={say("statistics-loading")} />}
@@ -60,6 +62,20 @@ export default function StatisticsScreen() {
         </div>
       )}
     </div>
+  );
+}
+
+/** Said where lots were accepted: those heights were not looked at one by one. */
+function ByLot({ surveyId }: { surveyId: number }) {
+  const summary = useResource(
+    (signal) => api.ask("GET /surveys/{survey_id}/lots/summary", { survey_id: surveyId }, { signal }),
+    [surveyId],
+  );
+  if (!summary.data || summary.data.by_lot === 0) return null;
+  return (
+    <p class="small" data-testid="stat-by-lot">
+      {lotWords(summary.data)}
+    </p>
   );
 }
 

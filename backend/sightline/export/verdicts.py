@@ -1,0 +1,43 @@
+"""What the accepted heights of a package rest on: their own verdicts, or those of lots by a sample."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from sightline.export.chosen import chosen_vehicles
+from sightline.infra.csv_package.files import Files, read_columns
+from sightline.statistics.acceptance import Outgoing, outgoing_of_lots
+
+
+@dataclass(frozen=True, slots=True)
+class VerdictCounts:
+    """Accepted heights `individual` and `by_lot`; `lots` accepted, and what they let through together."""
+
+    individual: int = 0
+    by_lot: int = 0
+    lots: int = 0
+    outgoing: Outgoing | None = None
+
+
+def verdicts_in(files: Files) -> VerdictCounts:
+    """Of the vehicles that a package is of; lots are told whole."""
+    chosen = chosen_vehicles(files)
+    names = ("vehicle_id", "withdrawn", "verdict", "verdict_by")
+    found = [
+        basis
+        for vehicle, withdrawn, verdict, basis in read_columns(files, "measurements.csv", names)
+        if vehicle in chosen and withdrawn == "false" and verdict in ("accepted", "fixed")
+    ]
+    accepted = [
+        (int(judged) + int(rest), int(judged), int(bad))
+        for state, judged, rest, bad in read_columns(
+            files, "lots.csv", ("state", "judged", "rest", "nonconforming")
+        )
+        if state == "accepted"
+    ]
+    return VerdictCounts(
+        individual=found.count("individual"),
+        by_lot=found.count("lot"),
+        lots=len(accepted),
+        outgoing=outgoing_of_lots(accepted) if accepted else None,
+    )
