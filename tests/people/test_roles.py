@@ -38,6 +38,7 @@ MATRIX = {
     "GET /photographs/{photograph_id}.jpg": "viewer",
     "GET /surveys/{survey_id}/cameras": "viewer",
     "POST /surveys/{survey_id}/cameras": "operator",
+    "POST /surveys/{survey_id}/cameras/from/{camera_id}": "operator",
     "PUT /cameras/{camera_id}": "operator",
     "GET /cameras/{camera_id}": "viewer",
     "POST /cameras/{camera_id}/images": "operator",
