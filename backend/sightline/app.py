@@ -45,6 +45,7 @@ import sightline.scans.heights.routes
 import sightline.scans.routes
 import sightline.scans.statistics.routes
 import sightline.scans.vehicles.routes
+import sightline.studies.routes
 import sightline.surveys.photographs.routes
 import sightline.vehicles.catalogue.routes
 import sightline.vehicles.passes.routes
@@ -106,6 +107,7 @@ ROUTERS: tuple[tuple[str, APIRouter], ...] = (
     ("statistics", sightline.results.routes.router),
     ("sightdistance", sightline.results.sightdistance.routes.router),
     ("exports", sightline.export.routes.router),
+    ("studies", sightline.studies.routes.router),
     ("audit", sightline.results.audited.routes.router),
     ("audit", sightline.infra.audit.routes.router),
     ("jobs", sightline.infra.jobs.routes.router),

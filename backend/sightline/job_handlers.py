@@ -10,6 +10,7 @@ import sightline.recordings.calibrating.calibrate_job
 import sightline.recordings.ingest_job
 import sightline.scans.read_job
 import sightline.scans.vehicles.find_job
+import sightline.studies.study_job
 import sightline.vehicles.passes.find_job
 
 MODULES = (
@@ -23,5 +24,6 @@ MODULES = (
     sightline.recordings.ingest_job,
     sightline.scans.read_job,
     sightline.scans.vehicles.find_job,
+    sightline.studies.study_job,
     sightline.vehicles.passes.find_job,
 )

@@ -29,6 +29,7 @@ WRITTEN_ONCE: dict[str, tuple[str, ...]] = {
     "line_poses": ("scan_id", "revision"),
     "line_heights": ("vehicle_id", "target", "revision"),
     "line_height_reviews": (),
+    "study_results": (),
 }
 # Keys between tables that name each other; SQLite takes them with the table itself.
 CIRCULAR = (
@@ -1205,3 +1206,52 @@ def create_tables() -> None:
     )
     op.create_index("ix_scan_reviews_measurement_id", "scan_reviews", ["measurement_id"], unique=False)
     op.create_index(op.f("ix_scan_reviews_survey_id"), "scan_reviews", ["survey_id"], unique=False)
+    create_studies()
+
+
+def create_studies() -> None:
+    """Surveys joined, and what was computed of them."""
+    op.create_table(
+        "studies",
+        sa.Column("id", sa.Integer(), nullable=False),
+        sa.Column("name", sa.String(length=200), nullable=False),
+        sa.Column("description", sa.Text(), nullable=False),
+        sa.Column("surveys", sa.Text(), nullable=False),
+        sa.Column("fleet_csv", sa.Text(), nullable=False),
+        sa.Column("sites_csv", sa.Text(), nullable=False),
+        sa.Column("goal_m", sa.Float(), nullable=False),
+        sa.Column("simulated", sa.Boolean(), nullable=False),
+        sa.Column("job_id", sa.Integer(), nullable=True),
+        sa.Column("version", sa.Integer(), nullable=False),
+        sa.Column("created_at", sa.DateTime(timezone=True), nullable=False),
+        sa.Column("created_by", sa.Integer(), nullable=True),
+        sa.Column("updated_at", sa.DateTime(timezone=True), nullable=False),
+        sa.Column("updated_by", sa.Integer(), nullable=True),
+        sa.Column("deleted_at", sa.DateTime(timezone=True), nullable=True),
+        sa.CheckConstraint("goal_m > 0 AND goal_m < 1", name=op.f("ck_studies_goal_is_a_length")),
+        sa.CheckConstraint("version >= 1", name=op.f("ck_studies_version_counts")),
+        sa.ForeignKeyConstraint(["created_by"], ["people.id"], name=op.f("fk_studies_created_by")),
+        sa.ForeignKeyConstraint(["job_id"], ["jobs.id"], name=op.f("fk_studies_job_id")),
+        sa.ForeignKeyConstraint(["updated_by"], ["people.id"], name=op.f("fk_studies_updated_by")),
+        sa.PrimaryKeyConstraint("id", name=op.f("pk_studies")),
+    )
+    op.create_table(
+        "study_results",
+        sa.Column("id", sa.Integer(), nullable=False),
+        sa.Column("study_id", sa.Integer(), nullable=False),
+        sa.Column("study_version", sa.Integer(), nullable=False),
+        sa.Column("heads", sa.Text(), nullable=False),
+        sa.Column("document", sa.Text(), nullable=False),
+        sa.Column("media_key", sa.String(length=400), nullable=False),
+        sa.Column("size_bytes", sa.BigInteger(), nullable=False),
+        sa.Column("sha256", sa.String(length=64), nullable=False),
+        sa.Column("report_key", sa.String(length=400), nullable=False),
+        sa.Column("report_sha256", sa.String(length=64), nullable=False),
+        sa.Column("code_version", sa.String(length=60), nullable=False),
+        sa.Column("created_at", sa.DateTime(timezone=True), nullable=False),
+        sa.Column("created_by", sa.Integer(), nullable=True),
+        sa.ForeignKeyConstraint(["created_by"], ["people.id"], name=op.f("fk_study_results_created_by")),
+        sa.ForeignKeyConstraint(["study_id"], ["studies.id"], name=op.f("fk_study_results_study_id")),
+        sa.PrimaryKeyConstraint("id", name=op.f("pk_study_results")),
+    )
+    op.create_index(op.f("ix_study_results_study_id"), "study_results", ["study_id"], unique=False)

@@ -18,6 +18,9 @@ import pyarrow.parquet as pq
 from sightline.infra.csv_package.audit import AUDIT
 from sightline.infra.csv_package.files import Staging
 from sightline.infra.csv_package.schema import DESCRIPTION, json_bytes
+from sightline.results.csv import STANDARDS as STANDARDS_TABLE
+from sightline.statistics.standards import STANDARDS
+from sightline.surveys.classes import USUAL_CLASSES
 
 TARGETS = ("roof", "driver_eye", "taillight")
 CLASS_M = {"hatchback": 1.46, "suv": 1.68, "van": 2.05}
@@ -85,6 +88,10 @@ def invent(folder: Path, survey: Invented, seed: int = 0, *, with_csv: bool = Tr
         "measurements": measurements,
         "vehicles": vehicles,
         "recordings": {"id": [1], "lighting": pa.array([None], pa.string())},
+        "classes": {
+            "category": [one.category for one in USUAL_CLASSES],
+            "class_set": [one.class_set for one in USUAL_CLASSES],
+        },
     }
     for name, columns in tables.items():
         with staging.file(f"parquet/{name}.parquet") as file:
@@ -92,6 +99,7 @@ def invent(folder: Path, survey: Invented, seed: int = 0, *, with_csv: bool = Tr
         if with_csv or name == "survey":
             staging.add(f"{name}.csv", _csv(columns))
     staging.add("poses.csv", _csv({"id": list(range(1, survey.poses + 1))}))
+    staging.fill(STANDARDS_TABLE, STANDARDS)
     staging.add(DESCRIPTION, json_bytes({"made_with": {"sightline": survey.version}}))
     _seal(staging, survey)
     staging.add_checksums()

@@ -61,8 +61,8 @@ def study(
     from sightline.infra.csv_package.files import Staging, fresh_folder
     from sightline.studies.fleet_csv import read_fleet, read_sites
     from sightline.studies.packages import found_places, studied
-    from sightline.studies.query import READ
-    from sightline.studies.service import make_study
+    from sightline.studies.query import READ, StudyTables
+    from sightline.studies.service import Plan, make_study
     from sightline.studies.write import write_study
 
     def whole(files: Files) -> str | None:
@@ -79,7 +79,8 @@ def study(
     facts = None if sites is None else read_sites(sites, read_text(sites, "a table of sites"))
     with tempfile.TemporaryDirectory(prefix="sightline-study-") as scratch, fresh_folder(output) as folder:
         found = studied(found_places(packages), sealed if quick else whole, Path(scratch))
-        made = make_study(found, fleet, facts, goal_m)
+        with StudyTables(found) as tables:
+            made = make_study(found, tables, Plan(fleet, facts, goal_m))
         notes = ["Heights were not computed again (--quick)."] if quick else []
         write_study(Staging(folder), made, notes)
     if as_json:
@@ -101,9 +102,9 @@ def _json(made: Study, notes: list[str]) -> dict[str, object]:
 
 
 def _text(made: Study, output: Path, notes: list[str]) -> str:
-    sites = len({one.site for one in made.packages})
+    sites = len({one.site for one in made.surveys})
     lines = [
-        f"{len(made.packages)} packages verified: {made.heights} accepted heights of {made.vehicles} "
+        f"{len(made.surveys)} packages verified: {made.heights} accepted heights of {made.vehicles} "
         f"vehicles at {sites} sites. Written to {output}."
     ]
     lines += [line for one in made.targets for line in _target_lines(one)]

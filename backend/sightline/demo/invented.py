@@ -46,6 +46,9 @@ from sightline.reviews.plan_store import choose_review_plan
 from sightline.reviews.store import add_review
 from sightline.simulation.models import MODELS, Model
 from sightline.statistics.acceptance import USUAL_RISKS
+from sightline.studies.records import StudyFacts, StudySurvey
+from sightline.studies.store import create_study, simulated_study
+from sightline.studies.study_job import result_of
 from sightline.surveys.records import Asked
 from sightline.surveys.store import create_survey, survey_names
 from sightline.vehicles.records import VehicleChanges
@@ -60,6 +63,9 @@ DESCRIPTION = (
     "is off as its uncertainty states. It shows what statistics, standards, sight distance and report are "
     "for; no figure in it says anything of real roads."
 )
+JOINED = "Simulated study of four invented sites"
+#: What the fleet is said to be; its few lorries, whose roofs no camera here sees whole, do not count.
+FLEET_CSV = "category,share\nhatchback,0.38\nsaloon,0.16\nestate,0.11\nsuv,0.28\nvan,0.07\nlorry,0\n"
 CLICK_NOISE_PX, FPS = 0.7, 25
 WIDTH_PX, HEIGHT_PX, FOCAL_PX = 640, 360, 450.0
 # u of the lens and of the road pose, in the order of the pose's parameters: px, radians, metres.
@@ -161,7 +167,28 @@ def make(context: registry.JobContext) -> registry.Outcome:
         with services.writing() as session:
             store_site(session, site, films)
         made += 1
-    return {"surveys": made}
+    with services.writing() as session:
+        study_id = join(session)
+    if study_id is None:
+        return {"surveys": made}
+    store = result_of(context, study_id)
+    return lambda session: {"surveys": made, **store(session)}
+
+
+def join(session: Session) -> int | None:
+    """The sites as a study, weighted to an invented fleet; None where it was made before."""
+    if simulated_study(session) is not None:
+        return None
+    by_name = {name: survey_id for survey_id, (name, _) in survey_names(session).items()}
+    facts = StudyFacts(
+        name=JOINED,
+        description=DESCRIPTION,
+        surveys=tuple(
+            StudySurvey(by_name[BEGIN + site.name], site.name, year=site.day.year) for site in SITES
+        ),
+        fleet_csv=FLEET_CSV,
+    )
+    return create_study(session, facts, simulated=True, actor=None).id
 
 
 def store_site(session: Session, site: Site, films: dict[Lighting, Film]) -> int:

@@ -3251,6 +3251,8 @@ audit-entity-line_pose = line pose
 audit-entity-line_height = line height
 audit-entity-line_height_review = line height review
 audit-entity-export = export
+audit-entity-study = study
+audit-entity-study_result = result of a study
 audit-entity-package = package
 audit-entity-checkpoint = checkpoint
 audit-entity-signing_key = signing key
@@ -4215,18 +4217,22 @@ sight-sentence = What it means
 sight-missing = No height of this is left by the filter: { $targets }. Measure and accept some, or show all states.
 sight-verdict-alike = { $case ->
     [mix] With the other fleet’s heights
+    [study] With the study’s heights
    *[survey] With the survey’s heights
 } (eye { $eye }, object { $object }) the crest constant is { $constant } instead of { $standard }, and K for { $distance } is { $k } instead of { $k_standard }. The change of { $change } is within the 95 % interval: the survey gives no reason to build crests differently.
 sight-verdict-shorter = { $case ->
     [mix] With the other fleet’s heights
+    [study] With the study’s heights
    *[survey] With the survey’s heights
 } (eye { $eye }, object { $object }) the crest constant is { $constant } instead of { $standard }, and K for { $distance } is { $k } instead of { $k_standard }. Crests could be { $change } shorter; on a crest built by the standard one sees { $seen }.
 sight-verdict-longer = { $case ->
     [mix] With the other fleet’s heights
+    [study] With the study’s heights
    *[survey] With the survey’s heights
 } (eye { $eye }, object { $object }) the crest constant is { $constant } instead of { $standard }, and K for { $distance } is { $k } instead of { $k_standard }. Crests would have to be { $change } longer; on a crest built by the standard one sees only { $seen }.
 sight-verdict-unknown = { $case ->
     [mix] With the other fleet’s heights
+    [study] With the study’s heights
    *[survey] With the survey’s heights
 } (eye { $eye }, object { $object }) the crest constant is { $constant } instead of { $standard }, a change of K by { $change }. There is no interval ({ $reason }), so whether that is more than chance cannot be said.
 sight-cases-title = Crests
@@ -4389,15 +4395,23 @@ studies-no-package-there = { $place } is no package and holds none; name exporte
 studies-package-does-not-verify = { $place } does not verify, so that no study is made of it: { $problem }
 studies-package-without-sample = { $place } does not say which vehicles were in its sample, for it was made by an earlier version; export its survey again.
 studies-package-without-parquet = { $place } was made by an earlier version, without Parquet; export its survey again.
-studies-survey-without-poses = { $place } has no road pose, and so no height; leave it out, or pose its recordings and export it again.
+studies-survey-without-poses = { $place } has no road pose, and so no height; leave it out, or pose its recordings (and export a package again).
 studies-same-survey-twice = { $first } and { $second } are packages of the same survey; keep the later one.
 studies-packages-of-two-versions = { $first } (version { $first_version }) and { $second } (version { $second_version }) have other columns in { $table }; export both with one version.
-studies-no-height-counts = No package has an accepted height; review measurements and export again.
+studies-no-height-counts = None of the surveys has an accepted height in its sample; review measurements (and export a package again).
 studies-class-unknown = The fleet has { $variable } { $name }, which Sightline does not know; use { $known }.
 studies-class-never-seen = The fleet has { $variable } { $name }, which no survey saw; leave it out and let the other shares sum to 1, or measure some.
 studies-class-not-in-fleet = The surveys saw { $count } vehicles of { $variable } { $name }, which the fleet does not have; add a row for it (0 if it is not to count).
 studies-site-not-in-sites = The table of sites has no row for { $site }; add it.
 studies-more-sites-than-there = Stratum { $stratum } has { $count } sites here, but sites_there says { $there }; correct it.
+studies-needs-a-name = A study needs a name; fill it in.
+studies-has-no-survey = The study has no survey; add at least one.
+studies-goal-of-study = { $goal } m is no U95 between 0 and 1 m; 0.010 m is 10 mm.
+studies-survey-stands-twice = { $name } stands in the study twice; keep it once.
+studies-no-year = { $year } is no year that { $name } can stand for; correct it, or leave it empty.
+studies-site-in-two-strata = Site { $site } is of stratum { $first } and of { $second }; give it one, in all its surveys and in the table of sites.
+studies-site-without-stratum = Site { $site } has no stratum, though others have one; give every site one, or none.
+studies-changed-meanwhile = { $name } changed this study on { $when }. Load it again and redo your change.
 studies-goal-no-length = --goal { $goal } is no U95 in metres between 0 and 1; 0.010 is 10 mm.
 commands-compare-two-values = --compare { $text } needs --by and two different values of its column, as in --by year --compare 2020,2026.
 commands-compare-no-such-value = No row with a height has { $name } in { $by }; compare two of { $known }.

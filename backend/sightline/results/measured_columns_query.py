@@ -86,8 +86,8 @@ class Measured:
     def __len__(self) -> int:
         return len(self.measurement_id)
 
-    def where(self, chosen: NDArray[np.bool_]) -> Measured:
-        """The rows that are chosen (N,)."""
+    def where(self, chosen: NDArray[np.bool_] | Ints) -> Measured:
+        """The rows that are chosen, (N,) by truth or (M,) by place."""
         return Measured(**{one.name: getattr(self, one.name)[chosen] for one in fields(self)})
 
 

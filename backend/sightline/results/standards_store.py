@@ -42,7 +42,11 @@ def standards_of_surveys(session: Session, survey_ids: Sequence[int] = ()) -> tu
     """Those of some surveys, or of all, each once: the usual ones first where a survey keeps to them."""
     wanted = list(survey_ids) or list(session.execute(select(surveys.c.id).order_by(surveys.c.id)).scalars())
     found = _newest(session, wanted)
-    tables = [found[id_].standards if id_ in found else STANDARDS for id_ in wanted]
+    return joined_standards([found[id_].standards if id_ in found else STANDARDS for id_ in wanted])
+
+
+def joined_standards(tables: Sequence[tuple[Standard, ...]]) -> tuple[Standard, ...]:
+    """The standards of several tables, each once: the usual ones first where a table is theirs."""
     usual_first = sorted(tables, key=lambda table: table != STANDARDS)
     return tuple(dict.fromkeys(one for table in usual_first for one in table)) if tables else STANDARDS
 

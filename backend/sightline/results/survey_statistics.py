@@ -69,10 +69,10 @@ _WHAT: dict[StatisticsTarget, str] = {
     "taillight": "object_stopping",
     "headlight": "headlight",
 }
-# Whose heights a standard's rule is read on: a target of some classes, or of what the survey counts in a set.
+#: Whose heights a standard's rule is read on: a target of some classes, or of what counts in a set.
 _CARS: tuple[tuple[Category, ...], tuple[ClassSet, ...]] = ((), ("passenger_cars",))
 _TRUCKS: tuple[tuple[Category, ...], tuple[ClassSet, ...]] = (("lorry", "tractor_unit"), ())
-_RULE_OF: dict[StandardHeight, tuple[StatisticsTarget, tuple[tuple[Category, ...], tuple[ClassSet, ...]]]] = {
+RULE_OF: dict[StandardHeight, tuple[StatisticsTarget, tuple[tuple[Category, ...], tuple[ClassSet, ...]]]] = {
     "eye_car": ("driver_eye", _CARS),
     "eye_truck": ("driver_eye", _TRUCKS),
     "object_stopping": ("taillight", _CARS),
@@ -288,9 +288,9 @@ def _rules(measured: Measured, table: Sequence[Standard], sites: Grouping | None
     """
     found = []
     for standard in table:
-        if standard.percent is None or standard.what not in _RULE_OF:
+        if standard.percent is None or standard.what not in RULE_OF:
             continue
-        target, classes = _RULE_OF[standard.what]
+        target, classes = RULE_OF[standard.what]
         rows = _of_target(measured, target)
         by_class = bool(np.any(measured.category[rows] != NONE))
         if by_class:

@@ -40,7 +40,7 @@ def compare(first: TotalUncertainty, second: TotalUncertainty, percents: Sequenc
     """
     found = [difference(first, second, percent) for percent in percents]
     return Comparison(
-        [_judged(_figure(one)) for one in found], _judged(_of_means(first.mean(), second.mean()))
+        [_judged(_figure(one)) for one in found], difference_of_figures(first.mean(), second.mean())
     )
 
 
@@ -48,7 +48,15 @@ def _figure(found: TotalFigure | str) -> TotalFigure:
     return TotalFigure(float("nan"), None, None, found) if isinstance(found, str) else found
 
 
-def _of_means(first: TotalFigure, second: TotalFigure) -> TotalFigure:
+def difference_of_figures(first: TotalFigure, second: TotalFigure) -> Compared:
+    """Two figures of samples that share no error, by their own intervals: the second less the first.
+
+    Zou and Donner 2008: each end is as far as the two ends that lie that way are together.
+    """
+    return _judged(_apart(first, second))
+
+
+def _apart(first: TotalFigure, second: TotalFigure) -> TotalFigure:
     value = second.value - first.value
     if first.U95_low is None or first.U95_high is None or second.U95_low is None or second.U95_high is None:
         return TotalFigure(value, None, None, first.reason or second.reason)

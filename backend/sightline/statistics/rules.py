@@ -8,10 +8,13 @@ that it is not so is at most 2.5 %; between them the two are not told apart.
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from sightline.enums import RuleVerdict
 from sightline.statistics.standards import Standard
-from sightline.statistics.total_uncertainty import HeightSample, TotalUncertainty
+from sightline.statistics.total_uncertainty import HeightSample, TotalFigure, TotalUncertainty
+
+Floats = NDArray[np.float64]
 
 MOST_RISK = 0.025
 
@@ -47,22 +50,32 @@ def rule_today(standard: Standard, sample: HeightSample, by_class: bool) -> Rule
     if standard.percent is None:
         return None
     if not len(sample.height_m):
-        return _unknown(standard, 0, by_class, None, "no height of its class counts")
+        return unknown_rule(standard, 0, by_class, None, "no height of its class counts")
     found = TotalUncertainty(sample)
     draws = found.percentile_draws(standard.percent)
-    one = found.percentile(standard.percent)
+    return rule_of_draws(standard, found.n, by_class, found.percentile(standard.percent), draws)
+
+
+def rule_of_draws(
+    standard: Standard, n: int, by_class: bool, found: TotalFigure, draws: tuple[float, Floats] | str
+) -> RuleToday:
+    """The verdict on a percentile that was found of n heights: its interval, and its value with draws of its
+    error (D,), metres, or the reason why there are none.
+
+    JCGM 106:2012, 8.3.
+    """
     if isinstance(draws, str):
-        return _unknown(standard, found.n, by_class, one.value, draws)
+        return unknown_rule(standard, n, by_class, found.value, draws)
     lower = float(np.mean(draws[0] + draws[1] < standard.height_m))
     verdict, risk = _verdict(lower)
     return RuleToday(
         standard=standard,
-        n=found.n,
+        n=n,
         by_class=by_class,
-        value_m=one.value,
-        U95_low_m=one.U95_low,
-        U95_high_m=one.U95_high,
-        difference_m=one.value - standard.height_m,
+        value_m=found.value,
+        U95_low_m=found.U95_low,
+        U95_high_m=found.U95_high,
+        difference_m=found.value - standard.height_m,
         lower=lower,
         risk=risk,
         verdict=verdict,
@@ -77,7 +90,8 @@ def _verdict(lower: float) -> tuple[RuleVerdict, float | None]:
     return "alike", None
 
 
-def _unknown(standard: Standard, n: int, by_class: bool, value_m: float | None, reason: str) -> RuleToday:
+def unknown_rule(standard: Standard, n: int, by_class: bool, value_m: float | None, reason: str) -> RuleToday:
+    """A rule without a verdict, and why."""
     return RuleToday(
         standard=standard,
         n=n,

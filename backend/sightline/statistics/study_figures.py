@@ -52,6 +52,16 @@ class StudyPercentile(TotalPercentile):
     effect: float | None = None
 
 
+@dataclass(frozen=True, eq=False)
+class _DrawnPercentile:
+    """A percentile's value and draws of its error (D,), metres; effect: the design effect."""
+
+    value_m: float
+    raw_m: float
+    error_m: Floats
+    effect: float | None
+
+
 @dataclass(frozen=True)
 class StudyFigure(TotalFigure):
     """A figure of the fleet; effect: the design effect, of sampling alone."""
@@ -223,12 +233,30 @@ class StudyFigures:
         The interval is Woodruff's (JASA 47, 1952): that of the share below, by the Beta distribution of as
         many heights as would tell it as well (Korn & Graubard 1998), read off the weighted heights.
         """
+        found = self._percentile(percent)
+        if isinstance(found, str):
+            at = float(self._quantile(np.array([percent / 100.0]))[0])
+            return StudyPercentile(at, None, None, found, percent=percent, raw=at)
+        low, high = _ends(found.error_m)
+        value = found.value_m
+        return StudyPercentile(
+            value, value + low, value + high, percent=percent, raw=found.raw_m, effect=found.effect
+        )
+
+    def percentile_draws(self, percent: float) -> tuple[float, Floats] | str:
+        """A percentile's value and draws of its error (D,), metres, or the reason why there are none.
+
+        The same as `percentile`'s.
+        """
+        found = self._percentile(percent)
+        return found if isinstance(found, str) else (found.value_m, found.error_m)
+
+    def _percentile(self, percent: float) -> _DrawnPercentile | str:
         p = percent / 100.0
-        at = float(self._quantile(np.array([p]))[0])
         if self._density is None or self.n * min(p, 1.0 - p) < 1.0:
             needed = max(int(np.ceil(1.0 / min(p, 1.0 - p))), 8)
-            why = f"its interval needs at least {needed} heights that differ; there are {self.n}"
-            return StudyPercentile(at, None, None, why, percent=percent, raw=at)
+            return f"its interval needs at least {needed} heights that differ; there are {self.n}"
+        at = float(self._quantile(np.array([p]))[0])
         slope = self._density.measured_density(at)
         own = (p - (self._height_m <= at)) / slope
         of_correction = self._density.correction_influence_m(p)[self._cell]
@@ -240,10 +268,11 @@ class StudyFigures:
         draws = self._quantile(special.betaincinv(n * p + 0.5, n * (1.0 - p) + 0.5, _LEVELS)) - at
         correction = self._density.correction_m(p)
         u_m2 = found.unseen + (_SHAPE * correction) ** 2
-        low, high = _ends(draws + np.sqrt(u_m2) * _NORMAL)
-        value = at + correction
-        return StudyPercentile(
-            value, value + low, value + high, percent=percent, raw=at, effect=_effect(found, plain)
+        return _DrawnPercentile(
+            value_m=at + correction,
+            raw_m=at,
+            error_m=draws + np.sqrt(u_m2) * _NORMAL,
+            effect=_effect(found, plain),
         )
 
     def components(self, percent: float) -> Components | None:

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import get_args
 
-from sightline.infra.csv_package.columns import integer, metres, number, text
+from sightline.enums import ComparisonVerdict, RuleVerdict
+from sightline.infra.csv_package.columns import flag, integer, metres, number, text
 from sightline.infra.csv_package.schema import Cells, Table
 from sightline.statistics.study_figures import StudyFigure, StudyPercentile
 from sightline.studies.records import Study
@@ -22,13 +24,15 @@ _REASON = text("reason", "why a figure or its interval is missing")
 
 PACKAGES: Table = Table(
     "packages",
-    "The packages of the study, each verified before it was read.",
+    "The surveys of the study: packages, each verified before it was read, or surveys of an installation.",
     (
-        text("place", "folder or ZIP as it was named", required=True),
+        text("place", "folder or ZIP as it was named, or which survey of the installation", required=True),
         text("survey", "name of the survey"),
         text("site", "site: surveys of one site are one cluster"),
-        text("made_with", "version that made the package"),
-        text("chain_sha256", "SHA-256 of the package's audit chain without its seal"),
+        integer("year", "year that it stands for, where years are compared"),
+        text("made_with", "version that made the package, or read the installation's database"),
+        text("chain_sha256", "of a package: SHA-256 of its audit chain without its seal"),
+        text("audit_head", "of an installation's survey: last hash of its audit chain when it was read"),
         integer("counted", "accepted heights of vehicles in the survey's sample: those that count"),
         integer("out_of_sample", "accepted heights of other vehicles, which do not count"),
     ),
@@ -92,7 +96,48 @@ PLANS: Table = Table(
         metres("U95_m", "the U95 that is then expected"),
     ),
 )
-TABLES = (PACKAGES, FIGURES, ERRORS, CLASSES, PLANS)
+RULES: Table = Table(
+    "rules",
+    "The same rule today: the percentile that a standard is set by, of its class, with a verdict.",
+    (
+        text("target", "what was measured", required=True),
+        text("standard", "the standard", required=True),
+        text("what", "what its height is of", required=True),
+        number("percent", "the percentile of its rule", "%", required=True),
+        text("vehicle_class", "the class that its percentile is of"),
+        flag("by_class", "whether heights of other classes could be left out", required=True),
+        _N,
+        metres("standard_m", "the standard's height", required=True),
+        metres("value_m", "the percentile today, of true heights"),
+        metres("low_m", "lower end of its total 95 % interval"),
+        metres("high_m", "upper end of its total 95 % interval"),
+        metres("difference_m", "today less the standard"),
+        number("lower", "probability that the true percentile lies below the standard's height"),
+        number("risk", "probability that the verdict is wrong"),
+        text("verdict", "what may be said", required=True, enum=get_args(RuleVerdict)),
+        _REASON,
+    ),
+)
+YEARS: Table = Table(
+    "years",
+    "A later year less the first one, where the surveys of a study were given years: differences of true "
+    "heights with total 95 % intervals, and whether each is more than noise.",
+    (
+        text("target", "what was measured", required=True),
+        integer("first_year", "the first year", required=True),
+        integer("second_year", "the later year", required=True),
+        text("figure", "which", required=True, enum=("percentile", "mean")),
+        number("percent", "of a percentile: which", "%"),
+        integer("n_first", "heights of the first year", required=True, minimum=0),
+        integer("n_second", "heights of the later year", required=True, minimum=0),
+        metres("value_m", "the difference"),
+        metres("low_m", "lower end of its total 95 % interval"),
+        metres("high_m", "upper end of its total 95 % interval"),
+        text("verdict", "more than noise, or not", enum=get_args(ComparisonVerdict)),
+        _REASON,
+    ),
+)
+TABLES = (PACKAGES, FIGURES, RULES, YEARS, ERRORS, CLASSES, PLANS)
 
 
 def study_rows(study: Study) -> dict[str, Iterator[Cells]]:
@@ -100,6 +145,8 @@ def study_rows(study: Study) -> dict[str, Iterator[Cells]]:
     return {
         PACKAGES.path: _packages(study),
         FIGURES.path: _figures(study),
+        RULES.path: _rules(study),
+        YEARS.path: _years(study),
         ERRORS.path: _errors(study),
         CLASSES.path: _classes(study),
         PLANS.path: _plans(study),
@@ -107,10 +154,10 @@ def study_rows(study: Study) -> dict[str, Iterator[Cells]]:
 
 
 def _packages(study: Study) -> Iterator[Cells]:
-    for one, n, outside in zip(study.packages, study.counted, study.out_of_sample, strict=True):
-        told: Cells = {"place": str(one.place), "survey": one.name, "site": one.site}
-        told |= {"counted": n, "out_of_sample": outside}
-        yield {**told, "made_with": one.made_with, "chain_sha256": one.seal}
+    for one, n, outside in zip(study.surveys, study.counted, study.out_of_sample, strict=True):
+        told: Cells = {"place": one.place, "survey": one.name, "site": one.site, "year": one.year}
+        told |= {"counted": n, "out_of_sample": outside, "made_with": one.made_with}
+        yield {**told, "chain_sha256": one.seal or None, "audit_head": one.head or None}
 
 
 def _figures(study: Study) -> Iterator[Cells]:
@@ -125,6 +172,47 @@ def _figures(study: Study) -> Iterator[Cells]:
             yield row | _told(percentile, one.n)
         yield {**key, "figure": "mean"} | _told(one.mean, one.n)
         yield {**key, "figure": "sd"} | _told(one.sd, one.n)
+
+
+def _rules(study: Study) -> Iterator[Cells]:
+    for of in study.rules:
+        one = of.rule
+        yield {
+            "target": of.target,
+            "standard": one.standard.name,
+            "what": one.standard.what,
+            "percent": one.standard.percent,
+            "vehicle_class": one.standard.vehicle_class,
+            "by_class": one.by_class,
+            "n": one.n,
+            "standard_m": one.standard.height_m,
+            "value_m": one.value_m,
+            "low_m": one.U95_low_m,
+            "high_m": one.U95_high_m,
+            "difference_m": one.difference_m,
+            "lower": one.lower,
+            "risk": one.risk,
+            "verdict": one.verdict,
+            "reason": one.reason,
+        }
+
+
+def _years(study: Study) -> Iterator[Cells]:
+    for one in study.years:
+        yield {
+            "target": one.target,
+            "first_year": one.first_year,
+            "second_year": one.second_year,
+            "figure": "mean" if one.percent is None else "percentile",
+            "percent": one.percent,
+            "n_first": one.n_first,
+            "n_second": one.n_second,
+            "value_m": one.value,
+            "low_m": one.U95_low,
+            "high_m": one.U95_high,
+            "verdict": one.verdict,
+            "reason": one.reason,
+        }
 
 
 def _told(one: StudyFigure | StudyPercentile, n: int, unit: str = "_m") -> Cells:

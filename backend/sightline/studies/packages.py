@@ -12,6 +12,7 @@ from sightline.errors import BadInput
 from sightline.export.seal import read_seal
 from sightline.infra.csv_package.files import Files, open_package, read_rows
 from sightline.infra.csv_package.schema import CHECKSUMS, DESCRIPTION, parquet_path
+from sightline.results.csv import standards_in
 from sightline.studies.query import READ, columns_of
 from sightline.studies.records import StudiedPackage
 
@@ -65,12 +66,13 @@ def _studied(place: Path, check: Check, scratch: Path) -> StudiedPackage:
     first = next(read_rows(files, "audit.csv"))
     seal = read_seal(files)
     return StudiedPackage(
-        place=place,
-        tables=tables,
+        place=str(place),
         name=row["name"],
         site=row["site"] or row["name"],
         made_with=made_with,
+        standards=standards_in(files),
         seal=seal.before_sha256,
+        tables=tables,
         survey=first["hash"],
     )
 

@@ -13,28 +13,28 @@ from numpy.typing import NDArray
 
 from sightline.enums import StatisticsTarget
 from sightline.infra.csv_package.schema import parquet_path
+from sightline.results.measured_columns_query import CATEGORIES, CLASS_SETS, LIGHTING
 from sightline.studies.records import Floats, Ints, StudiedHeights, StudiedPackage
 
 #: The tables that a study reads of a package.
-READ = ("survey.csv", "measurements.csv", "vehicles.csv", "recordings.csv")
+READ = ("survey.csv", "measurements.csv", "vehicles.csv", "recordings.csv", "classes.csv")
 _MEMORY, _THREADS = "700MB", 2
 _COUNTED = "NOT m.withdrawn AND m.height_m IS NOT NULL AND m.verdict IN ('accepted', 'fixed')"
 _LENGTHS = ("height_m", "u_height_m", "u_clicks_m", "u_by_inset_m", "inset_m", "u_inset_m")
 
 
 class StudyTables:
-    """The tables of many packages as one dataset. Words are codes by the lists that are given, from 0."""
+    """The tables of many packages as one dataset. Words are codes by the lists of the columns' query."""
 
-    def __init__(
-        self, packages: Sequence[StudiedPackage], categories: Sequence[str], lighting: Sequence[str]
-    ) -> None:
+    def __init__(self, packages: Sequence[StudiedPackage]) -> None:
         self._db = duckdb.connect(":memory:")
         self._db.execute(
             f"SET memory_limit = '{_MEMORY}'; SET threads = {_THREADS}; SET enable_progress_bar = false"
         )
         self._files = {name: [str(one.tables / parquet_path(name)) for one in packages] for name in READ}
-        self._codes(categories, "categories")
-        self._codes(lighting, "lightings")
+        self._codes(CATEGORIES, "categories")
+        self._codes(LIGHTING, "lightings")
+        self._codes(CLASS_SETS, "class_sets")
         self._cars()
 
     def __enter__(self) -> StudyTables:
@@ -50,18 +50,21 @@ class StudyTables:
         lengths = ", ".join(f"CAST(m.{name} AS DOUBLE) AS {name}" for name in _LENGTHS)
         rows = self._numbers(
             f"""
-            SELECT c.package, m.pose_id AS pose, c.category, c.lighting, c.reference_m, {lengths}
+            SELECT c.package, m.id, m.pose_id AS pose, c.category, c.lighting, c.class_set, c.reference_m,
+              {lengths}
             FROM {self._of("measurements.csv")} m
             JOIN cars c ON c.package = m.file_index AND c.id = m.vehicle_id
             WHERE {_COUNTED} AND m.target = $target
             """,
             target=target,
         )
+        rows = _in_order(rows)
         return StudiedHeights(
             package=_ints(rows["package"]),
             pose=_ints(rows["pose"]),
             category=_ints(rows["category"]),
             lighting=_ints(rows["lighting"]),
+            class_set=_ints(rows["class_set"]),
             reference_m=_floats(rows["reference_m"]),
             **{name: _floats(rows[name]) for name in _LENGTHS},
         )
@@ -70,12 +73,13 @@ class StudyTables:
         """(package, category, lighting), (V,) each, of every vehicle with a counted height."""
         rows = self._numbers(
             f"""
-            SELECT c.package, c.category, c.lighting FROM cars c
+            SELECT c.package, c.id, c.category, c.lighting FROM cars c
             SEMI JOIN (
               SELECT m.file_index, m.vehicle_id FROM {self._of("measurements.csv")} m WHERE {_COUNTED}
             ) m ON c.package = m.file_index AND c.id = m.vehicle_id
             """
         )
+        rows = _in_order(rows)
         return _ints(rows["package"]), _ints(rows["category"]), _ints(rows["lighting"])
 
     def counted(self) -> tuple[Ints, Ints]:
@@ -104,14 +108,21 @@ class StudyTables:
             f"""
             CREATE TABLE cars AS
             SELECT CAST(v.file_index AS INTEGER) AS package, v.id, coalesce(c.code, -1) AS category,
-              coalesce(l.code, -1) AS lighting, v.manufacturer_height_m AS reference_m
+              coalesce(l.code, -1) AS lighting, coalesce(s.code, -1) AS class_set,
+              v.manufacturer_height_m AS reference_m
             FROM {self._of("vehicles.csv")} v
             LEFT JOIN {self._of("recordings.csv")} r ON r.file_index = v.file_index AND r.id = v.recording_id
             LEFT JOIN categories c ON c.word = v.category
             LEFT JOIN lightings l ON l.word = coalesce(v.lighting, r.lighting)
+            LEFT JOIN {self._of("classes.csv")} k ON k.file_index = v.file_index AND k.category = v.category
+            LEFT JOIN class_sets s ON s.word = k.class_set
             WHERE v.in_sample AND v.discarded IS NULL
             """,
-            {name: value for name, value in self._places().items() if name in ("vehicles", "recordings")},
+            {
+                name: value
+                for name, value in self._places().items()
+                if name in ("vehicles", "recordings", "classes")
+            },
         )
 
     def _of(self, table: str) -> str:
@@ -138,6 +149,16 @@ def columns_of(package: Path) -> dict[str, tuple[str, ...]]:
         schema = pq.read_schema(package / parquet_path(name))
         found[name] = tuple(f"{field.name} {field.type}" for field in schema)
     return found
+
+
+def _in_order(rows: dict[str, NDArray[Any]]) -> dict[str, NDArray[Any]]:
+    """Rows (N,) by package and number, as sums are to be made of them: a database gives them in any order."""
+    package, id_ = _ints(rows["package"]), _ints(rows["id"])
+    key = package * (int(id_.max(initial=0)) + 1) + id_
+    if not np.any(np.diff(key) < 0):
+        return rows
+    order = np.argsort(key, kind="stable")
+    return {name: values[order] for name, values in rows.items()}
 
 
 def _ints(values: NDArray[Any]) -> Ints:

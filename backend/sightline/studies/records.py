@@ -4,11 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from datetime import datetime
 from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 
+from sightline.enums import ComparisonVerdict, JsonObject, StatisticsTarget
+from sightline.infra.audit.records import Who
+from sightline.statistics.rules import RuleToday
+from sightline.statistics.standards import Standard
 from sightline.statistics.study_figures import StudyFigure, StudyPercentile
 
 Floats = NDArray[np.float64]
@@ -16,16 +21,29 @@ Ints = NDArray[np.int64]
 
 
 @dataclass(frozen=True)
-class StudiedPackage:
-    """One package, verified: where its tables can be read, and what tells it from others."""
+class StudiedSurvey:
+    """One survey of a study: where it came from, its site, and the standards that it is read against.
 
-    place: Path
-    tables: Path
+    seal: of a package, the hash of its audit chain without the seal; of an installation's survey "".
+    head: of an installation's survey, the last hash of its audit chain when it was read; of a package "".
+    """
+
+    place: str
     name: str
     site: str
     made_with: str
-    seal: str
-    survey: str
+    standards: tuple[Standard, ...]
+    seal: str = ""
+    head: str = ""
+    year: int | None = None
+
+
+@dataclass(frozen=True)
+class StudiedPackage(StudiedSurvey):
+    """One package, verified: where its tables can be read, and what tells its survey from others."""
+
+    tables: Path = Path()
+    survey: str = ""
 
 
 @dataclass(frozen=True)
@@ -47,14 +65,15 @@ class Fleet:
 @dataclass(frozen=True, eq=False)
 class StudiedHeights:
     """Counted heights of one target, (N,) each: accepted, not withdrawn. package: which of the study's;
-    category, lighting: codes of words, -1 for none; inset_m, u_inset_m, u_clicks_m, u_by_inset_m: NaN where
-    not known; reference_m: the maker's height, NaN where not known.
+    category, lighting, class_set: codes of words, -1 for none; inset_m, u_inset_m, u_clicks_m, u_by_inset_m:
+    NaN where not known; reference_m: the maker's height, NaN where not known.
     """
 
     package: Ints
     pose: Ints
     category: Ints
     lighting: Ints
+    class_set: Ints
     height_m: Floats
     u_height_m: Floats
     u_clicks_m: Floats
@@ -68,7 +87,7 @@ class StudiedHeights:
 class TargetFigures:
     """The figures of one target's heights, or the reason why there are none."""
 
-    target: str
+    target: StatisticsTarget
     n: int
     sites: int
     weighting_effect: float | None = None
@@ -103,7 +122,7 @@ class ErrorFigure:
 class PlannedStudy:
     """Sites and vehicles at each that give a percentile its interval; vehicles None: no number does."""
 
-    target: str
+    target: StatisticsTarget
     percent: float
     goal_U95_m: float
     sites: int
@@ -112,12 +131,45 @@ class PlannedStudy:
 
 
 @dataclass(frozen=True)
+class StudyRule:
+    """A standard's rule on the heights of its class in the fleet."""
+
+    target: StatisticsTarget
+    rule: RuleToday
+
+
+@dataclass(frozen=True)
+class YearDifference:
+    """A figure of a later year less that of the first, metres; percent None: the mean. Either n may be 0."""
+
+    target: StatisticsTarget
+    first_year: int
+    second_year: int
+    percent: float | None
+    n_first: int
+    n_second: int
+    value: float | None
+    U95_low: float | None
+    U95_high: float | None
+    verdict: ComparisonVerdict | None
+    reason: str | None = None
+
+
+@dataclass(frozen=True)
+class Curve:
+    """Percentiles of one target from low to high, each with its interval: its distribution, to be drawn."""
+
+    target: StatisticsTarget
+    points: list[StudyPercentile]
+
+
+@dataclass(frozen=True)
 class Study:
-    """Everything that comes out of a study. `counted`, `out_of_sample`: accepted heights of each package that
+    """Everything that comes out of a study. `counted`, `out_of_sample`: accepted heights of each survey that
     count, and that do not, for their vehicle is not in its survey's sample.
     """
 
-    packages: list[StudiedPackage]
+    surveys: list[StudiedSurvey]
     counted: list[int]
     out_of_sample: list[int]
     heights: int
@@ -126,4 +178,62 @@ class Study:
     errors: list[ErrorFigure]
     classes: list[ClassShare]
     plans: list[PlannedStudy]
+    rules: list[StudyRule]
+    years: list[YearDifference]
     notes: list[str]
+
+
+@dataclass(frozen=True, slots=True)
+class StudySurvey:
+    """A survey of this installation in a study: at which site, of which stratum ("": not told) and year."""
+
+    survey_id: int
+    site: str
+    stratum: str = ""
+    year: int | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class StudyFacts:
+    """What people say of a study; the tables of its fleet and sites as they were uploaded, "" for none."""
+
+    name: str
+    description: str = ""
+    surveys: tuple[StudySurvey, ...] = ()
+    fleet_csv: str = ""
+    sites_csv: str = ""
+    goal_m: float = 0.010
+
+
+@dataclass(frozen=True, slots=True)
+class StoredStudy:
+    """A study of this installation's surveys. simulated: they are invented; job_id: its newest computing."""
+
+    id: int
+    facts: StudyFacts
+    simulated: bool
+    job_id: int | None
+    version: int
+    created_at: datetime
+    updated_at: datetime
+
+
+@dataclass(frozen=True, slots=True)
+class StudyResult:
+    """What a computing found. heads: the end of each survey's audit chain when it was read, by its id;
+    document: rows of the package's tables, curves, notes; sha256, size_bytes: of the package.
+    """
+
+    id: int
+    study_id: int
+    study_version: int
+    heads: Mapping[int, str]
+    document: JsonObject
+    media_key: str
+    size_bytes: int
+    sha256: str
+    report_key: str
+    report_sha256: str
+    code_version: str
+    created_at: datetime
+    created_by: Who | None

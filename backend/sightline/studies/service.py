@@ -1,130 +1,149 @@
-"""A study: heights of many packages as one designed sample, weighted to a fleet, with total intervals."""
+"""A study: heights of many surveys as one designed sample, weighted to a fleet, with total intervals.
+
+The surveys' tables come from packages (`query.StudyTables`) or from this installation's own database
+(`stored_query.StoredTables`); what is made of them is the same to the last digit.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
-from typing import get_args
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from typing import Protocol, get_args
 
 import numpy as np
-from numpy.typing import NDArray
 
-from sightline.enums import Category, Lighting, StatisticsTarget
+from sightline.enums import StatisticsTarget
 from sightline.errors import BadInput
-from sightline.statistics.shared_errors import SharedErrors
-from sightline.statistics.study_figures import Drawn, StudyFigure, StudyFigures, lonely_strata, share_of
+from sightline.results.standards_store import joined_standards
+from sightline.statistics.comparison import difference_of_figures
+from sightline.statistics.standards import Standard
+from sightline.statistics.study_figures import StudyFigures
 from sightline.statistics.study_plan import Components, U95_of, plan
-from sightline.statistics.survey_design import Design, weighting_effect
-from sightline.statistics.survey_weights import Margin, calibrated
-from sightline.statistics.total_uncertainty import HeightSample, sample_of_measurements
-from sightline.studies.query import StudyTables
+from sightline.statistics.survey_design import weighting_effect
+from sightline.statistics.total_uncertainty import TotalFigure
+from sightline.studies.places import Places, places_of
 from sightline.studies.records import (
-    ClassShare,
-    ErrorFigure,
+    Curve,
     Fleet,
-    Floats,
     Ints,
     PlannedStudy,
     SiteFacts,
     StudiedHeights,
-    StudiedPackage,
+    StudiedSurvey,
     Study,
+    StudyRule,
     TargetFigures,
+    YearDifference,
 )
+from sightline.studies.rules import rules_of
+from sightline.studies.shares import class_shares, error_figures
+from sightline.studies.weighted import Weighted, refuse_fleet, weighted, where
 
-CATEGORIES: tuple[str, ...] = get_args(Category)
-LIGHTING: tuple[str, ...] = get_args(Lighting)
 TARGETS: tuple[StatisticsTarget, ...] = get_args(StatisticsTarget)
 PERCENTS = (2.5, 5.0, 10.0, 15.0, 50.0, 85.0, 90.0, 95.0, 97.5)
-_LEAST = 2
+_CURVE = (1.0, *PERCENTS[:4], *(float(one) for one in range(20, 81, 5)), *PERCENTS[5:], 99.0)
 _PLANNED_PERCENT = 10.0
 _PLANNED_SITES = (2, 3, 4, 5, 6, 8, 10, 12, 15, 20, 30, 50)
-_ONE_STRATUM = "all"
 
 
-@dataclass(frozen=True, eq=False)
-class _Places:
-    """The sites of the study: names (J,), the site of each package (P,), the stratum of each site (J,), how
-    many sites each stratum has (H,), each site's traffic (J,) or None.
+Tell = Callable[[float], None]
+
+
+class Tables(Protocol):
+    """Accepted heights of the surveys of a study, each by its place among them."""
+
+    def counted(self) -> tuple[Ints, Ints]:
+        """Of each survey, (P,) each: how many count, and how many do not, for they are out of its sample."""
+        ...
+
+    def vehicles(self) -> tuple[Ints, Ints, Ints]:
+        """(survey, category, lighting), (V,) each, of every vehicle with a counted height."""
+        ...
+
+    def heights(self, target: StatisticsTarget) -> StudiedHeights:
+        """The counted heights of one target, by survey and number."""
+        ...
+
+
+@dataclass(frozen=True)
+class Plan:
+    """What is asked of a study: its fleet, what is known of sites, the U95 that a further one is to have."""
+
+    fleet: Fleet | None = None
+    sites: Mapping[str, SiteFacts] | None = None
+    goal_m: float = 0.010
+
+
+@dataclass
+class _Found:
+    """What came out so far, target by target."""
+
+    targets: list[TargetFigures] = field(default_factory=list)
+    plans: list[PlannedStudy] = field(default_factory=list)
+    rules: list[StudyRule] = field(default_factory=list)
+    years: list[YearDifference] = field(default_factory=list)
+
+
+def _silent(_part: float) -> None:
+    """Tell nobody how far it is."""
+
+
+def make_study(surveys: Sequence[StudiedSurvey], tables: Tables, asked: Plan, tell: Tell = _silent) -> Study:
+    """Figures, rules of standards, error table, class shares and a plan from the surveys' own tables.
+
+    tell: called with the part, 0 to 1, that is done. Raises BadInput where surveys, fleet and sites do not
+    fit, in one sentence.
     """
-
-    names: list[str]
-    strata: list[str]
-    of_package: Ints
-    stratum: Ints
-    sites_there: Floats
-    traffic: Floats | None
-
-
-def make_study(
-    packages: Sequence[StudiedPackage],
-    fleet: Fleet | None,
-    sites: Mapping[str, SiteFacts] | None,
-    goal_m: float,
-) -> Study:
-    """Figures, error table, class shares and a plan from the packages' own tables.
-
-    Raises BadInput where packages, fleet and sites do not fit, in one sentence.
-    """
-    places = _places_of(packages, sites)
-    notes = _notes(packages, places)
-    with StudyTables(packages, CATEGORIES, LIGHTING) as tables:
-        counted, outside = tables.counted()
-        notes += _notes_of_counts(packages, counted, outside)
-        if not counted.sum():
-            raise BadInput("studies-no-height-counts")
-        cars = tables.vehicles()
-        _refuse_fleet(fleet, cars, places)
-        classes = _class_shares(cars, places, fleet)
-        targets, plans, errors = [], [], []
-        for target in TARGETS:
-            found = tables.heights(target)
-            figures, of_plan = _target_figures(target, found, places, fleet, goal_m, notes)
-            targets.append(figures)
-            plans += of_plan
-            if target == "roof":
-                errors = _error_figures(found, places)
+    places = places_of(surveys, asked.sites)
+    notes = _notes(surveys, places)
+    counted, outside = tables.counted()
+    notes += _notes_of_counts(surveys, counted, outside)
+    if not counted.sum():
+        raise BadInput("studies-no-height-counts")
+    cars = tables.vehicles()
+    refuse_fleet(asked.fleet, cars, places)
+    classes = class_shares(cars, places, asked.fleet)
+    standards = joined_standards([one.standards for one in surveys])
+    found, errors = _Found(), []
+    for done, target in enumerate(TARGETS):
+        tell(done / len(TARGETS))
+        rows = tables.heights(target)
+        _of_target(target, rows, surveys, places, asked, standards, found, notes)
+        if target == "roof":
+            errors = error_figures(rows, places)
     return Study(
-        packages=list(packages),
+        surveys=list(surveys),
         counted=counted.tolist(),
         out_of_sample=outside.tolist(),
         heights=int(counted.sum()),
         vehicles=len(cars[0]),
-        targets=targets,
+        targets=found.targets,
         errors=errors,
         classes=classes,
-        plans=plans,
+        plans=found.plans,
+        rules=found.rules,
+        years=found.years,
         notes=notes,
     )
 
 
-def _places_of(packages: Sequence[StudiedPackage], sites: Mapping[str, SiteFacts] | None) -> _Places:
-    names = sorted({one.site for one in packages})
-    facts = {name: SiteFacts(_ONE_STRATUM, np.inf, None) for name in names} if sites is None else dict(sites)
-    for name in names:
-        if name not in facts:
-            raise BadInput("studies-site-not-in-sites", site=name)
-    strata = sorted({facts[name].stratum for name in names})
-    stratum = np.array([strata.index(facts[name].stratum) for name in names], dtype=np.int64)
-    there = np.array([next(facts[n].sites_there for n in names if facts[n].stratum == s) for s in strata])
-    for h, count in enumerate(np.bincount(stratum)):
-        if count > there[h]:
-            raise BadInput(
-                "studies-more-sites-than-there", stratum=strata[h], count=int(count), there=there[h]
-            )
-    traffic = [facts[name].traffic for name in names]
-    return _Places(
-        names=names,
-        strata=strata,
-        of_package=np.array([names.index(one.site) for one in packages], dtype=np.int64),
-        stratum=stratum,
-        sites_there=there,
-        traffic=None if any(one is None for one in traffic) else np.array(traffic, dtype=np.float64),
-    )
+def curves(
+    surveys: Sequence[StudiedSurvey], tables: Tables, asked: Plan, tell: Tell = _silent
+) -> list[Curve]:
+    """The distribution of each target that has one, to be drawn: percentiles with their total intervals."""
+    places = places_of(surveys, asked.sites)
+    found = []
+    for done, target in enumerate(TARGETS):
+        tell(done / len(TARGETS))
+        of = weighted(tables.heights(target), places, asked.fleet)
+        if of.design is not None:
+            figures = of.figures()
+            found.append(Curve(target, [figures.percentile(percent) for percent in _CURVE]))
+    return found
 
 
-def _notes(packages: Sequence[StudiedPackage], places: _Places) -> list[str]:
-    made_with = sorted({one.made_with for one in packages})
+def _notes(surveys: Sequence[StudiedSurvey], places: Places) -> list[str]:
+    made_with = sorted({one.made_with for one in surveys})
     notes = []
     if len(made_with) > 1:
         notes.append(
@@ -135,10 +154,10 @@ def _notes(packages: Sequence[StudiedPackage], places: _Places) -> list[str]:
     return notes
 
 
-def _notes_of_counts(packages: Sequence[StudiedPackage], counted: Ints, outside: Ints) -> list[str]:
+def _notes_of_counts(surveys: Sequence[StudiedSurvey], counted: Ints, outside: Ints) -> list[str]:
     notes = [
         f"{one.name} has no accepted height in its sample; it says nothing here."
-        for one, n in zip(packages, counted.tolist(), strict=True)
+        for one, n in zip(surveys, counted.tolist(), strict=True)
         if n == 0
     ]
     if outside.any():
@@ -149,120 +168,49 @@ def _notes_of_counts(packages: Sequence[StudiedPackage], counted: Ints, outside:
     return notes
 
 
-def _refuse_fleet(fleet: Fleet | None, cars: tuple[Ints, Ints, Ints], places: _Places) -> None:
-    """Every class of the fleet was seen, and every class seen is in the fleet."""
-    for variable, shares in (fleet.margins if fleet else {}).items():
-        words, code = _coded(variable, cars[0], cars[1], cars[2], places)
-        seen = {words[n] for n in np.unique(code[code >= 0]).tolist()}
-        for name, share in shares.items():
-            if name not in words and variable in ("category", "lighting"):
-                raise BadInput("studies-class-unknown", variable=variable, name=name, known=", ".join(words))
-            if share > 0.0 and name not in seen:
-                raise BadInput("studies-class-never-seen", variable=variable, name=name)
-        for name in sorted(seen - set(shares)):
-            count = int(np.count_nonzero(code == words.index(name)))
-            raise BadInput("studies-class-not-in-fleet", variable=variable, name=name, count=count)
-
-
-def _coded(
-    variable: str, package: Ints, category: Ints, lighting: Ints, places: _Places
-) -> tuple[Sequence[str], Ints]:
-    """Words of what divides the fleet, and the code of each row (N,), -1 for none."""
-    site = places.of_package[package]
-    return {
-        "category": (CATEGORIES, category),
-        "lighting": (LIGHTING, lighting),
-        "site": (places.names, site),
-        "stratum": (places.strata, places.stratum[site]),
-    }[variable]
-
-
-def _design(package: Ints, places: _Places) -> Design:
-    """Each vehicle stands for the traffic of its site and the sites that its stratum has to each one seen."""
-    site = places.of_package[package]
-    each = np.ones(len(places.names))
-    known = np.isfinite(places.sites_there)
-    if known.all():
-        seen = np.bincount(places.stratum, minlength=len(places.sites_there))
-        each = (places.sites_there / seen)[places.stratum]
-    if places.traffic is not None:
-        count = np.bincount(site, minlength=len(places.names))
-        each = each * np.divide(places.traffic, count, out=np.zeros(len(count)), where=count > 0)
-    there = np.bincount(site, minlength=len(places.names)) > 0
-    code = (np.cumsum(there) - 1)[site]  # sites without a row here have no code
-    return Design(each[site], places.stratum[site], code, places.sites_there)
-
-
-def _to_fleet(design: Design, rows: StudiedHeights, places: _Places, fleet: Fleet) -> Design | str:
-    """The design with weights that meet the fleet, or the reason why there are none."""
-    margins = []
-    for variable, shares in fleet.margins.items():
-        words, code = _coded(variable, rows.package, rows.category, rows.lighting, places)
-        there = np.bincount(code, minlength=len(words))
-        share = np.array([shares.get(word, 0.0) for word in words])
-        for n in np.flatnonzero((share > 0.0) & (there == 0)).tolist():
-            return f"no height of {variable} {words[n]} counts, which the fleet has"
-        margins.append(Margin(code, share))
-    weight = calibrated(design.weight, margins)
-    if weight is None:
-        return "no weights meet all shares of the fleet at once"
-    return Design(
-        weight, design.stratum, design.site, design.sites_there, margins=tuple(margins), drawn=design.weight
-    )
-
-
-def _with_class(rows: StudiedHeights, fleet: Fleet | None) -> NDArray[np.bool_]:
-    keep = np.ones(len(rows.height_m), dtype=np.bool_)
-    for variable in fleet.margins if fleet else ():
-        if variable in ("category", "lighting"):
-            keep &= getattr(rows, variable) >= 0
-    return keep
+def _of_target(
+    target: StatisticsTarget,
+    rows: StudiedHeights,
+    surveys: Sequence[StudiedSurvey],
+    places: Places,
+    asked: Plan,
+    standards: Sequence[Standard],
+    found: _Found,
+    notes: list[str],
+) -> None:
+    """Everything of one target, put with what was found."""
+    of = weighted(rows, places, asked.fleet)
+    left_out = len(rows.height_m) - of.n
+    if left_out:
+        notes.append(f"{left_out} heights of {target} have no class of the fleet; they do not count.")
+    figures = None if of.design is None else of.figures()
+    found.targets.append(_target_figures(target, of, figures, places))
+    if figures is not None:
+        found.plans += _plans(target, figures, asked.goal_m, float(places.sites_there.sum()))
+    found.rules += rules_of(target, of, figures, standards)
+    found.years += _years(target, rows, surveys, asked)
 
 
 def _target_figures(
-    target: str,
-    rows: StudiedHeights,
-    places: _Places,
-    fleet: Fleet | None,
-    goal_m: float,
-    notes: list[str],
-) -> tuple[TargetFigures, list[PlannedStudy]]:
-    keep = _with_class(rows, fleet)
-    if not keep.all():
-        notes.append(
-            f"{int((~keep).sum())} heights of {target} have no class of the fleet; they do not count."
-        )
-        rows = _where(rows, keep)
-    n = len(rows.height_m)
-    at = int(np.count_nonzero(np.bincount(places.of_package[rows.package]))) if n else 0
-    if n < _LEAST:
-        return TargetFigures(target, n, at, reason=f"its figures need at least {_LEAST} heights"), []
-    design: Design | str = _design(rows.package, places)
-    assert isinstance(design, Design)
-    alone = lonely_strata(design)
-    if len(places.names) > 1 and alone:
-        why = (
-            f"{places.strata[alone[0]]} has one site: join it with another stratum, so that sites can differ"
-        )
-        return TargetFigures(target, n, at, reason=why), []
-    if fleet is not None:
-        design = _to_fleet(design, rows, places, fleet)
-        if isinstance(design, str):
-            return TargetFigures(target, n, at, reason=design), []
-    figures = StudyFigures(_sample(rows), design)
-    found = TargetFigures(
+    target: StatisticsTarget, of: Weighted, figures: StudyFigures | None, places: Places
+) -> TargetFigures:
+    at = int(np.count_nonzero(np.bincount(places.of_survey[of.rows.package]))) if of.n else 0
+    if figures is None or of.design is None:
+        return TargetFigures(target, of.n, at, reason=of.reason)
+    return TargetFigures(
         target=target,
-        n=n,
+        n=of.n,
         sites=at,
-        weighting_effect=weighting_effect(design.weight),
+        weighting_effect=weighting_effect(of.design.weight),
         mean=figures.mean(),
         sd=figures.sd(),
         percentiles=[figures.percentile(percent) for percent in PERCENTS],
     )
-    return found, _plans(target, figures, goal_m, float(places.sites_there.sum()))
 
 
-def _plans(target: str, figures: StudyFigures, goal_m: float, sites_there: float) -> list[PlannedStudy]:
+def _plans(
+    target: StatisticsTarget, figures: StudyFigures, goal_m: float, sites_there: float
+) -> list[PlannedStudy]:
     told = figures.components(_PLANNED_PERCENT)
     if told is None:
         return []
@@ -283,86 +231,56 @@ def _plans(target: str, figures: StudyFigures, goal_m: float, sites_there: float
     return found
 
 
-def _sample(rows: StudiedHeights) -> HeightSample:
-    """As the statistics of a survey take them; poses of one package are no other package's."""
-    inset = np.rint(np.nan_to_num(rows.inset_m) * 1e4) * 100_000
-    inset = inset + np.rint(np.nan_to_num(rows.u_inset_m) * 1e4)
-    alike = bool(np.all(inset == inset[0]))
-    return sample_of_measurements(
-        height_m=rows.height_m,
-        u_height_m=rows.u_height_m,
-        u_clicks_m=rows.u_clicks_m,
-        u_by_inset_m=rows.u_by_inset_m,
-        pose=_pose_codes(rows),
-        inset=np.zeros(len(inset), np.int64) if alike else _codes(inset),
-    )
+def _years(
+    target: StatisticsTarget, rows: StudiedHeights, surveys: Sequence[StudiedSurvey], asked: Plan
+) -> list[YearDifference]:
+    """Each later year beside the first: percentiles and mean, each year weighted to the fleet by itself."""
+    years = sorted({one.year for one in surveys if one.year is not None})
+    if len(years) < 2 or not len(rows.height_m):
+        return []
+    first, *later = [_of_year(year, rows, surveys, asked) for year in years]
+    return [
+        one
+        for year, second in zip(years[1:], later, strict=True)
+        for one in _differences(target, (years[0], year), (first, second))
+    ]
 
 
-def _pose_codes(rows: StudiedHeights) -> Ints:
-    """A number for each pose of each package, from 0."""
-    most = int(rows.pose.max()) + 1
-    both = rows.package * most + rows.pose
-    if (int(rows.package.max()) + 1) * most > 8 * len(both) + 1_000_000:
-        return _codes(both)
-    return np.asarray((np.cumsum(np.bincount(both) > 0) - 1)[both], dtype=np.int64)
+def _of_year(
+    year: int, rows: StudiedHeights, surveys: Sequence[StudiedSurvey], asked: Plan
+) -> tuple[Weighted, StudyFigures | None]:
+    """The heights of one year's surveys as a study of its own."""
+    here = [n for n, one in enumerate(surveys) if one.year == year]
+    own = np.full(len(surveys), -1, dtype=np.int64)
+    own[here] = np.arange(len(here))
+    of_year = where(rows, own[rows.package] >= 0)
+    of_year = replace(of_year, package=own[of_year.package])
+    of = weighted(of_year, places_of([surveys[n] for n in here], asked.sites), asked.fleet)
+    return of, None if of.design is None else of.figures()
 
 
-def _codes(values: NDArray[np.generic]) -> Ints:
-    return np.asarray(np.unique(values, return_inverse=True)[1], dtype=np.int64)
-
-
-def _where(rows: StudiedHeights, keep: NDArray[np.bool_]) -> StudiedHeights:
-    return StudiedHeights(**{name: getattr(rows, name)[keep] for name in StudiedHeights.__dataclass_fields__})
-
-
-def _class_shares(cars: tuple[Ints, Ints, Ints], places: _Places, fleet: Fleet | None) -> list[ClassShare]:
-    """Shares of classes on the road, by the draw alone: the fleet's own stand beside them."""
-    package, category, lighting = cars
-    of_fleet = fleet.margins.get("category", {}) if fleet else {}
+def _differences(
+    target: StatisticsTarget,
+    years: tuple[int, int],
+    both: tuple[tuple[Weighted, StudyFigures | None], tuple[Weighted, StudyFigures | None]],
+) -> list[YearDifference]:
+    (of_first, first), (of_second, second) = both
+    key = (target, *years)
+    n = (of_first.n, of_second.n)
+    if first is None or second is None:
+        why = of_first.reason or of_second.reason
+        return [YearDifference(*key, None, *n, None, None, None, None, why)] if all(n) else []
+    pairs: list[tuple[float | None, TotalFigure, TotalFigure]] = [
+        (percent, first.percentile(percent), second.percentile(percent)) for percent in PERCENTS
+    ]
+    pairs.append((None, first.mean(), second.mean()))
     found = []
-    for group, rows in [
-        ("all", category >= 0),
-        *((w, (category >= 0) & (lighting == n)) for n, w in enumerate(LIGHTING)),
-    ]:
-        if np.count_nonzero(rows) < _LEAST:
-            continue
-        drawn = Drawn(_design(package[rows], places))
-        for n, word in enumerate(CATEGORIES):
-            chosen = category[rows] == n
-            if chosen.any():
-                share = share_of(drawn, chosen)
-                found.append(ClassShare(group, word, int(chosen.sum()), share, of_fleet.get(word)))
+    for percent, before, after in pairs:
+        one = difference_of_figures(before, after)
+        told = one.difference
+        found.append(
+            YearDifference(
+                *key, percent, *n, told.value, told.U95_low, told.U95_high, one.verdict, told.reason
+            )
+        )
     return found
-
-
-def _error_figures(rows: StudiedHeights, places: _Places) -> list[ErrorFigure]:
-    """Bias, MAE, RMSE and SD of roofs against their makers' heights, by the draw: of errors, not fleets."""
-    known = np.isfinite(rows.reference_m)
-    found = []
-    for group, wanted in [
-        ("overall", known),
-        *((w, known & (rows.lighting == n)) for n, w in enumerate(LIGHTING)),
-    ]:
-        chosen = _where(rows, wanted)
-        n = len(chosen.height_m)
-        if n < _LEAST:
-            continue
-        error = chosen.height_m - chosen.reference_m
-        sample = _sample(chosen)
-        shared: tuple[SharedErrors, ...] = sample.shared
-        drawn = Drawn(_design(chosen.package, places), shared)
-        found += [ErrorFigure(group, name, n, value) for name, value in _figures_of(error, drawn).items()]
-    return found
-
-
-def _figures_of(error: Floats, drawn: Drawn) -> dict[str, StudyFigure]:
-    share = drawn.design.weight / drawn.design.weight.sum()
-    bias, mae = float(share @ error), float(share @ np.abs(error))
-    square = float(share @ error**2)
-    sd2 = max(square - bias**2, 1e-18)
-    return {
-        "bias_m": drawn.figure(bias, error - bias, height=True),
-        "mae_m": drawn.figure(mae, np.abs(error) - mae),
-        "rmse_m": drawn.figure(np.sqrt(square), (error**2 - square) / (2.0 * np.sqrt(max(square, 1e-18)))),
-        "sd_m": drawn.figure(np.sqrt(sd2), ((error - bias) ** 2 - sd2) / (2.0 * np.sqrt(sd2))),
-    }

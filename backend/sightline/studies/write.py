@@ -19,7 +19,7 @@ from sightline.studies.csv import TABLES, study_rows
 from sightline.studies.records import Study
 
 _ABOUT = (
-    "A study of heights of vehicles made from {packages} packages of Sightline, {heights} accepted heights. "
+    "A study of heights of vehicles made from {surveys} surveys by Sightline, {heights} accepted heights. "
     "Lengths are in metres. {notes}"
 )
 
@@ -31,7 +31,7 @@ def write_study(staging: Staging, study: Study, notes: Sequence[str]) -> None:
         staging.fill(table, rows[table.path])
     write_parquet(staging, TABLES)
     told = " ".join([*study.notes, *notes])
-    words = _ABOUT.format(packages=len(study.packages), heights=study.heights, notes=told).strip()
+    words = _ABOUT.format(surveys=len(study.surveys), heights=study.heights, notes=told).strip()
     about = About("Study", words, None, {"sightline": code_version()})
     columns = [
         Other(parquet_path(table.path), "application/vnd.apache.parquet", "A table as Parquet.")

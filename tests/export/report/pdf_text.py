@@ -21,8 +21,13 @@ _PLAIN = {b"n": b"\n", b"r": b"\r", b"t": b"\t", b"b": b"\b", b"f": b"\f"}
 
 def words(pdf: bytes) -> str:
     """All that is written on the pages, in the order of writing; each run of text on a line of its own."""
+    return "\n".join(pages(pdf))
+
+
+def pages(pdf: bytes) -> list[str]:
+    """The same, page by page."""
     objects = {int(number): body for number, body in _OBJECT.findall(pdf)}
-    return "\n".join(_page(objects, body) for body in objects.values() if re.search(rb"/Type/Page\b", body))
+    return [_page(objects, body) for body in objects.values() if re.search(rb"/Type/Page\b", body)]
 
 
 def _page(objects: dict[int, bytes], body: bytes) -> str:

@@ -34,6 +34,8 @@ Drawn = Mapping[str, Drawing | str]
 _STANDARDS = ["a-2a", "ua-1"]
 _TEMPLATES = Path(__file__).parent
 _FIRST = "report.typ"
+#: What reports of other things are laid out from too.
+SHARED = ("blocks.typ", "sheet.typ", "rules.typ")
 
 
 def report(facts: ReportFacts, drawn: Drawn | None = None) -> bytes:
@@ -41,8 +43,12 @@ def report(facts: ReportFacts, drawn: Drawn | None = None) -> bytes:
 
     `drawn`: figures by name where they are drawn already (`figures.drawings`, the same unit).
     """
-    files = sources(facts, drawn)
-    stamp = _stamp(facts.as_of)
+    return set_pdf(sources(facts, drawn), facts.as_of)
+
+
+def set_pdf(files: dict[str, bytes], as_of: datetime | None) -> bytes:
+    """What Typst makes of templates, values and pictures; it begins at main.typ."""
+    stamp = _stamp(as_of)
     try:
         return _compiled(files, stamp, _STANDARDS)
     except typst.TypstError:
@@ -55,7 +61,7 @@ def sources(facts: ReportFacts, drawn: Drawn | None = None) -> dict[str, bytes]:
     scans = None if facts.scans is None else facts.scans.statistics
     pictures = Pictures(drawings(facts.statistics, facts.unit, scans) if drawn is None else drawn)
     values = _values(facts, pictures)
-    return {**_templates(), "values.json": values, **pictures.files}
+    return {**templates(_TEMPLATES, _FIRST), "values.json": values, **pictures.files}
 
 
 def _values(facts: ReportFacts, pictures: Pictures) -> bytes:
@@ -78,6 +84,11 @@ def _values(facts: ReportFacts, pictures: Pictures) -> bytes:
         "exclusions": exclusions(facts),
         "verification": verification(facts),
     }
+    return values_json(values)
+
+
+def values_json(values: Values) -> bytes:
+    """What templates show, fit to be set; `lacking` stands for characters that no font has."""
     fit = settable(values)
     assert isinstance(fit, dict)
     lacking = LACKING in json.dumps(fit, ensure_ascii=False)
@@ -85,10 +96,10 @@ def _values(facts: ReportFacts, pictures: Pictures) -> bytes:
 
 
 @cache
-def _templates() -> dict[str, bytes]:
-    """The templates by name; Typst begins at main.typ."""
-    files = sorted(_TEMPLATES.glob("*.typ"))
-    return {"main.typ" if file.name == _FIRST else file.name: file.read_bytes() for file in files}
+def templates(folder: Path, first: str) -> dict[str, bytes]:
+    """The templates of a folder and those that every report shares, by name; `first` is main.typ."""
+    files = sorted({*(_TEMPLATES / name for name in SHARED), *folder.glob("*.typ")})
+    return {"main.typ" if file.name == first else file.name: file.read_bytes() for file in files}
 
 
 def _compiled(files: dict[str, bytes], stamp: int, standards: list[Any]) -> bytes:

@@ -59,7 +59,7 @@ def glance(facts: ReportFacts) -> Values:
             for name, target in result.targets.items()
             if target.total is not None and name != "roof"
         ],
-        "rules": [_rule(one, HEIGHT[facts.unit], SMALL[facts.unit]) for one in result.rules if one.n],
+        "rules": [rule_values(one, HEIGHT[facts.unit], SMALL[facts.unit]) for one in result.rules if one.n],
         "errors": _errors_in_short(result.errors.groups["overall"], SMALL[facts.unit]),
         "consequence": consequence(facts),
         "standards": [] if eyes is None else _standards(facts, "driver_eye", eyes),
@@ -94,7 +94,7 @@ def _sure(name: StatisticsTarget, total: TotalFigures, scale: Scale) -> Values:
     }
 
 
-def _rule(one: RuleToday, scale: Scale, small: Scale) -> Values:
+def rule_values(one: RuleToday, scale: Scale, small: Scale) -> Values:
     """The rule of a standard on the survey's heights, with its verdict."""
     standard = one.standard
     ends = [scale.number(end) for end in (one.U95_low_m, one.U95_high_m)]

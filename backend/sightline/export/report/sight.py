@@ -51,7 +51,7 @@ def sight(facts: ReportFacts, pictures: Pictures) -> Values | None:
         "own_rule": None not in (eye.percent, thing.percent),
         "source": GREEN_BOOK,
         "missing": [TARGETS[target] for target in survey.missing],
-        "sentence": _sentence(question, standard, survey),
+        "sentence": crest_sentence(question, standard, survey),
         "rows": _rows(question, standard, survey, facts.unit),
         "figures": pictures.figures([FIGURE]),
         "constant": _with_interval(None if survey.crest is None else survey.crest.constant_m, scale),
@@ -62,7 +62,7 @@ def sight(facts: ReportFacts, pictures: Pictures) -> Values | None:
 def consequence(facts: ReportFacts) -> str | None:
     """The one sentence that says what the heights change on the road, where there is one."""
     found = _cases(facts.statistics, facts.unit)
-    return None if found is None else _sentence(*found[2:])
+    return None if found is None else crest_sentence(*found[2:])
 
 
 def sight_figure(result: Statistics, unit: LengthUnit) -> dict[str, Drawing | str]:
@@ -103,7 +103,20 @@ def _cases(result: Statistics, unit: LengthUnit) -> _Cases | None:
     if pair is None:
         return None
     eye, thing = pair
-    question = SightQuestion(
+    question = question_of(eye, thing, unit)
+    standard = case_of(question, "standard", Bounded(eye.height_m), Bounded(thing.height_m))
+    survey = case_of(
+        question,
+        "survey",
+        bounded_of(_percentile(result, "driver_eye", question.eye_percent)),
+        bounded_of(_percentile(result, "taillight", question.object_percent)),
+    )
+    return eye, thing, question, standard, survey
+
+
+def question_of(eye: Standard, thing: Standard, unit: LengthUnit) -> SightQuestion:
+    """What a standard's eye and object are asked on a crest."""
+    return SightQuestion(
         chosen=Filter(),
         eye_m=eye.height_m,
         object_m=thing.height_m,
@@ -118,14 +131,6 @@ def _cases(result: Statistics, unit: LengthUnit) -> _Cases | None:
         shares={},
         unit=unit,
     )
-    standard = case_of(question, "standard", Bounded(eye.height_m), Bounded(thing.height_m))
-    survey = case_of(
-        question,
-        "survey",
-        bounded_of(_percentile(result, "driver_eye", question.eye_percent)),
-        bounded_of(_percentile(result, "taillight", question.object_percent)),
-    )
-    return eye, thing, question, standard, survey
 
 
 def _pair(result: Statistics) -> tuple[Standard, Standard] | None:
@@ -147,8 +152,10 @@ def _percentile(result: Statistics, target: StatisticsTarget, at: float) -> Perc
     return None if found is None else next((p for p in found.corrected.percentiles if p.percent == at), None)
 
 
-def _sentence(question: SightQuestion, standard: CaseOfHeights, survey: CaseOfHeights) -> str | None:
-    """The same as on the page, in the report's unit."""
+def crest_sentence(
+    question: SightQuestion, standard: CaseOfHeights, survey: CaseOfHeights, whose: str = "survey"
+) -> str | None:
+    """The same as on the page, in the report's unit. whose: a survey's heights, or a study's."""
     if survey.crest is None or survey.comparison is None or standard.crest is None:
         return None
     scale = HEIGHT[question.unit]
@@ -157,7 +164,7 @@ def _sentence(question: SightQuestion, standard: CaseOfHeights, survey: CaseOfHe
     near = Scale(scale.factor, scale.sign, 2)
     plain = Scale(scale.factor, "", 1)
     values: Mapping[str, str] = {
-        "case": "survey",
+        "case": whose,
         "eye": near.length(crest.eye_m.value),
         "object": near.length(crest.object_m.value),
         "constant": plain.number(crest.constant_m.value),

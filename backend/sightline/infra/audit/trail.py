@@ -1,10 +1,10 @@
 """The audit chains: one event per write, in the same transaction, each hashed with the one before of its
 chain.
 
-A survey has a chain of its own; people, catalogue and settings have one each. hash = sha256(previous_hash +
-content_sha256), content_sha256 = sha256(the event as canonical JSON, RFC 8785). Numbers leave no gap, the
-chain's row holds its length and last hash, checkpoints and exports carry them, so changed, missing and
-cut-off events are all found (`verify`).
+A survey has a chain of its own; people, catalogue, studies and settings have one each. hash =
+sha256(previous_hash + content_sha256), content_sha256 = sha256(the event as canonical JSON, RFC 8785).
+Numbers leave no gap, the chain's row holds its length and last hash, checkpoints and exports carry them, so
+changed, missing and cut-off events are all found (`verify`).
 """
 
 import json
@@ -26,7 +26,13 @@ from sightline.infra.database.types import now
 
 #: The chains of what belongs to no survey, by kind; what is not named is a setting.
 SETTINGS = "settings"
-_CHAINS = {"person": "people", "sign_in_link": "people", "catalogue": "catalogue"}
+_CHAINS = {
+    "person": "people",
+    "sign_in_link": "people",
+    "catalogue": "catalogue",
+    "study": "studies",
+    "study_result": "studies",
+}
 #: What an event is about: the row's id, what it said before and what it says after.
 Change = tuple[int | None, Mapping[str, Any] | None, Mapping[str, Any] | None]
 

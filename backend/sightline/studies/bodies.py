@@ -1,0 +1,215 @@
+"""What studies take, and what is said of one: lengths in metres; a figure that is missing has its reason."""
+
+from datetime import datetime
+from typing import Annotated
+
+from pydantic import Field
+
+from sightline.enums import ComparisonVerdict, RuleVerdict, StandardHeight, StatisticsTarget
+from sightline.infra.audit.records import Who
+from sightline.infra.web.bodies import Finite, Id, In, JobBody, Name, Out, Text
+from sightline.studies.records import StudyFacts, StudySurvey
+
+_MOST_SURVEYS = 2000
+_Table = Annotated[str, Field(max_length=1_000_000)]
+
+
+class StudySurveyIn(In):
+    survey_id: Id
+    site: Annotated[str, Field(max_length=200, description="Empty: as the survey says.")] = ""
+    stratum: Annotated[str, Field(max_length=200, description="Empty: as the table of sites says.")] = ""
+    year: Annotated[int | None, Field(description="Where years are compared.")] = None
+
+
+class NewStudy(In):
+    name: Name
+    description: Text = ""
+    surveys: Annotated[tuple[StudySurveyIn, ...], Field(max_length=_MOST_SURVEYS)] = ()
+    fleet_csv: Annotated[_Table, Field(description="Shares of the fleet by class; empty: no weights.")] = ""
+    sites_csv: Annotated[_Table, Field(description="Facts of the sites; empty: none are known.")] = ""
+    goal_m: Annotated[Finite, Field(description="U95 of P10 that a further study is to have.")] = 0.010
+
+    def record(self) -> StudyFacts:
+        """As the store takes it."""
+        surveys = tuple(StudySurvey(**one.model_dump()) for one in self.surveys)
+        return StudyFacts(**{**self.model_dump(exclude={"surveys", "version"}), "surveys": surveys})
+
+
+class StudyChange(NewStudy):
+    version: int = Field(
+        description="The version that was changed; another's change in between is a conflict."
+    )
+
+
+class StudySurveyBody(Out):
+    survey_id: int
+    name: str
+    site: str
+    stratum: str
+    year: int | None
+
+
+class StudyBody(Out):
+    id: int
+    name: str
+    description: str
+    surveys: list[StudySurveyBody]
+    fleet_csv: str
+    sites_csv: str
+    goal_m: float
+    simulated: Annotated[bool, Field(description="Its surveys are invented; say so beside every figure.")]
+    version: int
+    created_at: datetime
+    updated_at: datetime
+
+
+class ListedStudy(Out):
+    """A study in the list, with what its newest result found."""
+
+    id: int
+    name: str
+    description: str
+    simulated: bool
+    surveys: int
+    sites: int
+    heights: Annotated[int | None, Field(description="Of its newest result; null: not computed yet.")]
+    computed_at: datetime | None
+
+
+class StudiedRow(Out):
+    place: str
+    survey: str
+    site: str
+    year: int | None = None
+    counted: int
+    out_of_sample: int
+
+
+class FigureRow(Out):
+    target: StatisticsTarget
+    figure: str
+    percent: float | None = None
+    n: int
+    sites: int
+    value_m: float | None = None
+    low_m: float | None = None
+    high_m: float | None = None
+    raw_m: float | None = None
+    design_effect: float | None = None
+    effective_n: float | None = None
+    weighting_effect: float | None = None
+    reason: str | None = None
+
+
+class RuleRow(Out):
+    target: StatisticsTarget
+    standard: str
+    what: StandardHeight
+    percent: float
+    vehicle_class: str
+    by_class: bool
+    n: int
+    standard_m: float
+    value_m: float | None
+    low_m: float | None
+    high_m: float | None
+    difference_m: float | None
+    lower: float | None
+    risk: float | None
+    verdict: RuleVerdict
+    reason: str | None
+
+
+class YearRow(Out):
+    target: StatisticsTarget
+    first_year: int
+    second_year: int
+    percent: float | None
+    n_first: int
+    n_second: int
+    value_m: float | None
+    low_m: float | None
+    high_m: float | None
+    verdict: ComparisonVerdict | None
+    reason: str | None
+
+
+class ErrorRow(Out):
+    group: str
+    figure: str
+    n: int
+    value_m: float
+    low_m: float | None
+    high_m: float | None
+
+
+class ClassRow(Out):
+    group: str
+    category: str
+    n: int
+    share: float
+    low: float | None
+    high: float | None
+    design_effect: float | None = None
+    fleet_share: float | None = None
+
+
+class PlanRow(Out):
+    target: StatisticsTarget
+    percent: float
+    goal_U95_m: float
+    sites: int
+    vehicles_each: int | None
+    U95_m: float | None
+
+
+class CurvePoint(Out):
+    percent: float
+    value_m: float
+    raw_m: float
+    low_m: float | None
+    high_m: float | None
+
+
+class CurveBody(Out):
+    """Percentiles of true heights, to be drawn."""
+
+    target: StatisticsTarget
+    points: list[CurvePoint]
+
+
+class FiguresBody(Out):
+    """The rows of the package's tables."""
+
+    heights: int
+    vehicles: int
+    notes: list[str]
+    consequence: str | None
+    curves: list[CurveBody]
+    packages: list[StudiedRow]
+    figures: list[FigureRow]
+    rules: list[RuleRow]
+    years: list[YearRow]
+    errors: list[ErrorRow]
+    classes: list[ClassRow]
+    plan: list[PlanRow]
+
+
+class ResultBody(Out):
+    id: int
+    created_at: datetime
+    created_by: Who | None
+    code_version: str
+    size_bytes: int
+    sha256: str
+    study_changed: Annotated[bool, Field(description="The study was changed since it was computed.")]
+    surveys_changed: Annotated[list[str], Field(description="Surveys that were written to since.")]
+    package_url: str
+    report_url: str
+    found: FiguresBody
+
+
+class StudyPage(Out):
+    study: StudyBody
+    result: ResultBody | None
+    job: Annotated[JobBody | None, Field(description="Its newest computing.")]

@@ -1,0 +1,33 @@
+"""The one sentence that says what a study's heights change on the road."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from sightline.enums import LengthUnit
+from sightline.export.report.sight import crest_sentence, question_of
+from sightline.results.sightdistance.service import case_of
+from sightline.sightdistance.workbench import Bounded
+from sightline.statistics.rules import RuleToday
+
+
+def consequence(rules: Sequence[RuleToday], unit: LengthUnit) -> str | None:
+    """Of the first standard whose eye and object both have a rule that the study has a percentile of."""
+    eyes = {one.standard.name: one for one in rules if one.standard.what == "eye_car" and one.value_m}
+    objects = {
+        one.standard.name: one for one in rules if one.standard.what == "object_stopping" and one.value_m
+    }
+    name = next((one for one in eyes if one in objects), None)
+    if name is None:
+        return None
+    eye, thing = eyes[name], objects[name]
+    question = question_of(eye.standard, thing.standard, unit)
+    standard = case_of(question, "standard", Bounded(eye.standard.height_m), Bounded(thing.standard.height_m))
+    study = case_of(question, "survey", _bounded(eye), _bounded(thing))
+    return crest_sentence(question, standard, study, "study")
+
+
+def _bounded(rule: RuleToday) -> Bounded | None:
+    if rule.value_m is None:
+        return None
+    return Bounded(rule.value_m, rule.U95_low_m, rule.U95_high_m, rule.reason)

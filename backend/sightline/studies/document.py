@@ -1,0 +1,36 @@
+"""What is stored of a study's result: the rows of its package's tables, and what its page draws and says."""
+
+from __future__ import annotations
+
+from sightline.enums import JsonObject
+from sightline.studies.consequence import consequence
+from sightline.studies.csv import TABLES, study_rows
+from sightline.studies.records import Curve
+from sightline.studies.stored import Computed
+
+
+def document_of(found: Computed) -> JsonObject:
+    """Plain JSON; the rows are those of the package, to the last digit."""
+    rows = study_rows(found.study)
+    return {
+        "heights": found.study.heights,
+        "vehicles": found.study.vehicles,
+        "notes": found.study.notes,
+        "consequence": consequence([one.rule for one in found.study.rules], "m"),
+        "curves": [_curve(one) for one in found.curves],
+        **{table.name: list(rows[table.path]) for table in TABLES},
+    }
+
+
+def _curve(one: Curve) -> JsonObject:
+    points = [
+        {
+            "percent": point.percent,
+            "value_m": point.value,
+            "raw_m": point.raw,
+            "low_m": point.U95_low,
+            "high_m": point.U95_high,
+        }
+        for point in one.points
+    ]
+    return {"target": one.target, "points": points}

@@ -1,0 +1,66 @@
+"""The figure of a study's report: a target's distribution with its band, beside the heights of standards."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from matplotlib.axes import Axes
+
+from sightline.enums import LengthUnit
+from sightline.export.report import marks
+from sightline.export.report.canvas import FULL, INK, Drawing, svg
+from sightline.export.report.marks import MAIN, RAW, Limit
+from sightline.export.report.units import HEIGHT, limit
+from sightline.export.report.words import TARGETS
+from sightline.statistics.standards import Standard
+from sightline.studies.records import Curve
+
+_REACH_M = 0.15  # so far beyond the heights a standard is still drawn
+
+
+def curve_drawing(curve: Curve, standards: Sequence[Standard], unit: LengthUnit) -> Drawing:
+    """Percentiles of true heights with their total intervals; dashed: with random error left in."""
+    scale, word = HEIGHT[unit], TARGETS[curve.target]
+    title = f"True heights of the {word}, cumulative"
+    share = [one.percent for one in curve.points]
+    value = scale.factor * np.array([one.value for one in curve.points])
+    raw = scale.factor * np.array([one.raw for one in curve.points])
+    known = [one for one in curve.points if one.U95_low is not None and one.U95_high is not None]
+
+    def draw(axes: Axes) -> None:
+        if known:
+            low = scale.factor * np.array([one.U95_low for one in known])
+            high = scale.factor * np.array([one.U95_high for one in known])
+            at = [one.percent for one in known]
+            axes.fill_betweenx(at, low, high, color=INK, alpha=0.13, linewidth=0)
+        axes.plot(raw, share, label="random error left in", **RAW.line())
+        axes.plot(value, share, label="true heights", **MAIN.line())
+        axes.set(
+            xlabel=f"Height of the {word} above the road ({scale.sign})",
+            ylabel="Share of vehicles (%)",
+            ylim=(0, 100),
+        )
+        axes.margins(x=0.02)
+        axes.set_xlim(axes.get_xlim())
+        marks.limits(axes, _limits(curve, standards, unit))
+        axes.legend(loc="lower right")
+
+    caption = (
+        "Solid: true heights, weighted to the fleet where one was given; the band joins the total 95 % "
+        "intervals of the percentiles. Dashed: random error left in."
+    )
+    return Drawing(svg(draw, title, FULL), title, caption)
+
+
+def _limits(curve: Curve, standards: Sequence[Standard], unit: LengthUnit) -> list[Limit]:
+    """Standards within the figure; those of one height share a rule."""
+    low, high = curve.points[0].value - _REACH_M, curve.points[-1].value + _REACH_M
+    names: dict[float, list[str]] = {}
+    for one in standards:
+        if low <= one.height_m <= high:
+            names.setdefault(one.height_m, []).append(one.name)
+    return [
+        Limit(HEIGHT[unit].factor * at, f"{', '.join(of)} {limit(at, unit)}")
+        for at, of in sorted(names.items())
+    ]

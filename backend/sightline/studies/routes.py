@@ -1,0 +1,168 @@
+"""Studies: surveys of this installation joined, their figures, packages and reports."""
+
+import re
+from urllib.parse import quote
+
+from fastapi import APIRouter, Response
+from fastapi.responses import FileResponse
+
+from sightline.infra.database import Session
+from sightline.infra.jobs.store import get_job
+from sightline.infra.services import Services
+from sightline.infra.web.bodies import JobBody
+from sightline.infra.web.deps import Operator, PathId, Reading, Viewer, Wired, Writing
+from sightline.studies import store
+from sightline.studies.bodies import (
+    FiguresBody,
+    ListedStudy,
+    NewStudy,
+    ResultBody,
+    StudyBody,
+    StudyChange,
+    StudyPage,
+    StudySurveyBody,
+)
+from sightline.studies.records import StoredStudy, StudyResult
+from sightline.studies.stored import ask_to_compute, checked, heads_of
+from sightline.surveys.store import survey_names
+
+router = APIRouter()
+
+
+@router.get("/studies")
+def list_studies(who: Viewer, session: Reading) -> list[ListedStudy]:
+    """Every study, newest first."""
+    return [_listed(session, one) for one in store.list_studies(session)]
+
+
+@router.post("/studies", status_code=201)
+def add_study(body: NewStudy, who: Operator, session: Writing) -> StudyBody:
+    """A new study; nothing of it is computed yet."""
+    made = store.create_study(session, checked(session, body.record()), actor=who.id)
+    return _body(session, made)
+
+
+@router.get("/studies/{study_id}")
+def get_study(study_id: PathId, who: Viewer, session: Reading) -> StudyPage:
+    """A study with what was computed of it last."""
+    study = store.get_study(session, study_id)
+    result = store.newest_result(session, study_id)
+    job = None if study.job_id is None else JobBody.model_validate(get_job(session, study.job_id))
+    return StudyPage(
+        study=_body(session, study),
+        result=None if result is None else _result(session, study, result),
+        job=job,
+    )
+
+
+@router.put("/studies/{study_id}")
+def change_study(study_id: PathId, body: StudyChange, who: Operator, session: Writing) -> StudyBody:
+    """Put other facts in their place; what was computed stays until it is computed again."""
+    facts = checked(session, body.record())
+    return _body(session, store.update_study(session, study_id, facts, version=body.version, actor=who.id))
+
+
+@router.delete("/studies/{study_id}", status_code=204)
+def remove_study(study_id: PathId, version: int, who: Operator, session: Writing) -> Response:
+    """Take it from the list; its results stay stored."""
+    store.remove_study(session, study_id, version=version, actor=who.id)
+    return Response(status_code=204)
+
+
+@router.post("/studies/{study_id}/computings", status_code=202)
+def compute_study(study_id: PathId, who: Operator, session: Writing) -> JobBody:
+    """Compute figures, package and report in the background."""
+    return JobBody.model_validate(ask_to_compute(session, study_id, actor=who.id))
+
+
+@router.get("/studies/{study_id}/results/{result_id}.zip", response_class=FileResponse)
+def download_study(study_id: PathId, result_id: PathId, who: Viewer, services: Wired) -> FileResponse:
+    """The study as `sightline study` writes it."""
+    study, result = _found(services, study_id, result_id)
+    return _file(services, result.media_key, "application/zip", f"{_plain(study)}-{result_id}.zip")
+
+
+@router.get("/studies/{study_id}/results/{result_id}.pdf", response_class=FileResponse)
+def download_report(study_id: PathId, result_id: PathId, who: Viewer, services: Wired) -> FileResponse:
+    """The report of the study."""
+    study, result = _found(services, study_id, result_id)
+    return _file(services, result.report_key, "application/pdf", f"{_plain(study)}-{result_id}.pdf")
+
+
+def _found(services: Services, study_id: int, result_id: int) -> tuple[StoredStudy, StudyResult]:
+    with services.reading() as session:
+        study = store.get_study(session, study_id)
+        return study, store.get_study_result(session, study_id, result_id)
+
+
+def _file(services: Services, key: str, kind: str, name: str) -> FileResponse:
+    headers = {
+        "Content-Disposition": f"attachment; filename={quote(name)}",
+        "Cache-Control": "private, max-age=31536000, immutable",
+    }
+    return FileResponse(services.media.local_path(key), media_type=kind, headers=headers)
+
+
+def _plain(study: StoredStudy) -> str:
+    """A file's name after the study's, in plain letters."""
+    plain = re.sub(r"[^A-Za-z0-9]+", "-", study.facts.name).strip("-").lower() or "study"
+    return f"sightline-study-{plain}"
+
+
+def _body(session: Session, study: StoredStudy) -> StudyBody:
+    names, facts = survey_names(session), study.facts
+    return StudyBody(
+        id=study.id,
+        name=facts.name,
+        description=facts.description,
+        surveys=[
+            StudySurveyBody(
+                survey_id=one.survey_id,
+                name=names[one.survey_id][0],
+                site=one.site,
+                stratum=one.stratum,
+                year=one.year,
+            )
+            for one in facts.surveys
+        ],
+        fleet_csv=facts.fleet_csv,
+        sites_csv=facts.sites_csv,
+        goal_m=facts.goal_m,
+        simulated=study.simulated,
+        version=study.version,
+        created_at=study.created_at,
+        updated_at=study.updated_at,
+    )
+
+
+def _listed(session: Session, study: StoredStudy) -> ListedStudy:
+    result = store.newest_result(session, study.id)
+    return ListedStudy(
+        id=study.id,
+        name=study.facts.name,
+        description=study.facts.description,
+        simulated=study.simulated,
+        surveys=len(study.facts.surveys),
+        sites=len({one.site for one in study.facts.surveys}),
+        heights=None if result is None else int(result.document["heights"]),
+        computed_at=None if result is None else result.created_at,
+    )
+
+
+def _result(session: Session, study: StoredStudy, result: StudyResult) -> ResultBody:
+    names, heads = survey_names(session), heads_of(session, result.heads)
+    changed = [names[one][0] for one, head in result.heads.items() if heads[one] != head]
+    base = f"/api/studies/{study.id}/results/{result.id}"
+    return ResultBody(
+        id=result.id,
+        created_at=result.created_at,
+        created_by=result.created_by,
+        code_version=result.code_version,
+        size_bytes=result.size_bytes,
+        sha256=result.sha256,
+        study_changed=result.study_version != study.version,
+        surveys_changed=changed,
+        package_url=f"{base}.zip",
+        report_url=f"{base}.pdf",
+        found=FiguresBody.model_validate(result.document),
+    )

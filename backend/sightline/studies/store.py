@@ -1,0 +1,155 @@
+"""Studies and their results; a result is written once, a study is removed softly."""
+
+from collections.abc import Mapping
+from dataclasses import asdict
+from typing import Any
+
+from sqlalchemy import select
+from sqlalchemy.orm import Session
+
+from sightline.enums import JsonObject
+from sightline.errors import Conflict
+from sightline.infra.audit import trail
+from sightline.infra.database.people import people
+from sightline.infra.database.rows import add_row, change_row, get_row, last_change, stored_hash, who
+from sightline.infra.database.types import now
+from sightline.infra.version import code_version
+from sightline.studies.records import StoredStudy, StudyFacts, StudyResult, StudySurvey
+from sightline.studies.tables import studies, study_results
+
+_EDITABLE = ("name", "description", "surveys", "fleet_csv", "sites_csv", "goal_m")
+
+
+def create_study(
+    session: Session, facts: StudyFacts, *, simulated: bool = False, actor: int | None
+) -> StoredStudy:
+    """A new study of facts that hold together (`stored.checked`)."""
+    moment = now()
+    content = {**_content(facts), "simulated": simulated}
+    stamps = {"created_at": moment, "created_by": actor, "updated_at": moment, "updated_by": actor}
+    study_id = add_row(session, studies, {**content, **stamps, "version": 1})
+    trail.record(session, actor, "create", "study", study_id, None, None, content)
+    return get_study(session, study_id)
+
+
+def get_study(session: Session, study_id: int) -> StoredStudy:
+    """One study. Raises NotFound, also for a removed one."""
+    return _study(get_row(session, studies, study_id, "study", studies.c.deleted_at.is_(None)))
+
+
+def list_studies(session: Session) -> tuple[StoredStudy, ...]:
+    """Every study, newest first."""
+    query = select(studies).where(studies.c.deleted_at.is_(None)).order_by(studies.c.id.desc())
+    return tuple(_study(row) for row in session.execute(query).mappings())
+
+
+def simulated_study(session: Session) -> int | None:
+    """The demonstration study, also a removed one, if it was made."""
+    query = select(studies.c.id).where(studies.c.simulated).limit(1)
+    return session.execute(query).scalar_one_or_none()
+
+
+def update_study(
+    session: Session, study_id: int, facts: StudyFacts, *, version: int, actor: int | None
+) -> StoredStudy:
+    """Change it. Raises Conflict, naming who and when, if `version` is not the current one; NotFound."""
+    before = _seen(session, study_id, version)
+    content = _content(facts)
+    change_row(session, studies, study_id, {**content, **_stamps(version, actor)})
+    trail.record(
+        session, actor, "update", "study", study_id, None, *trail.changed(before, content, _EDITABLE)
+    )
+    return get_study(session, study_id)
+
+
+def remove_study(session: Session, study_id: int, *, version: int, actor: int | None) -> None:
+    """Take it from the list; what was computed of it stays stored. Raises Conflict, NotFound."""
+    _seen(session, study_id, version)
+    change_row(session, studies, study_id, {"deleted_at": now(), **_stamps(version, actor)})
+    trail.record(session, actor, "remove", "study", study_id, None, {"deleted": False}, {"deleted": True})
+
+
+def note_study_job(session: Session, study_id: int, job_id: int, *, actor: int | None) -> None:
+    """Its newest computing that was asked for."""
+    before = get_row(session, studies, study_id, "study")
+    change_row(session, studies, study_id, {"job_id": job_id})
+    then = {"job_id": before["job_id"]}
+    trail.record(session, actor, "request", "study", study_id, None, then, {"job_id": job_id})
+
+
+def add_study_result(
+    session: Session,
+    study: StoredStudy,
+    *,
+    heads: Mapping[int, str],
+    document: JsonObject,
+    media_key: str,
+    size_bytes: int,
+    sha256: str,
+    report_key: str,
+    report_sha256: str,
+    actor: int | None,
+) -> StudyResult:
+    """What was computed of a study as it stood."""
+    content: dict[str, Any] = {
+        "study_id": study.id,
+        "study_version": study.version,
+        "heads": {str(survey_id): head for survey_id, head in heads.items()},
+        "media_key": media_key,
+        "size_bytes": size_bytes,
+        "sha256": sha256,
+        "report_key": report_key,
+        "report_sha256": report_sha256,
+        "code_version": code_version(),
+    }
+    stamps = {"created_at": now(), "created_by": actor}
+    result_id = add_row(session, study_results, {**content, "document": document, **stamps})
+    after = {**content, "content_sha256": stored_hash(session, study_results, result_id)}
+    trail.record(session, actor, "create", "study_result", result_id, None, None, after)
+    return get_study_result(session, study.id, result_id)
+
+
+def get_study_result(session: Session, study_id: int, result_id: int) -> StudyResult:
+    """One result of a study. Raises NotFound."""
+    row = get_row(session, study_results, result_id, "result", study_results.c.study_id == study_id)
+    return _result(session, row)
+
+
+def newest_result(session: Session, study_id: int) -> StudyResult | None:
+    """What was computed last, if anything."""
+    r = study_results
+    query = select(r).where(r.c.study_id == study_id).order_by(r.c.id.desc()).limit(1)
+    row = session.execute(query).mappings().one_or_none()
+    return None if row is None else _result(session, row)
+
+
+def _seen(session: Session, study_id: int, version: int) -> dict[str, Any]:
+    before = get_row(session, studies, study_id, "study", studies.c.deleted_at.is_(None))
+    if before["version"] != version:
+        name, when = last_change(session, before)
+        raise Conflict("studies-changed-meanwhile", name=name, when=when)
+    return before
+
+
+def _stamps(version: int, actor: int | None) -> dict[str, Any]:
+    return {"version": version + 1, "updated_at": now(), "updated_by": actor}
+
+
+def _content(facts: StudyFacts) -> dict[str, Any]:
+    return {**asdict(facts), "surveys": [asdict(one) for one in facts.surveys]}
+
+
+def _study(row: Mapping[Any, Any]) -> StoredStudy:
+    told = {name: row[name] for name in _EDITABLE}
+    facts = StudyFacts(**{**told, "surveys": tuple(StudySurvey(**one) for one in row["surveys"])})
+    kept = ("id", "simulated", "job_id", "version", "created_at", "updated_at")
+    return StoredStudy(facts=facts, **{name: row[name] for name in kept})
+
+
+def _result(session: Session, row: Mapping[Any, Any]) -> StudyResult:
+    name = select(people.c.name).where(people.c.id == row["created_by"])
+    maker = session.execute(name).scalar_one_or_none()
+    values = dict(row)
+    values["heads"] = {int(survey_id): head for survey_id, head in row["heads"].items()}
+    values["created_by"] = who(row["created_by"], maker)
+    return StudyResult(**values)

@@ -1,0 +1,80 @@
+"""The job that computes a study: its figures, its package and its report, stored together or not at all."""
+
+from __future__ import annotations
+
+import tempfile
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+from sightline.infra.database import Session
+from sightline.infra.jobs import registry
+from sightline.media.store.local import key_of, sha256_of
+from sightline.studies.store import add_study_result, get_study
+from sightline.studies.stored import KIND
+
+SIMULATED = "Simulated: no figure of it says anything of real roads."
+_COMPUTED, _PACKED = 0.85, 0.92  # of the whole work, by progress
+
+
+@registry.handler(KIND)
+def compute_study(context: registry.JobContext) -> registry.Outcome:
+    """Compute the study that was asked for."""
+    return result_of(context, int(context.payload["study_id"]))
+
+
+def result_of(context: registry.JobContext, study_id: int) -> registry.Finish:
+    """Figures from one state of the database and what is made of them; what stores them.
+
+    Raises BadInput in one sentence where surveys, fleet and sites do not fit.
+    """
+    # the figures' and the report's libraries: a server that starts has no use for them.
+    from sightline.infra.csv_package.files import Staging, zip_folder
+    from sightline.infra.database.types import now
+    from sightline.studies.document import document_of
+    from sightline.studies.report.report import study_report
+    from sightline.studies.stored import compute
+    from sightline.studies.write import write_study
+
+    services = context.services
+    with services.reading() as session:
+        stored = get_study(session, study_id)
+        found = compute(
+            session,
+            stored,
+            lambda part: context.progress(_COMPUTED * part, "Computing the figures."),
+        )
+    with tempfile.TemporaryDirectory(prefix="study-", dir=services.scratch) as name:
+        folder = Path(name)
+        context.progress(_COMPUTED, "Writing the package.")
+        staging = Staging(folder / "study")
+        staging.folder.mkdir()
+        write_study(staging, found.study, [SIMULATED] if stored.simulated else [])
+        package = folder / "study.zip"
+        zip_folder(staging, package)
+        size, sha256 = package.stat().st_size, sha256_of(package)
+        context.progress(_PACKED, "Writing the report.")
+        report = folder / "report.pdf"
+        report.write_bytes(study_report(stored, found, sha256, now()))
+        report_sha256 = sha256_of(report)
+        media_key, report_key = key_of(sha256, ".zip"), key_of(report_sha256, ".pdf")
+        services.media.put_file(media_key, package)
+        services.media.put_file(report_key, report)
+    document = document_of(found)
+
+    def store(session: Session) -> Mapping[str, Any]:
+        made = add_study_result(
+            session,
+            stored,
+            heads=found.heads,
+            document=document,
+            media_key=media_key,
+            size_bytes=size,
+            sha256=sha256,
+            report_key=report_key,
+            report_sha256=report_sha256,
+            actor=context.actor,
+        )
+        return {"study_id": study_id, "result_id": made.id, "heights": found.study.heights}
+
+    return store

@@ -1,0 +1,69 @@
+"""The tables of studies, of what was computed of them, and of who belongs to them."""
+
+from sqlalchemy import (
+    BigInteger,
+    Boolean,
+    CheckConstraint,
+    Column,
+    Float,
+    ForeignKey,
+    Integer,
+    String,
+    Table,
+    Text,
+)
+
+from sightline.infra.audit.vouched import ChangedByEvents, WrittenOnce, vouched
+from sightline.infra.database.types import NEEDS_MEDIA, CanonicalJson, UtcDateTime, identity, metadata
+
+# Surveys joined: which ones at which site and of which year, the fleet, facts of the sites.
+studies = Table(
+    "studies",
+    metadata,
+    identity(),
+    Column("name", String(200), nullable=False),
+    Column("description", Text, nullable=False),
+    # [{survey_id, site, stratum, year}] in the order of the page
+    Column("surveys", CanonicalJson, nullable=False),
+    # as they were uploaded; empty for none
+    Column("fleet_csv", Text, nullable=False),
+    Column("sites_csv", Text, nullable=False),
+    # the U95 of P10 that a further study is to have
+    Column("goal_m", Float, nullable=False),
+    # invented surveys: said wherever its figures are shown
+    Column("simulated", Boolean, nullable=False),
+    # the newest computing that was asked for
+    Column("job_id", ForeignKey("jobs.id")),
+    Column("version", Integer, nullable=False),
+    Column("created_at", UtcDateTime, nullable=False),
+    Column("created_by", ForeignKey("people.id")),
+    Column("updated_at", UtcDateTime, nullable=False),
+    Column("updated_by", ForeignKey("people.id")),
+    Column("deleted_at", UtcDateTime),
+    CheckConstraint("goal_m > 0 AND goal_m < 1", name="goal_is_a_length"),
+    CheckConstraint("version >= 1", name="version_counts"),
+    info=vouched(ChangedByEvents("study", "study")),
+)
+
+# What a computing found: the figures that its page shows, its package and its report.
+study_results = Table(
+    "study_results",
+    metadata,
+    identity(),
+    Column("study_id", ForeignKey("studies.id"), nullable=False, index=True),
+    # the version of the study that was computed
+    Column("study_version", Integer, nullable=False),
+    # {survey id: last hash of its chain when it was read}
+    Column("heads", CanonicalJson, nullable=False),
+    # the rows of the package's tables, and curves to draw
+    Column("document", CanonicalJson, nullable=False),
+    Column("media_key", String(400), nullable=False, info=NEEDS_MEDIA),
+    Column("size_bytes", BigInteger, nullable=False),
+    Column("sha256", String(64), nullable=False),
+    Column("report_key", String(400), nullable=False, info=NEEDS_MEDIA),
+    Column("report_sha256", String(64), nullable=False),
+    Column("code_version", String(60), nullable=False),
+    Column("created_at", UtcDateTime, nullable=False),
+    Column("created_by", ForeignKey("people.id")),
+    info=vouched(WrittenOnce("study_result", "result of a study")),
+)

@@ -1,0 +1,166 @@
+"""Heights as a designed sample: each stands for others by its site and by its class in the fleet."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from sightline.errors import BadInput
+from sightline.results.measured_columns_query import CATEGORIES, LIGHTING
+from sightline.statistics.study_figures import StudyFigures, lonely_strata, ordered
+from sightline.statistics.survey_design import Design
+from sightline.statistics.survey_weights import Margin, calibrated
+from sightline.statistics.total_uncertainty import HeightSample, sample_of_measurements
+from sightline.studies.places import Places, design_of
+from sightline.studies.records import Fleet, Ints, StudiedHeights
+
+LEAST = 2  # heights for a figure
+
+
+@dataclass(frozen=True, eq=False)
+class Weighted:
+    """Heights (N,) of one target that count, with their design; or `reason`: why they have none."""
+
+    rows: StudiedHeights
+    design: Design | None
+    reason: str | None = None
+
+    @property
+    def n(self) -> int:
+        """How many heights."""
+        return len(self.rows.height_m)
+
+    def figures(self) -> StudyFigures:
+        """Ready for figures; only where there is a design."""
+        assert self.design is not None
+        return StudyFigures(sample_of(self.rows), self.design)
+
+    def domain(self, chosen: NDArray[np.bool_]) -> Weighted:
+        """The chosen heights (N,) with the weights that they have among all: of classes, not of a fleet."""
+        if self.design is None:
+            return self
+        rows = where(self.rows, chosen)
+        design = ordered(self.design, np.flatnonzero(chosen))
+        if len(rows.height_m) < LEAST:
+            return Weighted(rows, None, _too_few())
+        code = (np.cumsum(np.bincount(design.site) > 0) - 1)[design.site]
+        design = replace(design, site=np.asarray(code, dtype=np.int64))
+        if lonely_strata(design) and not lonely_strata(self.design):
+            return Weighted(
+                rows, None, "a stratum has its class at one site only, so that sites cannot differ"
+            )
+        return Weighted(rows, design)
+
+
+def weighted(rows: StudiedHeights, places: Places, fleet: Fleet | None) -> Weighted:
+    """The heights of one target whose class is known, weighted to the fleet where there is one."""
+    rows = where(rows, _with_class(rows, fleet))
+    if len(rows.height_m) < LEAST:
+        return Weighted(rows, None, _too_few())
+    design = design_of(rows.package, places)
+    alone = lonely_strata(design)
+    if len(places.names) > 1 and alone:
+        stratum = places.strata[alone[0]]
+        return Weighted(
+            rows, None, f"{stratum} has one site: join it with another stratum, so that sites can differ"
+        )
+    if fleet is None:
+        return Weighted(rows, design)
+    found = _to_fleet(design, rows, places, fleet)
+    return Weighted(rows, None, found) if isinstance(found, str) else Weighted(rows, found)
+
+
+def _too_few() -> str:
+    return f"its figures need at least {LEAST} heights"
+
+
+def refuse_fleet(fleet: Fleet | None, cars: tuple[Ints, Ints, Ints], places: Places) -> None:
+    """Every class of the fleet was seen, and every class seen is in the fleet."""
+    for variable, shares in (fleet.margins if fleet else {}).items():
+        words, code = _coded(variable, cars[0], cars[1], cars[2], places)
+        seen = {words[n] for n in np.unique(code[code >= 0]).tolist()}
+        for name, share in shares.items():
+            if name not in words and variable in ("category", "lighting"):
+                raise BadInput("studies-class-unknown", variable=variable, name=name, known=", ".join(words))
+            if share > 0.0 and name not in seen:
+                raise BadInput("studies-class-never-seen", variable=variable, name=name)
+        for name in sorted(seen - set(shares)):
+            count = int(np.count_nonzero(code == words.index(name)))
+            raise BadInput("studies-class-not-in-fleet", variable=variable, name=name, count=count)
+
+
+def _coded(
+    variable: str, package: Ints, category: Ints, lighting: Ints, places: Places
+) -> tuple[Sequence[str], Ints]:
+    """Words of what divides the fleet, and the code of each row (N,), -1 for none."""
+    site = places.of_survey[package]
+    return {
+        "category": (CATEGORIES, category),
+        "lighting": (LIGHTING, lighting),
+        "site": (places.names, site),
+        "stratum": (places.strata, places.stratum[site]),
+    }[variable]
+
+
+def _to_fleet(design: Design, rows: StudiedHeights, places: Places, fleet: Fleet) -> Design | str:
+    """The design with weights that meet the fleet, or the reason why there are none."""
+    margins = []
+    for variable, shares in fleet.margins.items():
+        words, code = _coded(variable, rows.package, rows.category, rows.lighting, places)
+        there = np.bincount(code, minlength=len(words))
+        share = np.array([shares.get(word, 0.0) for word in words])
+        for n in np.flatnonzero((share > 0.0) & (there == 0)).tolist():
+            return f"no height of {variable} {words[n]} counts, which the fleet has"
+        margins.append(Margin(code, share))
+    weight = calibrated(design.weight, margins)
+    if weight is None:
+        return "no weights meet all shares of the fleet at once"
+    return Design(
+        weight, design.stratum, design.site, design.sites_there, margins=tuple(margins), drawn=design.weight
+    )
+
+
+def _with_class(rows: StudiedHeights, fleet: Fleet | None) -> NDArray[np.bool_]:
+    keep = np.ones(len(rows.height_m), dtype=np.bool_)
+    for variable in fleet.margins if fleet else ():
+        if variable in ("category", "lighting"):
+            keep &= getattr(rows, variable) >= 0
+    return keep
+
+
+def sample_of(rows: StudiedHeights) -> HeightSample:
+    """As the statistics of a survey take them; poses of one package are no other package's."""
+    inset = np.rint(np.nan_to_num(rows.inset_m) * 1e4) * 100_000
+    inset = inset + np.rint(np.nan_to_num(rows.u_inset_m) * 1e4)
+    alike = bool(np.all(inset == inset[0]))
+    return sample_of_measurements(
+        height_m=rows.height_m,
+        u_height_m=rows.u_height_m,
+        u_clicks_m=rows.u_clicks_m,
+        u_by_inset_m=rows.u_by_inset_m,
+        pose=_pose_codes(rows),
+        inset=np.zeros(len(inset), np.int64) if alike else _codes(inset),
+    )
+
+
+def _pose_codes(rows: StudiedHeights) -> Ints:
+    """A number for each pose of each package, from 0."""
+    most = int(rows.pose.max()) + 1
+    both = rows.package * most + rows.pose
+    if (int(rows.package.max()) + 1) * most > 8 * len(both) + 1_000_000:
+        return _codes(both)
+    return np.asarray((np.cumsum(np.bincount(both) > 0) - 1)[both], dtype=np.int64)
+
+
+def _codes(values: NDArray[np.generic]) -> Ints:
+    return np.asarray(np.unique(values, return_inverse=True)[1], dtype=np.int64)
+
+
+def where(rows: StudiedHeights, keep: NDArray[np.bool_]) -> StudiedHeights:
+    """The rows (N,) that are kept (N,)."""
+    if keep.all():
+        return rows
+    return StudiedHeights(**{name: getattr(rows, name)[keep] for name in StudiedHeights.__dataclass_fields__})
