@@ -230,6 +230,8 @@ page-scan = Line scan
 page-export = Export
 page-statistics = Statistics
 page-sight-distance = Sight distance
+page-studies = Studies
+page-study = Study
 page-catalogue = Catalogue
 page-audit = Audit
 page-people = People
@@ -419,6 +421,7 @@ jobs-kind = { $kind ->
     [scan_tidy] Tidying up after strips
     [demonstration] Demonstration survey
     [demonstration_study] Demonstration study (simulated)
+    [study] Study
    *[other] Other work
 }
 jobs-column-what = What
@@ -460,6 +463,8 @@ app-loading-page = { $page ->
     [export] export
     [statistics] statistics
     [sight-distance] sight distance
+    [studies] studies
+    [study] study
     [catalogue] catalogue
     [audit] audit
     [people] people
@@ -3055,6 +3060,107 @@ surveys-demo-wait = Rendering a road, a checkerboard and some forty vehicles; th
 surveys-none-title = No surveys yet
 surveys-none-make = Make a survey for a site, then calibrate its camera, drop in the day's video, and measure. The demonstration survey has all of that in it already.
 surveys-none = Nobody has made a survey yet. An operator can make the first one.
+studies-lead = Surveys of many sites and years joined: figures of the fleet with total uncertainty, and what they change.
+studies-loading = Loading the studies ...
+studies-new = New study
+studies-new-make = Create study
+studies-none-title = No studies
+studies-none = A study joins surveys of several sites, weights their vehicles to the fleet, and says how sure its percentiles are.
+studies-name = Study
+studies-surveys = Surveys
+studies-sites = Sites
+studies-heights = Heights
+studies-computed = Computed
+studies-not-computed = not computed
+study-loading = Loading the study ...
+study-simulated = simulated
+study-simulated-note = Simulated: nothing here was filmed. The vehicles were drawn from known fleets, and no figure says anything of real roads.
+study-name = Name
+study-description = Description
+study-report = Report (PDF)
+study-package = Study package
+study-compute = Compute
+study-compute-again = Compute again
+study-computed = The study is computed.
+study-old-study = The study was changed since these figures were computed; compute them again.
+study-old-surveys = Something was written since these figures were computed, in { $surveys }; compute them again to be sure.
+study-empty-title = No surveys yet
+study-empty = Add the surveys that the study joins; each has a site, and may have a stratum and a year.
+study-add-surveys = Add surveys
+study-not-computed-title = Not computed yet
+study-not-computed = Compute the study to see its figures.
+study-made = Computed { $moment } by { $person } with Sightline { $version }; SHA-256 of the package { $hash }.
+study-made-by-system = the system
+study-joined = Surveys
+study-edit = Edit
+study-edit-title = Edit study
+study-remove = Remove study
+study-survey = Survey
+study-site = Site
+study-stratum = Stratum
+study-year = Year
+study-counted = Heights that count
+study-outside = Out of sample
+study-weighted = Heights are weighted to the fleet that was given.
+study-not-weighted = No fleet was given: vehicles count as they were drawn.
+study-sites-known = Strata, numbers of sites and traffic follow the table of sites.
+study-sites-unknown = No table of sites was given: each stratum is taken to have very many sites of equal traffic.
+study-goal-is = The plan is for a U95 of { $goal } of P10.
+study-fleet = Fleet (CSV)
+study-fleet-hint = Columns category and share (or registrations); several kinds: variable, class, share. Empty: no weights.
+study-sites = Sites (CSV)
+study-sites-hint = Columns site and stratum; sites_there and traffic where known. Empty: strata as given with the surveys.
+study-goal = U95 wanted of P10
+study-goal-unit = mm
+study-goal-hint = For the plan of a further study.
+study-take-out = Take { $name } out
+study-add-survey = Add a survey
+study-choose-survey = Choose a survey
+study-no-more-surveys = No other surveys
+study-surveys-hint = Surveys of one site are one cluster. Years are compared where two or more are given.
+study-choose-file = Choose file
+study-choose-file-of = Choose file: { $table }
+study-counted-words = { NUMBER($heights) } accepted heights of { NUMBER($vehicles) } vehicles at { $sites ->
+    [one] { $sites } site
+   *[other] { $sites } sites
+}.
+study-percentiles = Percentiles of true heights ({ $unit })
+study-holds = Below each value its total 95 % interval: sampling of vehicles and sites, errors that heights share (road pose, mean inset), and random error, which is taken out of the values.
+study-target = Target
+study-n = n = { NUMBER($n) }
+study-mean = mean
+study-sd = SD
+study-effects = Design effects
+study-effects-note = The design effect is the variance by this design over that of as many vehicles drawn one by one; effective n is the number over it.
+study-figure = Figure
+study-vehicles = Vehicles
+study-effect = Design effect
+study-effective = Effective n
+study-weighting = Of weights alone
+study-years = Years compared
+study-years-note = The later year less the first, each weighted by itself, with total 95 % intervals. Higher or lower is said where the interval leaves 0 out. Errors are taken to be each year’s own: where both share some, the intervals are too wide, never too narrow.
+study-years-column = Years
+study-years-of = { $first } to { $second }
+study-errors = Error against makers’ heights
+study-errors-note = Measured minus the maker’s height of roofs, not rounded, with 95 % intervals.
+study-lighting = Lighting
+study-bias = Bias
+study-all = all
+study-classes = Classes of vehicles
+study-classes-note = Shares as drawn, with 95 % intervals, beside the fleet’s.
+study-class = Class
+study-share = Share
+study-fleet-share = Fleet
+study-plan = A further study: U95 of P10 within { $goal }
+study-plan-note = Vehicles needed at each site, if sites and vehicles differ as these do.
+study-plan-sites = Sites
+study-plan-none = no number
+study-curve-title = { $target }: true heights
+study-curve-says = Cumulative distribution of true heights, { $target }, with its band.
+study-curve-note = The band joins the total 95 % intervals of the percentiles. Dashed: random error left in.
+study-curve-true = true heights
+study-curve-raw = random error left in
+
 surveys-card = <made>{ $recordings ->
     [one] { $recordings } recording
    *[other] { $recordings } recordings

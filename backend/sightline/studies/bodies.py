@@ -163,7 +163,7 @@ class PlanRow(Out):
     U95_m: float | None
 
 
-class CurvePoint(Out):
+class StudyCurvePoint(Out):
     percent: float
     value_m: float
     raw_m: float
@@ -171,11 +171,11 @@ class CurvePoint(Out):
     high_m: float | None
 
 
-class CurveBody(Out):
+class StudyCurveBody(Out):
     """Percentiles of true heights, to be drawn."""
 
     target: StatisticsTarget
-    points: list[CurvePoint]
+    points: list[StudyCurvePoint]
 
 
 class FiguresBody(Out):
@@ -185,7 +185,7 @@ class FiguresBody(Out):
     vehicles: int
     notes: list[str]
     consequence: str | None
-    curves: list[CurveBody]
+    curves: list[StudyCurveBody]
     packages: list[StudiedRow]
     figures: list[FigureRow]
     rules: list[RuleRow]

@@ -180,6 +180,7 @@ class Study:
     plans: list[PlannedStudy]
     rules: list[StudyRule]
     years: list[YearDifference]
+    curves: list[Curve]
     notes: list[str]
 
 

@@ -67,11 +67,14 @@ class Tables(Protocol):
 
 @dataclass(frozen=True)
 class Plan:
-    """What is asked of a study: its fleet, what is known of sites, the U95 that a further one is to have."""
+    """What is asked of a study: its fleet, what is known of sites, the U95 that a further one is to have, and
+    whether its distributions are to be drawn.
+    """
 
     fleet: Fleet | None = None
     sites: Mapping[str, SiteFacts] | None = None
     goal_m: float = 0.010
+    curves: bool = False
 
 
 @dataclass
@@ -82,6 +85,7 @@ class _Found:
     plans: list[PlannedStudy] = field(default_factory=list)
     rules: list[StudyRule] = field(default_factory=list)
     years: list[YearDifference] = field(default_factory=list)
+    curves: list[Curve] = field(default_factory=list)
 
 
 def _silent(_part: float) -> None:
@@ -123,23 +127,9 @@ def make_study(surveys: Sequence[StudiedSurvey], tables: Tables, asked: Plan, te
         plans=found.plans,
         rules=found.rules,
         years=found.years,
+        curves=found.curves,
         notes=notes,
     )
-
-
-def curves(
-    surveys: Sequence[StudiedSurvey], tables: Tables, asked: Plan, tell: Tell = _silent
-) -> list[Curve]:
-    """The distribution of each target that has one, to be drawn: percentiles with their total intervals."""
-    places = places_of(surveys, asked.sites)
-    found = []
-    for done, target in enumerate(TARGETS):
-        tell(done / len(TARGETS))
-        of = weighted(tables.heights(target), places, asked.fleet)
-        if of.design is not None:
-            figures = of.figures()
-            found.append(Curve(target, [figures.percentile(percent) for percent in _CURVE]))
-    return found
 
 
 def _notes(surveys: Sequence[StudiedSurvey], places: Places) -> list[str]:
@@ -186,6 +176,8 @@ def _of_target(
     figures = None if of.design is None else of.figures()
     found.targets.append(_target_figures(target, of, figures, places))
     if figures is not None:
+        if asked.curves:
+            found.curves.append(Curve(target, [figures.percentile(percent) for percent in _CURVE]))
         found.plans += _plans(target, figures, asked.goal_m, float(places.sites_there.sum()))
     found.rules += rules_of(target, of, figures, standards)
     found.years += _years(target, rows, surveys, asked)

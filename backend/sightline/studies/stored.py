@@ -17,14 +17,13 @@ from sightline.infra.version import code_version
 from sightline.results.standards_store import get_standards
 from sightline.studies.fleet_csv import read_fleet, read_sites
 from sightline.studies.records import (
-    Curve,
     SiteFacts,
     StoredStudy,
     StudiedSurvey,
     Study,
     StudyFacts,
 )
-from sightline.studies.service import Plan, curves, make_study
+from sightline.studies.service import Plan, make_study
 from sightline.studies.store import get_study, note_study_job
 from sightline.studies.stored_query import StoredTables, surveys_with_poses
 from sightline.surveys.records import Survey
@@ -34,16 +33,14 @@ KIND = "study"
 #: What a sentence calls the tables that were uploaded.
 FLEET, SITES = Path("fleet.csv"), Path("sites.csv")
 _FIRST_YEAR, _LAST_YEAR = 1900, 2100
-_FIGURES = 0.7  # of the computing, by progress; the rest are curves
 Tell = Callable[[float], None]
 
 
 @dataclass(frozen=True, eq=False)
 class Computed:
-    """What a study's computing found: its study, the curves to draw, and the heads of its surveys' chains."""
+    """What a study's computing found, and the heads of its surveys' chains."""
 
     study: Study
-    curves: list[Curve]
     heads: dict[int, str]
 
 
@@ -136,12 +133,10 @@ def compute(session: Session, stored: StoredStudy, tell: Tell) -> Computed:
         raise BadInput("studies-has-no-survey")
     heads = heads_of(session, ids)
     surveys = _surveys(session, stored.facts, heads)
-    asked = plan_of(stored.facts)
+    asked = replace(plan_of(stored.facts), curves=True)
     tell(0.0)
     tables = StoredTables(session, ids)
-    study = make_study(surveys, tables, asked, lambda part: tell(_FIGURES * part))
-    drawn = curves(surveys, tables, asked, lambda part: tell(_FIGURES + (1.0 - _FIGURES) * part))
-    return Computed(study, drawn, heads)
+    return Computed(make_study(surveys, tables, asked, tell), heads)
 
 
 def heads_of(session: Session, survey_ids: Iterable[int]) -> dict[int, str]:

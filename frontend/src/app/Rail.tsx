@@ -21,6 +21,7 @@ const ICONS: Record<(typeof WORK)[number]["name"], IconName> = {
 const RESULT_ICONS: Record<(typeof RESULTS)[number]["name"], IconName> = {
   statistics: "chart",
   "sight-distance": "crest",
+  studies: "sites",
   catalogue: "overview",
   audit: "audit",
 };

@@ -173,6 +173,9 @@ function PersonMenu() {
           {titleOf("people")}
         </a>
       )}
+      <a class="menu__item" href="/studies">
+        {titleOf("studies")}
+      </a>
       <a class="menu__item" href="/catalogue">
         {titleOf("catalogue")}
       </a>

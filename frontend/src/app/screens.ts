@@ -24,6 +24,8 @@ const LOADERS: Record<PlaceName, () => Promise<{ default: Screen }>> = {
   export: () => import("../screens/export/ExportScreen"),
   statistics: () => import("../screens/statistics/StatisticsScreen"),
   "sight-distance": () => import("../screens/sightdistance/SightScreen"),
+  studies: () => import("../screens/studies/StudiesScreen"),
+  study: () => import("../screens/study/StudyScreen"),
   catalogue: () => import("../screens/catalogue/CatalogueScreen"),
   audit: () => import("../screens/audit/AuditScreen"),
   jobs: () => import("../screens/jobs/JobsScreen"),

@@ -20,6 +20,8 @@ export const GUIDE_OF: Record<PlaceName, string> = {
   export: "standards-engineer#tracing-a-figure",
   statistics: "standards-engineer#statistics",
   "sight-distance": "standards-engineer#sight-distance",
+  studies: "standards-engineer#studies",
+  study: "standards-engineer#studies",
   catalogue: "operator#vehicle-record",
   audit: "administrator#jobs-and-the-audit-trail",
   jobs: "administrator#jobs-and-the-audit-trail",

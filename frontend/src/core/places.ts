@@ -24,6 +24,8 @@ export type PlaceName =
   | "export"
   | "statistics"
   | "sight-distance"
+  | "studies"
+  | "study"
   | "catalogue"
   | "audit"
   | "jobs"
@@ -128,6 +130,16 @@ export const PLACES: readonly Place[] = [
   {
     name: "sight-distance",
     pattern: "/sight-distance",
+    layout: "alone",
+  },
+  {
+    name: "studies",
+    pattern: "/studies",
+    layout: "alone",
+  },
+  {
+    name: "study",
+    pattern: "/study",
     layout: "alone",
   },
   {

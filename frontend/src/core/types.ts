@@ -28,6 +28,11 @@ export const ROLE_NAMES = wordsOf({
 export type Person = Schemas["PersonBody"];
 export type Me = Schemas["Me"];
 
+export type ListedStudy = Schemas["ListedStudy"];
+export type StudyPage = Schemas["StudyPage"];
+export type Study = StudyPage["study"];
+export type StudyResult = NonNullable<StudyPage["result"]>;
+
 export type Inset = Schemas["InsetBody"];
 export type Step = Schemas["Step"];
 export type Survey = Schemas["SurveyBody"];

@@ -26,6 +26,7 @@ export const WORK = [
 export const RESULTS = [
   { name: "statistics", query: "survey" },
   { name: "sight-distance", query: "survey" },
+  { name: "studies", query: null },
   { name: "catalogue", query: null },
   { name: "audit", query: "survey_id" },
 ] as const satisfies readonly { name: PlaceName; query: string | null }[];

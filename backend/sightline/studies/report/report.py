@@ -53,7 +53,7 @@ def study_report(stored: StoredStudy, found: Computed, sha256: str, as_of: datet
     pictures = Pictures(
         {
             curve.target: curve_drawing(curve, standards_of(_standards(found.study), curve.target), _UNIT)
-            for curve in found.curves
+            for curve in found.study.curves
         }
     )
     values = values_json(_values(stored, found, sha256, as_of, pictures))

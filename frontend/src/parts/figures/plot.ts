@@ -1,2 +1,2 @@
 /** The parts of Observable Plot that the figures use; imported on demand, so that nothing else waits for them. */
-export { areaY, dot, line, plot, ruleX, ruleY, text } from "@observablehq/plot";
+export { areaX, areaY, dot, line, plot, ruleX, ruleY, text } from "@observablehq/plot";

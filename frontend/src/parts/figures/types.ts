@@ -6,3 +6,4 @@ export type Ecdf = Schemas["EcdfBody"];
 export type Density = Schemas["DensityBody"];
 export type Interval = Schemas["Interval"];
 export type Standard = Schemas["Standard"];
+export type RuleToday = Schemas["RuleToday"];

@@ -33,6 +33,7 @@ const KINDS = [
   "scan_tidy",
   "demonstration",
   "demonstration_study",
+  "study",
 ] as const;
 const STATES = ["queued", "running", "failed", "cancelled", "done"] as const;
 /** How often the list is read again. */

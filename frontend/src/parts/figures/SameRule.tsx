@@ -1,13 +1,19 @@
 import { TableScroll } from "../../components";
 import { say } from "../../core/messages";
 import { formatSmall, lengthScale } from "../../core/units";
-import { NONE, percent, scaled } from "../../parts/figures/numbers";
-import type { RuleToday } from "./model";
+import "./figures.css";
+import { NONE, percent, scaled } from "./numbers";
+import type { RuleToday } from "./types";
+
+/** What is shown of a rule; the server says more of its standard. */
+export type Rule = Omit<RuleToday, "standard"> & {
+  standard: Pick<RuleToday["standard"], "name" | "what" | "height_m" | "percent" | "vehicle_class">;
+};
 
 const SMALLEST_RISK = 0.001; // draws tell no smaller one
 
 /** The percentile that each standard is set by, in today's heights of its class, and what may be said of it. */
-export function SameRule({ rules }: { rules: readonly RuleToday[] }) {
+export function SameRule({ rules }: { rules: readonly Rule[] }) {
   const there = rules.filter((one) => one.n > 0);
   if (there.length === 0) return null;
   const [factor, unit] = lengthScale();
@@ -62,7 +68,7 @@ export function SameRule({ rules }: { rules: readonly RuleToday[] }) {
   );
 }
 
-function verdict({ verdict: word, lower, risk, reason }: RuleToday): string {
+function verdict({ verdict: word, lower, risk, reason }: Rule): string {
   if (word === "unknown" || lower === null) return say("statistics-rule-unknown", { reason: reason ?? "" });
   if (word === "alike") return say("statistics-rule-alike", { lower: percent(lower) });
   const small = risk === null || risk < SMALLEST_RISK;

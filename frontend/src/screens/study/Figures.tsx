@@ -1,0 +1,346 @@
+import type { ComponentChildren } from "preact";
+import { TableScroll } from "../../components";
+import { say } from "../../core/messages";
+import type { Category, StudyResult } from "../../core/types";
+import { fixed, formatSmall, lengthScale } from "../../core/units";
+import { CATEGORY_WORDS, LIGHTING_WORDS, TARGET_WORDS } from "../../core/words";
+import { NONE, percent, scaled } from "../../parts/figures/numbers";
+import { SameRule } from "../../parts/figures/SameRule";
+import { CurveFigure } from "./CurveFigure";
+
+type Found = StudyResult["found"];
+type Row = Found["figures"][number];
+type Year = Found["years"][number];
+
+/** What came out of a study: percentiles with their total intervals first, then what they change. */
+export function Figures({ found, sites }: { found: Found; sites: number }) {
+  const targets = [...new Set(found.figures.map((one) => one.target))];
+  const measured = targets.filter((one) => found.figures.some((row) => row.target === one && row.n > 0));
+  return (
+    <>
+      <p data-testid="study-counted">
+        {say("study-counted-words", { heights: found.heights, vehicles: found.vehicles, sites })}
+      </p>
+      <Percentiles found={found} targets={measured} />
+      <SameRule rules={found.rules.map(asRule)} />
+      {found.consequence && (
+        <p class="panel panel__body" data-testid="study-consequence">
+          {found.consequence}
+        </p>
+      )}
+      {found.years.length > 0 && <Years years={found.years} />}
+      <div class="study-figures">
+        {found.curves.map((one) => (
+          <CurveFigure key={one.target} curve={one} rules={found.rules} />
+        ))}
+      </div>
+      <Effects rows={found.figures} targets={measured} />
+      {found.errors.length > 0 && <Errors rows={found.errors} />}
+      {found.classes.length > 0 && <Classes rows={found.classes} />}
+      {found.plan.length > 0 && <Plan rows={found.plan} />}
+    </>
+  );
+}
+
+function asRule(one: Found["rules"][number]) {
+  const { standard: name, what, percent: at, vehicle_class, standard_m } = one;
+  return {
+    ...one,
+    standard: { name, what, percent: at, vehicle_class, height_m: standard_m },
+    U95_low_m: one.low_m,
+    U95_high_m: one.high_m,
+  };
+}
+
+interface SectionProps {
+  id: string;
+  title: string;
+  note?: string;
+  children: ComponentChildren;
+}
+
+function Section({ id, title, note, children }: SectionProps) {
+  return (
+    <section class="panel" aria-labelledby={id} data-testid={id}>
+      <header class="panel__head">
+        <h2 id={id}>{title}</h2>
+      </header>
+      <TableScroll label={title}>{children}</TableScroll>
+      {note && <p class="stat-notes small">{note}</p>}
+    </section>
+  );
+}
+
+/** A value with its interval below it. */
+function Bounded({ value, low, high }: { value: string; low: string | null; high: string | null }) {
+  return (
+    <td class="num">
+      <strong>{value}</strong>
+      {low !== null && high !== null && (
+        <div class="stat-ci">{say("statistics-rule-interval", { low, high })}</div>
+      )}
+    </td>
+  );
+}
+
+const nameOf = (one: Row) =>
+  one.figure === "percentile" ? `P${one.percent}` : say(one.figure === "mean" ? "study-mean" : "study-sd");
+
+function Percentiles({ found, targets }: { found: Found; targets: readonly Row["target"][] }) {
+  const [factor, unit] = lengthScale();
+  const columns = found.figures.filter((one) => one.target === longest(found.figures));
+  return (
+    <Section id="study-percentiles" title={say("study-percentiles", { unit })} note={say("study-holds")}>
+      <table class="table">
+        <thead>
+          <tr>
+            <th>{say("study-target")}</th>
+            {columns.map((one) => (
+              <th class="num" key={nameOf(one)}>
+                {nameOf(one)}
+              </th>
+            ))}
+          </tr>
+        </thead>
+        <tbody>
+          {targets.map((target) => {
+            const rows = found.figures.filter((one) => one.target === target);
+            const reason = rows[0]?.value_m === null ? rows[0].reason : null;
+            return (
+              <tr key={target}>
+                <th scope="row">
+                  {TARGET_WORDS[target]}
+                  <div class="stat-ci">{say("study-n", { n: rows[0]?.n ?? 0 })}</div>
+                </th>
+                {reason ? (
+                  <td colSpan={columns.length}>{reason}</td>
+                ) : (
+                  rows.map((one) => (
+                    <Bounded
+                      key={nameOf(one)}
+                      value={scaled(one.value_m, factor, 3)}
+                      low={one.low_m === null ? null : scaled(one.low_m, factor, 3)}
+                      high={one.high_m === null ? null : scaled(one.high_m, factor, 3)}
+                    />
+                  ))
+                )}
+              </tr>
+            );
+          })}
+        </tbody>
+      </table>
+    </Section>
+  );
+}
+
+/** The target with the most figures, whose names head the table. */
+function longest(rows: readonly Row[]): Row["target"] | undefined {
+  const counts = new Map<Row["target"], number>();
+  for (const { target } of rows) counts.set(target, (counts.get(target) ?? 0) + 1);
+  return [...counts].sort((a, b) => b[1] - a[1])[0]?.[0];
+}
+
+/** The design effect of each target's median and P10, and how many vehicles drawn one by one tell as much. */
+function Effects({ rows, targets }: { rows: readonly Row[]; targets: readonly Row["target"][] }) {
+  const shown = rows.filter(
+    (one) =>
+      targets.includes(one.target) &&
+      one.design_effect !== null &&
+      (one.figure === "mean" || one.percent === 10 || one.percent === 50),
+  );
+  if (shown.length === 0) return null;
+  return (
+    <Section id="study-effects" title={say("study-effects")} note={say("study-effects-note")}>
+      <table class="table">
+        <thead>
+          <tr>
+            <th>{say("study-figure")}</th>
+            <th class="num">{say("study-vehicles")}</th>
+            <th class="num">{say("study-effect")}</th>
+            <th class="num">{say("study-effective")}</th>
+            <th class="num">{say("study-weighting")}</th>
+          </tr>
+        </thead>
+        <tbody>
+          {shown.map((one) => (
+            <tr key={one.target + nameOf(one)}>
+              <th scope="row">
+                {TARGET_WORDS[one.target]}, {nameOf(one)}
+              </th>
+              <td class="num">{one.n}</td>
+              <td class="num">{one.design_effect === null ? NONE : fixed(one.design_effect, 2)}</td>
+              <td class="num">{one.effective_n === null ? NONE : fixed(one.effective_n, 0)}</td>
+              <td class="num">{one.weighting_effect === null ? NONE : fixed(one.weighting_effect, 2)}</td>
+            </tr>
+          ))}
+        </tbody>
+      </table>
+    </Section>
+  );
+}
+
+function Years({ years }: { years: readonly Year[] }) {
+  return (
+    <Section id="study-years" title={say("study-years")} note={say("study-years-note")}>
+      <table class="table">
+        <thead>
+          <tr>
+            <th>{say("study-figure")}</th>
+            <th>{say("study-years-column")}</th>
+            <th class="num">{say("statistics-compared-heights")}</th>
+            <th class="num">{say("statistics-compared-difference")}</th>
+            <th>{say("statistics-compared-verdict")}</th>
+          </tr>
+        </thead>
+        <tbody>
+          {years.map((one) => (
+            <tr key={`${one.target}|${one.second_year}|${one.percent}`}>
+              <th scope="row">
+                {TARGET_WORDS[one.target]}, {one.percent === null ? say("study-mean") : `P${one.percent}`}
+              </th>
+              <td>
+                {say("study-years-of", { first: String(one.first_year), second: String(one.second_year) })}
+              </td>
+              <td class="num">
+                {say("statistics-compared-of", { first: one.n_first, second: one.n_second })}
+              </td>
+              <Bounded
+                value={one.value_m === null ? NONE : formatSmall(one.value_m)}
+                low={one.low_m === null ? null : formatSmall(one.low_m)}
+                high={one.high_m === null ? null : formatSmall(one.high_m)}
+              />
+              <td>{verdictOf(one)}</td>
+            </tr>
+          ))}
+        </tbody>
+      </table>
+    </Section>
+  );
+}
+
+function verdictOf({ verdict, reason }: Year): string {
+  if (verdict === "higher") return say("statistics-compared-higher");
+  if (verdict === "lower") return say("statistics-compared-lower");
+  if (verdict === "not_told_apart") return say("statistics-compared-alike");
+  return say("statistics-compared-unknown", { reason: reason ?? "" });
+}
+
+const ERRORS = ["bias_m", "mae_m", "rmse_m", "sd_m"] as const;
+
+function Errors({ rows }: { rows: Found["errors"] }) {
+  const groups = [...new Set(rows.map((one) => one.group))];
+  return (
+    <Section id="study-errors" title={say("study-errors")} note={say("study-errors-note")}>
+      <table class="table">
+        <thead>
+          <tr>
+            <th>{say("study-lighting")}</th>
+            <th class="num">{say("study-vehicles")}</th>
+            <th class="num">{say("study-bias")}</th>
+            <th class="num">{say("statistics-mae")}</th>
+            <th class="num">{say("statistics-rmse")}</th>
+            <th class="num">{say("study-sd")}</th>
+          </tr>
+        </thead>
+        <tbody>
+          {groups.map((group) => {
+            const of = rows.filter((one) => one.group === group);
+            return (
+              <tr key={group}>
+                <th scope="row">{lightingOf(group)}</th>
+                <td class="num">{of[0]?.n}</td>
+                {ERRORS.map((figure) => {
+                  const one = of.find((row) => row.figure === figure);
+                  return (
+                    <Bounded
+                      key={figure}
+                      value={one ? formatSmall(one.value_m) : NONE}
+                      low={one && one.low_m !== null ? formatSmall(one.low_m) : null}
+                      high={one && one.high_m !== null ? formatSmall(one.high_m) : null}
+                    />
+                  );
+                })}
+              </tr>
+            );
+          })}
+        </tbody>
+      </table>
+    </Section>
+  );
+}
+
+function lightingOf(group: string): string {
+  if (group === "daytime" || group === "low_light") return LIGHTING_WORDS[group];
+  return say("study-all");
+}
+
+function Classes({ rows }: { rows: Found["classes"] }) {
+  const all = rows.filter((one) => one.group === "all");
+  return (
+    <Section id="study-classes" title={say("study-classes")} note={say("study-classes-note")}>
+      <table class="table">
+        <thead>
+          <tr>
+            <th>{say("study-class")}</th>
+            <th class="num">{say("study-vehicles")}</th>
+            <th class="num">{say("study-share")}</th>
+            <th class="num">{say("study-fleet-share")}</th>
+          </tr>
+        </thead>
+        <tbody>
+          {all.map((one) => (
+            <tr key={one.category}>
+              <th scope="row">{CATEGORY_WORDS[one.category as Category] ?? one.category}</th>
+              <td class="num">{one.n}</td>
+              <Bounded
+                value={percent(one.share)}
+                low={one.low === null ? null : percent(one.low)}
+                high={one.high === null ? null : percent(one.high)}
+              />
+              <td class="num">{one.fleet_share === null ? NONE : percent(one.fleet_share)}</td>
+            </tr>
+          ))}
+        </tbody>
+      </table>
+    </Section>
+  );
+}
+
+function Plan({ rows }: { rows: Found["plan"] }) {
+  const targets = [...new Set(rows.map((one) => one.target))];
+  const sites = [...new Set(rows.map((one) => one.sites))];
+  const goal = formatSmall(rows[0]?.goal_U95_m ?? 0);
+  return (
+    <Section id="study-plan" title={say("study-plan", { goal })} note={say("study-plan-note")}>
+      <table class="table">
+        <thead>
+          <tr>
+            <th class="num">{say("study-plan-sites")}</th>
+            {targets.map((one) => (
+              <th class="num" key={one}>
+                {TARGET_WORDS[one]}
+              </th>
+            ))}
+          </tr>
+        </thead>
+        <tbody>
+          {sites.map((count) => (
+            <tr key={count}>
+              <th scope="row" class="num">
+                {count}
+              </th>
+              {targets.map((target) => {
+                const one = rows.find((row) => row.target === target && row.sites === count);
+                return (
+                  <td class="num" key={target}>
+                    {one?.vehicles_each ?? say("study-plan-none")}
+                  </td>
+                );
+              })}
+            </tr>
+          ))}
+        </tbody>
+      </table>
+    </Section>
+  );
+}

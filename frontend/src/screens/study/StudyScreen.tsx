@@ -1,0 +1,176 @@
+/** A study of surveys of this installation: what is joined, what came out of it, and its package and report. */
+import { useState } from "preact/hooks";
+import { Button, Empty, JobProgress, Loading, Notice, Problem } from "../../components";
+import { asked, navigate } from "../../core/address";
+import { api } from "../../core/api";
+import { cancelJob, isOver, useJob } from "../../core/jobs";
+import { say } from "../../core/messages";
+import { useResource } from "../../core/resource";
+import { may } from "../../core/session";
+import { formatMoment } from "../../core/times";
+import { toast } from "../../core/toasts";
+import type { Job, StudyPage, StudyResult } from "../../core/types";
+import { Figures } from "./Figures";
+import { Joined } from "./Joined";
+import { StudyDialog } from "./StudyDialog";
+import "./study.css";
+
+export default function StudyScreen() {
+  const id = asked("id");
+  const page = useResource(
+    (signal) => api.ask("GET /studies/{study_id}", { study_id: id ?? 0 }, { signal }),
+    [id],
+  );
+  return (
+    <div class="page page--alone study">
+      <Problem error={page.error} again={page.reload} />
+      {!page.data && page.loading && <Loading what={say("study-loading")} />}
+      {page.data && <Page page={page.data} reload={page.reload} />}
+    </div>
+  );
+}
+
+/** What runs of a study, and how it is asked for. */
+function useComputing({ study, job: newest }: StudyPage, reload: () => Promise<void>) {
+  const underWay = newest && !isOver(newest) ? newest.id : null;
+  const [started, setStarted] = useState<number | null>(null);
+  const [problem, setProblem] = useState<unknown>(null);
+  const over = async (ended: Job) => {
+    if (ended.state === "done") toast(say("study-computed"));
+    await reload();
+    setStarted(null);
+  };
+  const job = useJob(started ?? underWay, (ended) => void over(ended), setProblem);
+  const compute = async () => {
+    setProblem(null);
+    try {
+      setStarted((await api.write("POST /studies/{study_id}/computings", { study_id: study.id })).id);
+    } catch (error) {
+      setProblem(error);
+    }
+  };
+  const remove = async () => {
+    try {
+      await api.write("DELETE /studies/{study_id}", { study_id: study.id, version: study.version });
+      navigate("/studies");
+    } catch (error) {
+      setProblem(error);
+    }
+  };
+  const running = job !== null && !isOver(job) ? job : null;
+  const failed = !running && newest?.state === "failed" ? newest.error : null;
+  return { running, failed, problem, setProblem, compute, remove };
+}
+
+function Page({ page, reload }: { page: StudyPage; reload: () => Promise<void> }) {
+  const { study, result } = page;
+  const { running, failed, problem, setProblem, compute, remove } = useComputing(page, reload);
+  const [editing, setEditing] = useState(false);
+  const edit = may("operator") ? () => setEditing(true) : undefined;
+  return (
+    <>
+      <Head page={page} running={running !== null} compute={() => void compute()} />
+      {study.simulated && <Notice kind="warning">{say("study-simulated-note")}</Notice>}
+      {running && (
+        <div class="panel panel__body">
+          <JobProgress job={running} onCancel={() => void cancelJob(running.id).catch(setProblem)} />
+        </div>
+      )}
+      {failed && <Notice kind="problem">{failed}</Notice>}
+      <Problem error={problem} />
+      {result && !running && isOld(result) && <Notice kind="warning">{oldWords(result)}</Notice>}
+      {!result && !running && <NotComputed page={page} edit={edit} />}
+      {result && <Figures found={result.found} sites={siteCount(page)} />}
+      <Joined study={study} result={result} edit={edit} remove={edit && (() => void remove())} />
+      {result && <Made result={result} />}
+      {editing && (
+        <StudyDialog
+          study={study}
+          close={() => setEditing(false)}
+          saved={() => {
+            setEditing(false);
+            void reload();
+          }}
+        />
+      )}
+    </>
+  );
+}
+
+function Head({ page, running, compute }: { page: StudyPage; running: boolean; compute: () => void }) {
+  const { study, result } = page;
+  const fresh = result !== null && !isOld(result);
+  return (
+    <header class="page__head">
+      <div>
+        <h1>
+          {study.name} {study.simulated && <span class="badge">{say("study-simulated")}</span>}
+        </h1>
+        {study.description && <p class="page__lead">{study.description}</p>}
+      </div>
+      <div class="row row--wrap">
+        {result && (
+          <>
+            <Button icon="download" href={result.report_url} download>
+              {say("study-report")}
+            </Button>
+            <Button icon="package" href={result.package_url} download>
+              {say("study-package")}
+            </Button>
+          </>
+        )}
+        {may("operator") && study.surveys.length > 0 && (
+          <Button kind={fresh ? "plain" : "primary"} busy={running} onClick={compute}>
+            {say(result ? "study-compute-again" : "study-compute")}
+          </Button>
+        )}
+      </div>
+    </header>
+  );
+}
+
+function Made({ result }: { result: StudyResult }) {
+  return (
+    <p class="muted small study-made">
+      {say("study-made", {
+        moment: formatMoment(result.created_at),
+        person: result.created_by?.name ?? say("study-made-by-system"),
+        version: result.code_version,
+        hash: result.sha256,
+      })}
+    </p>
+  );
+}
+
+function siteCount({ study }: StudyPage): number {
+  return new Set(study.surveys.map((one) => one.site)).size;
+}
+
+function isOld(result: StudyResult): boolean {
+  return result.study_changed || result.surveys_changed.length > 0;
+}
+
+function oldWords(result: StudyResult): string {
+  if (result.study_changed) return say("study-old-study");
+  return say("study-old-surveys", { surveys: result.surveys_changed.join(", ") });
+}
+
+function NotComputed({ page, edit }: { page: StudyPage; edit: (() => void) | undefined }) {
+  const none = page.study.surveys.length === 0;
+  return (
+    <section class="panel">
+      <Empty
+        title={say(none ? "study-empty-title" : "study-not-computed-title")}
+        actions={
+          none && edit ? (
+            <Button kind="primary" icon="add" onClick={edit}>
+              {say("study-add-surveys")}
+            </Button>
+          ) : undefined
+        }
+      >
+        <p>{say(none ? "study-empty" : "study-not-computed")}</p>
+      </Empty>
+    </section>
+  );
+}
