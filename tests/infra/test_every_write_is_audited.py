@@ -66,6 +66,12 @@ from sightline.reviews.lots.store import add_decision, add_taking_back, add_verd
 from sightline.reviews.plan_store import choose_review_plan
 from sightline.reviews.store import add_review
 from sightline.statistics.sampling import Sampling
+from sightline.studies.records import StudyFacts
+from sightline.studies.store import (
+    note_study_job,
+    remove_study,
+    update_study,
+)
 from sightline.surveys.classes import USUAL_CLASSES
 from sightline.surveys.photographs.store import (
     change_photograph_caption,
@@ -398,6 +404,20 @@ WRITES: dict[str, tuple[Write, Callable[[Session, Sample, Any], Any]]] = {
             actor=o.olga.id,
         ),
     ),
+    "create_study": (lambda s, o: None, lambda s, o, _: samples.study(s, o)),
+    "update_study": (
+        samples.study,
+        lambda s, o, study: update_study(s, study.id, StudyFacts("Hills 2"), version=1, actor=o.olga.id),
+    ),
+    "remove_study": (
+        samples.study,
+        lambda s, o, study: remove_study(s, study.id, version=1, actor=o.olga.id),
+    ),
+    "note_study_job": (
+        lambda s, o: (samples.study(s, o), _job(s, o)),
+        lambda s, o, both: note_study_job(s, both[0].id, both[1].id, actor=o.olga.id),
+    ),
+    "add_study_result": (samples.study, lambda s, o, study: samples.result_of_study(s, o, study)),
     "create_job": (lambda s, o: None, lambda s, o, _: _job(s, o)),
     "request_job_cancel": (_job, lambda s, o, job: request_job_cancel(s, job.id, actor=o.olga.id)),
     "finish_job": (_claimed, lambda s, o, job: finish_job(s, job, {"x": 1})),

@@ -64,6 +64,7 @@ WRITTEN_ONCE = (
     "line_poses",
     "line_heights",
     "line_height_reviews",
+    "study_results",
 )
 
 
@@ -91,6 +92,7 @@ def filled(factory: SessionFactory) -> SessionFactory:
         rod = scans_samples.rod(session, one, scanned.scan_id)
         height = scans_samples.tall(session, one, scanned.vehicle_id, rod)
         add_line_height_review(session, height.id, verdict="accepted", actor=one.rene.id)
+        samples.study_result(session, one)
     return factory
 
 

@@ -177,6 +177,14 @@ MATRIX = {
     "POST /surveys/{survey_id}/exports": "viewer",
     "GET /surveys/{survey_id}/exports": "viewer",
     "GET /exports/{export_id}.zip": "viewer",
+    "GET /studies": "viewer",
+    "POST /studies": "operator",
+    "GET /studies/{study_id}": "viewer",
+    "PUT /studies/{study_id}": "operator",
+    "DELETE /studies/{study_id}": "operator",
+    "POST /studies/{study_id}/computings": "operator",
+    "GET /studies/{study_id}/results/{result_id}.zip": "viewer",
+    "GET /studies/{study_id}/results/{result_id}.pdf": "viewer",
     "GET /audit/events": "viewer",
     "GET /audit/people": "viewer",
     "GET /audit": "viewer",
@@ -227,7 +235,7 @@ def ask(client: Client, name: str) -> Any:
     method, path = name.split(" ")
     for part in ("survey", "camera", "image", "calibration", "upload", "recording", "pose", "vehicle"):
         path = path.replace(f"{{{part}_id}}", "999999")
-    for part in ("measurement", "export", "job", "person", "scan"):
+    for part in ("measurement", "export", "job", "person", "scan", "study", "result"):
         path = path.replace(f"{{{part}_id}}", "999999")
     path = path.replace("{n}", "0").replace("{frame}", "0").replace("{picture}", "first")
     path = path.replace("{camera}/{level}/{index}", "1/0/0")

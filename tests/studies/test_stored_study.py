@@ -197,7 +197,7 @@ def test_a_study_is_made_changed_and_removed_with_its_audit(
     assert viewer.seen("/studies") == [] and viewer.get(address).status_code == 404
     with services.reading() as session:
         events = trail.listing(session, entity="study")
-    assert [one.action for one in events] == ["remove", "update", "create"]
+    assert [one.action for one in events] == ["delete", "update", "create"]
 
 
 @pytest.mark.parametrize(

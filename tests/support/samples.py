@@ -12,6 +12,7 @@ from sightline.cameras.calibrations.store import add_calibration
 from sightline.cameras.records import Camera
 from sightline.cameras.store import create_camera
 from sightline.enums import Role, Target
+from sightline.infra.audit import trail
 from sightline.infra.database.engine import SessionFactory, writing
 from sightline.infra.database.types import now
 from sightline.infra.web.person import Person
@@ -30,6 +31,8 @@ from sightline.reviews.lots.query import get_lot
 from sightline.reviews.lots.records import Lot
 from sightline.reviews.lots.store import add_lot
 from sightline.statistics.acceptance import USUAL_RISKS, SamplingPlan
+from sightline.studies.records import StoredStudy, StudyFacts, StudyResult, StudySurvey
+from sightline.studies.store import add_study_result, create_study
 from sightline.surveys.photographs.records import Photograph
 from sightline.surveys.photographs.store import add_photograph
 from sightline.surveys.records import Survey
@@ -221,3 +224,22 @@ def fill(factory: SessionFactory, count: int) -> Sample:
         session.execute(insert(revision_rows), revisions)
         session.execute(insert(review_rows), verdicts)
     return one
+
+
+def study(session: Session, one: Sample) -> StoredStudy:
+    """A study of the survey."""
+    facts = StudyFacts("Hills", surveys=(StudySurvey(one.survey.id, "Hill", "rural", 2026),))
+    return create_study(session, facts, actor=one.olga.id)
+
+
+def result_of_study(session: Session, one: Sample, of: StoredStudy) -> StudyResult:
+    """What a computing of it might have found."""
+    files: dict[str, Any] = {"media_key": "z", "size_bytes": 1, "sha256": "0" * 64}
+    files |= {"report_key": "p", "report_sha256": "0" * 64}
+    heads = {one.survey.id: trail.head(session, one.survey.id).hash}
+    return add_study_result(session, of, heads=heads, document={"heights": 0.1}, **files, actor=one.olga.id)
+
+
+def study_result(session: Session, one: Sample) -> StudyResult:
+    """A study with its result."""
+    return result_of_study(session, one, study(session, one))

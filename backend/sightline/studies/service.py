@@ -257,11 +257,21 @@ def _differences(
     both: tuple[tuple[Weighted, StudyFigures | None], tuple[Weighted, StudyFigures | None]],
 ) -> list[YearDifference]:
     (of_first, first), (of_second, second) = both
-    key = (target, *years)
-    n = (of_first.n, of_second.n)
+    none = YearDifference(
+        target=target,
+        first_year=years[0],
+        second_year=years[1],
+        percent=None,
+        n_first=of_first.n,
+        n_second=of_second.n,
+        value=None,
+        U95_low=None,
+        U95_high=None,
+        verdict=None,
+        reason=of_first.reason or of_second.reason,
+    )
     if first is None or second is None:
-        why = of_first.reason or of_second.reason
-        return [YearDifference(*key, None, *n, None, None, None, None, why)] if all(n) else []
+        return [none] if of_first.n and of_second.n else []
     pairs: list[tuple[float | None, TotalFigure, TotalFigure]] = [
         (percent, first.percentile(percent), second.percentile(percent)) for percent in PERCENTS
     ]
@@ -271,8 +281,14 @@ def _differences(
         one = difference_of_figures(before, after)
         told = one.difference
         found.append(
-            YearDifference(
-                *key, percent, *n, told.value, told.U95_low, told.U95_high, one.verdict, told.reason
+            replace(
+                none,
+                percent=percent,
+                value=told.value,
+                U95_low=told.U95_low,
+                U95_high=told.U95_high,
+                verdict=one.verdict,
+                reason=told.reason,
             )
         )
     return found

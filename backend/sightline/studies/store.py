@@ -66,7 +66,7 @@ def remove_study(session: Session, study_id: int, *, version: int, actor: int | 
     """Take it from the list; what was computed of it stays stored. Raises Conflict, NotFound."""
     _seen(session, study_id, version)
     change_row(session, studies, study_id, {"deleted_at": now(), **_stamps(version, actor)})
-    trail.record(session, actor, "remove", "study", study_id, None, {"deleted": False}, {"deleted": True})
+    trail.record(session, actor, "delete", "study", study_id, None, {"deleted": False}, {"deleted": True})
 
 
 def note_study_job(session: Session, study_id: int, job_id: int, *, actor: int | None) -> None:

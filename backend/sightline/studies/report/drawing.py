@@ -42,8 +42,11 @@ def curve_drawing(curve: Curve, standards: Sequence[Standard], unit: LengthUnit)
             ylim=(0, 100),
         )
         axes.margins(x=0.02)
-        axes.set_xlim(axes.get_xlim())
-        marks.limits(axes, _limits(curve, standards, unit))
+        limits = _limits(curve, standards, unit)
+        left, right = axes.get_xlim()
+        room = 0.04 * (right - left)  # for the words on a rule's left
+        axes.set_xlim(min([left, *(one.at - room for one in limits)]), right)
+        marks.limits(axes, limits)
         axes.legend(loc="lower right")
 
     caption = (

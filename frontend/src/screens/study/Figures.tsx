@@ -91,7 +91,7 @@ function Percentiles({ found, targets }: { found: Found; targets: readonly Row["
   const columns = found.figures.filter((one) => one.target === longest(found.figures));
   return (
     <Section id="study-percentiles" title={say("study-percentiles", { unit })} note={say("study-holds")}>
-      <table class="table">
+      <table class="table table--dense">
         <thead>
           <tr>
             <th>{say("study-target")}</th>

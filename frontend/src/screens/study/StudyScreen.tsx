@@ -1,6 +1,6 @@
 /** A study of surveys of this installation: what is joined, what came out of it, and its package and report. */
 import { useState } from "preact/hooks";
-import { Button, Empty, JobProgress, Loading, Notice, Problem } from "../../components";
+import { Button, Empty, FormDialog, JobProgress, Loading, Notice, Problem } from "../../components";
 import { asked, navigate } from "../../core/address";
 import { api } from "../../core/api";
 import { cancelJob, isOver, useJob } from "../../core/jobs";
@@ -9,7 +9,7 @@ import { useResource } from "../../core/resource";
 import { may } from "../../core/session";
 import { formatMoment } from "../../core/times";
 import { toast } from "../../core/toasts";
-import type { Job, StudyPage, StudyResult } from "../../core/types";
+import type { Job, Study, StudyPage, StudyResult } from "../../core/types";
 import { Figures } from "./Figures";
 import { Joined } from "./Joined";
 import { StudyDialog } from "./StudyDialog";
@@ -49,23 +49,16 @@ function useComputing({ study, job: newest }: StudyPage, reload: () => Promise<v
       setProblem(error);
     }
   };
-  const remove = async () => {
-    try {
-      await api.write("DELETE /studies/{study_id}", { study_id: study.id, version: study.version });
-      navigate("/studies");
-    } catch (error) {
-      setProblem(error);
-    }
-  };
   const running = job !== null && !isOver(job) ? job : null;
   const failed = !running && newest?.state === "failed" ? newest.error : null;
-  return { running, failed, problem, setProblem, compute, remove };
+  return { running, failed, problem, setProblem, compute };
 }
 
 function Page({ page, reload }: { page: StudyPage; reload: () => Promise<void> }) {
   const { study, result } = page;
-  const { running, failed, problem, setProblem, compute, remove } = useComputing(page, reload);
+  const { running, failed, problem, setProblem, compute } = useComputing(page, reload);
   const [editing, setEditing] = useState(false);
+  const [removing, setRemoving] = useState(false);
   const edit = may("operator") ? () => setEditing(true) : undefined;
   return (
     <>
@@ -81,8 +74,9 @@ function Page({ page, reload }: { page: StudyPage; reload: () => Promise<void> }
       {result && !running && isOld(result) && <Notice kind="warning">{oldWords(result)}</Notice>}
       {!result && !running && <NotComputed page={page} edit={edit} />}
       {result && <Figures found={result.found} sites={siteCount(page)} />}
-      <Joined study={study} result={result} edit={edit} remove={edit && (() => void remove())} />
+      <Joined study={study} result={result} edit={edit} remove={edit && (() => setRemoving(true))} />
       {result && <Made result={result} />}
+      {removing && <Removing study={study} close={() => setRemoving(false)} />}
       {editing && (
         <StudyDialog
           study={study}
@@ -126,6 +120,18 @@ function Head({ page, running, compute }: { page: StudyPage; running: boolean; c
         )}
       </div>
     </header>
+  );
+}
+
+function Removing({ study, close }: { study: Study; close: () => void }) {
+  const remove = async () => {
+    await api.write("DELETE /studies/{study_id}", { study_id: study.id, version: study.version });
+    navigate("/studies");
+  };
+  return (
+    <FormDialog title={say("study-remove")} action={say("study-remove-now")} onClose={close} submit={remove}>
+      <p>{say("study-remove-words", { name: study.name })}</p>
+    </FormDialog>
   );
 }
 
