@@ -48,6 +48,7 @@ SCREENS = {
     "export": ("/surveys/{survey}/export", "main h1"),
     "statistics": ("/statistics?survey={survey}&state=all", "[data-testid=figure-driver_eye-ecdf] svg"),
     "sight-distance": ("/sight-distance?survey={survey}&state=all", "[data-testid=figure-crest-k] svg"),
+    "studies": ("/studies", "main h1"),
     "catalogue": ("/catalogue", "[data-testid=catalogue]"),
     "audit": ("/audit", "main table"),
     "jobs": ("/jobs", "main h1"),
