@@ -7,6 +7,7 @@ from contextlib import asynccontextmanager
 from typing import Any
 
 from fastapi import APIRouter, FastAPI
+from prometheus_client import CollectorRegistry
 from starlette.middleware.gzip import GZipMiddleware
 
 import sightline.cameras.calibrations.routes
@@ -55,10 +56,12 @@ from sightline.infra.web import error_handlers, pages
 from sightline.infra.web.bodies import ErrorBody
 from sightline.infra.web.cookie import SignIn
 from sightline.infra.web.guard import Guard
+from sightline.infra.web.metrics import InstallationMetrics
 from sightline.infra.web.openapi import DESCRIPTION, TITLE, VERSION, Api, operation_id
 from sightline.infra.web.person import Person
 from sightline.infra.web.secret import signing_secret
 from sightline.infra.web.turns import READERS, Turns
+from sightline.infra.web.watching import RequestMetrics, Watching
 from sightline.infra.web.write_gate import WriteGate
 from sightline.people.service import Attempts
 from sightline.people.store import get_person
@@ -160,7 +163,6 @@ def create_app(settings: Settings | None = None, services: Services | None = Non
     app.state.services = services
     app.state.write_gate = WriteGate()
     app.state.readers = Turns(READERS)
-    app.state.readers = Turns(READERS)
     app.state.sign_in = SignIn(
         signing_secret(settings), settings.secure_cookies, lambda id_: _person(services, id_)
     )
@@ -171,6 +173,10 @@ def create_app(settings: Settings | None = None, services: Services | None = Non
     pages.install(app, settings)
     app.add_middleware(GZipMiddleware, minimum_size=1000, compresslevel=5)
     app.add_middleware(Guard)
+    app.state.metrics = CollectorRegistry()
+    turns = {"reading": app.state.readers, "writing": app.state.write_gate.turns}
+    app.state.metrics.register(InstallationMetrics(services, turns))
+    app.add_middleware(Watching, metrics=RequestMetrics(app.state.metrics))
     return app
 
 

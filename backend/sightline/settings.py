@@ -6,6 +6,8 @@ from typing import Any
 from pydantic import Field, SecretStr
 from pydantic_settings import BaseSettings, SettingsConfigDict
 
+from sightline.enums import LogFormat
+
 
 def default_data_dir() -> Path:
     """`.data` at the root of the checkout, or in the current folder where the package is installed."""
@@ -41,6 +43,10 @@ class Settings(BaseSettings):
     workers: int = Field(default=2, ge=0, le=64)
     #: on PostgreSQL: how long a worker process may be silent before its job is given to another one
     heartbeat_limit_s: float = Field(default=5.0, ge=0.5, le=600)
+    #: Prometheus reads on this port of its own, on `host`; 0: nothing listens
+    metrics_port: int = Field(default=0, ge=0, le=65535)
+    #: lines for people, or JSON with a line for each request
+    log_format: LogFormat = "plain"
     #: whether the passes of an upload are looked for as soon as it was read; else a person asks for it
     find_passes: bool = True
 

@@ -40,7 +40,9 @@ from tests.load.soak import signed_in
 
 KINDS = ("server", "decoder", "worker", "supervisor")
 PAUSE_S = (0.2, 1.5)
+QUIET_S, QUIET_SHARE = 15.0, 0.02
 REVISIONS = 20
+SLOW_S = 10.0
 ENDED = ("done", "failed", "cancelled")
 
 
@@ -152,7 +154,9 @@ def uploading(world: World) -> None:
             "Upload-Length": str(len(content)),
             "Upload-Metadata": "filename Yy5tcDQ=",
         }
-        location = me.ask("POST", f"/api/surveys/{world.survey}/uploads", headers=size).headers["Location"]
+        begun = me.ask("POST", f"/api/surveys/{world.survey}/uploads", headers=size)
+        assert begun.status_code == 201, begun.text
+        location = begun.headers["Location"]
         recording = _sent(me, location, content)
         while not world.over.is_set():
             found = me.seen(f"/api/recordings/{recording}")
@@ -196,13 +200,16 @@ class Killer:
         self.logs = [server.log]
 
     def kill(self) -> None:
-        time.sleep(self.drawn.uniform(*PAUSE_S))
+        # now and then long enough for a package to be made
+        time.sleep(QUIET_S if self.drawn.random() < QUIET_SHARE else self.drawn.uniform(*PAUSE_S))
         kind = self.drawn.choice((*KINDS, "database") if self.cluster else KINDS)
         if kind == "server":
             self.server.process.kill()
             self.server.process.wait()
             self.server = self.restart()
             self.back_s.append(self.server.wait(60))
+            if self.back_s[-1] > SLOW_S:
+                print(f"back after {self.back_s[-1]:.1f} s: {self.server.log.read_text()[-500:]}", flush=True)
             self.logs.append(self.server.log)
         elif kind == "database" and self.cluster:
             self.cluster.kill()
@@ -253,8 +260,10 @@ def packages_per_job(engine: Engine) -> tuple[int, int]:
 
 
 def left_behind(data: Path) -> list[str]:
-    """Folders of processes that are gone, and files that were being written when theirs was killed."""
-    left = [str(path.relative_to(data)) for path in data.rglob(f"*{PART}")]
+    """Folders of processes that are gone, and files that were being written when theirs was killed; an upload
+    that did not end may go on.
+    """
+    left = [str(path.relative_to(data)) for path in data.rglob(f"*{PART}") if path.parent.name != "uploads"]
     for lock in (data / "scratch").glob("*.lock"):
         with lock.open("rb+") as file, suppress(OSError):
             fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
@@ -301,9 +310,11 @@ def tell(world: World, killer: Killer, engine: Engine, data: Path) -> bool:
     lost, doubled = lost_and_doubled(engine, world)
     done, packages = packages_per_job(engine)
     left = left_behind(data)
-    traces = sum(
-        log.read_text(errors="replace").count("Traceback (most recent call last)") for log in killer.logs
-    )
+    traces = [
+        trace.strip()[:900]
+        for log in killer.logs
+        for trace in log.read_text(errors="replace").split("Traceback (most recent call last):")[1:]
+    ]
     verified = check_database(engine.url.render_as_string(hide_password=False))
     print(f"killed: {dict(killer.killed)}; back after {max(killer.back_s, default=0):.1f} s at most")
     print(f"answers: {dict(world.told)}")
@@ -313,7 +324,9 @@ def tell(world: World, killer: Killer, engine: Engine, data: Path) -> bool:
     )
     print(f"jobs: {dict(states)}; {done} exports done, {packages} packages")
     print(f"audit: {'holds' if verified['ok'] else verified['problem']}, {verified['checked']} events")
-    print(f"left behind: {left or 'nothing'}; tracebacks in the logs: {traces}")
+    print(f"left behind: {left or 'nothing'}; tracebacks in the logs: {len(traces)}")
+    for trace in traces[:3]:
+        print(trace)
     for sentence, count in (world.odd + Counter(world.broken)).most_common(8):
         print(f"  {count} times: {sentence}")
     return not (

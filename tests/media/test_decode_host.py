@@ -95,7 +95,7 @@ def test_checksums_are_verified_in_the_child(plain: RecordingMedia, served: Fram
     ("fault", "words"),
     [
         ("crash", "crashed"),
-        ("killed", "was killed twice"),
+        ("killed", "was killed again and again"),
         ("hang", "no progress for 2 s"),
         ("stuck", "no progress for 2 s"),
         ("greedy", "0.5 GB of memory"),

@@ -15,6 +15,7 @@ pytestmark = pytest.mark.once
 # The lowest role that may do it; "" needs no sign-in.
 MATRIX = {
     "GET /health": "",
+    "GET /ready": "",
     "POST /session": "",
     "POST /session/link": "",
     "DELETE /session": "",
@@ -22,6 +23,7 @@ MATRIX = {
     "PUT /session/name": "viewer",
     "PUT /session/password": "viewer",
     "GET /people": "admin",
+    "GET /system": "admin",
     "POST /people": "admin",
     "PUT /people/{person_id}": "admin",
     "POST /people/{person_id}/link": "admin",

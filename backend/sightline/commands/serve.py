@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import gc
+import logging
 import signal
 import socket
 from collections.abc import Callable
@@ -81,7 +82,9 @@ def serve_on(
     from sightline.app import create_app
     from sightline.infra.database.engine import make_engine, migrate
     from sightline.infra.jobs.workers import start_child_workers
+    from sightline.infra.log import begin_log
     from sightline.infra.services import open_services
+    from sightline.infra.web.metrics import serve_metrics
     from sightline.people.service import first_sign_in_link
 
     settings.data_dir.mkdir(parents=True, exist_ok=True)
@@ -96,6 +99,9 @@ def serve_on(
     if with_demo:
         request_demonstration(services)
     app = create_app(services=services)
+    begin_log(settings.log_format, logging.INFO if settings.log_format == "json" else logging.WARNING)
+    if settings.metrics_port:
+        stack.callback(serve_metrics(settings.host, settings.metrics_port, app.state.metrics))
 
     def answering() -> None:
         # Later: the workers' own start must not take the processor from the server's.

@@ -19,12 +19,10 @@ def worker(workers: int | None, parent: int | None, data_dir: Path | None) -> No
     import logging
 
     from sightline.infra.jobs.workers import run_workers
+    from sightline.infra.log import begin_log
 
-    level = logging.INFO if parent is None else logging.WARNING
-    logging.basicConfig(level=level, format="%(asctime)s %(name)s: %(message)s")
-    # Procrastinate tells of every delivery; what matters of them is in the job table.
-    logging.getLogger("procrastinate").setLevel(logging.WARNING)
     settings = settings_of(data_dir=data_dir, workers=workers)
+    begin_log(settings.log_format, logging.INFO if parent is None else logging.WARNING)
     run_workers(settings, parent=parent, load_handlers=load_job_handlers)
 
 

@@ -236,6 +236,7 @@ page-catalogue = Catalogue
 page-audit = Audit
 page-people = People
 page-jobs = Jobs
+page-system = System
 page-account = Account
 page-guide = Guide
 
@@ -398,6 +399,31 @@ guide-page-glossary = Glossary
 jobs-only-failed-again = This job is { $state }; only one that failed or was stopped is done again.
 jobs-again-on-its-page = Work of this kind ({ $kind }) begins again on the page of its recording, where its files are looked at too.
 
+## System: the page of administrators
+
+system-lead = How this installation is doing just now. Prometheus reads the same on a port of its own.
+system-loading = the state of the system
+system-program = Program and machine
+system-version = Version
+system-database = Database
+system-database-of = { $kind ->
+    [sqlite] SQLite
+   *[other] PostgreSQL
+  }, { $count ->
+    [one] 1 connection in use
+   *[other] { $count } connections in use
+  }
+system-media = Videos and pictures
+system-free = Free on the disk
+system-memory = Memory of the server
+system-unknown = not told by this machine
+system-decoder = Decoder of stills
+system-decoder-none = not needed just now
+system-decoder-runs = process { $process }
+system-waiting = Waiting for their turn
+system-waiting-of = { $reading } to read, { $writing } to write
+system-jobs = Jobs
+
 ## Jobs: the page
 
 own-name-title = What is your name?
@@ -469,6 +495,7 @@ app-loading-page = { $page ->
     [audit] audit
     [people] people
     [jobs] jobs
+    [system] the state of the system
     [guide] guide
    *[account] account
 }
@@ -3535,6 +3562,7 @@ commands-give-camera-height-distance-baseline-line = Give --camera-height and --
 commands-line-scans-plan-needs-speed-speed = A line scan's plan needs --speed and --speed-error beside --baseline.
 commands-numbers-plan-must-finite = The numbers of a plan must be finite.
 commands-line-scan-planned-without-camera-place = A line scan is planned without a camera and its place; leave those options out.
+commands-metrics-port-cannot-be-used = Metrics cannot be shown on port { $port } of { $host } ({ $why }); choose another with SIGHTLINE_METRICS_PORT.
 commands-another-server-has-folder = Another server works with the folder { $folder }; stop it, or give this one a folder of its own with --data-dir.
 commands-folder-cannot-written = Nothing can be written to the folder { $folder } ({ $why }); check its permissions and the disk, or name another with --data-dir.
 commands-port-cannot-used-choose-another-port = Port { $port } on { $host } cannot be used ({ $why }); choose another with --port.

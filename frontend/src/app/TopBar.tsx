@@ -182,6 +182,11 @@ function PersonMenu() {
       <a class="menu__item" href="/jobs">
         {titleOf("jobs")}
       </a>
+      {may("admin") && (
+        <a class="menu__item" href="/system">
+          {titleOf("system")}
+        </a>
+      )}
       <a class="menu__item" href="/audit">
         {say("app-audit")}
       </a>

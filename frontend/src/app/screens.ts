@@ -29,6 +29,7 @@ const LOADERS: Record<PlaceName, () => Promise<{ default: Screen }>> = {
   catalogue: () => import("../screens/catalogue/CatalogueScreen"),
   audit: () => import("../screens/audit/AuditScreen"),
   jobs: () => import("../screens/jobs/JobsScreen"),
+  system: () => import("../screens/system/SystemScreen"),
   people: () => import("../screens/people/PeopleScreen"),
   account: () => import("../screens/account/AccountScreen"),
   guide: () => import("../screens/guide/GuideScreen"),

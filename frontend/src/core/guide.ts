@@ -25,6 +25,7 @@ export const GUIDE_OF: Record<PlaceName, string> = {
   catalogue: "operator#vehicle-record",
   audit: "administrator#jobs-and-the-audit-trail",
   jobs: "administrator#jobs-and-the-audit-trail",
+  system: "administrator#watch",
   people: "administrator#people",
   account: "administrator#people",
   guide: "first-survey",

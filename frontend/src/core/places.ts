@@ -29,6 +29,7 @@ export type PlaceName =
   | "catalogue"
   | "audit"
   | "jobs"
+  | "system"
   | "people"
   | "account"
   | "guide";
@@ -155,6 +156,11 @@ export const PLACES: readonly Place[] = [
   {
     name: "jobs",
     pattern: "/jobs",
+    layout: "alone",
+  },
+  {
+    name: "system",
+    pattern: "/system",
     layout: "alone",
   },
   {

@@ -7,7 +7,7 @@ are audited; claiming and progress are not.
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, get_args
 
 from sqlalchemy import func, select, update
 from sqlalchemy.orm import Session
@@ -70,6 +70,13 @@ def list_jobs(
     if state is not None:
         query = query.where(jobs.c.state == state)
     return tuple(_job(row) for row in session.execute(query).mappings())
+
+
+def count_jobs(session: Session) -> dict[JobState, int]:
+    """How many jobs are in each state, all states named."""
+    query = select(jobs.c.state, func.count()).group_by(jobs.c.state)
+    found: dict[str, int] = {str(state): int(count) for state, count in session.execute(query)}
+    return {state: found.get(state, 0) for state in get_args(JobState)}
 
 
 def latest_jobs_of_recordings(session: Session, recording_ids: Sequence[int]) -> dict[int, Job]:

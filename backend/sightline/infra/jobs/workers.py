@@ -294,6 +294,7 @@ def _environment_of(settings: Settings) -> dict[str, str]:
         "MEDIA_URL": settings.media_url,
         "WORKERS": settings.workers,
         "HEARTBEAT_LIMIT_S": settings.heartbeat_limit_s,
+        "LOG_FORMAT": settings.log_format,
     }
     package = str(Path(__file__).resolve().parents[3])
     paths: Iterable[str] = (package, os.environ.get("PYTHONPATH", ""))

@@ -1,12 +1,23 @@
-"""Whether the server is there."""
+"""Whether the server is there, whether it can work, and how it is doing."""
 
-from fastapi import APIRouter
+import os
+import shutil
 
+from fastapi import APIRouter, Request, Response
+from pydantic import Field
+from sqlalchemy import text
+
+from sightline.enums import JobState
+from sightline.errors import SightlineError
+from sightline.infra.jobs.store import count_jobs
+from sightline.infra.services import Services
 from sightline.infra.version import code_version
 from sightline.infra.web.bodies import Out
-from sightline.infra.web.deps import OPEN
+from sightline.infra.web.deps import OPEN, Admin, Wired
+from sightline.infra.web.turns import Turns
 
 router = APIRouter()
+NOWHERE = "00/00/nothing"
 
 
 class Health(Out):
@@ -14,7 +25,84 @@ class Health(Out):
     version: str
 
 
+class Readiness(Out):
+    ok: bool
+    database: str | None = Field(description="Why the database cannot be used; null: it can.")
+    media: str | None = Field(description="Why the media store cannot be used; null: it can.")
+
+
+class SystemState(Out):
+    """What an administrator wants to know of a running installation: of this one of its app processes."""
+
+    version: str
+    database: str = Field(description="sqlite or postgresql")
+    database_connections: int = Field(description="In use just now, by this process.")
+    media: str = Field(description="Where videos are kept, without any password.")
+    free_bytes: int = Field(description="On the disk of the data folder.")
+    readers_waiting: int
+    writers_waiting: int
+    decoder: int | None = Field(description="Process that decodes stills; null while none is needed.")
+    memory_bytes: int | None = Field(description="Held by this process; null where it cannot be told.")
+    jobs: dict[JobState, int]
+
+
 @router.get("/health", dependencies=[OPEN])
 async def health() -> Health:
     """Answers as soon as the server is up; needs no sign-in."""
     return Health(ok=True, version=code_version())
+
+
+@router.get("/ready", dependencies=[OPEN])
+def ready(services: Wired, response: Response) -> Readiness:
+    """Whether database and media store answer: 503 where one does not. A proxy then asks another process."""
+    found = Readiness(ok=True, database=_database(services), media=_media(services))
+    found.ok = found.database is None and found.media is None
+    response.status_code = 200 if found.ok else 503
+    return found
+
+
+@router.get("/system")
+def system(who: Admin, services: Wired, request: Request) -> SystemState:
+    """How the installation is doing."""
+    readers: Turns = request.app.state.readers
+    with services.reading() as session:
+        jobs = count_jobs(session)
+    pool = services.engine.pool
+    return SystemState(
+        version=code_version(),
+        database=services.engine.dialect.name,
+        database_connections=int(getattr(pool, "checkedout", int)()),
+        media=services.settings.media_url.partition("?")[0],
+        free_bytes=shutil.disk_usage(services.settings.data_dir).free,
+        readers_waiting=readers.waiting,
+        writers_waiting=request.app.state.write_gate.turns.waiting,
+        decoder=services.frames.process_id,
+        memory_bytes=_memory_bytes(),
+        jobs=jobs,
+    )
+
+
+def _database(services: Services) -> str | None:
+    try:
+        with services.reading() as session:
+            session.execute(text("SELECT 1"))
+    except SightlineError as error:
+        return error.message
+    return None
+
+
+def _media(services: Services) -> str | None:
+    try:
+        services.media.exists(NOWHERE)
+    except SightlineError as error:
+        return error.message
+    return None
+
+
+def _memory_bytes() -> int | None:
+    """Resident memory, of Linux's account of the process."""
+    try:
+        with open("/proc/self/statm", encoding="ascii") as told:
+            return int(told.read().split()[1]) * os.sysconf("SC_PAGE_SIZE")
+    except (OSError, ValueError, IndexError):
+        return None

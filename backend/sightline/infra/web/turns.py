@@ -22,6 +22,11 @@ class Turns:
         self._free = anyio.CapacityLimiter(at_once)
         self._wait_s = wait_s
 
+    @property
+    def waiting(self) -> int:
+        """How many wait just now."""
+        return self._free.statistics().tasks_waiting
+
     @asynccontextmanager
     async def turn(self) -> AsyncIterator[None]:
         """Raises Busy where the turn does not come in time."""

@@ -23,7 +23,7 @@ class WriteGate:
     """
 
     def __init__(self, wait_s: float = WAIT_S) -> None:
-        self._turns = Turns(1, wait_s)
+        self.turns = Turns(1, wait_s)
         self._thread = ThreadPoolExecutor(max_workers=1, thread_name_prefix="writer")
 
     @asynccontextmanager
@@ -32,7 +32,7 @@ class WriteGate:
 
         Raises Busy where its turn does not come in time.
         """
-        async with self._turns.turn():
+        async with self.turns.turn():
             session = await self._run(opened.__enter__)
             try:
                 yield session

@@ -216,7 +216,7 @@ class _Child:
             is_full = status == TOO_MUCH_MEMORY
             # by the system, which is out of memory, or by a person: neither is the recording's doing yet
             is_killed = status == -signal.SIGKILL and self._why is None
-            alone = (is_full or is_killed) and not self._for_one
+            alone = is_killed or (is_full and not self._for_one)
             blamed = self._ready and not self._is_closed and not alone
             decoding = frozenset(call.recording for call in calls) if blamed else frozenset()
             why = self._why or _why(status, self._limits)
@@ -326,13 +326,19 @@ class DecodeHost:
         """The answer of a fresh child that does nothing else, one such at a time."""
         with self._one_alone:
             self._crashes.check(question.recording)
-            child = _Child(self._entry, self._window_bytes, self._limits, self._crashes, for_one=True)
-            try:
-                return child.ask(next(self._numbers), question, wanted)
-            except _Died as died:
-                raise question.refusal(died.why) from died
-            finally:
-                child.end()
+            for left in reversed(range(TRIES)):
+                child = _Child(self._entry, self._window_bytes, self._limits, self._crashes, for_one=True)
+                try:
+                    return child.ask(next(self._numbers), question, wanted)
+                except _Died as died:
+                    if died.alone and left:
+                        continue  # killed by somebody, once more
+                    if died.alone:
+                        self._crashes.died(frozenset((question.recording,)))
+                    raise question.refusal(died.why) from died
+                finally:
+                    child.end()
+        raise AssertionError("the last try answers or raises")
 
     def _running(self) -> _Child:
         with self._lock:
@@ -348,7 +354,7 @@ def _why(status: int, limits: Limits) -> str:
     if status == -signal.SIGALRM:
         return "hung"
     if status == -signal.SIGKILL:
-        return "was killed twice, the second time alone in a fresh process,"
+        return "was killed again and again, also alone in a fresh process,"
     return "crashed"
 
 

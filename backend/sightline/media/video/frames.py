@@ -134,6 +134,11 @@ class FrameServer:
         """What the caches in the memory of this process hold now."""
         return self._pictures.memory_bytes + self._jpegs.held_bytes
 
+    @property
+    def process_id(self) -> int | None:
+        """Of the child that decodes; None while there is none."""
+        return getattr(self._pictures, "process_id", None)
+
     def start(self) -> None:
         """Make ready for the first frame, which then does not wait for a process to start."""
         self._pictures.start()

@@ -1,0 +1,88 @@
+/** How the installation is doing, for administrators: the same figures that Prometheus reads. */
+import type { ComponentChildren } from "preact";
+import { Loading, Problem } from "../../components";
+import { api } from "../../core/api";
+import { say } from "../../core/messages";
+import { useEvery, useResource } from "../../core/resource";
+import { formatBytes, formatCount } from "../../core/units";
+import { STATE_WORDS } from "../../core/words";
+
+const STATES = ["queued", "running", "failed", "cancelled", "done"] as const;
+const EVERY_MS = 5000;
+
+export default function SystemScreen() {
+  const found = useResource((signal) => api.ask("GET /system", {}, { signal }), [], { keep: true });
+  useEvery(EVERY_MS, found.reload);
+  const state = found.data;
+  return (
+    <div class="page page--alone">
+      <header class="page__head">
+        <div>
+          <h1>{say("page-system")}</h1>
+          <p class="page__lead">{say("system-lead")}</p>
+        </div>
+      </header>
+      <Problem error={found.error} again={found.reload} />
+      {!state && found.loading && <Loading what={say("system-loading")} />}
+      {state && (
+        <>
+          <section class="panel">
+            <header class="panel__head">
+              <h2>{say("system-program")}</h2>
+            </header>
+            <div class="panel__body">
+              <dl class="facts" data-testid="system-facts">
+                <Fact term={say("system-version")}>{state.version}</Fact>
+                <Fact term={say("system-database")}>
+                  {say("system-database-of", {
+                    kind: state.database === "sqlite" ? "sqlite" : "other",
+                    count: state.database_connections,
+                  })}
+                </Fact>
+                <Fact term={say("system-media")}>{state.media}</Fact>
+                <Fact term={say("system-free")}>{formatBytes(state.free_bytes)}</Fact>
+                <Fact term={say("system-memory")}>
+                  {state.memory_bytes === null ? say("system-unknown") : formatBytes(state.memory_bytes)}
+                </Fact>
+                <Fact term={say("system-decoder")}>
+                  {state.decoder === null
+                    ? say("system-decoder-none")
+                    : say("system-decoder-runs", { process: String(state.decoder) })}
+                </Fact>
+                <Fact term={say("system-waiting")}>
+                  {say("system-waiting-of", {
+                    reading: state.readers_waiting,
+                    writing: state.writers_waiting,
+                  })}
+                </Fact>
+              </dl>
+            </div>
+          </section>
+          <section class="panel">
+            <header class="panel__head">
+              <h2>{say("system-jobs")}</h2>
+            </header>
+            <div class="panel__body">
+              <dl class="facts">
+                {STATES.map((one) => (
+                  <Fact key={one} term={STATE_WORDS[one]}>
+                    <a href={`/jobs?state=${one}`}>{formatCount(state.jobs[one] ?? 0)}</a>
+                  </Fact>
+                ))}
+              </dl>
+            </div>
+          </section>
+        </>
+      )}
+    </div>
+  );
+}
+
+function Fact({ term, children }: { term: string; children: ComponentChildren }) {
+  return (
+    <>
+      <dt>{term}</dt>
+      <dd>{children}</dd>
+    </>
+  );
+}

@@ -1,0 +1,112 @@
+"""Requests are numbered, counted and logged; being able to work is another thing than being there."""
+
+import json
+import logging
+import sys
+import urllib.request
+from typing import Any
+
+import pytest
+from fastapi import FastAPI
+from hypothesis import given
+from hypothesis import strategies as st
+from prometheus_client import CollectorRegistry, generate_latest
+
+from sightline.errors import BadInput
+from sightline.infra.log import REQUEST, JsonLines
+from sightline.infra.services import Services
+from sightline.infra.web.metrics import serve_metrics
+from sightline.infra.web.watching import number_of
+from sightline.media.store.s3 import StorageAway
+from tests.browser.server import free_port
+from tests.support.app import Client
+
+pytestmark = pytest.mark.once
+
+
+def figures(app: FastAPI) -> dict[str, float]:
+    lines = generate_latest(app.state.metrics).decode().splitlines()
+    return {
+        name: float(value)
+        for name, _, value in (line.rpartition(" ") for line in lines if not line.startswith("#"))
+    }
+
+
+def test_requests_are_counted_by_their_route(app: FastAPI, viewer: Client, survey_id: int) -> None:
+    for _ in range(3):
+        viewer.seen(f"/surveys/{survey_id}")
+    viewer.get("/surveys/999")
+    viewer.http.get("/api/no/such/thing")
+    viewer.http.request("BREW", "/api/surveys")
+    found = figures(app)
+    one = 'sightline_requests_total{method="GET",route="/api/surveys/{survey_id}",status="%s"}'
+    assert (found[one % 200], found[one % 404]) == (3, 1)
+    assert not any("999" in name or "BREW" in name or "no/such" in name for name in found)
+    assert found["sightline_requests_under_way"] == 0
+    assert (
+        found['sightline_jobs{state="queued"}'] >= 0
+        and found['sightline_requests_waiting{turn="writing"}'] == 0
+    )
+    seconds = 'sightline_request_seconds_count{method="GET",route="/api/surveys/{survey_id}"}'
+    assert found[seconds] == 4
+
+
+def test_a_request_has_a_number_in_answer_and_log(viewer: Client, caplog: pytest.LogCaptureFixture) -> None:
+    with caplog.at_level(logging.INFO, logger="sightline.requests"):
+        answer = viewer.http.get("/api/surveys", headers={"X-Request-Id": "proxy-7"})
+    assert answer.headers["x-request-id"] == "proxy-7"
+    told: Any = caplog.records[-1]
+    assert told.fields["path"] == "/api/surveys" and told.fields["status"] == 200
+    assert len(viewer.http.get("/api/surveys").headers["x-request-id"]) == 16
+
+
+@given(st.text(max_size=80))
+def test_no_number_breaks_a_line(given: str) -> None:
+    number = number_of(given)
+    assert 1 <= len(number) <= 64 and all(
+        sign.isascii() and (sign.isalnum() or sign in "_.-") for sign in number
+    )
+
+
+def test_a_line_is_one_object() -> None:
+    token = REQUEST.set("abc")
+    try:
+        raise ValueError("two\nlines")
+    except ValueError:
+        record = logging.LogRecord("x", logging.ERROR, "f", 1, "it broke: %s", ("here",), sys.exc_info())
+        line = JsonLines().format(record)
+    finally:
+        REQUEST.reset(token)
+    told = json.loads(line)
+    assert "\n" not in line and told["message"] == "it broke: here" and told["request"] == "abc"
+    assert told["level"] == "error" and "two\nlines" in told["traceback"]
+
+
+def test_alive_is_not_ready(viewer: Client, services: Services, monkeypatch: pytest.MonkeyPatch) -> None:
+    assert viewer.http.get("/api/ready").json() == {"ok": True, "database": None, "media": None}
+
+    def away(_key: str) -> bool:
+        raise StorageAway("store-media-storage-did-not-answer-check", key="k", name="Timeout")
+
+    monkeypatch.setattr(services.media, "exists", away)
+    answer = viewer.http.get("/api/ready")
+    assert answer.status_code == 503 and "did not answer" in answer.json()["media"]
+    assert viewer.http.get("/api/health").status_code == 200
+
+
+def test_administrators_see_the_state_of_the_system(admin: Client, viewer: Client) -> None:
+    state = admin.seen("/system")
+    assert state["free_bytes"] > 0 and state["jobs"]["queued"] >= 0 and state["version"]
+    assert viewer.get("/system").status_code == 403
+
+
+def test_prometheus_reads_on_a_port_of_its_own() -> None:
+    registry, port = CollectorRegistry(), free_port()
+    stop = serve_metrics("127.0.0.1", port, registry)
+    try:
+        with urllib.request.urlopen(f"http://127.0.0.1:{port}/metrics", timeout=5) as answer:
+            assert answer.status == 200
+        with pytest.raises(BadInput, match="SIGHTLINE_METRICS_PORT"):
+            serve_metrics("127.0.0.1", port, registry)
+    finally:
+        stop()
