@@ -52,6 +52,7 @@ SCREENS = {
     "catalogue": ("/catalogue", "[data-testid=catalogue]"),
     "audit": ("/audit", "main table"),
     "jobs": ("/jobs", "main h1"),
+    "system": ("/system", "main h1"),
     "people": ("/people", "main table"),
     "account": ("/account", "main h1"),
 }

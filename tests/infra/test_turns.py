@@ -61,7 +61,7 @@ def test_overload_is_said_and_nothing_was_done(app: FastAPI, admin: Client) -> N
     async def overloaded() -> list[httpx2.Response]:
         async with (
             app.state.readers.turn(),
-            app.state.write_gate._turns.turn(),
+            app.state.write_gate.turns.turn(),
             httpx2.AsyncClient(
                 transport=httpx2.ASGITransport(app),
                 base_url="http://testserver",

@@ -207,7 +207,7 @@ class Killer:
             self.server.process.kill()
             self.server.process.wait()
             self.server = self.restart()
-            self.back_s.append(self.server.wait(60))
+            self.back_s.append(self.server.wait(180))
             if self.back_s[-1] > SLOW_S:
                 print(f"back after {self.back_s[-1]:.1f} s: {self.server.log.read_text()[-500:]}", flush=True)
             self.logs.append(self.server.log)

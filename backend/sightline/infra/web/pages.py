@@ -11,7 +11,8 @@ from sightline.settings import Settings
 
 # the addresses of frontend/src/core/places.ts
 FRONT_END_ROUTE = re.compile(
-    r"^(sign-in|account|guide|people|audit|jobs|catalogue|statistics|sight-distance|studies|study|surveys/\d+"
+    r"^(sign-in|account|guide|people|audit|jobs|system|catalogue|statistics|sight-distance|studies|study"
+    r"|surveys/\d+"
     r"(/(planning|camera|recordings|pose|measure|review|checks|repeats|repeats/click|export"
     r"|scans|scans/results|scan))?)?/?$"
 )
