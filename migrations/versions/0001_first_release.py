@@ -1221,6 +1221,7 @@ def create_studies() -> None:
         sa.Column("sites_csv", sa.Text(), nullable=False),
         sa.Column("goal_m", sa.Float(), nullable=False),
         sa.Column("simulated", sa.Boolean(), nullable=False),
+        sa.Column("open_to_all", sa.Boolean(), nullable=False),
         sa.Column("job_id", sa.Integer(), nullable=True),
         sa.Column("version", sa.Integer(), nullable=False),
         sa.Column("created_at", sa.DateTime(timezone=True), nullable=False),
@@ -1235,6 +1236,18 @@ def create_studies() -> None:
         sa.ForeignKeyConstraint(["updated_by"], ["people.id"], name=op.f("fk_studies_updated_by")),
         sa.PrimaryKeyConstraint("id", name=op.f("pk_studies")),
     )
+    op.create_table(
+        "study_members",
+        sa.Column("id", sa.Integer(), nullable=False),
+        sa.Column("study_id", sa.Integer(), nullable=False),
+        sa.Column("person_id", sa.Integer(), nullable=False),
+        sa.ForeignKeyConstraint(["person_id"], ["people.id"], name=op.f("fk_study_members_person_id")),
+        sa.ForeignKeyConstraint(["study_id"], ["studies.id"], name=op.f("fk_study_members_study_id")),
+        sa.PrimaryKeyConstraint("id", name=op.f("pk_study_members")),
+        sa.UniqueConstraint("study_id", "person_id", name=op.f("uq_study_members_study_id_person_id")),
+    )
+    op.create_index(op.f("ix_study_members_person_id"), "study_members", ["person_id"], unique=False)
+    op.create_index(op.f("ix_study_members_study_id"), "study_members", ["study_id"], unique=False)
     op.create_table(
         "study_results",
         sa.Column("id", sa.Integer(), nullable=False),

@@ -66,6 +66,7 @@ from sightline.reviews.lots.store import add_decision, add_taking_back, add_verd
 from sightline.reviews.plan_store import choose_review_plan
 from sightline.reviews.store import add_review
 from sightline.statistics.sampling import Sampling
+from sightline.studies.members_store import add_study_member, open_study_to_all, remove_study_member
 from sightline.studies.records import StudyFacts
 from sightline.studies.store import (
     note_study_job,
@@ -416,6 +417,18 @@ WRITES: dict[str, tuple[Write, Callable[[Session, Sample, Any], Any]]] = {
     "note_study_job": (
         lambda s, o: (samples.study(s, o), _job(s, o)),
         lambda s, o, both: note_study_job(s, both[0].id, both[1].id, actor=o.olga.id),
+    ),
+    "add_study_member": (
+        samples.study,
+        lambda s, o, study: add_study_member(s, study.id, o.rene.id, actor=o.olga.id),
+    ),
+    "remove_study_member": (
+        samples.study_with_member,
+        lambda s, o, study: remove_study_member(s, study.id, o.rene.id, actor=o.olga.id),
+    ),
+    "open_study_to_all": (
+        samples.study,
+        lambda s, o, study: open_study_to_all(s, study.id, True, actor=o.olga.id),
     ),
     "add_study_result": (samples.study, lambda s, o, study: samples.result_of_study(s, o, study)),
     "create_job": (lambda s, o: None, lambda s, o, _: _job(s, o)),

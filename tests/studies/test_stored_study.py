@@ -192,9 +192,9 @@ def test_a_study_is_made_changed_and_removed_with_its_audit(
     assert operator.put(address, {"name": "Two", "version": 1}).json()["version"] == 2
     late = operator.put(address, {"name": "Three", "version": 1})
     assert late.status_code == 409 and "Operator changed this study" in error_of(late)
-    assert [one["name"] for one in viewer.seen("/studies")] == ["Two"]
+    assert [one["name"] for one in operator.seen("/studies")] == ["Two"]
     assert operator.delete(f"{address}?version=2").status_code == 204
-    assert viewer.seen("/studies") == [] and viewer.get(address).status_code == 404
+    assert operator.seen("/studies") == [] and operator.get(address).status_code == 404
     with services.reading() as session:
         events = trail.listing(session, entity="study")
     assert [one.action for one in events] == ["delete", "update", "create"]
@@ -229,3 +229,31 @@ def test_what_cannot_be_computed_says_why(operator: Client, work: Work) -> None:
     assert job.state == "failed" and job.error is not None and "Hill has no road pose" in job.error
     page = operator.seen(f"/studies/{made['id']}")
     assert page["result"] is None and page["job"]["error"] == job.error
+
+
+def test_people_see_the_studies_that_they_belong_to(
+    operator: Client, reviewer: Client, admin: Client, viewer: Client
+) -> None:
+    survey = operator.made("/surveys", {"name": "Hill"})
+    made = operator.made("/studies", {"name": "One", "surveys": [{"survey_id": survey["id"]}]})
+    address = f"/studies/{made['id']}"
+    for other in (reviewer, viewer):
+        assert other.seen("/studies") == []
+        for asked in (address, f"{address}/members", f"{address}/results/1.zip", f"{address}/results/1.pdf"):
+            assert other.get(asked).status_code == 404, asked
+    changes = {"name": "Mine", "version": 1}
+    assert reviewer.put(address, changes).status_code == 404
+    assert reviewer.delete(f"{address}?version=1").status_code == 404
+    assert reviewer.post(f"{address}/computings").status_code == 404
+    assert reviewer.put(f"{address}/open-to-all", {"open_to_all": True}).status_code == 404
+    assert [one["name"] for one in admin.seen("/studies")] == ["One"]
+    found = operator.seen(f"{address}/members")
+    assert [one["name"] for one in found["members"]] == ["Operator"] and not found["open_to_all"]
+    person = next(one["id"] for one in found["others"] if one["name"] == "Viewer")
+    assert operator.put(f"{address}/members/{person}").status_code == 200
+    assert [one["name"] for one in viewer.seen("/studies")] == ["One"]
+    assert viewer.seen(address)["study"]["name"] == "One"
+    assert operator.delete(f"{address}/members/{person}").status_code == 200
+    assert viewer.get(address).status_code == 404
+    assert operator.put(f"{address}/open-to-all", {"open_to_all": True}).status_code == 200
+    assert viewer.get(address).status_code == 200 and reviewer.get(address).status_code == 200

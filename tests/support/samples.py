@@ -31,6 +31,7 @@ from sightline.reviews.lots.query import get_lot
 from sightline.reviews.lots.records import Lot
 from sightline.reviews.lots.store import add_lot
 from sightline.statistics.acceptance import USUAL_RISKS, SamplingPlan
+from sightline.studies.members_store import add_study_member
 from sightline.studies.records import StoredStudy, StudyFacts, StudyResult, StudySurvey
 from sightline.studies.store import add_study_result, create_study
 from sightline.surveys.photographs.records import Photograph
@@ -230,6 +231,13 @@ def study(session: Session, one: Sample) -> StoredStudy:
     """A study of the survey."""
     facts = StudyFacts("Hills", surveys=(StudySurvey(one.survey.id, "Hill", "rural", 2026),))
     return create_study(session, facts, actor=one.olga.id)
+
+
+def study_with_member(session: Session, one: Sample) -> StoredStudy:
+    """A study that the reviewer belongs to."""
+    made = study(session, one)
+    add_study_member(session, made.id, one.rene.id, actor=one.olga.id)
+    return made
 
 
 def result_of_study(session: Session, one: Sample, of: StoredStudy) -> StudyResult:

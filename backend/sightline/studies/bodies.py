@@ -209,6 +209,16 @@ class ResultBody(Out):
     found: FiguresBody
 
 
+class StudyMembersBody(Out):
+    open_to_all: bool
+    members: tuple[Who, ...]
+    others: Annotated[tuple[Who, ...], Field(description="Whom a member may add.")]
+
+
+class Openness(In):
+    open_to_all: bool
+
+
 class StudyPage(Out):
     study: StudyBody
     result: ResultBody | None

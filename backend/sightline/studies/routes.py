@@ -11,16 +11,29 @@ from sightline.infra.jobs.store import get_job
 from sightline.infra.services import Services
 from sightline.infra.web.bodies import JobBody
 from sightline.infra.web.deps import Operator, PathId, Reading, Viewer, Wired, Writing
+from sightline.infra.web.person import Person
 from sightline.studies import store
 from sightline.studies.bodies import (
     FiguresBody,
     ListedStudy,
     NewStudy,
+    Openness,
     ResultBody,
     StudyBody,
     StudyChange,
+    StudyMembersBody,
     StudyPage,
     StudySurveyBody,
+)
+from sightline.studies.members_store import (
+    add_study_member,
+    is_open_to_all,
+    list_study_members,
+    list_study_others,
+    open_study_to_all,
+    remove_study_member,
+    require_study,
+    seen_studies,
 )
 from sightline.studies.records import StoredStudy, StudyResult
 from sightline.studies.stored import ask_to_compute, checked, heads_of
@@ -31,20 +44,23 @@ router = APIRouter()
 
 @router.get("/studies")
 def list_studies(who: Viewer, session: Reading) -> list[ListedStudy]:
-    """Every study, newest first."""
-    return [_listed(session, one) for one in store.list_studies(session)]
+    """The studies that the person sees, newest first."""
+    seen = seen_studies(session, who)
+    return [_listed(session, one) for one in store.list_studies(session) if seen is None or one.id in seen]
 
 
 @router.post("/studies", status_code=201)
 def add_study(body: NewStudy, who: Operator, session: Writing) -> StudyBody:
-    """A new study; nothing of it is computed yet."""
+    """A new study, seen by whoever made it; nothing of it is computed yet."""
     made = store.create_study(session, checked(session, body.record()), actor=who.id)
+    add_study_member(session, made.id, who.id, actor=who.id)
     return _body(session, made)
 
 
 @router.get("/studies/{study_id}")
 def get_study(study_id: PathId, who: Viewer, session: Reading) -> StudyPage:
     """A study with what was computed of it last."""
+    require_study(session, who, study_id)
     study = store.get_study(session, study_id)
     result = store.newest_result(session, study_id)
     job = None if study.job_id is None else JobBody.model_validate(get_job(session, study.job_id))
@@ -58,6 +74,7 @@ def get_study(study_id: PathId, who: Viewer, session: Reading) -> StudyPage:
 @router.put("/studies/{study_id}")
 def change_study(study_id: PathId, body: StudyChange, who: Operator, session: Writing) -> StudyBody:
     """Put other facts in their place; what was computed stays until it is computed again."""
+    require_study(session, who, study_id)
     facts = checked(session, body.record())
     return _body(session, store.update_study(session, study_id, facts, version=body.version, actor=who.id))
 
@@ -65,6 +82,7 @@ def change_study(study_id: PathId, body: StudyChange, who: Operator, session: Wr
 @router.delete("/studies/{study_id}", status_code=204)
 def remove_study(study_id: PathId, version: int, who: Operator, session: Writing) -> Response:
     """Take it from the list; its results stay stored."""
+    require_study(session, who, study_id)
     store.remove_study(session, study_id, version=version, actor=who.id)
     return Response(status_code=204)
 
@@ -72,25 +90,66 @@ def remove_study(study_id: PathId, version: int, who: Operator, session: Writing
 @router.post("/studies/{study_id}/computings", status_code=202)
 def compute_study(study_id: PathId, who: Operator, session: Writing) -> JobBody:
     """Compute figures, package and report in the background."""
+    require_study(session, who, study_id)
     return JobBody.model_validate(ask_to_compute(session, study_id, actor=who.id))
 
 
 @router.get("/studies/{study_id}/results/{result_id}.zip", response_class=FileResponse)
 def download_study(study_id: PathId, result_id: PathId, who: Viewer, services: Wired) -> FileResponse:
     """The study as `sightline study` writes it."""
-    study, result = _found(services, study_id, result_id)
+    study, result = _found(services, who, study_id, result_id)
     return _file(services, result.media_key, "application/zip", f"{_plain(study)}-{result_id}.zip")
 
 
 @router.get("/studies/{study_id}/results/{result_id}.pdf", response_class=FileResponse)
 def download_report(study_id: PathId, result_id: PathId, who: Viewer, services: Wired) -> FileResponse:
     """The report of the study."""
-    study, result = _found(services, study_id, result_id)
+    study, result = _found(services, who, study_id, result_id)
     return _file(services, result.report_key, "application/pdf", f"{_plain(study)}-{result_id}.pdf")
 
 
-def _found(services: Services, study_id: int, result_id: int) -> tuple[StoredStudy, StudyResult]:
+@router.get("/studies/{study_id}/members")
+def list_members(study_id: PathId, who: Viewer, session: Reading) -> StudyMembersBody:
+    """Who sees the study beside administrators."""
+    require_study(session, who, study_id)
+    return _members(session, study_id)
+
+
+@router.put("/studies/{study_id}/members/{person_id}")
+def add_member(study_id: PathId, person_id: PathId, who: Operator, session: Writing) -> StudyMembersBody:
+    """Let a person see the study; what they may do there is their account's role."""
+    require_study(session, who, study_id)
+    add_study_member(session, study_id, person_id, actor=who.id)
+    return _members(session, study_id)
+
+
+@router.delete("/studies/{study_id}/members/{person_id}")
+def remove_member(study_id: PathId, person_id: PathId, who: Operator, session: Writing) -> StudyMembersBody:
+    """Take a person out; what they did stays theirs."""
+    require_study(session, who, study_id)
+    remove_study_member(session, study_id, person_id, actor=who.id)
+    return _members(session, study_id)
+
+
+@router.put("/studies/{study_id}/open-to-all")
+def open_to_all(study_id: PathId, body: Openness, who: Operator, session: Writing) -> StudyMembersBody:
+    """Open it to everybody who signs in, or close it to all but members and administrators."""
+    require_study(session, who, study_id)
+    open_study_to_all(session, study_id, body.open_to_all, actor=who.id)
+    return _members(session, study_id)
+
+
+def _members(session: Session, study_id: int) -> StudyMembersBody:
+    return StudyMembersBody(
+        open_to_all=is_open_to_all(session, study_id),
+        members=list_study_members(session, study_id),
+        others=list_study_others(session, study_id),
+    )
+
+
+def _found(services: Services, who: Person, study_id: int, result_id: int) -> tuple[StoredStudy, StudyResult]:
     with services.reading() as session:
+        require_study(session, who, study_id)
         study = store.get_study(session, study_id)
         return study, store.get_study_result(session, study_id, result_id)
 

@@ -23,9 +23,9 @@ _EDITABLE = ("name", "description", "surveys", "fleet_csv", "sites_csv", "goal_m
 def create_study(
     session: Session, facts: StudyFacts, *, simulated: bool = False, actor: int | None
 ) -> StoredStudy:
-    """A new study of facts that hold together (`stored.checked`)."""
+    """A new study of facts that hold together (`stored.checked`); a simulated one is open to all."""
     moment = now()
-    content = {**_content(facts), "simulated": simulated}
+    content = {**_content(facts), "simulated": simulated, "open_to_all": simulated}
     stamps = {"created_at": moment, "created_by": actor, "updated_at": moment, "updated_by": actor}
     study_id = add_row(session, studies, {**content, **stamps, "version": 1})
     trail.record(session, actor, "create", "study", study_id, None, None, content)

@@ -11,6 +11,7 @@ from sqlalchemy import (
     String,
     Table,
     Text,
+    UniqueConstraint,
 )
 
 from sightline.infra.audit.vouched import ChangedByEvents, WrittenOnce, vouched
@@ -32,6 +33,8 @@ studies = Table(
     Column("goal_m", Float, nullable=False),
     # invented surveys: said wherever its figures are shown
     Column("simulated", Boolean, nullable=False),
+    # seen by everybody who signs in, or by its members and administrators alone
+    Column("open_to_all", Boolean, nullable=False),
     # the newest computing that was asked for
     Column("job_id", ForeignKey("jobs.id")),
     Column("version", Integer, nullable=False),
@@ -43,6 +46,16 @@ studies = Table(
     CheckConstraint("goal_m > 0 AND goal_m < 1", name="goal_is_a_length"),
     CheckConstraint("version >= 1", name="version_counts"),
     info=vouched(ChangedByEvents("study", "study")),
+)
+
+# Who sees a study that is not open to all; what they may do there is their account's role.
+study_members = Table(
+    "study_members",
+    metadata,
+    identity(),
+    Column("study_id", ForeignKey("studies.id"), nullable=False, index=True),
+    Column("person_id", ForeignKey("people.id"), nullable=False, index=True),
+    UniqueConstraint("study_id", "person_id"),
 )
 
 # What a computing found: the figures that its page shows, its package and its report.

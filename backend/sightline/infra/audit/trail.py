@@ -32,6 +32,7 @@ _CHAINS = {
     "catalogue": "catalogue",
     "study": "studies",
     "study_result": "studies",
+    "study_member": "studies",
 }
 #: What an event is about: the row's id, what it said before and what it says after.
 Change = tuple[int | None, Mapping[str, Any] | None, Mapping[str, Any] | None]

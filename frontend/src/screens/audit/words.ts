@@ -34,6 +34,7 @@ export const ENTITY_WORDS = wordsOf({
   export: "audit-entity-export",
   study: "audit-entity-study",
   study_result: "audit-entity-study_result",
+  study_member: "audit-entity-study_member",
   package: "audit-entity-package",
   checkpoint: "audit-entity-checkpoint",
   signing_key: "audit-entity-signing_key",

@@ -12,6 +12,7 @@ import { toast } from "../../core/toasts";
 import type { Job, Study, StudyPage, StudyResult } from "../../core/types";
 import { Figures } from "./Figures";
 import { Joined } from "./Joined";
+import { Members } from "./Members";
 import { StudyDialog } from "./StudyDialog";
 import "./study.css";
 
@@ -75,6 +76,7 @@ function Page({ page, reload }: { page: StudyPage; reload: () => Promise<void> }
       {!result && !running && <NotComputed page={page} edit={edit} />}
       {result && <Figures found={result.found} sites={siteCount(page)} />}
       <Joined study={study} result={result} edit={edit} remove={edit && (() => setRemoving(true))} />
+      <Members studyId={study.id} />
       {result && <Made result={result} />}
       {removing && <Removing study={study} close={() => setRemoving(false)} />}
       {editing && (

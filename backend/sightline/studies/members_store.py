@@ -1,0 +1,78 @@
+"""Who sees a study: its members, everybody where it is open to all, and administrators."""
+
+from sqlalchemy import delete, or_, select
+from sqlalchemy.orm import Session
+
+from sightline.infra.audit import trail
+from sightline.infra.audit.records import Who
+from sightline.infra.database.people import people
+from sightline.infra.database.rows import add_row, change_row, get_row, missing
+from sightline.infra.web.person import Person
+from sightline.studies.tables import studies, study_members
+
+_m = study_members.c
+
+
+def seen_studies(session: Session, person: Person) -> frozenset[int] | None:
+    """The studies that a person sees; None for all (an administrator)."""
+    if person.role == "admin":
+        return None
+    mine = select(_m.study_id).where(_m.person_id == person.id)
+    query = select(studies.c.id).where(or_(studies.c.open_to_all, studies.c.id.in_(mine)))
+    return frozenset(session.execute(query).scalars())
+
+
+def require_study(session: Session, person: Person, study_id: int) -> None:
+    """Raises NotFound for a study that the person does not see: whether there is one is not told either."""
+    seen = seen_studies(session, person)
+    if seen is not None and study_id not in seen:
+        raise missing("study", study_id)
+
+
+def list_study_members(session: Session, study_id: int) -> tuple[Who, ...]:
+    """Who belongs to a study, by name."""
+    query = select(people.c.id, people.c.name).join(study_members, _m.person_id == people.c.id)
+    query = query.where(_m.study_id == study_id).order_by(people.c.name, people.c.id)
+    return tuple(Who(*row) for row in session.execute(query))
+
+
+def list_study_others(session: Session, study_id: int) -> tuple[Who, ...]:
+    """Whom a member may add: people with an account in use who do not belong to it, by name."""
+    inside = select(_m.person_id).where(_m.study_id == study_id)
+    query = select(people.c.id, people.c.name).where(people.c.active, people.c.id.not_in(inside))
+    return tuple(Who(*row) for row in session.execute(query.order_by(people.c.name, people.c.id)))
+
+
+def is_open_to_all(session: Session, study_id: int) -> bool:
+    """Whether everybody who signs in sees it. Raises NotFound."""
+    return bool(get_row(session, studies, study_id, "study")["open_to_all"])
+
+
+def add_study_member(session: Session, study_id: int, person_id: int, *, actor: int | None) -> None:
+    """Let a person see it; who does already stays. Raises NotFound for a person without an account in use."""
+    if not get_row(session, people, person_id, "person")["active"]:
+        raise missing("person", person_id)
+    if any(one.id == person_id for one in list_study_members(session, study_id)):
+        return
+    content = {"study_id": study_id, "person_id": person_id}
+    row_id = add_row(session, study_members, content)
+    trail.record(session, actor, "create", "study_member", row_id, None, None, content)
+
+
+def remove_study_member(session: Session, study_id: int, person_id: int, *, actor: int | None) -> None:
+    """Take a person out; what they did stays theirs. Raises NotFound."""
+    query = select(_m.id).where(_m.study_id == study_id, _m.person_id == person_id)
+    row_id = session.execute(query).scalar_one_or_none()
+    if row_id is None:
+        raise missing("member", person_id)
+    session.execute(delete(study_members).where(_m.id == row_id))
+    was = {"study_id": study_id, "person_id": person_id}
+    trail.record(session, actor, "delete", "study_member", row_id, None, was, None)
+
+
+def open_study_to_all(session: Session, study_id: int, open_to_all: bool, *, actor: int | None) -> None:
+    """Open a study to everybody who signs in, or close it to all but its members. Raises NotFound."""
+    before = is_open_to_all(session, study_id)
+    change_row(session, studies, study_id, {"open_to_all": open_to_all})
+    was, after = {"open_to_all": before}, {"open_to_all": open_to_all}
+    trail.record(session, actor, "update", "study", study_id, None, was, after)

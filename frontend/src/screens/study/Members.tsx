@@ -1,0 +1,87 @@
+import { useState } from "preact/hooks";
+import { Button, Problem, SelectField } from "../../components";
+import { api } from "../../core/api";
+import { say } from "../../core/messages";
+import { useResource } from "../../core/resource";
+import { may } from "../../core/session";
+
+/** Who sees a study: its members, everybody where it is open, and administrators. */
+export function Members({ studyId }: { studyId: number }) {
+  const here = { study_id: studyId };
+  const found = useResource(
+    (signal) => api.ask("GET /studies/{study_id}/members", here, { signal }),
+    [studyId],
+  );
+  const [problem, setProblem] = useState<unknown>(null);
+  const change = async (sent: Promise<NonNullable<typeof found.data>>) => {
+    setProblem(null);
+    try {
+      found.set(await sent);
+    } catch (error) {
+      setProblem(error);
+    }
+  };
+  if (!found.data) return <Problem error={found.error} again={found.reload} />;
+  const { members, others, open_to_all } = found.data;
+  const person = (id: number) => ({ ...here, person_id: id });
+  return (
+    <section class="panel" aria-labelledby="study-members" data-testid="study-members">
+      <header class="panel__head">
+        <h2 id="study-members">{say("study-members")}</h2>
+      </header>
+      <div class="panel__body stack stack--tight">
+        <label class="row">
+          <input
+            type="checkbox"
+            checked={open_to_all}
+            disabled={!may("operator")}
+            onChange={(event) =>
+              void change(
+                api.write("PUT /studies/{study_id}/open-to-all", here, {
+                  body: { open_to_all: event.currentTarget.checked },
+                }),
+              )
+            }
+          />
+          <span>{say("study-members-open")}</span>
+        </label>
+        <ul class="study-members">
+          {members.map((one) => (
+            <li key={one.id}>
+              {one.name}
+              {may("operator") && (
+                <Button
+                  small
+                  kind="quiet"
+                  icon="close"
+                  label={say("study-members-remove", { name: one.name })}
+                  onClick={() =>
+                    void change(api.write("DELETE /studies/{study_id}/members/{person_id}", person(one.id)))
+                  }
+                />
+              )}
+            </li>
+          ))}
+        </ul>
+        {may("operator") && (
+          <SelectField
+            label={say("study-members-add")}
+            value=""
+            options={[
+              {
+                value: "",
+                label: say(others.length > 0 ? "study-members-choose" : "study-members-nobody"),
+              },
+              ...others.map((one) => ({ value: String(one.id), label: one.name })),
+            ]}
+            onChange={(id) =>
+              id && void change(api.write("PUT /studies/{study_id}/members/{person_id}", person(Number(id))))
+            }
+          />
+        )}
+        <Problem error={problem} />
+        <p class="field__hint">{say("study-members-note")}</p>
+      </div>
+    </section>
+  );
+}
