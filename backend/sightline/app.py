@@ -50,6 +50,7 @@ import sightline.studies.routes
 import sightline.surveys.photographs.routes
 import sightline.vehicles.catalogue.routes
 import sightline.vehicles.passes.routes
+import sightline.vehicles.proposing.routes
 from sightline.errors import NotFound
 from sightline.infra.services import Services, open_services
 from sightline.infra.web import error_handlers, pages
@@ -95,6 +96,7 @@ ROUTERS: tuple[tuple[str, APIRouter], ...] = (
     ("geometry", sightline.measurements.preview.routes.router),
     ("vehicles", sightline.measurements.sheets.routes.router),
     ("passes", sightline.vehicles.passes.routes.router),
+    ("proposals", sightline.vehicles.proposing.routes.router),
     ("passes", sightline.measurements.sheets.passes_routes.router),
     ("catalogue", sightline.vehicles.catalogue.routes.router),
     ("measurements", sightline.measurements.routes.router),

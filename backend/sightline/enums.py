@@ -13,6 +13,9 @@ CameraPlace = Literal["verge", "median"]
 DriverSide = Literal["near", "far"]
 SideBasis = Literal["said", "direction", "place"]
 InsetSource = Literal["usual", "own"]
+# clicked: both points by hand; confirmed: both as Sightline proposed them, accepted by a person; moved: begun
+# from a proposal, and at least one point put elsewhere by a person
+Made = Literal["clicked", "confirmed", "moved"]
 InsetName = Literal["roof", "driver_eye_near", "driver_eye_far", "taillight", "headlight", "other"]
 Lighting = Literal["daytime", "low_light"]
 StreetLighting = Literal["on", "off"]

@@ -12,6 +12,7 @@ import sightline.scans.read_job
 import sightline.scans.vehicles.find_job
 import sightline.studies.study_job
 import sightline.vehicles.passes.find_job
+import sightline.vehicles.proposing.propose_job
 
 MODULES = (
     sightline.recordings.calibrating.calibrate_job,
@@ -26,4 +27,5 @@ MODULES = (
     sightline.scans.vehicles.find_job,
     sightline.studies.study_job,
     sightline.vehicles.passes.find_job,
+    sightline.vehicles.proposing.propose_job,
 )

@@ -832,6 +832,37 @@ def create_tables() -> None:
     op.create_index(op.f("ix_wheel_pairs_survey_id"), "wheel_pairs", ["survey_id"], unique=False)
     op.create_index(op.f("ix_wheel_pairs_vehicle_id"), "wheel_pairs", ["vehicle_id"], unique=False)
     op.create_table(
+        "proposals",
+        sa.Column("id", sa.Integer(), nullable=False),
+        sa.Column("recording_id", sa.Integer(), nullable=False),
+        sa.Column("vehicle_id", sa.Integer(), nullable=False),
+        sa.Column("pose_id", sa.Integer(), nullable=False),
+        sa.Column("point", sa.String(length=20), nullable=False),
+        sa.Column("frame", sa.Integer(), nullable=True),
+        sa.Column("x_px", sa.Float(), nullable=True),
+        sa.Column("y_px", sa.Float(), nullable=True),
+        sa.Column("expected_px", sa.Float(), nullable=True),
+        sa.Column("reason", sa.String(length=60), nullable=True),
+        sa.Column("code_version", sa.String(length=60), nullable=False),
+        sa.Column("created_at", sa.DateTime(timezone=True), nullable=False),
+        sa.CheckConstraint(
+            "(reason IS NULL AND frame IS NOT NULL AND x_px IS NOT NULL AND y_px IS NOT NULL "
+            "AND expected_px > 0) OR "
+            "(reason IS NOT NULL AND x_px IS NULL AND y_px IS NULL AND expected_px IS NULL)",
+            name=op.f("ck_proposals_place_or_reason"),
+        ),
+        sa.CheckConstraint(
+            "point IN ('contact_rear', 'contact_front', 'roof', 'taillight', 'headlight', 'driver_eye')",
+            name=op.f("ck_proposals_point_known"),
+        ),
+        sa.ForeignKeyConstraint(["pose_id"], ["road_poses.id"], name=op.f("fk_proposals_pose_id")),
+        sa.ForeignKeyConstraint(["recording_id"], ["recordings.id"], name=op.f("fk_proposals_recording_id")),
+        sa.ForeignKeyConstraint(["vehicle_id"], ["vehicles.id"], name=op.f("fk_proposals_vehicle_id")),
+        sa.PrimaryKeyConstraint("id", name=op.f("pk_proposals")),
+        sa.UniqueConstraint("vehicle_id", "point", name=op.f("uq_proposals_vehicle_id_point")),
+    )
+    op.create_index(op.f("ix_proposals_recording_id"), "proposals", ["recording_id"], unique=False)
+    op.create_table(
         "line_heights",
         sa.Column("id", sa.Integer(), nullable=False),
         sa.Column("survey_id", sa.Integer(), nullable=False),
@@ -954,6 +985,7 @@ def create_tables() -> None:
         sa.Column("target_x_px", sa.Float(), nullable=False),
         sa.Column("target_y_px", sa.Float(), nullable=False),
         sa.Column("sigma_px", sa.Float(), nullable=False),
+        sa.Column("made", sa.String(length=20), nullable=False),
         sa.Column("pose_id", sa.Integer(), nullable=False),
         sa.Column("calibration_id", sa.Integer(), nullable=False),
         sa.Column("inset_m", sa.Float(), nullable=True),
@@ -993,6 +1025,9 @@ def create_tables() -> None:
             name=op.f("ck_measurements_target_known"),
         ),
         sa.CheckConstraint("inset_from IN ('usual', 'own')", name=op.f("ck_measurements_inset_from_known")),
+        sa.CheckConstraint(
+            "made IN ('clicked', 'confirmed', 'moved')", name=op.f("ck_measurements_made_known")
+        ),
         sa.CheckConstraint(
             "inset_m IS NOT NULL OR target = 'driver_eye'",
             name=op.f("ck_measurements_inset_of_all_but_eyes"),

@@ -90,6 +90,7 @@ from sightline.vehicles.catalogue.store import (
     import_catalogue_rows,
     retire_catalogue_row,
 )
+from sightline.vehicles.proposing.store import replace_proposals
 from sightline.vehicles.store import create_vehicle, remove_vehicle, restore_vehicle, update_vehicle
 from tests.support import samples, scans_samples
 from tests.support.samples import Sample, frame_table, values
@@ -337,6 +338,10 @@ WRITES: dict[str, tuple[Write, Callable[[Session, Sample, Any], Any]]] = {
         lambda s, o, _: create_vehicle(
             s, o.recording.id, {"first_frame": 1, "last_frame": 2}, actor=o.olga.id
         ),
+    ),
+    "replace_proposals": (
+        lambda s, o: None,
+        lambda s, o, _: replace_proposals(s, o.recording.id, o.pose.id, [], actor=o.olga.id),
     ),
     "update_vehicle": (
         lambda s, o: None,

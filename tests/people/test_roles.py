@@ -101,6 +101,8 @@ MATRIX = {
     "DELETE /vehicles/{vehicle_id}": "operator",
     "POST /vehicles/{vehicle_id}/restore": "operator",
     "POST /recordings/{recording_id}/find-passes": "operator",
+    "POST /recordings/{recording_id}/propose": "operator",
+    "GET /recordings/{recording_id}/proposals": "viewer",
     "POST /vehicles/{vehicle_id}/split": "operator",
     "POST /vehicles/{vehicle_id}/join": "operator",
     "GET /catalogue": "viewer",

@@ -9,6 +9,7 @@ import pytest
 
 from sightline.detection.background import Background
 from sightline.geometry.height import measure_height
+from sightline.messages import say
 from sightline.proposals.frames import box_on, frame_seen, frames_to_look_at
 from sightline.proposals.propose import BY_HAND, POINTS, FrameSeen, Proposals, Proposed, propose_points
 from sightline.proposals.road import FEWEST, road_behind
@@ -86,14 +87,14 @@ def test_heights_of_roof_and_rear_lamp_are_right_within_what_is_predicted(
 def test_headlight_and_eye_are_refused_in_words(proposed: tuple[PassTruth, Proposals]) -> None:
     _, found = proposed
     for name, reason in BY_HAND.items():
-        assert found.points[name] == reason and "click it yourself" in reason
+        assert found.points[name] == reason and "click it yourself" in say(reason, {})
 
 
 def test_a_vehicle_that_goes_the_other_way_than_said_is_no_vehicle(road: Background) -> None:
     true = truth(SCENE)[0]
     wrong = "left" if true.vehicle.direction > 0 else "right"
     found = propose_points(seen_of(true, road, 3), pose_of(SCENE), wrong, true.best_frame)
-    assert found == "The wheels found on several frames do not belong to one vehicle."
+    assert found == "proposals-not-one-vehicle"
 
 
 def test_an_empty_road_has_no_proposals(road: Background) -> None:
@@ -102,7 +103,7 @@ def test_an_empty_road_has_no_proposals(road: Background) -> None:
         for n in (131, 133, 135)
     ]
     found = propose_points(frames, pose_of(SCENE), "right", 133)
-    assert found == "Wheels stand out from shadow and body on too few frames."
+    assert found == "proposals-wheels-on-few-frames"
 
 
 def test_a_camera_that_looks_down_on_the_roof_proposes_none(road: Background) -> None:
@@ -137,4 +138,4 @@ def test_frames_are_those_on_which_it_is_whole() -> None:
 
 def test_too_few_pictures_of_the_road_are_refused() -> None:
     few = [np.zeros((4, 4), np.uint8)] * (FEWEST - 1)
-    assert road_behind(few) == "There are too few frames before and after the vehicle to tell the empty road."
+    assert road_behind(few) == "proposals-no-empty-road"

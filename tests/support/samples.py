@@ -158,6 +158,7 @@ def values(one: Sample, **changed: Any) -> MeasurementValues:
             contact=(301.5, 400.0),
             target_point=(310.25, 180.125),
             sigma_px=1,
+            made="clicked",
             pose_id=one.pose.id,
             calibration_id=one.calibration.id,
             inset_m=0.3,

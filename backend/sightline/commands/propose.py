@@ -7,6 +7,7 @@ import click
 
 from sightline.commands.options import json_option, print_json
 from sightline.detection.classify import FoundPass
+from sightline.messages import say
 from sightline.proposals.propose import Proposals, Proposed
 
 _PATH = click.Path(path_type=Path)
@@ -39,14 +40,14 @@ def propose_command(video: Path, pose_file: Path, as_json: bool) -> None:
 def _told(one: FoundPass, found: Proposals | str) -> dict[str, Any]:
     out: dict[str, Any] = {"first": one.first_frame, "last": one.last_frame, "direction": one.direction}
     if isinstance(found, str):
-        return out | {"frame": None, "reason": found, "wheelbase_m": None, "points": []}
+        return out | {"frame": None, "reason": say(found, {}), "wheelbase_m": None, "points": []}
     points = [_point(name, point) for name, point in found.points.items()]
     return out | {"frame": found.frame, "reason": None, "wheelbase_m": found.wheelbase_m, "points": points}
 
 
 def _point(name: str, point: Proposed | str) -> dict[str, Any]:
     if isinstance(point, str):
-        return {"point": name, "reason": point}
+        return {"point": name, "reason": say(point, {})}
     x, y = point.point_px
     place = {"x_px": round(x, 2), "y_px": round(y, 2), "expected_px": round(point.expected_px, 2)}
     height = {} if point.expected_m is None else {"expected_m": round(point.expected_m, 4)}

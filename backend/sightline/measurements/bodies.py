@@ -8,6 +8,7 @@ from uuid import UUID
 from pydantic import Field
 
 from sightline.enums import (
+    Made,
     Target,
 )
 from sightline.infra.audit.records import Who
@@ -92,6 +93,10 @@ class SecondFrameWanted(ClicksIn):
 
 
 class NewMeasurement(ClicksIn):
+    made: Made = Field(
+        default="clicked",
+        description="confirmed: both points as proposed, which is checked; moved: begun from a proposal.",
+    )
     client_key: UUID = Field(description="Made by the client; sending it twice stores it once.")
     target: Target
     repeat_of: Annotated[int, Field(ge=1, le=2**31 - 1)] | None = Field(

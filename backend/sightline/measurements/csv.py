@@ -13,6 +13,7 @@ from sightline.enums import (
     DriverSide,
     InsetSource,
     Lighting,
+    Made,
     MeasurementStatus,
     Point,
     SideBasis,
@@ -125,6 +126,16 @@ POINTS: Columns = (
         "px",
         lambda m: float(m.values.sigma_px),
         minimum=0,
+    ),
+)
+_MADE: Columns = (
+    text(
+        "made",
+        "how the points on `frame` were set: clicked by hand, confirmed as proposed, or moved: begun from a "
+        "proposal, and at least one point put elsewhere by a person",
+        lambda m: m.values.made,
+        required=True,
+        enum=get_args(Made),
     ),
 )
 POSE: Columns = (key("pose_id", "road pose used", lambda m: m.values.pose_id),)
@@ -277,6 +288,7 @@ _HEIGHT: Columns = (
 _MEASURED: Columns = (
     *_WHERE,
     *POINTS,
+    *_MADE,
     *POSE,
     key("calibration_id", "calibration behind that pose", lambda m: m.values.calibration_id),
     *_INSET,

@@ -10,6 +10,7 @@ from typing_extensions import TypedDict
 from sightline.enums import (
     DriverSide,
     InsetSource,
+    Made,
     MeasurementStatus,
     Point,
     SideBasis,
@@ -50,6 +51,7 @@ class Clicks:
     inset_from: InsetSource | None = None
     side: DriverSide | None = None
     side_from: SideBasis | None = None
+    made: Made = "clicked"
 
     @property
     def frames(self) -> tuple[int, ...]:
@@ -149,6 +151,13 @@ class MeasurementValues(HeightOfClicks):
     contact: Point
     target_point: Point
     sigma_px: float
+    made: Annotated[
+        Made,
+        Field(
+            description="Of the first frame's points. clicked: both by hand; confirmed: both as proposed; "
+            "moved: begun from a proposal, and at least one point put elsewhere by a person."
+        ),
+    ]
     pose_id: int
     calibration_id: int
     code_version: str

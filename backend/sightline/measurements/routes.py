@@ -1,6 +1,7 @@
 """Measurements: each click pair is stored at once; a correction is a new revision."""
 
 from collections.abc import AsyncIterator
+from dataclasses import replace
 from functools import partial
 from typing import Annotated
 
@@ -71,7 +72,7 @@ def add_measurement(
         session,
         vehicle_id,
         str(body.client_key),
-        clicks_of(body, body.target),
+        replace(clicks_of(body, body.target), made=body.made),
         repeat_of=body.repeat_of,
         actor=who.id,
     )

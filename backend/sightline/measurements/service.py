@@ -10,7 +10,7 @@ from dataclasses import replace
 from typing import Any, cast
 from weakref import WeakKeyDictionary
 
-from sightline.enums import Point, Target
+from sightline.enums import Made, Point, ProposedPoint, Target
 from sightline.errors import BadInput, Conflict
 from sightline.geometry.road_pose import RoadPose
 from sightline.geometry.ruler import Ruler, ruler
@@ -33,10 +33,12 @@ from sightline.measurements.records import ClickedFrame, Clicks, FurtherFrame, M
 from sightline.measurements.store import (
     add_measurement,
     get_measurement,
+    is_stored_key,
     require_measurement_revision,
     revise_current_measurement,
 )
 from sightline.poses.store import get_pose
+from sightline.vehicles.proposing.store import proposals_of_vehicle
 from sightline.vehicles.records import VehicleChanges
 from sightline.vehicles.store import update_vehicle
 
@@ -98,10 +100,12 @@ def store_measurement(
 
     `repeat_of`: the measurement that these clicks repeat; its inset is theirs unless they bring one, so that
     the heights differ by the clicks alone. A target that was said not to be visible is so no longer,
-    nor is a vehicle discarded. Raises
-    NotFound, Conflict without a road pose, BadInput for a frame outside the recording or a repeat of another
+    nor is a vehicle discarded. Raises NotFound, Conflict without a road pose or where clicks said to be a
+    proposal's are none that stands, BadInput for a frame outside the recording or a repeat of another
     target's or vehicle's.
     """
+    if clicks.made != "clicked" and not is_stored_key(session, client_key):
+        require_proposed(session, vehicle_id, clicks)
     context = click_context_of_vehicle(session, vehicle_id, actor, _frames_once(clicks))
     if repeat_of is not None and clicks.inset_m is None:
         first = get_measurement(session, repeat_of)
@@ -114,6 +118,28 @@ def store_measurement(
     if gone and repeat_of is None:
         update_vehicle(session, vehicle_id, gone, version=None, actor=actor)
     return made
+
+
+def require_proposed(session: Session, vehicle_id: int, clicks: Clicks) -> None:
+    """Raises Conflict where clicks said to be confirmed are not those proposed, or where nothing is proposed
+    on the frame of clicks said to be moved.
+    """
+    places = {
+        one.point: one.point_px
+        for one in proposals_of_vehicle(session, vehicle_id)
+        if one.frame == clicks.frame and one.point_px is not None
+    }
+    contacts = [at for point, at in places.items() if point.startswith("contact")]
+    target = places.get(cast(ProposedPoint, clicks.target))
+    same = any(_same(clicks.contact, at) for at in contacts) and _same(clicks.target_point, target)
+    known = same if clicks.made == "confirmed" else bool(places)
+    if not known:
+        raise Conflict("measurements-proposals-not-these")
+
+
+def _same(clicked: Point, proposed: Point | None) -> bool:
+    """Whether it is that point, but for the rounding of its way to a page and back."""
+    return proposed is not None and all(abs(a - b) < 1e-6 for a, b in zip(clicked, proposed, strict=True))
 
 
 def gone_by_measuring(context: ClickContext, target: Target) -> VehicleChanges:
@@ -131,6 +157,7 @@ def store_revision(
     then = before.values
     if (clicks.target, clicks.inset_m, clicks.u_inset_m) == (then.target, then.inset_m, then.u_inset_m):
         clicks = _with_inset_of(clicks, then)
+    clicks = replace(clicks, made=made_after(then, clicks.frame, clicks.contact, clicks.target_point))
     values = values_of_vehicle(session, before.vehicle_id, clicks, actor=actor)
     return revise_current_measurement(session, before, values, actor=actor)
 
@@ -286,4 +313,16 @@ def clicked_again(values: MeasurementValues, n: int, contact: Point, target_poin
         inset_from=values.inset_from,
         side=values.side,
         side_from=values.side_from,
+        made=made_after(values, n, contact, target_point),
     )
+
+
+def made_after(then: MeasurementValues, n: int, contact: Point, target_point: Point) -> Made:
+    """How the points of a revision were set that follows another: the same ones as before, put elsewhere, or
+    clicked on another frame.
+    """
+    if n != then.frame:
+        return "clicked"
+    if (contact, target_point) == (then.contact, then.target_point):
+        return then.made
+    return "clicked" if then.made == "clicked" else "moved"

@@ -40,6 +40,7 @@ _IN_EVENTS = (
     "frame",
     "contact",
     "target_point",
+    "made",
     "side",
     "height_m",
     "U95_height_m",
@@ -209,6 +210,12 @@ def restore_measurement(
     return append_measurement_revision(
         session, before, before.values, withdrawn=False, action="restore", actor=actor
     )
+
+
+def is_stored_key(session: Session, client_key: str) -> bool:
+    """Whether a measurement was stored with this `client_key`."""
+    found = select(measurement_series.c.id).where(measurement_series.c.client_key == client_key)
+    return session.execute(found).first() is not None
 
 
 def survey_of_vehicle(session: Session, vehicle_id: int) -> int:

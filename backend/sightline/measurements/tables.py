@@ -22,6 +22,7 @@ from sightline.enums import (
     DriverSide,
     InsetSource,
     LotChoice,
+    Made,
     MeasurementStatus,
     ReviewVerdict,
     SideBasis,
@@ -86,6 +87,8 @@ measurements = Table(
     Column("target_x_px", Float, nullable=False),
     Column("target_y_px", Float, nullable=False),
     Column("sigma_px", Float, nullable=False),
+    # by hand, or from what Sightline proposed and a person confirmed or moved
+    Column("made", String(20), nullable=False),
     Column("pose_id", ForeignKey("road_poses.id"), nullable=False),
     Column("calibration_id", ForeignKey("calibrations.id"), nullable=False),
     # empty for an eye of which nobody knows on which side the driver sits
@@ -123,6 +126,7 @@ measurements = Table(
     UniqueConstraint("series_id", "revision"),
     enum_check("target", Target),
     enum_check("status", MeasurementStatus),
+    enum_check("made", Made),
     enum_check("inset_from", InsetSource),
     enum_check("side", DriverSide),
     enum_check("side_from", SideBasis),

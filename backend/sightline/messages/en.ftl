@@ -438,6 +438,7 @@ jobs-none = Reading videos, finding passes, poses, calibrations and packages app
 jobs-kind = { $kind ->
     [ingest] Reading a video
     [passes] Finding passes
+    [proposals] Proposing points
     [pose] Road pose
     [calibrate] Calibration
     [drift] Looking for camera drift
@@ -1427,6 +1428,7 @@ measure-step-deletion = deletion of vehicle { $vehicle }
 measure-step-split = split of vehicle { $vehicle }
 measure-step-joining = joining of vehicles { $vehicle } and { $next }
 measure-step-contact = contact point
+measure-step-proposals = confirmed proposals
 measure-step-contact-removal = removal of the contact
 measure-step-move = move of a point
 measure-step-inset = inset
@@ -1479,6 +1481,35 @@ measure-proposal-no-pass = Choose a pass first; then a contact can be proposed.
 measure-axes-awaited = axes on their way…
 measure-proposal-no-contact = No contact is awaited here; begin a new one with the key for a new contact point.
 measure-proposal-no-pointer = Point at where the tyre meets the road, then ask for a proposal.
+
+## Measure: what Sightline proposes to click
+
+measure-propose = Propose points
+measure-propose-title = Looks at every found pass of this recording and proposes where to click; what was proposed before is replaced, and nothing is measured
+measure-propose-failed = The proposals failed; try again.
+measure-propose-cancelled = The work on proposals for { $recording } was cancelled; those from before stay.
+measure-propose-over = { $recording }: the proposals are made.
+measure-proposed = Proposed, not measured: Enter confirms, a point’s key goes to it.
+measure-proposed-awaited = Proposed, not measured: the heights are on their way…
+measure-proposed-selected = Drag the point or use the arrow keys; Enter confirms all, its key again turns it down.
+measure-proposed-mark = { $what }, proposed
+measure-proposed-title = Proposals
+measure-proposed-contact = Contact
+measure-proposed-accept = { $count ->
+    [one] Confirm 1 target
+   *[other] Confirm { $count } targets
+}
+measure-proposed-accept-title = Makes measurements of the proposed points as they stand, in your name
+measure-proposed-on-frame = Proposals on frame { $frame }
+measure-proposed-go = Go to this point, to look at it and move it
+measure-proposed-expected = ± { $expected_px } px expected
+measure-proposed-moved = moved by you
+measure-points-set = Points
+measure-made = { $made ->
+    [confirmed] Proposed by Sightline, confirmed
+    [moved] Proposed by Sightline, moved by hand
+   *[clicked] Clicked by hand
+}
 
 ## Measure: the measurements of a vehicle
 
@@ -3338,6 +3369,7 @@ audit-action-import = imported
 audit-action-ingest = read in
 audit-action-ingest_failed = could not read
 audit-action-order = put in order
+audit-action-propose = made
 audit-action-read = read
 audit-action-reading_failed = could not read
 audit-action-release = put back
@@ -3377,6 +3409,7 @@ audit-entity-photograph = photograph
 audit-entity-catalogue = catalogue
 audit-entity-vehicle = vehicle
 audit-entity-measurement = measurement
+audit-entity-proposals = proposals of what to click
 audit-entity-review = verdict
 audit-entity-computing = heights computed again
 audit-entity-review_plan = review plan
@@ -3488,6 +3521,49 @@ export-contents-insets = insets in force; both tyres of a vehicle, for its direc
 export-contents-reviews = who accepted, fixed or rejected what, and why; what was clicked again
 export-contents-audit = each change with its hash; the chain can be checked
 export-contents-datapackage = name, unit and meaning of every column (Frictionless Data)
+
+## Proposals: why a point of a passing vehicle is not proposed (kept by key)
+
+proposals-not-across = The vehicle goes down or up the picture; contacts and heights want one that goes across.
+proposals-no-empty-road = There are too few frames before and after the vehicle to tell the empty road.
+proposals-rear-not-in-view = The vehicle’s rear end is not in view.
+proposals-not-one-vehicle = The wheels found on several frames do not belong to one vehicle.
+proposals-headlight-by-hand = The middle of a headlight is not found well enough yet; click it yourself.
+proposals-eye-by-hand = A driver’s eye behind glass is not found well enough yet; click it yourself.
+proposals-wheels-on-few-frames = Wheels stand out from shadow and body on too few frames.
+proposals-halves-disagree = Two halves of the frames do not agree on it.
+proposals-roof-from-above = The camera looks down on this roof, so its near edge is no outline; click it yourself.
+proposals-wheel-on-best-frame = This wheel does not stand out from shadow and body on the best frame.
+proposals-not-in-picture = It is not in the picture on the frame that shows most.
+proposals-roof-not-one-line = The roof’s edge is not one line here.
+proposals-vehicle-not-distinct = The vehicle does not stand out from what is behind it.
+proposals-roof-not-in-picture = The roof is not in the picture on these frames.
+proposals-roof-not-distinct = The roof does not stand out from what is behind it.
+proposals-rear-not-in-picture = The vehicle’s rear end is not in the picture on these frames.
+proposals-no-red = No lamp stands out in red at the rear end.
+proposals-red-not-a-lamp = What is red at the rear end has not the size of a lamp.
+proposals-lamp-small = The rear lamp is too small here.
+proposals-lamp-edge = The lower edge of the rear lamp does not stand out.
+proposals-no-wheel = No wheel stands out from shadow and body on these frames.
+proposals-no-height = No height follows from this point; click it yourself.
+
+
+## Proposals: the job, and what is refused
+
+proposals-looking = Looking for what to propose.
+proposals-made = { $some } of { $passes ->
+    [one] 1 pass has
+   *[other] { $passes } passes have
+  } proposals, { $points ->
+    [one] 1 point
+   *[other] { $points } points
+  } in all.
+proposals-cancelled = The work on proposals was cancelled; what was proposed before stays. Start it again when you like.
+proposals-being-made-already = Proposals for { $name } are being made already; wait for that.
+proposals-no-found-passes = { $name } has no passes that were found by Sightline; let the passes be found first.
+measurements-proposals-not-these = These are not the points that are proposed on this frame now: the proposals were made again. Look at them and confirm again.
+
+
 ## Errors: cameras
 
 cameras-charuco-board-needs-dictionary-markers-side = A ChArUco board needs the dictionary of its markers, the side of a marker and the side of a square; give all three.

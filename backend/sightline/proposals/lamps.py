@@ -26,14 +26,14 @@ def taillight_of(view: SideView, body: NDArray[np.bool_], end_m: float, ahead: i
     patch, left, bottom = _window(view, view.red, end_m, ahead, TAIL_Z_M)
     inside = _window(view, body.astype(np.float32), end_m, ahead, TAIL_Z_M)[0] > 0.5
     if patch.size == 0 or inside.sum() < 30:
-        return "The vehicle's rear end is not in the picture on these frames."
+        return "proposals-rear-not-in-picture"
     usual = float(np.median(patch[inside]))
     most = float(np.percentile(patch[inside], 99.0))
     if most - usual < LEAST_RED:
-        return "No lamp stands out in red at the rear end."
+        return "proposals-no-red"
     piece = _piece((patch > usual + 0.5 * (most - usual)) & inside, view.cell_m)
     if piece is None:
-        return "What is red at the rear end has not the size of a lamp."
+        return "proposals-red-not-a-lamp"
     return _lower_edge(view, patch, piece, left, bottom)
 
 
@@ -62,7 +62,7 @@ def _piece(where: NDArray[np.bool_], cell_m: float) -> NDArray[np.bool_] | None:
 def _lower_edge(view: SideView, red: Plane, piece: NDArray[np.bool_], left: int, bottom: int) -> Place | str:
     columns = np.flatnonzero(piece.sum(axis=0) >= 2)
     if len(columns) < 3:
-        return "The rear lamp is too small here."
+        return "proposals-lamp-small"
     columns = columns[len(columns) // 5 : len(columns) - len(columns) // 5]
     slope = np.gradient(red.astype(np.float64), axis=0)
     rows: list[float] = []
@@ -70,7 +70,7 @@ def _lower_edge(view: SideView, red: Plane, piece: NDArray[np.bool_], left: int,
         first = int(np.argmax(piece[:, column]))
         rows += _steepest(slope[:, column], first)
     if len(rows) < 3:
-        return "The lower edge of the rear lamp does not stand out."
+        return "proposals-lamp-edge"
     found: Floats = np.array(rows)
     middle = float(np.median(found))
     scatter = 1.4826 * float(np.median(np.abs(found - middle)))

@@ -36,11 +36,11 @@ EDGE_PX = 6.0
 REST_PX: dict[str, float] = {"roof": 0.3, "taillight": 0.7}
 _PARTS = (slice(None), slice(0, None, 2), slice(1, None, 2))
 MOST_APART_M = 0.03
-NO_REAR = "The vehicle's rear end is not in view."
-NOT_ONE_VEHICLE = "The wheels found on several frames do not belong to one vehicle."
+NO_REAR = "proposals-rear-not-in-view"
+NOT_ONE_VEHICLE = "proposals-not-one-vehicle"
 BY_HAND: dict[ProposedPoint, str] = {
-    "headlight": "The middle of a headlight is not found well enough yet; click it yourself.",
-    "driver_eye": "A driver's eye behind glass is not found well enough yet; click it yourself.",
+    "headlight": "proposals-headlight-by-hand",
+    "driver_eye": "proposals-eye-by-hand",
 }
 
 
@@ -71,7 +71,7 @@ class Proposed:
 @dataclass(frozen=True)
 class Proposals:
     """What is proposed of a vehicle on `frame`, seen on `frames` frames; of each point a place, or why there
-    is none. `wheelbase_m` None: only one wheel was seen.
+    is none, as a key of the catalogue of messages. `wheelbase_m` None: only one wheel was seen.
     """
 
     frame: int
@@ -99,8 +99,8 @@ class _Motion:
 def propose_points(
     seen: Sequence[FrameSeen], pose: RoadPose, direction: Direction, usual_frame: int
 ) -> Proposals | str:
-    """All that can be proposed of a vehicle that goes in `direction` through the frames `seen`; or, in words,
-    why nothing can. `usual_frame`: where it is best seen as far as is known.
+    """All that can be proposed of a vehicle that goes in `direction` through the frames `seen`; or the key
+    (of the catalogue of messages) of why nothing can. `usual_frame`: where it is best seen, as far as known.
 
     Own method, as the module says.
     """
@@ -112,7 +112,7 @@ def propose_points(
         if isinstance(pair, Wheels):
             found[one.n] = pair
     if len(found) < LEAST_FRAMES:
-        return "Wheels stand out from shadow and body on too few frames."
+        return "proposals-wheels-on-few-frames"
     motion = _motion(found, ahead)
     if isinstance(motion, str):
         return motion
@@ -223,7 +223,7 @@ def _places(
         known = [part.z_m for part in parts if isinstance(part, Place)]
         apart_m = max((abs(z - place.z_m) for z in known), default=0.0)
         if len(known) < len(halves) or apart_m > MOST_APART_M:
-            out[name] = "Two halves of the frames do not agree on it."
+            out[name] = "proposals-halves-disagree"
         else:
             out[name] = _Found(place, apart_m)
     return out
@@ -240,7 +240,7 @@ def _looked(
     out: dict[str, Place | str] = {"roof": roof_of(view, body)}
     roof = out["roof"]
     if isinstance(roof, Place) and roof.z_m < float(pose.centre_m[2]) - 0.02:
-        out["roof"] = "The camera looks down on this roof, so its near edge is no outline; click it yourself."
+        out["roof"] = "proposals-roof-from-above"
     view = views[PLANES_M["taillight"]]
     body = body_of(view, between)
     end = None if motion.only == "front" else _end(view, body, -ahead)
@@ -294,7 +294,7 @@ def _on_best_frame(
     for contact, wheel in (("contact_rear", pair.rear), ("contact_front", pair.front)):
         name: ProposedPoint = "contact_rear" if contact == "contact_rear" else "contact_front"
         points[name] = (
-            "This wheel does not stand out from shadow and body on the best frame."
+            "proposals-wheel-on-best-frame"
             if wheel is None
             else Proposed(wheel.contact_px, wheel.expected_px, None)
         )
@@ -317,12 +317,12 @@ def _target(
     if isinstance(place, str) or at is None:
         return str(place)
     if not _inside(at, best.gray):
-        return "It is not in the picture on the frame that shows most."
+        return "proposals-not-in-picture"
     pixel_m = abs(float(wheel.y_m - pose.centre_m[1])) / (0.5 * (pose.camera.fx_px + pose.camera.fy_px))
     sigma = float(np.hypot(REST_PX[name], place.apart_m / pixel_m))
     height = measure_height(pose, wheel.contact_px, at, 1.0, PLANES_M[name])
     if height.status != "ok":
-        return str(height.reason)
+        return "proposals-no-height"
     u_m = {entry.source: entry.u_m for entry in height.budget}
     expected_m = np.hypot(u_m["click, target"] * sigma, u_m["click, contact"] * wheel.expected_px)
     return Proposed(at, sigma, float(expected_m))

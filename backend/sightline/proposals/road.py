@@ -17,5 +17,5 @@ def road_behind(samples: Sequence[NDArray[np.uint8]]) -> Background | str:
     why they are too few. Own method: detection's background, at full size.
     """
     if len(samples) < FEWEST:
-        return "There are too few frames before and after the vehicle to tell the empty road."
+        return "proposals-no-empty-road"
     return background_of(np.stack(samples))

@@ -30,7 +30,7 @@ LEAST_SHARE = 0.55
 SCATTER_CELLS = 1.2
 ROUNDS = 3
 MOST_CUT_OFF = 0.08  # share of the columns
-NOT_ONE_LINE = "The roof's edge is not one line here."
+NOT_ONE_LINE = "proposals-roof-not-one-line"
 
 
 @dataclass(frozen=True)
@@ -66,7 +66,7 @@ def roof_of(view: SideView, body: NDArray[np.bool_]) -> Place | str:
     """
     some = body.any(axis=0)
     if some.sum() * view.cell_m < NARROWEST_M:
-        return "The vehicle does not stand out from what is behind it."
+        return "proposals-vehicle-not-distinct"
     height = body.shape[0]
     columns = np.flatnonzero(some)
     top = (height - 1 - np.argmax(body[::-1], axis=0))[columns]
@@ -80,9 +80,9 @@ def roof_of(view: SideView, body: NDArray[np.bool_]) -> Place | str:
     x = np.arange(max(0, round(middle - half)), min(body.shape[1], round(middle + half) + 1))
     above = int(min(height - 1, usual + FREE_M / view.cell_m))
     if not view.seen[above, x].mean() > 0.9:
-        return "The roof is not in the picture on these frames."
+        return "proposals-roof-not-in-picture"
     if _cut_off(view, body)[columns].mean() > MOST_CUT_OFF:
-        return "The roof is not in the picture on these frames."
+        return "proposals-roof-not-in-picture"
     slope = np.abs(np.gradient(view.light.astype(np.float64), axis=0))
     return _edge(view, slope, x, _curve(view, slope, x, usual))
 
@@ -125,7 +125,7 @@ def _edge(view: SideView, slope: Floats, x: NDArray[np.intp], curve: Floats) -> 
     peak = np.argmax(at, axis=1)
     keep = (peak > 0) & (peak < len(steps) - 1) & (at.max(axis=1) > LEAST_STEP)
     if keep.mean() < LEAST_SHARE:
-        return "The roof does not stand out from what is behind it."
+        return "proposals-roof-not-distinct"
     index = np.flatnonzero(keep)
     peak = peak[index]
     before, on, after = at[index, peak - 1], at[index, peak], at[index, peak + 1]

@@ -73,7 +73,7 @@ def wheels_on(
         if isinstance(one, Proposal):
             found = _with(found, _wheel(pose, one), box)
     if not found:
-        return "No wheel stands out from shadow and body on these frames."
+        return "proposals-no-wheel"
     return _paired(found, box, direction)
 
 

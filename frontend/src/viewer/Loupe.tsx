@@ -33,7 +33,7 @@ export function Loupe({ player, stage }: { player: Player; stage: FrameStage }) 
     if (!at || !shown || !(stage.loupe.value || stage.dragging.value)) return;
     const tile = tiles.at(shown.frame, at, shown.picture, bright.value);
     // the canvas appears with this same change, so draw once it is there
-    requestAnimationFrame(() => canvas.current && draw(canvas.current, at, shown.picture, tile));
+    requestAnimationFrame(() => canvas.current && drawLoupe(canvas.current, at, shown.picture, tile));
   });
 
   const at = stage.pointer.value;
@@ -80,7 +80,7 @@ interface Tile {
 }
 
 /** Lossless crops on a coarse grid, so that a moving pointer rarely needs a new one. */
-class Crops {
+export class Crops {
   private readonly cache: BitmapCache<Wanted, ImageBitmap>;
 
   constructor(recordingId: number, onChange: () => void) {
@@ -116,13 +116,19 @@ export function cropAround(point: ImagePoint, size: Size): Crop {
   return { x, y, w: Math.min(side, size.width - x), h: Math.min(side, size.height - y) };
 }
 
-function draw(canvas: HTMLCanvasElement, at: ImagePoint, picture: ImageBitmap, tile: Tile | null): void {
+/** The surroundings of a point, with the point in the middle of a square canvas. */
+export function drawLoupe(
+  canvas: HTMLCanvasElement,
+  at: ImagePoint,
+  picture: ImageBitmap,
+  tile: Tile | null,
+): void {
   const context = canvas.getContext("2d");
   if (!context) return;
   context.imageSmoothingEnabled = false;
   context.fillStyle = "#000";
-  context.fillRect(0, 0, SIDE_PX, SIDE_PX);
-  const half = SIDE_PX / 2;
+  context.fillRect(0, 0, canvas.width, canvas.width);
+  const half = canvas.width / 2;
   const put = (source: ImageBitmap, x: number, y: number): void => {
     if (source.width === 0) return;
     const left = half + (x - at[0] - 0.5) * MAGNIFICATION;

@@ -1,6 +1,6 @@
 /** What the operator decides about a measurement; everything else in it is the server's. */
 import type { BodyOf } from "../core/routes";
-import type { Measurement, Target } from "../core/types";
+import type { Made, Measurement, Target } from "../core/types";
 import { fromServer, type ImagePoint, pair, samePoint } from "./points";
 
 export interface Inset {
@@ -24,6 +24,8 @@ export interface Values extends FramePoints {
   /** The click's own uncertainty, kept from one revision to the next; null for the survey's. */
   readonly sigma_px: number | null;
   readonly withdrawn: boolean;
+  /** Where Sightline proposed the points that these began from; left out: they were clicked. */
+  readonly proposed?: FramePoints;
 }
 
 /** Null for an eye of which nobody knows on which side the driver sits. */
@@ -99,10 +101,17 @@ export function sameValues(a: Values, b: Values): boolean {
   return a.withdrawn === b.withdrawn && sameClick(a, b);
 }
 
+/** How the points came about: by hand, as proposed, or begun from a proposal and put elsewhere. */
+export function madeOf({ proposed, frame, contact, point }: Values): Made {
+  if (!proposed || proposed.frame !== frame) return "clicked";
+  const same = samePoint(proposed.contact, contact) && samePoint(proposed.point, point);
+  return same ? "confirmed" : "moved";
+}
+
 export type ClickBody = Omit<BodyOf<"PUT /measurements/{measurement_id}">, "revision"> & { target: Target };
 
 /** The body of a POST or PUT. */
-export function clickBody({ target, inset, sigma_px, more, ...first }: Values): ClickBody {
+export function clickBody({ target, inset, sigma_px, more, ...first }: Omit<Values, "proposed">): ClickBody {
   const sigma = sigma_px === null ? {} : { sigma_px };
   return { target, ...frameBody(first), ...(inset ?? {}), ...sigma, more_frames: more.map(frameBody) };
 }

@@ -23,7 +23,7 @@ from sightline.proposals.propose import Proposals, propose_points
 from sightline.proposals.road import road_behind
 
 Progress = Callable[[float], None]
-NO_DIRECTION = "The vehicle goes down or up the picture; contacts and heights want one that goes across."
+NO_DIRECTION = "proposals-not-across"
 ROAD_SAMPLES = SAMPLES // 2
 
 
@@ -106,7 +106,7 @@ def propose_in_video(
     threads: int = 1,
     name: str | None = None,
 ) -> Iterator[tuple[int, Proposals | str]]:
-    """Index in `passes` and what is proposed of each, or why nothing is, as the video goes on.
+    """Index in `passes` and what is proposed of each, or the key of why nothing is, as the video goes on.
 
     Frames count as in its frame table. The road behind a pass is what its pixels show most of the time within
     WINDOW_S of it. Raises BadInput (not a video, or not of the pose's size), ProposalsCancelled.

@@ -24,6 +24,7 @@ import { STATE_WORDS } from "../../core/words";
 const KINDS = [
   "ingest",
   "passes",
+  "proposals",
   "pose",
   "calibrate",
   "drift",
@@ -172,7 +173,8 @@ function pageOf({ kind, survey_id, recording_id, scan_id }: Job): string | null 
   const survey = `/surveys/${survey_id}`;
   if (scan_id) return `${survey}/scan?scan=${scan_id}`;
   if (kind === "pose" && recording_id) return `${survey}/pose?recording=${recording_id}`;
-  if (kind === "passes" && recording_id) return `${survey}/measure?recording=${recording_id}`;
+  if ((kind === "passes" || kind === "proposals") && recording_id)
+    return `${survey}/measure?recording=${recording_id}`;
   if (recording_id) return `${survey}/recordings`;
   return kind === "export" ? `${survey}/export` : survey;
 }

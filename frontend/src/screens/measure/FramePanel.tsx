@@ -17,6 +17,7 @@ import { DriftLine } from "./assist/DriftLine";
 import type { Selection } from "./flow";
 import type { MeasureModel } from "./model";
 import { idOf } from "./points";
+import { ProposalLayer } from "./proposals/ProposalLayer";
 import { SecondMarks } from "./SecondFrameParts";
 
 export function FramePanel({ model, player }: { model: MeasureModel; player: Player }) {
@@ -44,6 +45,7 @@ export function FramePanel({ model, player }: { model: MeasureModel; player: Pla
         <AnswerLines geometry={model.geometry} stage={stage} />
         <Marks model={model} selections={points.selectable()} />
         <AssistLayer assist={assist} stage={stage} />
+        <ProposalLayer proposals={model.proposals} stage={stage} />
       </FrameView>
       <Spoken model={model} />
     </section>

@@ -74,7 +74,7 @@ function NothingToMeasure({ surveyId }: { surveyId: number }) {
 function measureCommands(model: MeasureModel): ButtonCommand[] {
   const choose = (target: Target, index: number): ButtonCommand => ({
     id: `target${index + 1}` as ActionId,
-    run: () => void model.dispatch({ type: "choose", target }),
+    run: () => void (model.proposals.jump(target) || model.dispatch({ type: "choose", target })),
     enabled: mayWork,
   });
   return [
@@ -86,7 +86,10 @@ function measureCommands(model: MeasureModel): ButtonCommand[] {
     { id: "passBegin", run: () => model.markPass("first") },
     { id: "passEnd", run: () => model.markPass("last") },
     { id: "notVisible", run: () => model.askWhyUnseen(), enabled: mayWork },
-    { id: "newContact", run: () => void model.dispatch({ type: "new-contact" }) },
+    {
+      id: "newContact",
+      run: () => void (model.proposals.jump("contact") || model.dispatch({ type: "new-contact" })),
+    },
     { id: "selectNext", run: () => model.points.selectNext() },
     { id: "driverSide", run: () => model.turnSide(), enabled: mayWork },
     { id: "secondFrame", run: () => void model.second.start(), enabled: mayWork },

@@ -26,6 +26,8 @@ export function MeasurementDetail({ model, entry }: { model: MeasureModel; entry
         <dd>{pixels(entry.values.point)}</dd>
         {entry.saved && (
           <>
+            <dt>{say("measure-points-set")}</dt>
+            <dd>{say("measure-made", { made: entry.saved.made })}</dd>
             <dt>{say("measure-distance")}</dt>
             <dd>{formatLength(entry.saved.distance_m, 2)}</dd>
             <dt>{say("measure-lateral")}</dt>

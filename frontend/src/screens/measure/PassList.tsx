@@ -26,6 +26,7 @@ import { filter, type MeasureModel, order } from "./model";
 import { readAgain } from "./passes/actions";
 import { PassMark } from "./passes/marks";
 import { PassMenu } from "./passes/PassMenu";
+import { ProposeButton } from "./proposals/ProposeButton";
 import "../../parts/vehicles/passes.css";
 
 /** A pass and what stands below it. */
@@ -100,6 +101,7 @@ export function PassList({ model }: { model: MeasureModel }) {
           </div>
         )}
       </LongList>
+      {canWork.value && <ProposeButton model={model} />}
       {canWork.value && <NewPass model={model} />}
     </nav>
   );

@@ -20,6 +20,7 @@ import { VehicleConflict } from "./Conflicts";
 import { FIELD_WORDS } from "./fields";
 import { MeasurementList } from "./MeasurementList";
 import type { MeasureModel } from "./model";
+import { ProposalPanel } from "./proposals/ProposalPanel";
 import { SpanEditor } from "./SpanEditor";
 import { CannotFit, useModelFits, WhichModel } from "./WhichModel";
 
@@ -56,6 +57,7 @@ export function VehiclePanel({ model }: { model: MeasureModel }) {
         )}
       </header>
       <VehicleConflict model={model} id={vehicle.id} />
+      <ProposalPanel model={model} />
       <MeasurementList model={model} />
       <SpanEditor model={model} vehicle={vehicle} />
       <Facts model={model} vehicle={vehicle} />

@@ -22,7 +22,7 @@ import {
   SIDE_WORDS,
   STATE_WORDS,
 } from "../../core/words";
-import { clickBody, sameValues, type Values, valuesOf } from "../../viewer/values";
+import { clickBody, madeOf, sameValues, type Values, valuesOf } from "../../viewer/values";
 import { type Changes, disputedFields, FIELD_WORDS, type Field } from "./fields";
 
 export const MEASUREMENT = "measurement";
@@ -106,7 +106,7 @@ const recordsPort: RecordsPort = {
     api.write(
       "POST /vehicles/{vehicle_id}/measurements",
       { vehicle_id },
-      { body: { client_key, ...clickBody(values) }, retry: true, signal },
+      { body: { client_key, made: madeOf(values), ...clickBody(values) }, retry: true, signal },
     ),
   revise: (measurement_id, revision, values, signal) =>
     api.write(

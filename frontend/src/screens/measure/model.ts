@@ -44,6 +44,7 @@ import {
 } from "./passes/kinds";
 import { Points } from "./points";
 import * as server from "./ports";
+import { Proposals } from "./proposals/proposals";
 import { Records } from "./records";
 import { SecondFrame } from "./secondFrame";
 import { Vehicles } from "./vehicles";
@@ -59,6 +60,7 @@ export class MeasureModel implements Desk {
     this.stage.keyboard,
     this.second,
     this.span,
+    this.proposals,
     this.points,
   ]);
   readonly history: History = new History(() => this.place());
@@ -68,6 +70,7 @@ export class MeasureModel implements Desk {
   readonly second: SecondFrame = new SecondFrame(this, () => this.points);
   readonly points: Points = new Points(this, this.second);
   readonly assist: Assist;
+  readonly proposals: Proposals;
   readonly flow = signal<Flow>(START);
   readonly vehicleId = computed(() => this.flow.value.vehicleId);
   readonly loaded = signal(false);
@@ -133,6 +136,12 @@ export class MeasureModel implements Desk {
     this.records = new Records(outbox, surveyId, stored);
     this.vehicles = new Vehicles(outbox, surveyId, { merged: toast, stored });
     this.assist = new Assist(this);
+    this.proposals = new Proposals(
+      this,
+      () => this.points,
+      () => this.second.active.value,
+      () => this.confirmNext(),
+    );
     this.facts = factLedger(this.vehicles);
     this.startFromAddress();
     this.stops.push(
@@ -142,6 +151,10 @@ export class MeasureModel implements Desk {
       effect(() => this.followAxes()),
       effect(() => this.followAddress()),
       effect(() => this.refuseContact()),
+      effect(() => {
+        void this.reel.player.value?.recordingId;
+        untracked(() => void this.readProposals());
+      }),
       effect(() => {
         void this.aim.value;
         untracked(() => this.aimAgain());
@@ -181,6 +194,7 @@ export class MeasureModel implements Desk {
     if (id !== null) void this.vehicles.flush(id);
     this.points.endBurst();
     this.assist.close();
+    this.proposals.close();
     this.reel.close();
     this.records.close();
     this.vehicles.close();
@@ -192,7 +206,7 @@ export class MeasureModel implements Desk {
   }
 
   /** Opens a pass at its best frame, or at the frame asked for. */
-  open(vehicle: Vehicle, frame = bestFrame(vehicle)): void {
+  open(vehicle: Vehicle, frame = this.usualFrame(vehicle)): void {
     this.leave();
     const contacts = this.points.contactsOf(vehicle.id);
     const target = canWork.value ? firstMissing(this.points.targetsOf(vehicle.id), askedOf(vehicle)) : null;
@@ -252,7 +266,24 @@ export class MeasureModel implements Desk {
 
   toBestFrame(): void {
     const vehicle = this.vehicle.value;
-    if (vehicle) this.reel.show(vehicle.recording_id, bestFrame(vehicle));
+    if (vehicle) this.reel.show(vehicle.recording_id, this.usualFrame(vehicle));
+  }
+
+  /** That of what is proposed and still asked for, else the best one. */
+  private usualFrame(vehicle: Vehicle): number {
+    const have = this.points.targetsOf(vehicle.id);
+    const missing = askedOf(vehicle).filter((target) => !have.has(target));
+    return this.proposals.frameOf(vehicle.id, missing) ?? bestFrame(vehicle);
+  }
+
+  /** Reads what is proposed in the recording that is open, and goes there unless a person is at work already. */
+  async readProposals(): Promise<void> {
+    const recordingId = this.reel.player.value?.recordingId;
+    if (recordingId === undefined) return;
+    await this.proposals.load(recordingId);
+    const vehicle = this.vehicle.value;
+    const untouched = this.stage.pointer.value === null && this.flow.value.contacts.size === 0;
+    if (vehicle && untouched && this.seenFrame.value === bestFrame(vehicle)) this.toBestFrame();
   }
 
   /** The inset a click would be stored with: chosen now, or of the measurement it revises; null: the survey's. */

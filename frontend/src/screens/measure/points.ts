@@ -5,7 +5,7 @@ import { say } from "../../core/messages";
 import { newKey } from "../../core/random";
 import { canWork } from "../../core/session";
 import { toast } from "../../core/toasts";
-import type { Target } from "../../core/types";
+import type { HeightAnswer, Target } from "../../core/types";
 import { TARGET_NOUNS } from "../../core/words";
 import { type ImagePoint, imagePoint, samePoint } from "../../viewer/points";
 import type { DragPhase, Handle } from "../../viewer/tool";
@@ -28,6 +28,14 @@ interface Burst {
   /** The contact in use moves along with the point. */
   readonly movesContact: boolean;
   timer: ReturnType<typeof setTimeout> | undefined;
+}
+
+/** A target's point as a person leaves it, and where it was proposed. */
+export interface Confirmed {
+  readonly target: Target;
+  readonly point: ImagePoint;
+  readonly proposed: FramePoints;
+  readonly preview: HeightAnswer | null;
 }
 
 export class Points implements ClickTool {
@@ -292,6 +300,26 @@ export class Points implements ClickTool {
       this.second.last = key;
     }
     this.desk.dispatch({ type: "stored", missing: this.missing() });
+  }
+
+  /** What was proposed on a frame becomes measurements: one step, which undo takes back as a whole. */
+  takeProposed(frame: number, contact: ImagePoint, proposed: readonly Confirmed[]): void {
+    const vehicleId = this.desk.vehicleId.value;
+    if (vehicleId === null) return;
+    this.endBurst();
+    this.desk.history.run(this.desk.stepName(say("measure-step-proposals")), (changes) => {
+      changes.touch(this.contacts, this.contactKey(frame));
+      this.desk.dispatch({ type: "set-contact", frame, point: contact });
+      for (const one of proposed) {
+        const key = newKey();
+        changes.touch(this.clicks, key);
+        const click = { target: one.target, frame, contact, point: one.point, proposed: one.proposed };
+        const rest = { more: [], inset: this.desk.insetOf(one.target), sigma_px: null, withdrawn: false };
+        this.desk.records.create(vehicleId, { ...click, ...rest }, one.preview, key);
+        this.second.last = key;
+      }
+      this.desk.dispatch({ type: "stored", missing: this.missing() });
+    });
   }
 
   /** What was taken back is asked for again; what is there again is not. */

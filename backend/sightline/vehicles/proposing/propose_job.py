@@ -1,0 +1,142 @@
+"""What a person would click of every found pass of a recording, as a job; stored as proposals, as a whole."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from sightline.detection.classify import FoundPass
+from sightline.errors import BadInput, Conflict
+from sightline.geometry.documents import pose_from_dict
+from sightline.infra.database import Session
+from sightline.infra.jobs import registry
+from sightline.infra.jobs.records import Job
+from sightline.infra.jobs.registry import Cancelled, Finish, JobContext
+from sightline.infra.jobs.store import list_jobs
+from sightline.media.video.proposals import ProposalsCancelled, propose_in_video
+from sightline.messages import say
+from sightline.poses.store import get_pose
+from sightline.proposals.propose import POINTS, Proposals, Proposed
+from sightline.recordings.frames.stills import stills_of
+from sightline.recordings.store import get_recording
+from sightline.vehicles.passes.find_job import UNDER_WAY
+from sightline.vehicles.proposing.records import PointProposal
+from sightline.vehicles.proposing.store import replace_proposals
+from sightline.vehicles.records import Vehicle
+from sightline.vehicles.store import list_vehicles_of_recording
+
+KIND = "proposals"
+
+
+def request_proposals(session: Session, recording_id: int, *, actor: int) -> Job:
+    """Queue the work. Raises NotFound, BadInput without frames or found passes, Conflict without a road pose
+    or while it waits or runs.
+    """
+    recording = get_recording(session, recording_id)
+    if recording.state != "ready":
+        raise BadInput("poses-no-frames-yet-wait-until-ready", name=recording.name)
+    if recording.pose_id is None:
+        raise Conflict("measurements-no-road-pose-yet-make-choose", name=recording.name)
+    if not found_passes(session, recording_id):
+        raise BadInput("proposals-no-found-passes", name=recording.name)
+    for state in UNDER_WAY:
+        for job in list_jobs(session, survey_id=recording.survey_id, state=state):
+            if job.kind == KIND and job.recording_id == recording_id:
+                raise Conflict("proposals-being-made-already", name=recording.name)
+    return registry.enqueue(
+        session, KIND, {}, survey_id=recording.survey_id, recording_id=recording_id, actor=actor
+    )
+
+
+@registry.handler(KIND)
+def make_proposals(context: JobContext) -> Finish:
+    """Look through the video once; what is proposed takes, with the job's end, the place of all before."""
+    services, recording_id = context.services, context.job.recording_id
+    assert recording_id is not None
+    opened = stills_of(services).open(recording_id)
+    with services.reading() as session:
+        recording = get_recording(session, recording_id)
+        vehicles = found_passes(session, recording_id)
+        if recording.pose_id is None:
+            raise Conflict("measurements-no-road-pose-yet-make-choose", name=recording.name)
+        pose_id = recording.pose_id
+        pose = pose_from_dict(get_pose(session, pose_id).document, "the road pose")
+    times = opened.time_s
+    span_s = float(times[-1] - times[0]) if len(times) > 1 else 0.0
+    context.progress(0.0, say("proposals-looking", {}))
+    made: list[PointProposal] = []
+    try:
+        found = propose_in_video(
+            opened.media.path,
+            [_found(one) for one in vehicles],
+            pose,
+            rate_hz=(len(times) - 1) / span_s if span_s > 0 else None,
+            on_progress=lambda fraction: context.progress(0.98 * fraction, say("proposals-looking", {})),
+            is_cancelled=context.is_cancelled,
+            name=recording.name,
+        )
+        for index, one in found:
+            made += proposals_of(vehicles[index].id, one)
+    except ProposalsCancelled as stopped:
+        raise Cancelled("proposals-cancelled") from stopped
+
+    def finish(session: Session) -> Mapping[str, Any]:
+        replace_proposals(session, recording_id, pose_id, made, actor=context.actor)
+        return told(recording_id, made)
+
+    return finish
+
+
+def found_passes(session: Session, recording_id: int) -> list[Vehicle]:
+    """The passes that Sightline found and nobody discarded: of those it knows where the vehicle is."""
+    return [
+        one
+        for one in list_vehicles_of_recording(session, recording_id)
+        if one.discarded is None and one.detection is not None and one.detection.get("boxes")
+    ]
+
+
+def proposals_of(vehicle_id: int, found: Proposals | str) -> list[PointProposal]:
+    """Every point of a vehicle, as it is stored; where nothing is proposed each has that reason."""
+    frame = None if isinstance(found, str) else found.frame
+    points = dict.fromkeys(POINTS, found) if isinstance(found, str) else found.points
+    return [_proposal(vehicle_id, frame, name, points[name]) for name in POINTS]
+
+
+def told(recording_id: int, made: Sequence[PointProposal]) -> dict[str, Any]:
+    """What was done, in words and numbers."""
+    points = sum(one.point_px is not None for one in made)
+    some = len({one.vehicle_id for one in made if one.point_px is not None})
+    passes = len({one.vehicle_id for one in made})
+    message = say("proposals-made", {"points": points, "some": some, "passes": passes})
+    return {"recording_id": recording_id, "passes": passes, "points": points, "message": message}
+
+
+def _proposal(vehicle_id: int, frame: int | None, name: Any, point: Any) -> PointProposal:
+    placed = isinstance(point, Proposed)
+    return PointProposal(
+        vehicle_id=vehicle_id,
+        point=name,
+        frame=frame,
+        point_px=point.point_px if placed else None,
+        expected_px=point.expected_px if placed else None,
+        reason=None if placed else point,
+    )
+
+
+def _found(one: Vehicle) -> FoundPass:
+    """The pass as it was found, with the span and direction that people gave it since."""
+    assert one.detection is not None
+    boxes = tuple((int(n), *map(float, sides)) for n, *sides in one.detection["boxes"])
+    best = one.best_frame if one.best_frame is not None else int(boxes[len(boxes) // 2][0])
+    return FoundPass(
+        first_frame=one.first_frame,
+        last_frame=one.last_frame,
+        best_frame=best,
+        direction=one.direction,
+        whole=bool(one.detection.get("whole", False)),
+        score=float(one.detection.get("score", 0.0)),
+        sharpness=float(one.detection.get("sharpness", 0.0)),
+        luminance=float(one.detection.get("luminance", 0.0)),
+        boxes=boxes,  # type: ignore[arg-type]
+    )

@@ -1,0 +1,171 @@
+"""What is proposed of found passes: stored as a whole, no measurement, and confirmed by a person alone."""
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+from uuid import uuid4
+
+import numpy as np
+import pytest
+
+from sightline.infra.jobs.records import Job
+from sightline.infra.services import Services
+from sightline.media.video.writer import write_mp4
+from sightline.messages import say
+from sightline.vehicles.proposing.records import PointProposal
+from sightline.vehicles.proposing.store import replace_proposals
+from tests.media.street import car, street
+from tests.support.app import Client, error_of, upload
+from tests.support.ground import (
+    Ground,
+    add_pose,
+    add_vehicle,
+    clicks,
+    flat_camera,
+    lay_ground,
+    store_calibration,
+)
+
+Work = Callable[[], list[Job]]
+
+
+@pytest.fixture
+def ground(services: Services, survey_id: int, recording_id: int) -> Ground:
+    return lay_ground(services, survey_id, recording_id)
+
+
+def proposal(vehicle_id: int, point: str, at: list[float] | None, frame: int = 2) -> PointProposal:
+    return PointProposal(
+        vehicle_id=vehicle_id,
+        point=point,  # type: ignore[arg-type]
+        frame=frame,
+        point_px=None if at is None else (at[0], at[1]),
+        expected_px=None if at is None else 0.4,
+        reason="proposals-eye-by-hand" if at is None else None,
+    )
+
+
+@pytest.fixture
+def proposed(services: Services, operator: Client, ground: Ground) -> tuple[int, dict[str, Any]]:
+    """A vehicle with a proposed contact and roof, and the clicks that confirm them."""
+    vehicle_id = int(add_vehicle(operator, ground.recording_id)["id"])
+    wanted = clicks(1.2, frame=2)
+    made = [
+        proposal(vehicle_id, "contact_rear", wanted["contact"]),
+        proposal(vehicle_id, "roof", wanted["target_point"]),
+        proposal(vehicle_id, "driver_eye", None),
+    ]
+    with services.writing() as session:
+        replace_proposals(session, ground.recording_id, ground.pose_id, made, actor=None)
+    return vehicle_id, {**wanted, "client_key": str(uuid4())}
+
+
+def moved(body: dict[str, Any], by_px: float = 3.0) -> dict[str, Any]:
+    x, y = body["target_point"]
+    return {**body, "target_point": [x, y + by_px], "client_key": str(uuid4())}
+
+
+@pytest.mark.dialect
+def test_what_was_confirmed_says_so_and_what_was_moved_too(
+    operator: Client, viewer: Client, ground: Ground, proposed: tuple[int, dict[str, Any]]
+) -> None:
+    vehicle_id, wanted = proposed
+    shown = viewer.seen(f"/recordings/{ground.recording_id}/proposals")
+    assert [one["point"] for one in shown] == ["contact_rear", "roof", "driver_eye"]
+    assert shown[2]["reason"] == "proposals-eye-by-hand" and say(shown[2]["reason"], {})
+    assert viewer.seen(f"/vehicles/{vehicle_id}")["measurements"] == []
+
+    path = f"/vehicles/{vehicle_id}/measurements"
+    other = operator.post(path, {**moved(wanted), "made": "confirmed"})
+    assert other.status_code == 409 and "confirm again" in error_of(other)
+    stored = operator.made(path, {**wanted, "made": "confirmed"})
+    assert stored["made"] == "confirmed" and stored["created_by"] is not None
+    again = operator.made(path, {**wanted, "made": "confirmed"})
+    assert again["id"] == stored["id"]
+
+    inset = {**wanted, "inset_m": 0.2, "u_inset_m": 0.1, "revision": 1}
+    del inset["client_key"]
+    revised = operator.put(f"/measurements/{stored['id']}", inset).json()
+    assert (revised["made"], revised["revision"]) == ("confirmed", 2)
+    shifted = moved({**inset, "revision": 2})
+    del shifted["client_key"]
+    dragged = operator.put(f"/measurements/{stored['id']}", shifted).json()
+    assert dragged["made"] == "moved"
+    elsewhere = {**shifted, "frame": 3, "revision": 3}
+    assert operator.put(f"/measurements/{stored['id']}", elsewhere).json()["made"] == "clicked"
+    events = [
+        one for one in operator.seen(f"/audit?survey_id={ground.survey_id}") if one["entity"] == "measurement"
+    ]
+    assert [one["after"]["made"] for one in reversed(events)] == [
+        "confirmed",
+        "confirmed",
+        "moved",
+        "clicked",
+    ]
+
+
+def test_clicks_are_no_proposals_where_none_stands(
+    operator: Client, services: Services, ground: Ground, proposed: tuple[int, dict[str, Any]]
+) -> None:
+    vehicle_id, wanted = proposed
+    path = f"/vehicles/{vehicle_id}/measurements"
+    assert operator.post(path, {**wanted, "frame": 5, "made": "moved"}).status_code == 409
+    with services.writing() as session:
+        replace_proposals(session, ground.recording_id, ground.pose_id, [], actor=None)
+    gone = operator.post(path, {**wanted, "made": "confirmed"})
+    assert gone.status_code == 409 and "made again" in error_of(gone)
+    assert operator.made(path, wanted)["made"] == "clicked"
+    (event, *_) = [
+        one for one in operator.seen(f"/audit?survey_id={ground.survey_id}") if one["entity"] == "proposals"
+    ]
+    assert event["action"] == "propose" and event["after"]["points"] == 0
+
+
+def test_another_pose_or_a_cut_pass_takes_proposals_out_of_sight(
+    operator: Client, services: Services, ground: Ground, proposed: tuple[int, dict[str, Any]]
+) -> None:
+    path = f"/recordings/{ground.recording_id}/proposals"
+    vehicle_id, _ = proposed
+    cut = {"version": 1, "first_frame": 4, "last_frame": 8}
+    assert operator.put(f"/vehicles/{vehicle_id}", cut).status_code == 200
+    assert operator.seen(path) == []
+    whole = {"version": 2, "first_frame": 0, "last_frame": 8}
+    assert operator.put(f"/vehicles/{vehicle_id}", whole).status_code == 200
+    assert len(operator.seen(path)) == 3
+    add_pose(services, ground.recording_id, ground.calibration_id, flat_camera())
+    assert operator.seen(path) == []
+
+
+def test_the_job_looks_through_the_video_and_keeps_a_reason_for_every_point(
+    operator: Client, viewer: Client, services: Services, survey_id: int, work: Work, tmp_path: Path
+) -> None:
+    clip = tmp_path / "street.mp4"
+    pictures = [np.repeat(g[..., None], 3, 2) for g in street(60, [car(15)])]
+    write_mp4(clip, iter(pictures), 30, crf=18)
+    recording_id = upload(operator, survey_id, clip)
+    work()
+    path = f"/recordings/{recording_id}/propose"
+    assert viewer.post(path).status_code == 403
+    assert "no road pose" in error_of(operator.post(path)).lower()
+    camera = flat_camera(pictures[0].shape[1], pictures[0].shape[0])
+    _, calibration_id = store_calibration(services, survey_id, camera)
+    add_pose(services, recording_id, calibration_id, camera)
+    assert "found first" in error_of(operator.post(path))
+    operator.made(f"/recordings/{recording_id}/find-passes")
+    work()
+    operator.made(path)
+    assert "already" in error_of(operator.post(path))
+    job = work()[-1]
+    assert (job.kind, job.state) == ("proposals", "done"), job
+    assert job.result is not None and job.result["passes"] == 1
+    shown = operator.seen(f"/recordings/{recording_id}/proposals")
+    assert len(shown) == 6
+    assert all(one["point_px"] or say(one["reason"], {}) for one in shown)
+    operator.made(path)
+    work()
+    assert len(operator.seen(f"/recordings/{recording_id}/proposals")) == 6
+
+    stopped = operator.made(path)
+    assert operator.made(f"/jobs/{stopped['id']}/cancel")["state"] == "cancelled"
+    work()
+    assert len(operator.seen(f"/recordings/{recording_id}/proposals")) == 6
