@@ -5,11 +5,18 @@ The scene's truth says where the vehicle is in the picture; the application itse
 
 import json
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Any, Literal
+from typing import Any, Literal, get_args
 
 from playwright.sync_api import Page
+
+from sightline.enums import ProposedPoint
+from sightline.infra.services import open_services
+from sightline.recordings.store import get_recording
+from sightline.settings import load_settings
+from sightline.vehicles.proposing.records import PointProposal
+from sightline.vehicles.proposing.store import replace_proposals
 
 from .conftest import wait_for_demonstration
 from .picture import on_screen
@@ -88,6 +95,40 @@ def own_vehicle(
     frame = whole_frames(one)[0]
     pixels = {name: (x, y) for name, (x, y) in frame["pixels"].items()}
     return OwnVehicle(survey, made.json(), one, int(frame["frame"]), pixels)
+
+
+def put_proposals(
+    server: Server, ones: Sequence[OwnVehicle], targets: Sequence[str] = ("roof", "taillight")
+) -> None:
+    """Proposes the rear contact and targets of vehicles of one recording where they are; eyes are refused."""
+    made = [proposal for one in ones for proposal in proposals_of(one, targets)]
+    services = open_services(load_settings(data_dir=server.data_dir))
+    try:
+        with services.writing() as session:
+            recording_id = int(ones[0].vehicle["recording_id"])
+            pose_id = get_recording(session, recording_id).pose_id
+            assert pose_id is not None
+            replace_proposals(session, recording_id, pose_id, made, actor=None)
+    finally:
+        services.close()
+
+
+def proposals_of(one: OwnVehicle, targets: Sequence[str]) -> list[PointProposal]:
+    """The points of a vehicle's truth as proposals."""
+    made: list[PointProposal] = []
+    for point in get_args(ProposedPoint):
+        at = one.pixels[point] if point == "contact_rear" or point in targets else None
+        made.append(
+            PointProposal(
+                vehicle_id=one.vehicle["id"],
+                point=point,
+                frame=one.frame,
+                point_px=at,
+                expected_px=None if at is None else 0.4,
+                reason="proposals-eye-by-hand" if at is None else None,
+            )
+        )
+    return made
 
 
 def stored(page: Page, vehicle_id: int) -> dict[str, dict[str, Any]]:

@@ -1502,7 +1502,9 @@ measure-proposed-accept = { $count ->
 measure-proposed-accept-title = Makes measurements of the proposed points as they stand, in your name
 measure-proposed-on-frame = Proposals on frame { $frame }
 measure-proposed-go = Go to this point, to look at it and move it
-measure-proposed-expected = ± { $expected_px } px expected
+measure-proposed-expected = u = { $expected_px } px
+measure-proposed-expected-title = Standard uncertainty that is expected of this point
+measure-proposed-doubt = Vehicle { $vehicle }: a height that you confirmed is unusual; look at it again.
 measure-proposed-moved = moved by you
 measure-points-set = Points
 measure-made = { $made ->

@@ -31,6 +31,8 @@ export interface Desk {
   /** What is asked for of the open vehicle and was not said to be unseen. */
   asked(): readonly Target[];
   stepName(step: string): string;
+  /** The last target that is asked for was answered. */
+  answered(): void;
 }
 
 /** A tool whose clicks make measurements. The first of them that is active says which contact counts, and what is awaited. */

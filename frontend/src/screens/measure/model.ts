@@ -347,8 +347,17 @@ export class MeasureModel implements Desk {
     if (!vehicle) return;
     this.edit({ [`${target}_not_visible`]: why });
     void this.vehicles.flush(vehicle.id);
-    if (why) this.step({ type: "stored", missing: this.points.missing() });
-    else this.step({ type: "choose", target });
+    if (!why) this.step({ type: "choose", target });
+    else {
+      const missing = this.points.missing();
+      this.step({ type: "stored", missing });
+      if (missing.length === 0) this.answered();
+    }
+  }
+
+  /** A vehicle of which something was confirmed goes on to the next by itself. */
+  answered(): void {
+    if (this.proposals.wasConfirmed(this.vehicleId.value)) this.confirmNext();
   }
 
   /** Edits vehicle facts, as a step that can be undone. */
@@ -515,7 +524,11 @@ export class MeasureModel implements Desk {
 
   async refresh(vehicleId: number): Promise<void> {
     try {
-      this.put(await server.readVehicle(vehicleId));
+      const vehicle = await server.readVehicle(vehicleId);
+      this.put(vehicle);
+      const left = vehicleId !== this.vehicleId.value && vehicle.doubts.length > 0;
+      if (left && this.proposals.doubted(vehicleId))
+        toast(say("measure-proposed-doubt", { vehicle: String(vehicle.number) }), { kind: "problem" });
     } catch {
       // it is read again after the next change
     }

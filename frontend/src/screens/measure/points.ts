@@ -299,7 +299,9 @@ export class Points implements ClickTool {
       records.create(vehicleId, values, preview, key);
       this.second.last = key;
     }
-    this.desk.dispatch({ type: "stored", missing: this.missing() });
+    const missing = this.missing();
+    this.desk.dispatch({ type: "stored", missing });
+    if (missing.length === 0 && !old) this.desk.answered();
   }
 
   /** What was proposed on a frame becomes measurements: one step, which undo takes back as a whole. */

@@ -87,7 +87,7 @@ function Card({ model, one }: { model: MeasureModel; one: InHand }) {
               ? formatHeight(height.height_m, height.U95_height_m)
               : (height.reason ?? STATE_WORDS.not_measurable)}
       </span>
-      <span class="muted small">
+      <span class="muted small" title={moved ? undefined : say("measure-proposed-expected-title")}>
         {moved
           ? say("measure-proposed-moved")
           : say("measure-proposed-expected", { expected_px: fixed(one.expected_px, 1) })}

@@ -59,6 +59,7 @@ export class Proposals implements Tool<ImagePoint> {
   private readonly answers = signal<ReadonlyMap<Target, Answered>>(new Map());
   /** The point that the arrow keys move. */
   readonly selected = signal<Role | null>(null);
+  private readonly confirmedOf = new Set<number>();
   /** A key that is held down confirms one vehicle, not every one after it. */
   private armed = true;
   private before: ReadonlyMap<Role, ImagePoint> | null = null;
@@ -177,9 +178,20 @@ export class Proposals implements Tool<ImagePoint> {
     if (confirmed.length === 0) return false;
     this.armed = false;
     this.selected.value = null;
+    this.confirmedOf.add(shown.vehicleId);
     this.points().takeProposed(shown.frame, shown.contact, confirmed);
     if (this.points().missing().length === 0) this.next();
     return true;
+  }
+
+  /** Whether something of a vehicle was confirmed here. */
+  wasConfirmed(vehicleId: number | null): boolean {
+    return vehicleId !== null && this.confirmedOf.has(vehicleId);
+  }
+
+  /** It is told once that a confirmed height is unusual. */
+  doubted(vehicleId: number): boolean {
+    return this.confirmedOf.delete(vehicleId);
   }
 
   /** A click on a proposed point goes to it; while one is selected, a click puts it there. */

@@ -1,0 +1,49 @@
+"""The confirm loop in the browser: proposed points are seen, moved by a key, and stored in a person's name."""
+
+from playwright.sync_api import Page, expect
+
+from .server import Server
+from .vehicles import click_at, own_vehicle, put_proposals, stored, until, whole_passes
+
+
+def test_proposals_are_confirmed_one_vehicle_after_the_other(page: Page, demonstration: Server) -> None:
+    passes = whole_passes(demonstration, "low_light")
+    first, second = (own_vehicle(page, demonstration, over=passes[-1 - i % len(passes)]) for i in range(2))
+    put_proposals(demonstration, [first, second])
+    page.goto(f"/surveys/{first.survey}/measure?vehicle={first.vehicle['id']}")
+    expect(page.get_by_test_id("proposed-card-roof")).to_contain_text("±")
+    expect(page.get_by_test_id("proposed-card-taillight")).to_contain_text("±")
+    expect(page.get_by_test_id("proposed")).to_contain_text("click it yourself")
+    assert stored(page, first.vehicle["id"]) == {}
+
+    # the roof's key goes to its point, an arrow moves it; then all of it is confirmed
+    page.keyboard.press("1")
+    page.keyboard.press("ArrowUp")
+    expect(page.get_by_test_id("proposed-card-roof")).to_contain_text("moved by you")
+    expect(page.get_by_test_id("proposed-card-roof")).to_contain_text("±")
+    page.keyboard.press("Enter")
+    until(page, first.vehicle["id"], lambda have: {"roof", "taillight"} <= set(have))
+    have = stored(page, first.vehicle["id"])
+    assert (have["roof"]["made"], have["taillight"]["made"]) == ("moved", "confirmed")
+    assert have["taillight"]["created_by"]["name"]
+
+    # the eye is clicked by hand on the same contact; then the next vehicle comes by itself
+    expect(page.locator("#measure-hint")).to_contain_text("click the driver's eye")
+    click_at(page, first.pixels["driver_eye"])
+    until(page, first.vehicle["id"], lambda have: "driver_eye" in have)
+    assert stored(page, first.vehicle["id"])["driver_eye"]["made"] == "clicked"
+    expect(page.get_by_test_id(f"pass-{first.vehicle['number']}")).not_to_have_attribute(
+        "aria-current", "true"
+    )
+
+    # a held Enter, and Esc: nothing of the second is stored, and its points are clicked by hand
+    page.get_by_test_id(f"pass-{second.vehicle['number']}").click()
+    expect(page.get_by_test_id("proposed-card-roof")).to_contain_text("±")
+    page.keyboard.press("Escape")
+    expect(page.get_by_test_id("proposed-card-roof")).to_have_count(0)
+    page.keyboard.press("Enter")
+    assert stored(page, second.vehicle["id"]) == {}
+    click_at(page, second.pixels["contact_rear"])
+    click_at(page, second.pixels["roof"])
+    until(page, second.vehicle["id"], lambda have: "roof" in have)
+    assert stored(page, second.vehicle["id"])["roof"]["made"] == "clicked"
