@@ -1,4 +1,4 @@
-"""The confirm loop in the browser: proposed points are seen, moved by a key, and stored in a person's name."""
+"""The confirm loop: proposed points are seen, moved by a key, and stored in a person's name, in Chromium."""
 
 from playwright.sync_api import Page, expect
 
@@ -36,8 +36,13 @@ def test_proposals_are_confirmed_one_vehicle_after_the_other(page: Page, demonst
         "aria-current", "true"
     )
 
-    # a held Enter, and Esc: nothing of the second is stored, and its points are clicked by hand
+    # one undo takes back what one key confirmed; Esc turns proposals down, and points are clicked by hand
     page.get_by_test_id(f"pass-{second.vehicle['number']}").click()
+    expect(page.get_by_test_id("proposed-card-roof")).to_contain_text("±")
+    page.keyboard.press("Enter")
+    until(page, second.vehicle["id"], lambda have: set(have) == {"roof", "taillight"})
+    page.keyboard.press("Control+z")
+    until(page, second.vehicle["id"], lambda have: have == {})
     expect(page.get_by_test_id("proposed-card-roof")).to_contain_text("±")
     page.keyboard.press("Escape")
     expect(page.get_by_test_id("proposed-card-roof")).to_have_count(0)
