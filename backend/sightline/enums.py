@@ -14,7 +14,7 @@ DriverSide = Literal["near", "far"]
 SideBasis = Literal["said", "direction", "place"]
 InsetSource = Literal["usual", "own"]
 # clicked: both points by hand; confirmed: both as Sightline proposed them, accepted by a person; moved: begun
-# from a proposal, and at least one point put elsewhere by a person
+# from proposed points (contact or target), at least one of the two put by a person
 Made = Literal["clicked", "confirmed", "moved"]
 InsetName = Literal["roof", "driver_eye_near", "driver_eye_far", "taillight", "headlight", "other"]
 Lighting = Literal["daytime", "low_light"]

@@ -1,9 +1,9 @@
 """The confirm loop for ten vehicles in Chromium: keys and clicks of each, and how long the machine takes.
 
 `python -m tests.bench.bench_confirm [data folder of a small demonstration]`. Proposals are put into the table
-where the points truly are, once of all three targets, once as they are made today (no eye). What a person adds
-is told by the keystroke-level model (Card, Moran and Newell 1980): a look is M = 1.35 s, a key K = 0.28 s,
-pointing P = 1.1 s, a button B = 0.1 s; a second figure takes one M for every point that is looked at.
+where the points truly are, once of all three targets, once as they are made today (no eye). What a person
+adds is told by the keystroke-level model (Card, Moran and Newell 1980): a look is M = 1.35 s, a key
+K = 0.28 s, pointing P = 1.1 s, a button B = 0.1 s; a second figure takes one M for every point looked at.
 """
 
 from __future__ import annotations

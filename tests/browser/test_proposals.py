@@ -31,7 +31,7 @@ def test_proposals_are_confirmed_one_vehicle_after_the_other(page: Page, demonst
     expect(page.locator("#measure-hint")).to_contain_text("click the driver's eye")
     click_at(page, first.pixels["driver_eye"])
     until(page, first.vehicle["id"], lambda have: "driver_eye" in have)
-    assert stored(page, first.vehicle["id"])["driver_eye"]["made"] == "clicked"
+    assert stored(page, first.vehicle["id"])["driver_eye"]["made"] == "moved"
     expect(page.get_by_test_id(f"pass-{first.vehicle['number']}")).not_to_have_attribute(
         "aria-current", "true"
     )

@@ -109,6 +109,8 @@ def test_clicks_are_no_proposals_where_none_stands(
 ) -> None:
     vehicle_id, wanted = proposed
     path = f"/vehicles/{vehicle_id}/measurements"
+    eye = moved({**wanted, "target": "driver_eye"}, 20.0)
+    assert operator.made(path, eye)["made"] == "moved"  # by hand, over the proposed contact
     assert operator.post(path, {**wanted, "frame": 5, "made": "moved"}).status_code == 409
     with services.writing() as session:
         replace_proposals(session, ground.recording_id, ground.pose_id, [], actor=None)

@@ -4,7 +4,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-from sqlalchemy import ScalarSelect, and_, select
+from sqlalchemy import ScalarSelect, and_, exists, select
 from sqlalchemy.orm import Session
 
 from sightline.geometry.sides import FoundSide, driver_side
@@ -18,6 +18,7 @@ from sightline.recordings.tables import recordings
 from sightline.surveys.records import Inset
 from sightline.surveys.store import TRAFFIC, traffic_of_row
 from sightline.surveys.tables import surveys
+from sightline.vehicles.proposing.tables import proposals
 from sightline.vehicles.records import NOT_VISIBLE
 from sightline.vehicles.tables import vehicles
 
@@ -30,6 +31,7 @@ class ClickContext:
 
     `side`: where the driver of the vehicle sits, or of any in the lane beside the camera where no vehicle is
     named; None where nobody knows. `not_visible`: its targets that were said not to be visible.
+    `proposed`: whether anything was ever proposed of the vehicle, in force or not.
     `own_sigma_px`: what was chosen for this person's clicks from their repeats; None: the usual one.
     """
 
@@ -44,6 +46,7 @@ class ClickContext:
     not_visible: frozenset[str]
     discarded: bool
     own_sigma_px: float | None
+    proposed: bool = False
     frames: Mapping[int, Frame] = field(default_factory=dict)
 
     def frame(self, n: int) -> Frame:
@@ -106,6 +109,7 @@ def _context(
             *(vehicles.c.direction, vehicles.c.driver_side, vehicles.c.discarded),
             *(vehicles.c[name] for name in NOT_VISIBLE.values()),
             _own_sigma(person_id).label("own_sigma_px"),
+            exists().where(proposals.c.vehicle_id == vehicles.c.id).label("proposed"),
             *(frames.c.n, frames.c.pts, frames.c.time_s, frames.c.key, frames.c.crc32),
         )
         .join(surveys, surveys.c.id == recordings.c.survey_id)
@@ -130,6 +134,7 @@ def _context(
         discarded=row.discarded is not None,
         side=driver_side(row.driver_side, row.direction, traffic_of_row(row._mapping)),
         own_sigma_px=row.own_sigma_px,
+        proposed=bool(row.proposed),
         frames={
             of.n: Frame(n=of.n, pts=of.pts, time_s=of.time_s, key=of.key, crc32=of.crc32)
             for of in rows

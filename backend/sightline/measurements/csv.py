@@ -131,8 +131,8 @@ POINTS: Columns = (
 _MADE: Columns = (
     text(
         "made",
-        "how the points on `frame` were set: clicked by hand, confirmed as proposed, or moved: begun from a "
-        "proposal, and at least one point put elsewhere by a person",
+        "how the points on `frame` were set: clicked by hand, confirmed as proposed, or moved: begun from "
+        "proposed points (contact or target), at least one of the two put by a person",
         lambda m: m.values.made,
         required=True,
         enum=get_args(Made),

@@ -155,7 +155,7 @@ class MeasurementValues(HeightOfClicks):
         Made,
         Field(
             description="Of the first frame's points. clicked: both by hand; confirmed: both as proposed; "
-            "moved: begun from a proposal, and at least one point put elsewhere by a person."
+            "moved: begun from proposed points (contact or target), at least one of the two put by a person."
         ),
     ]
     pose_id: int

@@ -104,9 +104,9 @@ def store_measurement(
     proposal's are none that stands, BadInput for a frame outside the recording or a repeat of another
     target's or vehicle's.
     """
-    if clicks.made != "clicked" and not is_stored_key(session, client_key):
-        require_proposed(session, vehicle_id, clicks)
     context = click_context_of_vehicle(session, vehicle_id, actor, _frames_once(clicks))
+    if context.proposed or clicks.made != "clicked":
+        clicks = replace(clicks, made=made_of(session, vehicle_id, client_key, clicks))
     if repeat_of is not None and clicks.inset_m is None:
         first = get_measurement(session, repeat_of)
         clicks = _with_inset_of(clicks, first.values)
@@ -120,21 +120,26 @@ def store_measurement(
     return made
 
 
-def require_proposed(session: Session, vehicle_id: int, clicks: Clicks) -> None:
-    """Raises Conflict where clicks said to be confirmed are not those proposed, or where nothing is proposed
-    on the frame of clicks said to be moved.
+def made_of(session: Session, vehicle_id: int, client_key: str, clicks: Clicks) -> Made:
+    """How the points of clicks were set, held against what is proposed on their frame: a point exactly where
+    one is proposed was not clicked, whatever is said.
+
+    Raises Conflict where clicks said to be confirmed are not those proposed, or where nothing is proposed on
+    the frame of clicks said to be moved; not for a `client_key` that is stored already.
     """
     places = {
         one.point: one.point_px
         for one in proposals_of_vehicle(session, vehicle_id)
         if one.frame == clicks.frame and one.point_px is not None
     }
-    contacts = [at for point, at in places.items() if point.startswith("contact")]
-    target = places.get(cast(ProposedPoint, clicks.target))
-    same = any(_same(clicks.contact, at) for at in contacts) and _same(clicks.target_point, target)
-    known = same if clicks.made == "confirmed" else bool(places)
-    if not known:
+    contact = any(_same(clicks.contact, at) for point, at in places.items() if point.startswith("contact"))
+    target = _same(clicks.target_point, places.get(cast(ProposedPoint, clicks.target)))
+    if contact and target:
+        return "confirmed"
+    unknown = clicks.made == "confirmed" or (clicks.made == "moved" and not places)
+    if unknown and not is_stored_key(session, client_key):
         raise Conflict("measurements-proposals-not-these")
+    return "moved" if contact or target or clicks.made == "moved" else "clicked"
 
 
 def _same(clicked: Point, proposed: Point | None) -> bool:

@@ -1509,7 +1509,7 @@ measure-proposed-moved = moved by you
 measure-points-set = Points
 measure-made = { $made ->
     [confirmed] Proposed by Sightline, confirmed
-    [moved] Proposed by Sightline, moved by hand
+    [moved] Begun from a proposal, finished by hand
    *[clicked] Clicked by hand
 }
 

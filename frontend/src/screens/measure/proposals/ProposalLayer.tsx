@@ -6,7 +6,7 @@ import type { InHand, Proposals, Role } from "./proposals";
 
 const DIAMOND = "M0 -10L10 0L0 10L-10 0Z";
 
-export function roleWords(role: Role): string {
+function roleWords(role: Role): string {
   return role === "contact" ? say("measure-step-contact") : TARGET_NOUNS[role];
 }
 
