@@ -3124,6 +3124,7 @@ studies-lead = Surveys of many sites and years joined: figures of the fleet with
 studies-loading = Loading the studies ...
 studies-new = New study
 studies-new-make = Create study
+study-not-chosen = No study is chosen
 studies-none-title = No studies
 studies-none = A study joins surveys of several sites, weights their vehicles to the fleet, and says how sure its percentiles are.
 studies-name = Study

@@ -18,8 +18,28 @@ import "./study.css";
 
 export default function StudyScreen() {
   const id = asked("id");
+  return id === null ? <NotChosen /> : <Chosen key={id} id={id} />;
+}
+
+/** An address without a number: the list has them all. */
+function NotChosen() {
+  return (
+    <div class="page page--alone study">
+      <div class="panel">
+        <Empty
+          title={say("study-not-chosen")}
+          actions={<Button href="/studies">{say("page-studies")}</Button>}
+        >
+          <p>{say("studies-none")}</p>
+        </Empty>
+      </div>
+    </div>
+  );
+}
+
+function Chosen({ id }: { id: number }) {
   const page = useResource(
-    (signal) => api.ask("GET /studies/{study_id}", { study_id: id ?? 0 }, { signal }),
+    (signal) => api.ask("GET /studies/{study_id}", { study_id: id }, { signal }),
     [id],
   );
   return (
