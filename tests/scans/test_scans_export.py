@@ -89,6 +89,9 @@ def test_statistics_figures_and_report_tell_of_line_scans(package: Path) -> None
     assert "time_gap" not in means  # the first vehicle has none before it
     speeds = [one for one in rows(package / "statistics", "scan_percentiles") if one["quantity"] == "speed"]
     assert {one["value"] for one in speeds} == {"19.31415"} and all(one["reason"] for one in speeds)
+    other, roof = rows(package / "statistics", "scan_heights")
+    assert (roof["target"], roof["n"], roof["mean_m"], roof["sd_m"]) == ("roof", "1", "1.400000", "")
+    assert (other["target"], other["n"], other["to_review"], other["mean_m"]) == ("other", "0", "1", "")
     said = "".join(words((package / "report.pdf").read_bytes()).split())
     for expected in (
         "Linescans",
@@ -104,6 +107,11 @@ def test_statistics_figures_and_report_tell_of_line_scans(package: Path) -> None
     kept = table.read_text(encoding="utf-8")
     table.write_text(kept.replace("19.31415", "20.31415"), encoding="utf-8")
     with pytest.raises(Damaged, match=r"scan_quantities\.csv, line 2: mean says 20.31415"):
+        check_statistics(FolderFiles(package), same_program=True)
+    table.write_text(kept, encoding="utf-8")
+    heights = package / "statistics" / "scan_heights.csv"
+    heights.write_text(heights.read_text(encoding="utf-8").replace("1.400000", "1.410000"), encoding="utf-8")
+    with pytest.raises(Damaged, match=r"scan_heights\.csv, line 3: mean_m says 1.410000"):
         check_statistics(FolderFiles(package), same_program=True)
 
 

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sightline.enums import Correction, Rounding
-from sightline.export.scans import scans_in
+from sightline.export.scans import scan_heights_in, scans_in
 from sightline.geometry.documents import camera_across_m
 from sightline.infra.csv_package.files import Files, read_columns, unsafe
 from sightline.infra.csv_package.forms import read_json
@@ -33,6 +33,7 @@ from sightline.results.measured_columns_query import (
     Measured,
 )
 from sightline.results.survey_statistics import Filter, Statistics, StatisticsOptions, filtered, made_of
+from sightline.scans.statistics.heights import ScannedHeights
 from sightline.scans.statistics.service import ScanStatistics
 from sightline.statistics.corrections import CORRECTIONS
 from sightline.statistics.summary import Grouping
@@ -74,6 +75,7 @@ class PackageStatistics:
 
     of: Mapping[tuple[Correction, Rounding], Statistics]
     scans: ScanStatistics
+    scan_heights: tuple[ScannedHeights, ...]
 
     @property
     def headline(self) -> Statistics:
@@ -101,7 +103,7 @@ def statistics_of(files: Files, choices: StatisticsOptions = StatisticsOptions()
     for correction, rounding in wanted:
         chosen = StatisticsOptions(rounding, correction, choices.u_reference_m, choices.own_standards, table)
         found[correction, rounding] = made_of(measured, left_out, chosen, groupings, {}, {})
-    return PackageStatistics(found, scans_in(files))
+    return PackageStatistics(found, scans_in(files), scan_heights_in(files))
 
 
 def measured_of(files: Files) -> Measured:

@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import asdict
 from typing import get_args
 
-from sightline.enums import KnownLength
+from sightline.enums import KnownLength, Target
 from sightline.export.chosen import chosen_scanned
-from sightline.infra.csv_package.columns import number
+from sightline.infra.csv_package.columns import metres, number
 from sightline.infra.csv_package.files import Files, read_columns, read_rows
 from sightline.infra.csv_package.files import number as figure_of
 from sightline.infra.csv_package.schema import Cell, Column, Table
+from sightline.scans.heights.csv import LINE_HEIGHTS
 from sightline.scans.records import state_of
+from sightline.scans.statistics.heights import HeightSeen, ScannedHeights, scanned_heights
 from sightline.scans.statistics.service import GAPS, MOTION, ScanStatistics, VehicleMotion, statistics_of_seen
 
 Cells = dict[str, Cell]
@@ -106,12 +109,45 @@ ECDF = Table(
     ),
     folder=FOLDER,
 )
-TABLES = (ERRORS, BASELINES, QUANTITIES, PERCENTILES, ECDF)
+HEIGHTS = Table(
+    "scan_heights",
+    "Heights clicked in the line scans, target by target: the figures are of the accepted ones; the heights "
+    "that wait for a review or were rejected are counted.",
+    (
+        Column("target", "string", "what was measured", required=True, enum=get_args(Target)),
+        Column("n", "integer", "how many accepted heights it rests on", required=True, minimum=0),
+        Column("to_review", "integer", "how many wait for a review", required=True, minimum=0),
+        Column("rejected", "integer", "how many were rejected", required=True, minimum=0),
+        metres("mean_m", "mean height"),
+        metres("sd_m", "standard deviation (n - 1); empty for one height"),
+        metres("median_m", "median height"),
+        metres("U95_m", "median half-width of the heights' 95 % intervals"),
+    ),
+    primary=("target",),
+    folder=FOLDER,
+)
+TABLES = (ERRORS, BASELINES, QUANTITIES, PERCENTILES, ECDF, HEIGHTS)
 
 
 def scans_in(files: Files) -> ScanStatistics:
     """Statistics of the accepted vehicles of all line scans that a package is of, from its tables."""
     return statistics_of_seen(list(_seen(files)), accepted_only=True)
+
+
+def scan_heights_in(files: Files) -> tuple[ScannedHeights, ...]:
+    """The accepted heights of the same vehicles, target by target."""
+    chosen = chosen_scanned(files)
+    names = ("vehicle_id", "target", "verdict", "current", "withdrawn", "height_m", "U95_height_m")
+    return scanned_heights(
+        (
+            HeightSeen(target, verdict, float(height), float(U95))
+            for vehicle, target, verdict, current, withdrawn, height, U95 in read_columns(
+                files, LINE_HEIGHTS.path, names
+            )
+            if vehicle in chosen and current == "true" and withdrawn == "false" and height and U95
+        ),
+        accepted_only=True,
+    )
 
 
 def _seen(files: Files) -> Iterator[VehicleMotion]:
@@ -151,14 +187,15 @@ def _seen(files: Files) -> Iterator[VehicleMotion]:
         )
 
 
-def scan_rows(found: ScanStatistics) -> dict[str, Iterator[Cells]]:
-    """The rows of every table by its path; all are empty where no scanned vehicle is accepted."""
+def scan_rows(found: ScanStatistics, heights: tuple[ScannedHeights, ...]) -> dict[str, Iterator[Cells]]:
+    """The rows of every table by its path; of motions none where no scanned vehicle is accepted."""
     return {
         ERRORS.path: _error_rows(found),
         BASELINES.path: _baseline_rows(found),
         QUANTITIES.path: _quantity_rows(found),
         PERCENTILES.path: _percentile_rows(found),
         ECDF.path: _ecdf_rows(found),
+        HEIGHTS.path: (asdict(one) for one in heights),
     }
 
 

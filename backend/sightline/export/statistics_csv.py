@@ -308,7 +308,7 @@ def statistics_rows(found: PackageStatistics) -> dict[str, Iterator[Cells]]:
         HEIGHT_DENSITY.path: chain.from_iterable(_height_density_rows(*one) for one in heights),
         SHARES.path: chain.from_iterable(_share_rows(*one) for one in heights),
         LATERAL_TABLE.path: _lateral_rows(found.headline),
-        **scans.scan_rows(found.scans),
+        **scans.scan_rows(found.scans, found.scan_heights),
     }
 
 

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Collection, Iterator, Mapping
+from collections.abc import Mapping
 
 from sightline.export.chosen import chosen_scanned
 from sightline.export.report.facts import RigFacts, ScanFacts
+from sightline.export.scans import scan_heights_in
 from sightline.infra.csv_package.files import Files, number, read_columns, read_rows, unsafe, whole
-from sightline.scans.statistics.heights import HeightSeen, scanned_heights
 from sightline.scans.statistics.service import ScanStatistics
 
 
@@ -24,17 +24,7 @@ def scan_facts(files: Files, found: ScanStatistics) -> ScanFacts | None:
         if (status, verdict) == ("ok", "accepted") and id_ in chosen
     }
     methods = tuple(sorted(Counter(used.values()).items()))
-    return ScanFacts(rigs, found, methods, scanned_heights(_heights(files, chosen), accepted_only=True))
-
-
-def _heights(files: Files, vehicles: Collection[str]) -> Iterator[HeightSeen]:
-    """The standing heights of these vehicles."""
-    names = ("vehicle_id", "target", "current", "withdrawn", "verdict", "height_m", "U95_height_m")
-    for id_, target, current, withdrawn, verdict, height, u95 in read_columns(
-        files, "line_heights.csv", names
-    ):
-        if id_ in vehicles and (current, withdrawn) == ("true", "false") and height and u95:
-            yield HeightSeen(target, verdict, float(height), float(u95))
+    return ScanFacts(rigs, found, methods, scan_heights_in(files))
 
 
 def _rig(row: Mapping[str, str]) -> RigFacts:
