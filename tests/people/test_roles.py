@@ -163,6 +163,7 @@ MATRIX = {
     "GET /scan-vehicles/{vehicle_id}/match/{picture}": "viewer",
     "POST /scan-measurements/{measurement_id}/review": "reviewer",
     "POST /line-heights/{height_id}/review": "reviewer",
+    "GET /surveys/{survey_id}/line-height-queue": "viewer",
     "GET /scans/{scan_id}/line-pose": "viewer",
     "POST /scans/{scan_id}/line-pose/preview": "viewer",
     "PUT /scans/{scan_id}/line-pose": "operator",

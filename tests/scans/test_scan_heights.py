@@ -151,3 +151,24 @@ def test_what_cannot_be_is_said_in_words(operator: Client, viewer: Client, vehic
         f"{scan}/line-pose/preview", {"marks": [{**rod()["marks"][0], "row_px": 300.0}, *rod()["marks"][1:]]}
     )
     assert "check the distances" in crooked["warnings"][0]
+
+
+def test_heights_of_line_scans_stand_in_the_reviewers_queue(services: Services, reviewer: Client) -> None:
+    """All that wait are counted and named with their bench; a verdict takes one out, reopening brings it back."""
+    with services.writing() as session:
+        made = samples.sample(session)
+        seen = scans_samples.measured(session, made)
+        rod = scans_samples.rod(session, made, seen.scan_id)
+        roof = scans_samples.tall(session, made, seen.vehicle_id, rod)
+        scans_samples.tall(session, made, seen.vehicle_id, rod, target="other")
+    queue, review = f"/surveys/{made.survey.id}/line-height-queue", f"/line-heights/{roof.id}/review"
+    found = reviewer.seen(queue)
+    assert (found["to_review"], found["own"]) == (2, 0)
+    assert [one["target"] for one in found["items"]] == ["other", "roof"]
+    one = found["items"][1]
+    assert (one["id"], one["scan_id"], one["vehicle_id"]) == (roof.id, seen.scan_id, seen.vehicle_id)
+    assert one["height_m"] == pytest.approx(1.4) and one["U95_height_m"] > 0 and not one["mine"]
+    reviewer.made(review, {"verdict": "accepted"})
+    assert [one["target"] for one in reviewer.seen(queue)["items"]] == ["other"]
+    reviewer.made(review, {"verdict": "reopened"})
+    assert reviewer.seen(queue)["to_review"] == 2

@@ -1773,6 +1773,14 @@ review-state-fixed = Fixed
 review-state-all = All
 review-counts = { NUMBER($accepted) } accepted, { NUMBER($rejected) } rejected of { NUMBER($count) }
 review-mine = mine
+review-line = line scan
+review-lines = { $count ->
+    [one] { $count } height of a line scan to review.
+   *[other] { NUMBER($count) } heights of line scans to review.
+}
+review-lines-left-title = Heights in line scans wait
+review-lines-left = They are judged on the bench of line scans, which goes on from one to the next.
+review-lines-open = Open the next one
 review-verdict-of = verdict on { $target } of vehicle { $vehicle }
 review-verdict-reason = { $verdict }: { $reason }
 review-verdict-by = { $verdict } by { $person }

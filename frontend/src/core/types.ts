@@ -149,6 +149,7 @@ export type LinePoses = Schemas["LinePosesBody"];
 export type RodMark = Schemas["RodMarkBody"];
 export type SolvedRod = Schemas["SolvedRodBody"];
 export type LineHeight = Schemas["LineHeightBody"];
+export type LineHeightQueue = Schemas["LineHeightQueue"];
 export type LineHeightAnswer = Schemas["LineHeightAnswer"];
 export type ScanMethod = NonNullable<Schemas["FindWanted"]["method"]>;
 export type ScanStatistics = Schemas["ScanStatisticsBody"];

@@ -94,3 +94,27 @@ class LineHeightReview:
     reason: str | None
     reviewer: Who | None
     at: datetime
+
+
+@dataclass(frozen=True, slots=True)
+class WaitingLineHeight:
+    """A height of a line scan that waits for a verdict; `mine`: of the asker's own clicks."""
+
+    id: int
+    scan_id: int
+    scan_name: str
+    vehicle_id: int
+    number: int
+    target: Target
+    height_m: float | None
+    U95_height_m: float | None
+    mine: bool
+
+
+@dataclass(frozen=True, slots=True)
+class LineHeightQueue:
+    """The heights of a survey's line scans that wait: for the asker, and the asker's own."""
+
+    to_review: int
+    own: int
+    items: tuple[WaitingLineHeight, ...]

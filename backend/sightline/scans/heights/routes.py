@@ -25,9 +25,11 @@ from sightline.scans.heights.bodies import (
     SolvedRodBody,
 )
 from sightline.scans.heights.poses import Mark, Rod, SolvedRod
-from sightline.scans.heights.records import StoredLineHeight, StoredLinePose
+from sightline.scans.heights.queue import line_height_queue
+from sightline.scans.heights.records import LineHeightQueue, StoredLineHeight, StoredLinePose
 from sightline.scans.store import get_scan
 from sightline.scans.vehicles.store import get_scan_vehicle
+from sightline.surveys.store import get_survey
 
 router = APIRouter()
 
@@ -125,6 +127,13 @@ def review_line_height(
         session, height_id, verdict=body.verdict, reason=body.reason, seen=body.seen, actor=who.id
     )
     return _height_bodies(session, judged.scan_id, (judged,), who.id)[0]
+
+
+@router.get("/surveys/{survey_id}/line-height-queue")
+def list_waiting_line_heights(survey_id: PathId, who: Viewer, session: Reading) -> LineHeightQueue:
+    """The heights of the survey's line scans that wait for a verdict, one's own last; 200 at most."""
+    get_survey(session, survey_id)
+    return line_height_queue(session, survey_id, actor=who.id)
 
 
 _OF_FOUND = ("reason", "distance_m", "height_m", "u_height_m", "U95_height_m", "warnings")

@@ -8,7 +8,7 @@ import { Said } from "../../components/Said";
 import { say, wordsOf } from "../../core/messages";
 import { may } from "../../core/session";
 import { survey } from "../../core/survey";
-import type { ReviewItem } from "../../core/types";
+import type { LineHeightQueue, ReviewItem } from "../../core/types";
 import { formatHeight } from "../../core/units";
 import { STATE_WORDS, TARGET_WORDS, vehicleName } from "../../core/words";
 import type { ReviewModel, Shown } from "./model";
@@ -62,6 +62,7 @@ export function Queue({ model }: { model: ReviewModel }) {
         </div>
         <Plan model={model} />
         <LotLine model={model} />
+        <LinesLine model={model} />
         {counts && (
           <p class="small muted" data-testid="review-counts">
             {say("review-counts", {
@@ -84,9 +85,54 @@ export function Queue({ model }: { model: ReviewModel }) {
             </Button>
           </li>
         )}
+        {linesShown(model).map((one) => (
+          <LineRow key={`line-${one.id}`} surveyId={model.surveyId} one={one} />
+        ))}
       </ul>
     </nav>
   );
+}
+
+type Line = LineHeightQueue["items"][number];
+
+/** They have no lots, and here only those that wait. */
+function linesShown(model: ReviewModel): readonly Line[] {
+  const shown = model.lot === null && (model.shown.value === "to_review" || model.shown.value === "all");
+  return shown ? (model.lineHeights.value?.items ?? []) : [];
+}
+
+function LinesLine({ model }: { model: ReviewModel }) {
+  const found = model.lineHeights.value;
+  if (!found || found.to_review + found.own === 0) return null;
+  return (
+    <p class="small muted" data-testid="review-lines">
+      {say("review-lines", { count: found.to_review })}{" "}
+      {found.own > 0 && say("review-own-waiting", { count: found.own })}
+    </p>
+  );
+}
+
+/** Opens the bench of line scans at its vehicle, where the verdict is given. */
+function LineRow({ surveyId, one }: { surveyId: number; one: Line }) {
+  return (
+    <li>
+      <a
+        class="pass review__row"
+        data-testid={`review-line-${one.id}`}
+        href={benchOf(surveyId, one)}
+        title={one.scan_name}
+      >
+        <strong class="pass__number">{vehicleName(one.number)}</strong>
+        <span>{TARGET_WORDS[one.target]}</span>
+        <span class="badge">{say(one.mine ? "review-mine" : "review-line")}</span>
+        <span class="pass__name">{formatHeight(one.height_m, one.U95_height_m)}</span>
+      </a>
+    </li>
+  );
+}
+
+export function benchOf(surveyId: number, one: Line): string {
+  return `/surveys/${surveyId}/scan?scan=${one.scan_id}&vehicle=${one.vehicle_id}`;
 }
 
 /** While the sample of one lot is judged, how to come back to all; else how much waits for its lot's sample. */

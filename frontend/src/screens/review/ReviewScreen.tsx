@@ -11,8 +11,8 @@ import { survey } from "../../core/survey";
 import { BlindFrame } from "../../viewer/BlindFrame";
 import { brightSwitch, frameCommands, loupeSwitch } from "../../viewer/stageCommands";
 import { Transport } from "../../viewer/Transport";
-import { ReviewModel, type Shown } from "./model";
-import { Queue } from "./Queue";
+import { ReviewModel } from "./model";
+import { benchOf, Queue } from "./Queue";
 import { ReviewFrame } from "./ReviewFrame";
 import { REASONS } from "./reasons";
 import { VerdictPanel } from "./VerdictPanel";
@@ -70,17 +70,32 @@ export default function ReviewScreen({ surveyId }: ScreenProps) {
           </section>
         </>
       ) : (
-        <NothingHere surveyId={surveyId} shown={model.shown.value} />
+        <NothingHere surveyId={surveyId} model={model} />
       )}
     </div>
   );
 }
 
-function NothingHere({ surveyId, shown }: { surveyId: number; shown: Shown }) {
-  if (shown !== "to_review") {
+function NothingHere({ surveyId, model }: { surveyId: number; model: ReviewModel }) {
+  if (model.shown.value !== "to_review") {
     return (
       <Empty title={say("review-none-in-state-title")}>
         <p>{say("review-none-in-state")}</p>
+      </Empty>
+    );
+  }
+  const line = model.lot === null && model.lineHeights.value?.items.find((one) => !one.mine);
+  if (line) {
+    return (
+      <Empty
+        title={say("review-lines-left-title")}
+        actions={
+          <Button kind="primary" href={benchOf(surveyId, line)}>
+            {say("review-lines-open")}
+          </Button>
+        }
+      >
+        <p>{say("review-lines-left")}</p>
       </Empty>
     );
   }

@@ -8,7 +8,15 @@ import { outbox, type Wanted } from "../../core/outbox";
 import { may, me } from "../../core/session";
 import { refreshSurvey } from "../../core/survey";
 import { toast, toastProblem } from "../../core/toasts";
-import type { Comparison, Measurement, ReviewItem, ReviewPlan, ReviewWork, Verdict } from "../../core/types";
+import type {
+  Comparison,
+  LineHeightQueue,
+  Measurement,
+  ReviewItem,
+  ReviewPlan,
+  ReviewWork,
+  Verdict,
+} from "../../core/types";
 import { STATE_WORDS, TARGET_WORDS, vehicleName } from "../../core/words";
 import { type Again, BlindClicks } from "../../viewer/blind";
 import { Geometry } from "../../viewer/geometry";
@@ -59,6 +67,8 @@ export class ReviewModel {
   /** Which measurements are clicked blind: the survey's, not the reviewer's choice. */
   readonly plan = signal<ReviewPlan | null>(null);
   readonly work = signal<ReviewWork | null>(null);
+  /** Heights of line scans that wait: they have a bench of their own, and stand in this queue. */
+  readonly lineHeights = signal<LineHeightQueue | null>(null);
   readonly busy = signal(false);
   /** True while the server has more of the queue than was read. */
   readonly more = signal(false);
@@ -203,9 +213,10 @@ export class ReviewModel {
 
   private async readPlan(): Promise<void> {
     const survey_id = this.surveyId;
-    [this.plan.value, this.work.value] = await Promise.all([
+    [this.plan.value, this.work.value, this.lineHeights.value] = await Promise.all([
       api.ask("GET /surveys/{survey_id}/review-plan", { survey_id }),
       api.ask("GET /surveys/{survey_id}/review-work", { survey_id }),
+      api.ask("GET /surveys/{survey_id}/line-height-queue", { survey_id }),
     ]);
   }
 
