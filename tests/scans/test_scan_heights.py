@@ -154,7 +154,7 @@ def test_what_cannot_be_is_said_in_words(operator: Client, viewer: Client, vehic
 
 
 def test_heights_of_line_scans_stand_in_the_reviewers_queue(services: Services, reviewer: Client) -> None:
-    """All that wait are counted and named with their bench; a verdict takes one out, reopening brings it back."""
+    """All that wait are counted, with their bench; a verdict takes one out, reopening brings it back."""
     with services.writing() as session:
         made = samples.sample(session)
         seen = scans_samples.measured(session, made)
