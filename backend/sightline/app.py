@@ -47,6 +47,7 @@ import sightline.scans.routes
 import sightline.scans.statistics.routes
 import sightline.scans.vehicles.routes
 import sightline.studies.routes
+import sightline.surveys.members.routes
 import sightline.surveys.photographs.routes
 import sightline.vehicles.catalogue.routes
 import sightline.vehicles.passes.routes
@@ -54,6 +55,7 @@ import sightline.vehicles.proposing.routes
 from sightline.errors import NotFound
 from sightline.infra.services import Services, open_services
 from sightline.infra.web import error_handlers, pages
+from sightline.infra.web.access import Access
 from sightline.infra.web.bodies import ErrorBody
 from sightline.infra.web.cookie import SignIn
 from sightline.infra.web.guard import Guard
@@ -68,6 +70,7 @@ from sightline.people.service import Attempts
 from sightline.people.store import get_person
 from sightline.recordings.uploads.service import recover_uploads
 from sightline.settings import Settings
+from sightline.surveys.members import store as members
 from sightline.surveys.store import demo_survey_id
 from sightline.vehicles.passes.prefetch import prefetch_around_passes
 
@@ -80,6 +83,7 @@ ROUTERS: tuple[tuple[str, APIRouter], ...] = (
     ("people", sightline.people.routes.router),
     ("surveys", sightline.results.overview.routes.router),
     ("surveys", sightline.results.sampling.routes.router),
+    ("members", sightline.surveys.members.routes.router),
     ("photographs", sightline.surveys.photographs.routes.router),
     ("cameras", sightline.cameras.routes.router),
     ("calibrations", sightline.cameras.calibrations.routes.router),
@@ -168,6 +172,7 @@ def create_app(settings: Settings | None = None, services: Services | None = Non
     app.state.sign_in = SignIn(
         signing_secret(settings), settings.secure_cookies, lambda id_: _person(services, id_)
     )
+    app.state.access = Access(services, members)
     app.state.attempts = Attempts()
     app.state.demo_survey_id = demo_survey_id
     error_handlers.install(app)

@@ -7,6 +7,8 @@ JsonObject = dict[str, Any]
 Point = tuple[float, float]
 
 Role = Literal["admin", "operator", "reviewer", "viewer"]
+SurveyRole = Literal["manager", "operator", "reviewer", "viewer"]
+ActingRole = Literal["admin", "manager", "operator", "reviewer", "viewer"]
 Target = Literal["roof", "driver_eye", "taillight", "headlight", "other"]
 Hand = Literal["right", "left"]
 CameraPlace = Literal["verge", "median"]

@@ -179,6 +179,7 @@ def create_tables() -> None:
         sa.Column("site", sa.String(length=200), nullable=False),
         sa.Column("description", sa.Text(), nullable=False),
         sa.Column("is_demo", sa.Boolean(), nullable=False),
+        sa.Column("open_to_all", sa.Boolean(), nullable=False),
         sa.Column("traffic_side", sa.String(length=20), nullable=True),
         sa.Column("steering_side", sa.String(length=20), nullable=True),
         sa.Column("camera_place", sa.String(length=20), nullable=True),
@@ -206,6 +207,21 @@ def create_tables() -> None:
         sa.ForeignKeyConstraint(["updated_by"], ["people.id"], name=op.f("fk_surveys_updated_by")),
         sa.PrimaryKeyConstraint("id", name=op.f("pk_surveys")),
     )
+    op.create_table(
+        "survey_members",
+        sa.Column("id", sa.Integer(), nullable=False),
+        sa.Column("survey_id", sa.Integer(), nullable=False),
+        sa.Column("person_id", sa.Integer(), nullable=False),
+        sa.Column("role", sa.String(length=20), nullable=False),
+        sa.CheckConstraint(
+            "role IN ('manager', 'operator', 'reviewer', 'viewer')", name=op.f("ck_survey_members_role_known")
+        ),
+        sa.ForeignKeyConstraint(["person_id"], ["people.id"], name=op.f("fk_survey_members_person_id")),
+        sa.ForeignKeyConstraint(["survey_id"], ["surveys.id"], name=op.f("fk_survey_members_survey_id")),
+        sa.PrimaryKeyConstraint("id", name=op.f("pk_survey_members")),
+        sa.UniqueConstraint("survey_id", "person_id", name=op.f("uq_survey_members_survey_id_person_id")),
+    )
+    op.create_index(op.f("ix_survey_members_person_id"), "survey_members", ["person_id"], unique=False)
     op.create_table(
         "audit_events",
         sa.Column("id", sa.Integer(), nullable=False),

@@ -1,14 +1,27 @@
-"""Every route of the API as each role and signed out, against a matrix written by hand."""
+"""Every route of the API as each role, as somebody who does not belong to the survey and signed out, against a
+matrix written by hand. The whole table stands in the guide: `python -m tests.people.test_roles` prints it there.
+"""
 
-from collections.abc import Iterator
+import re
+from collections.abc import Collection, Iterator
+from pathlib import Path
 from typing import Any
 
 import pytest
 from fastapi import FastAPI
 from fastapi.routing import APIRoute
+from fastapi.testclient import TestClient
 
 from sightline.app import ROUTERS
-from sightline.infra.web.deps import RANK, anybody, require
+from sightline.enums import ActingRole
+from sightline.infra.database import Session
+from sightline.infra.services import Services
+from sightline.infra.web.access import APART, ASKED_FOR, RANK, THINGS, Access
+from sightline.infra.web.deps import anybody, require
+from sightline.infra.web.person import Person, Seen
+from sightline.people.store import create_person, create_sign_in_link, list_people
+from sightline.surveys.members import store as members
+from sightline.surveys.store import create_survey
 from tests.support.app import TUS, Client, error_of
 
 pytestmark = pytest.mark.once
@@ -31,6 +44,11 @@ MATRIX = {
     "POST /surveys": "operator",
     "GET /surveys/{survey_id}": "viewer",
     "PUT /surveys/{survey_id}": "operator",
+    "GET /surveys/{survey_id}/members": "viewer",
+    "GET /surveys/{survey_id}/members/others": "manager",
+    "PUT /surveys/{survey_id}/members/{person_id}": "manager",
+    "DELETE /surveys/{survey_id}/members/{person_id}": "manager",
+    "PUT /surveys/{survey_id}/open-to-all": "manager",
     "GET /surveys/{survey_id}/photographs": "viewer",
     "POST /surveys/{survey_id}/photographs": "operator",
     "PUT /surveys/{survey_id}/photographs/order": "operator",
@@ -134,7 +152,7 @@ MATRIX = {
     "POST /lots/{lot_id}/dissolve": "reviewer",
     "POST /lots/{lot_id}/take-back": "reviewer",
     "GET /surveys/{survey_id}/review-plan": "viewer",
-    "PUT /surveys/{survey_id}/review-plan": "admin",
+    "PUT /surveys/{survey_id}/review-plan": "manager",
     "POST /measurements/{measurement_id}/reviews": "reviewer",
     "GET /surveys/{survey_id}/repeats": "viewer",
     "GET /surveys/{survey_id}/repeats/sample": "operator",
@@ -239,33 +257,110 @@ def test_no_route_is_served_that_the_matrix_does_not_know(app: FastAPI) -> None:
     assert served == set(MATRIX)
 
 
+def of_a_survey(name: str) -> bool:
+    """Whether what a route names in its path belongs to a survey."""
+    return any(f"/{kind}/{{" in name for kind in THINGS)
+
+
+def test_no_path_names_a_kind_that_is_not_known() -> None:
+    """What is named in no list would be shown to everybody."""
+    for name in MATRIX:
+        for kind in re.findall(r"/([a-z-]+)/\{\w+_id\}", name):
+            assert kind in THINGS or kind in APART, name
+        assert of_a_survey(name) or "survey_id" not in name, name
+
+
+def test_no_query_names_a_thing_that_is_not_known(app: FastAPI) -> None:
+    apart = {"person_id", "before_id"}
+    for path, methods in app.openapi()["paths"].items():
+        for asked in (one for method in methods.values() for one in method.get("parameters", ())):
+            if asked["in"] == "query" and (asked["name"].endswith("_id") or "survey" in asked["name"]):
+                assert asked["name"] in ASKED_FOR or asked["name"] in apart, (path, asked["name"])
+
+
 def ask(client: Client, name: str) -> Any:
     """Ask for things that are not there: what is answered depends on who asks only through the role."""
     method, path = name.split(" ")
-    for part in ("survey", "camera", "image", "calibration", "upload", "recording", "pose", "vehicle"):
-        path = path.replace(f"{{{part}_id}}", "999999")
-    for part in ("measurement", "export", "job", "person", "scan", "study", "result"):
-        path = path.replace(f"{{{part}_id}}", "999999")
+    path = re.sub(r"\{\w+_id\}", "999999", path)
     path = path.replace("{n}", "0").replace("{frame}", "0").replace("{picture}", "first")
     path = path.replace("{camera}/{level}/{index}", "1/0/0")
     query = {"x": 0, "y": 0, "w": 8, "h": 8, "revision": 1} if method in ("GET", "DELETE") else {}
     return client.http.request(method, f"/api{path}", headers=TUS, params=query)
 
 
-@pytest.mark.parametrize("role", ["viewer", "operator", "reviewer", "admin"])
-def test_roles_are_enforced(clients: dict[str, Client], role: str) -> None:
-    client = clients[role]
-    for name, least in MATRIX.items():
+class InOneSurvey:
+    """Everything that is asked for belongs to one survey, whatever its number."""
+
+    def __init__(self, survey_id: int) -> None:
+        self._survey_id = survey_id
+
+    def seen_surveys(self, session: Session, person: Person) -> Seen:
+        return members.seen_surveys(session, person)
+
+    def roles_by_thing(
+        self, session: Session, person: Person, table: str, ids: Collection[int]
+    ) -> dict[int, ActingRole]:
+        role = members.role_in_survey(session, person, self._survey_id)
+        return {} if role is None else dict.fromkeys(ids, role)
+
+
+@pytest.fixture
+def closed(app: FastAPI, services: Services, clients: dict[str, Client]) -> int:
+    """A survey to which each account belongs in its own role, but for the admin and an outsider."""
+    with services.writing() as session:
+        survey_id = create_survey(session, name="Closed", actor=None).id
+        for person in list_people(session):
+            if person.role != "admin":
+                members.put_member(session, survey_id, person.id, person.role, actor=None)
+        tokens = {}
+        for name, role in (("manager", "viewer"), ("outsider", "reviewer")):
+            made = create_person(session, name=name, email=f"{name}@x.org", role=role, actor=None)  # type: ignore[arg-type]
+            tokens[name] = create_sign_in_link(session, made.id, actor=None)
+            if name == "manager":
+                members.put_member(session, survey_id, made.id, "manager", actor=None)
+    for name, token in tokens.items():
+        clients[name] = Client(TestClient(app, headers={"X-Sightline": "1"}, raise_server_exceptions=False))
+        clients[name].made("/session/link", {"token": token})
+    app.state.access = Access(services, InOneSurvey(survey_id))
+    return survey_id
+
+
+#: Who asks: the role of the account, and the role in the survey (None: does not belong to it).
+ASKING: dict[str, tuple[str, ActingRole | None]] = {
+    "outsider": ("reviewer", None),
+    "viewer": ("viewer", "viewer"),
+    "operator": ("operator", "operator"),
+    "reviewer": ("reviewer", "reviewer"),
+    "manager": ("viewer", "manager"),
+    "admin": ("admin", "admin"),
+}
+
+
+def refused(who: str, name: str) -> int | None:
+    """With which status a route refuses somebody; None where it lets them in."""
+    least, (account, inside) = MATRIX[name], ASKING[who]
+    if not least:
+        return None
+    role = inside if of_a_survey(name) else account
+    if role is None:
+        return 404
+    return 403 if RANK[role] < RANK[least] else None  # type: ignore[index]
+
+
+@pytest.mark.parametrize("who", ASKING)
+def test_roles_are_enforced(clients: dict[str, Client], closed: int, who: str) -> None:
+    client = clients[who]
+    for name in MATRIX:
         if name == "DELETE /session":
             continue
-        answer = ask(client, name)
-        if least and RANK[role] < RANK[least]:  # type: ignore[index]
-            assert answer.status_code == 403, (name, role, answer.text)
-            if answer.text:
-                assert least in error_of(answer)
-        else:
-            assert answer.status_code not in (403, 405, 500), (name, role, answer.text)
-            assert answer.status_code != 401 or "session" in name, (name, role, answer.text)
+        answer, expected = ask(client, name), refused(who, name)
+        if expected is None:
+            assert answer.status_code not in (403, 405, 500), (name, who, answer.text)
+            assert answer.status_code != 401 or "session" in name, (name, who, answer.text)
+            continue
+        assert answer.status_code == expected, (name, who, answer.text)
+        if answer.text and expected == 403:
+            assert MATRIX[name] in error_of(answer)
 
 
 def test_signed_out_nothing_is_given(nobody: Client) -> None:
@@ -276,3 +371,36 @@ def test_signed_out_nothing_is_given(nobody: Client) -> None:
             assert not answer.text or error_of(answer) == "You are not signed in; sign in and try again."
         else:
             assert answer.status_code in (200, 204, 422), (name, answer.text)
+
+
+GUIDE = Path(__file__).parents[2] / "docs" / "guide" / "en" / "access.md"
+MARK = "<!-- printed by: python -m tests.people.test_roles -->\n"
+
+
+def table() -> str:
+    """The table of the guide: what each route answers to whom."""
+    head = "| route | signed out | does not belong | viewer | operator | reviewer | manager | administrator |"
+    lines = [head, "| --- " * 8 + "|"]
+    for name, least in MATRIX.items():
+        if of_a_survey(name):
+            cells = [refused(who, name) or "yes" for who in ASKING]
+        else:
+            inside = {"viewer", "operator", "reviewer", "admin"}
+            open_to = [who for who in inside if not least or RANK[who] >= RANK[least]]  # type: ignore[index]
+            cells = [
+                "-",
+                *(
+                    "-" if who == "manager" else "yes" if who in open_to else 403
+                    for who in ("viewer", "operator", "reviewer", "manager", "admin")
+                ),
+            ]
+        lines.append(f"| `{name}` | {401 if least else 'yes'} | {' | '.join(map(str, cells))} |")
+    return "\n".join(lines) + "\n"
+
+
+def test_the_guide_prints_the_table() -> None:
+    assert GUIDE.read_text(encoding="utf-8").partition(MARK)[2] == table()
+
+
+if __name__ == "__main__":
+    GUIDE.write_text(GUIDE.read_text(encoding="utf-8").partition(MARK)[0] + MARK + table(), encoding="utf-8")

@@ -158,8 +158,9 @@ def work(services: Services) -> Callable[[], list[Job]]:
 
 
 @pytest.fixture
-def survey_id(operator: Client) -> int:
-    return int(operator.made("/surveys", {"name": "Test road"})["id"])
+def survey_id(admin: Client) -> int:
+    """A survey in which everybody acts by the role of the account; who belongs to one: `test_members`."""
+    return int(admin.made("/surveys", {"name": "Test road", "open_to_all": True})["id"])
 
 
 def announce(client: Client, survey_id: int, name: str, size: int) -> httpx2.Response:

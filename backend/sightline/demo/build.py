@@ -122,6 +122,7 @@ def build(session: Session, parts: Parts, scanned: ScanParts) -> tuple[int, dict
         place=PLACE,
         asked=Asked(TARGETS, TARGETS),
         is_demo=True,
+        open_to_all=True,
         actor=None,
     )
     camera_id, calibration_id = _camera(session, survey.id, parts)

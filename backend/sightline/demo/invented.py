@@ -204,6 +204,7 @@ def store_site(session: Session, site: Site, films: dict[Lighting, Film]) -> int
         traffic=TRAFFIC,
         place=PLACE,
         asked=Asked(**_TARGETS),
+        open_to_all=True,
         actor=None,
     )
     choose_review_plan(session, survey.id, blind_one_in=0, version=0, actor=None)

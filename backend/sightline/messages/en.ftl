@@ -209,6 +209,7 @@ role-viewer = Viewer
 role-operator = Operator
 role-reviewer = Reviewer
 role-admin = Administrator
+role-manager = Manager
 
 ## Pages: their names in the rail, the window's title and links
 
@@ -389,6 +390,7 @@ guide-page-operator = Operator
 guide-page-reviewer = Reviewer
 guide-page-standards-engineer = Standards engineer
 guide-page-administrator = Administrator
+guide-page-access = Who may do what
 guide-page-studies = Studies
 guide-page-CONVENTIONS = Method
 guide-page-formats = Formats
@@ -3014,6 +3016,30 @@ planning-forms-note = n = b f / s: the lines from camera 1 to camera 2, of the b
 survey-loading = the survey
 survey-demonstration = demonstration
 survey-edit = Edit
+members-open = Members
+members-title = Members of the survey
+members-lead = Members and administrators see this survey. For everybody else it does not exist.
+members-lead-open = Everybody who signs in sees this survey, and acts in it by the role of their account. Members have the role that stands here.
+members-open-to-all = Open to everybody who signs in
+members-name = Name
+members-role = Role here
+members-role-of = Role of { $person } in this survey
+members-remove = Take out
+members-remove-title = Take { $person } out of the survey?
+members-remove-body = { $person } no longer sees it. What they did stays theirs.
+members-remove-yourself = You will no longer see this survey.
+members-none = Nobody belongs to this survey yet; administrators manage it.
+members-inactive = switched off
+members-add = Add
+members-add-person = Person
+members-add-role = Role
+members-choose = Choose a person
+members-everybody = Everybody with an account is a member.
+members-does-viewer = sees everything, exports packages
+members-does-operator = brings in recordings, calibrates, measures
+members-does-reviewer = what an operator does, and reviews the work of others
+members-does-manager = what a reviewer does, and says who belongs to the survey and how it is reviewed
+members-loading = Loading the members
 survey-camera = Calibrate the camera
 survey-recordings = Bring in the recordings
 survey-pose = Find the road
@@ -3410,6 +3436,7 @@ audit-action-dissolved = dissolved
 audit-action-taken_back = took back
 audit-action-withdraw = withdrew
 audit-entity-survey = survey
+audit-entity-survey_member = member
 audit-entity-camera = camera
 audit-entity-calibration_image = calibration image
 audit-entity-calibration = calibration
@@ -3826,6 +3853,8 @@ jobs-job-given-another-worker-one-stops = Job { $id } was given to another worke
 
 web-server-busy = The server has more to do than it can at the moment; nothing was done, try again in a few seconds.
 web-you-not-signed-sign-try-again = You are not signed in; sign in and try again.
+members-last-manager = A survey keeps one manager; make somebody else its manager first.
+audit-problem-ask-admin = The audit trail does not hold; ask an administrator to check it.
 web-needs-role-you-ask-admin = This needs the role { $needed }, and you are { $role }; ask an admin for it.
 web-larger-mb-make-smaller-try-again = { $name } is larger than { $most_bytes } MB; make it smaller and try again.
 

@@ -71,6 +71,7 @@ def change_person(
             session, person_id, name=body.name, role=body.role, active=body.active, actor=who.id
         )
     request.app.state.sign_in.forget()
+    request.app.state.access.forget()
     return PersonBody.model_validate(person)
 
 

@@ -20,7 +20,7 @@ from sightline.enums import (
 )
 from sightline.errors import BadInput
 from sightline.infra.audit.records import Who
-from sightline.infra.web.deps import Operator, PathId, Reading, Viewer, Writing
+from sightline.infra.web.deps import Operator, PathId, Reading, SurveysSeen, Viewer, Writing
 from sightline.results import standards_store
 from sightline.results.bodies import StandardsIn, StatisticsBody
 from sightline.results.standards_store import StandardsOfSurvey
@@ -51,6 +51,7 @@ _LIGHTING = get_args(LightingGroup)
 def statistics_of_measurements(
     who: Viewer,
     session: Reading,
+    seen: SurveysSeen,
     survey: Annotated[list[Id], Query(max_length=200)] = [],  # noqa: B006 (FastAPI copies it)
     lighting: Lighting | None = None,
     category: Annotated[list[Category], Query(max_length=len(get_args(Category)))] = [],  # noqa: B006
@@ -92,6 +93,7 @@ def statistics_of_measurements(
         filmed_to=filmed_to,
         state=state,
         target=target,
+        seen=seen,
     )
     choices = StatisticsOptions(rounding, correction, u_reference_m, own)
     return statistics_body(survey_statistics(session, chosen, choices), correction)

@@ -38,9 +38,10 @@ def get_standards(session: Session, survey_id: int) -> StandardsOfSurvey:
     return _newest(session, [survey_id]).get(survey_id, StandardsOfSurvey(STANDARDS, 0))
 
 
-def standards_of_surveys(session: Session, survey_ids: Sequence[int] = ()) -> tuple[Standard, ...]:
+def standards_of_surveys(session: Session, survey_ids: Sequence[int] | None = None) -> tuple[Standard, ...]:
     """Those of some surveys, or of all, each once: the usual ones first where a survey keeps to them."""
-    wanted = list(survey_ids) or list(session.execute(select(surveys.c.id).order_by(surveys.c.id)).scalars())
+    every = select(surveys.c.id).order_by(surveys.c.id)
+    wanted = list(session.execute(every).scalars() if survey_ids is None else survey_ids)
     found = _newest(session, wanted)
     return joined_standards([found[id_].standards if id_ in found else STANDARDS for id_ in wanted])
 

@@ -34,6 +34,7 @@ from sightline.enums import (
 from sightline.errors import BadInput, NotFound
 from sightline.infra.audit import trail
 from sightline.infra.database import Session
+from sightline.infra.web.person import Seen
 from sightline.people.store import list_people
 from sightline.results.measured_columns_query import (
     CATEGORIES,
@@ -90,6 +91,7 @@ class Filter:
     A vehicle counts if its class is one of `categories` or counts in one of `class_sets`.
 
     `target` limits what is counted and shown, not the errors: they are of roofs, and corrections need them.
+    `seen`: the surveys that the person who asks sees; others are left out, and are not there when named.
     """
 
     survey_ids: tuple[int, ...] = ()
@@ -103,6 +105,7 @@ class Filter:
     filmed_to: date | None = None
     state: StatisticsState = "accepted"
     target: StatisticsTarget | None = None
+    seen: Seen = None
 
 
 @dataclass(frozen=True)
@@ -155,19 +158,20 @@ def survey_statistics(
 
 def measured_columns(session: Session, chosen: Filter) -> Measured:
     """What a filter leaves, of its target where it has one. Raises as `survey_statistics`."""
-    _refuse(chosen, survey_names(session))
+    wanted = _wanted(chosen, survey_names(session))
     days = chosen.first_day is not None or chosen.last_day is not None
-    found, _ = filtered(_columns(session, trail.head(session).hash, chosen.survey_ids, days), chosen)
+    found, _ = filtered(_columns(session, trail.head(session).hash, wanted, days), chosen)
     return found.where(_of_target(found, chosen.target))
 
 
 # The keys of what is kept hold the audit chain's last hash, so that any write makes it old.
 @cached(LRUCache(16), key=lambda _session, *rest: rest, lock=Lock())
 def _made(session: Session, last_hash: str, chosen: Filter, choices: StatisticsOptions) -> Statistics:
-    places = survey_names(session)
-    _refuse(chosen, places)
+    everywhere = survey_names(session)
+    wanted = _wanted(chosen, everywhere)
+    places = {id_: place for id_, place in everywhere.items() if chosen.seen is None or id_ in chosen.seen}
     days = chosen.first_day is not None or chosen.last_day is not None
-    found = _columns(session, last_hash, chosen.survey_ids, days)
+    found = _columns(session, last_hash, wanted, days)
     measured, left_out = filtered(found, chosen)
     named = _told_apart({one.id: one.name for one in list_people(session)})
     there = {int(one) for one in _distinct(found.operator_id)}
@@ -181,13 +185,21 @@ def _made(session: Session, last_hash: str, chosen: Filter, choices: StatisticsO
     }
     choosable = {id_: name for id_, (name, _) in places.items()}
     if choices.standards is None:
-        choices = replace(choices, standards=standards_of_surveys(session, chosen.survey_ids))
+        choices = replace(choices, standards=standards_of_surveys(session, wanted))
     return made_of(measured, left_out, choices, groupings, choosable, operators, chosen.target)
 
 
 @cached(LRUCache(1), key=lambda _session, *rest: rest, lock=Lock())  # a million measurements take 110 MB
-def _columns(session: Session, _last_hash: str, survey_ids: tuple[int, ...], days: bool) -> Measured:
-    return load_measured_columns(session, survey_ids or None, days=days)
+def _columns(session: Session, _last_hash: str, survey_ids: tuple[int, ...] | None, days: bool) -> Measured:
+    return load_measured_columns(session, survey_ids, days=days)
+
+
+def _wanted(chosen: Filter, places: Mapping[int, Any]) -> tuple[int, ...] | None:
+    """The surveys that count: those that are named, else all that are seen; None for every one there is."""
+    _refuse(chosen, places)
+    if chosen.survey_ids:
+        return chosen.survey_ids
+    return None if chosen.seen is None or chosen.seen >= places.keys() else tuple(sorted(chosen.seen))
 
 
 def _refuse(chosen: Filter, places: Mapping[int, Any]) -> None:
@@ -196,7 +208,7 @@ def _refuse(chosen: Filter, places: Mapping[int, Any]) -> None:
     if chosen.filmed_from and chosen.filmed_to and chosen.filmed_to < chosen.filmed_from:
         raise BadInput("results-last-day-lies-before-first-exchange")
     for survey_id in chosen.survey_ids:
-        if survey_id not in places:
+        if survey_id not in places or (chosen.seen is not None and survey_id not in chosen.seen):
             raise NotFound("results-no-survey-may-been-removed", survey_id=survey_id)
 
 

@@ -7,7 +7,7 @@ from pydantic import Field
 
 from sightline.enums import QueueState
 from sightline.infra.by_name import filled_from
-from sightline.infra.web.deps import Admin, PathId, Reading, Reviewer, Viewer, Writing
+from sightline.infra.web.deps import Manager, PathId, Reading, Reviewer, Viewer, Writing
 from sightline.measurements.bodies import MeasurementBody, measurement_body
 from sightline.reviews import plan_store, query, store
 from sightline.reviews.bodies import HistoryBody, NewReview, PlanIn, QueueItemBody
@@ -58,7 +58,7 @@ def review_plan(survey_id: PathId, who: Viewer, session: Reading) -> ReviewPlan:
 
 
 @router.put("/surveys/{survey_id}/review-plan")
-def choose_review_plan(survey_id: PathId, body: PlanIn, who: Admin, session: Writing) -> ReviewPlan:
+def choose_review_plan(survey_id: PathId, body: PlanIn, who: Manager, session: Writing) -> ReviewPlan:
     """Put another plan in its place; the reviewers follow it."""
     return plan_store.choose_review_plan(
         session, survey_id, blind_one_in=body.blind_one_in, version=body.version, actor=who.id

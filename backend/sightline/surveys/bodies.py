@@ -190,6 +190,7 @@ class SurveyFacts(Out):
     site: str
     description: str
     is_demo: bool
+    open_to_all: bool
     version: int
     created_at: datetime
     traffic: TrafficBody
@@ -213,6 +214,12 @@ class NewSurvey(In):
     traffic: TrafficIn | None = Field(default=None, description="Left out: as it is, at first not said.")
     place: PlaceIn | None = Field(default=None, description="Left out: as it is, at first not said.")
     asked: AskedIn | None = Field(default=None, description="Left out: as it is, at first the usual.")
+
+
+class FirstSurvey(NewSurvey):
+    open_to_all: bool = Field(
+        default=False, description="Everybody who signs in acts in it by the role of the account."
+    )
 
 
 class SurveyChange(NewSurvey):

@@ -14,6 +14,7 @@ from sightline.geometry.sides import TrafficFacts
 from sightline.infra.audit import trail
 from sightline.infra.database.rows import add_row, change_row, get_row, last_change
 from sightline.infra.database.types import now
+from sightline.infra.web.person import Seen
 from sightline.statistics.sampling import MOST_HEADWAY_S, MOST_STEP, Quota, Sampling
 from sightline.surveys.classes import USUAL_CLASSES, VehicleClass, classes_of, stored_classes
 from sightline.surveys.place import PLACE, Place, checked_place
@@ -42,14 +43,16 @@ def create_survey(
     sampling: Sampling = Sampling(),
     insets: Mapping[str, Inset] | None = None,
     is_demo: bool = False,
+    open_to_all: bool = False,
     actor: int | None,
 ) -> Survey:
-    """A new, empty survey. Raises BadInput without a name."""
+    """A new, empty survey without members. Raises BadInput without a name."""
     moment = now()
     content = _content(
         name, site, description, traffic, place, asked, classes, sampling, insets or default_insets()
     )
     stamps = {"created_at": moment, "created_by": actor, "updated_at": moment, "updated_by": actor}
+    content["open_to_all"] = open_to_all
     survey_id = add_row(session, surveys, {**content, **stamps, "is_demo": is_demo, "version": 1})
     trail.record(session, actor, "create", "survey", survey_id, survey_id, None, content)
     return get_survey(session, survey_id)
@@ -60,10 +63,12 @@ def get_survey(session: Session, survey_id: int) -> Survey:
     return _survey(get_row(session, surveys, survey_id, "survey"))
 
 
-def list_surveys(session: Session) -> tuple[Survey, ...]:
-    """Every survey, newest first."""
-    rows = session.execute(select(surveys).order_by(surveys.c.id.desc())).mappings()
-    return tuple(_survey(dict(row)) for row in rows)
+def list_surveys(session: Session, seen: Seen = None) -> tuple[Survey, ...]:
+    """Every survey that a person sees, newest first."""
+    query = select(surveys).order_by(surveys.c.id.desc())
+    if seen is not None:
+        query = query.where(surveys.c.id.in_(seen))
+    return tuple(_survey(dict(row)) for row in session.execute(query).mappings())
 
 
 def survey_names(session: Session) -> dict[int, tuple[str, str]]:
@@ -161,6 +166,7 @@ def _survey(row: Mapping[str, Any]) -> Survey:
         site=row["site"],
         description=row["description"],
         is_demo=row["is_demo"],
+        open_to_all=row["open_to_all"],
         version=row["version"],
         created_at=row["created_at"],
         traffic=traffic_of_row(row),

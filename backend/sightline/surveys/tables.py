@@ -23,6 +23,8 @@ surveys = Table(
     Column("site", String(200), nullable=False),
     Column("description", Text, nullable=False),
     Column("is_demo", Boolean, nullable=False),
+    # everybody who signs in acts here with the role of the account; else members alone
+    Column("open_to_all", Boolean, nullable=False),
     # how traffic goes here and where the camera stands; empty while nobody has said
     Column("traffic_side", String(20)),
     Column("steering_side", String(20)),

@@ -33,6 +33,8 @@ const survey: Survey = {
   site: "",
   description: "",
   is_demo: false,
+  open_to_all: false,
+  my_role: "manager",
   version: 1,
   created_at: "2026-11-21T10:00:00Z",
   inset_choices: {},

@@ -6,7 +6,7 @@ import { chooseLanguage, LANGUAGES, language, say } from "../core/messages";
 import { outbox } from "../core/outbox";
 import { titleOf } from "../core/places";
 import { saveState } from "../core/save";
-import { may, me, signOut } from "../core/session";
+import { me, signOut } from "../core/session";
 import { survey } from "../core/survey";
 import { type ThemeChoice, themeChoice } from "../core/theme";
 import { formatClock } from "../core/times";
@@ -168,7 +168,7 @@ function PersonMenu() {
       <a class="menu__item" href="/account">
         {titleOf("account")}
       </a>
-      {may("admin") && (
+      {me.value?.person.role === "admin" && (
         <a class="menu__item" href="/people">
           {titleOf("people")}
         </a>

@@ -1,18 +1,21 @@
 import { computed, effect, signal, untracked } from "@preact/signals";
-import { navigate, pathname } from "./address";
+import { navigate, pathname, surveyHere } from "./address";
 import { ApiError, api, onSignedOut } from "./api";
 import { outbox } from "./outbox";
-import type { Me, Role } from "./types";
+import { survey } from "./survey";
+import type { ActingRole, Me } from "./types";
 
 /** undefined while it is not yet known, null when nobody is signed in */
 export const me = signal<Me | null | undefined>(undefined);
 export const sessionProblem = signal<unknown>(null);
 
-const RANK: Record<Role, number> = { viewer: 0, operator: 1, reviewer: 2, admin: 3 };
+const RANK: Record<ActingRole, number> = { viewer: 0, operator: 1, reviewer: 2, manager: 3, admin: 4 };
 
-/** Whether the person may do what `role` may. The server decides; this only keeps buttons honest. */
-export function may(role: Role): boolean {
-  const have = me.value?.person.role;
+/** Whether the person may do what `role` may, in the survey that the page is about where it is about one. The server
+ *  decides; this only keeps buttons honest. */
+export function may(role: ActingRole): boolean {
+  const there = survey.value?.id === surveyHere.value ? survey.value.my_role : undefined;
+  const have = there ?? me.value?.person.role;
   return have !== undefined && RANK[have] >= RANK[role];
 }
 

@@ -25,6 +25,19 @@ export const ROLE_NAMES = wordsOf({
   admin: "role-admin",
 });
 
+/** What a member of a survey is there. */
+export type SurveyRole = Schemas["MemberBody"]["role"];
+export type Members = Schemas["MembersBody"];
+export type Member = Members["members"][number];
+/** What a person is in the survey that is open: a member's role, or that of the account. */
+export type ActingRole = Survey["my_role"];
+export const SURVEY_ROLE_NAMES = wordsOf({
+  viewer: "role-viewer",
+  operator: "role-operator",
+  reviewer: "role-reviewer",
+  manager: "role-manager",
+});
+
 export type Person = Schemas["PersonBody"];
 export type Me = Schemas["Me"];
 

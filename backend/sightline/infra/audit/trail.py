@@ -8,11 +8,11 @@ changed, missing and cut-off events are all found (`verify`).
 """
 
 import json
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from datetime import date, datetime
 from typing import Any
 
-from sqlalchemy import ColumnElement, Row, Select, insert, select, update
+from sqlalchemy import ColumnElement, Row, Select, and_, insert, or_, select, update
 from sqlalchemy.orm import Session
 
 from sightline.enums import JsonObject
@@ -131,10 +131,14 @@ def listing(
     actor_id: int | None = None,
     day: date | None = None,
     among: ColumnElement[bool] | None = None,
+    seen: Collection[int] | None = None,
     before_id: int | None = None,
     limit: int = 100,
 ) -> tuple[AuditEvent, ...]:
-    """Events, newest first, of a person, of a day (UTC), or `among` some; `before_id` turns the page."""
+    """Events, newest first, of a person, of a day (UTC), or `among` some; `before_id` turns the page.
+
+    `seen`: only what is of these surveys, of the catalogue and of settings, not of people.
+    """
     query = _events().order_by(audit_events.c.id.desc()).limit(min(max(limit, 1), 1000))
     if survey_id is not None:
         query = query.where(audit_events.c.survey_id == survey_id)
@@ -146,9 +150,17 @@ def listing(
         query = query.where(audit_events.c.at.startswith(day.isoformat()))
     if among is not None:
         query = query.where(among)
+    if seen is not None:
+        query = query.where(in_sight(seen))
     if before_id is not None:
         query = query.where(audit_events.c.id < before_id)
     return tuple(_event(row) for row in session.execute(query))
+
+
+def in_sight(seen: Collection[int]) -> ColumnElement[bool]:
+    """Events that may be read by whoever sees these surveys: accounts are for administrators."""
+    c = audit_events.c
+    return or_(c.survey_id.in_(seen), and_(c.survey_id.is_(None), c.chain != _CHAINS["person"]))
 
 
 def for_export(session: Session, survey_id: int | None = None) -> tuple[AuditEvent, ...]:

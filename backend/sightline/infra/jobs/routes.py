@@ -7,8 +7,9 @@ from fastapi import APIRouter, Query
 from sightline.enums import JobState
 from sightline.errors import NotAllowed
 from sightline.infra.jobs import registry, store
+from sightline.infra.web.access import RANK
 from sightline.infra.web.bodies import Id, JobBody
-from sightline.infra.web.deps import RANK, Operator, PathId, Reading, Viewer, Wired
+from sightline.infra.web.deps import ActingAs, Operator, PathId, Reading, SurveysSeen, Viewer, Wired
 
 router = APIRouter()
 
@@ -17,11 +18,13 @@ router = APIRouter()
 def list_jobs(
     who: Viewer,
     session: Reading,
+    seen: SurveysSeen,
     survey_id: Annotated[Id | None, Query()] = None,
     state: Annotated[JobState | None, Query()] = None,
 ) -> list[JobBody]:
-    """The newest hundred jobs."""
-    return [JobBody.model_validate(one) for one in store.list_jobs(session, survey_id=survey_id, state=state)]
+    """The newest hundred jobs of surveys that the person sees, and of none."""
+    found = store.list_jobs(session, survey_id=survey_id, state=state, seen=seen)
+    return [JobBody.model_validate(one) for one in found]
 
 
 @router.get("/jobs/{job_id}")
@@ -38,10 +41,10 @@ def again(job_id: PathId, who: Operator, services: Wired) -> JobBody:
 
 
 @router.post("/jobs/{job_id}/cancel")
-def cancel(job_id: PathId, who: Viewer, services: Wired) -> JobBody:
+def cancel(job_id: PathId, who: Viewer, role: ActingAs, services: Wired) -> JobBody:
     """Stop a queued job at once, a running one when it next looks. A viewer may stop only their own."""
     with services.writing() as session:
         job = store.get_job(session, job_id)
-        if job.created_by != who.id and RANK[who.role] < RANK["operator"]:
+        if job.created_by != who.id and RANK[role] < RANK["operator"]:
             raise NotAllowed("jobs-somebody-else-started-job-ask-them")
         return JobBody.model_validate(registry.cancel(session, job, who.id))

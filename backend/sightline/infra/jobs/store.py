@@ -5,11 +5,11 @@ one that was thought dead and comes back changes nothing. Creating, cancelling, 
 are audited; claiming and progress are not.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, get_args
 
-from sqlalchemy import func, select, update
+from sqlalchemy import func, or_, select, update
 from sqlalchemy.orm import Session
 
 from sightline.enums import JobState, JsonObject
@@ -61,10 +61,17 @@ def get_job(session: Session, job_id: int) -> Job:
 
 
 def list_jobs(
-    session: Session, *, survey_id: int | None = None, state: JobState | None = None, limit: int = 100
+    session: Session,
+    *,
+    survey_id: int | None = None,
+    state: JobState | None = None,
+    seen: Collection[int] | None = None,
+    limit: int = 100,
 ) -> tuple[Job, ...]:
-    """Jobs, newest first."""
+    """Jobs, newest first; `seen`: only those of these surveys and of none."""
     query = select(jobs).order_by(jobs.c.id.desc()).limit(limit)
+    if seen is not None:
+        query = query.where(or_(jobs.c.survey_id.in_(seen), jobs.c.survey_id.is_(None)))
     if survey_id is not None:
         query = query.where(jobs.c.survey_id == survey_id)
     if state is not None:

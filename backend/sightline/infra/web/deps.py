@@ -8,8 +8,9 @@
 
 Put the person before the session: nobody who may not write ever waits for the write lock. A route that works
 long before it writes (corner detection in an image, say) takes `Wired` and opens `services.writing()` itself,
-at the end. Every route declares a role (`Viewer`, `Operator`, `Reviewer`, `Admin`) or is `OPEN`; a test walks
-all of them.
+at the end. Every route declares a role (`Viewer`, `Operator`, `Reviewer`, `Manager`, `Admin`) or is `OPEN`;
+a test walks all of them. The role is the one in the survey of what the path names (`access`). A list of
+more than one survey takes `SurveysSeen`.
 """
 
 from collections.abc import AsyncIterator, Callable
@@ -20,14 +21,13 @@ from fastapi import Depends, Path, Request
 from fastapi.concurrency import contextmanager_in_threadpool
 from sqlalchemy.orm import Session
 
-from sightline.enums import Role
+from sightline.enums import ActingRole
 from sightline.errors import NotAllowed, NotSignedIn
 from sightline.infra.services import Services
-from sightline.infra.web.person import Person
+from sightline.infra.web.access import RANK, Access
+from sightline.infra.web.person import Person, Seen
 from sightline.infra.web.turns import Turns
 from sightline.infra.web.write_gate import WriteGate
-
-RANK: dict[Role, int] = {"viewer": 0, "operator": 1, "reviewer": 2, "admin": 3}
 
 
 async def services_of(request: Request) -> Services:
@@ -84,15 +84,35 @@ def current_person(request: Request) -> Person:
 SignedIn = Annotated[Person, Depends(current_person)]
 
 
+def access_of(request: Request) -> Access:
+    """Who may do what to which survey."""
+    access: Access = request.app.state.access
+    return access
+
+
+def acting_role(request: Request, person: SignedIn) -> ActingRole:
+    """In which role the person asks: theirs in the survey of what the request names, else the account's."""
+    return access_of(request).role(request, person)
+
+
+def surveys_seen(request: Request, person: SignedIn, session: Reading) -> Seen:
+    """The surveys that the person sees, for lists of more than one; None for all."""
+    return access_of(request).seen(session, person)
+
+
+ActingAs = Annotated[ActingRole, Depends(acting_role)]
+SurveysSeen = Annotated[Seen, Depends(surveys_seen)]
+
+
 class require:
-    """A dependency that lets only people of this role, or of one above it, through."""
+    """A dependency that lets only people through who ask in this role, or in one above it."""
 
-    def __init__(self, role: Role) -> None:
-        self.role: Role = role
+    def __init__(self, role: ActingRole) -> None:
+        self.role: ActingRole = role
 
-    def __call__(self, person: SignedIn) -> Person:
-        if RANK[person.role] < RANK[self.role]:
-            raise NotAllowed("web-needs-role-you-ask-admin", needed=self.role, role=person.role)
+    def __call__(self, person: SignedIn, role: ActingAs) -> Person:
+        if RANK[role] < RANK[self.role]:
+            raise NotAllowed("web-needs-role-you-ask-admin", needed=self.role, role=role)
         return person
 
 
@@ -104,6 +124,7 @@ OPEN = Depends(anybody)
 Viewer = Annotated[Person, Depends(require("viewer"))]
 Operator = Annotated[Person, Depends(require("operator"))]
 Reviewer = Annotated[Person, Depends(require("reviewer"))]
+Manager = Annotated[Person, Depends(require("manager"))]
 Admin = Annotated[Person, Depends(require("admin"))]
 
 # Ids are 32-bit in PostgreSQL; a larger number is a malformed id and not a database error.

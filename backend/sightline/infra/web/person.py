@@ -5,6 +5,9 @@ from datetime import datetime
 
 from sightline.enums import Role
 
+#: The numbers of the surveys that a person sees; None: every one.
+Seen = frozenset[int] | None
+
 
 @dataclass(frozen=True, slots=True)
 class Person:

@@ -1,6 +1,6 @@
 """Reading the audit trail with the names of what its events are about."""
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from datetime import date
 from typing import Any
 
@@ -38,6 +38,7 @@ def named_events(
     person_id: int | None = None,
     day: date | None = None,
     vehicle: int | None = None,
+    seen: Collection[int] | None = None,
     before_id: int | None = None,
     limit: int = 100,
 ) -> tuple[NamedEvent, ...]:
@@ -49,6 +50,7 @@ def named_events(
         actor_id=person_id,
         day=day,
         among=None if vehicle is None else _of_vehicle(vehicle, survey_id),
+        seen=seen,
         before_id=before_id,
         limit=limit,
     )
@@ -68,9 +70,10 @@ def named_events(
     )
 
 
-def acting_people(session: Session) -> tuple[Who, ...]:
-    """Those who did something, by name."""
-    query = select(people.c.id, people.c.name).where(people.c.id.in_(select(_e.actor_id)))
+def acting_people(session: Session, seen: Collection[int] | None = None) -> tuple[Who, ...]:
+    """Those who did something, by name; `seen`: to these surveys, the catalogue or settings."""
+    acted = select(_e.actor_id) if seen is None else select(_e.actor_id).where(trail.in_sight(seen))
+    query = select(people.c.id, people.c.name).where(people.c.id.in_(acted))
     return tuple(Who(row.id, row.name) for row in session.execute(query.order_by(people.c.name)))
 
 

@@ -7,7 +7,7 @@ from fastapi import APIRouter, Query
 
 from sightline.infra.audit.records import Who
 from sightline.infra.web.bodies import Id
-from sightline.infra.web.deps import Reading, Viewer
+from sightline.infra.web.deps import Reading, SurveysSeen, Viewer
 from sightline.results.audited import query
 from sightline.results.audited.records import NamedEvent
 
@@ -18,6 +18,7 @@ router = APIRouter()
 def list_named_events(
     who: Viewer,
     session: Reading,
+    seen: SurveysSeen,
     survey_id: Annotated[Id | None, Query()] = None,
     entity: Annotated[str | None, Query(max_length=40)] = None,
     person_id: Annotated[Id | None, Query(description="Who did it.")] = None,
@@ -34,12 +35,13 @@ def list_named_events(
         person_id=person_id,
         day=day,
         vehicle=vehicle,
+        seen=seen,
         before_id=before_id,
         limit=limit,
     )
 
 
 @router.get("/audit/people")
-def list_acting_people(who: Viewer, session: Reading) -> tuple[Who, ...]:
-    """Everybody of whom the trail tells something, by name."""
-    return query.acting_people(session)
+def list_acting_people(who: Viewer, session: Reading, seen: SurveysSeen) -> tuple[Who, ...]:
+    """Everybody of whom the trail tells something that one sees, by name."""
+    return query.acting_people(session, seen)

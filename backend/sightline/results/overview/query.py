@@ -9,6 +9,7 @@ from sqlalchemy.orm import Session
 
 from sightline.cameras.tables import cameras
 from sightline.enums import StepKey
+from sightline.infra.web.person import Seen
 from sightline.measurements.query import is_current, is_first, verdict, waits, with_verdict
 from sightline.measurements.tables import measurement_series, measurements
 from sightline.recordings.tables import recordings
@@ -42,9 +43,9 @@ def survey_overview(session: Session, survey_id: int) -> SurveyOverview:
     return _overviews(session, [surveys.get_survey(session, survey_id)])[0]
 
 
-def survey_overviews(session: Session) -> tuple[SurveyOverview, ...]:
-    """Every survey, newest first; a fixed number of queries however many there are."""
-    return _overviews(session, surveys.list_surveys(session))
+def survey_overviews(session: Session, seen: Seen = None) -> tuple[SurveyOverview, ...]:
+    """Every survey that a person sees, newest first; a fixed number of queries however many there are."""
+    return _overviews(session, surveys.list_surveys(session, seen))
 
 
 def _overviews(session: Session, of: Sequence[Survey]) -> tuple[SurveyOverview, ...]:

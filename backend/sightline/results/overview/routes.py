@@ -1,16 +1,19 @@
 """Surveys as they go out: their words, insets, counts, and what to do next."""
 
 from fastapi import APIRouter
+from pydantic import Field
 
+from sightline.enums import ActingRole
 from sightline.geometry.sides import TrafficFacts
-from sightline.infra.web.deps import Operator, PathId, Reading, Viewer, Writing
+from sightline.infra.web.deps import ActingAs, Operator, PathId, Reading, SurveysSeen, Viewer, Writing
 from sightline.measurements.again.service import ask_for_waiting
 from sightline.results.overview.query import survey_overview, survey_overviews
 from sightline.results.overview.records import Step, SurveyCounts, SurveyOverview
 from sightline.scans.records import ScanProgress
 from sightline.surveys import store
-from sightline.surveys.bodies import InsetChanges, NewSurvey, SurveyChange, SurveyFacts
+from sightline.surveys.bodies import FirstSurvey, InsetChanges, NewSurvey, SurveyChange, SurveyFacts
 from sightline.surveys.classes import VehicleClass, chosen_classes
+from sightline.surveys.members.store import put_member, roles_by_thing
 from sightline.surveys.place import Place
 from sightline.surveys.records import Asked, Inset
 
@@ -18,15 +21,16 @@ router = APIRouter()
 
 
 class SurveyBody(SurveyFacts):
+    my_role: ActingRole = Field(description="What the person who asks is in this survey.")
     counts: SurveyCounts
     steps: tuple[Step, ...]
     scans: ScanProgress
 
 
-def survey_body(overview: SurveyOverview) -> SurveyBody:
+def survey_body(overview: SurveyOverview, role: ActingRole) -> SurveyBody:
     """A survey with its overview as one object."""
     facts = SurveyFacts.model_validate(overview.survey).model_dump(exclude={"inset_choices"})
-    progress = {"counts": overview.counts, "steps": overview.steps, "scans": overview.scans}
+    progress = {"my_role": role, "counts": overview.counts, "steps": overview.steps, "scans": overview.scans}
     return SurveyBody.model_validate({**facts, **progress})
 
 
@@ -43,14 +47,16 @@ def _asked(body: NewSurvey, before: Asked) -> Asked:
 
 
 @router.get("/surveys")
-def list_surveys(who: Viewer, session: Reading) -> list[SurveyBody]:
-    """Every survey, newest first."""
-    return [survey_body(overview) for overview in survey_overviews(session)]
+def list_surveys(who: Viewer, session: Reading, seen: SurveysSeen) -> list[SurveyBody]:
+    """Every survey that the person sees, newest first."""
+    found = survey_overviews(session, seen)
+    roles = roles_by_thing(session, who, "surveys", [one.survey.id for one in found])
+    return [survey_body(one, roles[one.survey.id]) for one in found]
 
 
 @router.post("/surveys", status_code=201)
-def add_survey(body: NewSurvey, who: Operator, session: Writing) -> SurveyBody:
-    """A new, empty survey."""
+def add_survey(body: FirstSurvey, who: Operator, session: Writing) -> SurveyBody:
+    """A new, empty survey; whoever makes it manages it."""
     made = store.create_survey(
         session,
         name=body.name,
@@ -59,19 +65,24 @@ def add_survey(body: NewSurvey, who: Operator, session: Writing) -> SurveyBody:
         traffic=_traffic(body, TrafficFacts()),
         place=_place(body, Place()),
         asked=_asked(body, Asked()),
+        open_to_all=body.open_to_all,
         actor=who.id,
     )
-    return survey_body(survey_overview(session, made.id))
+    put_member(session, made.id, who.id, "manager", actor=who.id)
+    role: ActingRole = "admin" if who.role == "admin" else "manager"
+    return survey_body(survey_overview(session, made.id), role)
 
 
 @router.get("/surveys/{survey_id}")
-def get_survey(survey_id: PathId, who: Viewer, session: Reading) -> SurveyBody:
+def get_survey(survey_id: PathId, who: Viewer, role: ActingAs, session: Reading) -> SurveyBody:
     """One survey with its counts and steps, computed now."""
-    return survey_body(survey_overview(session, survey_id))
+    return survey_body(survey_overview(session, survey_id), role)
 
 
 @router.put("/surveys/{survey_id}")
-def change_survey(survey_id: PathId, body: SurveyChange, who: Operator, session: Writing) -> SurveyBody:
+def change_survey(
+    survey_id: PathId, body: SurveyChange, who: Operator, role: ActingAs, session: Writing
+) -> SurveyBody:
     """Change words, traffic, place, targets or insets; they count for measurements made from now on.
 
     Where the traffic tells the driver's side now, a job computes the eyes that waited for it.
@@ -99,4 +110,4 @@ def change_survey(survey_id: PathId, body: SurveyChange, who: Operator, session:
     )
     if _traffic(body, before.traffic) != before.traffic:
         ask_for_waiting(session, survey_id, actor=who.id)
-    return survey_body(survey_overview(session, survey_id))
+    return survey_body(survey_overview(session, survey_id), role)

@@ -14,7 +14,7 @@ from sightline.enums import (
     StatisticsTarget,
 )
 from sightline.errors import BadInput
-from sightline.infra.web.deps import Reading, Viewer
+from sightline.infra.web.deps import Reading, SurveysSeen, Viewer
 from sightline.results.sightdistance.records import SightDistances, SightQuestion
 from sightline.results.sightdistance.service import sight_distances
 from sightline.results.survey_statistics import Filter
@@ -30,6 +30,7 @@ Percent = Annotated[float, Query(gt=0, lt=100, allow_inf_nan=False)]
 def sight_distances_of_measurements(
     who: Viewer,
     session: Reading,
+    seen: SurveysSeen,
     survey: Annotated[list[Id], Query(max_length=200)] = [],  # noqa: B006 (FastAPI copies it)
     lighting: Lighting | None = None,
     category: Annotated[list[Category], Query(max_length=len(get_args(Category)))] = [],  # noqa: B006
@@ -61,6 +62,7 @@ def sight_distances_of_measurements(
             categories=tuple(one for one in get_args(Category) if one in category),
             class_sets=tuple(one for one in get_args(ClassSet) if one in class_set),
             state=state,
+            seen=seen,
         ),
         eye_m=eye_m,
         object_m=object_m,

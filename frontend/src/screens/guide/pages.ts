@@ -22,6 +22,7 @@ export const GUIDE_PAGES = [
   "reviewer",
   "standards-engineer",
   "administrator",
+  "access",
   "studies",
   "CONVENTIONS",
   "formats",

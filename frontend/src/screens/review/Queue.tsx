@@ -164,7 +164,7 @@ function Plan({ model }: { model: ReviewModel }) {
   const plan = model.plan.value;
   if (!plan) return null;
   const oneIn = plan.blind_one_in;
-  if (!may("admin")) {
+  if (!may("manager")) {
     return (
       <p class="small muted" data-testid="blind-plan">
         {say("review-plan", { one_in: oneIn })}

@@ -15,6 +15,7 @@ import { entryOfStep } from "../../core/work";
 import { OutOfDateNotice } from "../../parts/again/OutOfDateNotice";
 import { ClassesDialog } from "./ClassesDialog";
 import { EditSurvey } from "./EditSurvey";
+import { MembersDialog } from "./MembersDialog";
 import { Photographs } from "./Photographs";
 import { SampleSection } from "./SampleSection";
 import { SamplingDialog } from "./SamplingDialog";
@@ -23,6 +24,7 @@ import "./survey.css";
 /** What is there and what is missing, as the order of work; each step says what to do next. */
 export default function SurveyScreen({ surveyId }: ScreenProps) {
   const [editing, setEditing] = useState(false);
+  const [belonging, setBelonging] = useState(false);
   const [sorting, setSorting] = useState(false);
   const [sampling, setSampling] = useState(false);
   const jobs = useResource((signal) => api.ask("GET /jobs", { survey_id: surveyId }, { signal }), [surveyId]);
@@ -48,6 +50,7 @@ export default function SurveyScreen({ surveyId }: ScreenProps) {
         <Button href={`/surveys/${survey.id}/planning`}>{say("page-planning")}</Button>
         <Button href={`/surveys/${survey.id}/checks`}>{say("page-checks")}</Button>
         <Button href={`/surveys/${survey.id}/repeats`}>{say("page-repeats")}</Button>
+        <Button onClick={() => setBelonging(true)}>{say("members-open")}</Button>
         {may("operator") && <Button onClick={() => setSorting(true)}>{say("classes-open")}</Button>}
         {may("operator") && <Button onClick={() => setEditing(true)}>{say("survey-edit")}</Button>}
       </header>
@@ -67,6 +70,7 @@ export default function SurveyScreen({ surveyId }: ScreenProps) {
       <SampleSection key={`${survey.id}.${survey.version}`} survey={survey} edit={() => setSampling(true)} />
       <Photographs surveyId={survey.id} />
       {sampling && <SamplingDialog survey={survey} close={() => setSampling(false)} />}
+      {belonging && <MembersDialog surveyId={survey.id} close={() => setBelonging(false)} />}
       {sorting && <ClassesDialog survey={survey} close={() => setSorting(false)} />}
       {editing && <EditSurvey survey={survey} close={() => setEditing(false)} />}
     </div>

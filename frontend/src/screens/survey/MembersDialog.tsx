@@ -1,0 +1,186 @@
+/** Who belongs to the survey and as what; a manager changes it, everybody who sees the survey reads it. */
+import { useState } from "preact/hooks";
+import { ask, Button, Dialog, Loading, Problem, SelectField, TableScroll } from "../../components";
+import { api } from "../../core/api";
+import { say, wordsOf } from "../../core/messages";
+import { useResource } from "../../core/resource";
+import { may, me } from "../../core/session";
+import { refreshSurvey } from "../../core/survey";
+import { type Member, type Members, SURVEY_ROLE_NAMES, type SurveyRole } from "../../core/types";
+
+const DOES: Readonly<Record<SurveyRole, string>> = wordsOf({
+  viewer: "members-does-viewer",
+  operator: "members-does-operator",
+  reviewer: "members-does-reviewer",
+  manager: "members-does-manager",
+});
+const ROLES = Object.keys(DOES) as SurveyRole[];
+
+const roleOptions = () => ROLES.map((value) => ({ value, label: SURVEY_ROLE_NAMES[value] }));
+
+export function MembersDialog({ surveyId, close }: { surveyId: number; close: () => void }) {
+  const manages = may("manager");
+  const found = useResource(
+    (signal) => api.ask("GET /surveys/{survey_id}/members", { survey_id: surveyId }, { signal }),
+    [surveyId],
+  );
+  const others = useResource(
+    (signal) =>
+      manages
+        ? api.ask("GET /surveys/{survey_id}/members/others", { survey_id: surveyId }, { signal })
+        : Promise.resolve([]),
+    [surveyId, manages],
+  );
+  const [problem, setProblem] = useState<unknown>(null);
+  const run = async (work: () => Promise<Members>) => {
+    setProblem(null);
+    try {
+      await work();
+      await refreshSurvey();
+    } catch (error) {
+      setProblem(error);
+    }
+    await Promise.all([found.reload(), others.reload()]);
+  };
+  const put = (person_id: number, role: SurveyRole) =>
+    run(() =>
+      api.write(
+        "PUT /surveys/{survey_id}/members/{person_id}",
+        { survey_id: surveyId, person_id },
+        { body: { role } },
+      ),
+    );
+  const remove = async ({ person_id, name }: Member) => {
+    const mine = me.value?.person.id === person_id && me.value.person.role !== "admin";
+    const yes = await ask({
+      title: say("members-remove-title", { person: name }),
+      body: mine ? say("members-remove-yourself") : say("members-remove-body", { person: name }),
+      action: say("members-remove"),
+    });
+    if (!yes) return;
+    await run(() =>
+      api.write("DELETE /surveys/{survey_id}/members/{person_id}", { survey_id: surveyId, person_id }),
+    );
+  };
+  const open = (open_to_all: boolean) =>
+    run(() =>
+      api.write("PUT /surveys/{survey_id}/open-to-all", { survey_id: surveyId }, { body: { open_to_all } }),
+    );
+  const data = found.data;
+  return (
+    <Dialog wide title={say("members-title")} onClose={close}>
+      <Problem error={problem} />
+      <Problem error={found.error} again={found.reload} />
+      {!data && found.loading && <Loading what={say("members-loading")} />}
+      {data && (
+        <>
+          <p class="field__hint">{say(data.open_to_all ? "members-lead-open" : "members-lead")}</p>
+          <label class="check">
+            <input
+              type="checkbox"
+              checked={data.open_to_all}
+              disabled={!manages}
+              onChange={(event) => void open(event.currentTarget.checked)}
+            />
+            <span>{say("members-open-to-all")}</span>
+          </label>
+          {data.members.length === 0 ? (
+            <p class="muted">{say("members-none")}</p>
+          ) : (
+            <MemberTable members={data.members} manages={manages} put={put} remove={remove} />
+          )}
+          {manages && others.data && <AddMember others={others.data} add={put} />}
+        </>
+      )}
+    </Dialog>
+  );
+}
+
+interface TableProps {
+  members: readonly Member[];
+  manages: boolean;
+  put(personId: number, role: SurveyRole): Promise<void>;
+  remove(member: Member): Promise<void>;
+}
+
+function MemberTable({ members, manages, put, remove }: TableProps) {
+  return (
+    <TableScroll label={say("members-title")}>
+      <table class="table members">
+        <thead>
+          <tr>
+            <th>{say("members-name")}</th>
+            <th>{say("members-role")}</th>
+            <th>
+              <span class="visually-hidden">{say("members-remove")}</span>
+            </th>
+          </tr>
+        </thead>
+        <tbody>
+          {members.map((one) => (
+            <tr key={one.person_id}>
+              <td>
+                <strong>{one.name}</strong>
+                {!one.active && <span class="muted"> {say("members-inactive")}</span>}
+              </td>
+              <td>
+                {manages ? (
+                  <SelectField
+                    hideLabel
+                    label={say("members-role-of", { person: one.name })}
+                    value={one.role}
+                    options={roleOptions()}
+                    onChange={(role) => void put(one.person_id, role)}
+                  />
+                ) : (
+                  SURVEY_ROLE_NAMES[one.role]
+                )}{" "}
+              </td>
+              <td class="num">
+                {manages && (
+                  <Button small kind="quiet" onClick={() => void remove(one)}>
+                    {say("members-remove")}
+                  </Button>
+                )}
+              </td>
+            </tr>
+          ))}
+        </tbody>
+      </table>
+    </TableScroll>
+  );
+}
+
+interface AddProps {
+  others: readonly { id: number; name: string }[];
+  add(personId: number, role: SurveyRole): Promise<void>;
+}
+
+function AddMember({ others, add }: AddProps) {
+  const [person, setPerson] = useState("");
+  const [role, setRole] = useState<SurveyRole>("operator");
+  if (others.length === 0) return <p class="muted">{say("members-everybody")}</p>;
+  const people = [
+    { value: "", label: say("members-choose") },
+    ...others.map((one) => ({ value: String(one.id), label: one.name })),
+  ];
+  const submit = async () => {
+    await add(Number(person), role);
+    setPerson("");
+  };
+  return (
+    <div class="members__add">
+      <SelectField label={say("members-add-person")} value={person} options={people} onChange={setPerson} />
+      <SelectField
+        label={say("members-add-role")}
+        value={role}
+        options={roleOptions()}
+        hint={DOES[role]}
+        onChange={setRole}
+      />
+      <Button disabled={person === ""} onClick={() => void submit()}>
+        {say("members-add")}
+      </Button>
+    </div>
+  );
+}
