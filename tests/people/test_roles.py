@@ -1,5 +1,5 @@
-"""Every route of the API as each role, as somebody who does not belong to the survey and signed out, against a
-matrix written by hand. The whole table stands in the guide: `python -m tests.people.test_roles` prints it there.
+"""Every route as each role, as somebody who does not belong to the survey, and signed out, against a matrix
+written by hand. The whole table stands in the guide: `python -m tests.people.test_roles` prints it there.
 """
 
 import re
