@@ -74,6 +74,7 @@ from sightline.studies.store import (
     update_study,
 )
 from sightline.surveys.classes import USUAL_CLASSES
+from sightline.surveys.members.store import open_survey_to_all, put_member, remove_member
 from sightline.surveys.photographs.store import (
     change_photograph_caption,
     order_photographs,
@@ -217,6 +218,18 @@ WRITES: dict[str, tuple[Write, Callable[[Session, Sample, Any], Any]]] = {
             version=1,
             actor=o.olga.id,
         ),
+    ),
+    "put_member": (
+        lambda s, o: None,
+        lambda s, o, _: put_member(s, o.survey.id, o.rene.id, "reviewer", actor=o.olga.id),
+    ),
+    "remove_member": (
+        lambda s, o: put_member(s, o.survey.id, o.rene.id, "reviewer", actor=o.olga.id),
+        lambda s, o, _: remove_member(s, o.survey.id, o.rene.id, actor=o.olga.id),
+    ),
+    "open_survey_to_all": (
+        lambda s, o: None,
+        lambda s, o, _: open_survey_to_all(s, o.survey.id, True, actor=o.olga.id),
     ),
     "choose_standards": (
         lambda s, o: None,

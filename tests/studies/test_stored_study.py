@@ -184,7 +184,7 @@ def _two_years_are_compared(operator: Client, work: Work, page: dict[str, Any]) 
 def test_a_study_is_made_changed_and_removed_with_its_audit(
     operator: Client, services: Services, viewer: Client
 ) -> None:
-    survey = operator.made("/surveys", {"name": "Hill", "site": "Hill road"})
+    survey = operator.made("/surveys", {"name": "Hill", "site": "Hill road", "open_to_all": True})
     made = operator.made("/studies", {"name": "One", "surveys": [{"survey_id": survey["id"]}]})
     assert made["surveys"][0]["site"] == "Hill road" and not made["simulated"]
     address = f"/studies/{made['id']}"

@@ -95,6 +95,19 @@ def test_lists_hold_only_what_is_seen(operator: Client, reviewer: Client, admin:
     assert reviewer.get(f"/surveys/{theirs}/plan?calibration_id=1").status_code == 404
 
 
+def test_a_study_is_made_of_surveys_that_one_sees(
+    operator: Client, reviewer: Client, admin: Client, mine: int
+) -> None:
+    shared = int(admin.made("/surveys", {"name": "Shared", "open_to_all": True})["id"])
+    of = [{"survey_id": id_, "year": 2026} for id_ in (mine, shared)]
+    made = operator.made("/studies", {"name": "Both", "surveys": of})["id"]
+    assert operator.seen(f"/studies/{made}")["study"]["name"] == "Both"
+    assert reviewer.get(f"/studies/{made}").status_code == 404 and reviewer.seen("/studies") == []
+    assert reviewer.post("/studies", {"name": "Both", "surveys": of}).status_code == 404
+    reviewer.made("/studies", {"name": "One", "surveys": of[1:]})
+    assert [one["name"] for one in operator.seen("/studies")] == ["Both"]
+
+
 def test_the_chain_of_the_survey_tells_who_belonged(
     operator: Client, viewer: Client, services: Services, mine: int
 ) -> None:

@@ -7,6 +7,7 @@ from fastapi import APIRouter, Response
 from fastapi.responses import FileResponse
 
 from sightline.infra.database import Session
+from sightline.infra.database.rows import missing
 from sightline.infra.jobs.store import get_job
 from sightline.infra.services import Services
 from sightline.infra.web.bodies import JobBody
@@ -35,8 +36,9 @@ from sightline.studies.members_store import (
     require_study,
     seen_studies,
 )
-from sightline.studies.records import StoredStudy, StudyResult
+from sightline.studies.records import StoredStudy, StudyFacts, StudyResult
 from sightline.studies.stored import ask_to_compute, checked, heads_of
+from sightline.surveys.members.store import roles_by_thing
 from sightline.surveys.store import survey_names
 
 router = APIRouter()
@@ -51,8 +53,8 @@ def list_studies(who: Viewer, session: Reading) -> list[ListedStudy]:
 
 @router.post("/studies", status_code=201)
 def add_study(body: NewStudy, who: Operator, session: Writing) -> StudyBody:
-    """A new study, seen by whoever made it; nothing of it is computed yet."""
-    made = store.create_study(session, checked(session, body.record()), actor=who.id)
+    """A new study of surveys that the person sees, seen by whoever made it; nothing is computed yet."""
+    made = store.create_study(session, checked(session, _seen(session, who, body.record())), actor=who.id)
     add_study_member(session, made.id, who.id, actor=who.id)
     return _body(session, made)
 
@@ -75,7 +77,7 @@ def get_study(study_id: PathId, who: Viewer, session: Reading) -> StudyPage:
 def change_study(study_id: PathId, body: StudyChange, who: Operator, session: Writing) -> StudyBody:
     """Put other facts in their place; what was computed stays until it is computed again."""
     require_study(session, who, study_id)
-    facts = checked(session, body.record())
+    facts = checked(session, _seen(session, who, body.record()))
     return _body(session, store.update_study(session, study_id, facts, version=body.version, actor=who.id))
 
 
@@ -106,6 +108,15 @@ def download_report(study_id: PathId, result_id: PathId, who: Viewer, services: 
     """The report of the study."""
     study, result = _found(services, who, study_id, result_id)
     return _file(services, result.report_key, "application/pdf", f"{_plain(study)}-{result_id}.pdf")
+
+
+def _seen(session: Session, who: Person, facts: StudyFacts) -> StudyFacts:
+    """The same. Raises NotFound for a survey that the person does not see."""
+    roles = roles_by_thing(session, who, "surveys", [one.survey_id for one in facts.surveys])
+    for one in facts.surveys:
+        if one.survey_id not in roles:
+            raise missing("survey", one.survey_id)
+    return facts
 
 
 @router.get("/studies/{study_id}/members")

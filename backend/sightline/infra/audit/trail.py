@@ -34,6 +34,8 @@ _CHAINS = {
     "study_result": "studies",
     "study_member": "studies",
 }
+#: Chains of no survey that everybody who signs in may read.
+_FOR_EVERYBODY = ("catalogue", SETTINGS)
 #: What an event is about: the row's id, what it said before and what it says after.
 Change = tuple[int | None, Mapping[str, Any] | None, Mapping[str, Any] | None]
 
@@ -158,9 +160,9 @@ def listing(
 
 
 def in_sight(seen: Collection[int]) -> ColumnElement[bool]:
-    """Events that may be read by whoever sees these surveys: accounts are for administrators."""
+    """Events that may be read by whoever sees these surveys; accounts and studies are for administrators."""
     c = audit_events.c
-    return or_(c.survey_id.in_(seen), and_(c.survey_id.is_(None), c.chain != _CHAINS["person"]))
+    return or_(c.survey_id.in_(seen), and_(c.survey_id.is_(None), c.chain.in_(_FOR_EVERYBODY)))
 
 
 def for_export(session: Session, survey_id: int | None = None) -> tuple[AuditEvent, ...]:

@@ -44,8 +44,8 @@ THINGS: Mapping[str, str] = {
     "exports": "exports",
     "jobs": "jobs",
 }
-#: Kinds that are of no survey.
-APART = frozenset({"people", "catalogue", "members"})
+#: Kinds that are of no survey (a study has members of its own), or that the path finds within another.
+APART = frozenset({"people", "catalogue", "members", "studies", "results"})
 #: Names of a query's values that number a thing, and its table.
 ASKED_FOR: Mapping[str, str] = {
     "survey": "surveys",
