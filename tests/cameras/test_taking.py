@@ -25,7 +25,9 @@ def test_it_comes_with_its_calibration_and_pictures_and_is_a_camera_of_its_own(
     operator: Client, calibrated: int, services: Services
 ) -> None:
     there = operator.seen(f"/cameras/{calibrated}")
-    other = operator.made("/surveys", {"name": "Hill", "site": "", "description": ""})["id"]
+    other = operator.made("/surveys", {"name": "Hill", "site": "", "description": "", "open_to_all": True})[
+        "id"
+    ]
     taken = operator.made(f"/surveys/{other}/cameras/from/{calibrated}")
     here = operator.seen(f"/cameras/{taken['id']}")
     survey = operator.seen(f"/surveys/{there['survey_id']}")["name"]
@@ -47,7 +49,9 @@ def test_what_cannot_be_taken_is_said(
     operator: Client, viewer: Client, calibrated: int, survey_id: int
 ) -> None:
     bare = operator.made(f"/surveys/{survey_id}/cameras", {"name": "Bare"})["id"]
-    other = operator.made("/surveys", {"name": "Hill", "site": "", "description": ""})["id"]
+    other = operator.made("/surveys", {"name": "Hill", "site": "", "description": "", "open_to_all": True})[
+        "id"
+    ]
     for survey, camera, status, words in (
         (other, bare, 422, "has no calibration yet"),
         (survey_id, calibrated, 409, "this survey’s own"),
