@@ -120,14 +120,14 @@ def _seen(session: Session, who: Person, facts: StudyFacts) -> StudyFacts:
 
 
 @router.get("/studies/{study_id}/members")
-def list_members(study_id: PathId, who: Viewer, session: Reading) -> StudyMembersBody:
+def list_members_of_study(study_id: PathId, who: Viewer, session: Reading) -> StudyMembersBody:
     """Who sees the study beside administrators."""
     require_study(session, who, study_id)
     return _members(session, study_id)
 
 
 @router.put("/studies/{study_id}/members/{person_id}")
-def add_member(study_id: PathId, person_id: PathId, who: Operator, session: Writing) -> StudyMembersBody:
+def add_member_of_study(study_id: PathId, person_id: PathId, who: Operator, session: Writing) -> StudyMembersBody:
     """Let a person see the study; what they may do there is their account's role."""
     require_study(session, who, study_id)
     add_study_member(session, study_id, person_id, actor=who.id)
@@ -135,7 +135,7 @@ def add_member(study_id: PathId, person_id: PathId, who: Operator, session: Writ
 
 
 @router.delete("/studies/{study_id}/members/{person_id}")
-def remove_member(study_id: PathId, person_id: PathId, who: Operator, session: Writing) -> StudyMembersBody:
+def remove_member_of_study(study_id: PathId, person_id: PathId, who: Operator, session: Writing) -> StudyMembersBody:
     """Take a person out; what they did stays theirs."""
     require_study(session, who, study_id)
     remove_study_member(session, study_id, person_id, actor=who.id)
@@ -143,7 +143,7 @@ def remove_member(study_id: PathId, person_id: PathId, who: Operator, session: W
 
 
 @router.put("/studies/{study_id}/open-to-all")
-def open_to_all(study_id: PathId, body: Openness, who: Operator, session: Writing) -> StudyMembersBody:
+def open_study(study_id: PathId, body: Openness, who: Operator, session: Writing) -> StudyMembersBody:
     """Open it to everybody who signs in, or close it to all but members and administrators."""
     require_study(session, who, study_id)
     open_study_to_all(session, study_id, body.open_to_all, actor=who.id)
