@@ -127,7 +127,9 @@ def list_members_of_study(study_id: PathId, who: Viewer, session: Reading) -> St
 
 
 @router.put("/studies/{study_id}/members/{person_id}")
-def add_member_of_study(study_id: PathId, person_id: PathId, who: Operator, session: Writing) -> StudyMembersBody:
+def add_member_of_study(
+    study_id: PathId, person_id: PathId, who: Operator, session: Writing
+) -> StudyMembersBody:
     """Let a person see the study; what they may do there is their account's role."""
     require_study(session, who, study_id)
     add_study_member(session, study_id, person_id, actor=who.id)
@@ -135,7 +137,9 @@ def add_member_of_study(study_id: PathId, person_id: PathId, who: Operator, sess
 
 
 @router.delete("/studies/{study_id}/members/{person_id}")
-def remove_member_of_study(study_id: PathId, person_id: PathId, who: Operator, session: Writing) -> StudyMembersBody:
+def remove_member_of_study(
+    study_id: PathId, person_id: PathId, who: Operator, session: Writing
+) -> StudyMembersBody:
     """Take a person out; what they did stays theirs."""
     require_study(session, who, study_id)
     remove_study_member(session, study_id, person_id, actor=who.id)
