@@ -182,7 +182,7 @@ function PersonMenu() {
       <a class="menu__item" href="/jobs">
         {titleOf("jobs")}
       </a>
-      {may("admin") && (
+      {me.value?.person.role === "admin" && (
         <a class="menu__item" href="/system">
           {titleOf("system")}
         </a>

@@ -21,7 +21,7 @@ from sightline.infra.database.rows import missing
 from sightline.infra.services import Services
 from sightline.infra.web.person import Person, Seen
 
-RANK: Mapping[ActingRole, int] = {"viewer": 0, "operator": 1, "reviewer": 2, "manager": 3, "admin": 4}
+RANK: dict[ActingRole, int] = {"viewer": 0, "operator": 1, "reviewer": 2, "manager": 3, "admin": 4}
 #: What stands before a number in a path, and the table that the number is of.
 THINGS: Mapping[str, str] = {
     "surveys": "surveys",

@@ -5,6 +5,7 @@ import { STATE_WORDS, vehicleName } from "../../core/words";
 
 export const ENTITY_WORDS = wordsOf({
   survey: "audit-entity-survey",
+  survey_member: "audit-entity-survey_member",
   camera: "audit-entity-camera",
   calibration_image: "audit-entity-calibration_image",
   calibration: "audit-entity-calibration",
