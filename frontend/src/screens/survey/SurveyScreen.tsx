@@ -47,12 +47,11 @@ export default function SurveyScreen({ surveyId }: ScreenProps) {
           <PlaceOf place={survey.place} />
           {survey.description && <p class="page__lead">{survey.description}</p>}
         </div>
-        <Button href={`/surveys/${survey.id}/planning`}>{say("page-planning")}</Button>
-        <Button href={`/surveys/${survey.id}/checks`}>{say("page-checks")}</Button>
-        <Button href={`/surveys/${survey.id}/repeats`}>{say("page-repeats")}</Button>
-        <Button onClick={() => setBelonging(true)}>{say("members-open")}</Button>
-        {may("operator") && <Button onClick={() => setSorting(true)}>{say("classes-open")}</Button>}
-        {may("operator") && <Button onClick={() => setEditing(true)}>{say("survey-edit")}</Button>}
+        <div class="row">
+          <Button onClick={() => setBelonging(true)}>{say("members-open")}</Button>
+          {may("operator") && <Button onClick={() => setSorting(true)}>{say("classes-open")}</Button>}
+          {may("operator") && <Button onClick={() => setEditing(true)}>{say("survey-edit")}</Button>}
+        </div>
       </header>
       {running.map((job) => (
         <div class="panel panel__body" key={job.id}>
