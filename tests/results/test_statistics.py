@@ -251,7 +251,7 @@ def test_empty_one_and_few_have_reasons(viewer: Client, services: Services) -> N
         one = samples.sample(session)
         update_vehicle(session, one.vehicle.id, {"manufacturer_height_m": 1.6}, version=1, actor=None)
         samples.measure(session, one)
-        second = create_survey(session, name="Other", actor=None)
+        second = create_survey(session, name="Other", open_to_all=True, actor=None)
     waiting = viewer.seen("/statistics")
     assert waiting["counted"] == {
         "measurements": 0,
@@ -292,7 +292,7 @@ def test_a_survey_has_its_own_standards(
     assert told["standards"] == table and told["version"] > 0
     assert viewer.seen(f"/surveys/{one}/standards") == told
     with services.writing() as session:
-        other = create_survey(session, name="Other", actor=None).id
+        other = create_survey(session, name="Other", open_to_all=True, actor=None).id
     found = viewer.seen(f"/statistics?survey={one}&state=all")
     assert found["standards"] == table
     eyes = [t.height_m for t in ground.told if t.target == "driver_eye"]

@@ -97,7 +97,8 @@ class Study:
         sides = {"traffic_side": "right", "steering_side": "left", "camera_place": "verge"}
         place = {"latitude_deg": 49.44, "longitude_deg": 1.1, "time_zone": "Europe/Paris"}
         made = self.operator.made(
-            "/surveys", {"name": "Protocol", "site": "lane 1", "traffic": sides, "place": place}
+            "/surveys",
+            {"name": "Protocol", "site": "lane 1", "open_to_all": True, "traffic": sides, "place": place},
         )
         self.survey_id, self.insets = made["id"], made["insets"]
         quotas = [{"lighting": one, "wanted": n} for one, n in zip(LIGHTS, sizes, strict=True)]
