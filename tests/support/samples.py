@@ -76,10 +76,10 @@ class Sample:
     vehicle: Vehicle
 
 
-def sample(session: Session) -> Sample:
+def sample(session: Session, *, open_to_all: bool = True) -> Sample:
     """Two people, a survey with a calibrated camera, a posed recording and one vehicle."""
     olga, rene = person(session), person(session, "René", "reviewer")
-    survey = create_survey(session, name="Rouen south", site="lane 1", open_to_all=True, actor=olga.id)
+    survey = create_survey(session, name="Rouen south", site="lane 1", open_to_all=open_to_all, actor=olga.id)
     camera = create_camera(session, survey.id, name="Left", actor=olga.id)
     lens = calibration(session, camera.id, olga.id)
     recording = add_recording(session, survey.id, olga.id)

@@ -130,7 +130,7 @@ def test_people_who_may_be_added(operator: Client, viewer: Client, admin: Client
 def test_everything_that_a_route_names_leads_to_its_survey(services: Services) -> None:
     load_tables()
     with services.writing() as session:
-        one = samples.sample(session)
+        one = samples.sample(session, open_to_all=False)
         rows = {
             "surveys": one.survey.id,
             "survey_photographs": samples.photograph(session, one).id,
