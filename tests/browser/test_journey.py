@@ -46,6 +46,20 @@ def invited(page: Page, browser: Browser, server: Server, name: str, role: str) 
     return context
 
 
+def go_to_frame(page: Page, frame: int) -> None:
+    """By its number; a page that is still being filled may begin at its first frame once more."""
+    shown = page.get_by_role("application", name=f"Frame {frame}", exact=True)
+    for _ in range(6):
+        page.get_by_test_id("frame-box").fill(str(frame))
+        page.get_by_test_id("frame-box").press("Enter")
+        try:
+            expect(shown).to_be_visible(timeout=5_000)
+        except AssertionError:
+            continue
+        return
+    expect(shown).to_be_visible()
+
+
 def calibrate(page: Page, survey_id: int, server: Server) -> tuple[int, int]:
     """(camera, calibration): a new camera from the lab pictures, all of it by hand."""
     page.goto(f"/surveys/{survey_id}/camera")
@@ -53,6 +67,10 @@ def calibrate(page: Page, survey_id: int, server: Server) -> tuple[int, int]:
     page.get_by_role("dialog").get_by_label("Name").fill("Journey camera")
     page.get_by_role("dialog").get_by_role("button", name="Add").click()
     expect(page.get_by_role("dialog")).to_have_count(0)
+    # the bench is the new camera's once that is the open one
+    tab = page.get_by_role("button", name="Journey camera").last
+    expect(tab).to_have_attribute("aria-current", "true")
+    expect(page.get_by_text("Lens, zoom and focus are not said yet.")).to_be_visible()
     page.get_by_label(re.compile("columns|across", re.I)).first.fill("9")
     page.get_by_label(re.compile("rows|down", re.I)).first.fill("6")
     page.get_by_label(re.compile("square", re.I)).first.fill("30")
@@ -92,8 +110,7 @@ def find_pose(
         f"{board['reference_height_m']:.4f}"
     )
     for mark, frame in (("Begins here", 10), ("Ends here", 60)):
-        page.get_by_test_id("frame-box").fill(str(frame))
-        page.get_by_test_id("frame-box").press("Enter")
+        go_to_frame(page, frame)
         expect(page.get_by_test_id("found-board")).to_be_visible()
         page.get_by_role("button", name=mark).click()
     page.get_by_test_id("pose-run").get_by_role("button").click()
