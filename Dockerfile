@@ -1,5 +1,5 @@
 # The front end is built in a stage of its own; the image that runs holds no Node.
-FROM node:22-bookworm-slim AS web
+FROM node:22-bookworm-slim@sha256:83f487e0a63425e5b4d146fb5e5be574bcbe1b7b843d3ebafdd95eaf7767a7e5 AS web
 WORKDIR /sightline/frontend
 COPY frontend/package.json frontend/package-lock.json frontend/.npmrc ./
 RUN npm ci --no-fund --no-audit
@@ -9,7 +9,7 @@ COPY CONVENTIONS.md ../
 COPY docs/ ../docs/
 RUN npm run build
 
-FROM python:3.12-slim-bookworm
+FROM python:3.12-slim-bookworm@sha256:782412e85d0f0984994c290652577d4018aff08145c85b262bb63dc0c7522254
 ENV PYTHONUNBUFFERED=1 SIGHTLINE_DATA_DIR=/data SIGHTLINE_HOST=0.0.0.0 SIGHTLINE_PORT=8000
 WORKDIR /sightline
 COPY requirements.lock pyproject.toml setup.py README.md LICENSE ./

@@ -1,5 +1,5 @@
 # Two commands: `make run` and `make test`. Everything they install stays in this folder
-# (.venv, frontend/node_modules, .build, .data); only `make test` may ask apt for a Chromium.
+# (.venv, frontend/node_modules, .build, .data); only `make test` may ask apt for a Chromium and R.
 SHELL := /bin/bash
 PYTHON ?= python3
 BIN := .venv/bin
@@ -7,7 +7,7 @@ PIP := $(BIN)/python -m pip --quiet --disable-pip-version-check
 NPM := npm --prefix frontend --no-fund --no-audit --loglevel=error
 WEB_SOURCES := $(shell find frontend/src backend/sightline/messages frontend/public docs CONVENTIONS.md frontend/index.html frontend/vite.config.ts frontend/package.vite.config.ts -type f 2>/dev/null)
 
-.PHONY: run wheel image test test-postgresql test-browser setup check lock types dev bench soak faults hostile clean
+.PHONY: run wheel image test test-postgresql test-browser setup check check-server check-pages lock types dev screenshots bench soak faults full-disk hostile nightly sbom audit clean
 .DELETE_ON_ERROR:
 
 run: setup
@@ -61,6 +61,15 @@ setup: .build/python .build/web
 	   $(BIN)/playwright install chromium && echo playwright > $@; \
 	 fi || { rm -f $@; echo "The browser tests need Chromium: install it (sudo apt install chromium) and run make test again." >&2; exit 1; }
 
+# The R example of docs/examples is run where R is; Debian has it as a package, elsewhere it is left out, and said.
+.build/r: .build/tools | .build/chromium # after it: apt lets one in at a time
+	@if command -v Rscript > $@; then exit 0; fi; \
+	 if grep -q '^ID=debian' /etc/os-release && [ "$$(id -u)" = 0 ]; then \
+	   apt-get update -qq && apt-get install -y -qq --no-install-recommends r-base-core >/dev/null; \
+	 elif grep -q '^ID=debian' /etc/os-release && sudo -n true 2>/dev/null; then \
+	   sudo apt-get update -qq && sudo apt-get install -y -qq --no-install-recommends r-base-core >/dev/null; \
+	 fi; command -v Rscript > $@ || echo "R is not here: its example is not tested." | tee $@ >&2
+
 # Some machines forbid it: every process would compile the code, and rewrite the tests' assertions, once more.
 test test-postgresql test-browser: export PYTHONDONTWRITEBYTECODE :=
 # Two workers share two cores: threads of NumPy and OpenCV beside them would wait for each other, spinning.
@@ -70,23 +79,29 @@ test test-postgresql test-browser: export OPENCV_FOR_THREADS_NUM := 1
 
 test:
 	@$(MAKE) --no-print-directory -j2 setup .build/python-dev
-	@$(MAKE) --no-print-directory -j2 -Oline .build/chromium check
+	@$(MAKE) --no-print-directory -j2 -Oline .build/chromium .build/r check
 	@SIGHTLINE_TEST_DATABASE_URL= $(BIN)/python -m pytest -n 2 --dist worksteal --ignore=tests/browser
-	@$(MAKE) --no-print-directory -j2 -Oline test-postgresql test-browser
+	@$(MAKE) --no-print-directory test-postgresql
+	@$(MAKE) --no-print-directory test-browser
 
-# Beside each other: a browser waits most of the time. A file of browser tests stays with one browser.
+# One after the other: beside each other on two cores both wait for the processor, and what a page does within half
+# a minute takes longer. A file of browser tests stays with one browser.
 test-postgresql:
-	@if [ -n "$$SIGHTLINE_TEST_DATABASE_URL" ]; then echo "The same on PostgreSQL, beside the browser ..." && \
+	@if [ -n "$$SIGHTLINE_TEST_DATABASE_URL" ]; then echo "The same on PostgreSQL ..." && \
 	   $(BIN)/python -m pytest -n 2 --dist worksteal -m "dialect and not once" --ignore=tests/browser tests; fi
 
 test-browser:
-	@SIGHTLINE_TEST_DATABASE_URL= $(BIN)/python -m pytest -n 2 --dist loadfile tests/browser
+	@SIGHTLINE_TEST_DATABASE_URL= $(BIN)/python -m pytest -n 3 --dist loadfile --no-loadscope-reorder tests/browser
 
-check: types
+check: check-server check-pages
+
+check-server: .build/python-dev
 	@$(BIN)/ruff check backend tests migrations
 	@$(BIN)/ruff format --check backend tests migrations
 	@$(BIN)/mypy
 	@$(BIN)/lint-imports
+
+check-pages: types
 	@$(NPM) run --silent check
 	@$(NPM) run --silent test
 
@@ -103,6 +118,10 @@ dev: types
 bench: setup .build/python-dev .build/chromium
 	@for script in tests/bench/bench_*.py; do $(BIN)/python $$script || exit 1; done
 
+# The pictures of the guide, in every language, from a new demonstration (or SCREENSHOTS=FOLDER, a copy of one there).
+screenshots: setup .build/python-dev .build/chromium
+	@$(BIN)/python -m tests.browser.guide_pictures $(SCREENSHOTS)
+
 # Many people at once, for as long as you like: make soak SOAK="--seconds 60 --clients 1,8,32,64"
 soak: setup .build/python-dev
 	@$(BIN)/python -m tests.load.soak $(SOAK)
@@ -111,9 +130,25 @@ soak: setup .build/python-dev
 faults: setup .build/python-dev
 	@$(BIN)/python -m tests.load.faults $(FAULTS)
 
+# A disk that fills up: make full-disk DISK=FOLDER, an empty file system of some 150 MB (mount -t tmpfs -o size=150m ...)
+full-disk: setup .build/python-dev
+	@$(BIN)/python -m tests.load.full_disk $(DISK)
+
 # Spoiled files and random requests by the thousand, for the night: make hostile HOSTILE="--seed 7 --cases 1000"
 hostile: setup .build/python-dev
 	@$(BIN)/python -m tests.load.hostile.run $(HOSTILE)
+
+# All of it for a night, one after the other, with one seed; the report: .build/nightly.md
+nightly: setup .build/python-dev
+	@$(BIN)/python -m tests.load.nightly $(NIGHTLY)
+
+# The list of parts, CycloneDX 1.6, out of both lock files, with the licences that they state: .build/sbom.json
+sbom: .build/python .build/node
+	@$(BIN)/python -m tests.supply.sbom .build/sbom.json
+
+# Known faults of what the locks hold, by pip-audit and npm; says so where the network is closed (status 2).
+audit: .build/python .build/node
+	@$(BIN)/python -m tests.supply.audit
 
 # Renews the lock files. Hashes only: no lock names where a package came from.
 UV := $(BIN)/uv pip compile --universal --python-version 3.11 --generate-hashes --no-emit-index-url --no-header --no-annotate --quiet

@@ -2,17 +2,45 @@ import { readFileSync } from "node:fs";
 import { FluentParser, FluentSerializer, Resource } from "@fluent/syntax";
 import { defineConfig, type Plugin } from "vite";
 
-/** The page that every package carries, in one file: `package.html`, into which an export puts the package's tables. */
-export default defineConfig({
-  plugins: [messages(), oneFile()],
-  publicDir: false,
-  build: {
-    target: "es2022",
-    emptyOutDir: false,
-    cssCodeSplit: false,
-    modulePreload: false,
-    rollupOptions: { input: "src/package/main.tsx" },
-  },
+/** A page that stands alone: what it is made of, what a page may load, and where its data come in. */
+interface Alone {
+  readonly input: string;
+  readonly file: string;
+  readonly policy: string;
+  readonly data: string;
+}
+
+const NOTHING = "default-src 'none'; style-src 'unsafe-inline';";
+/** The page that every package carries, into which an export puts the package's tables. It may load pictures and a script
+ *  that lie beside it, and nothing from any network. */
+const PACKAGE: Alone = {
+  input: "src/package/main.tsx",
+  file: "package.html",
+  policy: `${NOTHING} script-src 'unsafe-inline' 'self' file:; img-src 'self' file:`,
+  data: '<!--package-->\n<script src="audit.js"></script>',
+};
+/** The evidence file of one vehicle, which holds all that it shows. */
+const EVIDENCE: Alone = {
+  input: "src/package/evidence/main.tsx",
+  file: "evidence.html",
+  policy: `${NOTHING} script-src 'unsafe-inline'; img-src data:`,
+  data: "<!--evidence-->",
+};
+
+/** One page a build: `vite build --config package.vite.config.ts`, and again with `--mode evidence`. */
+export default defineConfig(({ mode }) => {
+  const alone = mode === "evidence" ? EVIDENCE : PACKAGE;
+  return {
+    plugins: [messages(), oneFile(alone)],
+    publicDir: false,
+    build: {
+      target: "es2022",
+      emptyOutDir: false,
+      cssCodeSplit: false,
+      modulePreload: false,
+      rollupOptions: { input: alone.input },
+    },
+  };
 });
 
 const CATALOGUE = new URL("../backend/sightline/messages/en.ftl", import.meta.url);
@@ -32,8 +60,8 @@ function messages(): Plugin {
   };
 }
 
-/** Script and style within the page. It may load pictures that lie beside it and nothing from any network. */
-function oneFile(): Plugin {
+/** Script and style within the page. */
+function oneFile(alone: Alone): Plugin {
   return {
     name: "one-file",
     enforce: "post",
@@ -44,29 +72,25 @@ function oneFile(): Plugin {
         else style += String(one.source);
         delete bundle[file];
       }
-      this.emitFile({ type: "asset", fileName: "package.html", source: page(script, style) });
+      this.emitFile({ type: "asset", fileName: alone.file, source: page(alone, script, style) });
     },
   };
 }
 
-const POLICY =
-  "default-src 'none'; script-src 'unsafe-inline' 'self' file:; style-src 'unsafe-inline'; img-src 'self' file:";
-
-function page(script: string, style: string): string {
+function page({ policy, data }: Alone, script: string, style: string): string {
   return `<!doctype html>
 <html lang="en">
 <head>
 <meta charset="utf-8">
 <meta name="viewport" content="width=device-width, initial-scale=1">
-<meta http-equiv="Content-Security-Policy" content="${POLICY}">
+<meta http-equiv="Content-Security-Policy" content="${policy}">
 <title>Sightline</title>
 <style>${style.replaceAll("</style", "<\\/style")}</style>
 </head>
 <body>
 <div id="opened"></div>
 <noscript>Sightline needs JavaScript; please switch it on for this page.</noscript>
-<!--package-->
-<script src="audit.js"></script>
+${data}
 <script type="module">${script.replaceAll("</script", "<\\/script").replaceAll("<!--", "<\\!--")}</script>
 </body>
 </html>

@@ -1,14 +1,15 @@
 /// <reference types="vitest/config" />
-import { basename } from "node:path";
+import { readFileSync } from "node:fs";
+import { basename, dirname, join } from "node:path";
 import GithubSlugger from "github-slugger";
-import { Marked } from "marked";
+import { Marked, type Token } from "marked";
 import { defineConfig, type Plugin } from "vite";
 
 /** Where `npm run dev` finds the server; the built front end is served by the server itself. */
 const server = `http://127.0.0.1:${process.env.SIGHTLINE_PORT ?? "8000"}`;
 
 export default defineConfig({
-  plugins: [guide()],
+  plugins: [guide(), licences()],
   // the catalogue of messages lies beside the server's code, the guide in docs/
   server: {
     fs: { allow: [".", "../backend/sightline/messages", "../docs", "../CONVENTIONS.md"] },
@@ -29,20 +30,77 @@ function guide(): Plugin {
     enforce: "pre",
     transform(code, id) {
       if (!id.endsWith(".md")) return null;
-      const page = rendered(code);
-      return { code: `export default ${JSON.stringify(page)}`, map: null };
+      const name = basename(id, ".md");
+      const english = /[\\/]docs[\\/]guide[\\/]/.test(id) ? join(dirname(id), "..", "en", `${name}.md`) : id;
+      if (english !== id) this.addWatchFile(english);
+      const ids = headingIds(english === id ? code : readFileSync(english, "utf8"));
+      if (headingIds(code).length !== ids.length) this.error(`${id} has other headings than ${english}`);
+      return { code: moduleOf(rendered(code, name, ids)), map: null };
     },
   };
 }
 
-function rendered(text: string): { sections: string[]; html: string } {
+/** The packages that go into the pages, with the licences that they state, out of the lock file. */
+function licences(): Plugin {
+  const name = "virtual:licences";
+  return {
+    name: "licences",
+    resolveId: (id) => (id === name ? `\0${name}` : null),
+    load(id) {
+      if (id !== `\0${name}`) return null;
+      const lock = JSON.parse(readFileSync(new URL("package-lock.json", import.meta.url), "utf8"));
+      const found = (Object.entries(lock.packages) as [string, Locked][])
+        .filter(([folder, one]) => folder && !one.dev && !one.link)
+        .map(([folder, one]) => ({
+          name: folder.slice(folder.lastIndexOf("node_modules/") + "node_modules/".length),
+          version: one.version,
+          licence: one.license ?? null,
+        }));
+      return `export default ${JSON.stringify(found)}`;
+    },
+  };
+}
+
+interface Locked {
+  version: string;
+  license?: string;
+  dev?: boolean;
+  link?: boolean;
+}
+
+/** The ids of a page's headings: those of its English, so that an address leads to its place in every language. */
+function headingIds(english: string): string[] {
   const slugs = new GithubSlugger();
+  const words = (token: Token) => (token.type === "heading" ? [token.text as string] : []);
+  return new Marked()
+    .lexer(english)
+    .flatMap(words)
+    .map((text) => slugs.slug(text));
+}
+
+interface Rendered {
+  sections: string[];
+  /** With `@picture-0@` and so on where the address of a picture goes. */
+  html: string;
+  pictures: string[];
+}
+
+/** A page as a module, which imports its pictures, so that they are built with the pages. */
+function moduleOf({ sections, html, pictures }: Rendered): string {
+  const imports = pictures.map((file, at) => `import picture${at} from ${JSON.stringify(`./${file}`)};\n`);
+  const text = JSON.stringify(html).replace(/@picture-(\d+)@/g, '" + picture$1 + "');
+  return `${imports.join("")}export default { sections: ${JSON.stringify(sections)}, html: ${text} };`;
+}
+
+function rendered(text: string, name: string, ids: string[]): Rendered {
   const sections: string[] = [];
+  const pictures: string[] = [];
   const marked = new Marked();
+  let heading = 0;
   marked.use({
     renderer: {
-      heading({ tokens, depth, text: words }) {
-        const id = slugs.slug(words);
+      heading({ tokens, depth }) {
+        const id = ids[heading++] ?? "";
         if (depth === 1) return ""; // the page's own
         sections.push(id);
         return `<h${depth} id="guide-${id}">${this.parser.parseInline(tokens)}</h${depth}>\n`;
@@ -50,9 +108,14 @@ function rendered(text: string): { sections: string[]; html: string } {
       link({ href, tokens }) {
         const words = this.parser.parseInline(tokens);
         const [file = "", section] = href.split("#");
-        if (!/\.md$/.test(file)) return `<a href="${href}">${words}</a>`;
-        const page = `/guide?page=${basename(file, ".md")}`;
+        if (file && !file.endsWith(".md")) return `<a href="${href}">${words}</a>`;
+        const page = `/guide?page=${file ? basename(file, ".md") : name}`;
         return `<a href="${page}${section ? `&amp;section=${section}` : ""}">${words}</a>`;
+      },
+      image({ href, text }) {
+        const at = pictures.push(href) - 1;
+        const words = text.replaceAll("&", "&amp;").replaceAll('"', "&quot;");
+        return `<img src="@picture-${at}@" alt="${words}" width="1280" height="800" loading="lazy" />`;
       },
       table(token) {
         const row = (cells: typeof token.header, tag: string) =>
@@ -64,5 +127,5 @@ function rendered(text: string): { sections: string[]; html: string } {
       },
     },
   });
-  return { html: marked.parse(text, { async: false }), sections };
+  return { html: marked.parse(text, { async: false }), sections, pictures };
 }

@@ -8,6 +8,7 @@ import os
 import shutil
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 from uuid import uuid4
 
 import pytest
@@ -15,6 +16,7 @@ from hypothesis import settings
 from sqlalchemy import Engine, create_engine, inspect, make_url, text
 from sqlalchemy.orm import Session
 
+from sightline.infra.database import engine as engines
 from sightline.infra.database.engine import SessionFactory, make_engine, migrate, session_factory, writing
 
 pytest_plugins = ["tests.support.app"]
@@ -24,6 +26,23 @@ settings.register_profile("sightline", deadline=None)
 settings.load_profile("sightline")
 
 SERVER = os.environ.get("SIGHTLINE_TEST_DATABASE_URL", "")
+
+
+@pytest.fixture(scope="session", autouse=True)
+def sql_compiled_once() -> Iterator[None]:
+    """Engines share the texts of their statements, which one alone would forget with each test."""
+    first: dict[str, Engine] = {}
+
+    def alike(*words: Any, **options: Any) -> Engine:
+        made = create_engine(*words, **options)
+        shared = first.setdefault(made.dialect.name, made)
+        made.dialect = made.pool._dialect = shared.dialect
+        made._compiled_cache = shared._compiled_cache
+        return made
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(engines, "create_engine", alike)
+        yield
 
 
 @pytest.fixture(scope="session")

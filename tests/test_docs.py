@@ -3,19 +3,44 @@
 import re
 from pathlib import Path
 
+import cv2
 import pytest
 
 from sightline.cli import COMMANDS
 from sightline.commands import clicks, linescan, passes_csv
 from sightline.export.contents import tables_of
 from sightline.settings import Settings
+from tests.browser.guide_pictures import HEIGHT_PX, MOST_BYTES, PICTURES, WIDTH_PX
 
 ROOT = Path(__file__).resolve().parents[1]
 PAPERS = sorted([*ROOT.glob("*.md"), *(ROOT / "docs").rglob("*.md")])
 GUIDE = sorted((ROOT / "docs" / "guide").rglob("*.md"))
+ENGLISH = [page for page in GUIDE if page.parent.name == "en"]
+TRANSLATED = [page for page in GUIDE if page.parent.name != "en"]
+ENGLISH_OF = {page: page.parents[1] / "en" / page.name for page in TRANSLATED}
+# What stands before the name of a page or of a button.
+LEADS = {
+    "en": r"(?:On|Open|open|opens|Press|press|Under|under|Use|from the)",
+    "fr": r"(?:Avec|[Cc]hoisissez|[Cc]liquez sur|[Oo]uvrez|[Ll]a page|[Ss]ous|[Uu]tilisez)",
+}
+# What is written as code and yet in words.
+WORDS = {
+    "fr": {
+        "speed x exposure x focal length in pixels / distance": (
+            "vitesse x temps de pose x focale en pixels / distance"
+        ),
+        "Ctrl+Enter": "Ctrl+Entrée",
+        "Shift+S": "Maj+S",
+        "Enter": "Entrée",
+        "Esc": "Échap",
+        "Shift": "Maj",
+        "Shift+C": "Maj+C",
+        "Shift+M": "Maj+M",
+    }
+}
 FORMATS = (ROOT / "docs" / "formats.md").read_text(encoding="utf-8")
 # Variables that are no field of Settings: where the migrations are, and what only tests and errors read.
-ELSEWHERE = {"MIGRATIONS", "DEBUG", "SHARED_DATA", "TEST_DATABASE_URL", "COMMIT", "VERSION"}
+ELSEWHERE = {"MIGRATIONS", "DEBUG", "SHARED_DATA", "TEST_DATABASE_URL", "COMMIT", "TOKEN", "VERSION"}
 
 
 def of(paper: Path) -> str:
@@ -74,14 +99,71 @@ def test_the_map_names_every_room() -> None:
     ] == []
 
 
-@pytest.mark.parametrize("paper", GUIDE, ids=lambda paper: paper.name)
-def test_what_the_guide_calls_by_name_is_called_so_on_the_screens(paper: Path) -> None:
-    """Bold words and phrases in the guide are names of pages and buttons; sentences in bold are not."""
-    catalogue = of(ROOT / "backend" / "sightline" / "messages" / f"{paper.parent.name}.ftl")
-    said = set(re.findall(r"^[\w-]+ = (.+)$", catalogue, re.MULTILINE))
-    text = " ".join(of(paper).split())
-    named = re.findall(r"(?:On|Open|open|opens|Press|press|Under|under|Use|from the) \*\*([^*]+)\*\*", text)
-    assert [name for name in named if name not in said] == []
+def sentences(language: str) -> dict[str, str]:
+    """The one-line sentences of a language's catalogue by their keys."""
+    catalogue = of(ROOT / "backend" / "sightline" / "messages" / f"{language}.ftl")
+    return dict(re.findall(r"^([\w-]+) = (.+)$", catalogue, re.MULTILINE))
+
+
+def named_on_screens(page: Path) -> list[str]:
+    """Bold words and phrases of the guide that name pages and buttons; sentences in bold do not."""
+    return re.findall(rf"{LEADS[page.parent.name]} \*\*([^*]+)\*\*", " ".join(of(page).split()))
+
+
+@pytest.mark.parametrize("page", GUIDE, ids=lambda page: f"{page.parent.name}-{page.stem}")
+def test_what_the_guide_calls_by_name_is_called_so_on_the_screens(page: Path) -> None:
+    said = set(sentences(page.parent.name).values())
+    assert [name for name in named_on_screens(page) if name not in said] == []
+
+
+@pytest.mark.parametrize("page", TRANSLATED, ids=lambda page: f"{page.parent.name}-{page.stem}")
+def test_a_translated_page_names_every_page_and_button_that_the_english_names(page: Path) -> None:
+    english, others = sentences("en"), sentences(page.parent.name)
+    bold = set(re.findall(r"\*\*([^*]+)\*\*", " ".join(of(page).split())))
+    for name in named_on_screens(ENGLISH_OF[page]):
+        called = {others[key] for key, text in english.items() if text == name}
+        assert bold & called, (name, called)
+
+
+def test_every_language_has_every_page_of_the_guide() -> None:
+    names = {page.name for page in ENGLISH}
+    for language in {page.parent for page in TRANSLATED}:
+        assert {page.name for page in language.glob("*.md")} == names
+
+
+@pytest.mark.parametrize("page", TRANSLATED, ids=lambda page: f"{page.parent.name}-{page.stem}")
+def test_a_translated_page_has_all_that_the_english_has(page: Path) -> None:
+    """The same headings, items and rows in their order, and the same links and code."""
+    words = WORDS[page.parent.name]
+    english, other = of(ENGLISH_OF[page]), of(page)
+    form = re.compile(r"^ *(#+|\d+\.|-|\|)(?= ?\S)", re.MULTILINE)
+    assert form.findall(other) == form.findall(english)
+    assert sorted(re.findall(r"\]\(([^)]+)\)", other)) == sorted(re.findall(r"\]\(([^)]+)\)", english))
+    code = [" ".join(one.split()) for one in re.findall(r"`([^`]+)`", english)]
+    assert sorted(" ".join(one.split()) for one in re.findall(r"`([^`]+)`", other)) == sorted(
+        words.get(one, one) for one in code
+    )
+
+
+@pytest.mark.parametrize("page", sorted((ROOT / "docs/guide/fr").glob("*.md")), ids=lambda page: page.stem)
+def test_french_signs_stand_apart_by_a_space_that_does_not_break(page: Path) -> None:
+    text = re.sub(r"`[^`]*`|\]\([^)]*\)|<!--.*?-->", "`", of(page))
+    assert re.findall(r".*(?: [;:!?%»]|« |[\w`]'\w|\w[;!?]).*", text) == []
+
+
+@pytest.mark.parametrize("language", sorted({page.parent for page in GUIDE}), ids=lambda folder: folder.name)
+def test_every_picture_of_the_guide_is_there_as_the_command_makes_it(language: Path) -> None:
+    """Named in each language, of the size that the command makes, and small."""
+    named = {
+        name for page in language.glob("*.md") for name in re.findall(r"!\[[^\]]+\]\(([^)]+)\)", of(page))
+    }
+    assert named == {f"pictures/{name}.webp" for name in PICTURES}
+    assert {f"pictures/{file.name}" for file in (language / "pictures").iterdir()} == named
+    for name in named:
+        file = language / name
+        image = cv2.imread(str(file))
+        assert file.stat().st_size <= MOST_BYTES and image is not None
+        assert image.shape[:2] == (HEIGHT_PX, WIDTH_PX)
 
 
 @pytest.mark.parametrize("paper", PAPERS, ids=lambda paper: paper.name)

@@ -141,7 +141,8 @@ def test_no_record_is_filled_by_position() -> None:
         for node in ast.walk(tree):
             if isinstance(node, ast.ImportFrom):
                 known |= {one.asname or one.name: f"{node.module}.{one.name}" for one in node.names}
-        for function in (node for node in ast.walk(tree) if isinstance(node, ast.FunctionDef)):
+        outer = [*tree.body, *(one for node in tree.body for one in getattr(node, "body", []))]
+        for function in (node for node in outer if isinstance(node, ast.FunctionDef)):
             for call in (node for node in ast.walk(function) if isinstance(node, ast.Call)):
                 name = call.func.id if isinstance(call.func, ast.Name) else None
                 if name and known.get(name) in records and len(call.args) > MOST_BY_POSITION:

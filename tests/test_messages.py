@@ -3,16 +3,26 @@
 import ast
 import re
 from collections.abc import Iterator
+from dataclasses import replace
+from datetime import date, datetime
 from functools import cache
 from pathlib import Path
+from typing import Annotated, Literal
 
 import pytest
 from fluent.syntax import FluentParser
 from fluent.syntax import ast as ftl
 from fluent.syntax.visitor import Visitor
+from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
 import sightline
 from sightline import errors, messages
+from sightline.messages.recognised import KEYS, translated
+from sightline.quality.drift import drift_job
+from sightline.results.overview import query
+from sightline.results.overview.records import SurveyCounts
+from sightline.scans import progress_query
+from sightline.statistics import wording
 
 PACKAGE = Path(sightline.__file__).parent
 SOURCE = PACKAGE / "messages/en.ftl"
@@ -61,13 +71,9 @@ def catalogue(text: str) -> dict[str, set[str]]:
 def error_classes(trees: list[ast.Module]) -> set[str]:
     """Names of the classes under SightlineError."""
     known = {"SightlineError"}
+    classes = [one for tree in trees for one in ast.walk(tree) if isinstance(one, ast.ClassDef)]
     for _ in range(4):  # as deep as they stand on each other
-        known |= {
-            one.name
-            for tree in trees
-            for one in ast.walk(tree)
-            if isinstance(one, ast.ClassDef) and known & {_last_name(base) for base in one.bases}
-        }
+        known |= {one.name for one in classes if known & {_last_name(base) for base in one.bases}}
     return known
 
 
@@ -78,7 +84,10 @@ def raised(tree: ast.Module, classes: set[str]) -> Iterator[ast.Call]:
 
 
 def _last_name(node: ast.expr) -> str:
-    return ast.unparse(node).split(".")[-1]
+    match node:
+        case ast.Name(id=name) | ast.Attribute(attr=name):
+            return name
+    return ""
 
 
 def complaint(call: ast.Call, known: dict[str, set[str]]) -> str | None:
@@ -134,28 +143,156 @@ def test_a_message_within_another_has_to_be_there() -> None:
         catalogue("a = click { b }")
 
 
-def test_each_language_says_the_same_keys_and_takes_no_other_values() -> None:
+def test_each_language_says_every_key_and_takes_no_other_values() -> None:
+    """Without that a screen would speak two languages; what is not translated yet fails here."""
     for language in messages.languages():
         other = catalogue((PACKAGE / f"messages/{language}.ftl").read_text("utf-8"))
-        assert set(other) <= set(known())
-        assert all(values <= known()[key] for key, values in other.items())
+        assert set(known()) - set(other) == set() == set(other) - set(known()), language
+        assert [key for key, values in other.items() if values != known()[key]] == []
+
+
+def marks(text: str) -> dict[str, set[str]]:
+    """The marked parts of each message, as `<link>`."""
+    return {
+        one.id.name: set(re.findall(r"</?[a-z]+>", text[one.span.start : one.span.end]))
+        for one in FluentParser().parse(text).body
+        if isinstance(one, ftl.Message) and one.span
+    }
+
+
+def test_each_language_marks_the_same_parts() -> None:
+    """A part that is not marked is no link, and one of another name is shown as it is written."""
+    source = marks(SOURCE.read_text("utf-8"))
+    for language in messages.languages():
+        other = marks((PACKAGE / f"messages/{language}.ftl").read_text("utf-8"))
+        assert [key for key, parts in other.items() if parts != source[key]] == [], language
 
 
 def test_every_message_is_said_somewhere() -> None:
     root = PACKAGE.parents[1]
     pages = [path for path in (root / "frontend/src").rglob("*.ts*") if ".test." not in path.name]
-    text = "\n".join(path.read_text("utf-8") for path in [*trees(), *pages])
+    text = "\n".join(path.read_text("utf-8") for path in [*trees(), *pages, *PACKAGE.rglob("*.typ")])
     written = set(re.findall(r"[\"'`]([a-z][\w-]*)[\"'`]", text, re.IGNORECASE))
     written = written.union(*(one.messages for one in named(SOURCE.read_text("utf-8")).values()))
     begun = re.findall(r"`([a-z][\w-]*-)\$\{[^}]*\}([\w-]*)`", text)
     made = [re.compile(f"{first}{_slot(first, last)}{last}") for first, last in set(begun)]
-    unused = [key for key in known() if key not in written and not any(one.fullmatch(key) for one in made)]
+    unused = [
+        key
+        for key in known()
+        if key not in written and not any(one.fullmatch(key) for one in made) and not key.startswith("told-")
+    ]
     assert not unused, unused
 
 
 def _slot(first: str, last: str) -> str:
     """What a state's, a target's or a field's name looks like in a key; pages' names have hyphens."""
     return r"[\w-]+" if last or first.endswith("page-") else r"\w+"
+
+
+def after_plus_minus(pattern: ftl.Pattern) -> list[str]:
+    """The names of the values that a sentence puts right after "±", and what else stands there."""
+    parts = pattern.elements
+    found = []
+    for one, following in zip(parts, [*parts[1:], None], strict=True):
+        if not isinstance(one, ftl.TextElement):
+            continue
+        *within, last = one.value.split("±")
+        found += ["text"] * max(len(within) - 1 + bool(last.strip()), 0) if within else []
+        if within and not last.strip() and isinstance(following, ftl.Placeable):
+            named = _Named()
+            named.visit(following)
+            found += sorted(named.values)
+    return found
+
+
+class _Patterns(Visitor):  # type: ignore[misc]
+    """Every sentence of a catalogue, those within a choice among them."""
+
+    def __init__(self) -> None:
+        self.all: list[ftl.Pattern] = []
+
+    def visit_Pattern(self, node: ftl.Pattern) -> None:
+        self.all.append(node)
+        self.generic_visit(node)
+
+
+def not_expanded(text: str) -> list[str]:
+    patterns = _Patterns()
+    patterns.visit(FluentParser().parse(text))
+    return [name for one in patterns.all for name in after_plus_minus(one) if not name.startswith("U95")]
+
+
+def test_only_an_expanded_uncertainty_follows_plus_minus() -> None:
+    for language in messages.languages():
+        assert not_expanded((PACKAGE / f"messages/{language}.ftl").read_text("utf-8")) == []
+
+
+@pytest.mark.parametrize(
+    ("sentence", "wrong"),
+    [
+        ("{ $height_m } ± { $U95_m } m", []),
+        ("{ $height_m } ± { $u_m } m", ["u_m"]),
+        ("{ $n -> *[other] { $inset } ± { $u_inset } }", ["u_inset"]),
+        ("{ $height } ± 3 mm", ["text"]),
+    ],
+)
+def test_plus_minus_before_something_else_is_found(sentence: str, wrong: list[str]) -> None:
+    text = sentence.replace("-> *[other] ", "->\n   *[other] ").replace("} }", "}\n }")
+    assert not_expanded(f"a = {text}\n") == wrong
+
+
+def no_value_of_u(tree: ast.Module) -> list[str]:
+    """What code puts after "±": the values whose names say no U95, in f-strings."""
+    wrong = []
+    for one in ast.walk(tree):
+        if isinstance(one, ast.JoinedStr):
+            for before, after in zip(one.values, one.values[1:], strict=False):
+                ends = isinstance(before, ast.Constant) and str(before.value).rstrip().endswith("±")
+                if ends and not re.search("u95|expanded", ast.unparse(after), re.IGNORECASE):
+                    wrong.append(ast.unparse(after))
+    return wrong
+
+
+def test_code_puts_only_an_expanded_uncertainty_after_plus_minus() -> None:
+    wrong = [(path.name, *found) for path, tree in trees().items() if (found := no_value_of_u(tree))]
+    assert not wrong
+    assert no_value_of_u(ast.parse('f"{height} ± {u}"')) and not no_value_of_u(ast.parse('f"±{U95_m}"'))
+
+
+def test_the_report_puts_only_an_expanded_uncertainty_after_plus_minus() -> None:
+    """In Typst a standard uncertainty is named u, or u_ of something."""
+    said = re.compile(r"±[~ ]*#[\w.]*\bu(_\w+)?\b")
+    assert said.search("[#size.ratio ± #size.u_ratio]") and not said.search("± #at~#unit.height")
+    wrong = [path.name for path in sorted(PACKAGE.rglob("*.typ")) if said.search(path.read_text("utf-8"))]
+    assert not wrong
+
+
+def test_pages_give_only_an_expanded_uncertainty_to_what_writes_plus_minus() -> None:
+    """These functions of the pages write their second value after "±"."""
+    given = re.compile(r"\bformat(?:Height|Measured|Speed|Acceleration)\([^(),]*,[^(),]*\bu_\w+")
+    assert given.search("formatHeight(one.inset_m, one.u_inset_m, 2)")
+    assert not given.search("formatSpeed(one.u_speed_mps, null, 2)")
+    pages = (PACKAGE.parents[1] / "frontend/src").rglob("*.ts*")
+    assert not [path.name for path in pages if given.search(path.read_text("utf-8"))]
+
+
+def test_what_is_being_loaded_is_a_thing() -> None:
+    """The pages put "Loading" before it and "…" behind it."""
+    pages = PACKAGE.parents[1] / "frontend/src"
+    told = {
+        key
+        for page in pages.rglob("*.tsx")
+        for key in re.findall(r'<Loading what=\{say\("([\w-]+)"', page.read_text())
+    }
+    assert len(told) > 40
+    for language in messages.languages():
+        for key in sorted(told):
+            said = messages.say(key, {"page": "-"}, language)
+            assert not re.search(r"\.$|…$|^(?:Loading|Computing|Chargement|Calcul)\b", said), (
+                language,
+                key,
+                said,
+            )
 
 
 def test_numbers_are_said_whole_and_ungrouped_unless_the_sentence_asks() -> None:
@@ -181,3 +318,146 @@ def test_a_value_of_any_size_and_any_sign_stays_one_line() -> None:
     assert (
         said.startswith("\N{REPLACEMENT CHARACTER}" * 3 + "x") and said.endswith("x…") and len(said) <= 1000
     )
+
+
+def templates() -> set[str]:
+    """The sentences that code writes itself, each value a mark."""
+    return {text for tree in trees().values() for one in ast.walk(tree) if (text := _template(one))}
+
+
+def _template(node: ast.AST) -> str:
+    if isinstance(node, ast.Constant) and isinstance(node.value, str):
+        return re.sub(r"\{\w+[^}]*\}", "\0", node.value).strip()
+    if isinstance(node, ast.JoinedStr):
+        parts = [one.value if isinstance(one, ast.Constant) else "\0" for one in node.values]
+        return "".join(map(str, parts)).strip()
+    return ""
+
+
+def pieced_together() -> list[str]:
+    """Sentences that functions make of several pieces, as they stand in answers."""
+    counts = SurveyCounts(recordings=3, vehicles=2, vehicles_measured=1, not_visible=1, measurements=2)
+    said = []
+    for n in (0, 1, 2):
+        done = {"failed": 0, "confirmed": 0, "posed": 0}
+        facts = query._Facts(cameras=2, calibrated_cameras=n, ready=n, exports=n, **done)
+        many = replace(counts, to_review=n, rejected=n, accepted=n, vehicles=max(n, 1), not_visible=n)
+        all_of = replace(many, vehicles_measured=many.vehicles)
+        said += [query._camera_words(facts), query._recording_words(many, facts), query._pose_words(facts)]
+        said += [query._pose_words(replace(facts, posed=n)), query._review_words(many, n)]
+        said += [query._vehicle_words(replace(many, vehicles_measured=0)), query._result_words(facts)]
+        reviewed = query._review_words(replace(many, to_review=0, rejected=0), 0)
+        said += [query._vehicle_words(all_of), reviewed]
+        said += [query._recording_words(many, replace(facts, confirmed=n))]
+        said += [query._recording_words(replace(many, recordings=1), replace(facts, confirmed=n))]
+        said += [f"A density needs at least 10 vehicles; {wording.there_are(n)}."]
+        said += [f"{wording.are_too_few(n)} for an interval; 5 are needed"]
+    for n in (1, 2):
+        of_scans = {"failed": n, "reading": n, "ready": n, "heights": n, "heights_to_review": n}
+        said.append(progress_query._progress(of_scans).summary)
+        said.append(progress_query._progress({"vehicles": n, "to_review": n, "ready": n}).summary)
+        done = {"vehicles": 3, "accepted": n, "not_measurable": n, "heights": n, "heights_accepted": n}
+        said.append(progress_query._progress(done).summary)
+        said.append(progress_query._progress({**done, "vehicles": 1}).summary)
+    span = {"first_frame": 3, "last_frame": 9, "moved_px": 2.5, "change_m": 0.01}
+    for first, bumps in ((3, [{"after": 1, "frame": 3}]), (0, []), (3, [])):
+        said.append(drift_job._told({**span, "first_frame": first}, bumps, float))  # type: ignore[arg-type, typeddict-item]
+    return said
+
+
+class _Asked(BaseModel):
+    """A request with every kind of value that ours have."""
+
+    model_config = ConfigDict(extra="forbid")
+    whole: int
+    number: float
+    text: str
+    yes: bool
+    each: list[int]
+    named: dict[str, int]
+    above: Annotated[float, Field(gt=0)]
+    least: Annotated[int, Field(ge=1)]
+    below: Annotated[float, Field(lt=3)]
+    most: Annotated[int, Field(le=2)]
+    one_of: Literal["a", "b"]
+    short: Annotated[str, Field(max_length=3)]
+    long: Annotated[str, Field(min_length=2)]
+    some: Annotated[str, Field(min_length=1)]
+    finite: Annotated[float, Field(allow_inf_nan=False)]
+    formed: Annotated[str, Field(pattern="^a$")]
+    moment: datetime
+    day: date
+    few: Annotated[list[int], Field(max_length=2)]
+    any: Annotated[list[int], Field(min_length=1)]
+
+
+def of_the_framework() -> list[str]:
+    """What Pydantic says of values that cannot be, as `complaint_of` passes it on."""
+    words = dict.fromkeys(_Asked.model_fields, "x") | {"long": "a", "some": "", "short": "abcd", "odd": 1}
+    limits = {
+        "above": 0,
+        "least": 0,
+        "below": 3,
+        "most": 3,
+        "finite": float("inf"),
+        "few": [1, 2, 3],
+        "any": [],
+    }
+    others = {"whole": 1.5, "text": 1, "number": None, "yes": None, "each": 1, "named": 1, "formed": "b"}
+    said = set()
+    for values in (words, words | limits, words | others, {}, words | {"whole": None, "named": None}):
+        with pytest.raises(ValidationError) as refused:
+            _Asked.model_validate(values)
+        said |= {one["msg"][:1].lower() + one["msg"][1:] for one in refused.value.errors()}
+    return sorted(said)
+
+
+def test_what_code_says_in_english_is_said_in_every_language() -> None:
+    """A sentence that code writes otherwise than the catalogue would stay English on a French screen."""
+    written = "\n".join(re.sub("\0+", "\0", text) for text in templates())
+    source = {key: re.sub(r"\{ \$\w+ \}", "\0", text) for key, text in told().items()}
+    source = {key: text for key, text in source.items() if text.strip("\0 ") not in written}
+    source = {key: text for key, text in source.items() if key not in written.split("\n")}  # said by its key
+    pieces = [*pieced_together(), *of_the_framework()]
+    for language in set(messages.languages()) - {"en"}:
+        assert [one for one in pieces if translated(one, language) == one] == []
+    joined = "\n".join(pieces)
+    patterns = {key: ".+?".join(map(re.escape, text.split("\0"))) for key, text in source.items()}
+    assert [key for key, one in patterns.items() if not re.search(one, joined)] == []
+
+
+def told() -> dict[str, str]:
+    """The keys of what is found again by its text, with their English."""
+    lines = SOURCE.read_text("utf-8").splitlines()
+    return dict(line.split(" = ", 1) for line in lines if line.startswith("told-"))  # type: ignore[misc]
+
+
+def test_what_is_told_in_english_is_said_by_its_text() -> None:
+    still = "No camera movement detected, within 0.05 px (0.4 mm of height)."
+    assert (
+        translated(still, "fr") == "Aucun mouvement de la caméra détecté, à 0,05 px près (0,4 mm de hauteur)."
+    )
+    assert translated(still, "en") == still
+    two = "Review 13 measurements. Remeasure 1 rejected measurement."
+    assert translated(two, "fr") == "Vérifiez 13 mesures. Mesurez à nouveau une mesure rejetée."
+    assert translated("±15 mm at 3 m, ±30 mm at 5 m", "fr") == "±15 mm à 3 m, ±30 mm à 5 m"
+
+
+def test_no_french_sign_begins_a_line() -> None:
+    lines = SOURCE.with_name("fr.ftl").read_text("utf-8").splitlines()
+    assert [one for one in lines if not one.startswith("#") and re.search("« | [;:?!%»]", one)] == []
+
+
+def test_what_is_made_by_its_key_and_sent_as_text_is_said_too() -> None:
+    """Rows of an import, what does not fit of a recording, what a job says of itself."""
+    lines = [line for line in SOURCE.read_text("utf-8").splitlines() if line.startswith(KEYS[1:])]
+    assert len(lines) > 20
+    for key, english in (line.split(" = ", 1) for line in lines):
+        names = re.findall(r"\$(\w+)", english)
+        values = {name: str(7 + n) for n, name in enumerate(names)}
+        assert translated(messages.say(key, values), "fr") == messages.say(key, values, "fr"), key
+
+
+@pytest.mark.parametrize("text", ["Corvane Berlan", "Smith and Sons", "", "1.2.3", "a note of mine"])
+def test_what_somebody_typed_stays_as_it_is(text: str) -> None:
+    assert translated(text, "fr") == text

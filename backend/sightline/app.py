@@ -4,27 +4,34 @@ import asyncio
 import logging
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
+from functools import cache
 from typing import Any
 
 from fastapi import APIRouter, FastAPI
+from fastapi.routing import APIRoute
 from prometheus_client import CollectorRegistry
 from starlette.middleware.gzip import GZipMiddleware
+from starlette.routing import BaseRoute
 
 import sightline.cameras.calibrations.routes
 import sightline.cameras.planning.routes
+import sightline.cameras.printing.routes
 import sightline.cameras.routes
+import sightline.demo.routes
+import sightline.export.evidence.routes
 import sightline.export.routes
 import sightline.infra.audit.routes
 import sightline.infra.jobs.routes
 import sightline.infra.web.health
-import sightline.measurements.again.routes
 import sightline.measurements.assist.routes
+import sightline.measurements.following.routes
 import sightline.measurements.preview.routes
 import sightline.measurements.routes
 import sightline.measurements.sheets.passes_routes
 import sightline.measurements.sheets.routes
 import sightline.people.routes
 import sightline.people.session_routes
+import sightline.people.token_routes
 import sightline.poses.routes
 import sightline.quality.adjusting.routes
 import sightline.quality.checks.routes
@@ -42,9 +49,14 @@ import sightline.results.sampling.routes
 import sightline.results.sightdistance.routes
 import sightline.reviews.lots.routes
 import sightline.reviews.routes
+import sightline.scans.again.routes
 import sightline.scans.heights.routes
+import sightline.scans.live.routes
+import sightline.scans.references.routes
+import sightline.scans.rig.routes
 import sightline.scans.routes
 import sightline.scans.statistics.routes
+import sightline.scans.statistics.traffic_routes
 import sightline.scans.vehicles.routes
 import sightline.studies.routes
 import sightline.surveys.members.routes
@@ -56,17 +68,20 @@ from sightline.errors import NotFound
 from sightline.infra.services import Services, open_services
 from sightline.infra.web import error_handlers, pages
 from sightline.infra.web.access import Access
+from sightline.infra.web.bearer import Bearers
 from sightline.infra.web.bodies import ErrorBody
 from sightline.infra.web.cookie import SignIn
 from sightline.infra.web.guard import Guard
 from sightline.infra.web.metrics import InstallationMetrics
+from sightline.infra.web.nearest import Nearest
 from sightline.infra.web.openapi import DESCRIPTION, TITLE, VERSION, Api, operation_id
 from sightline.infra.web.person import Person
 from sightline.infra.web.secret import signing_secret
+from sightline.infra.web.spoken import Spoken
 from sightline.infra.web.turns import READERS, Turns
 from sightline.infra.web.watching import RequestMetrics, Watching
 from sightline.infra.web.write_gate import WriteGate
-from sightline.people.service import Attempts
+from sightline.people.service import Attempts, Tokens
 from sightline.people.store import get_person
 from sightline.recordings.uploads.service import recover_uploads
 from sightline.settings import Settings
@@ -80,6 +95,7 @@ log = logging.getLogger(__name__)
 ROUTERS: tuple[tuple[str, APIRouter], ...] = (
     ("health", sightline.infra.web.health.router),
     ("session", sightline.people.session_routes.router),
+    ("tokens", sightline.people.token_routes.router),
     ("people", sightline.people.routes.router),
     ("surveys", sightline.results.overview.routes.router),
     ("surveys", sightline.results.sampling.routes.router),
@@ -88,6 +104,7 @@ ROUTERS: tuple[tuple[str, APIRouter], ...] = (
     ("cameras", sightline.cameras.routes.router),
     ("calibrations", sightline.cameras.calibrations.routes.router),
     ("calibrations", sightline.recordings.calibrating.routes.router),
+    ("boards", sightline.cameras.printing.routes.router),
     ("uploads", sightline.recordings.uploads.routes.router),
     ("recordings", sightline.recordings.routes.router),
     ("frames", sightline.recordings.frames.routes.router),
@@ -97,6 +114,7 @@ ROUTERS: tuple[tuple[str, APIRouter], ...] = (
     ("adjustment", sightline.quality.adjusting.routes.router),
     ("drift", sightline.quality.drift.routes.router),
     ("assist", sightline.measurements.assist.routes.router),
+    ("following", sightline.measurements.following.routes.router),
     ("geometry", sightline.measurements.preview.routes.router),
     ("vehicles", sightline.measurements.sheets.routes.router),
     ("passes", sightline.vehicles.passes.routes.router),
@@ -104,41 +122,55 @@ ROUTERS: tuple[tuple[str, APIRouter], ...] = (
     ("passes", sightline.measurements.sheets.passes_routes.router),
     ("catalogue", sightline.vehicles.catalogue.routes.router),
     ("measurements", sightline.measurements.routes.router),
-    ("computings", sightline.measurements.again.routes.router),
+    ("computings", sightline.scans.again.routes.router),
     ("reviews", sightline.reviews.routes.router),
     ("lots", sightline.reviews.lots.routes.router),
     ("repeats", sightline.quality.repeats.routes.router),
     ("which model", sightline.quality.which_model.routes.router),
     ("scans", sightline.scans.routes.router),
     ("scans_vehicles", sightline.scans.vehicles.routes.router),
+    ("rigs", sightline.scans.rig.routes.router),
+    ("scans_references", sightline.scans.references.routes.router),
+    ("live", sightline.scans.live.routes.router),
     ("line_heights", sightline.scans.heights.routes.router),
     ("scans_statistics", sightline.scans.statistics.routes.router),
+    ("scans_traffic", sightline.scans.statistics.traffic_routes.router),
     ("statistics", sightline.results.routes.router),
     ("sightdistance", sightline.results.sightdistance.routes.router),
     ("exports", sightline.export.routes.router),
+    ("evidence", sightline.export.evidence.routes.router),
     ("studies", sightline.studies.routes.router),
     ("audit", sightline.results.audited.routes.router),
     ("audit", sightline.infra.audit.routes.router),
+    ("samples", sightline.demo.routes.router),
     ("jobs", sightline.infra.jobs.routes.router),
 )
 
 
-def include_routes(app: FastAPI) -> None:
-    """Put every router under /api; each answers errors with the one error body."""
+@cache
+def api_routes() -> tuple[BaseRoute, ...]:
+    """Every router under /api; each answers errors with the one error body.
+
+    One for the process: FastAPI makes the models of a router's requests when first asked (0.3 s for all), and
+    each test of a route makes an app of its own.
+    """
+    api = APIRouter(generate_unique_id_function=operation_id)
     for tag, router in ROUTERS:
-        app.include_router(
+        api.include_router(
             router,
             prefix="/api",
             tags=[tag],
             responses={"default": {"model": ErrorBody, "description": "Error"}},
         )
+    paths = (
+        [f"/api{one.path}" for one in router.routes if isinstance(one, APIRoute)] for _, router in ROUTERS
+    )
+    return (Nearest(zip(api.routes, paths, strict=True)), *api.routes)
 
 
 def describe() -> dict[str, Any]:
     """The OpenAPI document, without opening a database or a media store."""
-    app = Api(title=TITLE, version=VERSION, description=DESCRIPTION, generate_unique_id_function=operation_id)
-    include_routes(app)
-    return app.openapi()
+    return Api(title=TITLE, version=VERSION, description=DESCRIPTION, routes=[*api_routes()]).openapi()
 
 
 def create_app(settings: Settings | None = None, services: Services | None = None) -> FastAPI:
@@ -161,7 +193,7 @@ def create_app(settings: Settings | None = None, services: Services | None = Non
         title=TITLE,
         version=VERSION,
         description=DESCRIPTION,
-        generate_unique_id_function=operation_id,
+        routes=[*api_routes()],
         lifespan=lifespan,
         docs_url=None,
         redoc_url=None,
@@ -173,15 +205,16 @@ def create_app(settings: Settings | None = None, services: Services | None = Non
         signing_secret(settings), settings.secure_cookies, lambda id_: _person(services, id_)
     )
     app.state.access = Access(services, members)
-    app.state.attempts = Attempts()
+    app.state.attempts = Attempts(services)
+    app.state.bearers = Bearers(Tokens(services, app.state.attempts))
     app.state.demo_survey_id = demo_survey_id
     error_handlers.install(app)
-    include_routes(app)
     pages.install(app, settings)
+    app.add_middleware(Spoken)
     app.add_middleware(GZipMiddleware, minimum_size=1000, compresslevel=5)
     app.add_middleware(Guard)
     app.state.metrics = CollectorRegistry()
-    turns = {"reading": app.state.readers, "writing": app.state.write_gate.turns}
+    turns = {"reading": app.state.readers, "writing": app.state.write_gate}
     app.state.metrics.register(InstallationMetrics(services, turns))
     app.add_middleware(Watching, metrics=RequestMetrics(app.state.metrics))
     return app

@@ -4,11 +4,15 @@ from typing import Any, Literal
 
 Json = Any
 JsonObject = dict[str, Any]
+FollowedPoint = Literal["contact", "second_contact", "target"]
 Point = tuple[float, float]
 
 Role = Literal["admin", "operator", "reviewer", "viewer"]
 SurveyRole = Literal["manager", "operator", "reviewer", "viewer"]
 ActingRole = Literal["admin", "manager", "operator", "reviewer", "viewer"]
+# What an API token may be for. read: every question; upload: bring in recordings and find passes; measure:
+# the rest of what an operator does; review: verdicts and lots; export: packages and results of studies
+Scope = Literal["read", "upload", "measure", "review", "export"]
 Target = Literal["roof", "driver_eye", "taillight", "headlight", "other"]
 Hand = Literal["right", "left"]
 CameraPlace = Literal["verge", "median"]
@@ -17,7 +21,15 @@ SideBasis = Literal["said", "direction", "place"]
 InsetSource = Literal["usual", "own"]
 # clicked: both points by hand; confirmed: both as Sightline proposed them, accepted by a person; moved: begun
 # from proposed points (contact or target), at least one of the two put by a person
-Made = Literal["clicked", "confirmed", "moved"]
+MadeAsSaid = Literal["clicked", "confirmed", "moved"]
+Made = Literal[MadeAsSaid, "snapped"]
+ProposalKept = Literal["shown", "withheld"]
+# what the demonstration shows of a vehicle: accepted, a roof that the reviewer fixed, a contact
+# of a taillight that slipped and was rejected, or waiting for a verdict
+DemoFate = Literal["accepted", "fixed", "slipped", "waits"]
+GoalVerdict = Literal["met", "missed", "undecided"]
+# what an operator tells apart by looking at a vehicle: which spot of the roof, which side the driver
+InsetPlace = Literal["near_edge", "crown", "near", "far"]
 InsetName = Literal["roof", "driver_eye_near", "driver_eye_far", "taillight", "headlight", "other"]
 Lighting = Literal["daytime", "low_light"]
 StreetLighting = Literal["on", "off"]
@@ -74,6 +86,8 @@ VehicleState = Literal[
     "to_do", "partial", "measured", "not_visible", "rejected", "accepted", "out_of_sample", "discarded"
 ]
 AskedTarget = Literal["roof", "driver_eye", "taillight", "headlight"]
+# What may be known of a vehicle beside the height of its roof, that the maker states
+KnownTarget = Literal["driver_eye", "taillight", "headlight", "other"]
 SamplingMethod = Literal["every", "nth", "share"]
 Discarded = Literal["no_vehicle", "twice", "cut_off", "stopped", "other"]
 PassEnd = Literal["measured", "not_visible", "open", "out_of_sample", "discarded"]
@@ -81,21 +95,44 @@ ResponseLighting = Literal["all", Lighting, "unknown"]
 ResponseSet = Literal["all", ClassSet, "none"]
 ProposedPoint = Literal["contact_rear", "contact_front", "roof", "taillight", "headlight", "driver_eye"]
 WheelEnd = Literal["rear", "front"]
-NotVisible = Literal["hidden", "glare", "too_dark", "outside", "no_driver"]
+NotVisible = Literal["hidden", "glare", "too_dark", "outside", "own_body", "no_driver"]
 StepKey = Literal["camera", "recordings", "pose", "vehicles", "review", "results"]
-StepState = Literal["done", "next", "waiting"]
+StepState = Literal["done", "next", "begun", "waiting"]
 OptionalStepState = Literal["none", "open", "done"]
-ScanState = Literal["reading", "ready", "failed"]
-ScanSource = Literal["strips", "video"]
+ScanState = Literal["live", "reading", "ready", "failed"]
+ScanSource = Literal["strips", "video", "live"]
+# silent: not heard for seconds; stopped: for so long that its process is gone, though it never ended
+LiveState = Literal["running", "silent", "stopped", "ended"]
 ScanMethod = Literal["direct", "paper"]
+# which of the two cameras of a rig a vehicle reaches first
+ScanDirection = Literal["camera_1_first", "camera_2_first"]
+# who found the wheels that a vehicle's axles are counted by
+AxlesBy = Literal["machine", "person"]
+LaneBy = Literal["machine", "person"]
 TimeAxis = Literal["width", "height"]
-Cause = Literal["found", "added", "boundaries", "wheels", "again"]
+# of a video: columns for traffic to the left or right; rows for traffic up or down, roofs to one side
+CutAlong = Literal["columns", "rows_left_up", "rows_right_up"]
+#: How a pass of a staff or a board tells of the baseline at its distance.
+RigPassKind = Literal["positions", "speed", "board"]
+Cause = Literal["found", "added", "boundaries", "wheels", "lane", "back", "again"]
 ScanVerdict = Literal["accepted", "rejected", "reopened"]
 ScanVehicleState = Literal["to_review", "accepted", "rejected", "not_measurable"]
 ScanPoseStatus = Literal["ok", "not_solvable"]
 LineClicksStatus = Literal[MeasurementStatus, "contact"]
 KnownLength = Literal["length", "wheelbase"]
+# What a scanned vehicle has of a measurement by something else, and by what: the car's own speedometer
+# (counter), a radar or laser gun, GPS, loops in the road, a tape
+ReferenceQuantity = Literal["speed", KnownLength]
+ReferenceSource = Literal["counter", "radar", "laser", "gps", "loop", "tape", "other"]
+ReferenceChange = Literal["new", "replaces", "same", "ambiguous", "refused"]
+RunsVerdict = Literal["agree", "too_far_apart", "too_alike", "too_few"]
 MatchPicture = Literal["first", "second", "difference"]
+#: What of a line-scanned vehicle is held against a limit, on which side it must keep, and the answer.
+JudgedQuantity = Literal["speed", "time_gap", "distance_gap"]
+ExposureHint = Literal["dark", "wide", "tall"]
+PlannedQuantity = Literal["length", JudgedQuantity]
+LimitSide = Literal["upper", "lower"]
+Conformity = Literal["conforming", "not_conforming", "undecided"]
 StatisticsTarget = Literal["driver_eye", "taillight", "headlight", "roof"]
 StatisticsState = Literal["accepted", "to_review", "rejected", "all"]
 StandardHeight = Literal["eye_car", "eye_truck", "object_stopping", "object_passing", "headlight", "vehicle"]
@@ -103,7 +140,7 @@ Rounding = Literal["cm", "none"]
 Correction = Literal["inset", "shift", "none", "regression", "deconvolution"]
 ComparisonVerdict = Literal["higher", "lower", "not_told_apart"]
 RuleVerdict = Literal["lower", "higher", "alike", "unknown"]
-IntervalPart = Literal["sampling", "sites", "shared_errors", "random_error"]
+IntervalPart = Literal["sampling", "sites", "shared_errors", "random_error", "known_heights"]
 LengthUnit = Literal["m", "ft"]
 ModelSize = Literal["height", "length", "width", "wheelbase", "taillight", "headlight"]
 SizeUnit = Literal["m", "cm", "mm", "ft", "in"]

@@ -26,7 +26,9 @@ WRITTEN_ONCE: dict[str, tuple[str, ...]] = {
     "scan_runs": (),
     "scan_measurements": ("vehicle_id", "revision"),
     "scan_reviews": (),
+    "scan_references": ("vehicle_id", "quantity", "source", "revision"),
     "line_poses": ("scan_id", "revision"),
+    "rig_calibrations": ("scan_id", "revision"),
     "line_heights": ("vehicle_id", "target", "revision"),
     "line_height_reviews": (),
     "study_results": (),
@@ -36,6 +38,7 @@ CIRCULAR = (
     ("cameras", "current_calibration_id", "calibrations"),
     ("recordings", "pose_id", "road_poses"),
     ("jobs", "scan_id", "scans"),
+    ("jobs", "study_id", "studies"),
     ("uploads", "scan_id", "scans"),
 )
 FUNCTION = """
@@ -173,12 +176,39 @@ def create_tables() -> None:
     )
     op.create_index(op.f("ix_sign_in_links_person_id"), "sign_in_links", ["person_id"], unique=False)
     op.create_table(
+        "api_tokens",
+        sa.Column("id", sa.Integer(), nullable=False),
+        sa.Column("person_id", sa.Integer(), nullable=False),
+        sa.Column("name", sa.String(length=200), nullable=False),
+        sa.Column("token_hash", sa.String(length=64), nullable=False),
+        sa.Column("scopes", sa.Text(), nullable=False),
+        sa.Column("created_at", sa.DateTime(timezone=True), nullable=False),
+        sa.Column("expires_at", sa.DateTime(timezone=True), nullable=False),
+        sa.Column("revoked_at", sa.DateTime(timezone=True), nullable=True),
+        sa.Column("last_used_at", sa.DateTime(timezone=True), nullable=True),
+        sa.ForeignKeyConstraint(["person_id"], ["people.id"], name=op.f("fk_api_tokens_person_id")),
+        sa.PrimaryKeyConstraint("id", name=op.f("pk_api_tokens")),
+        sa.UniqueConstraint("token_hash", name=op.f("uq_api_tokens_token_hash")),
+    )
+    op.create_index(op.f("ix_api_tokens_person_id"), "api_tokens", ["person_id"], unique=False)
+    op.create_table(
+        "counted",
+        sa.Column("id", sa.Integer(), nullable=False),
+        sa.Column("key", sa.String(length=64), nullable=False),
+        sa.Column("at", sa.DateTime(timezone=True), nullable=False),
+        sa.Column("amount", sa.Integer(), nullable=False),
+        sa.PrimaryKeyConstraint("id", name=op.f("pk_counted")),
+    )
+    op.create_index(op.f("ix_counted_at"), "counted", ["at"], unique=False)
+    op.create_index(op.f("ix_counted_key_at"), "counted", ["key", "at"], unique=False)
+    op.create_table(
         "surveys",
         sa.Column("id", sa.Integer(), nullable=False),
         sa.Column("name", sa.String(length=200), nullable=False),
         sa.Column("site", sa.String(length=200), nullable=False),
         sa.Column("description", sa.Text(), nullable=False),
         sa.Column("is_demo", sa.Boolean(), nullable=False),
+        sa.Column("simulated", sa.Boolean(), nullable=False),
         sa.Column("open_to_all", sa.Boolean(), nullable=False),
         sa.Column("traffic_side", sa.String(length=20), nullable=True),
         sa.Column("steering_side", sa.String(length=20), nullable=True),
@@ -186,6 +216,8 @@ def create_tables() -> None:
         sa.Column("latitude_deg", sa.Float(), nullable=True),
         sa.Column("longitude_deg", sa.Float(), nullable=True),
         sa.Column("road_class", sa.String(length=100), nullable=True),
+        sa.Column("lane", sa.String(length=100), nullable=True),
+        sa.Column("travel_direction", sa.String(length=100), nullable=True),
         sa.Column("speed_limit_mps", sa.Float(), nullable=True),
         sa.Column("street_lamps", sa.String(length=20), nullable=True),
         sa.Column("time_zone", sa.String(length=60), nullable=True),
@@ -295,6 +327,7 @@ def create_tables() -> None:
         sa.Column("audit_count", sa.Integer(), nullable=False),
         sa.Column("audit_head", sa.String(length=64), nullable=False),
         sa.Column("selection", sa.Text(), nullable=False),
+        sa.Column("language", sa.String(length=20), nullable=False),
         sa.Column("created_at", sa.DateTime(timezone=True), nullable=False),
         sa.Column("created_by", sa.Integer(), nullable=True),
         sa.ForeignKeyConstraint(["created_by"], ["people.id"], name=op.f("fk_exports_created_by")),
@@ -474,10 +507,12 @@ def create_tables() -> None:
         sa.Column("progress", sa.Float(), nullable=False),
         sa.Column("message", sa.Text(), nullable=False),
         sa.Column("error", sa.Text(), nullable=True),
+        sa.Column("said", sa.Text(), nullable=True),
         sa.Column("result", sa.Text(), nullable=True),
         sa.Column("survey_id", sa.Integer(), nullable=True),
         sa.Column("recording_id", sa.Integer(), nullable=True),
         sa.Column("scan_id", sa.Integer(), nullable=True),
+        sa.Column("study_id", sa.Integer(), nullable=True),
         sa.Column("attempts", sa.Integer(), nullable=False),
         sa.Column("worker", sa.String(length=200), nullable=True),
         sa.Column("cancel_requested", sa.Boolean(), server_default=sa.false(), nullable=False),
@@ -496,12 +531,14 @@ def create_tables() -> None:
         sa.ForeignKeyConstraint(["created_by"], ["people.id"], name=op.f("fk_jobs_created_by")),
         sa.ForeignKeyConstraint(["recording_id"], ["recordings.id"], name=op.f("fk_jobs_recording_id")),
         sa.ForeignKeyConstraint(["scan_id"], ["scans.id"], name=op.f("fk_jobs_scan_id"), use_alter=True),
+        sa.ForeignKeyConstraint(["study_id"], ["studies.id"], name=op.f("fk_jobs_study_id"), use_alter=True),
         sa.ForeignKeyConstraint(["survey_id"], ["surveys.id"], name=op.f("fk_jobs_survey_id")),
         sa.PrimaryKeyConstraint("id", name=op.f("pk_jobs")),
     )
     op.create_index(op.f("ix_jobs_recording_id"), "jobs", ["recording_id"], unique=False)
     op.create_index(op.f("ix_jobs_scan_id"), "jobs", ["scan_id"], unique=False)
     op.create_index("ix_jobs_state", "jobs", ["state"], unique=False)
+    op.create_index(op.f("ix_jobs_study_id"), "jobs", ["study_id"], unique=False)
     op.create_index(op.f("ix_jobs_survey_id"), "jobs", ["survey_id"], unique=False)
     op.create_table(
         "scans",
@@ -512,8 +549,9 @@ def create_tables() -> None:
         sa.Column("error", sa.Text(), nullable=True),
         sa.Column("source", sa.String(length=20), nullable=False),
         sa.Column("recording_id", sa.Integer(), nullable=True),
-        sa.Column("column_1_px", sa.Integer(), nullable=True),
-        sa.Column("column_2_px", sa.Integer(), nullable=True),
+        sa.Column("cut_along", sa.String(length=20), nullable=True),
+        sa.Column("cut_1_px", sa.Integer(), nullable=True),
+        sa.Column("cut_2_px", sa.Integer(), nullable=True),
         sa.Column("first_name", sa.String(length=400), nullable=True),
         sa.Column("second_name", sa.String(length=400), nullable=True),
         sa.Column("first_source_key", sa.String(length=400), nullable=True),
@@ -538,7 +576,14 @@ def create_tables() -> None:
         sa.Column("distance_m", sa.Float(), nullable=True),
         sa.Column("misalignment_px", sa.Float(), nullable=True),
         sa.Column("u_misalignment_px", sa.Float(), nullable=False),
+        sa.Column("shadow_share", sa.Float(), nullable=False),
+        sa.Column("baseline_correlation", sa.Float(), nullable=False),
+        sa.Column("u_distance_m", sa.Float(), nullable=False),
+        sa.Column("lanes", sa.Text(), nullable=False),
         sa.Column("lighting", sa.String(length=20), nullable=True),
+        sa.Column("started_at", sa.DateTime(timezone=True), nullable=True),
+        sa.Column("time_zone", sa.String(length=60), nullable=True),
+        sa.Column("u_start_s", sa.Float(), nullable=True),
         sa.Column("version", sa.Integer(), nullable=False),
         sa.Column("created_at", sa.DateTime(timezone=True), nullable=False),
         sa.Column("created_by", sa.Integer(), nullable=True),
@@ -546,14 +591,23 @@ def create_tables() -> None:
         sa.Column("updated_by", sa.Integer(), nullable=True),
         sa.Column("deleted_at", sa.DateTime(timezone=True), nullable=True),
         sa.CheckConstraint("lighting IN ('daytime', 'low_light')", name=op.f("ck_scans_lighting_known")),
-        sa.CheckConstraint("source IN ('strips', 'video')", name=op.f("ck_scans_source_known")),
+        sa.CheckConstraint(
+            "(started_at IS NULL) = (time_zone IS NULL) AND (started_at IS NULL) = (u_start_s IS NULL)",
+            name=op.f("ck_scans_start_whole"),
+        ),
+        sa.CheckConstraint("source IN ('strips', 'video', 'live')", name=op.f("ck_scans_source_known")),
         sa.CheckConstraint("state <> 'failed' OR error IS NOT NULL", name=op.f("ck_scans_failed_has_error")),
         sa.CheckConstraint(
             "state <> 'ready' OR (lines IS NOT NULL AND first_key IS NOT NULL)",
             name=op.f("ck_scans_ready_has_lines"),
         ),
-        sa.CheckConstraint("state IN ('reading', 'ready', 'failed')", name=op.f("ck_scans_state_known")),
+        sa.CheckConstraint(
+            "state IN ('live', 'reading', 'ready', 'failed')", name=op.f("ck_scans_state_known")
+        ),
         sa.CheckConstraint("time_axis IN ('width', 'height')", name=op.f("ck_scans_time_axis_known")),
+        sa.CheckConstraint(
+            "cut_along IN ('columns', 'rows_left_up', 'rows_right_up')", name=op.f("ck_scans_cut_along_known")
+        ),
         sa.CheckConstraint("baseline_m > 0 AND line_rate_hz > 0", name=op.f("ck_scans_rig_positive")),
         sa.CheckConstraint("version >= 1", name=op.f("ck_scans_version_counts")),
         sa.ForeignKeyConstraint(["created_by"], ["people.id"], name=op.f("fk_scans_created_by")),
@@ -564,6 +618,23 @@ def create_tables() -> None:
     )
     op.create_index(op.f("ix_scans_recording_id"), "scans", ["recording_id"], unique=False)
     op.create_index(op.f("ix_scans_survey_id"), "scans", ["survey_id"], unique=False)
+    op.create_table(
+        "scan_live",
+        sa.Column("id", sa.Integer(), nullable=False),
+        sa.Column("survey_id", sa.Integer(), nullable=False),
+        sa.Column("scan_id", sa.Integer(), nullable=False),
+        sa.Column("stream", sa.String(length=40), nullable=False),
+        sa.Column("source", sa.Text(), nullable=False),
+        sa.Column("began_at", sa.DateTime(timezone=True), nullable=False),
+        sa.Column("heard_at", sa.DateTime(timezone=True), nullable=False),
+        sa.Column("ended_at", sa.DateTime(timezone=True), nullable=True),
+        sa.Column("health", sa.Text(), nullable=True),
+        sa.ForeignKeyConstraint(["scan_id"], ["scans.id"], name=op.f("fk_scan_live_scan_id")),
+        sa.ForeignKeyConstraint(["survey_id"], ["surveys.id"], name=op.f("fk_scan_live_survey_id")),
+        sa.PrimaryKeyConstraint("id", name=op.f("pk_scan_live")),
+        sa.UniqueConstraint("scan_id", name=op.f("uq_scan_live_scan_id")),
+    )
+    op.create_index(op.f("ix_scan_live_survey_id"), "scan_live", ["survey_id"], unique=False)
     op.create_table(
         "uploads",
         sa.Column("id", sa.Integer(), nullable=False),
@@ -602,6 +673,19 @@ def create_tables() -> None:
         sa.Column("manufacturer_height_m", sa.Float(), nullable=True),
         sa.Column("u_manufacturer_height_m", sa.Float(), nullable=True),
         sa.Column("height_source", sa.Text(), nullable=True),
+        sa.Column("known_driver_eye_m", sa.Float(), nullable=True),
+        sa.Column("u_known_driver_eye_m", sa.Float(), nullable=True),
+        sa.Column("known_driver_eye_source", sa.Text(), nullable=True),
+        sa.Column("known_taillight_m", sa.Float(), nullable=True),
+        sa.Column("u_known_taillight_m", sa.Float(), nullable=True),
+        sa.Column("known_taillight_source", sa.Text(), nullable=True),
+        sa.Column("known_headlight_m", sa.Float(), nullable=True),
+        sa.Column("u_known_headlight_m", sa.Float(), nullable=True),
+        sa.Column("known_headlight_source", sa.Text(), nullable=True),
+        sa.Column("known_other_m", sa.Float(), nullable=True),
+        sa.Column("u_known_other_m", sa.Float(), nullable=True),
+        sa.Column("known_other_source", sa.Text(), nullable=True),
+        sa.Column("check_target", sa.Boolean(), server_default=sa.false(), nullable=False),
         sa.Column("lighting", sa.String(length=20), nullable=True),
         sa.Column("notes", sa.Text(), nullable=False),
         sa.Column("origin", sa.String(length=20), server_default="person", nullable=False),
@@ -631,19 +715,19 @@ def create_tables() -> None:
         ),
         sa.CheckConstraint("driver_side IN ('near', 'far')", name=op.f("ck_vehicles_driver_side_known")),
         sa.CheckConstraint(
-            "roof_not_visible IN ('hidden', 'glare', 'too_dark', 'outside', 'no_driver')",
+            "roof_not_visible IN ('hidden', 'glare', 'too_dark', 'outside', 'own_body', 'no_driver')",
             name=op.f("ck_vehicles_roof_not_visible_known"),
         ),
         sa.CheckConstraint(
-            "driver_eye_not_visible IN ('hidden', 'glare', 'too_dark', 'outside', 'no_driver')",
+            "driver_eye_not_visible IN ('hidden', 'glare', 'too_dark', 'outside', 'own_body', 'no_driver')",
             name=op.f("ck_vehicles_driver_eye_not_visible_known"),
         ),
         sa.CheckConstraint(
-            "taillight_not_visible IN ('hidden', 'glare', 'too_dark', 'outside', 'no_driver')",
+            "taillight_not_visible IN ('hidden', 'glare', 'too_dark', 'outside', 'own_body', 'no_driver')",
             name=op.f("ck_vehicles_taillight_not_visible_known"),
         ),
         sa.CheckConstraint(
-            "headlight_not_visible IN ('hidden', 'glare', 'too_dark', 'outside', 'no_driver')",
+            "headlight_not_visible IN ('hidden', 'glare', 'too_dark', 'outside', 'own_body', 'no_driver')",
             name=op.f("ck_vehicles_headlight_not_visible_known"),
         ),
         sa.CheckConstraint("lighting IN ('daytime', 'low_light')", name=op.f("ck_vehicles_lighting_known")),
@@ -685,6 +769,36 @@ def create_tables() -> None:
         sa.UniqueConstraint("scan_id", "revision", name=op.f("uq_line_poses_scan_id_revision")),
     )
     op.create_index(op.f("ix_line_poses_survey_id"), "line_poses", ["survey_id"], unique=False)
+    op.create_table(
+        "rig_calibrations",
+        sa.Column("id", sa.Integer(), nullable=False),
+        sa.Column("survey_id", sa.Integer(), nullable=False),
+        sa.Column("scan_id", sa.Integer(), nullable=False),
+        sa.Column("revision", sa.Integer(), nullable=False),
+        sa.Column("passes", sa.Text(), nullable=False),
+        sa.Column("line_rate_hz", sa.Float(), nullable=False),
+        sa.Column("u_line_rate_ratio", sa.Float(), nullable=False),
+        sa.Column("u_tape_ratio", sa.Float(), nullable=False),
+        sa.Column("u_speed_ratio", sa.Float(), nullable=False),
+        sa.Column("baseline_m", sa.Float(), nullable=False),
+        sa.Column("u_baseline_m", sa.Float(), nullable=False),
+        sa.Column("divergence_rad", sa.Float(), nullable=False),
+        sa.Column("u_divergence_rad", sa.Float(), nullable=False),
+        sa.Column("baseline_correlation", sa.Float(), nullable=False),
+        sa.Column("chi2", sa.Float(), nullable=False),
+        sa.Column("degrees_of_freedom", sa.Integer(), nullable=False),
+        sa.Column("p_value", sa.Float(), nullable=False),
+        sa.Column("code_version", sa.String(length=60), nullable=False),
+        sa.Column("created_at", sa.DateTime(timezone=True), nullable=False),
+        sa.Column("created_by", sa.Integer(), nullable=True),
+        sa.CheckConstraint("revision >= 1", name=op.f("ck_rig_calibrations_revision_counts")),
+        sa.ForeignKeyConstraint(["created_by"], ["people.id"], name=op.f("fk_rig_calibrations_created_by")),
+        sa.ForeignKeyConstraint(["scan_id"], ["scans.id"], name=op.f("fk_rig_calibrations_scan_id")),
+        sa.ForeignKeyConstraint(["survey_id"], ["surveys.id"], name=op.f("fk_rig_calibrations_survey_id")),
+        sa.PrimaryKeyConstraint("id", name=op.f("pk_rig_calibrations")),
+        sa.UniqueConstraint("scan_id", "revision", name=op.f("uq_rig_calibrations_scan_id_revision")),
+    )
+    op.create_index(op.f("ix_rig_calibrations_survey_id"), "rig_calibrations", ["survey_id"], unique=False)
     op.create_table(
         "measurement_series",
         sa.Column("id", sa.Integer(), nullable=False),
@@ -794,6 +908,7 @@ def create_tables() -> None:
         sa.Column("true_wheelbase_m", sa.Float(), nullable=True),
         sa.Column("u_true_wheelbase_m", sa.Float(), nullable=True),
         sa.Column("facts_source", sa.Text(), nullable=True),
+        sa.Column("run_of", sa.String(length=100), nullable=True),
         sa.Column("lighting", sa.String(length=20), nullable=True),
         sa.Column("notes", sa.Text(), nullable=False),
         sa.Column("version", sa.Integer(), nullable=False),
@@ -860,6 +975,7 @@ def create_tables() -> None:
         sa.Column("expected_px", sa.Float(), nullable=True),
         sa.Column("reason", sa.String(length=60), nullable=True),
         sa.Column("code_version", sa.String(length=60), nullable=False),
+        sa.Column("withheld", sa.Boolean(), nullable=False),
         sa.Column("created_at", sa.DateTime(timezone=True), nullable=False),
         sa.CheckConstraint(
             "(reason IS NULL AND frame IS NOT NULL AND x_px IS NOT NULL AND y_px IS NOT NULL "
@@ -879,6 +995,32 @@ def create_tables() -> None:
     )
     op.create_index(op.f("ix_proposals_recording_id"), "proposals", ["recording_id"], unique=False)
     op.create_table(
+        "computings",
+        sa.Column("id", sa.Integer(), nullable=False),
+        sa.Column("survey_id", sa.Integer(), nullable=False),
+        sa.Column("kind", sa.String(length=20), nullable=False),
+        sa.Column("undoes", sa.Integer(), nullable=True),
+        sa.Column("heights", sa.Integer(), nullable=False),
+        sa.Column("to_review", sa.Integer(), nullable=False),
+        sa.Column("kept", sa.Integer(), nullable=False),
+        sa.Column("largest_m", sa.Float(), nullable=True),
+        sa.Column("causes", sa.Text(), nullable=False),
+        sa.Column("code_version", sa.String(length=60), nullable=False),
+        sa.Column("created_at", sa.DateTime(timezone=True), nullable=False),
+        sa.Column("created_by", sa.Integer(), nullable=True),
+        sa.CheckConstraint(
+            "kind IN ('asked', 'sides', 'adjustment', 'undo')", name=op.f("ck_computings_kind_known")
+        ),
+        sa.CheckConstraint(
+            "(kind = 'undo') = (undoes IS NOT NULL)", name=op.f("ck_computings_undo_names_another")
+        ),
+        sa.ForeignKeyConstraint(["created_by"], ["people.id"], name=op.f("fk_computings_created_by")),
+        sa.ForeignKeyConstraint(["survey_id"], ["surveys.id"], name=op.f("fk_computings_survey_id")),
+        sa.ForeignKeyConstraint(["undoes"], ["computings.id"], name=op.f("fk_computings_undoes")),
+        sa.PrimaryKeyConstraint("id", name=op.f("pk_computings")),
+    )
+    op.create_index(op.f("ix_computings_survey_id"), "computings", ["survey_id"], unique=False)
+    op.create_table(
         "line_heights",
         sa.Column("id", sa.Integer(), nullable=False),
         sa.Column("survey_id", sa.Integer(), nullable=False),
@@ -894,6 +1036,8 @@ def create_tables() -> None:
         sa.Column("sigma_px", sa.Float(), nullable=False),
         sa.Column("inset_m", sa.Float(), nullable=False),
         sa.Column("u_inset_m", sa.Float(), nullable=False),
+        sa.Column("inset_from", sa.String(length=20), nullable=False),
+        sa.Column("side", sa.String(length=20), nullable=True),
         sa.Column("distance_m", sa.Float(), nullable=True),
         sa.Column("u_distance_m", sa.Float(), nullable=True),
         sa.Column("height_m", sa.Float(), nullable=True),
@@ -903,6 +1047,8 @@ def create_tables() -> None:
         sa.Column("budget", sa.Text(), nullable=False),
         sa.Column("warnings", sa.Text(), nullable=False),
         sa.Column("withdrawn", sa.Boolean(), nullable=False),
+        sa.Column("computing_id", sa.Integer(), nullable=True),
+        sa.Column("verdict_of_id", sa.Integer(), nullable=True),
         sa.Column("code_version", sa.String(length=60), nullable=False),
         sa.Column("created_at", sa.DateTime(timezone=True), nullable=False),
         sa.Column("created_by", sa.Integer(), nullable=True),
@@ -910,12 +1056,21 @@ def create_tables() -> None:
             "(status = 'ok' AND height_m IS NOT NULL) OR (status <> 'ok' AND reason IS NOT NULL)",
             name=op.f("ck_line_heights_height_or_reason"),
         ),
+        sa.CheckConstraint(
+            "target <> 'driver_eye' OR side IS NOT NULL OR inset_from = 'own'",
+            name=op.f("ck_line_heights_eye_has_side"),
+        ),
+        sa.CheckConstraint("inset_from IN ('usual', 'own')", name=op.f("ck_line_heights_inset_from_known")),
+        sa.CheckConstraint("side IN ('near', 'far')", name=op.f("ck_line_heights_side_known")),
         sa.CheckConstraint("status IN ('ok', 'not_measurable')", name=op.f("ck_line_heights_status_known")),
         sa.CheckConstraint(
             "target IN ('roof', 'driver_eye', 'taillight', 'headlight', 'other')",
             name=op.f("ck_line_heights_target_known"),
         ),
         sa.CheckConstraint("revision >= 1", name=op.f("ck_line_heights_revision_counts")),
+        sa.ForeignKeyConstraint(
+            ["computing_id"], ["computings.id"], name=op.f("fk_line_heights_computing_id")
+        ),
         sa.ForeignKeyConstraint(["created_by"], ["people.id"], name=op.f("fk_line_heights_created_by")),
         sa.ForeignKeyConstraint(["pose_id"], ["line_poses.id"], name=op.f("fk_line_heights_pose_id")),
         sa.ForeignKeyConstraint(["scan_id"], ["scans.id"], name=op.f("fk_line_heights_scan_id")),
@@ -923,11 +1078,15 @@ def create_tables() -> None:
         sa.ForeignKeyConstraint(
             ["vehicle_id"], ["scan_vehicles.id"], name=op.f("fk_line_heights_vehicle_id")
         ),
+        sa.ForeignKeyConstraint(
+            ["verdict_of_id"], ["line_heights.id"], name=op.f("fk_line_heights_verdict_of_id")
+        ),
         sa.PrimaryKeyConstraint("id", name=op.f("pk_line_heights")),
         sa.UniqueConstraint(
             "vehicle_id", "target", "revision", name=op.f("uq_line_heights_vehicle_id_target_revision")
         ),
     )
+    op.create_index(op.f("ix_line_heights_computing_id"), "line_heights", ["computing_id"], unique=False)
     op.create_index(op.f("ix_line_heights_scan_id"), "line_heights", ["scan_id"], unique=False)
     op.create_index(op.f("ix_line_heights_survey_id"), "line_heights", ["survey_id"], unique=False)
     op.create_table(
@@ -961,32 +1120,6 @@ def create_tables() -> None:
         op.f("ix_line_height_reviews_survey_id"), "line_height_reviews", ["survey_id"], unique=False
     )
     op.create_table(
-        "computings",
-        sa.Column("id", sa.Integer(), nullable=False),
-        sa.Column("survey_id", sa.Integer(), nullable=False),
-        sa.Column("kind", sa.String(length=20), nullable=False),
-        sa.Column("undoes", sa.Integer(), nullable=True),
-        sa.Column("heights", sa.Integer(), nullable=False),
-        sa.Column("to_review", sa.Integer(), nullable=False),
-        sa.Column("kept", sa.Integer(), nullable=False),
-        sa.Column("largest_m", sa.Float(), nullable=True),
-        sa.Column("causes", sa.Text(), nullable=False),
-        sa.Column("code_version", sa.String(length=60), nullable=False),
-        sa.Column("created_at", sa.DateTime(timezone=True), nullable=False),
-        sa.Column("created_by", sa.Integer(), nullable=True),
-        sa.CheckConstraint(
-            "kind IN ('asked', 'sides', 'adjustment', 'undo')", name=op.f("ck_computings_kind_known")
-        ),
-        sa.CheckConstraint(
-            "(kind = 'undo') = (undoes IS NOT NULL)", name=op.f("ck_computings_undo_names_another")
-        ),
-        sa.ForeignKeyConstraint(["created_by"], ["people.id"], name=op.f("fk_computings_created_by")),
-        sa.ForeignKeyConstraint(["survey_id"], ["surveys.id"], name=op.f("fk_computings_survey_id")),
-        sa.ForeignKeyConstraint(["undoes"], ["computings.id"], name=op.f("fk_computings_undoes")),
-        sa.PrimaryKeyConstraint("id", name=op.f("pk_computings")),
-    )
-    op.create_index(op.f("ix_computings_survey_id"), "computings", ["survey_id"], unique=False)
-    op.create_table(
         "measurements",
         sa.Column("id", sa.Integer(), nullable=False),
         sa.Column("series_id", sa.Integer(), nullable=False),
@@ -1002,6 +1135,13 @@ def create_tables() -> None:
         sa.Column("target_y_px", sa.Float(), nullable=False),
         sa.Column("sigma_px", sa.Float(), nullable=False),
         sa.Column("made", sa.String(length=20), nullable=False),
+        sa.Column("snapped_from_x_px", sa.Float(), nullable=True),
+        sa.Column("snapped_from_y_px", sa.Float(), nullable=True),
+        sa.Column("proposal", sa.String(length=20), nullable=True),
+        sa.Column("proposed_contact_x_px", sa.Float(), nullable=True),
+        sa.Column("proposed_contact_y_px", sa.Float(), nullable=True),
+        sa.Column("proposed_target_x_px", sa.Float(), nullable=True),
+        sa.Column("proposed_target_y_px", sa.Float(), nullable=True),
         sa.Column("pose_id", sa.Integer(), nullable=False),
         sa.Column("calibration_id", sa.Integer(), nullable=False),
         sa.Column("inset_m", sa.Float(), nullable=True),
@@ -1022,6 +1162,7 @@ def create_tables() -> None:
         sa.Column("budget", sa.Text(), nullable=False),
         sa.Column("code_version", sa.String(length=60), nullable=False),
         sa.Column("more_frames", sa.Text(), server_default="[]", nullable=False),
+        sa.Column("followed", sa.Text(), nullable=True),
         sa.Column("solved_inset_m", sa.Float(), nullable=True),
         sa.Column("u_solved_inset_m", sa.Float(), nullable=True),
         sa.Column("u_clicks_m", sa.Float(), nullable=True),
@@ -1042,7 +1183,7 @@ def create_tables() -> None:
         ),
         sa.CheckConstraint("inset_from IN ('usual', 'own')", name=op.f("ck_measurements_inset_from_known")),
         sa.CheckConstraint(
-            "made IN ('clicked', 'confirmed', 'moved')", name=op.f("ck_measurements_made_known")
+            "made IN ('clicked', 'confirmed', 'moved', 'snapped')", name=op.f("ck_measurements_made_known")
         ),
         sa.CheckConstraint(
             "inset_m IS NOT NULL OR target = 'driver_eye'",
@@ -1054,6 +1195,20 @@ def create_tables() -> None:
             "side_from IN ('said', 'direction', 'place')", name=op.f("ck_measurements_side_from_known")
         ),
         sa.CheckConstraint("sigma_px > 0", name=op.f("ck_measurements_sigma_positive")),
+        sa.CheckConstraint("proposal IN ('shown', 'withheld')", name=op.f("ck_measurements_proposal_known")),
+        sa.CheckConstraint(
+            "(proposal IS NULL AND proposed_contact_x_px IS NULL AND proposed_contact_y_px IS NULL "
+            "AND proposed_target_x_px IS NULL AND proposed_target_y_px IS NULL) OR "
+            "(proposal IS NOT NULL AND proposed_contact_x_px IS NOT NULL "
+            "AND proposed_contact_y_px IS NOT NULL "
+            "AND proposed_target_x_px IS NOT NULL AND proposed_target_y_px IS NOT NULL)",
+            name=op.f("ck_measurements_proposal_has_its_points"),
+        ),
+        sa.CheckConstraint(
+            "(snapped_from_x_px IS NULL) = (snapped_from_y_px IS NULL) "
+            "AND (made <> 'snapped' OR snapped_from_x_px IS NOT NULL)",
+            name=op.f("ck_measurements_snapped_from_a_click"),
+        ),
         sa.CheckConstraint(
             "verdict_of_revision < revision", name=op.f("ck_measurements_verdict_of_an_earlier_one")
         ),
@@ -1176,6 +1331,7 @@ def create_tables() -> None:
         sa.Column("placed_by", sa.Integer(), nullable=True),
         sa.Column("method", sa.String(length=20), nullable=False),
         sa.Column("rig", sa.Text(), nullable=False),
+        sa.Column("direction", sa.String(length=20), nullable=False),
         sa.Column("front_line_1", sa.Float(), nullable=False),
         sa.Column("rear_line_1", sa.Float(), nullable=False),
         sa.Column("front_line_2", sa.Float(), nullable=False),
@@ -1195,6 +1351,12 @@ def create_tables() -> None:
         sa.Column("rear_wheel_line", sa.Float(), nullable=True),
         sa.Column("wheelbase_m", sa.Float(), nullable=True),
         sa.Column("u_wheelbase_m", sa.Float(), nullable=True),
+        sa.Column("axle_lines", sa.Text(), nullable=True),
+        sa.Column("axles_by", sa.String(length=20), nullable=True),
+        sa.Column("lane", sa.String(length=40), nullable=True),
+        sa.Column("lane_by", sa.String(length=20), nullable=True),
+        sa.Column("tyres_px", sa.Float(), nullable=True),
+        sa.Column("u_boundaries_m", sa.Float(), nullable=False),
         sa.Column("status", sa.String(length=20), nullable=False),
         sa.Column("reason", sa.Text(), nullable=True),
         sa.Column("budget", sa.Text(), nullable=False),
@@ -1208,10 +1370,26 @@ def create_tables() -> None:
             name=op.f("ck_scan_measurements_speed_or_reason"),
         ),
         sa.CheckConstraint(
-            "cause IN ('found', 'added', 'boundaries', 'wheels', 'again')",
+            "cause IN ('found', 'added', 'boundaries', 'wheels', 'lane', 'back', 'again')",
             name=op.f("ck_scan_measurements_cause_known"),
         ),
         sa.CheckConstraint("method IN ('direct', 'paper')", name=op.f("ck_scan_measurements_method_known")),
+        sa.CheckConstraint(
+            "direction IN ('camera_1_first', 'camera_2_first')",
+            name=op.f("ck_scan_measurements_direction_known"),
+        ),
+        sa.CheckConstraint(
+            "axles_by IN ('machine', 'person')", name=op.f("ck_scan_measurements_axles_by_known")
+        ),
+        sa.CheckConstraint(
+            "lane_by IN ('machine', 'person')", name=op.f("ck_scan_measurements_lane_by_known")
+        ),
+        sa.CheckConstraint(
+            "(lane IS NULL) = (lane_by IS NULL)", name=op.f("ck_scan_measurements_lane_by_whom")
+        ),
+        sa.CheckConstraint(
+            "(axle_lines IS NULL) = (axles_by IS NULL)", name=op.f("ck_scan_measurements_axles_by_whom")
+        ),
         sa.CheckConstraint(
             "status IN ('ok', 'not_measurable')", name=op.f("ck_scan_measurements_status_known")
         ),
@@ -1257,6 +1435,47 @@ def create_tables() -> None:
     )
     op.create_index("ix_scan_reviews_measurement_id", "scan_reviews", ["measurement_id"], unique=False)
     op.create_index(op.f("ix_scan_reviews_survey_id"), "scan_reviews", ["survey_id"], unique=False)
+    op.create_table(
+        "scan_references",
+        sa.Column("id", sa.Integer(), nullable=False),
+        sa.Column("survey_id", sa.Integer(), nullable=False),
+        sa.Column("scan_id", sa.Integer(), nullable=False),
+        sa.Column("vehicle_id", sa.Integer(), nullable=False),
+        sa.Column("quantity", sa.String(length=20), nullable=False),
+        sa.Column("source", sa.String(length=20), nullable=False),
+        sa.Column("revision", sa.Integer(), nullable=False),
+        sa.Column("value", sa.Float(), nullable=False),
+        sa.Column("u", sa.Float(), nullable=False),
+        sa.Column("device", sa.String(length=200), nullable=True),
+        sa.Column("withdrawn", sa.Boolean(), nullable=False),
+        sa.Column("created_at", sa.DateTime(timezone=True), nullable=False),
+        sa.Column("created_by", sa.Integer(), nullable=True),
+        sa.CheckConstraint(
+            "quantity IN ('speed', 'length', 'wheelbase')", name=op.f("ck_scan_references_quantity_known")
+        ),
+        sa.CheckConstraint("revision >= 1", name=op.f("ck_scan_references_revision_counts")),
+        sa.CheckConstraint(
+            "source IN ('counter', 'radar', 'laser', 'gps', 'loop', 'tape', 'other')",
+            name=op.f("ck_scan_references_source_known"),
+        ),
+        sa.CheckConstraint("value > 0 AND u > 0", name=op.f("ck_scan_references_value_with_u")),
+        sa.ForeignKeyConstraint(["created_by"], ["people.id"], name=op.f("fk_scan_references_created_by")),
+        sa.ForeignKeyConstraint(["scan_id"], ["scans.id"], name=op.f("fk_scan_references_scan_id")),
+        sa.ForeignKeyConstraint(["survey_id"], ["surveys.id"], name=op.f("fk_scan_references_survey_id")),
+        sa.ForeignKeyConstraint(
+            ["vehicle_id"], ["scan_vehicles.id"], name=op.f("fk_scan_references_vehicle_id")
+        ),
+        sa.PrimaryKeyConstraint("id", name=op.f("pk_scan_references")),
+        sa.UniqueConstraint(
+            "vehicle_id",
+            "quantity",
+            "source",
+            "revision",
+            name=op.f("uq_scan_references_vehicle_id_quantity_source_revision"),
+        ),
+    )
+    op.create_index(op.f("ix_scan_references_scan_id"), "scan_references", ["scan_id"], unique=False)
+    op.create_index(op.f("ix_scan_references_survey_id"), "scan_references", ["survey_id"], unique=False)
     create_studies()
 
 

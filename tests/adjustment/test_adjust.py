@@ -54,7 +54,7 @@ def test_vehicles_of_another_model_are_named() -> None:
     one = case(Fleet(vehicles=40, wrong_share=0.1), 3)
     assert len(one.wrong) == 5
     assert {left.name for left in one.adjustment.left_out} == set(one.wrong)
-    assert all("is it another model?" in left.reason for left in one.adjustment.left_out)
+    assert all("check the model." in left.reason for left in one.adjustment.left_out)
 
 
 def test_nothing_known_improves_nothing() -> None:

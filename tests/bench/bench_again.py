@@ -1,4 +1,5 @@
-"""How quick 10,000 heights are computed again, stored and undone: `python tests/bench/bench_again.py`.
+"""How quick 10,000 heights are computed again, stored and undone: `python tests/bench/bench_again.py`;
+of recordings, and of line scans.
 
 CPU seconds of this process, for the machine may be busy, on a SQLite of its own; every height with its whole
 budget, every revision with its event.
@@ -23,13 +24,15 @@ from sightline.geometry.road_pose import BoardOnRoad, RoadPose
 from sightline.infra.database.engine import SessionFactory, reading, writing
 from sightline.infra.database.types import now
 from sightline.measurements.again.query import get_computing
-from sightline.measurements.again.service import Answers, changes_to_come, compute_again, undo_computing
 from sightline.measurements.tables import measurement_series, measurements
 from sightline.poses.store import add_pose
+from sightline.scans.again.service import AllAnswers, changes_to_come, compute_again, undo_computing
+from sightline.scans.heights.tables import line_heights
+from sightline.scans.tables import scan_vehicles
 from sightline.vehicles.tables import vehicles
 from tests.bench.bench_storage import fresh
 from tests.bench.goals import Row, report, row
-from tests.support import samples
+from tests.support import samples, scans_samples
 from tests.support.samples import Sample
 
 HEIGHTS = 10_000
@@ -97,8 +100,31 @@ def filled(factory: SessionFactory) -> Sample:
     return one
 
 
+def filled_lines(factory: SessionFactory) -> Sample:
+    """A survey with so many heights in a line scan by a first calibration, and a second in force."""
+    with writing(factory) as session:
+        one = samples.sample(session, of=("Ada", "Ben"))
+        made = scans_samples.measured(session, one)
+        first = scans_samples.rod(session, one, made.scan_id)
+        scans_samples.tall(session, one, made.vehicle_id, first)
+        of_scan = scan_vehicles.c.scan_id == made.scan_id
+        car = dict(session.execute(select(scan_vehicles).where(of_scan)).mappings().one())
+        of_car = line_heights.c.vehicle_id == made.vehicle_id
+        template = dict(session.execute(select(line_heights).where(of_car)).mappings().one())
+        ids = range(10 + made.vehicle_id, 10 + made.vehicle_id + HEIGHTS)
+        session.execute(insert(scan_vehicles), [{**car, "id": id_, "number": id_} for id_ in ids])
+        template.pop("id")
+        row_px = template["contact_row_px"]
+        revisions = [
+            {**template, "vehicle_id": id_, "contact_row_px": row_px + n * 1e-3} for n, id_ in enumerate(ids)
+        ]
+        session.execute(insert(line_heights), revisions)
+        scans_samples.rod(session, one, made.scan_id, 1)
+    return one
+
+
 def again(factory: SessionFactory, one: Sample) -> Iterator[Row]:
-    answers, told, started = Answers(), [], process_time()
+    answers, told, started = AllAnswers(), [], process_time()
     with reading(factory) as session:
         changes_to_come(session, one.survey.id, answers, tell=told.append)
     computed_s = process_time() - started
@@ -128,10 +154,15 @@ def main(wanted: list[str]) -> int:
         factory = fresh(Path(folder))
         one = filled(factory)
 
+        lines = filled_lines(factory)
+
         def computed_again() -> Iterator[Row]:
             yield from again(factory, one)
 
-        return report([computed_again], wanted)
+        def lines_computed_again() -> Iterator[Row]:
+            yield from again(factory, lines)
+
+        return report([computed_again, lines_computed_again], wanted)
 
 
 if __name__ == "__main__":

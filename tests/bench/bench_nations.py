@@ -1,4 +1,4 @@
-"""How often a study's intervals hold the truth of a nation: `python tests/bench/bench_nations.py [NATIONS]`.
+"""How often a study's intervals hold the truth of a nation: `bench_nations.py [NATIONS] [--seed N]`.
 
 Nations of strata with a known number of sites are made, each site with its own mix of two classes and its own
 offset; some sites of each stratum are drawn, vehicles at each, measured with an error that a site shares, one
@@ -9,6 +9,7 @@ standard error of 0.22 / sqrt(N).
 
 from __future__ import annotations
 
+import argparse
 import sys
 from dataclasses import dataclass
 from pathlib import Path
@@ -122,13 +123,13 @@ def coverage(nation: Nation, nations: int, seed: int = 13) -> tuple[np.ndarray, 
     return np.mean(held, axis=0), 1000 * np.median(half, axis=0)
 
 
-def main(nations: int) -> int:
-    print(f"{nations} nations each; standard error {0.218 / np.sqrt(nations):.4f}")
+def main(nations: int, seed: int, only: int | None) -> int:
+    print(f"{nations} nations each, seed {seed}; standard error {0.218 / np.sqrt(nations):.4f}")
     heads = [*(f"P{p:g}" for p in PERCENTS), "mean", "tall"]
     print(f"{'sites':<26}{'each':>5}" + "".join(f"{one:>8}" for one in heads) + "   half widths mm")
     every = []
-    for nation in NATIONS:
-        held, half = coverage(nation, nations)
+    for nation in NATIONS if only is None else NATIONS[only : only + 1]:
+        held, half = coverage(nation, nations, seed)
         every.append(held[:6])
         said = f"{'+'.join(map(str, nation.drawn))} of {'+'.join(map(str, nation.there))}"
         print(
@@ -142,4 +143,9 @@ def main(nations: int) -> int:
 
 
 if __name__ == "__main__":
-    sys.exit(main(int(sys.argv[1]) if len(sys.argv) > 1 else 400))
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("nations", nargs="?", type=int, default=400)
+    parser.add_argument("--seed", type=int, default=1, help="the method was made on 13")
+    parser.add_argument("--only", type=int, help="one of the nations, by its place from 0")
+    given = parser.parse_args()
+    sys.exit(main(given.nations, given.seed, given.only))

@@ -18,6 +18,7 @@ from scipy.stats import theilslopes
 sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
 
 from sightline.linescan.direct import measure_direct
+from sightline.linescan.methods import MEASURE
 from sightline.linescan.paper import measure_paper
 from sightline.linescan.parts import Crossings, Motion, Passage, Rig
 
@@ -107,6 +108,8 @@ def main() -> None:
             cut = passage(train, frames, baseline_px, Path(train.file).stem)
             for method in (measure_paper, measure_direct):
                 told(method(cut, Rig(baseline_px / PX_PER_M, rate)), cut, baseline_px, rate)
+            reason = MEASURE["direct"](cut, Rig(baseline_px / PX_PER_M, rate)).reason
+            print(f"  baseline {baseline_px} px, as an operator has it: {reason or 'measured'}")
 
 
 def told(motion: Motion, cut: Passage, baseline_px: int, rate: float) -> None:

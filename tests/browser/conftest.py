@@ -36,6 +36,15 @@ expect.set_options(timeout=30_000)
 SCENES, SCAN_VEHICLES = ("day:8", "low_light:2"), 7
 
 
+# The longest files, which begin first, so that no browser is left alone with one at the end.
+LONGEST = ("test_walk_links", "test_screens", "test_walk", "test_journey", "test_killed_ingest", "test_scans")
+
+
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    places = {f"{name}.py": place for place, name in enumerate(LONGEST)}
+    items.sort(key=lambda item: places.get(item.path.name, len(places)))
+
+
 def chromium_path() -> str | None:
     """The browser `make test` found; None lets Playwright take its own."""
     note = ROOT / ".build" / "chromium"

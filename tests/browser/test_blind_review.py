@@ -54,7 +54,7 @@ def test_a_second_click_before_the_first_is_shown(
     again(review, first)
     words = review.get_by_test_id("comparisons")
     expect(words).to_contain_text("You clicked it again")
-    expect(words).to_contain_text(re.compile("agree: .* apart, expected within"))
+    expect(words).to_contain_text(re.compile("Agree: difference .*, limit"))
     known = review.request.get(f"/api/measurements/{open_id}/repeats").json()
     assert known[-1]["repeat"]["created_by"]["name"] == "Blanca Blind"
     expect(review.get_by_test_id("second-clicks").locator(".point-mark")).to_have_count(2 * len(known))
@@ -72,8 +72,8 @@ def test_a_second_click_before_the_first_is_shown(
 
     before = review.request.get(f"/api/surveys/{survey_id}/repeats").json()["repeats"]
     review.goto(f"/surveys/{survey_id}/repeats")
-    expect(review.get_by_test_id("repeats-targets")).to_contain_text("all targets")
-    review.get_by_role("link", name="Click 10 of anybody").click()
+    expect(review.get_by_test_id("repeats-targets")).to_contain_text("All targets")
+    review.get_by_role("link", name="Repeat 10 measurements by anyone").click()
     progress = review.get_by_test_id("again-progress")
     drawn = review.request.get(f"/api/surveys/{survey_id}/repeats/sample?only_own=false").json()
     for n, one in enumerate(drawn[:2]):
@@ -85,6 +85,6 @@ def test_a_second_click_before_the_first_is_shown(
     review.keyboard.press("Control+z")
     expect(progress).to_contain_text("2 of 10")
     review.keyboard.press("Escape")
-    expect(review.get_by_role("heading", name="Repeats")).to_be_visible()
+    expect(review.get_by_role("heading", name="Repeatability")).to_be_visible()
     assert review.request.get(f"/api/surveys/{survey_id}/repeats").json()["repeats"] == before + 1
     other.close()

@@ -86,14 +86,14 @@ def test_both_tyres_are_clicked_undone_and_refused(page: Page, demonstration: Se
     hint = page.locator("#traffic-hint")
 
     press_at(page, rear)
-    expect(hint).to_contain_text("Now the other tyre")
+    expect(hint).to_contain_text("other tyre on the same side")
     expect(page.get_by_test_id("axes")).to_be_visible()
     press_at(page, [rear[0] + 6, rear[1]])
     expect(page.locator(".traffic__refused [role=alert]")).to_contain_text("m apart on the road")
     expect(row).to_contain_text("–")
 
     press_at(page, rear)
-    expect(hint).to_contain_text("Now the other tyre")
+    expect(hint).to_contain_text("other tyre on the same side")
     press_at(page, front)
     expect(page.get_by_test_id("wheel-pair")).to_be_visible()
     expect(row).to_contain_text("°")
@@ -102,7 +102,7 @@ def test_both_tyres_are_clicked_undone_and_refused(page: Page, demonstration: Se
     assert stored["frame"] == frame and abs(stored["first"][0] - rear[0]) < 1.0
 
     # the verdict says that none is needed, so none is offered
-    expect(page.get_by_role("button", name=re.compile("Turn the road axes by"))).to_have_count(0)
+    expect(page.get_by_role("button", name=re.compile("Rotate the road axes by"))).to_have_count(0)
 
     page.keyboard.press("Control+z")
     expect(row).to_contain_text("–")

@@ -33,7 +33,7 @@ def _edited_filtered_and_built(page: Page, survey_id: int, screenshots: Path) ->
     dialog = page.get_by_role("dialog")
     dialog.get_by_label("FHWA classes of SUV").fill("3-14")
     dialog.get_by_role("button", name="Save").click()
-    expect(dialog.get_by_text("Numbers from 1 to 13")).to_be_visible()
+    expect(dialog.get_by_text("numbers from 1 to 13")).to_be_visible()
     dialog.get_by_label("FHWA classes of SUV").fill("3")
     for body in ("Hatchback", "Saloon", "Estate", "SUV"):
         dialog.get_by_label(f"Set of {body}").select_option("light_trucks")
@@ -61,7 +61,7 @@ def _edited_filtered_and_built(page: Page, survey_id: int, screenshots: Path) ->
     page.get_by_label("Light trucks and multi-purpose").check()
     page.keyboard.press("Escape")
     expect(page.get_by_label("Heavy vehicles")).not_to_be_visible()
-    page.get_by_label("with pictures of the clicks").uncheck()
+    page.get_by_label("with images of the clicks").uncheck()
     page.get_by_role("button", name="Build the package").click()
     row = page.get_by_role("row").filter(has_text="Daytime; Light trucks and multi-purpose")
     expect(row).to_be_visible(timeout=120_000)

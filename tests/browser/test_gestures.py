@@ -147,9 +147,9 @@ def test_escape_in_a_drag_leaves_the_fix_where_it_was_in_review(page: Page) -> N
     expect(page.locator(".frame-loading--on")).to_have_count(0)
     page.keyboard.press("e")
     hint = page.locator("#review-hint")
-    expect(hint).to_contain_text("Drag the points")
+    expect(hint).to_contain_text("Drag a point")
     dragged_and_let_go_by_escape(page, first["target_point"])
-    expect(hint).to_contain_text("Drag the points")  # the fix itself goes on
+    expect(hint).to_contain_text("Drag a point")  # the fix itself goes on
     expect(hint.locator("strong")).to_contain_text(f"{first['height_m']:.3f}")
     assert page.request.get(f"/api/measurements/{first['id']}").json() == first
 

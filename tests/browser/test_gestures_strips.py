@@ -25,7 +25,7 @@ def bench(page: Page) -> tuple[Locator, dict[str, Any]]:
     vehicle = page.request.get(f"/api/scans/{scan['id']}/vehicles").json()[0]
     page.goto(f"/surveys/{survey}/scan?scan={scan['id']}")
     page.get_by_test_id(f"scan-vehicle-{vehicle['number']}").get_by_role("button").click()
-    expect(page.get_by_test_id("scan-length")).to_contain_text(f"{vehicle['measurement']['length_m']:.2f}")
+    expect(page.get_by_test_id("scan-length")).to_contain_text(f"{vehicle['measurement']['length_m']:.3f}")
     strips = page.get_by_test_id("strips")
     strips.focus()
     page.keyboard.press("q")  # the vehicle fills the window
@@ -64,5 +64,6 @@ def test_a_boundary_of_the_strips_is_dragged_and_let_go_by_escape(
     expect(length).to_contain_text(f"{made['length_m']:.2f}")
     with page.expect_response(lambda answer: answer.url.endswith("/boundaries")):
         page.get_by_test_id("undo").get_by_role("button").click()
+    # the lines come back as the machine's, with their uncertainty
     expect(length).to_have_text(said, use_inner_text=True)
     expect(undo_button(page)).to_have_attribute("title", title)

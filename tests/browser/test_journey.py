@@ -70,7 +70,7 @@ def calibrate(page: Page, survey_id: int, server: Server) -> tuple[int, int]:
     # the bench is the new camera's once that is the open one
     tab = page.get_by_role("button", name="Journey camera").last
     expect(tab).to_have_attribute("aria-current", "true")
-    expect(page.get_by_text("Lens, zoom and focus are not said yet.")).to_be_visible()
+    expect(page.get_by_text("Lens, zoom and focus are not set.")).to_be_visible()
     page.get_by_label(re.compile("columns|across", re.I)).first.fill("9")
     page.get_by_label(re.compile("rows|down", re.I)).first.fill("6")
     page.get_by_label(re.compile("square", re.I)).first.fill("30")
@@ -80,7 +80,7 @@ def calibrate(page: Page, survey_id: int, server: Server) -> tuple[int, int]:
     button = page.get_by_role("button", name="Calibrate", exact=True)
     expect(button).to_be_enabled(timeout=60_000)
     button.click()
-    expect(page.get_by_text("This calibration can be trusted")).to_be_visible(timeout=60_000)
+    expect(page.get_by_text("Calibration reliable")).to_be_visible(timeout=60_000)
     cameras = page.request.get(f"/api/surveys/{survey_id}/cameras").json()
     made = max((c for c in cameras if c["name"] == "Journey camera"), key=lambda c: c["id"])
     assert made["current_calibration_id"]
@@ -109,7 +109,7 @@ def find_pose(
     page.get_by_label(re.compile("From the road up to the uppermost")).fill(
         f"{board['reference_height_m']:.4f}"
     )
-    for mark, frame in (("Begins here", 10), ("Ends here", 60)):
+    for mark, frame in (("Set first", 10), ("Set last", 60)):
         go_to_frame(page, frame)
         expect(page.get_by_test_id("found-board")).to_be_visible()
         page.get_by_role("button", name=mark).click()

@@ -52,7 +52,7 @@ def test_a_thumbnail_stands_in_until_the_frame_is_here(
 
     box.fill(str(FAR))
     box.press("Enter")
-    expect(stand_in).to_contain_text(f"frame {FAR} is coming")
+    expect(stand_in).to_contain_text(f"loading frame {FAR}")
     page.screenshot(path=screenshots / "jump-stand-in.png")
     held.pop().continue_()
     expect(stand_in).to_have_count(0)

@@ -18,6 +18,7 @@ from sightline.infra.csv_package.files import Staging
 from sightline.infra.services import open_services
 from sightline.measurements.height_of_clicks import answer
 from sightline.measurements.verify import clicks_of_row
+from sightline.results.selection import Selection
 from sightline.settings import Settings
 from sightline.surveys.store import list_surveys
 
@@ -39,6 +40,23 @@ def whole(tmp_path_factory: pytest.TempPathFactory) -> Path:
         build(Staging(place), session, survey.id, services)
     services.close()
     return place
+
+
+@pytest.fixture(scope="module")
+def limited(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, str]:
+    """The package of one class of the same survey alone, and that class."""
+    here = tmp_path_factory.getbasetemp()
+    shared = here.parent if here.name.startswith("popen") else here
+    data_dir = tmp_path_factory.mktemp("limited") / "data"
+    shutil.copytree(made_once(shared / "small-demonstration"), data_dir)
+    services = open_services(Settings(data_dir=data_dir))
+    place = data_dir.parent / "package"
+    place.mkdir()
+    with services.reading() as session:
+        (survey,) = list_surveys(session)
+        build(Staging(place), session, survey.id, services, selection=Selection(categories=("suv",)))
+    services.close()
+    return place, "suv"
 
 
 @pytest.fixture
@@ -132,7 +150,7 @@ def test_a_package_that_was_changed_shows_it(
         "wrong",
         "fine",
     )
-    expect(page.locator("[data-verdict]")).to_have_text("This package is not as it was made.")
+    expect(page.locator("[data-verdict]")).to_have_text("This package was changed after it was made.")
     page.get_by_label("Show").select_option("differs")
     expect(page.locator(f'[data-measurement="{row["id"]}"]')).to_contain_text("1.999999")
 
@@ -155,7 +173,7 @@ def test_the_files_beside_it_are_checked_once_the_folder_is_chosen(
 ) -> None:
     place = Path(shutil.copytree(whole, tmp_path / "folder"))
     page = opened(place)
-    choice = page.locator("input[type=file]")
+    choice = page.locator('[data-choice="folder"]')
     choice.set_input_files(place)
     expect(page.locator('[data-check="folder"]')).to_have_attribute("data-state", "fine")
     picture = next((place / "crops").glob("*.jpg"))
@@ -165,6 +183,74 @@ def test_the_files_beside_it_are_checked_once_the_folder_is_chosen(
     expect(page.locator('[data-check="folder"]')).to_have_attribute("data-state", "wrong")
     expect(page.locator('[data-check="folder"]')).to_contain_text("crops/")
     expect(page.locator("[data-verdict]")).to_have_attribute("data-verdict", "wrong")
+
+
+DROP = """([name, content]) => {
+    const dropped = new DataTransfer();
+    dropped.items.add(new File([Uint8Array.from(atob(content), (one) => one.charCodeAt(0))], name));
+    const told = { dataTransfer: dropped, bubbles: true, cancelable: true };
+    if (document.body.dispatchEvent(new DragEvent("dragover", told))) throw new Error("not taken");
+    document.body.dispatchEvent(new DragEvent("drop", told));
+}"""
+
+
+def drop(page: Page, zipped: Path) -> None:
+    """Lets go of a file over the page."""
+    page.evaluate(DROP, [zipped.name, base64.b64encode(zipped.read_bytes()).decode()])
+
+
+def test_a_zip_dropped_on_the_page_is_checked_whole(
+    whole: Path, opened: Callable[[Path], Page], tmp_path: Path
+) -> None:
+    zipped = Path(shutil.make_archive(str(tmp_path / "package"), "zip", whole))
+    page = opened(whole)
+    drop(page, zipped)
+    check = page.locator('[data-check="folder"]')
+    expect(check).to_have_attribute("data-state", "fine")
+    files = sum(1 for one in whole.rglob("*") if one.is_file())
+    expect(check).to_contain_text(f"All {files} files")
+    zipped.write_bytes(zipped.read_bytes()[:-200])
+    drop(page, zipped)
+    expect(check).to_contain_text("no whole package")
+    place = Path(shutil.copytree(whole, tmp_path / "changed" / "package"))
+    (place / "measurements.csv").write_text((place / "measurements.csv").read_text() + "\n")
+    page.locator('[data-choice="zip"]').set_input_files(
+        shutil.make_archive(str(tmp_path / "other"), "zip", tmp_path / "changed")
+    )
+    expect(check).to_contain_text("Changed after the export: measurements.csv")
+    expect(page.locator("[data-verdict]")).to_have_attribute("data-verdict", "wrong")
+
+
+def test_a_page_taken_out_of_its_zip_has_the_chain_from_there(
+    whole: Path, opened: Callable[[Path], Page], tmp_path: Path
+) -> None:
+    zipped = Path(shutil.make_archive(str(tmp_path / "package"), "zip", whole))
+    # Everything but the chain: the console's words on what is not there would fail the test.
+    alone = Path(shutil.copytree(whole, tmp_path / "alone"))
+    (alone / "audit.js").write_text("")
+    page = opened(alone)
+    assert states(page)["chain"] == "open"
+    drop(page, zipped)
+    expect(page.locator('[data-check="folder"]')).to_have_attribute("data-state", "fine")
+    assert set(states(page).values()) == {"fine"}, states(page)
+
+
+def test_a_limited_package_says_so_at_its_top_and_of_what_lies_outside(
+    limited: tuple[Path, str], opened: Callable[[Path], Page]
+) -> None:
+    place, kept = limited
+    page = opened(place)
+    expect(page.locator("header [data-only]")).to_contain_text("cover only: SUV")
+    outside = {row["id"] for row in rows(place, "vehicles.csv") if row["category"] != kept}
+    pictured = {row["measurement_id"] for row in rows(place, "crops.csv")}
+    told = [row for row in rows(place, "measurements.csv") if row["withdrawn"] != "true"]
+    strange = next(row["id"] for row in told if row["vehicle_id"] in outside)
+    line = page.locator(f'[data-measurement="{strange}"]')
+    expect(line).to_contain_text("outside the limits")
+    line.get_by_role("button").click()
+    expect(page.locator("[data-outside]")).to_contain_text("Outside the limits of this package (SUV)")
+    inside = page.locator(f'[data-measurement="{next(iter(pictured))}"]')
+    expect(inside).not_to_contain_text("outside the limits")
 
 
 def with_table(text: str, path: str, old: str, new: str) -> str:

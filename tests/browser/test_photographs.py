@@ -25,7 +25,7 @@ def test_photographs_are_added_put_in_order_and_brought_back(page: Page) -> None
     caption.blur()
     page.get_by_role("button", name="Move The road to the left").click()
     expect(cards.first.locator("img")).to_have_attribute("alt", "The road")
-    page.get_by_role("button", name="Take out rig.png").click()
+    page.get_by_role("button", name="Remove rig.png").click()
     expect(cards).to_have_count(1)
     page.get_by_role("button", name="Undo").click()
     expect(cards).to_have_count(2)

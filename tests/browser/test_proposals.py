@@ -3,7 +3,7 @@
 from playwright.sync_api import Page, expect
 
 from .server import Server
-from .vehicles import click_at, own_vehicle, put_proposals, stored, until, whole_passes
+from .vehicles import TARGETS, click_at, own_vehicle, put_proposals, stored, until, whole_passes
 
 
 def test_proposals_are_confirmed_one_vehicle_after_the_other(page: Page, demonstration: Server) -> None:
@@ -28,7 +28,7 @@ def test_proposals_are_confirmed_one_vehicle_after_the_other(page: Page, demonst
     assert have["taillight"]["created_by"]["name"]
 
     # the eye is clicked by hand on the same contact; then the next vehicle comes by itself
-    expect(page.locator("#measure-hint")).to_contain_text("click the driver's eye")
+    expect(page.locator("#measure-hint")).to_contain_text("click the driver’s eye")
     click_at(page, first.pixels["driver_eye"])
     until(page, first.vehicle["id"], lambda have: "driver_eye" in have)
     assert stored(page, first.vehicle["id"])["driver_eye"]["made"] == "moved"
@@ -52,3 +52,50 @@ def test_proposals_are_confirmed_one_vehicle_after_the_other(page: Page, demonst
     click_at(page, second.pixels["roof"])
     until(page, second.vehicle["id"], lambda have: "roof" in have)
     assert stored(page, second.vehicle["id"])["roof"]["made"] == "clicked"
+
+
+def test_a_contact_alone_is_taken_and_the_targets_are_clicked_on_it(
+    page: Page, demonstration: Server
+) -> None:
+    one = own_vehicle(page, demonstration)
+    put_proposals(demonstration, [one], ())
+    page.goto(f"/surveys/{one.survey}/measure?vehicle={one.vehicle['id']}")
+    expect(page.get_by_test_id("proposed-card-contact")).to_be_visible()
+    expect(page.get_by_test_id("proposed")).to_contain_text("Confirm the contact")
+    page.keyboard.press("Enter")
+    expect(page.get_by_test_id("proposed-card-contact")).to_have_count(0)
+    expect(page.locator("#measure-hint")).to_contain_text("edge of the roof")
+    assert stored(page, one.vehicle["id"]) == {}
+    click_at(page, one.pixels["roof"])
+    until(page, one.vehicle["id"], lambda have: "roof" in have)
+    assert stored(page, one.vehicle["id"])["roof"]["made"] == "moved"
+
+
+def test_a_click_elsewhere_puts_another_contact_than_the_proposed_one(
+    page: Page, demonstration: Server
+) -> None:
+    one = own_vehicle(page, demonstration)
+    put_proposals(demonstration, [one], ())
+    page.goto(f"/surveys/{one.survey}/measure?vehicle={one.vehicle['id']}")
+    expect(page.get_by_test_id("proposed-card-contact")).to_be_visible()
+    click_at(page, one.pixels["contact_front"])
+    expect(page.get_by_test_id("proposed-card-contact")).to_have_count(0)
+    click_at(page, one.pixels["roof"])
+    until(page, one.vehicle["id"], lambda have: "roof" in have)
+    assert stored(page, one.vehicle["id"])["roof"]["made"] in ("clicked", "snapped")
+
+
+def test_enter_goes_on_once_all_that_is_asked_for_is_there(page: Page, demonstration: Server) -> None:
+    one = own_vehicle(page, demonstration)
+    page.goto(one.address)
+    row = page.get_by_test_id(f"pass-{one.vehicle['number']}")
+    expect(row).to_have_attribute("aria-current", "true")
+    click_at(page, one.pixels["contact_rear"])
+    page.keyboard.press("Enter")  # nothing is measured yet: it stays
+    for target in TARGETS:
+        click_at(page, one.pixels[target])
+        until(page, one.vehicle["id"], lambda have, target=target: target in have)
+    expect(page.locator("#measure-hint")).to_contain_text("Done")
+    expect(row).to_have_attribute("aria-current", "true")
+    page.keyboard.press("Enter")
+    expect(row).not_to_have_attribute("aria-current", "true")

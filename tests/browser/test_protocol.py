@@ -4,11 +4,14 @@ and lightings measured, an eye that cannot be seen answered, heights judged, a p
 
 import io
 import re
+import time
 import zipfile
+from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
-from playwright.sync_api import Page, expect
+import pytest
+from playwright.sync_api import Browser, Page, expect
 
 from tests.export.report.pdf_text import words
 
@@ -21,21 +24,45 @@ KEYS = {"roof": "1", "driver_eye": "2", "taillight": "3"}
 KEPT = ("name", "site", "description", "traffic", "place", "asked", "sampling")
 
 
-def test_the_protocol_from_sides_to_a_package(page: Page, demonstration: Server, screenshots: Path) -> None:
+@pytest.fixture
+def reviewer(page: Page, browser: Browser, demonstration: Server) -> Iterator[Page]:
+    """Another person's browser: nobody accepts a lot with heights of their own."""
+    made = page.request.post(
+        "/api/people",
+        headers={"X-Sightline": "1"},
+        data={"name": "Rita Reviewer", "email": f"rita{time.time_ns()}@example.org", "role": "reviewer"},
+    )
+    assert made.ok, made.text()
+    context = browser.new_context(base_url=demonstration.url, viewport={"width": 1440, "height": 900})
+    theirs = context.new_page()
+    theirs.set_default_timeout(30_000)
+    theirs.goto(made.json()["link"])
+    theirs.wait_for_url(lambda url: "sign-in" not in url)
+    yield theirs
+    context.close()
+
+
+def test_the_protocol_from_sides_to_a_package(
+    page: Page, reviewer: Page, demonstration: Server, screenshots: Path
+) -> None:
     page.goto("/")
     survey_id = wait_for_demonstration(page)
     address = f"/api/surveys/{survey_id}"
     usual = page.request.get(address).json()
     try:
-        _protocol(page, demonstration, survey_id, screenshots)
+        _protocol(page, reviewer, demonstration, survey_id, screenshots)
     finally:  # other tests measure in the same survey
         version = page.request.get(address).json()["version"]
         body = {**{name: usual[name] for name in KEPT}, "version": version}
         answer = page.request.put(address, data=body, headers={"X-Sightline": "1"})
         assert answer.ok, answer.text()
+        for lot in page.request.get(f"{address}/lots").json():
+            step = {"open": "dissolve", "accepted": "take-back"}.get(lot["state"])
+            if step is not None:
+                page.request.post(f"/api/lots/{lot['lot']['id']}/{step}", headers={"X-Sightline": "1"})
 
 
-def _protocol(page: Page, server: Server, survey_id: int, screenshots: Path) -> None:
+def _protocol(page: Page, reviewer: Page, server: Server, survey_id: int, screenshots: Path) -> None:
     _say_the_site(page, survey_id, screenshots)
     _say_the_quotas(page, survey_id)
     by_day = whole_passes(server, "day")
@@ -51,8 +78,9 @@ def _protocol(page: Page, server: Server, survey_id: int, screenshots: Path) -> 
     after = _measured(page, survey_id)
     assert after == {"daytime": before["daytime"] + 2, "low_light": before["low_light"] + 1}
     _heights_hold(page, [*day, night])
-    _review(page, survey_id, len(day) * 2)
-    # acceptance of lots has its place here, once it has its page
+    choose_plan(page, survey_id, 0)
+    _review(reviewer, survey_id, 2)
+    _lot(reviewer, survey_id, screenshots)
     _package(page, survey_id, screenshots)
 
 
@@ -62,15 +90,15 @@ def _say_the_site(page: Page, survey_id: int, screenshots: Path) -> None:
     dialog = page.get_by_role("dialog")
     dialog.get_by_label("Traffic keeps").select_option("right")
     dialog.get_by_label("Steering wheel usually").select_option("left")
-    dialog.get_by_label("The camera stands").select_option("verge")
+    dialog.get_by_label("Camera position").select_option("verge")
     asked = dialog.get_by_test_id("asked")
-    for n, target, wanted in ((0, "Taillight", False), (1, "Driver's eye", False), (1, "Taillight", True)):
+    for n, target, wanted in ((0, "Taillight", False), (1, "Driver’s eye", False), (1, "Taillight", True)):
         asked.get_by_label(target).nth(n).set_checked(wanted)
     place = dialog.get_by_test_id("place")
     place.get_by_label("Latitude").fill("149.44315")
     place.get_by_label("Longitude").fill("1,09932")
     dialog.get_by_role("button", name="Save").click()
-    expect(dialog.get_by_text("are latitude and longitude exchanged?")).to_be_visible()
+    expect(dialog.get_by_text("Are latitude and longitude swapped?")).to_be_visible()
     place.get_by_label("Latitude").fill("49.44315")
     place.get_by_label("Speed limit").fill("50")
     place.scroll_into_view_if_needed()
@@ -79,7 +107,7 @@ def _say_the_site(page: Page, survey_id: int, screenshots: Path) -> None:
     expect(dialog).not_to_be_visible()
     expect(page.get_by_test_id("place-said")).to_contain_text("49.44315, 1.09932")
     expect(page.get_by_test_id("place-said")).to_contain_text("limit 50 km/h")
-    expect(page.get_by_test_id("traffic-said")).to_contain_text("roof and driver's eye")
+    expect(page.get_by_test_id("traffic-said")).to_contain_text("roof and driver’s eye")
 
 
 def _say_the_quotas(page: Page, survey_id: int) -> None:
@@ -124,7 +152,7 @@ def _not_visible(page: Page, one: OwnVehicle, screenshots: Path) -> None:
     page.keyboard.press(KEYS["driver_eye"])
     page.get_by_role("button", name="Not visible").click()
     expect(page.get_by_test_id("unseen-reasons")).to_be_visible()
-    page.keyboard.press("5")
+    page.keyboard.press("6")
     expect(page.get_by_test_id("unseen-driver_eye")).to_contain_text("no driver seen")
     row = page.get_by_test_id(f"pass-{one.vehicle['number']}")
     expect(row).to_have_attribute("data-state", "measured")
@@ -145,12 +173,40 @@ def _heights_hold(page: Page, chosen: list[OwnVehicle]) -> None:
             assert abs(error) < 1.5 * made["U95_height_m"], (made["target"], error)
 
 
-def _review(page: Page, survey_id: int, at_least: int) -> None:
-    choose_plan(page, survey_id, 0)
+def _lot(page: Page, survey_id: int, screenshots: Path) -> None:
+    """What still waits as one lot: its sample drawn, judged by key, the lot accepted.
+
+    So few heights make a lot only with risks that no study would take.
+    """
+    lots = f"/surveys/{survey_id}/checks?tab=lots"
+    page.goto(lots)
+    for common in ("target", "lighting"):
+        page.get_by_role("checkbox", name=common, exact=True).uncheck()
+    page.get_by_label("Share of wrong heights at which a lot should not pass").fill("60")
+    page.get_by_label("Risk that it does", exact=True).fill("30")
+    expect(page.get_by_test_id("lots-planned").locator("tbody tr")).to_have_count(1)
+    page.get_by_role("button", name="Draw", exact=True).click()
+    expect(page.get_by_test_id("lot-words")).to_contain_text("of the sample still wait")
+    size, sample = (int(one) for one in re.findall(r"\d+", page.get_by_test_id("lot-words").inner_text())[:2])
+    assert 1 <= sample < size
+    page.screenshot(path=screenshots / "protocol-lot.png")
+    page.get_by_role("link", name="Review the sample").click()
+    expect(page.locator(".review__row")).to_have_count(sample)
+    for _ in range(sample):
+        expect(page.get_by_test_id("review-accept").get_by_role("button")).to_be_enabled()
+        with page.expect_response(lambda answer: answer.url.endswith("/reviews") and answer.status == 201):
+            page.keyboard.press("a")
+    page.get_by_role("link", name="Decide on the lot").first.click()  # after the last verdict
+    expect(page.get_by_test_id("lot-words")).to_contain_text("The lot can be accepted")
+    page.get_by_test_id("lot").get_by_role("button", name="Accept the lot").click()
+    expect(page.get_by_test_id("lot-words")).to_contain_text(f"{size - sample} heights accepted with it")
+
+
+def _review(page: Page, survey_id: int, so_many: int) -> None:
     address = f"/api/surveys/{survey_id}"
     accepted = page.request.get(address).json()["counts"]["accepted"]
     page.goto(f"/surveys/{survey_id}/review")
-    for n in range(1, at_least + 1):
+    for n in range(1, so_many + 1):
         expect(page.get_by_test_id("review-accept")).to_be_visible()
         page.keyboard.press("a")
         expect(page.get_by_test_id("review-counts")).to_contain_text(f"{accepted + n} accepted")
@@ -160,7 +216,7 @@ def _package(page: Page, survey_id: int, screenshots: Path) -> None:
     page.goto(f"/surveys/{survey_id}/export")
     page.get_by_label("Lighting").select_option("daytime")
     page.get_by_label("Filmed from").fill("2025-05-14")
-    page.get_by_label("with pictures of the clicks").uncheck()
+    page.get_by_label("with images of the clicks").uncheck()
     page.screenshot(path=screenshots / "protocol-export.png")
     page.get_by_role("button", name="Build the package").click()
     row = page.get_by_role("row").filter(has_text="Daytime; filmed from 2025-05-14")

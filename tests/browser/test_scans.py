@@ -42,7 +42,7 @@ def test_the_bench_from_the_list_to_a_corrected_and_reviewed_vehicle(
     page.goto(f"/surveys/{scan['survey_id']}/scans")
     card = page.get_by_test_id(f"scan-{scan['id']}")
     expect(card).to_contain_text("vehicles")
-    card.get_by_role("link", name="Open the bench").click()
+    card.get_by_role("link", name="Open").click()
     expect(page).to_have_url(re.compile(rf"scan\?scan={scan['id']}"))
     before = vehicle_of(page, scan, 2)["measurement"]
     row = page.get_by_test_id("scan-vehicle-2")
@@ -94,7 +94,7 @@ def test_an_empty_survey_says_what_to_do_and_takes_two_strips(page: Page) -> Non
     headers = {"X-Sightline": "1"}
     made = page.request.post("/api/surveys", data={"name": "Strips"}, headers=headers)
     page.goto(f"/surveys/{made.json()['id']}/scans")
-    send = page.get_by_role("button", name="Read it and find the vehicles")
+    send = page.get_by_role("button", name="Import and find the vehicles")
     expect(send).to_be_disabled()
     page.locator("input[type=file]").set_input_files(
         [{"name": name, "mimeType": "image/png", "buffer": b"no picture"} for name in ("a.png", "b.png")]
@@ -103,8 +103,8 @@ def test_an_empty_survey_says_what_to_do_and_takes_two_strips(page: Page) -> Non
     expect(send).to_be_enabled()
     send.click()
     expect(page.get_by_text("Enter the distance between the two scanning planes.")).to_be_visible()
-    page.get_by_label("Baseline").fill("0.593")
-    page.get_by_label("Lines a second").fill("4882.8")
+    page.get_by_label("Baseline", exact=True).fill("0.593")
+    page.get_by_label("Line rate", exact=True).fill("4882.8")
     send.click()
     problem = page.get_by_role("alert").first
     expect(problem).to_contain_text("a.png")
@@ -117,13 +117,13 @@ def test_what_the_traffic_says_of_the_rig_is_put_in_force_and_taken_back(
     told = page.request.get(f"{address}/rig-of-traffic").json()["misalignment"]
     page.goto(f"/surveys/{scan['survey_id']}/scans")
     card = page.get_by_test_id(f"scan-{scan['id']}")
-    card.get_by_text("The rig, and what the traffic says of it").click()
+    card.get_by_text("Rig, and estimates from the traffic").click()
     table = card.get_by_test_id("rig-of-traffic")
     expect(table).to_contain_text(f"{told['value']:.3f}")
     card.get_by_role("button", name="Use this for Misalignment").click()
     dialog = page.get_by_role("dialog")
     expect(dialog.get_by_label("Misalignment", exact=True)).to_have_value(f"{told['value']:.4f}")
-    dialog.get_by_role("button", name="Store").click()
+    dialog.get_by_role("button", name="Save", exact=True).click()
     expect(dialog).to_be_hidden()
     in_force = page.request.get(address).json()["rig"]
     assert in_force["misalignment_px"] == pytest.approx(told["value"], abs=1e-4)
@@ -135,14 +135,14 @@ def test_what_the_traffic_says_of_the_rig_is_put_in_force_and_taken_back(
 
 def test_a_line_rate_is_planned_with_the_surveys_rig(page: Page, scan: dict[str, Any]) -> None:
     page.goto(f"/surveys/{scan['survey_id']}/scans")
-    page.get_by_role("link", name="Plan the line rate").click()
+    page.locator("a.btn", has_text="Site planning").click()  # the rail has its name too
     expect(page.get_by_label("Camera’s line rate")).to_have_value(f"{scan['rig']['line_rate_hz']:g}")
     plan = page.get_by_test_id("line-plan")
     expect(plan).to_contain_text("2 / (n + 2)")
     page.get_by_label("Camera’s line rate").fill("")
     page.get_by_label("Camera’s line rate").blur()
-    page.get_by_label("Baseline").fill("1")
-    page.get_by_label("Baseline").blur()
+    page.get_by_label("Baseline", exact=True).fill("1")
+    page.get_by_label("Baseline", exact=True).blur()
     expect(plan).to_contain_text(re.compile(r"6[,\s]?667\sHz"))
     page.reload()
     expect(plan).to_contain_text(re.compile(r"6\s?600\sHz"))
@@ -181,7 +181,7 @@ def test_heights_of_a_line_scan_are_reviewed(page: Page, scan: dict[str, Any], s
     expect(row).to_contain_text(f"{len(of_one) - 1} height")
     strips.focus()
     page.keyboard.press("x")
-    turn.get_by_role("button", name="The target point is beside the feature.").click()
+    turn.get_by_role("button", name="The target point is off the feature.").click()
     page.screenshot(path=screenshots / "scan-height-reject.png")
     with page.expect_response(is_verdict) as rejected:
         turn.get_by_role("button", name="Reject", exact=True).click()
@@ -215,14 +215,14 @@ def test_a_rod_and_two_clicks_give_a_height(page: Page, scan: dict[str, Any], sc
 
     # the rod's marks clicked anew, from the foot up at both of its distances
     page.get_by_role("button", name="Calibrate height").click()
-    camera, store = page.get_by_test_id("rod-camera-height"), page.get_by_role("button", name="Store the")
+    camera, store = page.get_by_test_id("rod-camera-height"), page.get_by_role("button", name="Save the")
     expect(store).to_be_disabled()
     page.get_by_role("button", name="Remove all marks").click()
     expect(page.get_by_text("No marks yet")).to_be_visible()
     lines = [(rod.from_s + rod.to_s) / 2 * SITE.line_rate_hz for rod in RODS]
     for rod, line in zip(RODS, lines, strict=True):
-        page.get_by_label("Rod's distance").fill(str(rod.distance_m))
-        page.get_by_label("Rod's distance").press("Enter")
+        page.get_by_label("Rod distance").fill(str(rod.distance_m))
+        page.get_by_label("Rod distance").press("Enter")
         for height_m in rod.marks_m[:4]:
             expect(page.locator(".strips__asked")).to_contain_text(f"{height_m:.2f} m above")
             row = row_of(SITE, rod.distance_m, height_m)
@@ -243,7 +243,7 @@ def test_a_rod_and_two_clicks_give_a_height(page: Page, scan: dict[str, Any], sc
     page.keyboard.press("q")
     page.keyboard.press("1")
     asked = page.locator(".strips__asked")
-    expect(asked).to_contain_text("tyre stands")
+    expect(asked).to_contain_text("tyre contact point")
     line = shown[0] + 0.8 * (motion["rear_line_1"] - shown[0])
     page.mouse.click(*place_of(strips, line, 236.0, shown))
     expect(asked).to_contain_text("roof")
@@ -274,3 +274,71 @@ def test_a_rod_and_two_clicks_give_a_height(page: Page, scan: dict[str, Any], sc
     with page.expect_response(lambda answer: answer.url.endswith("/line-pose")) as back:
         undo.click()
     assert len(back.value.json()["marks"]) == 10
+
+
+def test_a_start_is_confirmed_and_vehicles_have_their_time(
+    page: Page, scan: dict[str, Any], screenshots: Path
+) -> None:
+    address = f"/api/scans/{scan['id']}"
+    usual = {"local": scan["started_local"], "time_zone": scan["time_zone"], "u_s": scan["u_start_s"]}
+    try:
+        _confirmed(page, scan, screenshots)
+    finally:  # other tests look at the same survey
+        body = {"version": page.request.get(address).json()["version"], "start": usual}
+        put = page.request.patch(address, data=body, headers={"X-Sightline": "1"})
+        assert put.ok, put.text()
+
+
+def _confirmed(page: Page, scan: dict[str, Any], screenshots: Path) -> None:
+    page.goto(f"/surveys/{scan['survey_id']}/scans")
+    start = page.get_by_test_id(f"scan-{scan['id']}").get_by_test_id("scan-start")
+    expect(start).to_contain_text("Filmed from 14 May 2025, 09:29:20 (Europe/Paris) (u = 0.001 s)")
+    start.get_by_role("button").click()
+    dialog = page.get_by_role("dialog")
+    dialog.get_by_role("button", name="Not known").click()
+    dialog.get_by_role("button", name="Save").click()
+    expect(start).to_contain_text("no vehicle has a time of day")
+    page.screenshot(path=screenshots / "scan-start-unknown.png")
+    start.get_by_role("button").click()
+    dialog.get_by_label("First line").fill("2025-10-26T02:30:00.250")
+    dialog.get_by_label("Standard uncertainty u").fill("")
+    dialog.get_by_role("button", name="Confirm").click()
+    expect(dialog.get_by_text("Enter the standard uncertainty of the start")).to_be_visible()
+    dialog.get_by_label("Standard uncertainty u").fill("0.01")
+    dialog.get_by_role("button", name="Confirm").click()
+    dialog.get_by_label("the second time (+01:00)").check()
+    page.screenshot(path=screenshots / "scan-start-dialog.png")
+    dialog.get_by_role("button", name="Confirm").click()
+    expect(dialog).not_to_be_visible()
+    expect(start).to_contain_text("Filmed from 26 Oct 2025, 02:30:00 (Europe/Paris) (u = 0.01 s)")
+
+    page.goto(f"/surveys/{scan['survey_id']}/scan?scan={scan['id']}")
+    second = vehicle_of(page, scan, 2)
+    assert second["filmed_at"].endswith("+01:00") and second["u_filmed_at_s"] >= 0.01
+    row = page.get_by_test_id("scan-vehicle-2")
+    expect(row).to_contain_text(second["filmed_at"][11:19])
+    row.get_by_role("button").click()
+    expect(page.get_by_test_id("scan-passed")).to_contain_text(f"26 Oct 2025, {second['filmed_at'][11:22]}")
+    page.screenshot(path=screenshots / "scan-start-bench.png")
+    page.set_viewport_size({"width": 1024, "height": 768})
+    page.screenshot(path=screenshots / "scan-start-bench-1024.png")
+
+
+def test_traffic_by_the_clock_stands_below_the_results(
+    page: Page, scan: dict[str, Any], screenshots: Path
+) -> None:
+    survey = scan["survey_id"]
+    told = page.request.get(f"/api/surveys/{survey}/scan-traffic?minutes=1").json()["scans"][0]["intervals"]
+    assert sum(one["vehicles"] for one in told) == scan["counts"]["vehicles"]
+    page.goto(f"/surveys/{survey}/scans/results")
+    traffic = page.get_by_test_id("scan-traffic")
+    traffic.get_by_label("1 min", exact=True).check()
+    table = page.get_by_test_id(f"traffic-{scan['id']}")
+    expect(table.locator("tbody tr")).to_have_count(len(told))
+    expect(table).to_contain_text(told[0]["begins_at"][11:19])
+    expect(table).to_contain_text("partial")
+    flow = page.get_by_test_id(f"figure-traffic-flow-{scan['id']}")
+    expect(flow.locator("svg")).to_be_visible()
+    traffic.screenshot(path=screenshots / "scan-traffic.png")
+    page.set_viewport_size({"width": 1024, "height": 768})
+    traffic.screenshot(path=screenshots / "scan-traffic-1024.png")

@@ -30,7 +30,7 @@ def test_a_study_from_its_name_to_its_figures(page: Page, screenshots: Path) -> 
     expect(dialog).not_to_be_visible()
 
     page.get_by_role("button", name="Compute").click()
-    expect(page.get_by_text("bus, which no survey saw")).to_be_visible(timeout=60_000)
+    expect(page.get_by_text("bus, which no survey contains")).to_be_visible(timeout=60_000)
     page.screenshot(path=screenshots / "study-failed.png")
     page.get_by_role("button", name="Edit", exact=True).click()
     fleet.fill("")

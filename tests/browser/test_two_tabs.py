@@ -96,7 +96,7 @@ def test_changes_to_different_fields_are_both_kept(page: Page, colleague: Page, 
 def test_two_tabs_of_one_person_see_each_other(context: BrowserContext, page: Page, one: OwnVehicle) -> None:
     opened(page, one)
     other = opened(context.new_page(), one)
-    expect(page.get_by_text("This vehicle is open in another tab too")).to_be_visible()
+    expect(page.get_by_text("Also open in another tab")).to_be_visible()
     click_roof(other, one)
     expect(other.get_by_test_id("measurement-row-roof")).to_have_attribute("data-state", "saved")
     row = page.get_by_test_id("measurement-row-roof")

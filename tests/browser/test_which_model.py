@@ -1,12 +1,13 @@
 """Which car is it: the models that fit what was measured, taken by key, and the word where one cannot fit."""
 
+import re
 from uuid import uuid4
 
 import pytest
 from playwright.sync_api import Page, expect
 
 from .server import Server
-from .vehicles import own_vehicle
+from .vehicles import TARGETS, click_at, own_vehicle, until
 
 
 @pytest.mark.parametrize("size", [(1440, 900), (1024, 768)])
@@ -17,7 +18,7 @@ def test_a_model_is_taken_by_key_and_one_that_cannot_fit_is_said(
     one = own_vehicle(page, demonstration)
     page.goto(one.address)
     panel = page.get_by_role("region", name="Models that fit")
-    expect(panel).to_contain_text("Nothing that the catalogue knows was measured")
+    expect(panel).to_contain_text("No size in the catalogue has been measured")
     made = page.request.post(
         f"/api/vehicles/{one.vehicle['id']}/measurements",
         headers={"X-Sightline": "1"},
@@ -38,10 +39,9 @@ def test_a_model_is_taken_by_key_and_one_that_cannot_fit_is_said(
     make = page.get_by_label("Make", exact=True)
     make.fill("haldmann t75")
     expect(page.get_by_role("listbox", name="Make").get_by_role("option")).to_have_count(1)
-    make.press("ArrowDown")
     make.press("Enter")
     said = page.get_by_test_id("cannot-fit")
-    expect(said).to_contain_text("Haldmann T75 cannot fit: roof −")
+    expect(said).to_contain_text("Haldmann T75 does not fit: roof −")
 
     page.keyboard.press("Shift+M")
     expect(page.get_by_role("listbox", name="Models that fit")).to_be_focused()
@@ -56,3 +56,60 @@ def test_a_model_is_taken_by_key_and_one_that_cannot_fit_is_said(
     page.keyboard.press("Enter")
     expect(said).to_be_empty()
     panel.scroll_into_view_if_needed()
+
+
+def test_the_models_taken_last_are_taken_by_a_digit(page: Page, demonstration: Server) -> None:
+    one, two = own_vehicle(page, demonstration), own_vehicle(page, demonstration)
+    page.goto(one.address)
+    make, model = page.get_by_label("Make", exact=True), page.get_by_label("Model", exact=True)
+    expect(page.get_by_test_id(f"pass-{one.vehicle['number']}")).to_have_attribute("aria-current", "true")
+    expect(make).to_be_visible()
+    # nothing was taken yet: the key goes to the field, letters and Enter at once take the best row
+    page.keyboard.press("Shift+C")
+    expect(make).to_be_focused()
+    page.keyboard.type("haldmann t75")
+    page.keyboard.press("Enter")
+    expect(model).to_have_value("T75")
+    expect(make).to_have_value("Haldmann")
+    assert page.evaluate("document.activeElement === document.body")
+
+    page.get_by_test_id(f"pass-{two.vehicle['number']}").click()
+    expect(make).to_have_value("")
+    expect(page.get_by_role("region", name="Recently used models")).to_contain_text("Haldmann T75")
+    page.keyboard.press("7")  # there is no second one
+    page.keyboard.press("6")
+    expect(model).to_have_value("T75")
+    expect(make).to_have_value("Haldmann")
+    page.keyboard.press("Control+z")
+    expect(model).to_have_value("")
+
+
+def test_a_model_that_is_the_last_thing_asked_for_brings_the_next_vehicle(
+    page: Page, demonstration: Server
+) -> None:
+    one = own_vehicle(page, demonstration)
+    page.goto(one.address)
+    row = page.get_by_test_id(f"pass-{one.vehicle['number']}")
+    make = page.get_by_label("Make", exact=True)
+    expect(make).to_be_visible()
+    page.keyboard.press("Shift+C")
+    page.keyboard.type("haldmann t75")
+    page.keyboard.press("Enter")
+    expect(make).to_have_value("Haldmann")
+    page.keyboard.press("Control+z")
+    expect(make).to_have_value("")
+    click_at(page, one.pixels["contact_rear"])
+    for target in TARGETS:
+        click_at(page, one.pixels[target])
+        until(page, one.vehicle["id"], lambda have, target=target: target in have)
+    expect(page.locator("#measure-hint")).to_contain_text("Done")
+    page.keyboard.press("6")
+    expect(row).not_to_have_attribute("aria-current", "true")
+    expect(page.locator(".toast").first).to_contain_text("Haldmann T75")
+    row.click()
+    expect(make).to_have_value("Haldmann")
+    page.wait_for_url(re.compile(rf"vehicle={one.vehicle['id']}\b"))
+    page.reload()
+    expect(make).to_have_value("Haldmann")
+    made = page.request.get(f"/api/vehicles/{one.vehicle['id']}").json()
+    assert (made["make"], made["model"]) == ("Haldmann", "T75")

@@ -10,13 +10,16 @@ from dataclasses import dataclass
 from typing import Any, Literal, get_args
 
 from playwright.sync_api import Page
+from sqlalchemy import update
 
 from sightline.enums import ProposedPoint
 from sightline.infra.services import open_services
 from sightline.recordings.store import get_recording
 from sightline.settings import load_settings
+from sightline.vehicles.proposing.plan_store import choose_free_plan, get_free_plan
 from sightline.vehicles.proposing.records import PointProposal
 from sightline.vehicles.proposing.store import replace_proposals
+from sightline.vehicles.proposing.tables import proposals
 
 from .conftest import wait_for_demonstration
 from .picture import on_screen
@@ -108,7 +111,20 @@ def put_proposals(
             recording_id = int(ones[0].vehicle["recording_id"])
             pose_id = get_recording(session, recording_id).pose_id
             assert pose_id is not None
+            plan = get_free_plan(session, ones[0].survey)
+            choose_free_plan(session, ones[0].survey, free_one_in=0, version=plan.version, actor=None)
             replace_proposals(session, recording_id, pose_id, made, actor=None)
+    finally:
+        services.close()
+
+
+def draw_free(server: Server, one: OwnVehicle) -> None:
+    """Has a vehicle with proposals measured free, as if the server had drawn it."""
+    services = open_services(load_settings(data_dir=server.data_dir))
+    try:
+        with services.writing() as session:
+            of = proposals.c.vehicle_id == one.vehicle["id"]
+            session.execute(update(proposals).where(of).values(withheld=True))
     finally:
         services.close()
 
@@ -125,7 +141,7 @@ def proposals_of(one: OwnVehicle, targets: Sequence[str]) -> list[PointProposal]
                 frame=one.frame,
                 point_px=at,
                 expected_px=None if at is None else 0.4,
-                reason="proposals-eye-by-hand" if at is None else None,
+                reason="proposals-eye-not-seen" if at is None else None,
             )
         )
     return made

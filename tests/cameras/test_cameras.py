@@ -127,7 +127,7 @@ def test_calibration_from_images(operator: Client, camera_id: int, work: Work) -
     known = [d for d in crossed["height_differences"] if d["difference_m"] is not None]
     assert known and all(d["expected_m"] > 0 for d in known)
     assert calibration["board_shape"]["solved"] is False and calibration["board_shape"]["bow_m"] < SQUARE_M
-    assert any("Pictures of several sizes" in warning for warning in calibration["warnings"])
+    assert any("Images of several sizes" in warning for warning in calibration["warnings"])
     assert document["name"] == "Left"
     assert document["fx_px"] == pytest.approx(FOCAL_PX, rel=0.01)
     assert document["rms_px"] < 0.15

@@ -102,7 +102,7 @@ def test_calibration_and_pose_from_a_clip(
     assert found["found"] and found["ids"] is None and len(found["corners_px"]) == COLUMNS * ROWS
     part = operator.made(f"/recordings/{clip_id}/board", {**BOARD, "frame": last})
     assert part["found"] and len(part["ids"]) == len(part["corners_px"]) < COLUMNS * ROWS
-    assert "a road pose needs them all" in part["order_note"]
+    assert "a camera pose needs all of them" in part["order_note"]
     assert part["outline_px"][0] == part["outline_px"][-1]
 
     camera = flat_camera(WIDTH, HEIGHT, FOCAL_PX)
@@ -122,7 +122,7 @@ def test_half_told_boards_are_refused_in_words(operator: Client, camera_id: int,
     blank = np.full((HEIGHT, WIDTH, 3), 128, np.uint8)
     for told, word in (
         ({"dictionary": "4X4_7"}, "4X4_7"),
-        ({"marker_m": 0.9}, "go with squares"),
+        ({"marker_m": 0.9}, "fit squares"),
         ({"dictionary": "APRILTAG_16H5"}, "35 markers"),
         ({"board_kind": "checkerboard"}, "no markers"),
     ):
@@ -132,5 +132,5 @@ def test_half_told_boards_are_refused_in_words(operator: Client, camera_id: int,
     half = operator.post(f"/cameras/{camera_id}/images/detect", body)
     assert half.status_code == 422 and "all three" in error_of(half)
     wish = operator.post(f"/cameras/{camera_id}/calibrations", {**BOARD, "marker_m": 2.0})
-    assert wish.status_code == 422 and "go with squares" in error_of(wish)
+    assert wish.status_code == 422 and "fit squares" in error_of(wish)
     assert operator.seen(f"/cameras/{camera_id}")["images"] == []

@@ -74,9 +74,19 @@ def test_a_line_rate_is_planned_in_both_forms(viewer: Client) -> None:
     assert coarse["one_line_mps"] == pytest.approx(120 / 3.6 / 60)
     assert coarse["u_lines_mps"] == pytest.approx(coarse["one_line_mps"] / 6**0.5)
     assert coarse["u_speed_mps"] ** 2 == pytest.approx(coarse["u_lines_mps"] ** 2 + (1.2 / 3.6) ** 2)
-    assert any("more than the 1 % wanted" in one for one in coarse["advice"])
-    assert any("baseline limits" in one for one in coarse["advice"])
+    assert any("more than the 1 % allowed" in one for one in coarse["advice"])
+    assert any("baseline is the limit" in one for one in coarse["advice"])
+    told = {one["quantity"]: one for one in coarse["values"]}
+    assert set(told) == {"speed", "length", "time_gap", "distance_gap"}
+    assert told["length"]["value"] == 4.5 and told["distance_gap"]["value"] == pytest.approx(50.0)
+    assert told["speed"]["U95"] == pytest.approx(coarse["U95_speed_mps"]) and coarse["exposure"] is None
+    pixels = "pixel_width_um=10&pixel_height_um=10&focal_mm=20&distance_m=3"
+    seen = viewer.seen(f"/line-rate-plan?{rig}&error=0.01&line_rate_hz=2000&{pixels}")["exposure"]
+    assert seen["exposure_us"] == pytest.approx(500) and seen["pixel_width_m"] == pytest.approx(0.0015)
     for query, word in (
+        (f"{rig}&error=0.01&length_m=0", "up to 100 m long"),
+        (f"{rig}&error=0.01&line_rate_hz=2000&{pixels}&exposure_us=501", "longer than one line"),
+        (f"{rig}&error=0.01&{pixels.replace('=20', '=nan')}", "focal_mm"),
         (f"{rig}&error=1.5", "share between 0 and 1"),
         (f"{rig}&error=0.01&line_rate_hz=0", "greater than 0"),
         (f"{rig}&error=0.01&u_baseline_m=2", "less than the baseline"),

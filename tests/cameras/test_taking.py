@@ -53,8 +53,8 @@ def test_what_cannot_be_taken_is_said(
         "id"
     ]
     for survey, camera, status, words in (
-        (other, bare, 422, "has no calibration yet"),
-        (survey_id, calibrated, 409, "this survey’s own"),
+        (other, bare, 422, "has no calibration to copy"),
+        (survey_id, calibrated, 409, "belongs to this survey already"),
         (other, 999, 404, "camera 999"),
         (999, calibrated, 404, "survey 999"),
     ):

@@ -64,7 +64,8 @@ def test_vehicles_agree_with_the_truth(
     text = out.read_text()
     assert text.splitlines()[0] == (
         "id,front_line_1,rear_line_1,front_line_2,rear_line_2,speed_mps,u_speed_mps,acceleration_mps2,"
-        "u_acceleration_mps2,length_m,u_length_m,fit_error_percent,time_gap_s,distance_gap_m,status,reason"
+        "u_acceleration_mps2,length_m,u_length_m,fit_error_percent,time_gap_s,distance_gap_m,status,reason,direction,axles,"
+        "lane"
     )
     rows = rows_of(text)
     assert [row["id"] for row in rows] == ["1", "2", "3"]
@@ -79,6 +80,40 @@ def test_vehicles_agree_with_the_truth(
         else:
             assert float(row["time_gap_s"]) == pytest.approx(true.time_gap_s, abs=0.002)
             assert float(row["distance_gap_m"]) == pytest.approx(true.distance_gap_m, rel=0.02)
+
+
+def test_a_calibrated_rig_with_lanes_measures_each_in_its_own(
+    road: Road, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """All drive in the near lane, at 5 m; the rig's baseline there is the site's."""
+    q, file = 0.004, tmp_path / "rig.json"
+    near = {"name": "near", "distance_m": 5.0, "u_distance_m": 0.1, "baseline_m": 1.0}
+    rows = {"tyres_from_px": 106, "tyres_to_px": 128}
+    rig = {"baseline_m": SITE.baseline_m - 5 * q, "u_baseline_m": 0.0004, "divergence_rad": q}
+    rig |= {"u_divergence_rad": 0.0001, "correlation": -0.9, "chi2": 3.1}
+    far = {"distance_m": 8.5, "tyres_from_px": 84, "tyres_to_px": 106, "shadow_share": 0.3}
+    file.write_text(json.dumps({**rig, "lanes": [{**near, **rows}, far]}))
+    given = (*road.files, "--rig", str(file), "--line-rate", str(SITE.line_rate_hz))
+    told = json.loads(said_by(capsys, *given, "--json"))
+    assert [one["name"] for one in told["lanes"]] == ["near", "2"] and told["divergence_rad"] == q
+    for one, true in zip(told["vehicles"], road.truth, strict=True):
+        assert one["lane"] == "near" and one["tyres_px"] == pytest.approx(118, abs=4)
+        assert one["speed_mps"] == pytest.approx(true.vehicle.speed_mps, rel=0.002)
+        share = next(each for each in one["budget"] if each["source"] == "baseline")
+        square = 0.0004**2 + (5 * 0.0001) ** 2 - 2 * 0.9 * 0.0004 * 5 * 0.0001 + (0.1 * q) ** 2
+        assert share["u_speed_mps"] / one["speed_mps"] == pytest.approx(square**0.5 / SITE.baseline_m)
+    both = said_by(capsys, *given, "--baseline", "0.6", status=2)
+    assert "either --baseline" in both
+    for wrong in (
+        [],
+        {"lanes": []},
+        {**rig, "lanes": [{"name": "a"}]},
+        {**rig, "lanes": [{**near, "direction": 1}]},
+    ):
+        file.write_text(json.dumps(wrong))
+        assert "is not a rig" in said_by(capsys, *given, status=2)
+    file.write_text(json.dumps({**rig, "lanes": [near, near]}))
+    assert "a name of its own" in said_by(capsys, *given, status=2)
 
 
 def test_every_file_that_holds_the_strips_gives_the_same_table(
@@ -107,7 +142,7 @@ def test_json_holds_the_table_and_the_budget(road: Road, capsys: pytest.CaptureF
 
 def test_swapped_strips_are_recognised(road: Road, capsys: pytest.CaptureFixture[str]) -> None:
     said = json.loads(said_by(capsys, *reversed(road.files), *RIG, "--json"))
-    assert all(one["status"] == "not_measurable" for one in said["vehicles"])
+    assert {(one["direction"], one["status"]) for one in said["vehicles"]} == {("camera_2_first", "ok")}
     assert any("swapped" in note for note in said["notes"])
 
 

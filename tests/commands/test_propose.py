@@ -32,10 +32,10 @@ def test_points_and_reasons_are_told(survey: tuple[Path, Path], capsys: pytest.C
     points = {point["point"]: point for point in one["points"]}
     assert {"x_px", "y_px", "expected_px"} < set(points["contact_rear"])
     assert {"x_px", "y_px", "expected_px", "expected_m"} < set(points["roof"])
-    assert "click it yourself" in points["driver_eye"]["reason"]
+    assert "click it yourself" in points["headlight"]["reason"]
     assert main(["propose", video, "--pose", pose]) == 0
     said = capsys.readouterr().out
-    assert "contact rear at (" in said and "driver eye: none" in said and " mm" in said
+    assert "contact rear at (" in said and "headlight: none" in said and " mm" in said
 
 
 def test_a_pose_for_another_size_is_bad_input(

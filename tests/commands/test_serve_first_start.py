@@ -67,7 +67,7 @@ def test_a_first_start_a_second_and_what_is_left_behind(tmp_path: Path, started:
     assert taken.returncode == 2 and f"Port {first.port}" in taken.stderr and not taken.stdout
     assert taken.stderr.count("\n") == 1
     second_here = sightline("serve", "--data-dir", str(tmp_path / "data"), "--port", "0")
-    assert second_here.returncode == 2 and "Another server works with the folder" in second_here.stderr
+    assert second_here.returncode == 2 and "Another server is using the folder" in second_here.stderr
 
     family = children(first.process.pid)
     assert family, "the server has a worker beside it"

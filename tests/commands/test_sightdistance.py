@@ -53,6 +53,10 @@ def test_without_a_distance_there_is_no_k(capsys: pytest.CaptureFixture[str]) ->
     assert round(found["constant"]) == 864
 
 
+def test_the_fastest_design_speed_is_one(capsys: pytest.CaptureFixture[str]) -> None:
+    assert asked(capsys, "--eye", "1.08", "--object", "0.60", "--speed", "300")["distance_m"] > 1000
+
+
 def test_in_words(capsys: pytest.CaptureFixture[str]) -> None:
     arguments = [
         "--eye",

@@ -8,6 +8,7 @@ import signal
 import subprocess
 import sys
 import threading
+import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -19,6 +20,7 @@ import tifffile
 
 from sightline.cli import main
 from sightline.media.strips.sheet import Pixels
+from sightline.media.strips.spool import SpooledLines
 from sightline.simulation.scan_strips import strips
 from sightline.simulation.scan_traffic import ScanSite, traffic
 
@@ -70,7 +72,14 @@ def said_by(
         assert main([*STREAM, *more]) == status
     printed = capsys.readouterr()
     assert "Traceback" not in printed.err
-    return [json.loads(line) for line in printed.out.splitlines()], printed.err
+    return [measured_of(line) for line in printed.out.splitlines()], printed.err
+
+
+def measured_of(line: str | bytes) -> dict[str, object]:
+    """What a batch says of a vehicle too; a stream adds where its lines are, and the time of day."""
+    said: dict[str, object] = json.loads(line)
+    assert said.pop("segment") and said.pop("front_at")
+    return said
 
 
 def test_vehicles_are_those_of_the_files_and_the_lines_are_kept(
@@ -88,9 +97,10 @@ def test_vehicles_are_those_of_the_files_and_the_lines_are_kept(
 
     live, said = said_by(monkeypatch, capsys, mixed(pixels), "--spool", str(tmp_path / "spool"))
     assert live == batch
-    kept = sorted((tmp_path / "spool").iterdir())
-    assert [path.name for path in kept] == ["0001-camera-1.tif", "0001-camera-2.tif"]
-    assert f"{len(pixels[0])} lines are kept in {kept[0]}." in said
+    kept = sorted((tmp_path / "spool").glob("0*"))
+    assert [path.name for path in kept] == ["0001-camera-1.tif", "0001-camera-2.tif", "0001.jsonl"]
+    assert f"{len(pixels[0])} lines are stored in {kept[0]}." in said
+    kept = kept[:2]
     for path, strip in zip(kept, pixels, strict=True):
         assert np.array_equal(tifffile.imread(path), strip)
     assert main(["linescan", *map(str, kept), *RIG, "--time-axis", "height", "--json"]) == 0
@@ -101,7 +111,7 @@ def test_vehicles_are_those_of_the_files_and_the_lines_are_kept(
     half = mixed(pixels)[: len(mixed(pixels)) // 2]
     live, said = said_by(monkeypatch, capsys, half + b"odd", "--spool", str(tmp_path / "spool"))
     assert "its last 3 bytes are left out" in said or "bytes are left out" in said
-    assert len(list((tmp_path / "spool").iterdir())) == 4
+    assert len(list((tmp_path / "spool").glob("*.tif"))) == 4
     assert [one["speed_mps"] for one in live if one["status"] == "ok"] == [
         one["speed_mps"] for one in batch[: sum(one["status"] == "ok" for one in live)]
     ]
@@ -122,7 +132,7 @@ def test_each_vehicle_is_told_while_the_stream_goes_on(pixels: tuple[Pixels, Pix
         said = live.stderr.read().decode()
     assert live.returncode == 0, said
     assert [one["id"] for one in rest] == [2, 3]
-    assert "lines are kept in" in said
+    assert "lines are stored in" in said
 
 
 @pytest.mark.parametrize(
@@ -152,4 +162,114 @@ def test_a_full_disk_ends_the_keeping_only(
     monkeypatch.setattr("sightline.media.strips.spool.Spool.write", full)
     live, said = said_by(monkeypatch, capsys, mixed(pixels), "--spool", str(tmp_path / "spool"))
     assert [one["status"] for one in live] == ["ok"] * 3
-    assert "could not be kept (No space left on device)" in said
+    assert "could not be stored (No space left on device)" in said
+
+
+def test_a_growing_file_is_followed_until_it_rests(
+    pixels: tuple[Pixels, Pixels],
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    whole = mixed(pixels)
+    batch, _ = said_by(monkeypatch, capsys, whole)
+    path = tmp_path / "lines.raw"
+    path.write_bytes(b"")
+
+    def grow() -> None:
+        with path.open("ab", buffering=0) as file:
+            for start in range(0, len(whole), 700_001):
+                file.write(whole[start : start + 700_001])
+
+    writer = threading.Thread(target=grow)
+    writer.start()
+    assert main([*STREAM, "--follow", str(path), "--until-idle", "1"]) == 0
+    writer.join()
+    assert [measured_of(line) for line in capsys.readouterr().out.splitlines()] == batch
+
+    assert main([*STREAM, "--follow", str(tmp_path / "none")]) == 2
+    assert "give the file that the cameras' program is writing" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("follow", [True, False])
+def test_a_killed_stream_is_taken_up_and_says_what_is_missing(
+    follow: bool,
+    pixels: tuple[Pixels, Pixels],
+    tmp_path: Path,
+    capsys: pytest.CaptureFixture[str],
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    whole = mixed(pixels)
+    batch, _ = said_by(monkeypatch, capsys, whole)
+    # killed while the second vehicle is in view, after the first was told
+    in_view = int(batch[1]["front_line_2"]) + 50  # type: ignore[call-overload]
+    part = whole[: in_view * 2 * SITE.rows]
+    path, spool = tmp_path / "lines.raw", tmp_path / "spool"
+    path.write_bytes(part)
+    command = [sys.executable, "-m", "sightline.cli", *STREAM, "--spool", str(spool)]
+    command += ["--follow", str(path)] if follow else []
+    with subprocess.Popen(
+        command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE
+    ) as live:
+        assert live.stdin is not None and live.stdout is not None
+        if not follow:
+            live.stdin.write(part)
+            live.stdin.flush()
+        first = measured_of(live.stdout.readline())
+        until_kept(spool, in_view)
+        until_journalled(spool)
+        live.kill()
+    assert first == batch[0]
+
+    if follow:
+        path.write_bytes(whole)
+        assert main([*STREAM, "--spool", str(spool), "--follow", str(path), "--until-idle", "0.5"]) == 0
+        printed = capsys.readouterr()
+        rest, said = [measured_of(line) for line in printed.out.splitlines()], printed.err
+        assert "and nothing is missing" in said
+        assert [one["id"] for one in rest] == [2, 3]
+        shared = ("speed_mps", "length_m", "time_gap_s")
+        for one, same in zip(rest, batch[1:], strict=True):
+            for name in shared:
+                assert one[name] == pytest.approx(same[name], rel=1e-3), name
+    else:
+        rest, said = said_by(monkeypatch, capsys, whole[in_view * 2 * SITE.rows :], "--spool", str(spool))
+        assert "and the vehicle that was in view" in said and "lines) since then" in said
+        assert rest[0]["id"] == 2 and rest[0]["status"] == "not_measurable"
+        assert "cut off" in str(rest[0]["reason"])
+        assert rest[-1]["speed_mps"] == pytest.approx(batch[2]["speed_mps"], rel=1e-3)
+    # answered for: the next run takes up nothing
+    _, said = said_by(monkeypatch, capsys, whole, "--spool", str(spool))
+    assert "previous run was stopped" not in said
+
+
+def test_another_rig_does_not_take_up_what_was_killed(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    command = [sys.executable, "-m", "sightline.cli", *STREAM, "--spool", str(tmp_path)]
+    with subprocess.Popen(command, stdin=subprocess.PIPE) as live:
+        assert live.stdin is not None
+        live.stdin.write(bytes(2 * SITE.rows * 100))
+        live.stdin.flush()
+        until_kept(tmp_path, 100)
+        live.kill()
+    _, said = said_by(monkeypatch, capsys, b"", "--spool", str(tmp_path), "--baseline", "0.7", status=2)
+    assert "start it with the same options to resume it" in said
+
+
+def until_journalled(spool: Path) -> None:
+    """A vehicle that was told and not yet journalled would be told again rather than not at all."""
+    until = time.monotonic() + 30
+    while '"rear_line"' not in (spool / "0001.jsonl").read_text():
+        assert time.monotonic() < until
+        time.sleep(0.02)
+
+
+def until_kept(spool: Path, lines: int) -> None:
+    until = time.monotonic() + 30
+    while time.monotonic() < until:
+        paths = sorted(spool.glob("*.tif"))
+        if len(paths) == 2 and all(SpooledLines(path).lines >= lines for path in paths):
+            return
+        time.sleep(0.02)
+    raise AssertionError("the lines were not kept in time")

@@ -1,8 +1,10 @@
 """The demonstration survey, cut to two vehicles: whole or not there, made once, and true to its scene."""
 
+import io
 import json
 import math
 import threading
+import zipfile
 from collections.abc import Callable
 from typing import Any
 
@@ -12,11 +14,14 @@ import pytest
 from sightline.demo import build, parts
 from sightline.demo.request import ensure_requested
 from sightline.errors import SightlineError
+from sightline.geometry.board import Board
+from sightline.geometry.corners import detect
 from sightline.infra.audit.verification import verify_records
 from sightline.infra.jobs.records import Job
 from sightline.infra.jobs.registry import Cancelled
 from sightline.infra.services import Services
 from sightline.media.cancelling import IngestCancelled
+from sightline.media.images import read_image
 from sightline.simulation.scan_art import EYE_M
 from sightline.simulation.scan_traffic import demo_traffic
 from sightline.simulation.truth import spots_of
@@ -58,6 +63,7 @@ def test_it_is_made_once_and_its_heights_are_the_truth(
     # nothing of the try that broke off is left, so the next one starts clean
     assert admin.seen("/surveys") == [] and admin.seen("/catalogue?q=cor") == []
     assert admin.seen("/session")["demo_survey_id"] is None
+    assert admin.seen("/samples")["clip"] is None
 
     second = request(services)
     assert second is not None and second.id != first.id
@@ -69,6 +75,7 @@ def test_it_is_made_once_and_its_heights_are_the_truth(
     check_truth(services, admin, survey_id)
     check_scan(admin, survey_id)
     check_people(nobody, admin)
+    check_samples(admin, survey_id)
     with services.reading() as session:
         assert demo_survey_id(session) == survey_id
         assert verify_records(session).ok
@@ -102,6 +109,22 @@ def check_truth(services: Services, admin: Client, survey_id: int) -> None:
     assert admin.http.get(recording["thumbs"][0]["url"]).status_code == 200
     still = admin.get(f"/recordings/{recording['id']}/frames/{vehicles[0]['best_frame']}.jpg")
     assert still.status_code == 200
+
+
+def check_samples(admin: Client, survey_id: int) -> None:
+    """What a newcomer drops calibrates a camera, is read as a recording, and fills the catalogue."""
+    found = admin.seen("/samples")
+    board = Board(found["pictures"]["columns"], found["pictures"]["rows"], found["pictures"]["square_m"])
+    with zipfile.ZipFile(io.BytesIO(admin.get("/samples/pictures.zip").content)) as archive:
+        names = archive.namelist()
+        assert len(names) == found["pictures"]["count"] >= 10
+        assert detect(read_image(archive.read(names[0]), names[0]), board) is not None
+    assert found["clip"] == admin.seen(f"/surveys/{survey_id}/recordings")[0]["id"]
+    assert admin.get(f"/recordings/{found['clip']}/video").content[4:8] == b"ftyp"
+    models = admin.get("/samples/catalogue.csv").content
+    plan = admin.post("/catalogue/import/preview", files={"file": ("cars.csv", models, "text/csv")}).json()
+    # the models are those that the demonstration put into the catalogue
+    assert plan["problem"] is None and plan["counts"]["refused"] == 0 and plan["counts"]["same"] > 5
 
 
 def check_scan(admin: Client, survey_id: int) -> None:

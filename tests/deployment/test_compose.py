@@ -1,5 +1,6 @@
 """docker-compose.yml against the Compose specification, and against the settings the code really reads."""
 
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -51,3 +52,13 @@ def test_the_image_is_built_from_files_that_exist() -> None:
         if line.startswith("COPY") and "--from" not in line:
             for source in line.split()[1:-1]:
                 assert (ROOT / source).exists(), source
+
+
+def test_every_image_that_is_not_built_here_is_pinned_by_digest(compose: dict[str, Any]) -> None:
+    from_others = [one["image"] for one in compose["services"].values() if "build" not in one]
+    built_on = [
+        line.split()[1] for line in (ROOT / "Dockerfile").read_text().splitlines() if line.startswith("FROM ")
+    ]
+    assert len(from_others) == 3 and len(built_on) == 2
+    for image in (*from_others, *built_on):
+        assert re.fullmatch(r"[\w./-]+:[\w.-]+@sha256:[0-9a-f]{64}", image), image

@@ -37,7 +37,7 @@ def test_room_is_looked_at_before_an_export(
 ) -> None:
     monkeypatch.setattr("sightline.media.store.local.shutil.disk_usage", lambda _: SimpleNamespace(free=10))
     (tmp_path / "out").mkdir()
-    with pytest.raises(NoRoom, match="no room for this export"):
+    with pytest.raises(NoRoom, match="not enough space for this export"):
         written(services, survey_id, tmp_path / "out" / "package")
     assert list((tmp_path / "out").iterdir()) == []
 
@@ -186,7 +186,7 @@ def test_what_does_not_count_is_listed_with_its_reason(package: Path) -> None:
     assert sorted(found.values()) == sorted(
         [
             ("rejected", "Kerb."),
-            ("withdrawn", "The measurement was taken back."),
+            ("withdrawn", "The measurement was withdrawn."),
             ("not_measurable", next(row["reason"] for row in by_id.values() if row["status"] != "ok")),
         ]
     )

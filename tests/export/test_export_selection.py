@@ -1,6 +1,7 @@
 """A package of some vehicles: statistics and report of them alone, said on its first page, verified."""
 
 import io
+import json
 import re
 import zipfile
 from collections.abc import Callable
@@ -9,12 +10,13 @@ from pathlib import Path
 import pytest
 
 from sightline.cli import main
+from sightline.export import page
 from sightline.export.verify.package import verify_package
 from sightline.infra.csv_package.files import FolderFiles
 from sightline.infra.jobs.records import Job
 from sightline.infra.services import Services
 from tests.export.report.pdf_text import words
-from tests.support.app import Client
+from tests.support.app import Client, error_of
 from tests.support.ground import Ground, add_vehicle, lay_ground, measure
 from tests.support.packages import edit, reseal, rows
 
@@ -57,6 +59,15 @@ def built(
     nothing = {"lighting": None, "class_sets": [], "categories": [], "filmed_from": None, "filmed_to": None}
     assert made["selection"] == {**nothing, **chosen}
     return place
+
+
+def limits_on_the_page(place: Path) -> object:
+    """What index.html says at its top that the package is limited to."""
+    if page.template() is None:
+        pytest.skip("the front end is not built")
+    found = re.search(r'id="about">(.*?)</script>', (place / "index.html").read_text())
+    assert found
+    return json.loads(found[1])["only"]
 
 
 def counted(place: Path) -> set[str]:
@@ -105,8 +116,9 @@ def test_a_package_is_of_the_vehicles_chosen(
     found = verify_package(FolderFiles(place))
     assert found.ok, found.problem
     query = re.sub(r"'|\[|\]", "", "&".join(_query(chosen)))
-    page = viewer.seen(f"/statistics?survey={fleet.survey_id}&{query}")
-    assert page["counted"]["measurements"] == len(kept)
+    shown = viewer.seen(f"/statistics?survey={fleet.survey_id}&{query}")
+    assert shown["counted"]["measurements"] == len(kept)
+    assert limits_on_the_page(place) == said
 
 
 def _query(chosen: dict[str, object]) -> list[str]:
@@ -124,6 +136,7 @@ def test_a_whole_package_says_nothing_of_a_selection(
     place = built(viewer, fleet, work, tmp_path / "export", {})
     assert rows(place, "selection.csv") == [] and rows(place, "exclusions.csv") == []
     assert "Only:" not in words((place / "report.pdf").read_bytes())
+    assert limits_on_the_page(place) is None
 
 
 def test_a_set_or_a_selection_that_was_changed_is_found(
@@ -158,6 +171,8 @@ def test_words_that_are_no_class_are_refused(viewer: Client, fleet: Ground) -> N
     for wrong in ({"lighting": "dusk"}, {"class_sets": ["taxis"]}, {"categories": ["tank"]}):
         assert viewer.post(path, wrong).status_code == 422
     assert viewer.get(f"/statistics?survey={fleet.survey_id}&class_set=taxis").status_code == 422
+    backwards = {"filmed_from": "2026-01-02", "filmed_to": "2025-01-01"}
+    assert "last day is before the first" in error_of(viewer.post(path, backwards))
 
 
 def test_the_command_takes_several_sets_and_classes(
@@ -167,6 +182,9 @@ def test_the_command_takes_several_sets_and_classes(
     monkeypatch.setenv("SIGHTLINE_DATA_DIR", str(tmp_path))
     asked = ["--set", "heavy", "--category", "saloon", "--category", "van", "--no-crops"]
     place = tmp_path / "package"
+    backwards = ["--filmed-from", "2026-01-02", "--filmed-to", "2025-01-01"]
+    assert main(["export", "--survey", str(fleet.survey_id), "-o", str(place), *backwards]) == 2
+    assert not place.exists()
     assert main(["export", "--survey", str(fleet.survey_id), "-o", str(place), *asked]) == 0
     assert [(row["by"], row["word"]) for row in rows(place, "selection.csv")] == [
         ("class_set", "heavy"),

@@ -254,6 +254,8 @@ SIXTY: dict[str, Forgery] = {
     ),
     "the recording's rate": cell("recordings.csv", "variable_rate", "true"),
     "the class of the road": cell("survey.csv", "road_class", "motorway"),
+    "the lane": cell("survey.csv", "lane", "lane 2"),
+    "where traffic goes": cell("survey.csv", "travel_direction", "towards the north"),
     "the coordinates": both(
         cell("survey.csv", "latitude_deg", "49.5"), cell("survey.csv", "longitude_deg", "1.5")
     ),
@@ -377,7 +379,7 @@ def test_who_forges_nothing_but_signs_anew_is_told_by_the_key_alone(package: Pat
     _listed(files)
     found = checked(files)
     assert found.ok, found.problem
-    assert "not with the key that was given" in str(checked(files, key).problem)
+    assert "not with the given key" in str(checked(files, key).problem)
 
 
 @pytest.mark.once

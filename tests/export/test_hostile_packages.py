@@ -32,15 +32,15 @@ def _entry(name: str, mode: int = 0) -> zipfile.ZipInfo:
 
 ZIPS: dict[str, tuple[Callable[[Path], Path], str]] = {
     "a bomb": (lambda at: _zip(at, (_entry("audit.csv"), bytes(40_000_000))), "would unpack to far more"),
-    "a way out": (lambda at: _zip(at, (_entry("../../etc/passwd"), b"x")), "no plain file"),
-    "from the root": (lambda at: _zip(at, (_entry("/etc/passwd"), b"x")), "no plain file"),
-    "a name of two lines": (lambda at: _zip(at, (_entry("../a\nb"), b"x")), "no plain file"),
-    "a drive": (lambda at: _zip(at, (_entry("C:/audit.csv"), b"x")), "no plain file"),
+    "a way out": (lambda at: _zip(at, (_entry("../../etc/passwd"), b"x")), "not a plain file"),
+    "from the root": (lambda at: _zip(at, (_entry("/etc/passwd"), b"x")), "not a plain file"),
+    "a name of two lines": (lambda at: _zip(at, (_entry("../a\nb"), b"x")), "not a plain file"),
+    "a drive": (lambda at: _zip(at, (_entry("C:/audit.csv"), b"x")), "not a plain file"),
     "a link": (
         lambda at: _zip(at, (_entry("audit.csv", stat.S_IFLNK | 0o777), b"/etc/passwd")),
-        "no plain file",
+        "not a plain file",
     ),
-    "a device": (lambda at: _zip(at, (_entry("audit.csv", stat.S_IFCHR | 0o666), b"")), "no plain file"),
+    "a device": (lambda at: _zip(at, (_entry("audit.csv", stat.S_IFCHR | 0o666), b"")), "not a plain file"),
     "a file twice": (
         lambda at: _zip(at, (_entry("audit.csv"), b"1"), (_entry("audit.csv"), b"2")),
         "twice",

@@ -111,7 +111,7 @@ def test_good_set_is_trusted_and_poor_ones_say_why() -> None:
     few = calibrate(views(Lens(), 4, 7), BOARD)
     assert not few.trusted and any("Only 4 views" in w for w in few.warnings)
     parallel = calibrate(views(Lens(), 12, 8, tilt=3.0), BOARD)
-    assert not parallel.trusted and any("same way" in w for w in parallel.warnings)
+    assert not parallel.trusted and any("same orientation" in w for w in parallel.warnings)
 
 
 def test_wrong_lens_model_is_named() -> None:

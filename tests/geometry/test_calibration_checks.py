@@ -143,7 +143,7 @@ def test_a_turned_board_asks_for_the_other_edges() -> None:
 def test_warnings_for_sizes_missed_boards_repeats_and_small_squares() -> None:
     given = views(Lens(), 10, 4)
     odd = [("wide.png", given[0][1], (641, 481))]
-    assert any("Pictures of several sizes: 1" in w for w in calibrate(given + odd, BOARD).warnings)
+    assert any("Images of several sizes: 1" in w for w in calibrate(given + odd, BOARD).warnings)
     none = [(f"none{i}.png", replace(given[0][1], found=False), SIZE) for i in range(12)]
     assert any("in only 10 of 22" in w for w in calibrate(given + none, BOARD).warnings)
     rng = np.random.default_rng(3)

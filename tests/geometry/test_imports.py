@@ -103,7 +103,7 @@ def test_several_cameras() -> None:
 
 def test_size_can_be_given() -> None:
     text = OPENCV_JSON.replace('"image_size": [640, 480], ', "")
-    with pytest.raises(BadInput, match="how large"):
+    with pytest.raises(BadInput, match="picture size"):
         read_camera(text, "a.json")
     assert read_camera(text, "a.json", size=(640, 480)).camera.height_px == 480
 

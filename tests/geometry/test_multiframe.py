@@ -127,7 +127,7 @@ def test_reasons(change, words) -> None:
 def test_clicks_that_do_not_belong_together_are_flagged() -> None:
     contacts, targets = clicks(SQUARE_ON, (0.0, 2.0))
     found = measure_frames(pose_of(SQUARE_ON), contacts, targets + np.array([[0, 0], [0, 25.0]]))
-    assert found.height.status == "not_measurable" or any("disagree" in f for f in found.height.flags)
+    assert found.height.status == "not_measurable" or any("do not fit" in f for f in found.height.flags)
 
 
 @pytest.mark.parametrize("lens_known", [True, False])
@@ -140,7 +140,7 @@ def test_what_the_pose_does_not_say_is_told_as_for_one_frame(lens_known) -> None
     full = dataclasses.replace(bare, camera=camera, covariance=np.eye(15) * 1e-9, board=board)
     for pose, lacking in ((bare, 2), (full, 0 if lens_known else 1)):
         told = [
-            {f for f in found.flags if "left out" in f or "of the lens is unknown" in f}
+            {f for f in found.flags if "not included" in f or "of the lens is unknown" in f}
             for found in (
                 measure_frames(pose, contacts, targets).height,
                 measure_height(pose, contacts[0], targets[0]),
@@ -154,7 +154,7 @@ def test_clicks_that_do_not_settle_have_a_reason_instead_of_a_height() -> None:
     contacts, targets = [[127.0, 425.0], [335.0, 300.0]], [[97.0, 174.0], [320.0, 354.0]]
     found = measure_frames(pose_of(SQUARE_ON), contacts, targets)
     assert (found.height.status, found.height.height_m) == ("not_measurable", None)
-    assert "do not settle" in str(found.height.reason)
+    assert "do not fit one moving vehicle" in str(found.height.reason)
 
 
 @pytest.mark.parametrize("sigma_px", [1.0, 0.0])
@@ -164,4 +164,4 @@ def test_rounds_that_run_out_give_no_height(monkeypatch: pytest.MonkeyPatch, sig
     assert measure_frames(pose_of(SQUARE_ON), contacts, targets, sigma_px).height.status == "ok"
     monkeypatch.setattr(multiframe, "_ROUNDS", 1)
     found = measure_frames(pose_of(SQUARE_ON), contacts, targets, sigma_px)
-    assert "do not settle" in str(found.height.reason) and found.solved_inset_m is None
+    assert "do not fit one moving vehicle" in str(found.height.reason) and found.solved_inset_m is None

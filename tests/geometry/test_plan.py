@@ -187,7 +187,7 @@ def test_a_board_out_of_the_picture_gives_a_reason_and_no_number() -> None:
 def test_travel_beyond_the_picture_gives_a_reason() -> None:
     eye = of(planned(dataclasses.replace(SITE, travel_m=9.0)), "driver_eye")
     assert eye.result.status == "ok" and eye.two_frames.u_height_m is None
-    assert "4.7 m of the wheel track" in eye.two_frames.reason
+    assert "4.7 m of the wheel path" in eye.two_frames.reason
 
 
 def test_a_plain_camera_sees_its_field_of_view() -> None:
@@ -202,7 +202,7 @@ def test_a_plain_camera_sees_its_field_of_view() -> None:
     ("site", "word"),
     [
         (Site(-1.0, 3.0), "camera height"),
-        (Site(1.5, float("nan")), "wheel track"),
+        (Site(1.5, float("nan")), "wheel path"),
         (Site(1.5, 3.0, 0.0), "board"),
         (Site(1.5, 3.0, sigma_px=0.0), "click sigma"),
         (Site(1.5, 3.0, direction_rad=1.3), "direction"),
@@ -216,5 +216,25 @@ def test_numbers_that_no_site_has_are_refused_in_words(site: Site, word: str) ->
 
 @pytest.mark.parametrize(("size", "degrees"), [((0, 480), 67.0), ((640, 480), 179.0), ((640, 480), np.nan)])
 def test_cameras_that_cannot_be_are_refused(size: tuple[int, int], degrees: float) -> None:
-    with pytest.raises(BadInput, match="cannot be planned with"):
+    with pytest.raises(BadInput, match="is out of range"):
         plain_camera(*size, np.deg2rad(degrees))
+
+
+@pytest.mark.parametrize("site", PLACES)
+def test_blur_and_frames_are_those_of_a_vehicle_that_drives_by(site) -> None:
+    """Against the simulation's own camera: a point at eye height, a millisecond on."""
+    plan = planned(site)
+    scene = scene_of(site, plan.tilt_rad)
+    across = site.distance_m - site.board_m
+    middle = scene.eye[0] + site.distance_m * np.tan(site.direction_rad)
+    eye = of(plan, "driver_eye").height_m
+    for one in plan.passing:
+        step = one.speed_mps * 0.5e-3
+        there = looked_at(scene, [[middle - step, across, eye], [middle + step, across, eye]])
+        assert one.blur_px == pytest.approx(np.hypot(*(there[1] - there[0])), rel=2e-3)
+        assert one.longest_exposure_s == pytest.approx(2e-3 / one.blur_px)
+        assert 0.0 <= one.shutter * one.longest_exposure_s - 1.0 < 0.1
+        assert one.frames == tuple(int(plan.track_shown_m / one.speed_mps * rate) for rate in (30.0, 60.0))
+    assert [one.frames[0] for one in plan.passing] == sorted(
+        (o.frames[0] for o in plan.passing), reverse=True
+    )

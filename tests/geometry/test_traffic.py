@@ -149,7 +149,7 @@ def test_inset_from_roofs_of_known_height() -> None:
     few = inset_from_known_heights(unshared(1.2, [3.0], [1.5], 0.01), [1.6], 0.01)
     assert isinstance(few, str)
     level = inset_from_known_heights(unshared(1.2, [3.0] * 5, [1.2] * 5, 0.01), [1.2] * 5, 0.01)
-    assert isinstance(level, str) and "as high as the camera" in level
+    assert isinstance(level, str) and "at about camera height" in level
     # known heights to +-3 cm, as in the paper's validation: no bias, and 95 % intervals that cover
     inside, found_m = [], []
     for _ in range(200):
@@ -230,7 +230,7 @@ def test_trend_says_when_it_says_nothing() -> None:
     few = inset_from_trend(eyes(rng, 30))
     assert isinstance(few, str) or (few.caution is not None and "few hundred" in few.caution)
     level = inset_from_trend(eyes(rng, 200, camera=1.2))
-    assert isinstance(level, str) or (level.caution is not None and "as high as the camera" in level.caution)
+    assert isinstance(level, str) or (level.caution is not None and "at about camera height" in level.caution)
     rows = eyes(rng, 200)
     alike = dataclasses.replace(rows, distance_m=np.full(200, 3.0) + rng.uniform(-0.1, 0.1, 200))
     same = inset_from_trend(alike)

@@ -185,7 +185,7 @@ def test_a_stopped_backup_goes_on_and_leaves_the_one_before_whole(
     with monkeypatch.context() as patch, pytest.raises(KeyboardInterrupt):
         patch.setattr(make, "_copy_database", stopped)
         backed_up(filled, folder)
-    with pytest.raises(BadInput, match="no whole backup"):
+    with pytest.raises(BadInput, match="no complete backup"):
         restore_backup(folder, new_place("too soon"), silent)
     with (folder / JOURNAL).open("a") as journal:
         journal.write('["torn')
@@ -237,7 +237,7 @@ def test_a_killed_backup_goes_on(filled: Services, tmp_path: Path, new_place: Ne
             running.kill()
         copied = _lines(folder / JOURNAL)
         assert not (folder / MANIFEST).exists()
-        with pytest.raises(BadInput, match="no whole backup"):
+        with pytest.raises(BadInput, match="no complete backup"):
             check_backup(folder, silent)
     made = backed_up(filled, folder)
     assert (made.fresh + copied, len(made.manifest.media)) == (122, 122)
@@ -352,7 +352,11 @@ def test_a_damaged_backup_is_refused_by_name(
     made = backed_up(filled, tmp_path / "backup").manifest
     path = {
         "media": media_file(tmp_path / "backup", next(iter(made.media.values())).sha256),
-        "database": tmp_path / "backup" / STATES / made.state / next(iter(made.files)),
+        "database": tmp_path
+        / "backup"
+        / STATES
+        / made.state
+        / max(made.files, key=lambda name: made.files[name].size),
         "manifest": tmp_path / "backup" / MANIFEST,
     }[of]
     content = path.read_bytes()
@@ -413,11 +417,11 @@ def test_another_kind_of_database_is_refused(filled: Services, tmp_path: Path) -
 def test_folders_that_hold_other_things_are_left_alone(filled: Services, tmp_path: Path) -> None:
     (tmp_path / "mine").mkdir()
     (tmp_path / "mine" / "letter.txt").write_text("dear")
-    with pytest.raises(BadInput, match="other things"):
+    with pytest.raises(BadInput, match="not a backup"):
         backed_up(filled, tmp_path / "mine")
-    with pytest.raises(BadInput, match="hold each other"):
+    with pytest.raises(BadInput, match="lies within the other"):
         backed_up(filled, filled.settings.data_dir / "backup")
-    with pytest.raises(BadInput, match="hold each other"):
+    with pytest.raises(BadInput, match="lies within the other"):
         backed_up(filled, tmp_path)
 
 

@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+import rfc8785
 from hypothesis import given
 from hypothesis import strategies as st
 from sqlalchemy import Dialect
@@ -39,6 +40,34 @@ def turned(value: Any) -> Any:
 @given(VALUES)
 def test_the_text_does_not_depend_on_the_order_of_keys(value: Any) -> None:
     assert canonical_json(turned(value)) == canonical_json(value)
+
+
+@given(VALUES)
+def test_the_text_is_that_of_the_library(value: Any) -> None:
+    """Ours is written in one pass; `rfc8785` writes what `plain` makes of the value."""
+    assert canonical_json(value) == rfc8785.dumps(plain(value)).decode()
+
+
+@given(
+    st.floats(allow_nan=False, allow_infinity=False)
+    | st.floats(-1e-3, 1e-3)
+    | st.floats(1e14, 1e23)
+    | st.integers(-(2**60), 2**60).map(float)
+    | st.builds(lambda digits, power: digits * 10.0**power, st.integers(-99999, 99999), st.integers(-12, 24))
+)
+def test_each_double_is_written_as_the_library_does(number: float) -> None:
+    assert canonical_json(number) == rfc8785.dumps(number).decode()
+
+
+@given(st.text(max_size=40))
+def test_each_text_is_written_or_refused_as_the_library_does(text: str) -> None:
+    try:
+        expected = rfc8785.dumps({text: text}).decode()
+    except ValueError:
+        with pytest.raises(ValueError):
+            canonical_json({text: text})
+    else:
+        assert canonical_json({text: text}) == expected
 
 
 def read(text: str) -> Any:

@@ -1,11 +1,13 @@
 """How long the server believes what it read about a signed-in person."""
 
+import time
 from dataclasses import replace
 
+import pytest
 from fastapi import Request, Response
 
 from sightline.infra.database.types import now
-from sightline.infra.web.cookie import BELIEVED_S, SignIn
+from sightline.infra.web.cookie import BELIEVED_S, MAX_AGE_S, SignIn
 from sightline.infra.web.person import Person
 
 ANNA = Person(
@@ -72,3 +74,17 @@ def test_what_was_read_before_a_change_is_not_believed_after_it() -> None:
     assert accounts.signed_in()
     accounts.sign_in._lookup = look_up
     assert not accounts.signed_in()
+
+
+@pytest.mark.parametrize(
+    ("signed_s_ago", "held"),
+    [(0, True), (MAX_AGE_S - 60, True), (MAX_AGE_S + 60, False), (-3600, True), (-MAX_AGE_S - 60, False)],
+)
+def test_a_clock_set_back_signs_nobody_out_and_an_old_cookie_ends(
+    signed_s_ago: int, held: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    told = time.time()
+    with monkeypatch.context() as then:
+        then.setattr("itsdangerous.timed.time.time", lambda: told - signed_s_ago)
+        accounts = Accounts()
+    assert accounts.signed_in() == held

@@ -113,11 +113,29 @@ def test_an_unexpected_failure_is_a_sentence(app: FastAPI, nobody: Client) -> No
     assert "disk is full" in error_of(answer)
 
 
+def test_a_form_that_finds_no_room_while_it_arrives_is_not_blamed(
+    operator: Client, survey_id: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    async def full(*_: object) -> None:
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr("starlette.datastructures.UploadFile.write", full)
+    answer = operator.http.post(
+        f"/api/surveys/{survey_id}/photographs",
+        files={"file": ("road.jpg", b"x" * 2000, "image/jpeg")},
+        headers={"X-Sightline": "1"},
+    )
+    assert answer.status_code == 507
+    assert "disk is full" in error_of(answer)
+
+
 def test_a_commit_that_fails_is_not_answered_with_success(
     operator: Client, services: Services, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def full(*_: object) -> None:
-        raise NoRoom("said", sentence="The disk is full, so nothing was saved; make room and try again.")
+        raise NoRoom(
+            "said", sentence="The disk is full, so nothing was saved; free some space and try again."
+        )
 
     with monkeypatch.context() as patched:
         patched.setattr("sqlalchemy.orm.Session.commit", full)

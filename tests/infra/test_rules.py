@@ -1,7 +1,7 @@
 """The rules of the records: who may, what conflicts, what follows from what."""
 
 from collections.abc import Iterator
-from datetime import timedelta
+from datetime import UTC, datetime, timedelta
 from typing import Any, get_args
 
 import pytest
@@ -30,6 +30,8 @@ from sightline.people.store import (
     use_sign_in_link,
 )
 from sightline.poses.store import get_pose, list_poses
+from sightline.recordings.filming import Filming
+from sightline.recordings.records import RecordingChanges
 from sightline.recordings.store import (
     get_recording,
     list_recordings,
@@ -119,6 +121,10 @@ def test_the_steps_of_a_survey_lead_on(session: Session) -> None:
     assert steps()[:2] == ["done", "next"]
     recording = samples.add_recording(session, survey.id, None)
     samples.road_pose(session, recording.id, calibration.id, None)
+    assert steps()[1:4] == ["next", "done", "waiting"]
+    filming = Filming(datetime(2026, 5, 3, 6, 10, tzinfo=UTC), "Europe/Paris")
+    confirmed: RecordingChanges = {"lighting": "daytime", "filming": filming}
+    update_recording(session, recording.id, confirmed, actor=None)
     assert steps() == ["done", "done", "done", "next", "waiting", "waiting"]
     words = [step.summary for step in survey_overview(session, survey.id).steps]
     assert all(sentence.endswith(".") and sentence.count(".") == 1 for sentence in words)
@@ -126,7 +132,7 @@ def test_the_steps_of_a_survey_lead_on(session: Session) -> None:
 
 def test_nobody_reviews_their_own(session: Session, one: Sample) -> None:
     made = samples.measure(session, one)
-    with pytest.raises(NotAllowed, match="their own"):
+    with pytest.raises(NotAllowed, match="your own"):
         add_review(session, made.id, seen_revision=1, verdict="accepted", actor=one.olga.id)
     assert [item.mine for item in review_queue(session, one.survey.id, actor=one.olga.id)] == [True]
     fix = values(one, target_point=(1.0, 2.0))
@@ -142,7 +148,7 @@ def test_nobody_reviews_their_own(session: Session, one: Sample) -> None:
 
 def test_a_reopened_measurement_waits_again(session: Session, one: Sample) -> None:
     made = samples.measure(session, one)
-    with pytest.raises(Conflict, match="waits for a review"):
+    with pytest.raises(Conflict, match="waiting for a review"):
         add_review(session, made.id, seen_revision=1, verdict="reopened", actor=one.rene.id)
     add_review(session, made.id, seen_revision=1, verdict="accepted", actor=one.rene.id)
     assert review_queue(session, one.survey.id, actor=None) == ()

@@ -61,7 +61,9 @@ WRITTEN_ONCE = (
     "scan_runs",
     "scan_measurements",
     "scan_reviews",
+    "scan_references",
     "line_poses",
+    "rig_calibrations",
     "line_heights",
     "line_height_reviews",
     "study_results",
@@ -89,6 +91,8 @@ def filled(factory: SessionFactory) -> SessionFactory:
         scanned = scans_samples.measured(session, one)
         scans_samples.run(session, one, scanned.scan_id)
         add_scan_review(session, scanned.id, verdict="accepted", actor=one.rene.id)
+        scans_samples.reference(session, one, scanned.vehicle_id)
+        scans_samples.calibrated_rig(session, one, scanned.scan_id)
         rod = scans_samples.rod(session, one, scanned.scan_id)
         height = scans_samples.tall(session, one, scanned.vehicle_id, rod)
         add_line_height_review(session, height.id, verdict="accepted", actor=one.rene.id)
@@ -255,6 +259,10 @@ TAMPERED: dict[str, tuple[tuple[str, ...], str]] = {
         ("UPDATE line_poses SET camera_height_m = 1.2 WHERE id = 1",),
         "calibration of a line camera 1 is not",
     ),
+    "a reference value": (
+        ("UPDATE scan_references SET value = 20 WHERE id = 1",),
+        "reference value of a scanned vehicle 1 is not",
+    ),
     "a height in a line scan": (
         ("UPDATE line_heights SET height_m = 1.41 WHERE id = 1",),
         "scanned vehicle's height 1 is not",
@@ -273,7 +281,7 @@ TAMPERED: dict[str, tuple[tuple[str, ...], str]] = {
     ),
     "a review removed": (("DELETE FROM reviews WHERE id = 1",), "review 1 was removed"),
     "a calibration": (("UPDATE calibrations SET document = '{}' WHERE id = 1",), "calibration 1 is not"),
-    "a pose": (("UPDATE road_poses SET rms_px = 0.1 WHERE id = 1",), "road pose 1 is not"),
+    "a pose": (("UPDATE road_poses SET rms_px = 0.1 WHERE id = 1",), "camera pose 1 is not"),
     "a frame's checksum": (("UPDATE frames SET crc32 = 1 WHERE n = 7",), "frame table of recording 1 is not"),
     "a frame removed": (("DELETE FROM frames WHERE n = 99",), "frame table of recording 1 is not"),
 }

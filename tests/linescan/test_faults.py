@@ -8,6 +8,7 @@ import pytest
 from sightline.linescan.direct import measure_direct
 from sightline.linescan.faults import notes_of
 from sightline.simulation.scan_strips import strips
+from sightline.simulation.scan_traffic import traffic
 from tests.linescan.scenes import RIG, SITE, cars, found, plain, plain_truth
 
 pytestmark = pytest.mark.once
@@ -29,11 +30,19 @@ def test_empty_road_and_swapped_strips():
     assert "swapped" in _notes((second, first))[0]
 
 
-def test_flicker_is_named_and_the_vehicle_still_found():
-    said, passages = _notes(strips(replace(SITE, flicker=0.1), cars()[:1]))
+FRONT_LOST = "under flicker its front at camera 2 is found 35 mm off, and it is refused for an untrue reason"
+
+
+@pytest.mark.parametrize(
+    "seed", [7301, 7302, pytest.param(7303, marks=pytest.mark.xfail(strict=True, reason=FRONT_LOST))]
+)
+def test_flicker_is_named_and_the_vehicle_still_found(seed):
+    """Vehicles and roads that `LIGHT_TIMES` was not set on: that was the first of `cars()` before SITE."""
+    (car,) = traffic(seed, 1, speeds_mps=(11.0, 24.0))
+    said, passages = _notes(strips(replace(SITE, flicker=0.1, seed=seed), (car,)))
     assert said.count("flickers by") == 2
     motion = measure_direct(passages[0], RIG)
-    assert motion.speed_mps == pytest.approx(cars()[0].speed_mps, rel=0.004)
+    assert motion.speed_mps == pytest.approx(car.speed_mps, rel=0.004)
 
 
 def test_rain_is_named_and_the_vehicle_still_found():
@@ -56,7 +65,7 @@ def test_a_light_that_jumps_is_counted():
     for strip in pair:
         strip[int(plain_truth()[1].rear_line_2) + 120 :] *= 1.3
     said, _ = _notes(tuple(np.clip(strip, 0, 255).astype(np.uint8) for strip in pair))
-    assert "The light jumped once" in said
+    assert "The brightness changed suddenly once" in said
 
 
 def test_lines_lost_while_a_vehicle_passes_are_not_measured_over():
@@ -72,5 +81,5 @@ def test_lines_lost_while_a_vehicle_passes_are_not_measured_over():
 def test_cameras_that_look_at_different_lanes_are_told():
     first, second = plain()
     said, passages = _notes((first, np.roll(second, 4000, axis=0)))
-    assert "one camera only" in said
+    assert "only one camera" in said
     assert not [passage for passage in passages if passage.reason is None]

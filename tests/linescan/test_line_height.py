@@ -93,7 +93,10 @@ def test_sigma_from_residuals() -> None:
         (lambda d, h, r: (d, h, [*r[:-1], float("nan")]), "numbers"),
         (lambda d, h, r: (d, h[:-1], r), "Each mark"),
         (lambda d, h, r: ([-one for one in d], h, r), "greater than 0"),
-        (lambda d, h, r: (d, [CAMERA_M] * 8, [row_of(1.0, CAMERA_M)] * 8), "rod is up|camera's height"),
+        (
+            lambda d, h, r: (d, [CAMERA_M] * 8, [row_of(1.0, CAMERA_M)] * 8),
+            "hold the rod upright|camera height",
+        ),
     ],
 )
 def test_marks_that_fix_no_pose_are_refused_in_words(change: object, words: str) -> None:

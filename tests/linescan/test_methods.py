@@ -2,13 +2,18 @@
 
 from dataclasses import replace
 
+import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from sightline.coverage import expanded
+from sightline.enums import ScanMethod
 from sightline.linescan.methods import MEASURE, believed, unlikely
 from sightline.linescan.parts import Crossings, Motion, Passage, Rig
-from tests.linescan.scenes import RIG, found, plain
+from sightline.simulation.scan_strips import strips
+from sightline.simulation.scan_traffic import traffic, truths
+from tests.linescan.scenes import RIG, SITE, found, plain
 
 SEEN = Crossings(1000.0, 2000.0, 1200.0, 2200.0)
 GOOD = Motion(
@@ -32,13 +37,16 @@ def passage() -> Passage:
 @pytest.mark.parametrize(
     ("changed", "said"),
     [
-        ({"speed_mps": -52.5, "u_speed_mps": 391.0, "length_m": -66.0}, "speed, -52.5 m/s"),
-        ({"speed_mps": 120.0}, "speed, 120.0 m/s"),
-        ({"length_m": 66.0}, "length, 66.0 m,"),
-        ({"acceleration_mps2": -14.0}, "acceleration, -14.0"),
+        ({"speed_mps": -52.5, "u_speed_mps": 391.0, "length_m": -66.0}, "speed of -52.5 m/s"),
+        ({"speed_mps": 120.0}, "speed of 120.0 m/s"),
+        ({"length_m": 66.0}, "length of 66.0 m "),
+        ({"acceleration_mps2": -14.0}, "acceleration of -14.0"),
         ({"speed_mps": 2.0, "acceleration_mps2": -10.5}, "stopped in view"),
-        ({"u_speed_mps": 4.0}, "speed is unsure by 39 %"),
-        ({"u_length_m": 2.0}, "length is unsure by 96 %"),
+        ({"u_speed_mps": 4.0}, "U95 of the speed is 39 %"),
+        ({"u_length_m": 2.0}, "U95 of the length is 96 %"),
+        ({"u_speed_mps": 0.0}, "Too little of the vehicle was matched"),
+        ({"u_speed_mps": float("nan")}, "Too little of the vehicle was matched"),
+        ({"speed_mps": float("nan")}, "speed of nan m/s"),
     ],
 )
 def test_a_motion_that_cannot_be_has_its_reason(
@@ -76,3 +84,37 @@ def test_boundaries_at_wrong_places_give_no_number(passage: Passage) -> None:
         for method in ("direct", "paper"):
             motion = MEASURE[method](replace(passage, crossings=wrong), RIG)
             assert motion.status == "not_measurable" and motion.reason, (method, moved, motion.speed_mps)
+
+
+@pytest.mark.once
+@pytest.mark.parametrize("method", ["direct", "paper"])
+@pytest.mark.parametrize("seed", range(12))
+def test_no_nonsense_has_the_status_ok(method: ScanMethod, seed: int) -> None:
+    """Whatever noise, line rate, speed and boundaries are: either a motion within physics that agrees with
+    the truth within its own U95 times three, or a refusal in words. Boundaries move as by a careless hand.
+    """
+    rng = np.random.default_rng((seed, 4711))
+    site = replace(
+        SITE,
+        rows=96,
+        seed=seed,
+        read_noise_dn=float(rng.choice([2.0, 8.0, 16.0])),
+        line_rate_hz=float(rng.choice([4882.8, 1200.0, 300.0, 60.0])),
+    )
+    rig = Rig(site.baseline_m, site.line_rate_hz)
+    vehicles = traffic(seed, 2, speeds_mps=(4.0, 40.0))
+    speeds = [true.vehicle.speed_mps for true in truths(site, vehicles)]
+    for passage in found(strips(site, vehicles), rig)[0]:
+        for by in (0.0, float(rng.uniform(-0.8, 0.8))):
+            c = passage.crossings
+            span = by * (c.rear_line_1 - c.front_line_1)
+            moved = replace(passage, crossings=replace(c, front_line_2=c.front_line_2 + span))
+            motion = MEASURE[method](moved, rig)
+            if motion.status != "ok":
+                assert motion.reason and motion.speed_mps is None and motion.u_length_m is None
+                continue
+            assert unlikely(motion, rig) is None
+            v, u = motion.speed_mps, motion.u_speed_mps
+            assert v is not None and u is not None and 1 <= v <= 85 and 0 < u <= 0.13 * v
+            assert 1 <= (motion.length_m or 0) <= 32 and (motion.u_length_m or 0) > 0
+            assert min(abs(v - true) for true in speeds) < 3 * expanded(u)

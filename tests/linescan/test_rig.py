@@ -74,20 +74,25 @@ def test_clicks_that_give_no_wheelbase_have_a_reason() -> None:
     assert wheelbase(none, RIG, 1, 2).reason == "It stopped in view."
     moving = motion(speed_mps=10.0, acceleration_mps2=-4.0)
     assert "different wheels" in str(wheelbase(moving, RIG, 1500, 1500).reason)
-    assert "stood" in str(wheelbase(moving, RIG, 1500, 1000 + 4882.8 * 3).reason)
+    assert "at rest" in str(wheelbase(moving, RIG, 1500, 1000 + 4882.8 * 3).reason)
 
 
 @pytest.mark.parametrize(
     ("field", "value", "says"),
     [
-        ("baseline_m", 0.0, "A baseline of 0 m cannot be used; give 0.01 to 100 m."),
+        ("baseline_m", 0.0, "A baseline of 0 m is out of range; give 0.01 to 100 m."),
         ("baseline_m", float("nan"), "A baseline of nan m"),
-        ("line_rate_hz", 2e6, "A line rate of 2000000 Hz cannot be used; give 10 to 1000000 Hz."),
+        ("line_rate_hz", 2e6, "A line rate of 2000000 Hz is out of range; give 10 to 1000000 Hz."),
         ("u_baseline_m", 0.7, "give 0 to 0.593 m."),
         ("u_line_rate_ratio", -1e-3, "give 0 to 0.1 of the line rate."),
         ("divergence_rad", 0.3, "A divergence of 0.3 rad"),
+        ("shadow_share", 0.61, "A shadow zone of 0.61 of the rows"),
         ("distance_m", 0.0, "A distance to the vehicles of 0 m"),
         ("misalignment_px", 2e3, "A misalignment of 2000 px"),
+        ("baseline_correlation", -1.1, "A correlation of baseline and divergence of -1.1"),
+        ("u_distance_m", -0.1, "An uncertainty of the distance to the vehicles of -0.1 m"),
+        ("divergence_rad", 1e-3, "A divergence needs the distance"),
+        ("u_divergence_rad", 1e-4, "A divergence needs the distance"),
     ],
 )
 def test_values_that_no_rig_has_are_refused(field: str, value: float, says: str) -> None:

@@ -89,7 +89,7 @@ class Person:
                 if answer.status_code != 503:
                     self.world.odd[f"{answer.status_code} {method} {answer.text[:150]}"] += 1
             time.sleep(0.1)
-        raise AssertionError(f"{method} {path} had no answer for three minutes")
+        raise AssertionError(f"{method} {path} had no answer for a quarter of an hour")
 
     def made(self, path: str, **body: Any) -> Any:
         answer = self.ask("POST", path, json=body)
@@ -271,11 +271,13 @@ def left_behind(data: Path) -> list[str]:
     return left
 
 
-def under_fire(world: World, killer: Killer, kills: int) -> None:
+def under_fire(world: World, killer: Killer, kills: int, minutes: float) -> None:
+    """Until so many are killed, or so much time has gone."""
+    until = time.monotonic() + 60 * minutes
     threads = [watched(world, clicking) for _ in range(4)]
     threads += [watched(world, one) for one in (looking, exporting, uploading)]
     try:
-        while sum(killer.killed.values()) < kills and not world.over.is_set():
+        while sum(killer.killed.values()) < kills and not world.over.is_set() and time.monotonic() < until:
             killer.kill()
             done = sum(killer.killed.values())
             if done % 25 == 0:
@@ -345,6 +347,7 @@ def tell(world: World, killer: Killer, engine: Engine, data: Path) -> bool:
 def main() -> None:
     options = argparse.ArgumentParser(description=__doc__)
     options.add_argument("--kills", type=int, default=1000)
+    options.add_argument("--minutes", type=float, default=600.0, help="stop and tell after so long at most")
     options.add_argument("--seed", type=int, default=1)
     options.add_argument("--postgresql", action="store_true", help="on a cluster of its own")
     options.add_argument("--ground", type=Path, help="a small demonstration made before (SQLite)")
@@ -370,11 +373,11 @@ def main() -> None:
         try:
             server.wait(120)
             cookies, survey = signed_in(server)
-            with httpx2.Client(base_url=server.url, cookies=cookies) as http:
+            with httpx2.Client(base_url=server.url, cookies=cookies, timeout=120) as http:
                 recording = http.get(f"/api/surveys/{survey}/recordings").json()[0]
             clip = min((data / "media").rglob("*.mp4"), key=lambda path: path.stat().st_size)
             world = World(server.url, cookies, survey, recording, clip)
-            under_fire(world, killer, chosen.kills)
+            under_fire(world, killer, chosen.kills, chosen.minutes)
             good = tell(world, killer, engine, data)
         finally:
             killer.server.stop()

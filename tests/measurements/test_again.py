@@ -13,7 +13,7 @@ from sightline.infra.csv_package.files import FolderFiles
 from sightline.infra.jobs.records import Job
 from sightline.infra.jobs.registry import Cancelled, JobContext
 from sightline.infra.services import Services
-from sightline.measurements.again import again_job, service
+from sightline.scans.again import again_job, service
 from tests.support.app import Client, error_of
 from tests.support.ground import (
     CENTRE_M,
@@ -217,7 +217,7 @@ def test_it_is_undone_as_a_whole_but_for_what_was_changed_since(
     assert now(operator, judged)["review"]["verdict"] == "rejected"
     assert now(operator, changed)["contact"] == contact and now(operator, gone)["withdrawn"]
     again_undone = operator.post(f"/computings/{first}/undo")
-    assert again_undone.status_code == 409 and "undone already" in error_of(again_undone)
+    assert again_undone.status_code == 409 and "already undone" in error_of(again_undone)
     assert operator.post(f"/computings/{first + 2}/undo").status_code == 409  # the undo itself
     assert operator.seen(f"/surveys/{ground.survey_id}/computings")["out_of_date"]["heights"] == 2
 
@@ -226,7 +226,7 @@ def test_what_changes_while_the_job_computes_is_computed_with_what_holds_at_the_
     operator: Client, ground: Ground, services: Services
 ) -> None:
     one = measure(operator, add_vehicle(operator, ground.recording_id)["id"], **ROOF)
-    answers = service.Answers()
+    answers = service.AllAnswers()
     say_inset(operator, ground.survey_id, LARGE)
     with services.reading() as session:
         assert len(service.changes_to_come(session, ground.survey_id, answers)) == 1
@@ -245,7 +245,7 @@ def test_a_job_that_is_stopped_leaves_nothing(
 
     def stopped(context: JobContext, fraction: float, message: str = "") -> None:
         told.append(fraction)
-        if message.startswith("Storing"):
+        if message.startswith("Saving"):
             raise Cancelled("said", sentence="Stopped.")
 
     monkeypatch.setattr(again_job.JobContext, "progress", stopped)
@@ -308,7 +308,7 @@ def _another_maker(place: Path) -> str:
 
 def _fewer_to_review(place: Path) -> str:
     edit(place, "computings.csv", lambda row: row["id"] == "2", to_review="0")
-    return "is not what its audit event says"
+    return "differs from its audit event"
 
 
 @pytest.mark.parametrize("forge", [_a_verdict_goes_over, _another_maker, _fewer_to_review])

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from pathlib import Path
+from uuid import uuid4
 
 import cv2
 import numpy as np
@@ -78,12 +79,8 @@ def test_a_bright_picture_keeps_its_brightness_and_pixels_stay_where_they_are() 
     assert int(np.argmax(edge)) == 59 and int(np.argmin(edge)) == 99
 
 
-def test_a_proposal_comes_near_the_truth_and_stores_nothing(
-    viewer: Client, services: Services, survey_id: int, recording_id: int
-) -> None:
-    path = f"/recordings/{recording_id}/frames/1/contact"
-    answer = viewer.post(path, {"pointer": [300, 300]})
-    assert answer.status_code == 409 and "road pose" in error_of(answer)
+def give_pose(services: Services, survey_id: int, recording_id: int) -> None:
+    """The scene's true camera pose."""
     c = SCENE.camera
     size = (c.width_px, c.height_px)
     lens = Camera("drawn", *size, "brown", c.fx_px, c.fy_px, c.cx_px, c.cy_px, np.array(c.distortion))
@@ -92,14 +89,71 @@ def test_a_proposal_comes_near_the_truth_and_stores_nothing(
         services, recording_id, calibration_id, lens, rotation=c.rotation(), translation_m=c.translation_m()
     )
 
-    spot = next(one for one in spots_of(VEHICLE) if one.name == "contact_rear")
-    px = spot_pixel(c, VEHICLE, spot, FRAME + 1)
+
+def pixel_of(name: str) -> tuple[float, float]:
+    """Where a spot of the vehicle is on frame 1 of the clip."""
+    spot = next(one for one in spots_of(VEHICLE) if one.name == name)
+    x, y = spot_pixel(SCENE.camera, VEHICLE, spot, FRAME + 1)
+    return float(x), float(y)
+
+
+def test_a_proposal_comes_near_the_truth_and_stores_nothing(
+    viewer: Client, services: Services, survey_id: int, recording_id: int
+) -> None:
+    path = f"/recordings/{recording_id}/frames/1/contact"
+    answer = viewer.post(path, {"pointer": [300, 300]})
+    assert answer.status_code == 409 and "camera pose" in error_of(answer)
+    give_pose(services, survey_id, recording_id)
+
+    px = pixel_of("contact_rear")
     found = viewer.made(path, {"pointer": [float(px[0]) + 5, float(px[1]) - 6]})
     assert found["reason"] is None and len(found["outline"]) > 20
     assert np.hypot(found["contact"][0] - px[0], found["contact"][1] - px[1]) < 1.0
-    assert found["words"].startswith("proposal: expect about") and 0.25 < found["radius_m"] < 0.56
+    assert found["words"].startswith("suggested contact, u = ") and 0.25 < found["radius_m"] < 0.56
 
     none = viewer.made(path, {"pointer": [40, 460]})
-    assert none["contact"] is None and none["words"].startswith("No proposal: ") and none["reason"]
+    assert none["contact"] is None and none["words"].startswith("No suggestion: ") and none["reason"]
     assert viewer.post(path, {"pointer": [40]}).status_code == 422
     assert viewer.post(path.replace("/1/", "/99/"), {"pointer": [40, 40]}).status_code == 404
+
+
+def test_a_contact_click_goes_to_the_tyre_and_the_record_says_from_where(
+    operator: Client, services: Services, survey_id: int, recording_id: int
+) -> None:
+    give_pose(services, survey_id, recording_id)
+    span = {"first_frame": 0, "last_frame": 3}
+    vehicle_id = operator.made(f"/recordings/{recording_id}/vehicles", span)["id"]
+    (x, y), roof = pixel_of("contact_rear"), pixel_of("roof")
+    click = [round(x + 2.0, 2), round(y - 15.0, 2)]
+    path = f"/vehicles/{vehicle_id}/frames/1/snap"
+    found = operator.made(path, {"click": click})
+    assert np.hypot(found["contact"][0] - x, found["contact"][1] - y) < 1.0
+    assert found["reason"] is None and found["expected_px"] < 0.9
+    none = operator.made(path, {"click": [40, 460]})
+    assert none["contact"] is None and none["reason"].startswith("snap-")
+
+    base = {"target": "roof", "frame": 1, "target_point": roof}
+    to = f"/vehicles/{vehicle_id}/measurements"
+    wrong = operator.post(
+        to, {**base, "client_key": str(uuid4()), "contact": [x + 3, y], "snapped_from": click}
+    )
+    assert wrong.status_code == 409 and "not where Sightline now places" in error_of(wrong)
+    lie = {**base, "client_key": str(uuid4()), "contact": found["contact"], "made": "snapped"}
+    assert operator.post(to, lie).status_code == 422
+    one = {**base, "client_key": str(uuid4()), "contact": found["contact"], "snapped_from": click}
+    made = operator.made(to, one)
+    assert (made["made"], made["snapped_from_x_px"], made["snapped_from_y_px"]) == ("snapped", *click)
+    assert operator.made(to, one)["id"] == made["id"]
+
+    # the target put elsewhere leaves the contact what it is; the contact put elsewhere is a person's
+    at = f"/measurements/{made['id']}"
+    up = {"frame": 1, "contact": found["contact"], "target_point": [roof[0], roof[1] + 1]}
+    up = operator.put(at, {**up, "revision": 1}).json()
+    assert (up["made"], up["snapped_from_x_px"]) == ("snapped", click[0])
+    aside = {"revision": 2, "frame": 1, "contact": [x + 1, y], "target_point": roof}
+    aside = operator.put(at, aside).json()
+    assert (aside["made"], aside["snapped_from_x_px"]) == ("moved", None)
+    again = {"revision": 3, "frame": 1, "contact": found["contact"], "target_point": roof}
+    assert operator.put(at, {**again, "contact": [x, y], "snapped_from": click}).status_code == 409
+    again = operator.put(at, {**again, "snapped_from": click}).json()
+    assert (again["made"], again["snapped_from_y_px"]) == ("moved", click[1])

@@ -95,7 +95,7 @@ def test_without_a_road_pose_the_way_to_one_is_told(operator: Client, recording_
     vehicle_id = add_vehicle(operator, recording_id)["id"]
     answer = operator.post(f"/vehicles/{vehicle_id}/measurements", {**clicks(), "client_key": str(uuid4())})
     assert answer.status_code == 409
-    assert "road pose" in error_of(answer)
+    assert "camera pose" in error_of(answer)
     body = {"contact": [10.0, 200.0]}
     assert operator.post(f"/recordings/{recording_id}/geometry/axes", body).status_code == 409
 

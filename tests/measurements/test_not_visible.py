@@ -6,6 +6,7 @@ import pytest
 
 from sightline.enums import AskedTarget, Lighting
 from sightline.infra.services import Services
+from sightline.messages import say
 from sightline.surveys.records import Asked
 from tests.support.app import Client, error_of
 from tests.support.ground import Ground, add_vehicle, lay_ground
@@ -56,7 +57,8 @@ def test_measured_means_what_is_asked_for(operator: Client, ground: Ground) -> N
     assert survey["counts"]["vehicles_measured"] == 1
     words = {name: survey[name] for name in ("name", "site", "description", "version")}
     asked = {"daytime": ["headlight"], "low_light": ["roof"]}
-    changed = operator.put(f"/surveys/{ground.survey_id}", json={**words, "asked": asked}).json()
+    twice = {**asked, "daytime": ["headlight", "headlight"]}  # said twice, asked once
+    changed = operator.put(f"/surveys/{ground.survey_id}", json={**words, "asked": twice}).json()
     assert changed["asked"] == asked and changed["counts"]["vehicles_measured"] == 1
     assert (state(operator, day["id"]), state(operator, dusk["id"])) == ("partial", "measured")
     words["version"] += 1
@@ -83,6 +85,13 @@ def test_not_visible_is_an_answer_until_it_is_measured(operator: Client, ground:
     assert both["state"] == "not_visible"
     counts = operator.seen(f"/surveys/{ground.survey_id}")["counts"]
     assert (counts["vehicles_measured"], counts["not_visible"]) == (2, 2)
+
+
+def test_a_target_may_be_hidden_by_its_own_body(operator: Client, ground: Ground) -> None:
+    vehicle = add_vehicle(operator, ground.recording_id)["id"]
+    assert change(operator, vehicle, taillight_not_visible="own_body")["taillight_not_visible"] == "own_body"
+    said = [say("not-visible-own_body", {}, language) for language in ("en", "fr")]
+    assert said == ["hidden by its own body", "masqué par le véhicule lui-même"]
 
 
 def test_what_is_measured_is_visible_and_only_an_eye_has_a_driver(operator: Client, ground: Ground) -> None:

@@ -67,7 +67,7 @@ def test_sound_alone_is_refused(tmp_path: Path) -> None:
             sound.sample_rate, sound.pts = 8000, 1024 * k
             out.mux(stream.encode(sound))
         out.mux(stream.encode(None))
-    assert "no moving picture" in refusal(path)
+    assert "no video" in refusal(path)
 
 
 def test_sound_with_a_cover_picture_is_refused(tmp_path: Path) -> None:
@@ -85,7 +85,7 @@ def test_sound_with_a_cover_picture_is_refused(tmp_path: Path) -> None:
         silence.sample_rate, silence.pts = 8000, 0
         out.mux(sound.encode(silence))
         out.mux(sound.encode(None))
-    assert "no moving picture" in refusal(path)
+    assert "no video" in refusal(path)
 
 
 def test_playlists_are_not_followed_even_where_the_name_invites_it(tmp_path: Path) -> None:
@@ -171,7 +171,7 @@ def test_a_cut_matroska_file_is_told_by_its_duration(tmp_path: Path, take_in: In
     path.write_bytes(content[: len(content) * 5 // 10])
     report = take_in(path).report
     assert report.damaged
-    assert any("3.6 s" in note and "cut off" in note for note in report.notes), report.notes
+    assert any("3.6 s" in note and "truncated" in note for note in report.notes), report.notes
 
 
 def test_a_late_first_stamp_is_no_cut(tmp_path: Path, take_in: Ingest) -> None:

@@ -131,7 +131,7 @@ def test_a_full_disk_is_seen_before_writing(
     store = LocalStore(tmp_path / "media")
     usage = type("Usage", (), {"free": local.RESERVE_BYTES + 1000})
     monkeypatch.setattr(local.shutil, "disk_usage", lambda _: usage)
-    with pytest.raises(NoRoom, match="There is no room for this file"):
+    with pytest.raises(NoRoom, match="There is not enough space for this file"):
         store.put_file("a/b", video)
     assert not any(p.is_file() for p in (tmp_path / "media").rglob("*"))
 

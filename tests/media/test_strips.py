@@ -105,7 +105,7 @@ def test_line_numbers_lead_back_to_the_columns_of_the_file() -> None:
 @pytest.mark.parametrize(
     ("notes", "said"),
     [
-        ("[]", "no JSON object"),
+        ("[]", "not a JSON object"),
         ("{", "not readable JSON"),
         ('{"line_rate_hz": -1}', "line_rate_hz"),
         ('{"dropped_lines": [[5, 1], [3, 1]]}', "dropped_lines"),

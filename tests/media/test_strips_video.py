@@ -1,4 +1,4 @@
-"""Strips cut from a video along two columns of pixels."""
+"""Strips cut from a video along two columns or rows of pixels."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from sightline.enums import CutAlong
 from sightline.errors import BadInput
 from sightline.media.strips.video import cut_strips, line_rate
 from sightline.media.video.decode import frames_of
@@ -51,6 +52,19 @@ def test_a_line_a_frame_of_either_column(video: Path, tmp_path: Path) -> None:
         strip.close()
 
 
+@pytest.mark.parametrize("along", ["rows_left_up", "rows_right_up"])
+def test_rows_are_lines_with_the_roofs_first(video: Path, tmp_path: Path, along: CutAlong) -> None:
+    strips = cut_strips(video, (12, 30), even(), work_dir=tmp_path, along=along)
+    grays = np.stack([gray for _, _, gray in frames_of(video)])
+    for strip, row in zip(strips, (12, 30), strict=True):
+        assert (strip.lines, strip.rows) == (COUNT, 320)
+        got = np.concatenate(list(strip.chunks(64)))
+        np.testing.assert_array_equal(got, grays[:, row, :: 1 if along == "rows_left_up" else -1])
+        strip.close()
+    with pytest.raises(BadInput, match="rows 0 and 64 cannot be cut"):
+        cut_strips(video, (0, 64), even(), along=along)
+
+
 @pytest.mark.parametrize("columns", [(100, 100), (-1, 5), (0, 320)])
 def test_columns_have_to_be_two_of_the_picture(video: Path, columns: tuple[int, int]) -> None:
     with pytest.raises(BadInput, match="different ones from 0 to 319"):
@@ -58,7 +72,7 @@ def test_columns_have_to_be_two_of_the_picture(video: Path, columns: tuple[int, 
 
 
 def test_another_number_of_frames_is_told(video: Path) -> None:
-    with pytest.raises(BadInput, match=f"now gives {COUNT} frames, not {COUNT - 1}"):
+    with pytest.raises(BadInput, match=f"now has {COUNT} frames, not {COUNT - 1}"):
         cut_strips(video, (1, 2), even(COUNT - 1))
 
 

@@ -49,7 +49,7 @@ def test_wrong_offsets_are_refused(tmp_path: Path) -> None:
     upload_parts.create(tmp_path, "u1", len(DATA))
     upload_parts.append(tmp_path, "u1", len(DATA), 0, [DATA[:1000]])
     for wrong in (0, 999, 1001, -1):
-        with pytest.raises(Conflict, match="stands at byte 1000"):
+        with pytest.raises(Conflict, match="is at byte 1000"):
             upload_parts.append(tmp_path, "u1", len(DATA), wrong, [b"x"])
     assert upload_parts.offset(tmp_path, "u1") == 1000
 
@@ -79,7 +79,7 @@ def test_two_connections_do_not_write_at_once(tmp_path: Path) -> None:
 
     def meddled() -> Iterator[bytes]:
         yield DATA[:100]
-        with pytest.raises(Conflict, match="another connection"):
+        with pytest.raises(Conflict, match="Another connection"):
             upload_parts.append(tmp_path, "u1", len(DATA), 100, [b"x"])
         yield DATA[100:200]
 
@@ -109,7 +109,7 @@ def test_a_full_disk_keeps_what_was_there(tmp_path: Path, monkeypatch: pytest.Mo
 
 def test_no_room_is_told_before_a_byte_is_sent(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(local.shutil, "disk_usage", lambda _: type("Usage", (), {"free": 10**6}))
-    with pytest.raises(NoRoom, match="There is no room for this upload"):
+    with pytest.raises(NoRoom, match="There is not enough space for this upload"):
         upload_parts.create(tmp_path, "u1", 10**9)
     assert list(tmp_path.iterdir()) == []
 

@@ -1,11 +1,12 @@
-"""Every route as each role, as somebody who does not belong to the survey, and signed out, against a matrix
-written by hand. The whole table stands in the guide: `python -m tests.people.test_roles` prints it there.
+"""Every route as each role, as somebody who does not belong to the survey, signed out, and with a token of
+each scope, against a matrix written by hand. The whole table stands in the guide:
+`python -m tests.people.test_roles` prints it there.
 """
 
 import re
 from collections.abc import Collection, Iterator
 from pathlib import Path
-from typing import Any
+from typing import Any, get_args
 
 import pytest
 from fastapi import FastAPI
@@ -13,10 +14,10 @@ from fastapi.routing import APIRoute
 from fastapi.testclient import TestClient
 
 from sightline.app import ROUTERS
-from sightline.enums import ActingRole
+from sightline.enums import ActingRole, Scope
 from sightline.infra.database import Session
 from sightline.infra.services import Services
-from sightline.infra.web.access import APART, ASKED_FOR, RANK, THINGS, Access
+from sightline.infra.web.access import APART, RANK, THINGS, Access
 from sightline.infra.web.deps import anybody, require
 from sightline.infra.web.person import Person, Seen
 from sightline.people.store import create_person, create_sign_in_link, list_people
@@ -33,10 +34,14 @@ MATRIX = {
     "POST /session/link": "",
     "DELETE /session": "",
     "GET /session": "viewer",
+    "GET /session/tokens": "viewer",
+    "POST /session/tokens": "viewer",
+    "DELETE /session/tokens/{token_id}": "viewer",
     "PUT /session/name": "viewer",
     "PUT /session/password": "viewer",
     "GET /people": "admin",
     "GET /system": "admin",
+    "GET /system/licences": "admin",
     "POST /people": "admin",
     "PUT /people/{person_id}": "admin",
     "POST /people/{person_id}/link": "admin",
@@ -78,6 +83,7 @@ MATRIX = {
     "DELETE /uploads/{upload_id}": "operator",
     "GET /surveys/{survey_id}/recordings": "viewer",
     "GET /recordings/{recording_id}": "viewer",
+    "GET /recordings/{recording_id}/video": "viewer",
     "PUT /recordings/{recording_id}": "operator",
     "DELETE /recordings/{recording_id}": "operator",
     "POST /recordings/{recording_id}/ingest": "operator",
@@ -94,7 +100,12 @@ MATRIX = {
     "GET /poses/{pose_id}/pose.json": "viewer",
     "GET /surveys/{survey_id}/checks/insets": "viewer",
     "GET /surveys/{survey_id}/plan": "viewer",
+    "GET /surveys/{survey_id}/plan.pdf": "viewer",
     "GET /line-rate-plan": "viewer",
+    "GET /boards.pdf": "viewer",
+    "GET /samples": "viewer",
+    "GET /samples/pictures.zip": "viewer",
+    "GET /samples/catalogue.csv": "viewer",
     "GET /surveys/{survey_id}/checks/traffic": "viewer",
     "GET /poses/{pose_id}/turn": "viewer",
     "GET /surveys/{survey_id}/checks/adjustment": "viewer",
@@ -109,6 +120,11 @@ MATRIX = {
     "PUT /recordings/{recording_id}/drift/decision": "operator",
     "DELETE /recordings/{recording_id}/drift/decision": "operator",
     "POST /recordings/{recording_id}/frames/{n}/contact": "viewer",
+    "POST /vehicles/{vehicle_id}/frames/{n}/snap": "viewer",
+    "POST /vehicles/{vehicle_id}/follow": "viewer",
+    "GET /surveys/{survey_id}/anchoring": "viewer",
+    "GET /surveys/{survey_id}/free-plan": "viewer",
+    "PUT /surveys/{survey_id}/free-plan": "manager",
     "POST /recordings/{recording_id}/geometry/axes": "viewer",
     "POST /recordings/{recording_id}/geometry/height": "viewer",
     "POST /recordings/{recording_id}/geometry/second-frame": "viewer",
@@ -119,6 +135,7 @@ MATRIX = {
     "DELETE /vehicles/{vehicle_id}": "operator",
     "POST /vehicles/{vehicle_id}/restore": "operator",
     "POST /recordings/{recording_id}/find-passes": "operator",
+    "GET /surveys/{survey_id}/pass-counts": "viewer",
     "POST /recordings/{recording_id}/propose": "operator",
     "GET /recordings/{recording_id}/proposals": "viewer",
     "POST /vehicles/{vehicle_id}/split": "operator",
@@ -159,6 +176,7 @@ MATRIX = {
     "GET /measurements/{measurement_id}/repeats": "viewer",
     "PUT /surveys/{survey_id}/people/{person_id}/click-sigma": "reviewer",
     "GET /surveys/{survey_id}/scans": "viewer",
+    "GET /surveys/{survey_id}/live": "viewer",
     "GET /surveys/{survey_id}/strip-uploads": "viewer",
     "POST /surveys/{survey_id}/scans": "operator",
     "POST /surveys/{survey_id}/scans/from-video": "operator",
@@ -175,13 +193,22 @@ MATRIX = {
     "GET /scan-vehicles/{vehicle_id}": "viewer",
     "PUT /scan-vehicles/{vehicle_id}/boundaries": "operator",
     "PUT /scan-vehicles/{vehicle_id}/wheels": "operator",
+    "PUT /scan-vehicles/{vehicle_id}/axles": "operator",
+    "PUT /scan-vehicles/{vehicle_id}/lane": "operator",
     "PUT /scan-vehicles/{vehicle_id}/facts": "operator",
     "DELETE /scan-vehicles/{vehicle_id}": "operator",
     "POST /scan-vehicles/{vehicle_id}/restore": "operator",
     "GET /scan-vehicles/{vehicle_id}/match/{picture}": "viewer",
+    "PUT /scan-vehicles/{vehicle_id}/references/{quantity}/{source}": "operator",
+    "DELETE /scan-vehicles/{vehicle_id}/references/{quantity}/{source}": "operator",
+    "POST /scans/{scan_id}/references/preview": "operator",
+    "POST /scans/{scan_id}/references/import": "operator",
     "POST /scan-measurements/{measurement_id}/review": "reviewer",
     "POST /line-heights/{height_id}/review": "reviewer",
     "GET /surveys/{survey_id}/line-height-queue": "viewer",
+    "GET /scans/{scan_id}/rig-calibrations": "viewer",
+    "POST /scans/{scan_id}/rig-calibrations/preview": "operator",
+    "POST /scans/{scan_id}/rig-calibrations": "operator",
     "GET /scans/{scan_id}/line-pose": "viewer",
     "POST /scans/{scan_id}/line-pose/preview": "viewer",
     "PUT /scans/{scan_id}/line-pose": "operator",
@@ -191,6 +218,7 @@ MATRIX = {
     "POST /scan-vehicles/{vehicle_id}/heights": "operator",
     "DELETE /scan-vehicles/{vehicle_id}/heights": "operator",
     "GET /surveys/{survey_id}/scan-statistics": "viewer",
+    "GET /surveys/{survey_id}/scan-traffic": "viewer",
     "GET /statistics": "viewer",
     "GET /statistics/sample-size": "viewer",
     "GET /sightdistance": "viewer",
@@ -200,6 +228,7 @@ MATRIX = {
     "POST /surveys/{survey_id}/exports": "viewer",
     "GET /surveys/{survey_id}/exports": "viewer",
     "GET /exports/{export_id}.zip": "viewer",
+    "POST /scan-vehicles/{vehicle_id}/evidence": "viewer",
     "GET /studies": "viewer",
     "POST /studies": "operator",
     "GET /studies/{study_id}": "viewer",
@@ -210,17 +239,59 @@ MATRIX = {
     "PUT /studies/{study_id}/members/{person_id}": "operator",
     "DELETE /studies/{study_id}/members/{person_id}": "operator",
     "PUT /studies/{study_id}/open-to-all": "operator",
+    "GET /studies/{study_id}/beside/studies/{other_id}": "viewer",
     "GET /studies/{study_id}/results/{result_id}.zip": "viewer",
     "GET /studies/{study_id}/results/{result_id}.pdf": "viewer",
     "GET /audit/events": "viewer",
     "GET /audit/people": "viewer",
     "GET /audit": "viewer",
     "POST /audit/verify": "viewer",
+    "GET /audit/checkpoints": "admin",
+    "POST /audit/checkpoints": "admin",
+    "GET /audit/checkpoints/{checkpoint_id}/checkpoint.json": "admin",
     "GET /jobs": "viewer",
     "GET /jobs/{job_id}": "viewer",
     "POST /jobs/{job_id}/again": "operator",
     "POST /jobs/{job_id}/cancel": "viewer",
 }
+
+
+#: What a token needs beside the role of its person, where it is not the usual one; None: no token will do.
+USUAL_SCOPES: dict[str, Scope | None] = {
+    "viewer": "read",
+    "operator": "measure",
+    "reviewer": "review",
+    "manager": None,
+    "admin": None,
+}
+SCOPES: dict[str, Scope | None] = {
+    "GET /session/tokens": None,
+    "POST /session/tokens": None,
+    "DELETE /session/tokens/{token_id}": None,
+    "PUT /session/name": None,
+    "PUT /session/password": None,
+    "POST /surveys/{survey_id}/uploads": "upload",
+    "HEAD /uploads/{upload_id}": "upload",
+    "PATCH /uploads/{upload_id}": "upload",
+    "DELETE /uploads/{upload_id}": "upload",
+    "POST /recordings/{recording_id}/ingest": "upload",
+    "POST /recordings/{recording_id}/find-passes": "upload",
+    "POST /surveys/{survey_id}/exports": "export",
+    "GET /exports/{export_id}.zip": "export",
+    "GET /recordings/{recording_id}/video": "export",
+    "POST /scan-vehicles/{vehicle_id}/evidence": "export",
+    "GET /studies/{study_id}/results/{result_id}.zip": "export",
+    "GET /studies/{study_id}/results/{result_id}.pdf": "export",
+    "PUT /studies/{study_id}/members/{person_id}": None,
+    "DELETE /studies/{study_id}/members/{person_id}": None,
+    "PUT /studies/{study_id}/open-to-all": None,
+    "POST /jobs/{job_id}/cancel": "measure",
+}
+
+
+def scope_of(name: str) -> Scope | None:
+    """What a token needs for a route that is not open."""
+    return SCOPES.get(name, USUAL_SCOPES[MATRIX[name]])
 
 
 def routes() -> Iterator[tuple[str, APIRoute]]:
@@ -238,14 +309,17 @@ def calls(dependant: Any) -> Iterator[Any]:
         yield from calls(inner)
 
 
-def declared(route: APIRoute) -> list[str]:
-    """The roles that a route's dependencies ask for."""
+def declared(route: APIRoute) -> list[tuple[str, Scope | None]]:
+    """The roles that a route's dependencies ask for, each with its scope."""
     asked = list(calls(route.dependant))
-    return [one.role for one in asked if isinstance(one, require)] + ["" for one in asked if one is anybody]
+    return [(one.role, one.scope) for one in asked if isinstance(one, require)] + [
+        ("", None) for one in asked if one is anybody
+    ]
 
 
 def test_every_route_declares_exactly_the_role_of_the_matrix() -> None:
-    assert {name: declared(route) for name, route in routes()} == {k: [v] for k, v in MATRIX.items()}
+    expected = {name: [(role, scope_of(name) if role else None)] for name, role in MATRIX.items()}
+    assert {name: declared(route) for name, route in routes()} == expected
 
 
 def test_no_route_is_served_that_the_matrix_does_not_know(app: FastAPI) -> None:
@@ -270,14 +344,6 @@ def test_no_path_names_a_kind_that_is_not_known() -> None:
         assert of_a_survey(name) or "survey_id" not in name, name
 
 
-def test_no_query_names_a_thing_that_is_not_known(app: FastAPI) -> None:
-    apart = {"person_id", "before_id"}
-    for path, methods in app.openapi()["paths"].items():
-        for asked in (one for method in methods.values() for one in method.get("parameters", ())):
-            if asked["in"] == "query" and (asked["name"].endswith("_id") or "survey" in asked["name"]):
-                assert asked["name"] in ASKED_FOR or asked["name"] in apart, (path, asked["name"])
-
-
 def ask(client: Client, name: str) -> Any:
     """Ask for things that are not there: what is answered depends on who asks only through the role."""
     method, path = name.split(" ")
@@ -296,6 +362,9 @@ class InOneSurvey:
 
     def seen_surveys(self, session: Session, person: Person) -> Seen:
         return members.seen_surveys(session, person)
+
+    def seen_studies(self, session: Session, person: Person) -> Seen:
+        return members.seen_studies(session, person)
 
     def roles_by_thing(
         self, session: Session, person: Person, table: str, ids: Collection[int]
@@ -373,14 +442,57 @@ def test_signed_out_nothing_is_given(nobody: Client) -> None:
             assert answer.status_code in (200, 204, 422), (name, answer.text)
 
 
-GUIDE = Path(__file__).parents[2] / "docs" / "guide" / "en" / "access.md"
+@pytest.fixture
+def tokens(app: FastAPI, clients: dict[str, Client]) -> dict[Scope, Client]:
+    """Programs of the admin, who may do everything: each with a token of one scope."""
+    made = {}
+    for scope in get_args(Scope):
+        text = clients["admin"].made("/session/tokens", {"name": scope, "scopes": [scope]})["text"]
+        http = TestClient(app, headers={"Authorization": f"Bearer {text}"}, raise_server_exceptions=False)
+        made[scope] = Client(http)
+    return made
+
+
+def test_a_token_may_do_what_its_scopes_say(tokens: dict[Scope, Client], closed: int) -> None:
+    """No request carries the header against cross-site writes: a token needs none."""
+    for name in (name for name, least in MATRIX.items() if least):
+        for scope, client in tokens.items():
+            answer = ask(client, name)
+            if scope == scope_of(name):
+                assert answer.status_code not in (401, 403, 405, 500), (name, scope, answer.text)
+            else:
+                assert answer.status_code == 403, (name, scope, answer.text)
+                assert not answer.text or "token" in error_of(answer).lower(), (name, answer.text)
+
+
+GUIDE = Path(__file__).parents[2] / "docs" / "guide"
 MARK = "<!-- printed by: python -m tests.people.test_roles -->\n"
+ASKED = ("signed out", "does not belong", "viewer", "operator", "reviewer", "manager", "administrator")
+WORDS: dict[str, dict[str, str]] = {
+    "en": {},
+    "fr": {
+        "signed out": "non connecté",
+        "does not belong": "non membre",
+        "viewer": "lecteur",
+        "operator": "opérateur",
+        "reviewer": "vérificateur",
+        "manager": "gestionnaire",
+        "administrator": "administrateur",
+        "token": "jeton",
+        "yes": "oui",
+        "never": "jamais",
+        "read": "lire",
+        "upload": "envoyer",
+        "measure": "mesurer",
+        "review": "vérifier",
+        "export": "exporter",
+    },
+}
 
 
-def table() -> str:
-    """The table of the guide: what each route answers to whom."""
-    head = "| route | signed out | does not belong | viewer | operator | reviewer | manager | administrator |"
-    lines = [head, "| --- " * 8 + "|"]
+def table(language: str) -> str:
+    """The table of the guide in a language: what each route answers to whom."""
+    lines = [row(language, "route", [*ASKED, "token"]), "| --- " * 9 + "|"]
     for name, least in MATRIX.items():
         if of_a_survey(name):
             cells = [refused(who, name) or "yes" for who in ASKING]
@@ -394,13 +506,27 @@ def table() -> str:
                     for who in ("viewer", "operator", "reviewer", "manager", "admin")
                 ),
             ]
-        lines.append(f"| `{name}` | {401 if least else 'yes'} | {' | '.join(map(str, cells))} |")
+        token = (scope_of(name) or "never") if least else "yes"
+        lines.append(row(language, f"`{name}`", [401 if least else "yes", *cells, token]))
     return "\n".join(lines) + "\n"
 
 
-def test_the_guide_prints_the_table() -> None:
-    assert GUIDE.read_text(encoding="utf-8").partition(MARK)[2] == table()
+def row(language: str, first: str, cells: Collection[str | int]) -> str:
+    words = WORDS[language]
+    return f"| {' | '.join([first, *(words.get(str(cell), str(cell)) for cell in cells)])} |"
+
+
+@pytest.mark.parametrize("language", WORDS)
+def test_the_guide_prints_the_table(language: str) -> None:
+    written = (GUIDE / language / "access.md").read_text(encoding="utf-8")
+    assert written.partition(MARK)[2] == table(language)
+
+
+def test_every_guide_has_the_table() -> None:
+    assert {page.parent.name for page in GUIDE.glob("*/access.md")} == set(WORDS)
 
 
 if __name__ == "__main__":
-    GUIDE.write_text(GUIDE.read_text(encoding="utf-8").partition(MARK)[0] + MARK + table(), encoding="utf-8")
+    for guide in (GUIDE / language / "access.md" for language in WORDS):
+        text = guide.read_text(encoding="utf-8").partition(MARK)[0]
+        guide.write_text(text + MARK + table(guide.parent.name), encoding="utf-8")

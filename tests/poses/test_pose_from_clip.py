@@ -131,7 +131,7 @@ def test_what_cannot_work_is_refused_before_any_frame_is_read(
     for body, word in (
         (wish(other), "1280 x 720"),
         (wish(calibration_id, last_frame=999), "frames 0 to 19"),
-        (wish(calibration_id, first_frame=5, last_frame=2), "no span"),
+        (wish(calibration_id, first_frame=5, last_frame=2), "are not in"),
         (wish(calibration_id, square_m=-1.0), "square_m"),
         (wish(calibration_id, reference="left"), "reference"),
         (wish(calibration_id, rows=1), "rows"),
@@ -150,6 +150,6 @@ def test_a_board_that_moves_or_is_not_there_fails_with_the_reason(
     absent = operator.made(f"/recordings/{clip_id}/poses", wish(calibration_id, columns=13, rows=4))
     assert [one.state for one in work()] == ["failed", "failed"]
     assert "move" in operator.seen(f"/jobs/{moving['id']}")["error"]
-    assert "shows the board" in operator.seen(f"/jobs/{absent['id']}")["error"]
+    assert "No board of" in operator.seen(f"/jobs/{absent['id']}")["error"]
     assert operator.seen(f"/surveys/{survey_id}/poses") == []
     assert operator.seen(f"/recordings/{clip_id}")["pose_id"] is None

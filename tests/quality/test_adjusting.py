@@ -131,7 +131,7 @@ def test_it_is_put_in_force_by_a_person_computes_again_and_is_taken_back(
     path = f"/poses/{ground.pose_id}/adjustment"
     assert viewer.post(path, body).status_code == 403
     stale = operator.post(path, {"camera_height_change_m": 0.5})
-    assert stale.status_code == 409 and "look at it again" in error_of(stale)
+    assert stale.status_code == 409 and "check it again" in error_of(stale)
     assert operator.post(f"{path}/undo").status_code == 409
     made = operator.made(path, body)
     (job,) = work()
@@ -177,7 +177,7 @@ def test_a_vehicle_said_to_be_another_model_is_named_and_what_lacks_is_said(
     operator.made(f"/vehicles/{unnamed['id']}/wheel-pair", {"frame": 2, **tyres})
     found = asked(operator, ground)
     out = {one["vehicle_id"]: one["reason"] for one in found["left_out"]}
-    assert "is it another model?" in out[vehicles[3]["id"]]
+    assert "check the model." in out[vehicles[3]["id"]]
     assert "make and model are not filled in" in out[unnamed["id"]]
     assert found["used"] == 11
 

@@ -93,7 +93,7 @@ def test_without_a_road_pose_it_says_where_to_make_one(
 ) -> None:
     vehicle = add_vehicle(operator, recording_id)
     refused = operator.post(f"/vehicles/{vehicle['id']}/wheel-pair", tyres(0.0))
-    assert refused.status_code == 409 and "no road pose" in error_of(refused)
+    assert refused.status_code == 409 and "no camera pose" in error_of(refused)
     assert traffic(operator, survey_id) == {"poses": [], "pairs": []}
     insets = operator.seen(f"/surveys/{survey_id}/checks/insets")
     assert insets["camera_height_m"] == 1.5
@@ -113,7 +113,7 @@ def test_traffic_turns_a_pose_and_choosing_the_old_one_undoes_it(
     check = traffic(operator, ground.survey_id)["poses"][0]
     assert check["proposed"] and check["used"] == 6
     assert check["mean_rad"] == pytest.approx(TURN_RAD, abs=0.002)
-    assert "turned by 2.8" in check["verdict"] and "6 stored heights" in check["verdict"]
+    assert "rotated by 2.8" in check["verdict"] and "6 stored heights" in check["verdict"]
     # h = Hc + (h - Hc)(...): the target is 0.4 m ahead, so the side plane there moves by 0.4 m x angle
     expected = (1.2 - 1.5) / 3.0 * 0.4 * np.tan(check["mean_rad"])
     changes = check["changes"]
@@ -122,11 +122,11 @@ def test_traffic_turns_a_pose_and_choosing_the_old_one_undoes_it(
     path = f"/poses/{ground.pose_id}/turn"
     preview = viewer.seen(path)
     assert preview["turn_rad"] == check["mean_rad"] and len(preview["overlay"]["grid"]) > 5
-    assert preview["summary"].startswith("Turned by +2.8")
+    assert preview["summary"].startswith("Rotated by +2.8")
     wanted = {"turn_rad": check["mean_rad"]}
     assert viewer.post(path, wanted).status_code == 403
     stale = operator.post(path, {"turn_rad": check["mean_rad"] + 0.001})
-    assert stale.status_code == 409 and "look again" in error_of(stale)
+    assert stale.status_code == 409 and "reload the page" in error_of(stale)
     new = operator.made(path, wanted)
     assert operator.seen(f"/surveys/{ground.survey_id}/recordings")[0]["pose_id"] == new["id"]
     after = traffic(operator, ground.survey_id)["poses"][0]

@@ -55,7 +55,7 @@ def ground(
 
 def flags(client: Client, measurement_id: int) -> list[str]:
     found: list[str] = client.seen(f"/measurements/{measurement_id}")["flags"]
-    return [one for one in found if "had moved" in one]
+    return [one for one in found if "after the pose was computed" in one]
 
 
 def test_a_bump_flags_what_comes_after_it_until_somebody_decides(
@@ -78,7 +78,7 @@ def test_a_bump_flags_what_comes_after_it_until_somebody_decides(
     assert check["state"] == "moved" and check["pose_id"] == ground.pose_id
     assert [(bump["after"], bump["frame"]) for bump in check["bumps"]] == [(BUMP - 1, BUMP)]
     assert check["bumps"][0]["by_px"] == pytest.approx(2.5, abs=0.05)
-    assert f"(frame {BUMP}) by 2.5 px: heights are off by up to" in check["words"]
+    assert f"(frame {BUMP}) by 2.5 px (height error up to" in check["words"]
     assert check["looks"][0]["frame"] == 0 and len(check["looks"]) == 24
     assert flags(viewer, early) == [] and len(flags(viewer, late)) == 1
     stored = viewer.seen(f"/measurements/{late}/history")["revisions"]
@@ -117,7 +117,7 @@ def test_withdrawing_stores_no_derived_flag_and_a_new_pose_ends_it(
     operator.made(f"/measurements/{late['id']}/restore", {"revision": 2})
     with services.reading() as session:
         kept = session.execute(select(measurements.c.flags)).scalars().all()
-    assert all("had moved" not in flag for one in kept for flag in one)
+    assert all("after the pose was computed" not in flag for one in kept for flag in one)
 
     renewed = add_pose(services, ground.recording_id, ground.calibration_id, flat_camera())
     seen = operator.seen(f"/recordings/{ground.recording_id}/drift")
@@ -133,7 +133,7 @@ def test_choosing_a_pose_looks_by_itself_and_without_one_there_is_nothing_to_loo
     recording_id = upload(operator, survey_id, bumped_clip)
     work()
     answer = operator.post(f"/recordings/{recording_id}/drift")
-    assert answer.status_code == 409 and "no road pose" in error_of(answer)
+    assert answer.status_code == 409 and "no camera pose" in error_of(answer)
     assert operator.put(f"/recordings/{recording_id}/drift/decision", {"reason": "x"}).status_code == 409
     ground = lay_ground(services, survey_id, recording_id)
     answer = operator.put(f"/recordings/{recording_id}", {"pose_id": ground.pose_id})

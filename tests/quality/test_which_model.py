@@ -27,7 +27,7 @@ def test_reasons_come_before_anything_is_measured(operator: Client, ground: Grou
     assert asked(operator, vehicle)["reason"] == "The catalogue is empty."
     add_model(operator, "Juna", wheelbase_m=2.0)
     said = asked(operator, vehicle)
-    assert said["fitting"] == [] and "was measured of this vehicle yet" in said["reason"]
+    assert said["fitting"] == [] and "has been measured on this vehicle yet" in said["reason"]
     assert all(one["reason"] for one in said["measured"])
     measure(operator, vehicle, target="taillight", height_m=0.74)
     assert "No model in the catalogue" in asked(operator, vehicle)["reason"]

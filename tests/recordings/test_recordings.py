@@ -14,6 +14,7 @@ from sightline.infra.services import Services
 from sightline.media.video.writer import write_mp4
 from sightline.recordings import ingest_job
 from sightline.recordings.frames.stills import stills_of
+from sightline.recordings.store import get_recording
 from tests.media.clips import painted
 from tests.support.app import FRAME_HEIGHT, FRAME_WIDTH, FRAMES, Client, error_of, number_of, upload
 
@@ -235,3 +236,21 @@ def test_a_stream_without_an_index_is_served_from_a_working_copy(
         answer = operator.get(f"/recordings/{recording_id}/frames/{n}.jpg")
         assert number_of(answer.content) == n
     assert operator.delete(f"/recordings/{recording_id}").status_code == 204
+
+
+def test_the_video_is_handed_out_as_it_came(
+    operator: Client, viewer: Client, nobody: Client, services: Services, recording_id: int, clip: Path
+) -> None:
+    operator.put(f"/recordings/{recording_id}", {"name": "Côte/nord, matin"})
+    answer = viewer.get(f"/recordings/{recording_id}/video")
+    assert (answer.status_code, answer.content) == (200, clip.read_bytes())
+    assert answer.headers["content-disposition"].startswith("attachment; filename")
+    assert "C%C3%B4te-nord%2C%20matin.mp4" in answer.headers["content-disposition"]
+    some = viewer.get(f"/recordings/{recording_id}/video", headers={"Range": "bytes=4-7"})
+    assert (some.status_code, some.content) == (206, clip.read_bytes()[4:8])
+    assert nobody.get(f"/recordings/{recording_id}/video").status_code == 401
+    with services.reading() as session:
+        key = get_recording(session, recording_id).media_key
+    services.media.delete(key)
+    gone = viewer.get(f"/recordings/{recording_id}/video")
+    assert gone.status_code == 404 and "backup" in error_of(gone)

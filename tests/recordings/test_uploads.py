@@ -184,7 +184,7 @@ def test_a_full_disk_is_told_before_a_byte_is_sent(
     monkeypatch.setattr(local.shutil, "disk_usage", lambda _path: Usage)
     answer = announce(operator, survey_id, "a.mp4", 5_000_000_000)
     assert answer.status_code == 507
-    assert "no room" in error_of(answer)
+    assert "not enough space" in error_of(answer)
     assert operator.seen(f"/surveys/{survey_id}/uploads") == []
 
 

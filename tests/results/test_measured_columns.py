@@ -105,7 +105,8 @@ def test_columns_are_the_records(factory: SessionFactory, monkeypatch: pytest.Mo
         )
         lengths = (found.height_m[row], found.uncorrected_height_m[row])
         assert lengths == (m.values.height_m, m.values.uncorrected_height_m)
-        assert np.isnan(found.manufacturer_height_m[row]) == (vehicle.manufacturer_height_m is None)
+        of_roof = vehicle.manufacturer_height_m if m.values.target == "roof" else None
+        assert np.isnan(found.known_m[row]) == (of_roof is None)
         assert today - 1 <= found.day[row] <= today
     assert "accepted" in {VERDICTS[v] for v in found.verdict}
     chosen = found.where(found.target == TARGETS.index("roof"))

@@ -103,12 +103,12 @@ def test_discarding_and_measuring_exclude_each_other(operator: Client, ground: G
 @pytest.mark.parametrize(
     ("wrong", "word"),
     [
-        ({"method": "nth", "step": 3, "start": 4}, "between 1 and n"),
+        ({"method": "nth", "step": 3, "start": 4}, "from 1 to n"),
         ({"method": "nth", "step": 0}, "step"),
         ({"method": "share", "share_percent": 0}, "share_percent"),
         ({"free_flowing_s": 0}, "free_flowing_s"),
         ({"method": "some"}, "method"),
-        ({"quotas": [{"lighting": "daytime", "wanted": 2}] * 2}, "two quotas"),
+        ({"quotas": [{"lighting": "daytime", "wanted": 2}] * 2}, "given twice"),
         ({"quotas": [{"lighting": "daytime", "wanted": 0}]}, "wanted"),
     ],
 )

@@ -242,7 +242,7 @@ def test_statistics_are_a_recount(viewer: Client, services: Services, ground: Gr
 def test_empty_one_and_few_have_reasons(viewer: Client, services: Services) -> None:
     empty = viewer.seen("/statistics")
     assert empty["counted"]["measurements"] == 0 and len(empty["standards"]) == len(USUAL)
-    assert "no vehicle" in empty["errors"]["groups"][0]["reason"]
+    assert "no counted height" in empty["errors"]["groups"][0]["reason"]
     assert "at least 4" in empty["errors"]["trend"]["reason"]
     assert "reason" in empty["targets"][0]["corrected"]["ecdf"]
     assert empty["targets"][0]["corrected"]["percentiles"] == []
@@ -264,7 +264,8 @@ def test_empty_one_and_few_have_reasons(viewer: Client, services: Services) -> N
     assert overall["n"] == 1 and "too few" in overall["reason"]
     # 1.618 against 1.600: 2 cm when both are rounded
     assert overall["figures"]["bias_m"]["value"] == pytest.approx(0.02, abs=1e-12)
-    assert overall["figures"]["sd_m"] == {"value": None, "ci95": None, "reason": None}
+    none = {"value": None, "ci95": None, "reason": None, "holds": []}
+    assert overall["figures"]["sd_m"] == none
     roof = found["targets"][3]["raw"]
     assert [one["low"] for one in roof["percentiles"]] == [None] * 11
     assert "needs at least 183" in roof["percentiles"][0]["reason"]
@@ -328,7 +329,7 @@ def test_a_table_of_standards_that_cannot_be_is_refused(operator: Client, ground
         ([{**row, "name": "  "}], "needs a name"),
         ([{**row, "height_m": 0}], "between 0 and 10 m"),
         ([{**row, "percent": 100}], "percentile"),
-        ([{**row, "name": f"A{n}"} for n in range(41)], "40 are the most"),
+        ([{**row, "name": f"A{n}"} for n in range(41)], "40 are the maximum"),
     ]
     for table, word in bad:
         answer = operator.put(path, json={"version": 0, "standards": table})

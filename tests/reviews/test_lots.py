@@ -89,7 +89,7 @@ def test_a_lot_is_drawn_judged_accepted_and_taken_back_as_a_whole(
     for one in sample:
         assert judge(reviewer, one).status_code == 201
     late = reviewer.post(f"/lots/{of['id']}/dissolve")
-    assert late.status_code == 409 and "the draw stands" in error_of(late)
+    assert late.status_code == 409 and "cannot be dissolved" in error_of(late)
     accepted = reviewer.post(f"/lots/{of['id']}/accept").json()
     assert accepted["state"] == "accepted" and accepted["outgoing"]["count"] == COUNT - n
     assert 0 < accepted["outgoing"]["at_most"] < COUNT - n and accepted["outgoing"]["estimate"] == 0.0
@@ -134,7 +134,7 @@ def test_with_too_many_the_rest_goes_to_the_queue_and_into_no_other_lot(
     queue = reviewer.seen(f"/surveys/{ground.survey_id}/review-queue")
     assert len(queue) == COUNT - len(sample) and all(item["judged"]["lot"] is None for item in queue)
     nothing = reviewer.post(f"/surveys/{ground.survey_id}/lots", {"by": [], **RISKS})
-    assert nothing.status_code == 422 and "No lot would save anything" in error_of(nothing)
+    assert nothing.status_code == 422 and "No lot would save work" in error_of(nothing)
 
 
 @pytest.mark.dialect
@@ -176,16 +176,16 @@ def test_nobody_accepts_heights_of_their_own_and_a_draw_is_dissolved_before_it_i
     for one in sample_of(admin, lot):
         judge(admin, one)
     refused = reviewer.post(f"/lots/{lot['lot']['id']}/accept")
-    assert refused.status_code == 403 and "heights of their own" in error_of(refused)
+    assert refused.status_code == 403 and "your own heights" in error_of(refused)
     assert admin.post(f"/lots/{lot['lot']['id']}/accept").json()["state"] == "accepted"
 
 
 @pytest.mark.parametrize(
     ("risks", "words"),
     [
-        ({"producer_quality": 0.3}, "has to be smaller"),
-        ({"consumer_risk": 0.0}, "A risk is a number"),
-        ({"consumer_quality": 1.5}, "A fraction nonconforming"),
+        ({"producer_quality": 0.3}, "must be smaller"),
+        ({"consumer_risk": 0.0}, "Enter a risk"),
+        ({"consumer_quality": 1.5}, "a fraction nonconforming"),
     ],
 )
 def test_risks_that_are_none_are_refused_in_one_sentence(
@@ -289,15 +289,16 @@ def test_a_package_tells_which_verdicts_are_by_lot_and_what_is_forged_is_found(p
     assert counts.outgoing is not None and counts.outgoing.at_most == int(told[1]["outgoing_at_most"])
     report = " ".join(words((package / "report.pdf").read_bytes()).split())
     assert (
-        f"{counts.by_lot} by their lot’s sample" in report and "that nobody looked at in 1 accepted" in report
+        f"{counts.by_lot} by the sample of their lot" in report
+        and "not reviewed individually in 1 accepted" in report
     )
     for name, column, value, said in (
-        ("lots.csv", "seed", "0" * 64, "lots.csv: lot 1 is not what its audit events say"),
-        ("lots.csv", "acceptance_number", "3", "lots.csv: lot 1 is not what its audit events say"),
-        ("lots.csv", "nonconforming", "2", "lots.csv: lot 1 is not what its audit events say"),
+        ("lots.csv", "seed", "0" * 64, "lots.csv: lot 1 differs from its audit events"),
+        ("lots.csv", "acceptance_number", "3", "lots.csv: lot 1 differs from its audit events"),
+        ("lots.csv", "nonconforming", "2", "lots.csv: lot 1 differs from its audit events"),
         ("lot_items.csv", "role", "left", "lot_items.csv: place"),
         ("measurements.csv", "verdict_by", "individual", "verdict on"),
-        ("reviews.csv", "lot_id", "2", "is not what its audit event says"),
+        ("reviews.csv", "lot_id", "2", "differs from its audit event"),
     ):
         kept = (package / name).read_bytes()
         edit(

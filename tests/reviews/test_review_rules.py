@@ -128,7 +128,7 @@ def test_a_fix_needs_points_and_only_a_fix_has_them(
     made = measure(operator, vehicle_id)
     assert "points" in error_of(judge(reviewer, made, "fixed"))
     same = judge(reviewer, made, "fixed", contact=made["contact"], target_point=made["target_point"])
-    assert same.status_code == 422 and "changes nothing" in error_of(same)
+    assert same.status_code == 422 and "Nothing was changed" in error_of(same)
     with_points = judge(reviewer, made, "accepted", contact=[1.0, 2.0], target_point=[1.0, 2.0])
     assert with_points.status_code == 422 and "fix" in error_of(with_points)
     assert operator.seen(f"/measurements/{made['id']}")["revision"] == 1
@@ -202,7 +202,7 @@ def test_the_plan_of_the_survey_says_what_is_clicked_again_before_it_is_judged(
 
     assert (blind(reviewer), blind(operator)) == ([True], [False])
     refused = judge(reviewer, made, "accepted")
-    assert refused.status_code == 422 and "clicked again" in error_of(refused)
+    assert refused.status_code == 422 and "blind repeat" in error_of(refused)
     measure(reviewer, vehicle_id, repeat_of=made["id"], inset_m=None, u_inset_m=None)
     assert (blind(reviewer), blind(admin)) == ([False], [True])
     assert judge(reviewer, made, "accepted").status_code == 201

@@ -90,7 +90,7 @@ def test_a_height_is_reviewed_by_somebody_else(
     first = reviewer.made(heights, {**clicks(), "revision": 0})
     assert (first["review"]["verdict"], first["mine"]) == ("to_review", True)
     own = reviewer.post(f"/line-heights/{first['id']}/review", {"verdict": "accepted"})
-    assert own.status_code == 403 and "clicked or computed themselves" in error_of(own)
+    assert own.status_code == 403 and "you clicked or computed" in error_of(own)
     # computed again with another rod by the operator: the reviewer's clicks all the same
     operator.put(f"{scan}/line-pose", rod(1, u_distance_m=0.02))
     again = operator.made(heights, {**clicks(), "revision": 1})
@@ -106,7 +106,7 @@ def test_a_height_is_reviewed_by_somebody_else(
     why = reviewer.post(verdict, {"verdict": "rejected", "reason": " "})
     assert why.status_code == 422 and "needs a reason" in error_of(why)
     early = reviewer.post(verdict, {"verdict": "reopened"})
-    assert early.status_code == 409 and "waits for a review already" in error_of(early)
+    assert early.status_code == 409 and "already waiting for a review" in error_of(early)
     rejected = reviewer.made(verdict, {"verdict": "rejected", "reason": "A rack.", "seen": "to_review"})
     assert (rejected["review"]["verdict"], rejected["review"]["reason"]) == ("rejected", "A rack.")
     late = reviewer.post(verdict, {"verdict": "accepted", "seen": "to_review"})

@@ -47,7 +47,7 @@ def test_a_survey_tells_of_its_line_scans(session: Session) -> None:
     told = survey_overview(session, one.survey.id).scans
     assert (told.state, told.scans) == ("none", 0)
     scans_samples.scan(session, one)
-    assert "has been read in" in survey_overview(session, one.survey.id).scans.summary
+    assert "still being imported" in survey_overview(session, one.survey.id).scans.summary
     scan = scans_samples.ready(session, one)
     assert "Find the vehicles of 1 line scan" in survey_overview(session, one.survey.id).scans.summary
     measured = vehicles(session, one, scan.id, [2.6, 2.6])
@@ -100,5 +100,5 @@ def test_cameras_given_the_wrong_way_round_are_exchanged(session: Session) -> No
     car = list_scan_vehicles(session, made.id)[0]
     change = {"make": "Fiat"}
     change_scan_vehicle(session, car.id, change, version=car.version, actor=one.olga.id)
-    with pytest.raises(Conflict, match="the other way round"):
+    with pytest.raises(Conflict, match="with the strips swapped"):
         swap_scan_cameras(session, made.id, version=3, actor=one.olga.id)

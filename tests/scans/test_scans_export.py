@@ -1,6 +1,8 @@
 """Line-scan recordings in a package: rows with their description, and tampering that verify finds."""
 
 import csv
+from dataclasses import replace
+from datetime import UTC, datetime
 from pathlib import Path
 
 import pytest
@@ -11,11 +13,15 @@ from sightline.export.seal import read_seal
 from sightline.export.verify.chain import walk
 from sightline.export.verify.derived import check_statistics
 from sightline.export.verify.package import verify_place
-from sightline.infra.csv_package.files import FolderFiles, Staging
+from sightline.infra.csv_package.files import FolderFiles, Staging, unsafe
 from sightline.infra.services import Services
+from sightline.recordings.filming import Filming
+from sightline.scans.clock import ScanClock
 from sightline.scans.heights.review_store import add_line_height_review
+from sightline.scans.store import update_scan
 from sightline.scans.vehicles.measurement_store import append_scan_measurement
 from sightline.scans.vehicles.review_store import add_scan_review
+from sightline.scans.vehicles.store import change_scan_vehicle
 from sightline.scans.verify import check_scans
 from tests.export.report.pdf_text import words
 from tests.support import samples, scans_samples
@@ -28,10 +34,20 @@ def one(services: Services) -> Sample:
     with services.writing() as session:
         made = samples.sample(session)
         first = scans_samples.measured(session, made)
+        clock = ScanClock(Filming(datetime(2026, 5, 3, 6, 10, tzinfo=UTC), "Europe/Paris"), 0.5)
+        lane = {"name": "=near", "distance_m": 5.5, "tyres_from_px": 200, "tyres_to_px": 256.0}
+        update_scan(session, first.scan_id, {"clock": clock, "lanes": [lane]}, version=1, actor=made.olga.id)
         scans_samples.run(session, made, first.scan_id)
         moved = scans_samples.values(cause="boundaries", placed_by=made.olga.id, rear_line_1=2201.0)
+        moved = replace(moved, axle_lines=[1300.25, 1950.5, 2100.0], axles_by="person")
+        moved = replace(moved, lane="=near", lane_by="machine", tyres_px=240.0)
         second = append_scan_measurement(session, first.vehicle_id, moved, actor=made.olga.id)
         add_scan_review(session, second.id, verdict="accepted", actor=made.rene.id)
+        scans_samples.reference(session, made, first.vehicle_id, value=18.0)
+        scans_samples.reference(session, made, first.vehicle_id, 1, source="radar")
+        scans_samples.reference(session, made, first.vehicle_id, quantity="length", source="tape", value=4.8)
+        change_scan_vehicle(session, first.vehicle_id, {"run_of": "Golf"}, version=3, actor=made.olga.id)
+        scans_samples.calibrated_rig(session, made, first.scan_id, 2)
         rod = scans_samples.rod(session, made, first.scan_id)
         roof = scans_samples.tall(session, made, first.vehicle_id, rod)
         scans_samples.tall(session, made, first.vehicle_id, rod, target="other")
@@ -57,17 +73,52 @@ def rows(package: Path, name: str) -> list[dict[str, str]]:
 
 
 def test_rows_say_what_is_stored(package: Path) -> None:
-    assert len(rows(package, "line_scans")) == 2
+    first, unclocked = rows(package, "line_scans")
+    assert (first["started_at"], first["u_start_s"]) == ("2026-05-03T08:10:00.000+02:00", "0.5")
+    assert (unclocked["started_at"], unclocked["time_zone"]) == ("", "")
+    assert '"distance_m":5.5' in first["lanes"] and '"tyres_from_px":200,' in first["lanes"]
+    assert unclocked["lanes"] == ""
     (vehicle,) = rows(package, "scan_vehicles")
+    assert (unsafe(vehicle["lane"]), vehicle["lane_by"], vehicle["tyres_px"]) == ("=near", "machine", "240.0")
+    assert {unsafe(one["lane"]) for one in rows(package, "statistics/traffic_intervals")} == {"=near"}
     assert (vehicle["speed_mps"], vehicle["length_m"]) == ("19.31415", "4.742100")
     assert (vehicle["revision"], vehicle["verdict"], vehicle["rear_line_1"]) == ("2", "accepted", "2201.0")
+    assert vehicle["filmed_at"] == "2026-05-03T08:10:00.205+02:00"
+    assert float(vehicle["u_filmed_at_s"]) == pytest.approx(0.5, rel=1e-5)
     revisions = rows(package, "scan_measurements")
     assert [one["cause"] for one in revisions] == ["found", "boundaries"]
     assert revisions[0]["baseline_m"] == "0.593000"
     assert [one["verdict"] for one in rows(package, "scan_reviews")] == ["accepted"]
+    old, radar, tape = rows(package, "scan_references")
+    assert (old["value"], old["current"], old["difference"]) == ("18.0", "false", "")
+    assert (radar["value"], radar["unit"], radar["revision"], radar["current"]) == (
+        "19.4",
+        "m/s",
+        "2",
+        "true",
+    )
+    assert float(radar["difference"]) == pytest.approx(19.31415 - 19.4) and radar["within"] == "true"
+    assert (tape["source"], tape["device"], tape["unit"]) == ("tape", "Gun 2", "m")
+    assert vehicle["run_of"] == "Golf"
     (pose,) = rows(package, "line_poses")
     assert (pose["camera_height_m"], pose["sigma_px"]) == ("1.100000", "0.5")
     assert len(rows(package, "line_marks")) == 8
+    (calibration,) = rows(package, "rig_calibrations")
+    assert (first["baseline_m"], first["divergence_rad"]) == (
+        calibration["baseline_m"],
+        calibration["divergence_rad"],
+    )
+    assert (first["baseline_correlation"], first["u_distance_m"]) == (
+        calibration["baseline_correlation"],
+        "0.000000",
+    )
+    passes = rows(package, "rig_passes")
+    assert [one["kind"] for one in passes] == ["positions"] * 4 + ["board"]
+    assert (passes[4]["front_line_2"], passes[4]["span_m"], passes[0]["span_m"]) == (
+        "1590.0",
+        "0.596000",
+        "0.596200",
+    )
     height, other = rows(package, "line_heights")
     assert (height["height_m"], height["distance_m"], height["current"]) == ("1.400000", "3.000000", "true")
     last = rows(package, "line_height_reviews")[-1]
@@ -92,37 +143,116 @@ def test_statistics_figures_and_report_tell_of_line_scans(package: Path) -> None
     other, roof = rows(package / "statistics", "scan_heights")
     assert (roof["target"], roof["n"], roof["mean_m"], roof["sd_m"]) == ("roof", "1", "1.400000", "")
     assert (other["target"], other["n"], other["to_review"], other["mean_m"]) == ("other", "0", "1", "")
+    by = {
+        (one["quantity"], one["source"]): one for one in rows(package / "statistics", "scan_reference_errors")
+    }
+    assert set(by) == {("speed", "radar"), ("speed", "all"), ("length", "tape"), ("length", "all")}
+    assert (by["speed", "radar"]["n"], by["speed", "radar"]["share_within"]) == ("1", "1.0")
+    (car,) = rows(package / "statistics", "scan_cars")
+    assert (car["car"], car["n"], car["verdict"], car["chi_square"]) == ("Golf", "1", "too_few", "")
+    length = float(rows(package, "scan_vehicles")[0]["length_m"])
     said = "".join(words((package / "report.pdf").read_bytes()).split())
     for expected in (
         "Linescans",
-        "1acceptedvehiclecountsof1found.",
+        "1of1detectedvehiclesaccepted.",
         "69.5",
         "fromthetraffic",
         "Roof11.400",
         "Other0––––1",
+        # 19.31415 m/s beside the radar's 19.4 m/s (u 0.1 m/s), and the tape's 4.8 m
+        "Speed(km/h)Radar1−0.31–0.311of1100.0%2.5to100.0%",
+        f"Length(mm)Tape1{1000 * (length - 4.8):+.1f}–{1000 * abs(length - 4.8):.1f}".replace("-", "−"),
     ):
         assert expected in said
     assert (package / "figures" / "scan-speed.svg").is_file()
     table = package / "statistics" / "scan_quantities.csv"
     kept = table.read_text(encoding="utf-8")
     table.write_text(kept.replace("19.31415", "20.31415"), encoding="utf-8")
-    with pytest.raises(Damaged, match=r"scan_quantities\.csv, line 2: mean says 20.31415"):
+    with pytest.raises(Damaged, match=r"scan_quantities\.csv, line 2: mean states 20.31415"):
         check_statistics(FolderFiles(package), same_program=True)
     table.write_text(kept, encoding="utf-8")
     heights = package / "statistics" / "scan_heights.csv"
     heights.write_text(heights.read_text(encoding="utf-8").replace("1.400000", "1.410000"), encoding="utf-8")
-    with pytest.raises(Damaged, match=r"scan_heights\.csv, line 3: mean_m says 1.410000"):
+    with pytest.raises(Damaged, match=r"scan_heights\.csv, line 3: mean_m states 1.410000"):
+        check_statistics(FolderFiles(package), same_program=True)
+
+
+def test_traffic_is_counted_and_computed_again(package: Path) -> None:
+    told = rows(package / "statistics", "traffic_intervals")
+    hours = [one for one in told if one["minutes"] == "60"]
+    assert {one["scan_id"] for one in told} == {"1"}  # the other has no confirmed start
+    first = hours[0]
+    assert first["begins_at"] == "2026-05-03T08:10:00.000+02:00" and first["partial"] == "true"
+    assert (first["vehicles"], first["measured"], first["flow_per_hour"]) == ("1", "1", "1.2")
+    assert hours[1]["begins_at"] == "2026-05-03T09:00:00.000+02:00" and hours[1]["vehicles"] == "0"
+    assert {one["direction"] for one in told} == {"camera_1_first"}
+    classes = [one for one in rows(package / "statistics", "traffic_classes") if one["minutes"] == "60"]
+    counted = [(one["vehicles"], one["axles_2"], one["axles_3"], one["axles_unknown"]) for one in classes]
+    assert counted == [("1", "0", "1", "0"), *[("0", "0", "0", "0")] * 3]
+    table = package / "statistics" / "traffic_intervals.csv"
+    text = table.read_text(encoding="utf-8")
+    table.write_text(text.replace(",1.2,", ",1.3,", 1), encoding="utf-8")
+    with pytest.raises(Damaged, match=r"traffic_intervals\.csv, line .*: flow_per_hour states 1.3"):
         check_statistics(FolderFiles(package), same_program=True)
 
 
 TAMPERED = {
+    "a reference": ("scan_references.csv", "19.4,0.1", "19.3,0.1", "value of row 2 differs"),
+    "a reference's uncertainty": ("scan_references.csv", "19.4,0.1", "19.4,0.2", "u of row 2 differs"),
+    "which instrument": ("scan_references.csv", "Gun 2,-", "Gun 3,-", "device of row 2 differs"),
+    "what stands": (
+        "scan_references.csv",
+        "radar,1,false",
+        "radar,1,true",
+        "current of row 1",
+    ),
+    "a difference": ("scan_references.csv", "Gun 2,-0.08", "Gun 2,-0.01", "difference of row 2 does not"),
+    "which way it went": ("scan_measurements.csv", "camera_1_first", "camera_2_first", "direction of row"),
+    "how many axles": ("scan_measurements.csv", ",3,1300.250", ",2,1300.250", "axles of row 2"),
+    "where a wheel is": ("scan_vehicles.csv", "2100.000", "2101.000", "not its newest revision"),
+    "what is within": ("scan_references.csv", ",true,1,", ",false,1,", "within of row"),
+    "a reference removed": (
+        "scan_references.csv",
+        "\n2,1,",
+        "\n7,1,",
+        "row 2 has no audit event|row 7 has no audit event",
+    ),
+    "whose run it is": ("scan_vehicles.csv", "Golf", "Polo", "run_of of row 1"),
     "a speed": ("scan_measurements.csv", "19.31415", "18.31415", "scan_measurements.csv: speed_mps of row 1"),
     "a speed in the list": ("scan_vehicles.csv", "19.31415", "18.31415", "vehicle 1 is not its newest"),
     "a boundary": ("scan_measurements.csv", "2201.0", "2203.0", "rear_line_1 of row 2"),
     "a baseline": ("line_scans.csv", "0.593000", "0.600000", "baseline_m of row"),
-    "a revision removed": ("scan_measurements.csv", "\n2,1,2", "\n7,1,2", "row 2 is there without|row 7 is"),
+    "a start": ("line_scans.csv", "08:10:00.000", "08:10:01.000", "started_at of row 1"),
+    "a start's uncertainty": ("line_scans.csv", "Europe/Paris,0.5", "Europe/Paris,0.4", "u_start_s of row 1"),
+    "a start that nobody said": ("line_scans.csv", ",,,,,Some", ",,,Europe/Paris,,Some", "time_zone of row"),
+    "a time of day": ("scan_vehicles.csv", "08:10:00.205", "08:10:00.206", "has another passing time"),
+    "a time of day's uncertainty": (
+        "scan_vehicles.csv",
+        "+02:00,0.5",
+        "+02:00,0.4",
+        "has another passing time",
+    ),
+    "a line rate": ("scan_measurements.csv", "4882.8", "4800.0", "has another passing time"),
+    "a revision removed": (
+        "scan_measurements.csv",
+        "\n2,1,2",
+        "\n7,1,2",
+        "row 2 has no audit event|row 7 has no audit event",
+    ),
     "a line camera's height": ("line_poses.csv", "1.100000", "1.200000", "camera_height_m of row 1"),
-    "a mark of the rod": ("line_marks.csv", "5.000000,0.500000", "5.100000,0.500000", "not those of its"),
+    "a mark of the rod": (
+        "line_marks.csv",
+        "5.000000,0.500000",
+        "5.100000,0.500000",
+        "differ from its event",
+    ),
+    "a rig's pass": ("rig_passes.csv", "0.596200,0.001000", "0.596300,0.001000", "differ from its audit"),
+    "a pass removed": ("rig_passes.csv", "\n1,5,", "\n1,6,", "differ from its audit"),
+    "a pass of nothing": ("rig_passes.csv", "\n1,5,", "\n2,5,", "differ from its audit"),
+    "what a pass gives": ("rig_passes.csv", ",0.596000,", ",0.596100,", "span_m of calibration 1 is not"),
+    "how a pass tells": ("rig_passes.csv", ",board,board,", ",board,speed,", "kind of calibration 1"),
+    "a tape's scale": ("rig_calibrations.csv", ",0.0001,", ",0.0002,", "u_tape_ratio of row 1"),
+    "who calibrated": ("rig_calibrations.csv", "\n1,1,1,", "\n1,1,2,", "revision of row 1"),
     "a height": ("line_heights.csv", "1.400000", "1.410000", "height_m of row 1"),
     "an interval": ("line_heights.csv", ",ok,", "9,ok,", "U95_height_m"),
     "a share of the budget": ("line_height_budget.csv", "inset,0", "inset,1", "inset of height 1"),
@@ -142,19 +272,24 @@ TAMPERED = {
         "line_heights.csv: .*2",
     ),
     "who judged a height": ("line_heights.csv", ",accepted,,2,", ",accepted,,1,", "line_heights.csv: .*1"),
-    "a height's refusal removed": ("line_height_reviews.csv", "\n1,1,", "\n7,1,", "row 1 is there|row 7 is"),
+    "a height's refusal removed": (
+        "line_height_reviews.csv",
+        "\n1,1,",
+        "\n7,1,",
+        "row 1 has no audit event|row 7 has no audit event",
+    ),
 }
 
 
 def test_tampering_is_found(package: Path) -> None:
     """By the audit events alone: whoever tampers can write new sums."""
     files = FolderFiles(package)
-    assert check_scans(files, walk(files, read_seal(files))) == 11
+    assert check_scans(files, walk(files, read_seal(files)).scans, {}) == 15
     for name, old, new, problem in TAMPERED.values():
         path = package / name
         text = path.read_text(encoding="utf-8")
         assert old in text
         path.write_text(text.replace(old, new), encoding="utf-8")
         with pytest.raises(Damaged, match=problem):
-            check_scans(files, walk(files, read_seal(files)))
+            check_scans(files, walk(files, read_seal(files)).scans, {})
         path.write_text(text, encoding="utf-8")

@@ -53,8 +53,8 @@ def test_strips_that_cannot_be_are_refused_in_words(
     said = operator.seen(f"/scans/{uneven['id']}")
     assert said["state"] == "failed" and "2000 lines and short.tif 1500" in said["error"]
     assert "road.mp4" in operator.seen(f"/scans/{no_strip['id']}")["error"]
-    assert "could not be read" in error_of(operator.post(f"/scans/{uneven['id']}/find", {}))
-    assert "could not be read" in error_of(operator.get(f"/scans/{uneven['id']}/tiles/1/0/0"))
+    assert "could not be imported" in error_of(operator.post(f"/scans/{uneven['id']}/find", {}))
+    assert "could not be imported" in error_of(operator.get(f"/scans/{uneven['id']}/tiles/1/0/0"))
     for made in (uneven, no_strip):
         assert operator.delete(f"/scans/{made['id']}").status_code == 204
     # the twin of what was read is gone with both, and so is everything else
@@ -93,22 +93,30 @@ def _die_once(services: Services) -> None:
     assert take_back(services.sessions, worker="gone") == 1
 
 
-def test_two_columns_of_a_video_are_a_scan(
+def test_two_columns_or_rows_of_a_video_are_a_scan(
     operator: Client, survey_id: int, tmp_path: Path, work: Work
 ) -> None:
     path = tmp_path / "bar.mp4"
     write_mp4(path, (_bar(n) for n in range(60)), 25, crf=10, gop=12)
     recording = upload(operator, survey_id, path)
     work()
-    body = {"recording_id": recording, "column_1_px": 40, "column_2_px": 100, "baseline_m": 1.5}
+    body = {"recording_id": recording, "cut_1_px": 40, "cut_2_px": 100, "baseline_m": 1.5}
     address = f"/surveys/{survey_id}/scans/from-video"
-    outside = operator.post(address, {**body, "column_2_px": 999})
+    outside = operator.post(address, {**body, "cut_2_px": 999})
     assert "Columns 40 and 999 cannot be cut" in error_of(outside)
     made = operator.made(address, {**body, "find": None})
     assert made["rig"]["line_rate_hz"] == pytest.approx(25)
     assert [job.state for job in work()] == ["done"]
     read = operator.seen(f"/scans/{made['id']}")
     assert (read["state"], read["lines"], read["rows_px"]) == ("ready", 60, 120)
+    assert read["cut_along"] == "columns"
+    along = {**body, "cut_along": "rows_right_up"}
+    assert "Rows 40 and 120 cannot be cut" in error_of(operator.post(address, {**along, "cut_2_px": 120}))
+    turned = operator.made(address, {**along, "find": None})
+    assert turned["name"].endswith("rows 40 and 100")
+    assert [job.state for job in work()] == ["done"]
+    read = operator.seen(f"/scans/{turned['id']}")
+    assert (read["state"], read["cut_along"], read["rows_px"]) == ("ready", "rows_right_up", 160)
 
 
 def _bar(n: int) -> Picture:

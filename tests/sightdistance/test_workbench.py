@@ -17,6 +17,8 @@ from sightline.sightdistance.workbench import (
     shares_of_fleet,
     sight_distance,
 )
+from sightline.statistics.shared_errors import SharedErrors, correlation_of
+from sightline.statistics.total_uncertainty import HeightSample, TotalUncertainty
 
 AASHTO_M = 657.9937888469
 
@@ -36,6 +38,39 @@ def test_the_interval_covers_as_those_of_the_heights_do() -> None:
     ]
     held = np.mean([one.low <= true <= one.high for one in found if one.low and one.high])
     assert held == pytest.approx(0.95, abs=0.012)
+
+
+def test_errors_of_one_pose_count_together() -> None:
+    """Eyes and lamps of the same pose err alike; left out, the interval of their constant is too short."""
+    rng = np.random.default_rng(31)
+    n, u_pose, true = 150, 0.010, float(crest_constants_m(1.18, 0.62))
+    pose = SharedErrors(np.zeros(n, np.int64), np.full(n, u_pose), np.array([7]))
+    held, correlations = {True: 0, False: 0}, []
+    for _ in range(300):
+        error = rng.normal(0.0, u_pose)
+        found = []
+        for middle, spread in ((1.18, 0.05), (0.62, 0.04)):
+            sample = HeightSample(rng.normal(middle, spread, n) + error, np.zeros(n), (pose,))
+            total = TotalUncertainty(sample)
+            one = total.percentile(50.0)
+            assert one.U95_low is not None and one.U95_high is not None
+            bounded = Bounded(one.value, one.U95_low, one.U95_high)
+            found.append((bounded, total.named_effects_m(50.0), (one.U95_high - one.U95_low) / 3.92))
+        (eye, of_eye, u_eye), (thing, of_thing, u_thing) = found
+        correlations.append(correlation_of(of_eye, of_thing, u_eye, u_thing))
+        for counted in held:
+            constant = constant_of(eye, thing, correlations[-1] if counted else 0.0)
+            assert constant.low is not None and constant.high is not None
+            held[counted] += constant.low <= true <= constant.high
+    assert np.mean(correlations) == pytest.approx(u_pose**2 / (0.01129 * 0.01082), abs=0.03)
+    assert held[True] / 300 == pytest.approx(0.95, abs=0.03)
+    assert held[False] / 300 < 0.90
+
+
+def test_other_poses_share_nothing() -> None:
+    assert correlation_of({1: 0.01, 2: 0.02}, {3: 0.01}, 0.03, 0.03) == 0.0
+    assert correlation_of({1: 0.01, 2: 0.02}, {2: 0.01}, 0.03, 0.02) == pytest.approx(0.0002 / 0.0006)
+    assert correlation_of({1: 0.01}, {1: 0.01}, 0.0, 0.01) == 0.0
 
 
 @given(

@@ -13,6 +13,7 @@ from hypothesis import strategies as st
 from scipy import stats
 from scipy.optimize import linprog
 
+from sightline.cli import main
 from sightline.commands.errors import errors
 from sightline.errors import BadInput
 from sightline.statistics.errors import (
@@ -178,3 +179,43 @@ def test_a_file_without_the_columns_is_refused_in_one_sentence(tmp_path: Path, t
     done = CliRunner().invoke(errors, [str(heights_csv(tmp_path, text))])
     assert isinstance(done.exception, BadInput)
     assert word in done.exception.message and done.exception.message.count("\n") == 0
+
+
+def _shared_csv(path: Path, columns: str, cells: str) -> Path:
+    """Heights of one pose with so many columns more."""
+    rng = np.random.default_rng(4)
+    rows = [f"{1.45 + 0.02 * e:.4f},1.45,ok{cells}" for e in rng.normal(0.3, 1.0, 60)]
+    path.write_text(f"height_m,reference_height_m,status{columns}\n" + "\n".join(rows) + "\n")
+    return path
+
+
+def test_the_command_counts_what_heights_share(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    told = []
+    for columns, cells in (("", ""), (",shared_group,u_shared_m", ",pose 1,0.02")):
+        path = _shared_csv(tmp_path / "heights.csv", columns, cells)
+        assert main(["errors", str(path), "--json", "--round", "none"]) == 0
+        told.append(json.loads(capsys.readouterr().out)["groups"]["overall"])
+    alone, total = told
+    for name in ("bias_m", "mae_m", "rmse_m", "mse_m2", "share_within_20_mm"):
+        (low, high), (least, most) = alone["ci95"][name], total["ci95"][name]
+        assert most - least > 1.5 * (high - low), name
+        assert "shared_errors" in total["holds"][name] and "shared_errors" not in alone["holds"][name]
+    assert total["ci95"]["skewness"] == alone["ci95"]["skewness"]
+    assert main(["errors", str(path)]) == 0
+    assert "Intervals hold sampling, errors that heights share, random errors" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(
+    ("columns", "cells", "said"),
+    [
+        (",shared_group", ",a", "no column “u_shared_m”"),
+        (",shared_group,u_shared_m", ",a,far", "row 2: u_shared_m"),
+    ],
+)
+def test_shared_errors_that_are_not_told_are_refused(
+    columns: str, cells: str, said: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = _shared_csv(tmp_path / "heights.csv", columns, cells)
+    assert main(["errors", str(path)]) == 2
+    printed = capsys.readouterr().err
+    assert said in printed and printed.count("\n") == 1

@@ -1,36 +1,38 @@
-"""Percentiles of a fleet with other shares: those of a plain sample where shares are its own, and their
-cover.
-"""
+"""Percentiles of a fleet with other shares: those of the sample where shares are its own, and their cover."""
 
 from __future__ import annotations
 
 import numpy as np
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
 from scipy import stats
 
-from sightline.statistics.distributions import percentiles, sorted_values
 from sightline.statistics.fleet import mixed_percentile
+from sightline.statistics.shared_errors import SharedErrors
+from sightline.statistics.total_uncertainty import HeightSample, TotalUncertainty
 
 
-@given(
-    heights=st.lists(st.tuples(st.floats(0.5, 3), st.integers(0, 2)), min_size=3, max_size=60),
-    percent=st.floats(1, 99),
-)
-def test_of_the_samples_own_shares_it_is_the_plain_percentile(
-    heights: list[tuple[float, int]], percent: float
-) -> None:
-    values, code = np.array([h for h, _ in heights]), np.array([c for _, c in heights])
-    found = mixed_percentile(values, code, np.bincount(code, minlength=3) / len(code), percent)
-    (plain,) = percentiles(sorted_values(values), [percent])
-    assert found.value == pytest.approx(plain.value, abs=1e-9)
-    if found.low is not None and found.high is not None:
-        assert found.low <= found.value + 1e-9 and found.value <= found.high + 1e-9
+def exact(heights_m: np.ndarray) -> HeightSample:
+    """Heights without errors."""
+    return HeightSample(heights_m, np.zeros(len(heights_m)))
+
+
+def test_of_the_samples_own_shares_it_is_nearly_the_plain_percentile() -> None:
+    rng = np.random.default_rng(8)
+    values, code = rng.normal(1.2, 0.06, 300), rng.integers(0, 3, 300)
+    shared = SharedErrors(np.zeros(300, np.int64), np.full(300, 0.006))
+    sample = HeightSample(values, np.full(300, 0.015), (shared,))
+    for percent in (5.0, 10.0, 50.0, 90.0):
+        found = mixed_percentile(sample, code, np.bincount(code) / 300, percent)
+        plain = TotalUncertainty(sample).percentile(percent)
+        assert found.value == pytest.approx(plain.value, abs=0.001)
+        for end in ("U95_low", "U95_high"):
+            half = abs(getattr(plain, end) - plain.value)
+            assert abs(getattr(found, end) - found.value) == pytest.approx(half, rel=0.25)
+            assert half > 1.96 * 0.006  # what all heights share is in it, whatever the shares
 
 
 def test_the_interval_holds_the_true_percentile_of_the_other_fleet() -> None:
-    """Low cars and high vans, measured half and half, asked for a fleet of nine to one."""
+    """Low cars and high vans, measured half and half with errors, asked for a fleet of nine to one."""
     rng = np.random.default_rng(4)
     shares, code = (0.9, 0.1), np.repeat([0, 1], 100)
     centre, spread = np.array([1.20, 1.60]), np.array([0.06, 0.12])
@@ -38,22 +40,24 @@ def test_the_interval_holds_the_true_percentile_of_the_other_fleet() -> None:
     mixture = sum(
         share * stats.norm.cdf(grid, c, s) for share, c, s in zip(shares, centre, spread, strict=True)
     )
-    for percent in (10.0, 50.0):
-        true = float(np.interp(percent / 100, mixture, grid))
-        held, values = 0, []
-        for _ in range(1000):
-            found = mixed_percentile(rng.normal(centre[code], spread[code]), code, shares, percent)
-            assert found.low is not None and found.high is not None
-            held += found.low <= true <= found.high
-            values.append(found.value)
-        assert 935 <= held <= 980, (percent, held)
-        assert np.mean(values) == pytest.approx(true, abs=0.003)
+    true = float(np.interp(0.10, mixture, grid))
+    held, values = 0, []
+    for _ in range(120):
+        heights = rng.normal(centre[code], spread[code]) + rng.normal(0.0, 0.015, 200)
+        shared = SharedErrors(np.zeros(200, np.int64), np.full(200, 0.008))
+        sample = HeightSample(heights + rng.normal(0.0, 0.008), np.full(200, 0.015), (shared,))
+        found = mixed_percentile(sample, code, shares, 10.0)
+        assert found.U95_low is not None and found.U95_high is not None
+        held += found.U95_low <= true <= found.U95_high
+        values.append(found.value)
+    assert 106 <= held <= 119, held  # of 120 at 0.95: less than 1 in 500 outside, either way
+    assert np.mean(values) == pytest.approx(true, abs=0.004)
 
 
 def test_what_cannot_be_mixed() -> None:
     with pytest.raises(ValueError, match="no height"):
-        mixed_percentile(np.array([1.2]), np.array([0]), (0.5, 0.5), 10)
-    few = mixed_percentile(np.array([1.1, 1.2, 1.3]), np.array([0, 0, 0]), (1.0,), 10)
-    assert few.low is None and few.reason and "3" in few.reason
-    away = mixed_percentile(np.array([1.1, 9.0]), np.array([0, 1]), (1.0, 0.0), 50)
-    assert away.value == 1.1
+        mixed_percentile(exact(np.array([1.2])), np.array([0]), (0.5, 0.5), 10)
+    few = mixed_percentile(exact(np.array([1.1, 1.2, 1.3])), np.array([0, 0, 0]), (1.0,), 10)
+    assert few.U95_low is None and few.reason and "3" in few.reason
+    away = mixed_percentile(exact(np.array([1.1, 9.0])), np.array([0, 1]), (1.0, 0.0), 50)
+    assert away.value == 1.1 and away.reason

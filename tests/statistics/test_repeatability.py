@@ -88,7 +88,11 @@ def test_too_few_repeats_have_a_reason_and_no_number() -> None:
     y, item, _ = balanced(9, 1, 2, 4)
     alone = gauge(y, item, np.zeros(len(y), dtype=np.intp))
     assert alone.repeatability.sd is not None and alone.reproducibility.sd is None
-    assert "somebody else" in str(alone.reproducibility.reason)
+    assert "another operator" in str(alone.reproducibility.reason)
+    few = gauge([1.0, 1.1, 1.2, 1.25], codes_of("aabb"), codes_of("xxxx"))
+    assert "Too few" in str(few.repeatability.reason) and "another operator" in str(
+        few.reproducibility.reason
+    )
 
 
 def test_clicks_of_two_coordinates_pool_within_their_cells() -> None:

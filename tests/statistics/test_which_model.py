@@ -42,7 +42,7 @@ def test_the_class_decides_between_equals_and_does_not_make_a_misfit_fit() -> No
 
 
 def test_nothing_to_compare_is_a_reason() -> None:
-    assert "measured of this vehicle yet" in str(fit_models([NAN], [NAN], [[1.4]], [[0.0]]))
+    assert "measured on this vehicle yet" in str(fit_models([NAN], [NAN], [[1.4]], [[0.0]]))
     assert "No model in the catalogue" in str(fit_models([1.4], [0.02], [[NAN]], [[0.0]]))
 
 

@@ -89,6 +89,7 @@ def test_a_study_of_two_sites(
         assert [one["place"] for one in rows] == ["survey 1", "survey 2"]
         assert "Simulated" in archive.read("datapackage.json").decode()
     _two_years_are_compared(operator, work, operator.seen(f"/studies/{simulated}"))
+    _two_studies_are_compared(operator, work, operator.seen(f"/studies/{simulated}"))
     with services.reading() as session:
         assert verify_records(session).ok
 
@@ -149,7 +150,13 @@ def _the_report_says_what_matters_first(operator: Client, result: dict[str, Any]
     """Percentile, total U95, rule, verdict and consequence on the first two pages."""
     text = pages(operator.http.get(result["report_url"]).content)
     first = " ".join(" ".join(text[:2]).split())
-    for said in ("Simulated.", "total 95 % intervals", "The same rule", "Verdict", "the study’s heights"):
+    for said in (
+        "Simulated.",
+        "total 95 % intervals",
+        "the same percentile",
+        "Verdict",
+        "the study’s heights",
+    ):
         assert said in first, said
     tenth = next(
         one for one in result["found"]["figures"] if (one["target"], one["percent"]) == ("driver_eye", 10.0)
@@ -163,7 +170,7 @@ def _a_class_that_no_survey_saw_is_said(operator: Client, work: Work, page: dict
     assert operator.put(address, changed(page, fleet_csv=fleet)).status_code == 200
     operator.made(f"{address}/computings")
     (job,) = work()
-    assert job.error is not None and "bus, which no survey saw" in job.error
+    assert job.error is not None and "bus, which no survey contains" in job.error
     again = changed(operator.seen(address), fleet_csv=page["study"]["fleet_csv"])
     assert operator.put(address, again).status_code == 200
 
@@ -179,6 +186,44 @@ def _two_years_are_compared(operator: Client, work: Work, page: dict[str, Any]) 
     assert {(one["first_year"], one["second_year"]) for one in years} == {(2020, 2025)}
     mean = next(one for one in years if (one["target"], one["percent"]) == ("roof", None))
     assert mean["low_m"] < mean["value_m"] < mean["high_m"] and mean["verdict"] is not None
+
+
+def _a_study_of_simulated_surveys_says_so(operator: Client, page: dict[str, Any]) -> None:
+    """Who joins them has a study that is as simulated as the demonstration's own."""
+    listed = {one["id"]: one["simulated"] for one in operator.seen("/studies")}
+    assert page["study"]["simulated"] and listed[page["study"]["id"]]
+    result = page["result"]
+    assert any(note.startswith("Simulated:") for note in result["found"]["notes"])
+    assert "Simulated." in pages(operator.http.get(result["report_url"]).content)[0]
+    with zipfile.ZipFile(io.BytesIO(operator.http.get(result["package_url"]).content)) as archive:
+        assert "Simulated:" in archive.read("datapackage.json").decode()
+        assert "true" in archive.read("packages.csv").decode().splitlines()[1].split(",")
+
+
+def _two_studies_are_compared(operator: Client, work: Work, page: dict[str, Any]) -> None:
+    """A study of each site alone: what years told of the two, studies tell too."""
+    made = []
+    for one in changed(page)["surveys"]:
+        alone = {**changed(page, sites_csv="", surveys=[one]), "name": one["site"]}
+        made.append(operator.made("/studies", {key: alone[key] for key in alone if key != "version"}))
+        operator.made(f"/studies/{made[-1]['id']}/computings")
+    work()
+    first, second = made
+    _a_study_of_simulated_surveys_says_so(operator, operator.seen(f"/studies/{first['id']}"))
+    found = operator.seen(f"/studies/{second['id']}/beside/studies/{first['id']}")
+    assert (found["first"], found["second"], found["shared_surveys"]) == (
+        first["name"],
+        second["name"],
+        [],
+    )
+    years = operator.seen(f"/studies/{page['study']['id']}")["result"]["found"]["years"]
+    told = {(one["target"], one["percent"]): one for one in found["differences"]}
+    assert set(told) == {(one["target"], one["percent"]) for one in years}
+    for one in years:
+        mine = told[one["target"], one["percent"]]
+        assert {name: mine[name] for name in mine} == {name: one[name] for name in mine}
+    both = operator.seen(f"/studies/{second['id']}/beside/studies/{page['study']['id']}")
+    assert both["shared_surveys"] == [second["surveys"][0]["name"]]
 
 
 def test_a_study_is_made_changed_and_removed_with_its_audit(
@@ -206,10 +251,10 @@ def test_a_study_is_made_changed_and_removed_with_its_audit(
         ({"fleet_csv": "category,share\nsuv,0.4\nvan,0.4\n"}, "sum to 0.8, not to 1"),
         ({"fleet_csv": "category\nsuv\n"}, "needs a column"),
         ({"sites_csv": "site,stratum\nElsewhere,a\n"}, "no row for Hill"),
-        ({"goal_m": 0.0}, "no U95"),
+        ({"goal_m": 0.0}, "not a U95"),
         ({"name": "  "}, "needs a name"),
-        ({"surveys": [{"survey_id": 1}, {"survey_id": 1}]}, "stands in the study twice"),
-        ({"surveys": [{"survey_id": 1, "year": 25}]}, "no year"),
+        ({"surveys": [{"survey_id": 1}, {"survey_id": 1}]}, "is in the study twice"),
+        ({"surveys": [{"survey_id": 1, "year": 25}]}, "not a possible year"),
         ({"surveys": [{"survey_id": 99}]}, "There is no survey 99"),
     ],
 )
@@ -226,9 +271,18 @@ def test_what_cannot_be_computed_says_why(operator: Client, work: Work) -> None:
     made = operator.made("/studies", {"name": "B", "surveys": [{"survey_id": 1}]})
     operator.made(f"/studies/{made['id']}/computings")
     (job,) = work()
-    assert job.state == "failed" and job.error is not None and "Hill has no road pose" in job.error
+    assert job.state == "failed" and job.error is not None and "Hill has no camera pose" in job.error
     page = operator.seen(f"/studies/{made['id']}")
     assert page["result"] is None and page["job"]["error"] == job.error
+
+
+def test_studies_without_figures_or_alone_are_not_compared(operator: Client, viewer: Client) -> None:
+    for name in ("One", "Two"):
+        operator.made("/studies", {"name": name})
+    refused = operator.get("/studies/1/beside/studies/2")
+    assert refused.status_code == 422 and "has not been computed" in error_of(refused)
+    assert operator.get("/studies/1/beside/studies/99").status_code == 404
+    assert viewer.get("/studies/1/beside/studies/2").status_code == 404
 
 
 def test_people_see_the_studies_that_they_belong_to(
@@ -247,12 +301,17 @@ def test_people_see_the_studies_that_they_belong_to(
     assert reviewer.post(f"{address}/computings").status_code == 404
     assert reviewer.put(f"{address}/open-to-all", {"open_to_all": True}).status_code == 404
     assert [one["name"] for one in admin.seen("/studies")] == ["One"]
+    job = operator.made(f"{address}/computings")["id"]
+    for other, mine in ((reviewer, False), (viewer, False), (operator, True), (admin, True)):
+        assert (job in [one["id"] for one in other.seen("/jobs")]) == mine
+        assert other.get(f"/jobs/{job}").status_code == (200 if mine else 404)
+    assert reviewer.post(f"/jobs/{job}/cancel").status_code == 404
     found = operator.seen(f"{address}/members")
     assert [one["name"] for one in found["members"]] == ["Operator"] and not found["open_to_all"]
     person = next(one["id"] for one in found["others"] if one["name"] == "Viewer")
     assert operator.put(f"{address}/members/{person}").status_code == 200
     assert [one["name"] for one in viewer.seen("/studies")] == ["One"]
-    assert viewer.seen(address)["study"]["name"] == "One"
+    assert viewer.seen(address)["study"]["name"] == "One" and viewer.seen(f"/jobs/{job}")["id"] == job
     assert operator.delete(f"{address}/members/{person}").status_code == 200
     assert viewer.get(address).status_code == 404
     assert operator.put(f"{address}/open-to-all", {"open_to_all": True}).status_code == 200

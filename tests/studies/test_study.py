@@ -77,7 +77,7 @@ def test_a_package_that_does_not_tell_its_sample_is_refused(
 ) -> None:
     monkeypatch.setattr("sightline.studies.packages.columns_of", lambda place: {name: () for name in READ})
     assert main(["study", *four, "--quick", "-o", str(tmp_path / "study")]) == 2
-    assert "does not say which vehicles were in its sample" in capsys.readouterr().err
+    assert "does not state which of its vehicles count" in capsys.readouterr().err
 
 
 def test_the_error_table_is_that_of_the_rows(
@@ -207,32 +207,44 @@ BAD: dict[str, tuple[Callable[[Path, list[str]], list[str]], str]] = {
     ),
     "a class never seen": (
         fleet("category,share\nhatchback,0.5\nsuv,0.3\nvan,0.1\nlorry,0.1\n"),
-        "category lorry, which no survey saw",
+        "category lorry, which no survey contains",
     ),
     "a class left out": (fleet("category,share\nhatchback,0.5\nsuv,0.5\n"), "vehicles of category van"),
     "a word that is no class": (
         fleet("category,share\nhatchback,0.5\nsuv,0.3\nvan,0.1\nspaceship,0.1\n"),
         "spaceship, which Sightline does not know",
     ),
-    "no share": (fleet("category\nsuv\n"), "and a column share or registrations"),
+    "not a share": (fleet("category\nsuv\n"), "and a column share or registrations"),
     "a share that is none": (fleet("category,share\nsuv,many\n"), "row 2: share is many"),
     "a negative share": (fleet("category,share\nsuv,-1\nvan,2\n"), "row 2: share is -1"),
     "an empty fleet": (fleet("category,share\n"), "has no row"),
-    "a survey without poses": (invented(poses=0), "another has no road pose"),
+    "a survey without poses": (invented(poses=0), "another has no camera pose"),
     "the same package twice": (lambda _, four: [*four, four[1]], "packages of the same survey"),
     "packages of two versions": (
         of_another_version,
         "(version 0.0.9) have other columns in measurements.csv",
     ),
-    "a folder without packages": (lambda tmp_path, _: [str(tmp_path / "nothing")], "is no package"),
+    "a fleet of nobody": (fleet("category,registrations\nsuv,0\n"), "category sums to 0 vehicles"),
+    "shares and registrations": (
+        fleet("category,share,registrations\nsuv,1,7\n"),
+        "keep the one that counts",
+    ),
+    "a column twice": (fleet("category,share,share\nsuv,1,0.5\n"), "two columns share"),
+    "a number beyond all fleets": (
+        fleet("category,registrations\nsuv,1e308\n"),
+        "registrations is 1e308",
+    ),
+    "a folder without packages": (lambda tmp_path, _: [str(tmp_path / "nothing")], "is not a package"),
     "a site that is not told": (sites("site,stratum\nsite 0,a\n"), "no row for site 1"),
     "more sites than there are": (
         sites("site,stratum,sites_there\n" + "".join(f"site {n},a,3\n" for n in range(4))),
         "Stratum a has 4 sites here",
     ),
+    "a part of a site": (sites("site,stratum,sites_there\nsite 0,a,3.5\n"), "3.5, not a whole number from 1"),
+    "no site at all": (sites("site,stratum,sites_there\nsite 0,a,0\n"), "0, not a whole number from 1"),
     "traffic of some": (
         sites("site,stratum,traffic\nsite 0,a,5\n" + "".join(f"site {n},a,\n" for n in (1, 2, 3))),
-        "traffic stands for some sites only",
+        "traffic is given for some sites only",
     ),
 }
 
@@ -246,6 +258,33 @@ def test_bad_input_is_one_sentence(
     printed = capsys.readouterr()
     assert said in printed.err and printed.err.count("\n") == 1 and not printed.out
     assert not (tmp_path / "study").exists()
+
+
+def test_an_output_that_cannot_be_written_is_one_sentence(
+    four: list[str], tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "file").write_text("a file, where a folder would have to be")
+    assert main(["study", *four, "-o", str(tmp_path / "file" / "study"), "--quick"]) == 2
+    said = capsys.readouterr().err
+    assert "cannot be written" in said and said.count("\n") == 1
+
+
+@pytest.mark.parametrize("below", ["", "study"])
+def test_a_study_never_takes_a_package_s_place(
+    below: str, four: list[str], tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main(["study", *four, "-o", str(Path(four[0]) / below), "--quick"]) == 2
+    printed = capsys.readouterr()
+    assert "is a package of a survey, or lies in one" in printed.err and printed.err.count("\n") == 1
+    assert (Path(four[0]) / "audit.csv").is_file()
+
+
+def test_a_package_without_its_description_is_refused(
+    four: list[str], tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (Path(four[0]) / "datapackage.json").unlink()
+    assert main(["study", *four, "-o", str(tmp_path / "study"), "--quick"]) == 2
+    assert "datapackage.json is missing" in capsys.readouterr().err
 
 
 def test_a_stratum_with_one_site_says_that_it_says_nothing(

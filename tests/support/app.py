@@ -9,6 +9,7 @@ from typing import Any
 import httpx2
 import numpy as np
 import pytest
+from anyio.from_thread import start_blocking_portal
 from fastapi import FastAPI
 from fastapi.testclient import TestClient
 from pydantic import SecretStr
@@ -53,8 +54,17 @@ def services(settings: Settings, monkeypatch: pytest.MonkeyPatch) -> Iterator[Se
     opened.close()
 
 
+@pytest.fixture(scope="session")
+def one_loop() -> Iterator[None]:
+    """One event loop for all requests of the tests; a client on its own starts a loop for each."""
+    with start_blocking_portal() as portal:
+        TestClient.portal = portal
+        yield
+        TestClient.portal = None
+
+
 @pytest.fixture
-def app(services: Services) -> FastAPI:
+def app(services: Services, one_loop: None) -> FastAPI:
     return create_app(services=services)
 
 

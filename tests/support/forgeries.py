@@ -27,7 +27,7 @@ def a_height(place: Path) -> str:
     for name in ("measurements.csv", "revisions.csv"):
         edit(place, name, roof, height_m="1.210000")
     rederive(place)
-    return "says height 1.210000, its clicks give 1.310000 m"
+    return "states height 1.210000, its clicks give 1.310000 m"
 
 
 def a_height_in_one_table(place: Path) -> str:
@@ -69,21 +69,21 @@ def a_pose(place: Path) -> str:
     path = next(place.glob("poses/*.json"))
     path.write_text(path.read_text().replace('"rms_px": 0.1', '"rms_px": 0.2'))
     rederive(place)
-    return f"poses/{path.name} is not the one that the audit chain vouches for"
+    return f"poses/{path.name} is not the one recorded in the audit chain"
 
 
 def a_pose_with_its_record(place: Path) -> str:
     for path in (next(place.glob("poses/*.json")), next(place.glob("records/pose-*.json"))):
         path.write_text(path.read_text().replace('"rms_px": 0.1', '"rms_px": 0.2'))
     reseal(place)
-    return "is not what its audit event says"
+    return "differs from its audit event"
 
 
 def a_camera(place: Path) -> str:
     path = next(place.glob("calibrations/*.json"))
     path.write_text(path.read_text().replace('"fx_px": 150.0', '"fx_px": 151.0'))
     rederive(place)
-    return f"calibrations/{path.name} is not the one that the audit chain vouches for"
+    return f"calibrations/{path.name} is not the one recorded in the audit chain"
 
 
 def a_row_taken_out(place: Path) -> str:
@@ -96,7 +96,7 @@ def a_row_taken_out(place: Path) -> str:
     for path in place.glob(f"crops/m{row['id']}-*"):
         path.unlink()
     rederive(place)
-    return "is missing, though its audit event is there"
+    return "is missing, although it has an audit event"
 
 
 def a_row_put_in(place: Path) -> str:
@@ -122,7 +122,7 @@ def a_makers_height(place: Path, drawings: bool = False) -> str:
     )
     edit(place, "clicks.csv", lambda row: row["target"] == "roof", reference_height_m="1.310000")
     rederive(place, drawings)
-    return "vehicles.csv: 1 is not what its audit events say"
+    return "vehicles.csv: 1 differs from its audit events"
 
 
 def an_operator(place: Path) -> str:
@@ -183,20 +183,20 @@ def a_recording_s_name(place: Path) -> str:
     (row,) = rows(place, "recordings.csv")
     rewrite(place, "recordings.csv", [{**row, "name": "another.mp4"}])
     rederive(place)
-    return "recordings.csv: 1 is not what its audit events say"
+    return "recordings.csv: 1 differs from its audit events"
 
 
 def a_recording_s_length(place: Path) -> str:
     edit(place, "recordings.csv", lambda row: True, duration_s="123.0")
     rederive(place)
-    return "recordings.csv: 1 is not what its audit events say"
+    return "recordings.csv: 1 differs from its audit events"
 
 
 def a_verdict(place: Path) -> str:
     for name in ("measurements.csv", "reviews.csv"):
         edit(place, name, lambda row: row["verdict"] == "rejected", verdict="accepted")
     rederive(place)
-    return "is not what its audit event says"
+    return "differs from its audit event"
 
 
 def an_event(place: Path) -> str:
@@ -249,7 +249,7 @@ def crops_exchanged(place: Path) -> str:
     first.write_bytes(second.read_bytes())
     second.write_bytes(content)
     reseal(place)
-    return "is not the one whose hash crops.csv holds"
+    return "does not have the hash stated in crops.csv"
 
 
 def a_foreign_key(place: Path) -> str:
@@ -261,26 +261,26 @@ def a_foreign_key(place: Path) -> str:
 def a_frame(place: Path) -> str:
     edit(place, "frames.csv", lambda row: row["frame"] == "2", crc32="1")
     rederive(place)
-    return "frames.csv: frame 2 of recording 1 is not what the audit events of its measurements say"
+    return "frames.csv: frame 2 of recording 1 differs from the audit events of its measurements"
 
 
 def an_inset(place: Path) -> str:
     edit(place, "insets.csv", lambda row: row["target"] == "driver_eye_near", inset_m="0.100000")
     rederive(place)
-    return "insets.csv is not what the survey's audit events say"
+    return "insets.csv differs from the survey's audit events"
 
 
 def a_standard(place: Path) -> str:
     edit(place, "standards.csv", lambda row: row["name"] == "France", height_m="0.900000")
     rederive(place)
-    return "standards.csv is not what the survey's audit events say"
+    return "standards.csv differs from the survey's audit events"
 
 
 def the_report(place: Path) -> str:
     path = place / "report.pdf"
     path.write_bytes(path.read_bytes().replace(b"Sightline", b"Sightlike", 1) + b"%")
     reseal(place)
-    return "report.pdf is not the one that these rows and statistics give"
+    return "report.pdf is not what these rows and statistics give"
 
 
 def another_time(place: Path) -> str:
@@ -308,44 +308,44 @@ def a_review_s_time(place: Path) -> str:
     edit(place, "reviews.csv", lambda row: row["verdict"] == "accepted", at=early)
     edit(place, "measurements.csv", lambda row: row["verdict"] == "accepted", reviewed_at=early)
     rederive(place)
-    return "is not what its audit event says"
+    return "differs from its audit event"
 
 
 def a_pose_s_maker(place: Path) -> str:
     edit(place, "poses.csv", lambda row: True, created_at="2020-01-01T00:00:00.000000Z")
     rederive(place)
-    return "was made by others or at another time"
+    return "has another author or time"
 
 
 def tyres_at_another_time(place: Path) -> str:
     edit(place, "wheel_pairs.csv", lambda row: True, created_at="2020-01-01T00:00:00.000000Z")
     rederive(place)
-    return "wheel_pairs.csv: 1 is not what its audit event says"
+    return "wheel_pairs.csv: 1 differs from its audit event"
 
 
 def a_camera_that_stood_still(place: Path) -> str:
     edit(place, "recordings.csv", lambda row: True, drift_state="still", drift_moved_px="")
     rederive(place)
-    return "recordings.csv: 1 is not what its audit events say"
+    return "recordings.csv: 1 differs from its audit events"
 
 
 def a_smaller_motion(place: Path) -> str:
     edit(place, "recordings.csv", lambda row: True, drift_height_m="0.001000")
     rederive(place)
-    return "recordings.csv: 1 is not what its audit events say"
+    return "recordings.csv: 1 differs from its audit events"
 
 
 def a_decision(place: Path) -> str:
     edit(place, "recordings.csv", lambda row: True, drift_decision="Nobody was there.")
     rederive(place)
-    return "recordings.csv: 1 is not what its audit events say"
+    return "recordings.csv: 1 differs from its audit events"
 
 
 def a_figure(place: Path) -> str:
     path = next(place.glob("figures/*.svg"))
     path.write_text(path.read_text().replace("</svg>", "<!-- --></svg>"))
     reseal(place)
-    return f"figures/{path.name} is not the one"
+    return f"figures/{path.name} is not what these rows"
 
 
 def a_parquet(place: Path) -> str:
@@ -357,7 +357,7 @@ def a_parquet(place: Path) -> str:
     changed = table.set_column(at, table.schema.field("height_m"), lower)
     pq.write_table(changed, path)
     reseal(place)
-    return "parquet/measurements.parquet is not what measurements.csv holds: column height_m"
+    return "parquet/measurements.parquet differs from measurements.csv: column height_m"
 
 
 def a_unit_of_a_parquet(place: Path) -> str:
@@ -377,7 +377,7 @@ def the_description(place: Path) -> str:
         path.read_text().replace("standard uncertainty of height_m (k = 1)", "half of U95_height_m")
     )
     reseal(place)
-    return "datapackage.json describes measurements.csv otherwise"
+    return "datapackage.json describes measurements.csv differently"
 
 
 def a_file_put_in(place: Path) -> str:

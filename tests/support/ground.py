@@ -14,6 +14,7 @@ from sightline.geometry.road_pose import BoardOnRoad, RoadPose
 from sightline.infra.services import Services
 from sightline.poses import store
 from sightline.reviews.plan_store import choose_review_plan
+from sightline.vehicles.proposing.plan_store import choose_free_plan
 from tests.support.app import FRAME_HEIGHT, FRAME_WIDTH, Client
 
 FOCAL_PX = 150.0
@@ -102,9 +103,10 @@ def add_pose(
 
 
 def lay_ground(services: Services, survey_id: int, recording_id: int) -> Ground:
-    """Store camera, calibration and pose, in force for the recording; nothing has to be clicked blind."""
+    """Store camera, calibration and pose, in force for the recording; nothing is clicked blind or free."""
     with services.writing() as session:
         choose_review_plan(session, survey_id, blind_one_in=0, version=0, actor=None)
+        choose_free_plan(session, survey_id, free_one_in=0, version=0, actor=None)
     camera_id, calibration_id = store_calibration(services, survey_id, flat_camera())
     pose_id = add_pose(services, recording_id, calibration_id, flat_camera())
     return Ground(survey_id, recording_id, camera_id, calibration_id, pose_id)

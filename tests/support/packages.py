@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from sightline.enums import Point, ProposedPoint
 from sightline.export.build import build
 from sightline.export.contents import tables_of
 from sightline.export.derived import derive_tables, drawn
@@ -36,6 +37,8 @@ from sightline.infra.csv_package.schema import (
 from sightline.infra.services import Services
 from sightline.media.images import jpeg
 from sightline.recordings.store import get_recording, store_drift
+from sightline.vehicles.proposing.records import PointProposal
+from sightline.vehicles.proposing.store import replace_proposals
 from tests.support.app import Client
 from tests.support.ground import Ground, add_vehicle, clicks, lay_ground, measure, pixel
 
@@ -47,6 +50,25 @@ Rows = list[dict[str, str]]
 @pytest.fixture
 def ground(services: Services, survey_id: int, recording_id: int) -> Ground:
     return lay_ground(services, survey_id, recording_id)
+
+
+def propose_near(services: Services, ground: Ground, vehicle_id: int) -> None:
+    """A contact and a roof proposed a pixel beside the usual clicks."""
+    usual = clicks()
+    places: dict[ProposedPoint, Point] = {"contact_rear": usual["contact"], "roof": usual["target_point"]}
+    made = [
+        PointProposal(
+            vehicle_id=vehicle_id,
+            point=point,
+            frame=usual["frame"],
+            point_px=(x + 1.0, y),
+            expected_px=0.4,
+            reason=None,
+        )
+        for point, (x, y) in places.items()
+    ]
+    with services.writing() as session:
+        replace_proposals(session, ground.recording_id, ground.pose_id, made, actor=None)
 
 
 @pytest.fixture
@@ -63,6 +85,7 @@ def worked(operator: Client, reviewer: Client, ground: Ground, services: Service
     second = add_vehicle(operator, ground.recording_id, notes="line one\nline two, with comma")["id"]
     tyres = {"frame": 2, "first": pixel(-1.0, 0.0, 0.0), "second": pixel(1.0, 0.0, 0.0)}
     operator.made(f"/vehicles/{first}/wheel-pair", tyres)
+    propose_near(services, ground, first)
     roof = measure(operator, first, inset_m=0.1234567, u_inset_m=0.1)
     eye = measure(operator, first, target="driver_eye", contact=[140.123456789, 185.987654321])
     rejected = measure(operator, first, target="taillight")
@@ -215,7 +238,8 @@ def rederive(place: Path, drawings: bool = False, *, seal: bool = True) -> None:
     staging.written = _sums(place)
     found = derive_tables(staging)
     if drawings:
-        for path, content in drawn(staging.files(), found, staging.written):
+        told = json.loads((place / "datapackage.json").read_text("utf-8"))
+        for path, content in drawn(staging.files(), found, staging.written, told["language"]):
             staging.add(path, content)
     columns_again(place)
     reseal(place, seal=seal)

@@ -76,9 +76,9 @@ class Sample:
     vehicle: Vehicle
 
 
-def sample(session: Session, *, open_to_all: bool = True) -> Sample:
+def sample(session: Session, *, open_to_all: bool = True, of: tuple[str, str] = ("Olga", "René")) -> Sample:
     """Two people, a survey with a calibrated camera, a posed recording and one vehicle."""
-    olga, rene = person(session), person(session, "René", "reviewer")
+    olga, rene = person(session, of[0]), person(session, of[1], "reviewer")
     survey = create_survey(session, name="Rouen south", site="lane 1", open_to_all=open_to_all, actor=olga.id)
     camera = create_camera(session, survey.id, name="Left", actor=olga.id)
     lens = calibration(session, camera.id, olga.id)
@@ -193,10 +193,13 @@ def measure(session: Session, one: Sample, target: Target = "roof", key: int = 1
 
 def lot(session: Session, one: Sample) -> Lot:
     """A lot of the measurement that was made first, drawn by Rene."""
-    plan = SamplingPlan(1, 1, 0, 0.0, 0.0)
-    return get_lot(
-        session, add_lot(session, one.survey.id, {}, [(1, 1)], plan, USUAL_RISKS, actor=one.rene.id)
-    )
+    return lot_of(session, one, 1)
+
+
+def lot_of(session: Session, one: Sample, measurement_id: int) -> Lot:
+    """A lot of one measurement, drawn by Rene."""
+    plan, items = SamplingPlan(1, 1, 0, 0.0, 0.0), [(measurement_id, 1)]
+    return get_lot(session, add_lot(session, one.survey.id, {}, items, plan, USUAL_RISKS, actor=one.rene.id))
 
 
 def fill(factory: SessionFactory, count: int) -> Sample:

@@ -6,19 +6,24 @@ from typing import Any
 
 from sqlalchemy.orm import Session
 
-from sightline.enums import Target
+from sightline.enums import InsetSource, Target
 from sightline.linescan.line_pose import solve_line_pose
 from sightline.linescan.parts import Rig
 from sightline.scans.heights.pose_store import append_line_pose
-from sightline.scans.heights.poses import solved_values
+from sightline.scans.heights.poses import pose_of, solved_values
 from sightline.scans.heights.review_store import add_line_height_review
-from sightline.scans.heights.service import RowClicks, height_values
+from sightline.scans.heights.service import RowClicks, answer, height_values
 from sightline.scans.heights.store import append_line_height, withdraw_line_height
-from sightline.scans.records import Scan, ScanRunValues, ScanValues, StripFacts, StripSource
+from sightline.scans.records import LiveSource, Scan, ScanRunValues, ScanValues, StripFacts, StripSource
+from sightline.scans.references.records import ReferenceValues
+from sightline.scans.references.store import append_scan_reference, withdraw_scan_reference
+from sightline.scans.rig.calibrating import Given, store_rig_calibration
+from sightline.scans.rig.store import append_rig_calibration
 from sightline.scans.store import (
     create_scan,
     note_reading_failed,
     note_scan_read,
+    note_scan_recorded,
     remove_scan,
     restart_reading,
     rig_columns,
@@ -37,6 +42,7 @@ from sightline.scans.vehicles.store import (
 )
 from tests.support.samples import Sample
 
+SOURCE = (StripSource("a.tif", "aa/a.tif", "aa" * 32), StripSource("b.tif", "bb/b.tif", "bb" * 32))
 RIG = Rig(baseline_m=0.593, line_rate_hz=4882.8, u_baseline_m=0.0003)
 
 
@@ -49,6 +55,7 @@ def values(**changed: Any) -> ScanValues:
             run_id=None,
             method="direct",
             rig=rig_columns(RIG),
+            direction="camera_1_first",
             front_line_1=1000.25,
             rear_line_1=2200.5,
             front_line_2=1150.125,
@@ -68,6 +75,12 @@ def values(**changed: Any) -> ScanValues:
             rear_wheel_line=None,
             wheelbase_m=None,
             u_wheelbase_m=None,
+            axle_lines=[1300.25, 1950.5],
+            axles_by="machine",
+            lane=None,
+            lane_by=None,
+            tyres_px=None,
+            u_boundaries_m=0.002,
             status="ok",
             reason=None,
             budget=[{"source": "fit", "u_speed_mps": 0.01, "u_acceleration_mps2": 0.09, "u_length_m": 0.006}],
@@ -88,9 +101,21 @@ def facts() -> StripFacts:
 
 def scan(session: Session, one: Sample) -> Scan:
     """A scan of two strips, yet to be read."""
-    source = (StripSource("a.tif", "aa/a.tif", "aa" * 32), StripSource("b.tif", "bb/b.tif", "bb" * 32))
     return create_scan(
-        session, one.survey.id, name="Gate", source=source, time_axis="width", rig=RIG, actor=one.olga.id
+        session, one.survey.id, name="Gate", source=SOURCE, time_axis="width", rig=RIG, actor=one.olga.id
+    )
+
+
+def live(session: Session, one: Sample) -> Scan:
+    """A scan whose lines still come."""
+    return create_scan(
+        session,
+        one.survey.id,
+        name="Gate",
+        source=LiveSource(),
+        time_axis="width",
+        rig=RIG,
+        actor=one.olga.id,
     )
 
 
@@ -121,6 +146,12 @@ def removed(session: Session, one: Sample) -> Any:
     return remove_scan_vehicle(session, vehicle(session, one).id, version=1, actor=one.olga.id)
 
 
+def reference(session: Session, one: Sample, vehicle_id: int, seen_revision: int = 0, **changed: Any) -> Any:
+    """What a radar says of a vehicle: 19.4 m/s."""
+    told = replace(ReferenceValues("speed", "radar", value=19.4, u=0.1, device="Gun 2"), **changed)
+    return append_scan_reference(session, vehicle_id, told, seen_revision=seen_revision, actor=one.olga.id)
+
+
 def rod(session: Session, one: Sample, scan_id: int, seen_revision: int = 0) -> Any:
     """A calibration of the line camera with a rod at 2 and 5 m: 1.1 m above the road, 900 px, level."""
     stands = [(distance, height) for distance in (2.0, 5.0) for height in (0.0, 0.5, 1.0, 1.5)]
@@ -135,6 +166,26 @@ def rod(session: Session, one: Sample, scan_id: int, seen_revision: int = 0) -> 
     return append_line_pose(session, scan_id, told, seen_revision=seen_revision, actor=one.olga.id)
 
 
+def calibrated_rig(session: Session, one: Sample, scan_id: int, version: int = 1) -> Any:
+    """A calibration of the rig by a staff and a board at 3 and 9 m, put in force: 0.593 m, 1 mrad wider."""
+    spans = [(3.0, 0.5962), (3.0, 0.5957), (9.0, 0.6022), (9.0, 0.6017)]
+    rows = [f"n{n},{away},0,{span},0.001,,,,,," for n, (away, span) in enumerate(spans)]
+    header = "pass,distance_m,position_1_m,position_2_m,u_position_m," + ",".join(
+        ("width_m", "u_width_m", "front_line_1", "rear_line_1", "front_line_2", "rear_line_2")
+    )
+    board = "board,3.0,,,,0.8,0.0005,100,2100,1590,3590"
+    table = "\n".join([header, *rows, board, "bad,far" + "," * 9]).encode()
+    return store_rig_calibration(
+        session,
+        scan_id,
+        table,
+        "passes.csv",
+        Given(u_tape_ratio=1e-4, distance_m=5.0),
+        version=version,
+        actor=one.olga.id,
+    )
+
+
 def tall(
     session: Session,
     one: Sample,
@@ -143,9 +194,11 @@ def tall(
     seen_revision: int = 0,
     target: Target = "roof",
 ) -> Any:
-    """A height 1.4 m above a contact at 3 m: the row of a target 0.3 m behind it."""
-    clicks = RowClicks(target, (1300.0, 830.0), (1500.0, 500.0 - 900.0 * 0.3 / 3.3), 1.0, 0.3, 0.1)
-    told = height_values(pose, clicks, [])
+    """A height 1.4 m above a contact at 3 m: of a target 0.3 m behind it, a roof's usual inset."""
+    row = 500.0 - 900.0 * 0.3 / 3.3
+    inset_from: InsetSource = "usual" if target == "roof" else "own"
+    clicks = RowClicks(target, (1300.0, 830.0), (1500.0, row), 1.0, 0.3, 0.1, inset_from)
+    told = height_values(pose.id, clicks, answer(pose_of(pose.values), clicks), [])
     return append_line_height(session, vehicle_id, told, seen_revision=seen_revision, actor=one.olga.id)
 
 
@@ -157,6 +210,10 @@ def _calibrated(session: Session, one: Sample) -> Any:
     return made, rod(session, one, made.scan_id)
 
 
+def _rig_calibrated(session: Session, one: Sample) -> Any:
+    return calibrated_rig(session, one, ready(session, one).id)
+
+
 def _tall(session: Session, one: Sample) -> Any:
     made, pose = _calibrated(session, one)
     return tall(session, one, made.id, pose)
@@ -165,6 +222,10 @@ def _tall(session: Session, one: Sample) -> Any:
 # name -> (what must be there first, the write itself); for the test that every write leaves one event
 WRITES: dict[str, tuple[Write, Callable[[Session, Sample, Any], Any]]] = {
     "create_scan": (lambda s, o: None, lambda s, o, _: scan(s, o)),
+    "note_scan_recorded": (
+        live,
+        lambda s, o, made: note_scan_recorded(s, made.id, SOURCE, actor=o.olga.id),
+    ),
     "note_scan_read": (scan, lambda s, o, made: note_scan_read(s, made.id, facts(), actor=None)),
     "note_reading_failed": (
         scan,
@@ -217,6 +278,17 @@ WRITES: dict[str, tuple[Write, Callable[[Session, Sample, Any], Any]]] = {
     "add_scan_review": (
         measured,
         lambda s, o, made: add_scan_review(s, made.id, verdict="accepted", actor=o.rene.id),
+    ),
+    "append_scan_reference": (vehicle, lambda s, o, made: reference(s, o, made.id)),
+    "withdraw_scan_reference": (
+        lambda s, o: reference(s, o, vehicle(s, o).id),
+        lambda s, o, made: withdraw_scan_reference(
+            s, made.vehicle_id, "speed", "radar", seen_revision=1, actor=o.olga.id
+        ),
+    ),
+    "append_rig_calibration": (
+        _rig_calibrated,
+        lambda s, o, made: append_rig_calibration(s, made.scan_id, made.values, actor=o.olga.id),
     ),
     "append_line_pose": (ready, lambda s, o, made: rod(s, o, made.id)),
     "append_line_height": (

@@ -60,6 +60,7 @@ def invent(folder: Path, survey: Invented, seed: int = 0, *, with_csv: bool = Tr
         "lighting": pa.array(lighting),
         "category": pa.array(words[which]),
         "manufacturer_height_m": roof,
+        "check_target": np.zeros(len(ids), dtype=bool),
         "in_sample": ids % survey.sample_one_in == 0,
         "discarded": pa.nulls(n, pa.string()),
     }

@@ -8,7 +8,7 @@ from sightline.infra.audit.tables import audit_events
 from sightline.infra.database.types import metadata
 from sightline.infra.services import Services
 from sightline.infra.slices import load_tables
-from sightline.infra.web.access import ASKED_FOR, BELIEVED_S, THINGS, Access
+from sightline.infra.web.access import BELIEVED_S, THINGS, Access
 from sightline.surveys.members import store as members
 from tests.support import samples
 from tests.support.app import Client, error_of
@@ -123,8 +123,11 @@ def test_the_chain_of_the_survey_tells_who_belonged(
 
 def test_people_who_may_be_added(operator: Client, viewer: Client, admin: Client, mine: int) -> None:
     admin.put(f"/people/{id_of(viewer)}", {"name": "Viewer", "role": "viewer", "active": False})
-    names = [one["name"] for one in operator.seen(f"/surveys/{mine}/members/others")]
-    assert names == ["Admin", "Reviewer"]
+    found = operator.seen(f"/surveys/{mine}/members/others")
+    assert [one["name"] for one in found] == ["Admin", "Reviewer"]
+    assert [one["account_role"] for one in found] == ["admin", "reviewer"]
+    roles = [one["account_role"] for one in operator.seen(f"/surveys/{mine}/members")["members"]]
+    assert roles == ["operator"]
 
 
 def test_everything_that_a_route_names_leads_to_its_survey(services: Services) -> None:
@@ -146,7 +149,7 @@ def test_everything_that_a_route_names_leads_to_its_survey(services: Services) -
         for table, id_ in rows.items():
             assert members.roles_by_thing(session, one.olga, table, [id_, 999]) == {id_: "manager"}, table
             assert members.roles_by_thing(session, one.rene, table, [id_]) == {}, table
-        for table in {*THINGS.values(), *ASKED_FOR.values()}:
+        for table in set(THINGS.values()):
             assert members.roles_by_thing(session, one.rene, table, [999]) == {}, table
             columns = metadata.tables[table].c
             assert table == "surveys" or "survey_id" in columns or "camera_id" in columns, table

@@ -80,7 +80,7 @@ def test_caption_order_and_undo(operator: Client, survey_id: int) -> None:
     turned = operator.put(order, {"ids": [two["id"], one["id"]]}).json()
     assert [entry["id"] for entry in turned] == [two["id"], one["id"]]
     short = operator.put(order, {"ids": [two["id"]]})
-    assert short.status_code == 409 and "added or taken out" in error_of(short)
+    assert short.status_code == 409 and "added or removed" in error_of(short)
     assert operator.delete(f"/photographs/{two['id']}?version=1").status_code == 204
     assert [entry["id"] for entry in listed(operator, survey_id)] == [one["id"]]
     assert operator.get(f"/photographs/{two['id']}.jpg").status_code == 404
@@ -122,14 +122,14 @@ def exchanged(place: Path) -> str:
     cells = {"sha256": sha256_hex(content), "size_bytes": str(len(content))}
     edit(place, "photographs.csv", lambda one: one["id"] == row["id"], **cells)
     rederive(place)
-    return "is not what its audit events say"
+    return "differs from its audit events"
 
 
 def exchanged_alone(place: Path) -> str:
     row = rows(place, "photographs.csv")[0]
     (place / row["file"]).write_bytes(told_bytes(30, 60))
     rederive(place)
-    return f"{row['file']} is not the photograph that its audit event names"
+    return f"{row['file']} is not the photograph named by its audit event"
 
 
 def a_caption(place: Path) -> str:
@@ -141,7 +141,7 @@ def a_caption(place: Path) -> str:
 def taken_out(place: Path) -> str:
     drop(place, "photographs.csv", lambda row: row["position"] == "2")
     rederive(place)
-    return "has not the photographs of the audit events"
+    return "does not have the photographs of the audit events"
 
 
 @pytest.mark.parametrize("forge", [exchanged, exchanged_alone, a_caption, taken_out])

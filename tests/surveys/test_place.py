@@ -10,6 +10,8 @@ ROUEN = {
     "latitude_deg": 49.44315,
     "longitude_deg": 1.09932,
     "road_class": " urban arterial ",
+    "lane": "lane 1, next to the verge",
+    "travel_direction": "towards the south",
     "speed_limit_mps": 50 / 3.6,
     "street_lamps": "present",
     "time_zone": "Europe/Paris",

@@ -9,6 +9,7 @@ from sightline.enums import InsetName
 from sightline.infra.jobs.records import Job
 from sightline.infra.services import Services
 from tests.support.app import Client, error_of
+from tests.support.ground import add_vehicle, lay_ground, measure
 
 
 def test_a_survey_tells_what_comes_next(operator: Client, survey_id: int) -> None:
@@ -24,6 +25,39 @@ def test_a_survey_tells_what_comes_next(operator: Client, survey_id: int) -> Non
     assert survey["steps"][0]["state"] == "next"
     assert set(survey["insets"]) == set(get_args(InsetName))
     assert set(survey["counts"].values()) == {0}
+
+
+def states(client: Client, survey_id: int) -> dict[str, str]:
+    """The state of each step."""
+    return {step["key"]: step["state"] for step in client.seen(f"/surveys/{survey_id}")["steps"]}
+
+
+def test_recordings_are_not_done_before_their_facts_are_confirmed(
+    operator: Client, survey_id: int, recording_id: int
+) -> None:
+    assert states(operator, survey_id)["recordings"] == "begun"
+    (said,) = [
+        step["summary"]
+        for step in operator.seen(f"/surveys/{survey_id}")["steps"]
+        if step["key"] == "recordings"
+    ]
+    assert said == "1 of 1 recording ready. Confirm lighting and start of 1 recording."
+    operator.put(f"/recordings/{recording_id}", {"lighting": "daytime"})
+    assert states(operator, survey_id)["recordings"] == "begun"
+    start = {"local": "2026-05-03T08:10:00", "time_zone": "Europe/Paris"}
+    operator.put(f"/recordings/{recording_id}", {"start": start})
+    assert states(operator, survey_id)["recordings"] == "done"
+
+
+def test_a_review_that_waits_is_told_of_while_an_earlier_step_is_next(
+    services: Services, operator: Client, survey_id: int, recording_id: int
+) -> None:
+    assert states(operator, survey_id)["review"] == "waiting"
+    ground = lay_ground(services, survey_id, recording_id)
+    measure(operator, add_vehicle(operator, ground.recording_id)["id"])
+    found = states(operator, survey_id)
+    assert "next" in [found[key] for key in ("camera", "recordings", "pose", "vehicles")]
+    assert found["review"] == "begun"
 
 
 def test_two_people_change_one_survey(operator: Client, reviewer: Client, survey_id: int) -> None:

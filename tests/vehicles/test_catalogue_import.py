@@ -109,12 +109,25 @@ def test_each_line_that_is_not_plain_is_named_and_nothing_is_stored_before(
     assert viewer.seen("/catalogue?q=audi")[0]["height_m"] == 1.45
 
 
+def test_a_conflict_that_keeps_what_there_is_changes_nothing(operator: Client, viewer: Client) -> None:
+    """Not counted as changed, neither before nor after; the version, which others wait on, stays."""
+    send(operator, b"make,model,year_from,height_m,source\nAudi,A3,2012,1.43,brochure\nBMW,i3,2013,1.58,\n")
+    versions = [one["version"] for one in viewer.seen("/catalogue?q=")]
+    content = "make,model,year_from,height_m\nAudi,A3,2012,1.45\nBMW,i3,2013,1.59\n"
+    plan = preview(operator, content)
+    assert (plan["counts"]["conflict"], plan["stored"]) == (2, 0)
+    kept = send(operator, content.encode()).json()  # type: ignore[attr-defined]
+    assert (kept["added"], kept["updated"]) == (0, 0)
+    assert [one["version"] for one in viewer.seen("/catalogue?q=")] == versions
+    assert preview(operator, content, "on_conflict=replace")["stored"] == 2
+
+
 def test_feet_that_pass_for_metres_are_refused_as_a_whole(operator: Client, viewer: Client) -> None:
     content = "make,model,height_m,length_m\n" + "".join(
         f"Make,Model {n},{4.7 + 0.01 * n:.2f},{14.2 + 0.1 * n:.1f}\n" for n in range(20)
     )
     sentence = error_of(send(operator, content.encode()))  # type: ignore[arg-type]
-    assert "height_m" in sentence and "feet" in sentence and "Nothing is stored" in sentence
+    assert "height_m" in sentence and "feet" in sentence and "Nothing was saved" in sentence
     assert "feet" in preview(operator, content)["problem"]
     assert viewer.seen("/catalogue?q=make") == []
     plan = preview(operator, content, "unit=ft")
@@ -128,8 +141,11 @@ def test_units_are_read_from_headers_and_columns_are_mapped(operator: Client, vi
     content = (
         "Marque;Modèle;Height (mm);Length_cm;Wheelbase [in];Couleur\nRenault;Zoe;1562;408,7;101,9;blue\n"
     )
-    with pytest.raises(AssertionError, match="make"):
-        preview(operator, content)
+    unmapped = preview(operator, content)  # not refused: the page has to show the columns to be mapped
+    assert "no column make and no column model" in unmapped["problem"] and unmapped["stored"] == 0
+    assert [one["header"] for one in unmapped["columns"]][:2] == ["Marque", "Modèle"]
+    files = {"file": ("c.csv", content.encode(), "text/csv")}
+    assert operator.post("/catalogue/import", files=files).status_code == 422
     query = "column=make%3DMarque&column=model%3DMod%C3%A8le"
     plan = preview(operator, content, query)
     assert [(one["field"], one["unit"]) for one in plan["columns"]] == [
@@ -178,3 +194,24 @@ def test_what_is_exported_is_imported_again(operator: Client, viewer: Client) ->
     plan = preview(operator, content)
     assert plan["counts"]["same"] == 2 and plan["problem"] is None
     assert viewer.seen("/catalogue/page")["entries"] == before
+
+
+@pytest.mark.parametrize(
+    ("content", "words"),
+    [
+        ("make,model,height_m,height_m\nKia,Rio,1.45,1.46\n", "more than once"),
+        ("make,model,height_m\n", "no line of models"),
+        ("make,model,height_m,taillight_m\nKia,Rio,1.45,1.9\n", "taillight_m is 1.9 and height_m is 1.45"),
+        ("make,model,length_m,wheelbase_m\nKia,Rio,4.1,4.2\n", "wheelbase_m is 4.2 and length_m is 4.1"),
+        ("make,model\nKia,\x00\n", "cannot be shown"),
+        ("make,model,source\nKia,Rio,\x1b[31m\n", "cannot be shown"),
+    ],
+)
+def test_what_no_model_can_have_is_stored_nowhere(operator: Client, content: str, words: str) -> None:
+    before = operator.seen("/catalogue/page")["total"]
+    plan = preview(operator, content)
+    of_columns = [one["problem"] for one in plan["columns"]]
+    said = [plan["problem"], *of_columns, *(one["words"] for one in plan["rows"])]
+    assert any(words in one for one in said if one), said
+    assert send(operator, content.encode()).status_code == 422  # type: ignore[attr-defined]
+    assert operator.seen("/catalogue/page")["total"] == before

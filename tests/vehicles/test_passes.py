@@ -94,7 +94,7 @@ def test_a_pass_is_split_and_joined_again(operator: Client, survey_id: int, reco
     old = operator.post(f"{path}/split", {"frame": 3, "version": 1})
     assert old.status_code == 409 and "Operator" in error_of(old)
     for frame in (0, 5):
-        assert "does not part" in error_of(operator.post(f"{path}/split", {"frame": frame, "version": 2}))
+        assert "cannot split" in error_of(operator.post(f"{path}/split", {"frame": frame, "version": 2}))
     wish = {"other_id": later["id"], "version": 2, "other_version": 1}
     joined = operator.made(f"{path}/join", wish)
     assert (joined["id"], joined["first_frame"], joined["last_frame"]) == (whole["id"], 0, 8)
@@ -137,3 +137,18 @@ def test_passes_are_looked_for_after_an_upload_where_the_setting_says_so(
     assert [job.kind for job in run_jobs(asked)] == ["ingest"]
     assert [(job.kind, job.state) for job in run_jobs(asked)] == [("passes", "done")]
     assert len(operator.seen(f"/surveys/{survey_id}/vehicles")) == 2
+
+
+def test_recordings_tell_how_many_passes_they_have(
+    operator: Client, viewer: Client, survey_id: int, recording_id: int
+) -> None:
+    def counted() -> list[dict[str, int]]:
+        found: list[dict[str, int]] = viewer.seen(f"/surveys/{survey_id}/pass-counts")
+        return found
+
+    assert counted() == [{"recording_id": recording_id, "passes": 0}]
+    first, _ = [add_vehicle(operator, recording_id) for _ in range(2)]
+    assert counted() == [{"recording_id": recording_id, "passes": 2}]
+    body = {"version": first["version"], "discarded": "no_vehicle"}
+    assert operator.put(f"/vehicles/{first['id']}", body).status_code == 200
+    assert counted() == [{"recording_id": recording_id, "passes": 1}]

@@ -12,6 +12,8 @@ from sightline.infra.jobs.records import Job
 from sightline.infra.services import Services
 from sightline.media.video.writer import write_mp4
 from sightline.messages import say
+from sightline.statistics.anchoring import shift, verdict
+from sightline.vehicles.proposing.plan_store import is_drawn_free
 from sightline.vehicles.proposing.records import PointProposal
 from sightline.vehicles.proposing.store import replace_proposals
 from tests.media.street import car, street
@@ -41,7 +43,7 @@ def proposal(vehicle_id: int, point: str, at: list[float] | None, frame: int = 2
         frame=frame,
         point_px=None if at is None else (at[0], at[1]),
         expected_px=None if at is None else 0.4,
-        reason="proposals-eye-by-hand" if at is None else None,
+        reason="proposals-eye-not-seen" if at is None else None,
     )
 
 
@@ -72,12 +74,12 @@ def test_what_was_confirmed_says_so_and_what_was_moved_too(
     vehicle_id, wanted = proposed
     shown = viewer.seen(f"/recordings/{ground.recording_id}/proposals")
     assert [one["point"] for one in shown] == ["contact_rear", "roof", "driver_eye"]
-    assert shown[2]["reason"] == "proposals-eye-by-hand" and say(shown[2]["reason"], {})
+    assert shown[2]["reason"] == "proposals-eye-not-seen" and say(shown[2]["reason"], {})
     assert viewer.seen(f"/vehicles/{vehicle_id}")["measurements"] == []
 
     path = f"/vehicles/{vehicle_id}/measurements"
     other = operator.post(path, {**moved(wanted), "made": "confirmed"})
-    assert other.status_code == 409 and "confirm again" in error_of(other)
+    assert other.status_code == 409 and "confirm them again" in error_of(other)
     stored = operator.made(path, {**wanted, "made": "confirmed"})
     assert stored["made"] == "confirmed" and stored["created_by"] is not None
     again = operator.made(path, {**wanted, "made": "confirmed"})
@@ -148,11 +150,11 @@ def test_the_job_looks_through_the_video_and_keeps_a_reason_for_every_point(
     work()
     path = f"/recordings/{recording_id}/propose"
     assert viewer.post(path).status_code == 403
-    assert "no road pose" in error_of(operator.post(path)).lower()
+    assert "no camera pose" in error_of(operator.post(path)).lower()
     camera = flat_camera(pictures[0].shape[1], pictures[0].shape[0])
     _, calibration_id = store_calibration(services, survey_id, camera)
     add_pose(services, recording_id, calibration_id, camera)
-    assert "found first" in error_of(operator.post(path))
+    assert "Find the passes first" in error_of(operator.post(path))
     operator.made(f"/recordings/{recording_id}/find-passes")
     work()
     operator.made(path)
@@ -171,3 +173,100 @@ def test_the_job_looks_through_the_video_and_keeps_a_reason_for_every_point(
     assert operator.made(f"/jobs/{stopped['id']}/cancel")["state"] == "cancelled"
     work()
     assert len(operator.seen(f"/recordings/{recording_id}/proposals")) == 6
+
+
+def of_plan(operator: Client, admin: Client, survey_id: int, one_in: int) -> None:
+    address = f"/surveys/{survey_id}/free-plan"
+    now = operator.seen(address)
+    wanted = {"free_one_in": one_in, "version": now["version"]}
+    assert operator.put(address, wanted).status_code == 403
+    assert admin.put(address, {**wanted, "free_one_in": 1}).status_code == 422
+    assert admin.put(address, wanted).json()["free_one_in"] == one_in
+    assert admin.put(address, wanted).status_code == 409  # somebody chose meanwhile
+
+
+def test_the_server_draws_who_is_measured_free_and_keeps_to_it(
+    operator: Client, admin: Client, services: Services, ground: Ground
+) -> None:
+    of_plan(operator, admin, ground.survey_id, 2)
+    at = clicks(1.2, frame=2)["contact"]
+    ids = [int(add_vehicle(operator, ground.recording_id)["id"]) for _ in range(40)]
+
+    def drawn() -> set[int]:
+        made = [proposal(one, "contact_rear", at) for one in ids]
+        with services.writing() as session:
+            replace_proposals(session, ground.recording_id, ground.pose_id, made, actor=None)
+        shown = operator.seen(f"/recordings/{ground.recording_id}/proposals")
+        assert all(one["withheld"] == (one["point_px"] is None) for one in shown)
+        assert {one["frame"] for one in shown} == {2} and say("proposals-withheld", {})
+        return {one["vehicle_id"] for one in shown if one["reason"] == "proposals-withheld"}
+
+    first = drawn()
+    assert 8 <= len(first) <= 32  # 40 draws of a half: outside at a chance of 1 in 20,000
+    (event, *_) = [
+        one for one in operator.seen(f"/audit?survey_id={ground.survey_id}") if one["entity"] == "proposals"
+    ]
+    seed = event["after"]["seed"]
+    assert set(event["after"]["free"]) == first == {one for one in ids if is_drawn_free(seed, one, 2)}
+    assert drawn() == first  # asking again draws nobody anew
+    of_plan(operator, admin, ground.survey_id, 0)
+    assert drawn() == first
+
+
+def test_a_vehicle_measured_free_keeps_what_was_proposed_and_tells_nobody(
+    operator: Client, admin: Client, services: Services, ground: Ground
+) -> None:
+    of_plan(operator, admin, ground.survey_id, 2)
+    wanted = clicks(1.2, frame=2)
+    ids = [int(add_vehicle(operator, ground.recording_id)["id"]) for _ in range(24)]
+    made = [
+        proposal(one, point, wanted[of])
+        for one in ids
+        for point, of in (("contact_rear", "contact"), ("roof", "target_point"))
+    ]
+    with services.writing() as session:
+        replace_proposals(session, ground.recording_id, ground.pose_id, made, actor=None)
+    shown = operator.seen(f"/recordings/{ground.recording_id}/proposals")
+    free = {one["vehicle_id"] for one in shown if one["withheld"]}
+    for one in ids:
+        by_hand = {**moved(wanted, -2.0), "contact": [wanted["contact"][0] + 0.5, wanted["contact"][1]]}
+        body = by_hand if one in free else {**wanted, "client_key": str(uuid4()), "made": "confirmed"}
+        stored = operator.made(f"/vehicles/{one}/measurements", body)
+        assert stored["made"] == ("clicked" if one in free else "confirmed")
+        assert not {"proposal", "proposed_contact_x_px", "proposed_target_y_px"} & set(stored)
+    a_free = next(iter(free))
+    snap = operator.made(f"/vehicles/{a_free}/frames/2/snap", {"click": wanted["contact"]})
+    assert (snap["contact"], snap["reason"]) == (None, "snap-measured-free")
+    asked = {"pointer": wanted["contact"], "vehicle_id": a_free}
+    contact = operator.made(f"/recordings/{ground.recording_id}/frames/2/contact", asked)
+    assert contact["contact"] is None and "without suggestions" in contact["words"]
+
+    found = operator.seen(f"/surveys/{ground.survey_id}/anchoring")
+    assert (found["confirmed"], found["moved"], found["afresh"]) == (len(ids) - len(free), 0, 0)
+    all_, roof = found["targets"]
+    assert (all_["target"], roof["target"], all_["shift"]) == (None, "roof", roof["shift"])
+    told = roof["shift"]
+    assert (told["shown"], told["free"]) == (len(ids) - len(free), len(free))
+    # confirmed as they stand those shown do not differ; free clicks 2 px higher are some millimetres higher
+    assert told["shown_m"] == 0 and told["free_m"] > 0.002
+    assert told["shift_m"] == -told["free_m"] and told["U95_shift_m"] < 1e-9
+    assert found["goal_m"] == 0.002 and found["plan"]["free_one_in"] == 2
+
+
+def test_a_shift_is_told_with_an_interval_that_holds() -> None:
+    rng = np.random.default_rng(7)
+    held = []
+    for _ in range(1500):
+        found = shift(rng.normal(0.001, 0.002, 60), rng.normal(0.004, 0.009, 8))
+        assert found.shift_m is not None and found.U95_shift_m is not None
+        held.append(abs(found.shift_m + 0.003) <= found.U95_shift_m)
+    assert abs(float(np.mean(held)) - 0.95) < 0.02
+    near = shift(rng.normal(0.0, 0.002, 200), rng.normal(0.0, 0.002, 60))
+    far = shift(rng.normal(0.006, 0.002, 200), rng.normal(0.0, 0.002, 60))
+    assert (verdict(near, 0.002), verdict(far, 0.002)) == ("met", "missed")
+    wide = shift(rng.normal(0.0, 0.01, 20), rng.normal(0.0, 0.01, 6))
+    assert (verdict(wide, 0.002), verdict(shift([], []), 0.002)) == ("undecided", None)
+    few = shift([0.001] * 50, [0.002] * 4)
+    assert (few.shift_m, few.U95_shift_m, few.free) == (None, None, 4)
+    assert few.reason is not None and say(few.reason, {})
+    assert shift([], []).shown_m is None

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 
 import numpy as np
-from scipy.stats import chi2 as chi2_distribution
+import scipy
 
 from sightline.adjustment.local_tests import FAILED, Cleaned, cleaned
 from sightline.adjustment.observed import (
@@ -104,7 +104,7 @@ def adjust(
         LeftOut(one.name, _reason(traffic, found, row)) for row, one in enumerate(usable) if out[row]
     ]
     freedom = _freedom(traffic, found, ~out)
-    limit = float(chi2_distribution.isf(_GLOBAL_FAILED, freedom)) if freedom > 0 else None
+    limit = float(scipy.stats.chi2.isf(_GLOBAL_FAILED, freedom)) if freedom > 0 else None
     heading, u_heading = _heading(found, ~out)
     return Adjustment(
         pose=_adjusted(shared, found),
@@ -147,12 +147,13 @@ def _usable(pose: RoadPose, passes: Sequence[ObservedPass]) -> tuple[list[Observ
 
 def _reason(traffic: Traffic, found: Cleaned, row: int) -> str:
     if found.crooked[row]:
-        return "Too many of its points do not lie on one straight way."
+        return "Too many of its points are off a straight line."
     k = int(np.nanargmax(np.abs(found.wrong[row])))
     u = float(found.wrong[row, k])
     return (
-        f"Its {LENGTHS[k]} of {traffic.known_m[row, k]:.3f} m is {abs(u):.1f} standard uncertainties too "
-        f"{'long' if u > 0 else 'short'} for what is seen; is it another model?"
+        f"Its {LENGTHS[k]} of {traffic.known_m[row, k]:.3f} m is {abs(u):.1f} standard "
+        f"uncertainties too {'long' if u > 0 else 'short'} for the observed points; check the "
+        "model."
     )
 
 
@@ -253,33 +254,32 @@ def _notes(
     notes = []
     for index in found.released:
         part = shared.parts[index]
-        notes.append(
-            f"The traffic contradicts {part.name} with its stated u of {part.u:g}; so it was set aside."
-        )
+        notes.append(f"The traffic contradicts {part.name} with its stated u of {part.u:g}; it was excluded.")
     for index in (-2, -1):
         if abs(float(np.nan_to_num(found.tests.parts[index]))) > FAILED:
             notes.append(
-                f"{shared.parts[index].name} is far from 0 for its stated u of {shared.parts[index].u:g}; "
-                "are the known lengths measured as the points are?"
+                f"{shared.parts[index].name} is far from 0 for its stated u of "
+                f"{shared.parts[index].u:g}; check that the known lengths refer to the points that "
+                "were followed."
             )
     if found.point_factor > 1.0:
         notes.append(
-            f"The points scatter {found.point_factor:.1f} times as much as stated; their uncertainties were "
-            "enlarged by that."
+            f"The points scatter {found.point_factor:.1f} times as much as stated; their "
+            "uncertainties were multiplied by this factor."
         )
     for name, factor in zip(LENGTHS, found.length_factors, strict=True):
         if factor > 1.0:
             notes.append(
-                f"The known values of the {name} scatter {factor:.1f} times as much as stated; their "
-                "uncertainties were enlarged by that."
+                f"The known values of the {name} scatter {factor:.1f} times as much as stated; "
+                "their uncertainties were multiplied by this factor."
             )
     if limit is not None and found.solution.chi2 > limit:
         notes.append(
-            f"The global test fails: chi-square {found.solution.chi2:.0f} with {freedom} degrees of freedom; "
-            "the stated uncertainties do not hold together."
+            f"Global test failed: chi-square {found.solution.chi2:.0f} with {freedom} degrees of "
+            "freedom; the stated uncertainties are not consistent."
         )
     if used < _FEW:
-        notes.append(f"With {used} vehicles a wrong one cannot be told from a wrong pose.")
+        notes.append(f"With {used} vehicles, a wrong vehicle cannot be distinguished from a wrong pose.")
     return tuple(notes)
 
 
@@ -296,5 +296,5 @@ def _unchanged(shared: SharedErrors, passes: int, left_out: list[LeftOut]) -> Ad
         degrees_of_freedom=0,
         chi2_limit=None,
         moved=_moved_by(shared, np.zeros(shared.size), identity),
-        notes=("No pass with a known length could be used, so the pose is as it was.",),
+        notes=("No pass with a known length could be used, so the pose is unchanged.",),
     )

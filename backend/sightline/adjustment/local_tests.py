@@ -6,10 +6,10 @@ observation less what the adjustment took up of it. Whatever fails is left out, 
 is solved again.
 """
 
+import math
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.stats import chi2
 
 from sightline.adjustment.least_squares import Solution, Weights, solve
 from sightline.adjustment.observed import LENGTHS
@@ -18,13 +18,13 @@ from sightline.adjustment.traffic_model import Traffic
 from sightline.geometry.arrays import Bools, Floats
 
 FAILED = 3.29  # of a normal deviate: 1 in 1000 good ones fails
-_POINT_FAILED = float(chi2.isf(1e-5, 2))  # there are thousands of points
+_POINT_FAILED = -2.0 * math.log(1e-5)  # chi-square of two coordinates; there are thousands of points
 _TESTABLE = 1e-3  # below this share of its variance nothing checks an observation
 _MOST_POINTS = 0.25  # of a pass; with more bad ones it is left out
 _ROUNDS = 40
 _RESCALINGS = 3
 _MEDIAN_ABS = 0.6745  # of a normal deviate
-_MEDIAN_CHI2 = float(chi2.isf(0.5, 2))
+_MEDIAN_CHI2 = 2.0 * math.log(2.0)  # of two coordinates
 
 
 @dataclass(frozen=True, eq=False)

@@ -64,8 +64,8 @@ def unusable(observed: ObservedPass) -> str | None:
     if len(seen) < len(observed.frame):
         return "A point is given twice on one frame."
     if not any(point in (REAR, FRONT) for _, point in seen):
-        return "No tyre of it was seen, so nothing ties it to the road."
-    return None if _shows_a_known_length(observed, seen) else "No known length of it was seen."
+        return "No tyre of this vehicle was measured, so it is not tied to the road."
+    return None if _shows_a_known_length(observed, seen) else "No known length of this vehicle was measured."
 
 
 def _unusable_length(name: str, known: Known) -> str | None:

@@ -113,7 +113,7 @@ def pose_detections(
     for path in paths:
         for name, gray in pictures_of(path, early_frames):
             require_size(camera, gray.shape[1], gray.shape[0], name)
-            corners = not_found(board, "The search was given up.") if last is None else track(gray, last)
+            corners = not_found(board, "The search was stopped.") if last is None else track(gray, last)
             if not corners.found and searched_s < SEARCH_S:
                 started = perf_counter()
                 corners = detect(gray, board)

@@ -15,8 +15,9 @@ from sightline.cameras.calibrations.records import CalibrationImage
 from sightline.cameras.records import Camera, CameraWords
 from sightline.enums import Point
 from sightline.infra.jobs.records import Job
-from sightline.infra.web.bodies import Id, In, JobBody, Name, Out, Text
+from sightline.infra.web.bodies import In, JobBody, Name, Out, Text
 from sightline.infra.web.deps import Operator, PathId, Reading, Viewer, Wired, Writing
+from sightline.infra.web.named import CalibrationId
 from sightline.infra.web.pictures import JPEG, jpeg_once
 from sightline.infra.web.uploaded import clean_name, whole_file
 from sightline.surveys.store import get_survey
@@ -94,7 +95,7 @@ class BoardSize(Markers):
 
 
 class Choice(In):
-    calibration_id: Id
+    calibration_id: CalibrationId
 
 
 @router.get("/surveys/{survey_id}/cameras")

@@ -13,6 +13,7 @@ from sightline.commands.files import write_json
 from sightline.commands.geometry import read_pose_file
 from sightline.commands.options import json_option
 from sightline.commands.passes_csv import read_passes
+from sightline.coverage import expanded
 from sightline.errors import BadInput
 from sightline.geometry.documents import pose_to_dict
 from sightline.geometry.pose import expected_u
@@ -21,23 +22,25 @@ _PATH = click.Path(path_type=Path)
 
 
 @click.command("adjust")
-@click.option("--pose", "pose_file", type=_PATH, required=True, help="The pose.json.")
-@click.option("--passes", "passes_file", type=_PATH, required=True, help="The passes.csv.")
+@click.option("--pose", "pose_file", type=_PATH, required=True, help="pose.json to adjust.")
+@click.option(
+    "--passes", "passes_file", type=_PATH, required=True, help="passes.csv with the observed vehicles."
+)
 @click.option(
     "--u-wheelbase-common",
     type=float,
     default=DEFAULT_U_COMMON_M,
     show_default=True,
-    help="Of the error that all known wheelbases share, metres.",
+    help="u of the error common to all known wheelbases, metres.",
 )
 @click.option(
     "--u-roof-common",
     type=float,
     default=DEFAULT_U_COMMON_M,
     show_default=True,
-    help="Of the error that all known roof heights share, metres.",
+    help="u of the error common to all known roof heights, metres.",
 )
-@click.option("-o", "--output", type=_PATH, required=True, help="The adjusted.json to write.")
+@click.option("-o", "--output", type=_PATH, required=True, help="adjusted.json to write.")
 @json_option
 def adjust_command(
     pose_file: Path,
@@ -47,7 +50,7 @@ def adjust_command(
     output: Path,
     as_json: bool,
 ) -> None:
-    """The pose adjusted by the traffic: vehicles of known wheelbase or height, followed on some frames."""
+    """Adjust a camera pose to the traffic: vehicles of known wheelbase or height, seen on several frames."""
     for name, u in (("--u-wheelbase-common", u_wheelbase_common), ("--u-roof-common", u_roof_common)):
         if not math.isfinite(u) or u < 0:
             raise BadInput("commands-option-not-negative", option=name)
@@ -75,7 +78,7 @@ def _text(found: Adjustment, unread: list[LeftOut], output: Path) -> str:
         f"{one.name}: {one.value:+.6f}, u {one.u_before:.6f} -> {one.u_after:.6f}" for one in found.moved
     ]
     lines += [
-        f"expected at {distance:g} m: ± {1960 * u:.0f} mm (95 %)"
+        f"expected at {distance:g} m: ± {1000 * expanded(u):.0f} mm (95 %)"
         for distance, u in expected_u(found.pose)
         if u is not None
     ]

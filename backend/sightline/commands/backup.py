@@ -24,14 +24,15 @@ _MISSING_SHOWN = 3
 
 @click.command()
 @click.argument("folder", metavar="DIR", type=click.Path(file_okay=False, path_type=Path))
-@click.option("--verify", "reading_back", is_flag=True, help="Then read everything back from DIR.")
-@click.option("--prune", is_flag=True, help="Remove media from DIR that the installation has no longer.")
+@click.option("--verify", "reading_back", is_flag=True, help="Read everything back from DIR afterwards.")
+@click.option("--prune", is_flag=True, help="Remove media from DIR that the installation no longer has.")
 @data_dir_option
 def backup(folder: Path, reading_back: bool, prune: bool, data_dir: Path | None) -> None:
     """Back up the database, the media and the keys into DIR, while the server runs.
 
-    Into the same DIR only what is new is copied. Stopped or killed it goes on where it was, and DIR stays the
-    backup that it was before. DIR holds the signing key and everybody's data: keep it as you keep those.
+    Into an existing backup only new files are copied. An interrupted backup can be continued; until it is
+    complete, DIR remains the earlier backup. DIR contains the signing key and everyone's data: protect it
+    accordingly.
     """
     from sightline.infra.backup.make import make_backup
     from sightline.infra.backup.restore import check_backup
@@ -63,8 +64,9 @@ def backup(folder: Path, reading_back: bool, prune: bool, data_dir: Path | None)
 def restore(folder: Path, data_dir: Path) -> None:
     """Restore the backup in DIR into an empty place: data folder, database, media store.
 
-    SQLite unless SIGHTLINE_DATABASE_URL names an empty PostgreSQL database, for a backup of one. Every file
-    is held against its hash and the audit chains are checked; if anything is wrong, nothing is restored.
+    The database is SQLite unless SIGHTLINE_DATABASE_URL names an empty PostgreSQL database (for a backup of
+    one). The hash of every file and the audit chains are checked first; if anything is wrong, nothing is
+    restored.
     """
     from sightline.infra.backup.restore import restore_backup
 

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from contextlib import contextmanager
 from dataclasses import asdict
 from pathlib import Path
 from typing import TYPE_CHECKING, get_args
@@ -11,12 +9,11 @@ from typing import TYPE_CHECKING, get_args
 import click
 
 from sightline.commands.files import write_whole
-from sightline.commands.options import data_dir_option, json_option, print_json, require_database, settings_of
+from sightline.commands.options import data_dir_option, json_option, opened_services, print_json
 from sightline.enums import OnConflict, SizeUnit
 from sightline.errors import BadInput
 
 if TYPE_CHECKING:
-    from sightline.infra.services import Services
     from sightline.vehicles.catalogue.records import Imported, ImportPlan
 
 _SHOWN = 40
@@ -24,28 +21,28 @@ _SHOWN = 40
 
 @click.group()
 def catalogue() -> None:
-    """The catalogue of models: makers' sizes with their sources."""
+    """The catalogue of vehicle models: manufacturers' sizes with their sources."""
 
 
 @catalogue.command("import")
 @click.argument("file", type=click.Path(path_type=Path))
-@click.option("--dry-run", is_flag=True, help="Say what would become of each line, and store nothing.")
+@click.option("--dry-run", is_flag=True, help="Show the result for each line without storing anything.")
 @click.option(
-    "--unit", type=click.Choice(get_args(SizeUnit)), help="Of sizes whose column names none, or metres."
+    "--unit", type=click.Choice(get_args(SizeUnit)), help="Unit of columns that state none (default: metres)."
 )
 @click.option(
     "--column",
     "columns",
     multiple=True,
     metavar="FIELD=HEADER",
-    help="What a column is taken for (height_m=Roof); =HEADER leaves it out. May be given again.",
+    help="Meaning of a column (height_m=Roof); =HEADER skips it. May be repeated.",
 )
 @click.option(
     "--on-conflict",
     type=click.Choice(get_args(OnConflict)),
     default="keep",
     show_default=True,
-    help="Sizes that differ from the catalogue's.",
+    help="What to do with sizes that differ from the catalogue's.",
 )
 @json_option
 @data_dir_option
@@ -58,15 +55,15 @@ def import_(
     as_json: bool,
     data_dir: Path | None,
 ) -> None:
-    """Rows of FILE (CSV, a header with make, model, year_from, height_m, ...) into the catalogue.
+    """Import FILE into the catalogue (CSV with a header: make, model, year_from, height_m, ...).
 
-    Lines that cannot be used, are there twice, or contradict the catalogue are named one by one.
+    Lists every line that cannot be used, is a duplicate, or contradicts the catalogue.
     """
     from sightline.vehicles.catalogue.import_csv import Choices, import_csv, plan_import
 
     content = _content(file)
     choices = Choices(_columns(columns), unit, on_conflict)
-    with _database(data_dir) as services:
+    with opened_services(data_dir) as services:
         if dry_run:
             with services.reading() as session:
                 plan = plan_import(session, content, str(file), choices)
@@ -80,14 +77,14 @@ def import_(
 
 
 @catalogue.command("export")
-@click.option("-o", "--output", required=True, type=click.Path(path_type=Path), help="The CSV to write.")
+@click.option("-o", "--output", required=True, type=click.Path(path_type=Path), help="CSV to write.")
 @data_dir_option
 def export_(output: Path, data_dir: Path | None) -> None:
-    """The whole catalogue as a CSV that `import` reads, without retired models."""
+    """Export the catalogue, without retired models, as a CSV that `import` can read."""
     from sightline.vehicles.catalogue.csv import catalogue_csv
     from sightline.vehicles.catalogue.store import all_of_catalogue
 
-    with _database(data_dir) as services, services.reading() as session:
+    with opened_services(data_dir) as services, services.reading() as session:
         entries = all_of_catalogue(session)
     write_whole(output, catalogue_csv(entries).decode())
     click.echo(f"{len(entries)} models written to {output}.")
@@ -115,21 +112,6 @@ def _columns(given: tuple[str, ...]) -> dict[str, str]:
             raise BadInput("catalogue-column-choice", column=one[:100])
         found[header] = field
     return found
-
-
-@contextmanager
-def _database(data_dir: Path | None) -> Iterator[Services]:
-    from sightline.infra.database.engine import migrate
-    from sightline.infra.services import open_services
-
-    settings = settings_of(data_dir=data_dir)
-    require_database(settings)
-    services = open_services(settings)
-    try:
-        migrate(services.engine)
-        yield services
-    finally:
-        services.close()
 
 
 def _tell(plan: ImportPlan, done: Imported | None, as_json: bool) -> None:

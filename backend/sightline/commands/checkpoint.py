@@ -7,30 +7,25 @@ from pathlib import Path
 import click
 
 from sightline.commands.files import write_whole
-from sightline.commands.options import data_dir_option, require_database, settings_of
+from sightline.commands.options import data_dir_option, opened_services
 
 
 @click.command("checkpoint")
 @click.option("-o", "--output", type=click.Path(path_type=Path), help="JSON file to write.")
-@click.option("--new-key", is_flag=True, help="Make a new signing key first; the old one signs it.")
+@click.option("--new-key", is_flag=True, help="First make a new signing key, signed by the old one.")
 @data_dir_option
 def checkpoint(output: Path | None, new_key: bool, data_dir: Path | None) -> None:
-    """Sign the ends of all audit chains with the installation's key and print what was signed, and the keys.
+    """Sign the ends of all audit chains with the installation's key; print what was signed and the keys.
 
-    Keep it elsewhere: a chain that is cut or written anew afterwards is told by it, and a package by its key
-    (`sightline verify --key`). Every export is signed in the same way.
+    Keep the output in another place: it reveals a chain that is cut or rewritten later, and its key reveals a
+    forged package (`sightline verify --key`). Every export is signed in the same way.
     """
     from sightline.infra.audit.checkpoints import hand_on, known_keys, sign_checkpoint
     from sightline.infra.audit.signing import put_in_force, replacing_key, signing_key
     from sightline.infra.csv_package.schema import json_bytes
-    from sightline.infra.database.engine import migrate
-    from sightline.infra.services import open_services
 
-    settings = settings_of(data_dir=data_dir)
-    require_database(settings)
-    services = open_services(settings)
-    try:
-        migrate(services.engine)
+    with opened_services(data_dir) as services:
+        settings = services.settings
         key = signing_key(settings)
         waiting = None
         with services.writing() as session:
@@ -46,8 +41,6 @@ def checkpoint(output: Path | None, new_key: bool, data_dir: Path | None) -> Non
                 put_in_force(settings.data_dir, waiting)
             else:
                 click.echo(f"Set SIGHTLINE_SIGNING_KEY everywhere to what stands in {waiting}.", err=True)
-    finally:
-        services.close()
     if output is None:
         click.echo(document, nl=False)
     else:

@@ -15,5 +15,7 @@ from sightline.commands.serve import run
 @click.option("--port", type=click.IntRange(0, 65535), help="Port (SIGHTLINE_PORT; default 8000).")
 @data_dir_option
 def demo(host: str | None, port: int | None, data_dir: Path | None) -> None:
-    """Serve the app with the demonstration survey, which is made in the background on the first start."""
+    """Start the server with the demonstration survey, which is created in the background on the first
+    start.
+    """
     run(host, port, None, True, data_dir)

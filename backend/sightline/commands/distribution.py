@@ -27,8 +27,8 @@ _MOST_M = 10.0
 
 
 @dataclass
-class _Rows:
-    """The rows of one group, by column."""
+class Rows:
+    """Heights by column, with what their errors are of."""
 
     height_m: list[float] = field(default_factory=list)
     u_random_m: list[float] = field(default_factory=list)
@@ -39,19 +39,19 @@ class _Rows:
 
 @click.command()
 @click.argument("heights", type=click.Path(path_type=Path))
-@click.option("--by", "by", metavar="COLUMN", help="Treat each value of this column apart.")
+@click.option("--by", "by", metavar="COLUMN", help="Compute each value of this column separately.")
 @click.option("--percentile", "percents", metavar="P,P,...", default=_USUAL, show_default=True)
 @click.option(
     "--compare",
     metavar="FIRST,SECOND",
-    help="Of two values of --by (two surveys, two years): the second's figures less the first's.",
+    help=("Two values of --by (two surveys, two years): difference of the second minus the first."),
 )
 @json_option
 def distribution(heights: Path, by: str | None, percents: str, compare: str | None, as_json: bool) -> None:
-    """Percentiles, mean and SD of the heights in HEIGHTS (a heights.csv), with their total uncertainty.
+    """Compute percentiles, mean and SD of the heights in HEIGHTS (heights.csv), with total uncertainty.
 
-    Read besides height_m, u_height_m and status: u_random_m (what no other row shares; usually u_height_m),
-    shared_group and u_shared_m (one error that all rows of a group share), site (a cluster).
+    Besides height_m, u_height_m and status, these columns are used: u_random_m (error of this row only;
+    usually u_height_m), shared_group and u_shared_m (error common to all rows of a group), site (a cluster).
     """
     from sightline.statistics.total_uncertainty import TotalUncertainty
 
@@ -61,6 +61,7 @@ def distribution(heights: Path, by: str | None, percents: str, compare: str | No
     found = {name: TotalUncertainty(sample_of(rows)) for name, rows in groups.items()}
     if as_json:
         told: dict[str, Any] = {"groups": {name: _json(one, wanted) for name, one in found.items()}}
+        told["left_out"] = left_out
         if pair is not None:
             told["comparison"] = _compared_json(pair, found, wanted)
         print_json(told)
@@ -76,31 +77,32 @@ def percents_of(text: str) -> list[tuple[str, float]]:
     """Percentiles as they were written, and as numbers, each once. Raises BadInput."""
     found = {}
     for part in text.split(","):
-        percent = _number(part)
+        percent = number(part)
         if percent is None or not 0.0 < percent < 100.0:
             raise BadInput("commands-not-percentile", part=part.strip())
         found[format(percent, "g")] = percent
     return list(found.items())
 
 
-def read_groups(path: Path, by: str | None) -> tuple[dict[str, _Rows], int]:
+def read_groups(path: Path, by: str | None) -> tuple[dict[str, Rows], int]:
     """The rows with a height by the value of a column, in order of appearance, and how many have none.
 
     Raises BadInput naming the row.
     """
-    table = csv.DictReader(io.StringIO(read_text(path, _WHAT), newline=""))
+    table = csv.DictReader(io.StringIO(read_text(path, _WHAT), newline=""), strict=True)
     try:
         header = [name.strip() for name in table.fieldnames or ()]
         table.fieldnames = header
         _refuse_header(path, header, by)
-        groups: dict[str, _Rows] = {}
+        groups: dict[str, Rows] = {}
         left_out = 0
-        for number, row in enumerate(table, start=2):
+        for at, row in enumerate(table, start=2):
+            _refuse_row(path, at, row, len(header))
             if "status" in header and (row["status"] or "").strip() != "ok":
                 left_out += 1
                 continue
             name = _ALL if by is None else (row[by] or "").strip()
-            _add(groups.setdefault(name, _Rows()), row, f"{path}, row {number}")
+            _add(groups.setdefault(name, Rows()), row, f"{path}, row {at}")
     except csv.Error as error:
         raise BadInput("commands-not-csv", path=path, why=str(error), what=_WHAT) from error
     if not groups:
@@ -116,14 +118,24 @@ def _refuse_header(path: Path, header: Sequence[str], by: str | None) -> None:
     for name in needed:
         if name not in header:
             raise BadInput("commands-distribution-needs-column", path=path, name=name)
+    for name in (*needed, "status", "site", "u_random_m", "u_height_m"):
+        if header.count(name) > 1:
+            raise BadInput("commands-column-twice", path=path, name=name)
 
 
-def _add(rows: _Rows, row: dict[str, Any], where: str) -> None:
-    height_m = _length(row, "height_m", where)
-    random_m = _length(row, "u_random_m" if (row.get("u_random_m") or "").strip() else "u_height_m", where)
+def _refuse_row(path: Path, at: int, row: dict[str | Any, Any], columns: int) -> None:
+    """Cells more or fewer than columns: a height may stand under another name."""
+    cells = columns - sum(cell is None for cell in row.values()) + len(row.get(None, ()))
+    if cells != columns and len(row) - (None in row) == columns:
+        raise BadInput("commands-row-cells", path=path, row=at, cells=cells, columns=columns)
+
+
+def _add(rows: Rows, row: dict[str, Any], where: str) -> None:
+    height_m = length_in(row, "height_m", where)
+    random_m = length_in(row, "u_random_m" if (row.get("u_random_m") or "").strip() else "u_height_m", where)
     group = (row.get("shared_group") or "").strip()
     said = (row.get("u_shared_m") or "").strip()
-    shared_m = _length(row, "u_shared_m", where) if said or group else 0.0
+    shared_m = length_in(row, "u_shared_m", where) if said or group else 0.0
     if not group:  # an error that is shared with nobody is random
         random_m, shared_m = math.hypot(random_m, shared_m), 0.0
     rows.height_m.append(height_m)
@@ -134,15 +146,17 @@ def _add(rows: _Rows, row: dict[str, Any], where: str) -> None:
         rows.site.append((row["site"] or "").strip())
 
 
-def _length(row: dict[str, Any], name: str, where: str) -> float:
-    value = _number(row.get(name) or "")
+def length_in(row: Mapping[str, Any], name: str, where: str) -> float:
+    """A cell in metres: a height, or an uncertainty. Raises BadInput naming the row."""
+    value = number(row.get(name) or "")
     least = -_MOST_M if name == "height_m" else 0.0
     if value is None or not least <= value <= _MOST_M:
         raise BadInput("commands-row-not-length", where=where, name=name, cell=row.get(name) or "")
     return value
 
 
-def _number(text: str) -> float | None:
+def number(text: str) -> float | None:
+    """A finite number; None for anything else."""
     try:
         value = float(text)
     except ValueError:
@@ -150,25 +164,26 @@ def _number(text: str) -> float | None:
     return value if math.isfinite(value) else None
 
 
-def sample_of(rows: _Rows) -> HeightSample:
+def sample_of(rows: Rows) -> HeightSample:
     """The columns as the statistics take them; rows without a word of their site are of one site."""
     import numpy as np
 
     from sightline.statistics.shared_errors import SharedErrors
     from sightline.statistics.total_uncertainty import HeightSample
 
-    code = _codes(rows.shared_group)
+    code = codes(rows.shared_group)
     group = np.where([bool(one) for one in rows.shared_group], code, -1)
     shared = SharedErrors(group, np.array(rows.u_shared_m))
     return HeightSample(
         height_m=np.array(rows.height_m),
         u_random_m=np.array(rows.u_random_m),
         shared=(shared,) if np.any(group >= 0) else (),
-        site=np.array(_codes(rows.site)) if rows.site else None,
+        site=np.array(codes(rows.site)) if rows.site else None,
     )
 
 
-def _codes(words: Iterable[str]) -> list[int]:
+def codes(words: Iterable[str]) -> list[int]:
+    """A number for each different word, in order of appearance."""
     known: dict[str, int] = {}
     return [known.setdefault(word, len(known)) for word in words]
 
@@ -196,7 +211,7 @@ def _figure(one: TotalFigure) -> dict[str, float | str | None]:
     return ends if one.reason is None else {**ends, "reason": one.reason}
 
 
-def _pair(text: str, by: str | None, groups: Mapping[str, _Rows]) -> tuple[str, str]:
+def _pair(text: str, by: str | None, groups: Mapping[str, Rows]) -> tuple[str, str]:
     """The two groups to compare. Raises BadInput."""
     names = [part.strip() for part in text.split(",")]
     if by is None or len(names) != 2 or names[0] == names[1]:

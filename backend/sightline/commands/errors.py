@@ -5,17 +5,19 @@ from __future__ import annotations
 import csv
 import io
 import json
-import math
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, get_args
 
 import click
 
+from sightline.commands.distribution import Rows, length_in, number, sample_of
 from sightline.enums import Rounding
 from sightline.errors import BadInput
 
 if TYPE_CHECKING:
     from sightline.statistics.errors import ErrorGroup
+    from sightline.statistics.total_uncertainty import HeightSample
 
 NEEDED = ("height_m", "reference_height_m", "status")
 FEET = 1 / 0.3048
@@ -26,11 +28,16 @@ FEET = 1 / 0.3048
 @click.option("--round", "rounding", type=click.Choice(get_args(Rounding)), default="cm", show_default=True)
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON object.")
 def errors(heights: Path, rounding: Rounding, as_json: bool) -> None:
-    """Error table of HEIGHTS (a heights.csv) against its reference heights, by lighting and overall."""
+    """Compute the error table of HEIGHTS (heights.csv) against its reference heights, by lighting and
+    overall.
+
+    Intervals are total where these columns are there: shared_group and u_shared_m (error common to all rows
+    of a group), site (a cluster). Without them they hold sampling, and the errors of each height with it.
+    """
     from sightline.statistics.errors import error_table
 
-    measured, reference, lighting, left_out = read_heights(heights)
-    table = error_table(measured, reference, lighting, rounding)
+    rows, left_out = read_heights(heights)
+    table = error_table(rows.height_m, rows.reference_m, rows.lighting, rounding, _parts(rows))
     if as_json:
         groups = {name: group_json(group) for name, group in table.items()}
         click.echo(json.dumps({"rounding": rounding, "groups": groups}))
@@ -40,8 +47,16 @@ def errors(heights: Path, rounding: Rounding, as_json: bool) -> None:
         click.echo(f"{left_out} rows have no height or no reference height and are not in the table.")
 
 
-def read_heights(path: Path) -> tuple[list[float], list[float], list[str], int]:
-    """(heights, references, lighting, rows left out) of the rows that have both heights."""
+@dataclass
+class _Rows(Rows):
+    """The rows with both heights, by column."""
+
+    reference_m: list[float] = field(default_factory=list)
+    lighting: list[str] = field(default_factory=list)
+
+
+def read_heights(path: Path) -> tuple[_Rows, int]:
+    """The rows that have both heights, and how many have not. Raises BadInput, naming the row."""
     try:
         text = path.read_text(encoding="utf-8-sig")
     except (OSError, UnicodeDecodeError) as error:
@@ -50,29 +65,36 @@ def read_heights(path: Path) -> tuple[list[float], list[float], list[str], int]:
     missing = [name for name in NEEDED if name not in (rows.fieldnames or ())]
     if missing:
         raise BadInput("commands-no-column-give-heights-csv-made", path=path, missing=missing[0])
-    measured, reference, lighting, left_out = [], [], [], 0
-    for row in rows:
-        pair = (number(row["height_m"]), number(row["reference_height_m"]))
-        if row["status"] != "ok" or pair[0] is None or pair[1] is None:
+    lacking = sorted({"shared_group", "u_shared_m"} - set(rows.fieldnames or ()))
+    if len(lacking) == 1:
+        raise BadInput("commands-distribution-needs-column", path=path, name=lacking[0])
+    found, left_out = _Rows(), 0
+    for at, row in enumerate(rows, start=2):
+        height_m, reference_m = number(row["height_m"] or ""), number(row["reference_height_m"] or "")
+        if row["status"] != "ok" or height_m is None or reference_m is None:
             left_out += 1
             continue
-        measured.append(pair[0])
-        reference.append(pair[1])
-        lighting.append((row.get("lighting") or "").strip())
-    return measured, reference, lighting, left_out
+        found.height_m.append(height_m)
+        found.u_random_m.append(0.0)
+        found.reference_m.append(reference_m)
+        found.lighting.append((row.get("lighting") or "").strip())
+        group = (row.get("shared_group") or "").strip()
+        found.shared_group.append(group)
+        found.u_shared_m.append(length_in(row, "u_shared_m", f"{path}, row {at}") if group else 0.0)
+        if "site" in row:
+            found.site.append((row["site"] or "").strip())
+    return found, left_out
 
 
-def number(cell: str | None) -> float | None:
-    try:
-        value = float(cell or "")
-    except ValueError:
-        return None
-    return value if math.isfinite(value) else None
+def _parts(rows: _Rows) -> HeightSample:
+    """The heights with what they share and their sites; errors have no random part taken out of them."""
+    sample = sample_of(rows)
+    return sample if any(rows.u_shared_m) else replace(sample, shared=())
 
 
 def group_json(group: ErrorGroup) -> dict[str, object]:
     ci95 = {name: [i.low, i.high] if i else None for name, i in group.ci95.items()}
-    out: dict[str, object] = {"n": group.n, **group.figures, "ci95": ci95}
+    out: dict[str, object] = {"n": group.n, **group.figures, "ci95": ci95, "holds": group.holds}
     return out | ({"reason": group.reason} if group.reason else {})
 
 
@@ -80,8 +102,8 @@ def as_text(table: dict[str, ErrorGroup], rounding: str) -> str:
     from sightline.statistics.errors import SHARES_WITHIN_M
 
     heads = {"daytime": "Daytime", "low_light": "Low light", "overall": "Overall"}
-    lines = [f"{'':32}" + "".join(f"{heads[name]:>36}" for name in table)]
-    lines.append(f"{'n':32}" + "".join(f"{group.n:>36}" for group in table.values()))
+    lines = [f"{'':32}" + "".join(f"{heads[name]:>42}" for name in table)]
+    lines.append(f"{'n':32}" + "".join(f"{group.n:>42}" for group in table.values()))
     labels = {
         "bias_m": "bias",
         "mae_m": "MAE",
@@ -94,9 +116,11 @@ def as_text(table: dict[str, ErrorGroup], rounding: str) -> str:
         **{name: f"share within {1000 * limit:g} mm" for name, limit in SHARES_WITHIN_M.items()},
     }
     for name, label in labels.items():
-        lines.append(f"{label:32}" + "".join(f"{cell(group, name):>36}" for group in table.values()))
+        lines.append(f"{label:32}" + "".join(f"{cell(group, name):>42}" for group in table.values()))
     said = "rounded to whole centimetres, as in the paper" if rounding == "cm" else "not rounded"
-    lines.append(f"Errors are measured minus reference, {said}; in brackets 95 % intervals (BCa bootstrap).")
+    lines.append(f"Errors are measured minus reference, {said}; in brackets 95 % intervals.")
+    if words := next((group.words for group in reversed(table.values()) if group.words), None):
+        lines.append(f"Intervals hold {words}. Those of Pearson and skewness hold sampling alone.")
     lines += [f"{heads[name]}: {group.reason}." for name, group in table.items() if group.reason]
     return "\n".join(lines)
 

@@ -35,13 +35,13 @@ def read_json(path: Path, what: str) -> Any:
         raise BadInput("commands-not-readable-json-give", path=path, what=what) from None
 
 
-def write_whole(path: Path, text: str) -> None:
-    """Write a text file so that it appears whole or not at all; its folder must be there."""
+def write_whole(path: Path, content: str | bytes) -> None:
+    """Write a file so that it appears whole or not at all; its folder must be there."""
     try:
         if not path.parent.is_dir():
             raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT))
         with atomic_file(path) as part:
-            part.write_text(text, encoding="utf-8", newline="")
+            part.write_bytes(content.encode("utf-8") if isinstance(content, str) else content)
     except OSError as error:
         if error.errno in (errno.ENOSPC, errno.EDQUOT):
             raise NoRoom("commands-cannot-written-because-disk-full-free", path=path) from None

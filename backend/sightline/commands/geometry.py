@@ -2,6 +2,7 @@
 
 import json
 import re
+from collections.abc import Callable, Mapping
 from dataclasses import asdict, replace
 from pathlib import Path
 from typing import Any, get_args
@@ -12,6 +13,7 @@ from click.core import ParameterSource
 
 from sightline.commands.clicks import Assumed, assumed_inset, heights_csv
 from sightline.commands.files import read_json, read_text, write_json, write_whole
+from sightline.commands.tracks_csv import pass_to_dict, read_tracks
 from sightline.coverage import expanded
 from sightline.enums import BoardSide, DriverSide, LensModel, Target
 from sightline.errors import BadInput
@@ -21,6 +23,7 @@ from sightline.geometry.camera import Camera
 from sightline.geometry.charuco import charuco_of
 from sightline.geometry.crossvalidation import in_words
 from sightline.geometry.documents import camera_from_dict, camera_to_dict, pose_from_dict, pose_to_dict
+from sightline.geometry.followed_tracks import Following
 from sightline.geometry.height import Height, measure_height, not_measurable
 from sightline.geometry.imports import read_camera
 from sightline.geometry.pose import expected_u, pose_from_corners
@@ -31,19 +34,28 @@ from sightline.geometry.road_pose import (
     Reference,
     RoadPose,
 )
+from sightline.geometry.whole_pass import WholePass, measure_pass
 
+Command = Callable[..., None]
 _PATH = click.Path(path_type=Path)
 _JSON = click.option("--json", "as_json", is_flag=True, help="Print one JSON object.")
 _BOARD = click.option(
-    "--board", "board_text", required=True, metavar="CxR", help="Inner corners across x down."
+    "--board", "board_text", required=True, metavar="CxR", help="Number of inner corners, across x down."
 )
-_SQUARE = click.option("--square", "square_m", type=float, required=True, help="Side of a square in metres.")
+_SQUARE = click.option("--square", "square_m", type=float, required=True, help="Square size, metres.")
 
 
 _CHARUCO = click.option(
-    "--charuco", metavar="DICT", help="A ChArUco board with markers of this dictionary, such as 4X4_50."
+    "--charuco", metavar="DICT", help="Use a ChArUco board with markers of this dictionary, such as 4X4_50."
 )
-_MARKER = click.option("--marker", "marker_m", type=float, help="Side of its markers in metres.")
+_MARKER = click.option("--marker", "marker_m", type=float, help="Marker side, metres.")
+
+
+def board_options(command: Command) -> Command:
+    """The four options that tell a board; `parse_board` reads them."""
+    for option in (_MARKER, _CHARUCO, _SQUARE, _BOARD):
+        command = option(command)
+    return command
 
 
 def parse_board(
@@ -82,13 +94,10 @@ def read_pose_file(path: Path) -> RoadPose:
 
 @click.command()
 @click.argument("images", nargs=-1, required=True, type=_PATH)
-@_BOARD
-@_SQUARE
-@_CHARUCO
-@_MARKER
+@board_options
 @click.option("--model", type=click.Choice(get_args(LensModel)), default="brown", show_default=True)
-@click.option("--bent-board", is_flag=True, help="The board may not be flat: solve for its shape too.")
-@click.option("-o", "--output", type=_PATH, required=True, help="The camera.json to write.")
+@click.option("--bent-board", is_flag=True, help="The board may be bent: model its shape too.")
+@click.option("-o", "--output", type=_PATH, required=True, help="camera.json to write.")
 @_JSON
 def calibrate(
     images: tuple[Path, ...],
@@ -101,7 +110,7 @@ def calibrate(
     output: Path,
     as_json: bool,
 ) -> None:
-    """Intrinsics from checkerboard IMAGES (or a clip), as camera.json."""
+    """Calibrate a camera from checkerboard IMAGES (or a clip) and write camera.json."""
     from sightline.cameras.camera_files import calibration_views
 
     board = parse_board(board_text, square_m, charuco, marker_m)
@@ -145,15 +154,17 @@ def _calibration_text(checked: CheckedCalibration, output: Path) -> str:
 
 @click.command("import-camera")
 @click.argument("file", type=_PATH)
-@click.option("-o", "--output", type=_PATH, required=True, help="The camera.json to write.")
-@click.option("--model", type=click.Choice(get_args(LensModel)), help="Where the file does not say.")
-@click.option("--size", "size_text", metavar="WxH", help="The pictures' size, where the file does not say.")
-@click.option("--which", help="The camera to take from a file of several.")
+@click.option("-o", "--output", type=_PATH, required=True, help="camera.json to write.")
+@click.option(
+    "--model", type=click.Choice(get_args(LensModel)), help="Lens model, if the file does not state it."
+)
+@click.option("--size", "size_text", metavar="WxH", help="Picture size, if the file does not state it.")
+@click.option("--which", help="Camera to use from a file with several.")
 @_JSON
 def import_camera(
     file: Path, output: Path, model: Any, size_text: str | None, which: str | None, as_json: bool
 ) -> None:
-    """Intrinsics from OpenCV YAML/JSON, ROS camera_info, a Kalibr camchain or a mrcal .cameramodel."""
+    """Import a calibration: OpenCV YAML/JSON, ROS camera_info, Kalibr camchain or mrcal .cameramodel."""
     text = read_text(file, "a camera file of OpenCV, ROS, Kalibr or mrcal")
     imported = read_camera(text, str(file), model, parse_size(size_text), which)
     document = camera_to_dict(imported.camera)
@@ -178,30 +189,40 @@ def parse_size(text: str | None) -> tuple[int, int] | None:
 
 @click.command()
 @click.argument("pictures", nargs=-1, required=True, type=_PATH)
-@click.option("--camera", "camera_file", type=_PATH, required=True, help="The camera.json.")
-@_BOARD
-@_SQUARE
-@_CHARUCO
-@_MARKER
+@click.option("--camera", "camera_file", type=_PATH, required=True, help="camera.json of the camera.")
+@board_options
 @click.option(
-    "--reference-height", type=float, required=True, help="Height of the reference row of corners, metres."
+    "--reference-height",
+    type=float,
+    required=True,
+    help="Height of the reference row of corners above the road, metres.",
 )
 @click.option("--reference", type=click.Choice(get_args(BoardSide)), default="top", show_default=True)
 @click.option(
-    "--u-reference-height", type=float, default=DEFAULT_U_HEIGHT_M, show_default=True, help="Metres."
+    "--u-reference-height",
+    type=float,
+    default=DEFAULT_U_HEIGHT_M,
+    show_default=True,
+    help="u of the reference height, metres.",
 )
-@click.option("--u-lean", type=float, default=DEFAULT_U_LEAN_RAD, show_default=True, help="Radians.")
 @click.option(
-    "--u-square", type=float, help="Of the side of a square, metres (default 0.1 % of it, an estimate)."
+    "--u-lean",
+    type=float,
+    default=DEFAULT_U_LEAN_RAD,
+    show_default=True,
+    help="u of board tilt and roll, radians.",
+)
+@click.option(
+    "--u-square", type=float, help="u of the square size, metres (default: 0.1 % of it, an estimate)."
 )
 @click.option(
     "--u-bow",
     type=float,
     default=DEFAULT_U_BOW_M,
     show_default=True,
-    help="Of the board's middle out of plane, metres.",
+    help="u of the board's flatness (middle out of plane), metres.",
 )
-@click.option("-o", "--output", type=_PATH, required=True, help="The pose.json to write.")
+@click.option("-o", "--output", type=_PATH, required=True, help="pose.json to write.")
 @_JSON
 def pose(
     pictures: tuple[Path, ...],
@@ -219,7 +240,7 @@ def pose(
     output: Path,
     as_json: bool,
 ) -> None:
-    """Road pose from a clip or PICTURES of the checkerboard standing on the road, as pose.json."""
+    """Compute the camera pose from a clip or PICTURES of the checkerboard on the road, as pose.json."""
     from sightline.cameras.camera_files import pose_detections
 
     camera = read_camera_file(camera_file)
@@ -266,24 +287,46 @@ def pose(
 
 
 @click.command()
-@click.option("--pose", "pose_file", type=_PATH, required=True, help="The pose.json.")
-@click.option("--contact", metavar="X,Y", help="Where the tyre meets the road, pixels.")
-@click.option("--target", metavar="X,Y", help="The target, pixels.")
+@click.option("--pose", "pose_file", type=_PATH, required=True, help="pose.json of the recording.")
+@click.option("--contact", metavar="X,Y", help="Tyre contact point, pixels.")
+@click.option("--target", metavar="X,Y", help="Target point, pixels.")
+@click.option("--kind", type=click.Choice(get_args(Target)), help="Kind of target; sets the default inset.")
+@click.option("--side", type=click.Choice(get_args(DriverSide)), help="Driver's side of the vehicle.")
 @click.option(
-    "--kind", type=click.Choice(get_args(Target)), help="What the target is: its usual inset is taken."
+    "--inset",
+    type=float,
+    help=("Inset: distance of the target behind the side plane, metres (default: that of --kind, else 0)."),
+)
+@click.option("--u-inset", type=float, help="u of the inset, metres (default: that of --kind, else 0).")
+@click.option(
+    "--sigma", type=float, default=1.0, show_default=True, help="u of each click coordinate, pixels."
+)
+@click.option("--clicks", type=_PATH, help="clicks.csv instead of one pair of clicks.")
+@click.option("--tracks", type=_PATH, help="tracks.csv: one vehicle followed through its pass.")
+@click.option(
+    "--confirmed", type=float, default=1.0, show_default=True, help="u of each track's first click, pixels."
+)
+@click.option("--begun-on", type=int, help="Frame that was clicked on (default: the first of the table).")
+@click.option("--drift", type=float, default=0.0, help="u of a followed point from frame to frame, pixels.")
+@click.option("--u-time", type=float, default=0.0, help="u of the time of a frame, seconds.")
+@click.option(
+    "--row-time", type=float, default=0.0, help="Rolling shutter: time from one row to the next, seconds."
+)
+@click.option("--u-row-time", type=float, default=0.0, help="u of the rolling-shutter time, seconds.")
+@click.option("--exposure", type=float, default=0.0, help="Exposure of a row, seconds (motion blur).")
+@click.option(
+    "--view",
+    type=float,
+    default=0.0,
+    help="u of a point due to its changing aspect, pixels per 100 px of travel.",
 )
 @click.option(
-    "--side", type=click.Choice(get_args(DriverSide)), help="Of the vehicle, where the driver sits."
+    "--depth-share", type=float, default=0.0, help="Relief around the followed target: depth / distance."
 )
 @click.option(
-    "--inset", type=float, help="Target behind the side plane, metres; the usual one of --kind, else 0."
+    "--matched", is_flag=True, help="Places count from the clicked frame, by shifts against a common picture."
 )
-@click.option(
-    "--u-inset", type=float, help="Its standard uncertainty, metres; the usual one of --kind, else 0."
-)
-@click.option("--sigma", type=float, default=1.0, show_default=True, help="Of each click coordinate, pixels.")
-@click.option("--clicks", type=_PATH, help="A clicks.csv instead of one click pair.")
-@click.option("-o", "--output", type=_PATH, help="The heights.csv to write.")
+@click.option("-o", "--output", type=_PATH, help="heights.csv to write.")
 @_JSON
 def height(
     pose_file: Path,
@@ -295,11 +338,23 @@ def height(
     u_inset: float | None,
     sigma: float,
     clicks: Path | None,
+    tracks: Path | None,
     output: Path | None,
     as_json: bool,
+    **followed: Any,
 ) -> None:
-    """One height from two clicks, or all those of a clicks.csv."""
+    """Compute one height from two clicks or a followed pass, or all heights of a clicks.csv."""
     solved = read_pose_file(pose_file)
+    if tracks is not None:
+        one_or_many = (contact, target, clicks)
+        if any(given is not None for given in one_or_many):
+            raise BadInput("commands-tracks-alone")
+        _refuse_ignored(("sigma",), "the CSV's column sigma_px")
+        _refuse_ignored(("inset", "u_inset", "kind", "side"), "nothing: a whole pass is solved for its inset")
+        _refuse_ignored(("output",), "--json and a redirection")
+        _whole_pass(solved, tracks, followed, as_json)
+        return
+    _refuse_ignored(tuple(followed), "--tracks with a CSV file")
     if clicks is not None:
         if contact is not None or target is not None:
             raise BadInput("commands-give-either-contact-target-clicks-not")
@@ -322,6 +377,42 @@ def height(
         click.echo(f"{measured.height_m:.3f} m ± {measured.U95_height_m:.3f} m (95 %)")
         for flag in measured.flags:
             click.echo(f"note: {flag}")
+
+
+def _whole_pass(solved: RoadPose, tracks: Path, followed: dict[str, Any], as_json: bool) -> None:
+    """One vehicle followed through its pass, as a sentence or as JSON."""
+    following = Following(
+        confirmed_px=followed["confirmed"],
+        drift_px=followed["drift"],
+        begun_on=followed["begun_on"],
+        u_time_s=followed["u_time"],
+        row_time_s=followed["row_time"],
+        u_row_time_s=followed["u_row_time"],
+        exposure_s=followed["exposure"],
+        view_px=followed["view"],
+        u_depth_share=followed["depth_share"],
+        matched=followed["matched"],
+    )
+    tell_pass(measure_pass(solved, read_tracks(tracks), following), as_json)
+
+
+def tell_pass(found: WholePass, as_json: bool, also: Mapping[str, Any] | None = None) -> None:
+    """A whole pass as a sentence and notes, or as JSON with more beside it."""
+    measured = found.height
+    if as_json:
+        click.echo(json.dumps(height_to_dict(measured) | pass_to_dict(found) | dict(also or {})))
+        return
+    if measured.height_m is None or measured.U95_height_m is None:
+        click.echo(f"not measurable: {measured.reason}")
+    else:
+        click.echo(
+            f"{measured.height_m:.3f} m ± {measured.U95_height_m:.3f} m (95 %), followed on "
+            f"{found.frames} frames"
+        )
+    for one in found.dropped:
+        click.echo(f"left out: {one.point} on frame {one.frame}. {one.reason}")
+    for flag in measured.flags:
+        click.echo(f"note: {flag}")
 
 
 def _one(

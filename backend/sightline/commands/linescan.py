@@ -17,11 +17,9 @@ from sightline.commands.files import write_whole
 from sightline.commands.options import json_option
 from sightline.commands.scanned import (
     COLUMNS,
-    Vehicle,
     about_rig,
     cell_of,
     left_out,
-    measured,
     object_of,
     rig_of,
     rig_options,
@@ -32,6 +30,7 @@ from sightline.errors import BadInput
 from sightline.linescan import faults
 from sightline.linescan.finding import Finder
 from sightline.linescan.parts import Crossings, Passage, Rig
+from sightline.linescan.passing import Vehicle, measured
 from sightline.media.strips.notes import column_of, lost_lines
 from sightline.media.strips.reader import Strip, check_pair, open_strip
 
@@ -41,26 +40,31 @@ from sightline.media.strips.reader import Strip, check_pair, open_strip
 @click.argument("second", type=click.Path(path_type=Path))
 @rig_options
 @click.option("--time-axis", type=click.Choice(get_args(TimeAxis)), default="width", show_default=True)
-@click.option("-o", "--output", type=click.Path(path_type=Path), help="vehicles.csv; else it is printed.")
+@click.option(
+    "-o", "--output", type=click.Path(path_type=Path), help="vehicles.csv to write (default: print it)."
+)
 @json_option
 def linescan(
     first: Path,
     second: Path,
-    baseline: float,
+    baseline: float | None,
+    rig_file: Path | None,
     line_rate: float,
     u_baseline: float,
     u_line_rate: float,
+    shadow_share: float,
     time_axis: TimeAxis,
     method: ScanMethod,
     output: Path | None,
     as_json: bool,
 ) -> None:
-    """Vehicles from a line-scan pair: speed, acceleration, length and gaps.
+    """Measure vehicles from two line-scan strips: speed, acceleration, length and gaps.
 
-    FIRST and SECOND are PNG or TIFF pictures, FIRST of the camera that vehicles reach first. A file named
-    FIRST.json beside it may tell lines that the recorder lost: {"dropped_lines": [[line, count], ...]}.
+    FIRST and SECOND are PNG or TIFF pictures; FIRST is from the camera that vehicles reach first. Vehicles of
+    the other direction are measured too (column direction). A file FIRST.json beside it may list lines that
+    the recorder lost: {"dropped_lines": [[line, count], ...]}.
     """
-    rig = rig_of(baseline, line_rate, u_baseline, u_line_rate)
+    rig = rig_of(baseline, rig_file, line_rate, u_baseline, u_line_rate, shadow_share)
     if output is not None and not output.parent.is_dir():
         raise BadInput("commands-cannot-written-folder-not-exist-choose", output=output)
     with closing(_opened(first, time_axis)) as one, closing(_opened(second, time_axis)) as two:
@@ -74,6 +78,7 @@ def linescan(
         for vehicle in measured(passages, rig, method, lambda lines: _columns(lines, one, two)):
             table.add(vehicle)
         said = {"method": method, "lines": one.lines, "rows": one.rows, **about_rig(rig)}
+        said["duration_s"] = one.lines / rig.line_rate_hz
     notes += faults.notes_of(finder)
     notes += left_out(rig, table.measured)
     if output is not None:
@@ -121,7 +126,7 @@ def _opened(path: Path, time_axis: TimeAxis) -> Strip:
 def _rate_notes(strips: tuple[Strip, Strip], rig: Rig) -> list[str]:
     """Where the recorder speaks of another line rate than the user."""
     return [
-        f"{strip.name} says that its line rate is {told:g} Hz, {rig.line_rate_hz:g} Hz was given and used."
+        f"{strip.name} states a line rate of {told:g} Hz, but {rig.line_rate_hz:g} Hz was given and used."
         for strip in strips
         if (told := strip.notes.line_rate_hz) is not None and abs(told / rig.line_rate_hz - 1) > 1e-3
     ]

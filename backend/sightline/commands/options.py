@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import json
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeVar
 
@@ -13,6 +14,7 @@ import click
 from sightline.errors import BadInput
 
 if TYPE_CHECKING:
+    from sightline.infra.services import Services
     from sightline.settings import Settings
 
 Command = TypeVar("Command", bound=Callable[..., Any])
@@ -59,6 +61,22 @@ def require_database(settings: Settings) -> None:
     path = sqlite_file(settings.database_url)
     if path is not None and not path.is_file():
         raise BadInput("commands-no-database-name-folder-data-dir", path=path)
+
+
+@contextmanager
+def opened_services(data_dir: Path | None) -> Iterator[Services]:
+    """The services of an installation that is there, brought up to date; closed in the end."""
+    from sightline.infra.database.engine import migrate
+    from sightline.infra.services import open_services
+
+    settings = settings_of(data_dir=data_dir)
+    require_database(settings)
+    services = open_services(settings)
+    try:
+        migrate(services.engine)
+        yield services
+    finally:
+        services.close()
 
 
 def print_json(value: object) -> None:

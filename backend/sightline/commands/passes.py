@@ -12,7 +12,7 @@ from sightline.detection.classify import FoundPass
 @click.argument("video", type=click.Path(path_type=Path))
 @json_option
 def passes(video: Path, as_json: bool) -> None:
-    """The vehicle passes of a VIDEO, by frame numbers from 0."""
+    """Find the vehicle passes in a VIDEO (frame numbers start at 0)."""
     from sightline.media.video.passes import find_passes
 
     search = find_passes(video, name=str(video))

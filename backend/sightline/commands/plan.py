@@ -9,34 +9,49 @@ import click
 import numpy as np
 
 from sightline.commands.geometry import height_to_dict, parse_size, read_camera_file
+from sightline.enums import PlannedQuantity
 from sightline.errors import BadInput
 from sightline.geometry.camera import Camera
 from sightline.geometry.plan import Curve, Plan, plan_site
 from sightline.geometry.site import Site, plain_camera
-from sightline.linescan.planner import LinePlan, plan_lines
+from sightline.linescan.planner import USUAL_LENGTH_M, USUAL_TIME_GAP_S, LinePlan, plan_lines
 
 
 @click.command()
-@click.option("--camera", "camera_file", type=click.Path(path_type=Path), help="The camera.json.")
-@click.option("--size", "size_text", metavar="WxH", help="Instead of --camera: the pictures' size ...")
-@click.option("--field-of-view", type=float, metavar="DEGREES", help="... and what they show across.")
-@click.option("--camera-height", type=float, help="Metres above the road.")
-@click.option("--distance", type=float, help="Across the road to the wheel track, metres.")
+@click.option("--camera", "camera_file", type=click.Path(path_type=Path), help="camera.json of the camera.")
+@click.option("--size", "size_text", metavar="WxH", help="Picture size, instead of --camera ...")
 @click.option(
-    "--board-distance", type=float, help="Where the board will stand; at the wheel track if not given."
+    "--field-of-view", type=float, metavar="DEGREES", help="... with the horizontal field of view, degrees."
 )
-@click.option("--sigma", type=float, default=1.0, show_default=True, help="Of each click coordinate, pixels.")
+@click.option("--camera-height", type=float, help="Camera height above the road, metres.")
+@click.option("--distance", type=float, help="Distance across the road to the wheel path, metres.")
+@click.option("--board-distance", type=float, help="Distance to the board, metres (default: the wheel path).")
 @click.option(
-    "--direction", type=float, default=0.0, show_default=True, help="Degrees along the road, 0 is square."
+    "--sigma", type=float, default=1.0, show_default=True, help="u of each click coordinate, pixels."
 )
 @click.option(
-    "--travel", type=float, default=2.0, show_default=True, help="Between two frames of a vehicle, metres."
+    "--direction",
+    type=float,
+    default=0.0,
+    show_default=True,
+    help="Yaw from the perpendicular to the road, degrees.",
 )
-@click.option("--baseline", type=float, help="Plan a line scan instead: metres between both planes ...")
-@click.option("--speed", type=float, help="... the fastest vehicle, m/s ...")
-@click.option("--speed-error", type=float, help="... the share by which its speed may be off (0.01: 1 %) ...")
-@click.option("--line-rate", type=float, help="... lines a second; what --speed-error takes if not given ...")
-@click.option("--u-baseline", type=float, help="... and the baseline's standard uncertainty, metres.")
+@click.option(
+    "--travel",
+    type=float,
+    default=2.0,
+    show_default=True,
+    help="Travel of a vehicle between two frames, metres.",
+)
+@click.option("--baseline", type=float, help="Plan a line scan instead: baseline, metres ...")
+@click.option("--speed", type=float, help="... speed of the fastest vehicle, m/s ...")
+@click.option("--speed-error", type=float, help="... allowed relative error of its speed (0.01: 1 %) ...")
+@click.option(
+    "--line-rate", type=float, help="... line rate, Hz (default: calculated from --speed-error) ..."
+)
+@click.option("--u-baseline", type=float, help="... and u of the baseline, metres.")
+@click.option("--length", type=float, help="Length of the vehicle of a line scan, metres (4.5) ...")
+@click.option("--time-gap", type=float, help="... and its time gap to the vehicle in front, seconds (1.5).")
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON object.")
 def plan(
     camera_file: Path | None,
@@ -53,15 +68,18 @@ def plan(
     speed_error: float | None,
     line_rate: float | None,
     u_baseline: float | None,
+    length: float | None,
+    time_gap: float | None,
     as_json: bool,
 ) -> None:
-    """Expected uncertainty per target before going out; with --baseline that of a line scan's speeds."""
-    of_lines = (speed, speed_error, line_rate, u_baseline)
+    """Predict the uncertainty per target before you record; with --baseline, that of line-scan speeds."""
+    of_lines = (speed, speed_error, line_rate, u_baseline, length, time_gap)
     of_site = (camera_file, size_text, field_of_view, camera_height, distance, board_distance)
     if baseline is not None:
         if any(one is not None for one in of_site):
             raise BadInput("commands-line-scan-planned-without-camera-place")
-        lines = _lines(baseline, speed, speed_error, line_rate, u_baseline or 0.0)
+        vehicle = (length or USUAL_LENGTH_M, time_gap or USUAL_TIME_GAP_S)
+        lines = _lines(baseline, speed, speed_error, line_rate, u_baseline or 0.0, vehicle)
         click.echo(json.dumps(_lines_to_dict(lines)) if as_json else _lines_text(lines))
         return
     if any(one is not None for one in of_lines):
@@ -82,15 +100,22 @@ def plan(
 
 
 def _lines(
-    baseline: float, speed: float | None, error: float | None, rate: float | None, u_baseline: float
+    baseline: float,
+    speed: float | None,
+    error: float | None,
+    rate: float | None,
+    u_baseline: float,
+    vehicle: tuple[float, float],
 ) -> LinePlan:
     if speed is None or error is None:
         raise BadInput("commands-line-scans-plan-needs-speed-speed")
-    given = [one for one in (baseline, speed, error, rate, u_baseline) if one is not None]
+    given = [one for one in (baseline, speed, error, rate, u_baseline, *vehicle) if one is not None]
     if not np.all(np.isfinite(given)):
         raise BadInput("commands-numbers-plan-must-finite")
     try:
-        return plan_lines(speed, baseline, error, rate, u_baseline)
+        return plan_lines(
+            speed, baseline, error, rate, u_baseline, length_m=vehicle[0], time_gap_s=vehicle[1]
+        )
     except (ValueError, OverflowError) as error_:
         raise BadInput("said", sentence=error_) from error_
 
@@ -99,6 +124,14 @@ def _lines_to_dict(plan: LinePlan) -> dict[str, Any]:
     said = asdict(plan)
     said["advice"] = said.pop("words")
     return said
+
+
+_WORDS: dict[PlannedQuantity, str] = {
+    "speed": "speed, m/s",
+    "length": "length, m",
+    "time_gap": "time gap, s",
+    "distance_gap": "gap, m",
+}
 
 
 def _lines_text(plan: LinePlan) -> str:
@@ -111,6 +144,7 @@ def _lines_text(plan: LinePlan) -> str:
             f"{100 * expected.printed_right_side:.3g} %",
             f"corrected, 2 / n         {wanted.corrected_hz:12.0f}   {100 * expected.corrected:.3g} %",
             f"u of the speed, whole lines and baseline: {plan.u_speed_mps:.3f} m/s",
+            *(f"{_WORDS[one.quantity]:<13}{one.value:9.3f} {one.u:8.4f} (u)" for one in plan.values),
             *plan.words,
         ]
     )

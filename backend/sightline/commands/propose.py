@@ -15,10 +15,10 @@ _PATH = click.Path(path_type=Path)
 
 @click.command("propose")
 @click.argument("video", type=_PATH)
-@click.option("--pose", "pose_file", type=_PATH, required=True, help="The pose.json.")
+@click.option("--pose", "pose_file", type=_PATH, required=True, help="pose.json of the recording.")
 @json_option
 def propose_command(video: Path, pose_file: Path, as_json: bool) -> None:
-    """Tyre contacts, roof and rear lamp of each vehicle of a VIDEO, or why not; nothing is measured."""
+    """Suggest tyre contacts, roof, rear lamp and eye of each vehicle in a VIDEO, or state why not."""
     from sightline.commands.geometry import read_pose_file
     from sightline.media.video.passes import find_passes
     from sightline.media.video.proposals import propose_in_video

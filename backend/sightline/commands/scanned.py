@@ -2,19 +2,40 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
-from dataclasses import asdict, dataclass, replace
+from collections.abc import Callable
+from dataclasses import asdict, fields, replace
+from pathlib import Path
 from typing import Any, TypeVar, get_args
 
 import click
 
 from sightline.commands.clicks import harmless, metres
-from sightline.enums import ScanMethod
-from sightline.linescan.gaps import gaps
-from sightline.linescan.methods import MEASURE
-from sightline.linescan.parts import Crossings, Gap, Motion, Passage, Rig
-from sightline.linescan.rig import BASELINE_M, LINE_RATE_HZ, U_BASELINE_M, U_LINE_RATE_RATIO
+from sightline.commands.files import read_json
+from sightline.enums import ScanDirection, ScanMethod
+from sightline.errors import BadInput
+from sightline.linescan.parts import USUAL_SHADOW_SHARE, Lane, Rig
+from sightline.linescan.passing import Vehicle
+from sightline.linescan.rig import (
+    BASELINE_M,
+    LINE_RATE_HZ,
+    SHADOW_SHARE,
+    U_BASELINE_M,
+    U_LINE_RATE_RATIO,
+    require_rig,
+    rig_from,
+)
 
+_OF_FILE = (
+    "baseline_m",
+    "u_baseline_m",
+    "divergence_rad",
+    "u_divergence_rad",
+    "baseline_correlation",
+    "distance_m",
+    "u_distance_m",
+)
+_OF_LANE = tuple(one.name for one in fields(Lane))
+_NUMBERS = frozenset(_OF_LANE) - {"name", "direction"}
 Command = TypeVar("Command", bound=Callable[..., Any])
 
 COLUMNS = (
@@ -34,36 +55,10 @@ COLUMNS = (
     "distance_gap_m",
     "status",
     "reason",
+    "direction",
+    "axles",
+    "lane",
 )
-
-
-@dataclass(frozen=True)
-class Vehicle:
-    """One vehicle as it is written: lines as columns of the files, motion without its profile, gap."""
-
-    number: int
-    columns: Crossings
-    motion: Motion
-    gap: Gap
-
-
-def measured(
-    passages: Iterable[Passage],
-    rig: Rig,
-    method: ScanMethod,
-    columns: Callable[[Crossings], Crossings] = lambda crossings: crossings,
-) -> Iterator[Vehicle]:
-    """Every vehicle in order, with its gap to the one before; only one passage is held at a time.
-
-    columns: crossings as lines of what the vehicles were read from, where that counts otherwise.
-    """
-    before: tuple[Crossings, Motion] | None = None
-    for number, passage in enumerate(passages, 1):
-        motion = replace(MEASURE[method](passage, rig), profile=None)
-        this = (passage.crossings, motion)
-        gap = gaps([before, this] if before else [this], rig)[-1]
-        yield Vehicle(number, columns(passage.crossings), motion, gap)
-        before = this
 
 
 def rig_options(command: Command) -> Command:
@@ -73,25 +68,86 @@ def rig_options(command: Command) -> Command:
             "--method", type=click.Choice(get_args(ScanMethod)), default="direct", show_default=True
         ),
         click.option(
-            "--u-line-rate", type=float, default=0.0, help="Of the line rate, as a share (1e-4 is 0.01 %)."
+            "--shadow-share",
+            type=float,
+            default=USUAL_SHADOW_SHARE,
+            show_default=True,
+            help="Lowest share of the rows in which no vehicle is searched (shadows).",
         ),
         click.option(
-            "--u-baseline", type=float, default=0.0, help="Standard uncertainty of the baseline, metres."
+            "--u-line-rate", type=float, default=0.0, help="Relative u of the line rate (1e-4 is 0.01 %)."
         ),
-        click.option("--line-rate", type=float, required=True, help="Lines a second of either camera, Hz."),
-        click.option("--baseline", type=float, required=True, help="Between the scanning planes, metres."),
+        click.option("--u-baseline", type=float, default=0.0, help="u of the baseline, metres."),
+        click.option("--line-rate", type=float, required=True, help="Line rate of each camera, Hz."),
+        click.option(
+            "--rig",
+            "rig_file",
+            type=click.Path(path_type=Path),
+            help="JSON of `sightline rig calibrate -o`, with the rig's lanes, in the place of --baseline.",
+        ),
+        click.option(
+            "--baseline", type=float, help="Baseline: distance between the scanning planes, metres."
+        ),
     ):
         command = option(command)
     return command
 
 
-def rig_of(baseline: float, line_rate: float, u_baseline: float, u_line_rate: float) -> Rig:
-    """The rig that the options give. Raises BadInput naming the option that cannot be."""
+def rig_of(
+    baseline: float | None,
+    rig_file: Path | None,
+    line_rate: float,
+    u_baseline: float,
+    u_line_rate: float,
+    shadow_share: float,
+) -> Rig:
+    """The rig that the options give. Raises BadInput naming the option, or the file, that cannot be."""
+    if (baseline is None) == (rig_file is None) or (rig_file is not None and u_baseline):
+        raise BadInput("commands-baseline-or-rig")
+    if rig_file is not None:
+        return _rig_in(
+            rig_file, Rig(1.0, line_rate, u_line_rate_ratio=u_line_rate, shadow_share=shadow_share)
+        )
+    assert baseline is not None
     BASELINE_M.require(baseline, "--baseline")
     LINE_RATE_HZ.require(line_rate, "--line-rate")
     replace(U_BASELINE_M, most=baseline).require(u_baseline, "--u-baseline")
     U_LINE_RATE_RATIO.require(u_line_rate, "--u-line-rate")
-    return Rig(baseline, line_rate, u_baseline_m=u_baseline, u_line_rate_ratio=u_line_rate)
+    SHADOW_SHARE.require(shadow_share, "--shadow-share")
+    return Rig(
+        baseline,
+        line_rate,
+        u_baseline_m=u_baseline,
+        u_line_rate_ratio=u_line_rate,
+        shadow_share=shadow_share,
+    )
+
+
+def _rig_in(path: Path, given: Rig) -> Rig:
+    """A calibrated rig with its lanes; numbers that are not of it are left out."""
+    document = read_json(path, "a rig as JSON")
+    if not isinstance(document, dict):
+        raise BadInput("commands-rig-file-no-rig", path=path)
+    held = {name: document[name] for name in _OF_FILE if name in document}
+    if "correlation" in document:
+        # as `rig calibrate` calls it
+        held.setdefault("baseline_correlation", document["correlation"])
+    lanes = document.get("lanes", [])
+    if "baseline_m" not in held or not isinstance(lanes, list):
+        raise BadInput("commands-rig-file-no-rig", path=path)
+    rows = []
+    for number, one in enumerate(lanes, 1):
+        if not isinstance(one, dict) or "distance_m" not in one:
+            raise BadInput("commands-rig-file-no-rig", path=path)
+        rows.append({"name": str(number), **{name: one[name] for name in _OF_LANE if name in one}})
+    numbers = [*held.values(), *(value for row in rows for name, value in row.items() if name in _NUMBERS)]
+    words = [row.get("direction") for row in rows]
+    sound = all(type(one) in (int, float) or one is None for one in numbers)
+    if not sound or not set(words) <= {None, *get_args(ScanDirection)}:
+        raise BadInput("commands-rig-file-no-rig", path=path)
+    rig = rig_from({**asdict(given), **held, "lanes": rows})
+    require_rig(rig)
+    return rig
 
 
 def row_of(vehicle: Vehicle) -> dict[str, Any]:
@@ -99,15 +155,19 @@ def row_of(vehicle: Vehicle) -> dict[str, Any]:
     motion, gap = vehicle.motion, vehicle.gap
     held = {**asdict(vehicle.columns), "id": vehicle.number}
     held |= {"time_gap_s": gap.time_gap_s, "distance_gap_m": gap.distance_gap_m}
+    held |= {"direction": motion.crossings.direction, "axles": len(motion.axle_lines or ()) or None}
+    held |= {"lane": motion.lane}
     return {name: held[name] if name in held else getattr(motion, name) for name in COLUMNS}
 
 
 def object_of(vehicle: Vehicle) -> dict[str, Any]:
     """A vehicle as JSON: the columns of the CSV, then what a table has no room for."""
     motion, gap = vehicle.motion, vehicle.gap
-    more = ("misalignment_px", "u_misalignment_px", "gain")
+    more = ("misalignment_px", "u_misalignment_px", "gain", "tyres_px")
     return {
         **row_of(vehicle),
+        "front_s": vehicle.front_s,
+        "rear_s": vehicle.rear_s,
         **{name: getattr(motion, name) for name in more},
         "u_time_gap_s": gap.u_time_gap_s,
         "u_distance_gap_m": gap.u_distance_gap_m,
@@ -129,7 +189,11 @@ def left_out(rig: Rig, measured: int) -> list[str]:
 def about_rig(rig: Rig) -> dict[str, Any]:
     """What was said of the rig, by name."""
     names = ("baseline_m", "u_baseline_m", "line_rate_hz", "u_line_rate_ratio")
-    return {name: getattr(rig, name) for name in names}
+    said = {name: getattr(rig, name) for name in names}
+    if rig.lanes:
+        more = ("divergence_rad", "u_divergence_rad", "baseline_correlation")
+        said |= {name: getattr(rig, name) for name in more} | {"lanes": [asdict(one) for one in rig.lanes]}
+    return said
 
 
 def cell_of(value: Any) -> str:

@@ -29,13 +29,21 @@ AFTER_START_S = 0.2
 @click.command()
 @click.option("--host", help="Address to listen on (SIGHTLINE_HOST; default 127.0.0.1).")
 @click.option("--port", type=click.IntRange(0, 65535), help="Port (SIGHTLINE_PORT; default 8000).")
-@click.option("--workers", type=click.IntRange(0, 64), help="Jobs side by side; 0: others do them.")
-@click.option("--demo", "with_demo", is_flag=True, help="Also make the demonstration survey, once.")
+@click.option(
+    "--workers",
+    type=click.IntRange(0, 64),
+    help="Number of worker processes (0: separate workers do the jobs).",
+)
+@click.option(
+    "--demo", "with_demo", is_flag=True, help="Also create the demonstration survey, if it does not exist."
+)
 @data_dir_option
 def serve(
     host: str | None, port: int | None, workers: int | None, with_demo: bool, data_dir: Path | None
 ) -> None:
-    """Migrate the database and serve the app; prints the address and, at first, a one-time sign-in link."""
+    """Migrate the database and start the server; prints the address and, the first time, a one-time sign-
+    in link.
+    """
     run(host, port, workers, with_demo, data_dir)
 
 
@@ -163,6 +171,8 @@ def answer(
         proxy_headers=True,
         server_header=False,
         timeout_graceful_shutdown=3,
+        # longer than browsers keep a connection that rests: who closes it first may cut a request off
+        timeout_keep_alive=75,
     )
     host, port = listener.getsockname()[:2]
     shown = "localhost" if host in ("127.0.0.1", "::1", "0.0.0.0", "::") else host

@@ -18,19 +18,17 @@ FOOT_M = 0.3048
 @click.command()
 @click.option("--eye", "eye_m", type=float, required=True, help="Height of the eye above the road, metres.")
 @click.option("--object", "object_m", type=float, required=True, help="Height of the object, metres.")
-@click.option("--distance", "distance_m", type=float, help="The sight distance, metres ...")
+@click.option("--distance", "distance_m", type=float, help="Sight distance, metres ...")
 @click.option(
-    "--speed", "speed_kmh", type=float, help="... or a design speed, km/h, for its stopping distance."
+    "--speed", "speed_kmh", type=float, help="... or design speed, km/h, to use its stopping sight distance."
 )
-@click.option("--u-eye", "u_eye_m", type=float, help="Standard uncertainty of the eye's height, metres.")
-@click.option(
-    "--u-object", "u_object_m", type=float, help="Standard uncertainty of the object's height, metres."
-)
+@click.option("--u-eye", "u_eye_m", type=float, help="u of the eye height, metres.")
+@click.option("--u-object", "u_object_m", type=float, help="u of the object height, metres.")
 @click.option(
     "--grade-difference",
     "difference_percent",
     type=float,
-    help="Between both grades, percent: the crest's length.",
+    help="Grade difference, percent: also computes the length of the crest.",
 )
 @json_option
 def sightdistance(
@@ -43,7 +41,7 @@ def sightdistance(
     difference_percent: float | None,
     as_json: bool,
 ) -> None:
-    """Constant and K of a crest curve from the heights of an eye and an object."""
+    """Compute the constant and K of a crest curve from the heights of eye and object."""
     if distance_m is not None and speed_kmh is not None:
         raise BadInput("commands-distance-or-speed")
     stopping = None if speed_kmh is None else stopping_distance(speed_kmh * METRIC.speed_mps)

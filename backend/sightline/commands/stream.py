@@ -2,164 +2,227 @@
 
 from __future__ import annotations
 
+import fcntl
 import json
-import os
-import select
+import math
 import signal
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
+from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import click
-import numpy as np
 
-from sightline.commands.scanned import left_out, measured, object_of, rig_of, rig_options
+from sightline.commands.options import data_dir_option, opened_services
+from sightline.commands.scanned import left_out, object_of, rig_of, rig_options
 from sightline.enums import ScanMethod
 from sightline.errors import BadInput
-from sightline.linescan import faults
-from sightline.linescan.finding import Finder
-from sightline.linescan.parts import Passage, Pixels
+from sightline.linescan.parts import Rig
+from sightline.media.lines.source import Ending, LineSource
 from sightline.media.strips.reader import LEAST_ROWS, MOST_ROWS
-from sightline.media.strips.spool import Spool
-
-_READ_BYTES = 1 << 20
+from sightline.scans.live.records import Keeper, LiveVehicle
+from sightline.scans.live.run import LiveRun, Nowhere
 
 
 @click.command()
-@click.option("--rows", type=click.IntRange(LEAST_ROWS, MOST_ROWS), required=True, help="Pixels of a line.")
+@click.option("--rows", type=click.IntRange(LEAST_ROWS, MOST_ROWS), required=True, help="Pixels per line.")
 @rig_options
+@click.option(
+    "--follow",
+    type=click.Path(dir_okay=False, path_type=Path),
+    help="Read a growing file instead of standard input.",
+)
+@click.option(
+    "--until-idle",
+    type=click.FloatRange(min=0.1),
+    help="End when the file of --follow has not grown for this time, seconds.",
+)
+@click.option(
+    "--camera",
+    "cameras",
+    multiple=True,
+    help=(
+        "GigE Vision camera (name, serial number or address); give it twice, first the "
+        "one that vehicles reach first."
+    ),
+)
+@click.option(
+    "--frame-lines",
+    type=click.IntRange(1, 65_536),
+    default=256,
+    show_default=True,
+    help="Lines per frame of a GigE Vision camera.",
+)
 @click.option(
     "--spool",
     type=click.Path(file_okay=False, path_type=Path),
-    help="Folder to keep the lines in, as BigTIFF.",
+    help=("Folder in which to keep the lines (BigTIFF); an interrupted stream is resumed from there."),
 )
+@click.option("--survey", help="Name (or number) of a survey in which to store the vehicles too.")
+@click.option(
+    "--segment-minutes",
+    type=click.FloatRange(min=0.02, max=24 * 60),
+    default=60.0,
+    show_default=True,
+    help="Duration of one pair of files, and of one line-scan recording in the survey.",
+)
+@data_dir_option
 def stream(
     rows: int,
-    baseline: float,
+    baseline: float | None,
+    rig_file: Path | None,
     line_rate: float,
     u_baseline: float,
     u_line_rate: float,
+    shadow_share: float,
     method: ScanMethod,
+    follow: Path | None,
+    until_idle: float | None,
+    cameras: tuple[str, ...],
+    frame_lines: int,
     spool: Path | None,
+    survey: str | None,
+    segment_minutes: float,
+    data_dir: Path | None,
 ) -> None:
-    """Vehicles from live lines on standard input, a JSON object each as soon as it is measured.
+    """Measure vehicles from live lines; prints one JSON object per vehicle as soon as it is measured.
 
-    Lines come in pairs of 8 bit: --rows bytes of camera 1 (top pixel first), as many of camera 2, and so on
-    without headers. The end of the input, or Ctrl+C, measures what is complete. With --spool the lines are
-    kept in two files that `sightline linescan --time-axis height` reads.
+    Input is 8-bit line pairs without headers: --rows bytes of camera 1 (top pixel first), the same number of
+    camera 2, and so on, on standard input or in a growing file; or two GigE Vision cameras. At the end of the
+    input, or on Ctrl+C, complete vehicles are measured. With --spool the lines are kept in pairs of files
+    that `sightline linescan --time-axis height` can read, and the same command resumes an interrupted stream.
+    With --survey the vehicles appear on the Live page of the survey.
     """
-    rig = rig_of(baseline, line_rate, u_baseline, u_line_rate)
-    finder = Finder(rows, rig)
-    lines = _Lines(sys.stdin.fileno(), rows)
-    found = 0
-    with _Kept(spool, rows, line_rate) as kept, lines.until_told():
-        for vehicle in measured(_passages(lines, finder, kept), rig, method):
-            click.echo(json.dumps(object_of(vehicle), allow_nan=False))
-            found += vehicle.motion.status == "ok"
-    if not lines.count:
-        raise BadInput("commands-stream-empty", pair_bytes=2 * rows)
-    for said in (*lines.notes, *kept.notes, *faults.notes_of(finder), *left_out(rig, found)):
-        click.echo(said, err=True)
+    rig = rig_of(baseline, rig_file, line_rate, u_baseline, u_line_rate, shadow_share)
+    if cameras and (len(cameras) != 2 or follow or cameras[0] == cameras[1]):
+        raise BadInput("commands-stream-two-cameras")
+    name = " and ".join(cameras) or (str(follow.absolute()) if follow else "standard input")
+    with until_told() as ending, keeping(survey, data_dir, rig, method, spool) as (keeper, folder):
 
+        def source(begin: int) -> LineSource:
+            return _source(ending, rows, line_rate, begin, follow, until_idle, cameras, frame_lines)
 
-class _Lines:
-    """The pairs of lines that come from an open file (a descriptor), as many at a time as have come."""
-
-    def __init__(self, source: int, rows: int) -> None:
-        self.count, self.notes = 0, list[str]()
-        self._source, self._rows = source, rows
-        self._told: int | None = None
-
-    def pieces(self) -> Iterator[tuple[Pixels, Pixels]]:
-        """Lines of both cameras, (n, rows) each, until the input ends or a signal says so."""
-        pair, rest = 2 * self._rows, b""
-        while data := self._next():
-            data = rest + data
-            whole = len(data) // pair * pair
-            rest = data[whole:]
-            if whole:
-                both = np.frombuffer(data, np.uint8, whole).reshape(-1, 2, self._rows)
-                self.count += len(both)
-                yield np.ascontiguousarray(both[:, 0]), np.ascontiguousarray(both[:, 1])
-        if rest:
-            self.notes.append(
-                f"The input ended in the middle of a pair of lines: its last {len(rest)} bytes are left out; "
-                "check --rows, and the cameras."
-            )
-
-    @contextmanager
-    def until_told(self) -> Iterator[None]:
-        """Ctrl+C and a service's stop end the input, never what is being measured."""
-        self._told, tell = os.pipe()
-        os.set_blocking(tell, False)
-        pipe_before = signal.set_wakeup_fd(tell)
-        before = {one: signal.signal(one, lambda *_: None) for one in (signal.SIGINT, signal.SIGTERM)}
-        try:
-            yield
-        finally:
-            for one, handler in before.items():
-                signal.signal(one, handler)
-            signal.set_wakeup_fd(pipe_before)
-            os.close(tell)
-            os.close(self._told)
-
-    def _next(self) -> bytes:
-        assert self._told is not None  # within until_told
-        ready, _, _ = select.select([self._source, self._told], [], [])
-        return b"" if self._told in ready else os.read(self._source, _READ_BYTES)
-
-
-class _Kept:
-    """The lines in two new files of a folder, numbered after those that an earlier run left; or nowhere."""
-
-    def __init__(self, folder: Path | None, rows: int, line_rate_hz: float) -> None:
-        self._spools = _spools(folder, rows, line_rate_hz) if folder else []
-        self._full: str | None = None
-
-    @property
-    def notes(self) -> list[str]:
-        said = [f"{spool.lines} lines are kept in {spool.path}." for spool in self._spools]
-        return said + ([self._full] if self._full else [])
-
-    def add(self, pieces: tuple[Pixels, Pixels]) -> None:
-        """A full disk ends the keeping, never the measuring."""
-        if self._full:
-            return
-        try:
-            for spool, piece in zip(self._spools, pieces, strict=False):
-                spool.write(piece)
-        except OSError as error:
-            self._full = (
-                f"Lines after these could not be kept ({error.strerror}); they were measured all the same."
-            )
-
-    def __enter__(self) -> _Kept:
-        return self
-
-    def __exit__(self, *_error: object) -> None:
-        for spool in self._spools:
-            spool.close()
-            if not spool.lines:
-                spool.path.unlink()
-
-
-def _passages(lines: _Lines, finder: Finder, kept: _Kept) -> Iterator[Passage]:
-    for pieces in lines.pieces():
-        kept.add(pieces)
-        yield from finder.push(*pieces)
-    if lines.count:
-        yield from finder.finish()
-
-
-def _spools(folder: Path, rows: int, line_rate_hz: float) -> list[Spool]:
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-        number = 1 + max(
-            (int(path.name[:4]) for path in folder.glob("[0-9]" * 4 + "-camera-*.tif")), default=0
+        run = LiveRun(
+            source,
+            rows,
+            rig,
+            method,
+            folder=folder,
+            keeper=keeper,
+            say=_say,
+            name=name,
+            can_go_back=follow is not None,
+            segment_s=60 * segment_minutes if folder else math.inf,
         )
-        return [Spool(folder / f"{number:04}-camera-{k}.tif", rows, line_rate_hz) for k in (1, 2)]
+        for one in run.vehicles():
+            click.echo(json.dumps(said_of(one, line_rate), allow_nan=False))
+            sys.stdout.flush()
+            run.told(one)
+    broken = run.source is not None and run.source.broken
+    if not run.lines and not broken:
+        raise BadInput("commands-stream-empty", pair_bytes=2 * rows)
+    for sentence in left_out(rig, run.found):
+        _say(sentence)
+    if broken:
+        sys.exit(1)
+
+
+def said_of(one: LiveVehicle, line_rate_hz: float) -> dict[str, Any]:
+    """A vehicle as it is printed: as `linescan` has it, then where its lines are and when it came.
+
+    Lines are those of its segment's files; `front_s` and `rear_s` count from the beginning of the stream.
+    """
+    begun_s = one.begin / line_rate_hz
+    vehicle = replace(one.vehicle, front_s=one.vehicle.front_s + begun_s, rear_s=one.vehicle.rear_s + begun_s)
+    return {**object_of(vehicle), "segment": one.segment, "front_at": one.at.isoformat()}
+
+
+@contextmanager
+def until_told() -> Iterator[Ending]:
+    """Ctrl+C and a service's stop end the input, never what is being measured."""
+    ending = Ending()
+    pipe_before = signal.set_wakeup_fd(ending.tell_fd)
+    before = {one: signal.signal(one, lambda *_: None) for one in (signal.SIGINT, signal.SIGTERM)}
+    try:
+        yield ending
+    finally:
+        for one, handler in before.items():
+            signal.signal(one, handler)
+        signal.set_wakeup_fd(pipe_before)
+        ending.close()
+
+
+def _source(
+    ending: Ending,
+    rows: int,
+    line_rate: float,
+    begin: int,
+    follow: Path | None,
+    until_idle: float | None,
+    cameras: tuple[str, ...],
+    frame_lines: int,
+) -> LineSource:
+    if cameras:
+        from sightline.media.lines.gige import GigeLines
+
+        return GigeLines(cameras[0], cameras[1], rows, line_rate, ending, frame_lines)
+    if follow:
+        from sightline.media.lines.followed import FollowedLines
+
+        return FollowedLines(follow, rows, ending, begin=begin, idle_s=until_idle)
+    from sightline.media.lines.piped import PipedLines
+
+    return PipedLines(sys.stdin.fileno(), rows, ending)
+
+
+@contextmanager
+def keeping(
+    survey: str | None, data_dir: Path | None, rig: Rig, method: ScanMethod, spool: Path | None
+) -> Iterator[tuple[Keeper, Path | None]]:
+    """Where vehicles go besides standard output, and the folder for the lines, made and kept for this
+    stream alone.
+    """
+    if survey is None:
+        with _taken(spool):
+            yield Nowhere(), spool
+        return
+    from sightline.export.export_job import find_survey
+    from sightline.scans.live.keeping import SurveyKeeper
+
+    with opened_services(data_dir) as services:
+        with services.reading() as session:
+            survey_id = find_survey(session, survey).id
+        spool = spool or services.settings.data_dir / "live" / f"survey-{survey_id}"
+        with _taken(spool):
+            keeper = SurveyKeeper(services, survey_id, rig, method, _say)
+            try:
+                yield keeper, spool
+            finally:
+                keeper.close()
+
+
+@contextmanager
+def _taken(spool: Path | None) -> Iterator[None]:
+    """The folder is there, and no other stream writes into it."""
+    if spool is None:
+        yield
+        return
+    try:
+        spool.mkdir(parents=True, exist_ok=True)
+        lock = (spool / ".lock").open("w")
     except OSError as error:
         raise BadInput(
-            "commands-cannot-written-choose-another-place", path=folder, strerror=error.strerror
+            "commands-cannot-written-choose-another-place", path=spool, strerror=error.strerror
         ) from None
+    with lock:
+        try:
+            fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except BlockingIOError:
+            raise BadInput("commands-stream-spool-taken", path=spool) from None
+        yield
+
+
+def _say(sentence: str) -> None:
+    click.echo(sentence, err=True)

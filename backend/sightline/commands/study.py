@@ -29,18 +29,19 @@ if TYPE_CHECKING:
 @click.option(
     "--weights",
     type=click.Path(path_type=Path),
-    help="The fleet by class: category,share or category,registrations; several kinds: variable,class,share.",
+    help=(
+        "Fleet by class (CSV): category,share or category,registrations; several "
+        "variables: variable,class,share."
+    ),
 )
 @click.option(
     "--sites",
     type=click.Path(path_type=Path),
-    help="Facts of sites: site,stratum and, if known, sites_there (of the stratum), traffic.",
+    help="Sites (CSV): site,stratum and, if known, sites_there (in the stratum), traffic.",
 )
+@click.option("--goal", "goal_m", default=0.010, show_default=True, help="Target U95 of the plan, metres.")
 @click.option(
-    "--goal", "goal_m", default=0.010, show_default=True, help="U95 in metres that the plan is for."
-)
-@click.option(
-    "--quick", is_flag=True, help="Check that the files read are those sealed; compute no height again."
+    "--quick", is_flag=True, help="Only check that the files match their seals; do not recompute heights."
 )
 @json_option
 def study(
@@ -52,15 +53,16 @@ def study(
     quick: bool,
     as_json: bool,
 ) -> None:
-    """Join surveys of many sites into one study from packages alone (folders, ZIPs, or a folder of them).
+    """Combine surveys of several sites into a study, from packages (folders, ZIPs, or a folder of them).
 
-    Written are tables with percentiles, mean and SD of each target with total 95 % intervals, the error
-    table, class shares, and how many sites and vehicles a further study needs. Sites are the sampling units.
+    Writes tables with percentiles, mean and SD of each target with total 95 % intervals, the error table,
+    class shares, and the numbers of sites and vehicles that a further study needs. Sites are the sampling
+    units.
     """
     from sightline.export.seal import check_sealed
     from sightline.infra.csv_package.files import Staging, fresh_folder
     from sightline.studies.fleet_csv import read_fleet, read_sites
-    from sightline.studies.packages import found_places, studied
+    from sightline.studies.packages import found_places, refuse_output, studied
     from sightline.studies.query import READ, StudyTables
     from sightline.studies.service import Plan, make_study
     from sightline.studies.write import write_study
@@ -77,8 +79,10 @@ def study(
         raise BadInput("studies-goal-no-length", goal=goal_m)
     fleet = None if weights is None else read_fleet(weights, read_text(weights, "a table of the fleet"))
     facts = None if sites is None else read_sites(sites, read_text(sites, "a table of sites"))
+    places = found_places(packages)
+    refuse_output(output, places)
     with tempfile.TemporaryDirectory(prefix="sightline-study-") as scratch, fresh_folder(output) as folder:
-        found = studied(found_places(packages), sealed if quick else whole, Path(scratch))
+        found = studied(places, sealed if quick else whole, Path(scratch))
         with StudyTables(found) as tables:
             made = make_study(found, tables, Plan(fleet, facts, goal_m))
         notes = ["Heights were not computed again (--quick)."] if quick else []

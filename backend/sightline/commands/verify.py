@@ -18,16 +18,18 @@ BACKUP = "manifest.json"
 
 @click.command()
 @click.argument("place", metavar="DIR_OR_DATABASE")
-@click.option("--head", help="Last hash of the audit chain as you kept it (16 signs or more); for an export.")
-@click.option("--key", help="Signing key of the installation (16 signs or more); for an export.")
+@click.option("--head", help="Audit head that you kept (last hash, 16 characters or more), for an export.")
+@click.option(
+    "--key", help=("Signing key of the installation (16 characters or more), for an export or evidence file.")
+)
 @json_option
 def verify(place: str, head: str | None, key: str | None, as_json: bool) -> None:
-    """Check the audit chain of a database (file, data folder or postgresql:// address), or a whole export
-    or backup.
+    """Check the audit chain of a database (file, data folder or postgresql:// address), an export, a backup,
+    or the evidence file of a vehicle (.html).
 
-    Of an export also its seal, by which the chain names every file, every height and every statistic,
-    computed again, every row against the audit chain, and the signature over its end. A chain that was
-    written and signed anew is found by --key (where the forger lacks the key) or --head.
+    For an export, this includes its seal (by which the chain names every file), every height and statistic
+    (recomputed), every row against the audit chain, and the signature of its end. A chain that was rewritten
+    and signed again is detected with --key (if the forger does not have the key) or --head.
     """
     found = check(place, head, key)
     if as_json:
@@ -49,6 +51,8 @@ def check(place: str, head: str | None = None, key: str | None = None) -> dict[s
         path = path / DATABASE
     if path.is_dir() and (path / BACKUP).is_file():
         return check_backup_folder(path)
+    if path.suffix.lower() in (".html", ".htm") and path.is_file():
+        return check_evidence(path, key)
     if path.is_dir() or path.suffix == ".zip":
         return check_export(path, head, key)
     return check_database(sqlite_url(path.absolute()), str(path))
@@ -61,6 +65,16 @@ def check_export(path: Path, head: str | None = None, key: str | None = None) ->
 
     found = asdict(verify_place(path, head, key))
     return {"kind": "export", **found, "sha256": sha256_of(path) if path.is_file() else None}
+
+
+def check_evidence(path: Path, key: str | None = None) -> dict[str, Any]:
+    """The evidence file of a vehicle: signature, hashes, events, numbers, decision."""
+    from sightline.export.evidence.page import MOST_BYTES
+    from sightline.export.evidence.verify import verify_evidence
+
+    if path.stat().st_size > MOST_BYTES:
+        raise Damaged("evidence-not-one")
+    return {"kind": "evidence", **asdict(verify_evidence(path.read_bytes(), key))}
 
 
 def check_backup_folder(path: Path) -> dict[str, Any]:
@@ -82,6 +96,8 @@ def check_database(url: str, name: str = "This address") -> dict[str, Any]:
 def _words(place: str, found: dict[str, Any]) -> str:
     if found["kind"] == "backup":
         return str(found["said"])
+    if found["kind"] == "evidence":
+        return _evidence_words(place, found)
     said = f"{place}: the audit chain of {found['checked']} events holds, head {found['head_hash'][:16]}"
     if found["kind"] != "export":
         return said + "."
@@ -94,3 +110,17 @@ def _words(place: str, found: dict[str, Any]) -> str:
     if found["sha256"] is not None:
         said += f" SHA-256 {found['sha256']}; compare it with the one on the export page."
     return " ".join([said, *found["notes"]])
+
+
+def _evidence_words(place: str, found: dict[str, Any]) -> str:
+    said = [
+        f"{place}: signature, hashes, audit events, numbers and decision hold; made on "
+        f"{found['made_at'][:19]} UTC by Sightline {found['program']}.",
+        found["decision"],
+    ]
+    if found["lines"] is not None:
+        v, a, length = (found["lines"][name] for name in ("speed_mps", "acceleration_mps2", "length_m"))
+        said.append(
+            f"To compare with, the four boundary lines alone give {v:.3f} m/s, {a:.2f} m/s2, {length:.3f} m."
+        )
+    return " ".join([*said, *found["notes"]])

@@ -11,11 +11,11 @@ from sightline.commands.options import data_dir_option, settings_of
 
 
 @click.command()
-@click.option("--workers", type=click.IntRange(1, 64), help="Jobs side by side (SIGHTLINE_WORKERS).")
-@click.option("--parent", type=int, hidden=True, help="Stop when the process of this number ends.")
+@click.option("--workers", type=click.IntRange(1, 64), help="Number of worker processes (SIGHTLINE_WORKERS).")
+@click.option("--parent", type=int, hidden=True, help="Stop when the process with this number ends.")
 @data_dir_option
 def worker(workers: int | None, parent: int | None, data_dir: Path | None) -> None:
-    """Do queued jobs until stopped. On several machines, database and media are shared ones."""
+    """Run queued jobs until stopped. Several machines must share the database and the media."""
     import logging
 
     from sightline.infra.jobs.workers import run_workers

@@ -6,13 +6,13 @@ for everybody else, so every number on the screens is one that the program compu
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from uuid import UUID, uuid5
 
 import numpy as np
 
-from sightline.enums import AskedTarget, Point
+from sightline.enums import AskedTarget, DemoFate, Point
 from sightline.infra.database import Session
 from sightline.measurements.records import ClickedFrame, Clicks, Measurement
 from sightline.measurements.service import store_measurement
@@ -33,10 +33,20 @@ _SECOND_EVERY, _SECOND_TRAVEL_M = 3, 2.0
 
 @dataclass(frozen=True)
 class Pass:
-    """A stored vehicle with its truth."""
+    """A stored vehicle with its truth, and what becomes of its measurements."""
 
     vehicle: Vehicle
     truth: PassTruth
+    fate: DemoFate = "waits"
+
+
+def with_fates(passes: Sequence[Pass], *, faults: bool) -> list[Pass]:
+    """Two of three are accepted; with `faults` the next one is fixed, and the one after it has the slip."""
+    accepted: list[DemoFate] = ["accepted"] * (len(passes) * 2 // 3)
+    after: list[DemoFate] = ["fixed", "slipped"] if faults else []
+    rest: list[DemoFate] = ["waits"] * len(passes)
+    fates = accepted + after + rest
+    return [replace(one, fate=fate) for one, fate in zip(passes, fates, strict=False)]
 
 
 def measure(session: Session, passes: list[Pass], *, actor: int) -> dict[int, list[Measurement]]:
@@ -45,8 +55,9 @@ def measure(session: Session, passes: list[Pass], *, actor: int) -> dict[int, li
     stored: dict[int, list[Measurement]] = {}
     for index, one in enumerate(passes):
         again = np.random.default_rng(one.vehicle.id)
-        for clicks in _clicks(one.truth, rng, slip=index == len(passes) - 4):
-            if clicks.target == "taillight" and index % _SECOND_EVERY == 0 and index != len(passes) - 4:
+        slip = one.fate == "slipped"
+        for clicks in _clicks(one.truth, rng, slip=slip):
+            if clicks.target == "taillight" and index % _SECOND_EVERY == 0 and not slip:
                 clicks = replace(clicks, more_frames=_second(one.truth, clicks.frame, clicks.target, again))
             key = str(uuid5(_NAMESPACE, f"{one.vehicle.id} {clicks.target}"))
             made = store_measurement(session, one.vehicle.id, key, clicks, actor=actor)
@@ -97,19 +108,15 @@ def _beside(point: Point, rng: np.random.Generator) -> Point:
 
 
 def judge(session: Session, passes: list[Pass], stored: dict[int, list[Measurement]], *, actor: int) -> None:
-    """The first half is accepted, one measurement is fixed and the slip is rejected; the rest waits."""
-    for index, one in enumerate(passes):
+    """The reviewer's verdicts, as each vehicle's fate says."""
+    for one in passes:
         for made in stored.get(one.vehicle.id, []):
-            if index < len(passes) // 2:
-                _accept(session, made, actor)
-            elif index == len(passes) - 4 and made.values.target == "taillight":
+            if one.fate == "accepted":
+                _say(session, made, "accepted", actor)
+            elif one.fate == "slipped" and made.values.target == "taillight":
                 _say(session, made, "rejected", actor, reason=REJECTED)
-            elif index == len(passes) - 5 and made.values.target == "roof":
+            elif one.fate == "fixed" and made.values.target == "roof":
                 _fix(session, made, one.truth, actor)
-
-
-def _accept(session: Session, made: Measurement, actor: int) -> None:
-    _say(session, made, "accepted", actor)
 
 
 def _fix(session: Session, made: Measurement, truth: PassTruth, actor: int) -> None:

@@ -59,9 +59,10 @@ Rng = np.random.Generator
 
 BEGIN = "Simulated study: "
 DESCRIPTION = (
-    "Simulated, not filmed: vehicles drawn from a known fleet, clicks with 0.7 px of noise, a road pose that "
-    "is off as its uncertainty states. It shows what statistics, standards, sight distance and report are "
-    "for; no figure in it says anything of real roads."
+    "Simulated, not filmed: vehicles drawn from a known fleet, clicks with 0.7 px of noise, a "
+    "camera pose that "
+    "is off as its uncertainty states. It shows statistics, standards, sight distance and report at work; no "
+    "value in it describes real roads."
 )
 JOINED = "Simulated study of four invented sites"
 #: What the fleet is said to be; its few lorries, whose roofs no camera here sees whole, do not count.
@@ -205,6 +206,7 @@ def store_site(session: Session, site: Site, films: dict[Lighting, Film]) -> int
         place=PLACE,
         asked=Asked(**_TARGETS),
         open_to_all=True,
+        simulated=True,
         actor=None,
     )
     choose_review_plan(session, survey.id, blind_one_in=0, version=0, actor=None)

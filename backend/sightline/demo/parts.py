@@ -100,7 +100,7 @@ def make_parts(services: Services, progress: Progress, scenes: Sequence[str] = S
     """
     with tempfile.TemporaryDirectory(prefix="demonstration-", dir=services.scratch) as scratch:
         videos, (lab, calibration) = _side_by_side(services, Path(scratch), progress, scenes)
-    progress(0.96, "Solving for the demonstration's road poses.")
+    progress(0.96, "Computing the camera poses.")
     poses = tuple(_pose(video, calibration.result) for video in videos)
     return Parts(videos, lab, calibration, poses)
 

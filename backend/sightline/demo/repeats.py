@@ -31,9 +31,9 @@ def click_again(
 ) -> None:
     """Operator and reviewer click some of the measurements again; not those of the vehicle with the slip."""
     rng = np.random.default_rng(20190704)
-    slipped = passes[-4].vehicle.id if len(passes) >= 4 else None
+    slipped = {one.vehicle.id for one in passes if one.fate == "slipped"}
     truths = {one.vehicle.id: one.truth for one in passes}
-    found = [one for key, made in stored.items() if key != slipped for one in made]
+    found = [one for key, made in stored.items() if key not in slipped for one in made]
     for actor, noise_px in ((operator, CLICK_NOISE_PX), (reviewer, REVIEWER_NOISE_PX)):
         for index in sorted(rng.permutation(len(found))[:OF_EACH]):
             first = found[int(index)]

@@ -9,6 +9,7 @@ import tempfile
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import dataclass, replace
+from datetime import UTC, datetime
 from pathlib import Path
 from threading import Event
 from typing import Any, cast
@@ -24,9 +25,13 @@ from sightline.media.store.local import key_of
 from sightline.media.strips.notes import StripNotes
 from sightline.media.strips.stored_reader import StripReader
 from sightline.media.strips.stored_writer import SUFFIX, store_strip
+from sightline.recordings.filming import Filming
+from sightline.scans.clock import ScanClock
+from sightline.scans.records import ScanChanges, ScanVehicleChanges, StripFacts, StripSource
 from sightline.scans.records import ScanVehicle as StoredVehicle
-from sightline.scans.records import ScanVehicleChanges, StripFacts, StripSource
-from sightline.scans.store import create_scan, note_scan_read
+from sightline.scans.references.records import ReferenceValues
+from sightline.scans.references.store import append_scan_reference
+from sightline.scans.store import create_scan, note_scan_read, update_scan
 from sightline.scans.vehicles.find_job import Planned, Search, search, store
 from sightline.scans.vehicles.measure import measured_at
 from sightline.scans.vehicles.measurement_store import append_scan_measurement
@@ -39,8 +44,11 @@ from sightline.simulation.scan_traffic import ScanSite, ScanTruth, ScanVehicle, 
 NAME = "Line scan, lane 1"
 SITE = ScanSite(rows=256, line_rate_hz=2441.4, misalignment_px=0.6, seed=11, plane_m=3.0)
 RIG = Rig(SITE.baseline_m, SITE.line_rate_hz, u_baseline_m=0.0003, u_line_rate_ratio=2e-5)
+# As if a GPS clock had stamped line 0.
+BEGUN_AT, TIME_ZONE, U_START_S = datetime(2025, 5, 14, 7, 29, 20, tzinfo=UTC), "Europe/Paris", 0.001
 CLICK_NOISE_LINES = 1.5
 SLIP_LINES = 38.0
+U_RADAR_MPS = 0.2
 REJECTED = "The rear boundary lies on the shadow behind the vehicle; place it where the bumper ends."
 # by the order of passing: without facts, without wheels, accepted, with the slip
 PLAIN, UNWHEELED, ACCEPTED, SLIPPED = (6, 13), (3, 9), range(8), 10
@@ -129,8 +137,9 @@ def make_scan(
         lines=stored[0].lines,
         bits=8,
         notes=[
-            "Simulated, so that the truth is known: invented makes, a camera 0.6 px lower than the other, a "
-            "rod held up in camera 1's plane at 2.7 and at 4.5 m before the first vehicle."
+            "Simulated, so true values are known: invented makes, one camera 0.6 px lower than "
+            "the other, a rod held upright in the plane of camera 1 at 2.7 m and at 4.5 m before "
+            "the first vehicle."
         ],
     )
     return ScanParts(facts, readers, found, truths(SITE, cars))
@@ -153,9 +162,11 @@ def store_scan(session: Session, survey_id: int, parts: ScanParts, *, operator: 
         actor=None,
     )
     scan = note_scan_read(session, made.id, parts.facts, actor=None)
+    clock = ScanClock(Filming(BEGUN_AT, TIME_ZONE), U_START_S)
+    update_scan(session, made.id, ScanChanges(clock=clock), version=made.version, actor=operator)
     plans = [Planned(None, motion, "found") for motion in parts.found.motions]
     store(session, scan, "direct", parts.found, plans, 0, job_id=None, actor=None)
-    rng = np.random.default_rng(20070507)
+    rng, rng_of_radar = np.random.default_rng(20070507), np.random.default_rng(1995)
     for index, one in enumerate(list_scan_vehicles(session, scan.id)):
         truth = _truth_of(one, parts.truth)
         if truth is None:
@@ -167,9 +178,17 @@ def store_scan(session: Session, survey_id: int, parts: ScanParts, *, operator: 
         if index == SLIPPED:
             _slip(session, one.id, parts, operator)
         _judge(session, one.id, index, reviewer)
+        _refer(session, one.id, truth, rng_of_radar, operator)
     store_heights(session, scan.id, SITE, parts.truth, operator)
     review_heights(session, scan.id, reviewer)
     return scan.id
+
+
+def _refer(session: Session, vehicle_id: int, truth: ScanTruth, rng: np.random.Generator, actor: int) -> None:
+    """A radar beside the cameras, as good as it says."""
+    value = round(truth.vehicle.speed_mps + float(rng.normal(0.0, U_RADAR_MPS)), 3)
+    said = ReferenceValues("speed", "radar", value=value, u=U_RADAR_MPS, device="Simulated radar")
+    append_scan_reference(session, vehicle_id, said, seen_revision=0, actor=actor)
 
 
 def _truth_of(vehicle: StoredVehicle, truth: Sequence[ScanTruth]) -> ScanTruth | None:

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import cast
 
 import numpy as np
 
-from sightline.geometry.insets import USUAL_INSETS
+from sightline.enums import DriverSide, Target
 from sightline.infra.database import Session
 from sightline.scans.heights import poses
 from sightline.scans.heights.poses import Mark, Rod
@@ -43,7 +44,7 @@ def store_heights(
             continue
         contact = _off(contact_of(site, true), rng)
         for name, spot in targets_of(site, true).items():
-            clicked = Clicked(name, contact, _off(spot, rng), **_of_near_driver(name))  # type: ignore[arg-type]
+            clicked = Clicked(name, contact, _off(spot, rng), side=_side(name))
             store_line_height(session, one.id, clicked, seen_revision=0, actor=operator)
 
 
@@ -56,10 +57,9 @@ def review_heights(session: Session, scan_id: int, reviewer: int) -> None:
             add_line_height_review(session, one.id, verdict="accepted", actor=reviewer)
 
 
-def _of_near_driver(name: str) -> dict[str, float]:
+def _side(name: Target) -> DriverSide | None:
     """The operator sees the drivers of the scan on the side of the camera."""
-    inset_m, u_inset_m, _ = USUAL_INSETS["driver_eye_near"]
-    return {"inset_m": inset_m, "u_inset_m": u_inset_m} if name == "driver_eye" else {}
+    return "near" if name == "driver_eye" else None
 
 
 def clicked_rod(site: ScanSite, rng: np.random.Generator) -> Rod:
@@ -80,15 +80,15 @@ def contact_of(site: ScanSite, true: ScanTruth) -> tuple[float, float]:
     return true.wheel_lines_1[1], row_of(site, site.plane_m, 0.0)
 
 
-def targets_of(site: ScanSite, true: ScanTruth) -> dict[str, tuple[float, float]]:
+def targets_of(site: ScanSite, true: ScanTruth) -> dict[Target, tuple[float, float]]:
     """(line, row) in strip 1 of each target that the field of view holds."""
     assert site.plane_m is not None
-    found = {}
+    found: dict[Target, tuple[float, float]] = {}
     for spot in spots_of(true.vehicle.vehicle):
         row = row_of(site, site.plane_m + spot.inset_m, spot.height_m)
         if spot.name in TARGETS and row > _MARGIN_ROWS:
             time_s = true.vehicle.time_s(true.vehicle.length_m - spot.along_m)
-            found[spot.name] = (time_s * site.line_rate_hz, row)
+            found[cast(Target, spot.name)] = (time_s * site.line_rate_hz, row)
     return found
 
 

@@ -63,6 +63,7 @@ from sightline.measurements.csv import (
 from sightline.measurements.records import Measurement
 from sightline.measurements.sheets.csv import VEHICLES
 from sightline.media.store.local import check_room
+from sightline.messages import SOURCE
 from sightline.people.csv import PEOPLE
 from sightline.poses.csv import POSES, pose_path
 from sightline.poses.store import list_whole_poses
@@ -144,11 +145,13 @@ def build(
     *,
     crops: bool = True,
     selection: Selection = Selection(),
+    language: str = SOURCE,
     actor: int | None = None,
 ) -> Built:
     """Write the whole package of a survey, as one transaction sees it, and seal it in the audit chain.
 
-    Its tables are of the whole survey, statistics, figures and report of `selection`.
+    Its tables are of the whole survey, statistics, figures and report of `selection`, the last
+    two in `language`.
 
     `services` give photographs and, with `crops`, the pictures that were clicked on. Raises NotFound, NoRoom,
     Damaged for a photograph that is gone, and whatever `tell` raises to stop.
@@ -170,12 +173,13 @@ def build(
     staging.fill(SELECTION, selection_rows(selection))
     tick = _part(tell, 0.45, 0.75, "Cutting out the pictures of each click.")
     taken = _crops(staging, services, seen, selection, tick)
-    derive(staging, _part(tell, 0.75, 1.0, "Computing statistics, drawing figures and the report."))
+    tick = _part(tell, 0.75, 1.0, "Computing statistics, drawing figures and the report.")
+    derive(staging, language, tick)
     about = about_of(survey.name, survey.site, survey.description, audit.moment, selection_words(selection))
     tables = tables_of(most)
     write_parquet(staging, tables)
     write_page(staging, tables)
-    staging.add(DESCRIPTION, json_bytes(described(about, tables, staging.written)))
+    staging.add(DESCRIPTION, json_bytes(described(about, language, tables, staging.written)))
     key = signing_key(services.settings)
     ends = {name: one for name, one in trail.heads(session).items() if name in ("people", "catalogue")}
     with services.writing() as writing:

@@ -16,10 +16,9 @@ def chosen_vehicles(files: Files) -> frozenset[str]:
 
 
 def chosen_scanned(files: Files) -> frozenset[str]:
-    """The vehicles of the line scans; when these were filmed is not known."""
-    names = ("id", "scan_id", "lighting", "category")
-    rows = ([*row, ""] for row in read_columns(files, "scan_vehicles.csv", names))
-    return _chosen(files, "line_scans.csv", rows)
+    """The vehicles of the line scans, likewise."""
+    names = ("id", "scan_id", "lighting", "category", "filmed_at")
+    return _chosen(files, "line_scans.csv", read_columns(files, "scan_vehicles.csv", names))
 
 
 def _chosen(files: Files, filmed: str, vehicles: Iterable[Sequence[str]]) -> frozenset[str]:

@@ -102,12 +102,17 @@ _ABOUT = (
 )
 
 
-def described(about: About, tables: Sequence[AnyTable], written: Mapping[str, Written]) -> dict[str, Any]:
-    """`datapackage.json`. It comes before the seal, and so names no hash of the table that ends with it."""
+def described(
+    about: About, language: str, tables: Sequence[AnyTable], written: Mapping[str, Written]
+) -> dict[str, Any]:
+    """`datapackage.json`. It comes before the seal, and so names no hash of the table that ends with it.
+
+    language: that of figures and report.
+    """
     without = {
         path: one for path, one in written.items() if path not in (AUDIT.path, AUDIT_SCRIPT, CHECKPOINT)
     }
-    return description_of(about, tables, others_of(without), without)
+    return {**description_of(about, tables, others_of(without), without), "language": language}
 
 
 def tables_of(most_frames: int) -> tuple[AnyTable, ...]:
@@ -148,14 +153,16 @@ def made_with() -> dict[str, str]:
     """What figures, report and page were made with: all the same but `sightline` and `page` draw the same
     figures and report.
     """
-    used = ("numpy", "scipy", "matplotlib", "pillow", "typst")
+    used = ("numpy", "scipy", "matplotlib", "pillow", "typst", "fluent.runtime", "babel")
     versions = {name: version(name) for name in used}
     return {"sightline": code_version(), "drawing": _drawing(), "page": page_version(), **versions}
 
 
 #: The folders that figures, report and statistics are made by: a change in them changes what they make.
 _MADE_IN = (
+    "messages",
     "infra/csv_package",
+    "infra/typesetting",
     "statistics",
     "sightdistance",
     "linescan",
@@ -165,8 +172,8 @@ _MADE_IN = (
     "results",
     "export",
 )
-#: Code and the report's templates; its fonts come with Matplotlib and Typst, whose versions stand beside.
-_KINDS = ("*.py", "*.typ")
+#: Code, templates and words of the report; its fonts come with Matplotlib and Typst, named by version.
+_KINDS = ("*.py", "*.typ", "*.ftl")
 
 
 @cache

@@ -9,6 +9,7 @@ from sightline.export.report.canvas import Drawing
 from sightline.export.report.figures import drawings
 from sightline.export.report.package_facts import report_facts
 from sightline.export.report.report import report
+from sightline.export.report.said import speaking
 from sightline.export.response import RESPONSE, response_rows
 from sightline.export.seal import AUDIT_SCRIPT, CHECKPOINT, PAGE
 from sightline.export.statistics_csv import TABLES, statistics_rows
@@ -23,11 +24,11 @@ _UNLISTED = (
 )
 
 
-def derive(staging: Staging, tick: Tick) -> None:
-    """Write everything that follows from the tables in the folder."""
+def derive(staging: Staging, language: str, tick: Tick) -> None:
+    """Write everything that follows from the tables in the folder, figures and report in a language."""
     found = derive_tables(staging)
     tick(0.5)
-    for path, content in drawn(staging.files(), found, staging.written):
+    for path, content in drawn(staging.files(), found, staging.written, language):
         staging.add(path, content)
 
 
@@ -43,8 +44,15 @@ def derive_tables(staging: Staging) -> PackageStatistics:
     return found
 
 
-def drawn(files: Files, found: PackageStatistics, written: dict[str, Written]) -> list[tuple[str, bytes]]:
-    """Figures and report by path, from tables that are written already."""
+def drawn(
+    files: Files, found: PackageStatistics, written: dict[str, Written], language: str
+) -> list[tuple[str, bytes]]:
+    """Figures and report by path, in a language, from tables that are written already."""
+    with speaking(language):
+        return _drawn(files, found, written)
+
+
+def _drawn(files: Files, found: PackageStatistics, written: dict[str, Written]) -> list[tuple[str, bytes]]:
     done = drawings(found.headline, scans=found.scans)
     figures = sorted((name, one.svg) for name, one in done.items() if isinstance(one, Drawing))
     listed = {path: one for path, one in written.items() if not path.startswith(_UNLISTED)}

@@ -9,12 +9,13 @@ from sightline.infra.csv_package.files import Files, read_columns, unsafe
 from sightline.infra.csv_package.schema import Cell, Column, Table
 from sightline.measurements.csv import TARGETS
 
-STATES = ("withdrawn", "not_measurable", "rejected", "to_review", "not_selected")
+STATES = ("withdrawn", "not_measurable", "rejected", "to_review", "not_selected", "check_target")
 
 EXCLUSIONS = Table(
     "exclusions",
     "The measurements that count for no result in statistics/, and why: withdrawn, without a height, "
-    "rejected, not accepted yet, or of a vehicle that the package is not of (selection.csv).",
+    "rejected, not accepted yet, of a vehicle that the package is not of (selection.csv), or of a check "
+    "target, whose errors alone are stated (statistics/known_errors.csv).",
     (
         Column("measurement_id", "integer", "measurement that is left out", required=True),
         Column("vehicle_id", "integer", "vehicle that was measured", required=True),
@@ -31,11 +32,15 @@ _READ = ("id", "vehicle_id", "target", "withdrawn", "status", "reason", "verdict
 
 def exclusion_rows(files: Files) -> Iterator[dict[str, Cell]]:
     """Rows by measurement, from measurements.csv and vehicles.csv."""
-    numbers = {id_: int(number) for id_, number in read_columns(files, "vehicles.csv", ("id", "number"))}
+    numbers, checks = {}, set()
+    for id_, number, check in read_columns(files, "vehicles.csv", ("id", "number", "check_target")):
+        numbers[id_] = int(number)
+        if check == "true":
+            checks.add(id_)
     chosen = chosen_vehicles(files)
     for values in read_columns(files, "measurements.csv", _READ):
         row = dict(zip(_READ, values, strict=True))
-        why = _why(row, row["vehicle_id"] in chosen)
+        why = _why(row, row["vehicle_id"] in chosen, row["vehicle_id"] in checks)
         if why is not None:
             yield {
                 "measurement_id": int(row["id"]),
@@ -47,17 +52,21 @@ def exclusion_rows(files: Files) -> Iterator[dict[str, Cell]]:
             }
 
 
-def _why(row: Mapping[str, str], is_chosen: bool) -> tuple[str, str] | None:
+def _why(row: Mapping[str, str], is_chosen: bool, is_check: bool) -> tuple[str, str] | None:
     if row["withdrawn"] == "true":
-        return "withdrawn", "The measurement was taken back."
+        return "withdrawn", "The measurement was withdrawn."
     if row["status"] != "ok":
         return "not_measurable", unsafe(row["reason"]) or "There is no height."
     if row["verdict"] == "rejected":
-        return "rejected", unsafe(row["review_reason"]) or "A reviewer rejected it."
+        return "rejected", unsafe(row["review_reason"]) or "It was rejected by a reviewer."
     if row["verdict"] == "to_review":
-        return "to_review", "Nobody has reviewed it yet."
+        return "to_review", "It has not been reviewed yet."
     if row["verdict"] == "reopened":
-        return "to_review", unsafe(row["review_reason"]) or "It was reopened and waits for another review."
+        return "to_review", unsafe(row["review_reason"]) or (
+            "It was reopened and is waiting for another review."
+        )
     if not is_chosen:
-        return "not_selected", "This package is of other vehicles."
+        return "not_selected", "It is not among the vehicles of this package."
+    if is_check:
+        return "check_target", "It checks the measuring: its errors are in statistics/known_errors.csv."
     return None

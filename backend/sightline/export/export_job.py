@@ -7,13 +7,15 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from sightline.errors import BadInput
 from sightline.export.store import add_export
 from sightline.infra.csv_package.files import Staging, zip_folder
 from sightline.infra.database import Session
 from sightline.infra.jobs import registry
 from sightline.infra.jobs.records import Job
 from sightline.media.store.local import check_room, key_of, sha256_of
-from sightline.results.selection import Selection, selection_of
+from sightline.messages import SOURCE, languages
+from sightline.results.selection import Selection, require_days, selection_of
 from sightline.surveys.records import Survey
 from sightline.surveys.store import get_survey, list_surveys, survey_by_name
 
@@ -38,12 +40,24 @@ def request_export(
     *,
     crops: bool = True,
     selection: Selection = Selection(),
+    language: str = SOURCE,
     actor: int | None,
 ) -> Job:
-    """Queue an export, with or without pictures of the clicks, of all vehicles or some. Raises NotFound."""
+    """Queue an export, with or without pictures of the clicks, of all vehicles or some, its report in a
+    language of the catalogue. Raises NotFound, BadInput.
+    """
+    check_language(language)
+    require_days(selection)
     get_survey(session, survey_id)
     payload = {"survey_id": survey_id, "crops": crops, "selection": selection.stored()}
+    payload["language"] = language
     return registry.enqueue(session, KIND, payload, survey_id=survey_id, actor=actor)
+
+
+def check_language(language: str) -> None:
+    """Raises BadInput for a language that the catalogue is not written in."""
+    if language not in languages():
+        raise BadInput("no-such-language", language=language, known=", ".join(languages()))
 
 
 @registry.handler(KIND)
@@ -53,9 +67,10 @@ def export(context: registry.JobContext) -> registry.Outcome:
     services = context.services
     crops = bool(context.payload.get("crops", True))
     selection = selection_of(context.payload.get("selection", {}))
+    language = str(context.payload.get("language", SOURCE))
     context.progress(0.0, "Reading the survey.")
     with tempfile.TemporaryDirectory(prefix="export-", dir=services.scratch) as folder:
-        built, package = _package(context, survey_id, crops, selection, Path(folder))
+        built, package = _package(context, survey_id, crops, selection, language, Path(folder))
         context.progress(_ZIPPED, "Storing the package.")
         size, sha256 = package.stat().st_size, sha256_of(package)
         key = key_of(sha256, ".zip")
@@ -71,6 +86,7 @@ def export(context: registry.JobContext) -> registry.Outcome:
             sha256=sha256,
             head=built.head,
             selection=selection,
+            language=language,
             actor=context.actor,
         )
         return {"export_id": made.id, **result}
@@ -79,7 +95,12 @@ def export(context: registry.JobContext) -> registry.Outcome:
 
 
 def _package(
-    context: registry.JobContext, survey_id: int, crops: bool, selection: Selection, folder: Path
+    context: registry.JobContext,
+    survey_id: int,
+    crops: bool,
+    selection: Selection,
+    language: str,
+    folder: Path,
 ) -> tuple[Built, Path]:
     """Build and pack; the ZIP is written beside the files and takes their place.
 
@@ -92,7 +113,15 @@ def _package(
     staging.folder.mkdir()
     with services.reading() as session:
         built = build(
-            staging, session, survey_id, services, tell, crops=crops, selection=selection, actor=context.actor
+            staging,
+            session,
+            survey_id,
+            services,
+            tell,
+            crops=crops,
+            selection=selection,
+            language=language,
+            actor=context.actor,
         )
     check_room(folder, 2 * sum(one.size for one in staging.written.values()), "this export")
     package = folder / "package.zip"

@@ -10,12 +10,14 @@ from array import array
 from collections.abc import Mapping
 from dataclasses import dataclass, fields
 from datetime import date
+from typing import get_args
 
 import numpy as np
 from numpy.typing import NDArray
 
-from sightline.enums import Correction, Rounding
+from sightline.enums import Correction, Rounding, Target
 from sightline.export.scans import scan_heights_in, scans_in
+from sightline.export.traffic import traffic_in
 from sightline.geometry.documents import camera_across_m
 from sightline.infra.csv_package.files import Files, read_columns, unsafe
 from sightline.infra.csv_package.forms import read_json
@@ -35,9 +37,11 @@ from sightline.results.measured_columns_query import (
 from sightline.results.survey_statistics import Filter, Statistics, StatisticsOptions, filtered, made_of
 from sightline.scans.statistics.heights import ScannedHeights
 from sightline.scans.statistics.service import ScanStatistics
+from sightline.scans.statistics.traffic import ScanTraffic
 from sightline.statistics.corrections import CORRECTIONS
 from sightline.statistics.summary import Grouping
 from sightline.surveys.csv import class_sets_in
+from sightline.vehicles.records import KNOWN
 
 _EPOCH = date(1970, 1, 1).toordinal()
 _READ = (
@@ -58,15 +62,16 @@ _READ = (
 
 @dataclass(frozen=True, eq=False)
 class Cars:
-    """What the vehicles of a package are, by id: lighting, category and set as indices, lengths in metres."""
+    """What the vehicles of a package are, by id: lighting, category and set as indices; `known`: height and
+    u of each target in the order of TARGETS, metres."""
 
     lighting: dict[str, int]
     filmed_day: dict[str, int]
     lane: dict[str, int]
     category: dict[str, int]
     class_set: dict[str, int]
-    height_m: dict[str, float]
-    u_height_m: dict[str, float]
+    check_target: dict[str, bool]
+    known: dict[str, tuple[float, ...]]
 
 
 @dataclass(frozen=True, eq=False)
@@ -76,6 +81,7 @@ class PackageStatistics:
     of: Mapping[tuple[Correction, Rounding], Statistics]
     scans: ScanStatistics
     scan_heights: tuple[ScannedHeights, ...]
+    scan_traffic: tuple[ScanTraffic, ...]
 
     @property
     def headline(self) -> Statistics:
@@ -103,14 +109,17 @@ def statistics_of(files: Files, choices: StatisticsOptions = StatisticsOptions()
     for correction, rounding in wanted:
         chosen = StatisticsOptions(rounding, correction, choices.u_reference_m, choices.own_standards, table)
         found[correction, rounding] = made_of(measured, left_out, chosen, groupings, {}, {})
-    return PackageStatistics(found, scans_in(files), scan_heights_in(files))
+    return PackageStatistics(found, scans_in(files), scan_heights_in(files), traffic_in(files))
 
 
 def measured_of(files: Files) -> Measured:
     """The standing measurements with a height, from measurements.csv, vehicles.csv and recordings.csv."""
     cars = _cars(files)
     whole = {name: array("q") for name in ("id", "vehicle", "operator", "day", "target", "verdict", "pose")}
-    of_car = {name: array("q") for name in ("lighting", "filmed_day", "lane", "category", "class_set")}
+    of_car = {
+        name: array("q")
+        for name in ("lighting", "filmed_day", "lane", "category", "class_set", "check_target")
+    }
     lengths = {name: array("d") for name in ("height", "paper", "known", "u_known", "across", *UNCERTAINTY)}
     cameras = _Cameras(files)
     for id_, car, target, height, paper, withdrawn, verdict, maker, at, pose, y, *parts in read_columns(
@@ -131,8 +140,10 @@ def measured_of(files: Files) -> Measured:
         of_car["class_set"].append(cars.class_set[car])
         lengths["height"].append(float(height))
         lengths["paper"].append(float(paper) if paper else np.nan)
-        lengths["known"].append(cars.height_m[car])
-        lengths["u_known"].append(cars.u_height_m[car])
+        at_target = 2 * TARGETS.index(target)
+        lengths["known"].append(cars.known[car][at_target])
+        lengths["u_known"].append(cars.known[car][at_target + 1])
+        of_car["check_target"].append(cars.check_target[car])
         whole["pose"].append(int(pose))
         lengths["across"].append(float(y) - cameras.across_m(int(pose)) if y else np.nan)
         for name, cell in zip(UNCERTAINTY, parts, strict=True):
@@ -152,8 +163,9 @@ def measured_of(files: Files) -> Measured:
         verdict=_ints(whole["verdict"]),
         height_m=np.frombuffer(lengths["height"], np.float64),
         uncorrected_height_m=np.frombuffer(lengths["paper"], np.float64),
-        manufacturer_height_m=np.frombuffer(lengths["known"], np.float64),
-        u_manufacturer_height_m=np.frombuffer(lengths["u_known"], np.float64),
+        known_m=np.frombuffer(lengths["known"], np.float64),
+        u_known_m=np.frombuffer(lengths["u_known"], np.float64),
+        check_target=_ints(of_car["check_target"]).astype(np.bool_),
         pose_id=_ints(whole["pose"]),
         across_m=np.frombuffer(lengths["across"], np.float64),
         **{name: np.frombuffer(lengths[name], np.float64) for name in UNCERTAINTY},
@@ -187,11 +199,11 @@ def _cars(files: Files) -> Cars:
         "filmed_at",
         "direction",
         "category",
-        "manufacturer_height_m",
-        "u_manufacturer_height_m",
+        "check_target",
+        *(name for target in get_args(Target) for name in (KNOWN[target].height, KNOWN[target].u)),
     )
     cars, sets = Cars(**{one.name: {} for one in fields(Cars)}), class_sets_in(files)
-    for id_, recording, lighting, filmed_at, direction, category, height, u_height in read_columns(
+    for id_, recording, lighting, filmed_at, direction, category, check, *known in read_columns(
         files, "vehicles.csv", names
     ):
         cars.lighting[id_] = _code(lighting or of_recording.get(recording, ""), LIGHTING)
@@ -199,8 +211,8 @@ def _cars(files: Files) -> Cars:
         cars.lane[id_] = _code(direction, LANES)
         cars.category[id_] = _code(category, CATEGORIES)
         cars.class_set[id_] = _code(sets[category] if category else "", CLASS_SETS)
-        cars.height_m[id_] = float(height) if height else np.nan
-        cars.u_height_m[id_] = float(u_height) if u_height else np.nan
+        cars.check_target[id_] = check == "true"
+        cars.known[id_] = tuple(float(cell) if cell else np.nan for cell in known)
     return cars
 
 

@@ -19,11 +19,13 @@ from functools import cache
 from typing import Any
 
 from sightline.errors import Damaged
+from sightline.export.report.words import selection_words
 from sightline.export.seal import AUDIT_SCRIPT, CHECKPOINT, PAGE
 from sightline.infra.csv_package.audit import AUDIT
 from sightline.infra.csv_package.files import Files, Staging, read_whole
 from sightline.infra.csv_package.schema import CHECKSUMS, DESCRIPTION, AnyTable, Written, sha256_hex
 from sightline.infra.version import code_version
+from sightline.results.csv import selection_in
 from sightline.settings import default_frontend_dir
 
 _MARK = "<!--package-->"
@@ -83,7 +85,7 @@ def write_page(staging: Staging, tables: Sequence[AnyTable]) -> None:
     before, _, after = found.partition(_MARK)
     files, written = staging.files(), dict(staging.written)
     with staging.file(PAGE) as out:
-        out.write(f"{before}{_MARK}\n{_about_block(tables, written)}".encode())
+        out.write(f"{before}{_MARK}\n{_about_block(files, tables, written)}".encode())
         for path in _carried(tables, written):
             packed = _packed(read_whole(files, path))
             out.write(f'<script type="text/plain" data-path="{path}">{packed}</script>\n'.encode())
@@ -128,7 +130,7 @@ def check_page(
     if version != page_version():
         _check_audit_script(files)
         return ["The page was made by another version: it is sealed, but its program was not compared."]
-    if about[0] != _about_block(tables, written, str(json.loads(about[1]).get("made_with"))):
+    if about[0] != _about_block(files, tables, written, str(json.loads(about[1]).get("made_with"))):
         raise Damaged("export-page-another-program", path=PAGE)
     if [block[1] for block in blocks] != list(_carried(tables, written)):
         raise Damaged("export-page-another-program", path=PAGE)
@@ -165,9 +167,10 @@ def _carried(tables: Sequence[AnyTable], written: Mapping[str, Written]) -> Iter
 
 
 def _about_block(
-    tables: Sequence[AnyTable], written: Mapping[str, Written], version: str | None = None
+    files: Files, tables: Sequence[AnyTable], written: Mapping[str, Written], version: str | None = None
 ) -> str:
-    text = json.dumps(_about(tables, written, version), ensure_ascii=False).replace("<", "\\u003c")
+    told = {"only": selection_words(selection_in(files)), **_about(tables, written, version)}
+    text = json.dumps(told, ensure_ascii=False).replace("<", "\\u003c")
     return f'<script type="application/json" id="about">{text}</script>\n'
 
 

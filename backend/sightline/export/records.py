@@ -19,3 +19,4 @@ class Export:
     audit_count: int
     audit_head: str
     selection: Selection
+    language: str

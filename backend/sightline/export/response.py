@@ -61,7 +61,7 @@ def _passes(files: Files) -> Iterator[PassAnswers]:
     lit = dict(read_columns(files, "recordings.csv", ("id", "lighting")))
     sets, asked, chosen = class_sets_in(files), asked_in(files), chosen_vehicles(files)
     for row in read_rows(files, "vehicles.csv"):
-        if row["id"] not in chosen:
+        if row["id"] not in chosen or row["check_target"] == "true":
             continue
         lighting = cast(Lighting | None, row["lighting"] or lit.get(row["recording_id"]) or None)
         yield PassAnswers(

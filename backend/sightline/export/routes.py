@@ -15,8 +15,8 @@ from sightline.export.export_job import request_export
 from sightline.export.records import Export
 from sightline.infra.audit.records import Who
 from sightline.infra.audit.signing import signing_key
-from sightline.infra.web.bodies import In, JobBody, Out
-from sightline.infra.web.deps import PathId, Reading, Viewer, Wired, Writing
+from sightline.infra.web.bodies import In, JobBody, Out, example
+from sightline.infra.web.deps import AskedIn, Exporter, PathId, Reading, Viewer, Wired, Writing
 from sightline.results.selection import Selection, selection_of
 from sightline.surveys.store import get_survey
 
@@ -26,12 +26,18 @@ router = APIRouter()
 class WantedBody(In):
     """Statistics, figures and report are of the vehicles chosen; all where nothing is."""
 
+    model_config = example(crops=True, lighting="daytime", class_sets=["passenger_cars"])
+
     crops: bool = Field(True, description="With the pictures that were clicked on.")
     lighting: Lighting | None = None
     class_sets: Annotated[tuple[ClassSet, ...], Field(max_length=len(get_args(ClassSet)))] = ()
     categories: Annotated[tuple[Category, ...], Field(max_length=len(get_args(Category)))] = ()
     filmed_from: Annotated[date | None, Field(description="By the clocks of the place.")] = None
     filmed_to: Annotated[date | None, Field(description="The last day, included.")] = None
+    language: Annotated[
+        str | None,
+        Field(max_length=20, description="Of figures and report; that of the request where it is not said."),
+    ] = None
 
 
 class ExportBody(Out):
@@ -43,6 +49,7 @@ class ExportBody(Out):
     audit_count: int = Field(description="How many events the audit chain in it has.")
     audit_head: str = Field(description="The last hash of that chain; keep it elsewhere.")
     selection: Annotated[Selection, Field(description="The vehicles that its statistics are of.")]
+    language: str = Field(description="That of its figures and its report.")
     signing_key: str = Field(description="The installation's key in force, which signs packages.")
     url: str
     filename: str = Field(description="What the downloaded file is called.")
@@ -59,6 +66,7 @@ def body_of(made: Export, survey: str, signing_key: str) -> ExportBody:
         audit_count=made.audit_count,
         audit_head=made.audit_head,
         selection=made.selection,
+        language=made.language,
         signing_key=signing_key,
         url=f"/api/exports/{made.id}.zip",
         filename=filename_of(made, survey),
@@ -73,12 +81,23 @@ def filename_of(made: Export, survey: str) -> str:
 
 @router.post("/surveys/{survey_id}/exports", status_code=202)
 def make_export(
-    survey_id: PathId, who: Viewer, session: Writing, wanted: WantedBody | None = None
+    survey_id: PathId,
+    who: Exporter,
+    session: Writing,
+    asked_in: AskedIn,
+    wanted: WantedBody | None = None,
 ) -> JobBody:
     """Build the package in the background."""
     wanted = wanted or WantedBody(crops=True)
-    selection = selection_of(wanted.model_dump(exclude={"crops"}))
-    job = request_export(session, survey_id, crops=wanted.crops, selection=selection, actor=who.id)
+    selection = selection_of(wanted.model_dump(exclude={"crops", "language"}))
+    job = request_export(
+        session,
+        survey_id,
+        crops=wanted.crops,
+        selection=selection,
+        language=wanted.language or asked_in,
+        actor=who.id,
+    )
     return JobBody.model_validate(job)
 
 
@@ -90,7 +109,7 @@ def list_exports(survey_id: PathId, who: Viewer, services: Wired, session: Readi
 
 
 @router.get("/exports/{export_id}.zip", response_class=FileResponse)
-def download_export(export_id: PathId, who: Viewer, services: Wired) -> FileResponse:
+def download_export(export_id: PathId, who: Exporter, services: Wired) -> FileResponse:
     """One package as it was made."""
     with services.reading() as session:
         made = store.get_export(session, export_id)

@@ -2,22 +2,38 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import asdict
-from typing import get_args
+from typing import cast, get_args
 
-from sightline.enums import KnownLength, Target
+from sightline.enums import (
+    KnownLength,
+    ReferenceQuantity,
+    ReferenceSource,
+    RunsVerdict,
+    ScanDirection,
+    Target,
+)
 from sightline.export.chosen import chosen_scanned
 from sightline.infra.csv_package.columns import metres, number
-from sightline.infra.csv_package.files import Files, read_columns, read_rows
+from sightline.infra.csv_package.files import Files, read_columns, read_rows, unsafe
 from sightline.infra.csv_package.files import number as figure_of
 from sightline.infra.csv_package.schema import Cell, Column, Table
+from sightline.linescan.clock import since_start_s
+from sightline.linescan.parts import Rig
+from sightline.linescan.rig import baseline_of, rig_from
 from sightline.scans.heights.csv import LINE_HEIGHTS
 from sightline.scans.records import state_of
+from sightline.scans.references.csv import SCAN_REFERENCES
+from sightline.scans.references.records import ReferenceValues
 from sightline.scans.statistics.heights import HeightSeen, ScannedHeights, scanned_heights
 from sightline.scans.statistics.service import GAPS, MOTION, ScanStatistics, VehicleMotion, statistics_of_seen
+from sightline.scans.statistics.traffic import rig_ratio
+from sightline.scans.store import RIG
 
 Cells = dict[str, Cell]
+# of a motion's rig, whose distance is that of its lane
+_RIG = tuple(name for name in RIG if name != "lanes")
 FOLDER = "statistics/"
 _QUANTITY = Column(
     "quantity",
@@ -126,12 +142,52 @@ HEIGHTS = Table(
     primary=("target",),
     folder=FOLDER,
 )
-TABLES = (ERRORS, BASELINES, QUANTITIES, PERCENTILES, ECDF, HEIGHTS)
+REFERENCES = Table(
+    "scan_reference_errors",
+    "Accepted scanned vehicles' own values minus reference values, by what measured those and all together.",
+    (
+        Column("quantity", "string", "which value", required=True, enum=get_args(ReferenceQuantity)),
+        Column("source", "string", "what measured the references; all: every source", required=True),
+        _UNIT,
+        _N,
+        number("mean", "mean difference"),
+        number("sd", "standard deviation of the differences (n - 1)"),
+        number("rmse", "root mean square of the differences"),
+        Column("within", "integer", "how many are within their combined U95", required=True, minimum=0),
+        number("share_within", "that as a share: |E_n| <= 1"),
+        number("low", "lower end of the share's exact 95 % interval"),
+        number("high", "upper end of it"),
+    ),
+    primary=("quantity", "source"),
+    folder=FOLDER,
+)
+CARS = Table(
+    "scan_cars",
+    "Runs of one car (scan_vehicles.run_of) among the accepted vehicles: a size does not change from run to "
+    "run, so the runs must agree within their own uncertainty.",
+    (
+        Column("car", "string", "name of the car", required=True),
+        _SIZE,
+        _N,
+        metres("mean_m", "weighted mean of the runs (generalised least squares)"),
+        metres("u_mean_m", "its standard uncertainty (k = 1), what the runs share included"),
+        metres("U95_mean_m", "half-width of its 95 % interval"),
+        metres("sd_m", "standard deviation of the runs (n - 1)"),
+        metres("u_stated_m", "root mean square of what each run states for itself (k = 1)"),
+        number("chi_square", "of the runs about their mean"),
+        Column("degrees", "integer", "its degrees of freedom", required=True, minimum=0),
+        number("p", "chance of one as large or larger if the uncertainties hold"),
+        Column("verdict", "string", "what follows", required=True, enum=get_args(RunsVerdict)),
+    ),
+    primary=("car", "size"),
+    folder=FOLDER,
+)
+TABLES = (ERRORS, BASELINES, QUANTITIES, PERCENTILES, ECDF, HEIGHTS, REFERENCES, CARS)
 
 
 def scans_in(files: Files) -> ScanStatistics:
     """Statistics of the accepted vehicles of all line scans that a package is of, from its tables."""
-    return statistics_of_seen(list(_seen(files)), accepted_only=True)
+    return statistics_of_seen(list(scanned_motions(files)), accepted_only=True)
 
 
 def scan_heights_in(files: Files) -> tuple[ScannedHeights, ...]:
@@ -150,19 +206,19 @@ def scan_heights_in(files: Files) -> tuple[ScannedHeights, ...]:
     )
 
 
-def _seen(files: Files) -> Iterator[VehicleMotion]:
+def scanned_motions(files: Files) -> Iterator[VehicleMotion]:
+    """The vehicles of the line scans that a package is of, as its tables have them."""
     lighting = dict(read_columns(files, "line_scans.csv", ("id", "lighting")))
     rigs = {
-        id_: (float(baseline), float(u))
-        for id_, baseline, u in read_columns(
-            files, "scan_measurements.csv", ("id", "baseline_m", "u_baseline_m")
-        )
+        id_: rig_from({name: figure_of(value) for name, value in zip(_RIG, values, strict=True)})
+        for id_, *values in read_columns(files, "scan_measurements.csv", ("id", *_RIG))
     }
     chosen = chosen_scanned(files)
+    references = _standing(files)
     for row in read_rows(files, "scan_vehicles.csv"):
         if row["id"] not in chosen:
             continue
-        baseline, u_baseline = rigs.get(row["measurement_id"], (1.0, 0.0))
+        rig = rigs.get(row["measurement_id"])
         yield VehicleMotion(
             vehicle_id=int(row["id"]),
             scan_id=int(row["scan_id"]),
@@ -180,11 +236,44 @@ def _seen(files: Files) -> Iterator[VehicleMotion]:
                     ("u_wheelbase_m", "u_true_wheelbase_m"),
                 )
             },
-            rig_baseline_m=baseline,
-            rig_u_baseline_m=u_baseline,
             status=row["status"] or "not_measurable",
             reason=row["reason"] or None,
+            u_filmed_at_s=figure_of(row["u_filmed_at_s"]),
+            run_of=row["run_of"] or None,
+            references=tuple(references.get(row["id"], ())),
+            direction=cast(ScanDirection, row["direction"]) if row["direction"] else None,
+            lane=unsafe(row["lane"]) or None,
+            axles=int(row["axles"]) if row["axles"] else None,
+            **({} if rig is None else _of_rig(row, rig)),
         )
+
+
+def _standing(files: Files) -> dict[str, list[ReferenceValues]]:
+    """The reference values that stand, by vehicle."""
+    found: dict[str, list[ReferenceValues]] = {}
+    names = ("vehicle_id", "current", "withdrawn", "quantity", "source", "value", "u")
+    for vehicle, current, withdrawn, quantity, source, value, u in read_columns(
+        files, SCAN_REFERENCES.path, names
+    ):
+        if current == "true" and withdrawn == "false":
+            one = ReferenceValues(
+                cast(ReferenceQuantity, quantity), cast(ReferenceSource, source), float(value), float(u)
+            )
+            found.setdefault(vehicle, []).append(one)
+    return found
+
+
+def _of_rig(row: Mapping[str, str], rig: Rig) -> dict[str, float]:
+    """What a measured vehicle's rig says of it: its part of the uncertainty, and when the vehicle passed."""
+    baseline_m, u_baseline_m = baseline_of(rig)
+    front, rear = float(row["front_line_1"]), float(row["rear_line_1"])
+    return {
+        "rig_baseline_m": baseline_m,
+        "rig_u_baseline_m": u_baseline_m,
+        "rig_ratio": rig_ratio(rig),
+        "since_s": since_start_s(front, rig.line_rate_hz),
+        "occupied_s": (rear - front) / rig.line_rate_hz,
+    }
 
 
 def scan_rows(found: ScanStatistics, heights: tuple[ScannedHeights, ...]) -> dict[str, Iterator[Cells]]:
@@ -196,7 +285,27 @@ def scan_rows(found: ScanStatistics, heights: tuple[ScannedHeights, ...]) -> dic
         PERCENTILES.path: _percentile_rows(found),
         ECDF.path: _ecdf_rows(found),
         HEIGHTS.path: (asdict(one) for one in heights),
+        REFERENCES.path: _reference_rows(found),
+        CARS.path: _car_rows(found),
     }
+
+
+def _reference_rows(found: ScanStatistics) -> Iterator[Cells]:
+    for one in found.references:
+        errors = asdict(one.errors)
+        ends: Cells = {"low": errors.pop("share_low"), "high": errors.pop("share_high")}
+        yield {"quantity": one.quantity, "source": one.source or "all", "unit": one.unit, **errors, **ends}
+
+
+_METRIC = ("mean", "u_mean", "U95_mean", "sd", "u_stated")
+
+
+def _car_rows(found: ScanStatistics) -> Iterator[Cells]:
+    for one in found.cars:
+        for size, together in one.sizes.items():
+            told = asdict(together)
+            metric: Cells = {f"{name}_m": told.pop(name) for name in _METRIC}
+            yield {"car": one.car, "size": size, **metric, **told}
 
 
 def _error_rows(found: ScanStatistics) -> Iterator[Cells]:

@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import chain
 from typing import Any, get_args
 
 from sightline.enums import Category, Correction, Direction, Rounding, RuleVerdict, StatisticsTarget
-from sightline.export import scans
+from sightline.export import scans, traffic
 from sightline.export.measured import PackageStatistics
-from sightline.infra.csv_package.columns import metres, number
+from sightline.infra.csv_package.columns import flag, metres, number
 from sightline.infra.csv_package.schema import Cell, Column, Row, Table
 from sightline.results.survey_statistics import Statistics, standards_of
 from sightline.statistics.distributions import Ecdf
+from sightline.statistics.errors import ErrorGroup
+from sightline.statistics.known_errors import KnownErrors
 from sightline.statistics.summary import Distribution, Errors
 from sightline.statistics.total_uncertainty import TotalFigure
 
@@ -44,6 +46,7 @@ _N = Column("n", "integer", "how many measurements it rests on", required=True, 
 _GROUPING = Column("grouping", "string", "what divides the measurements; all: nothing", required=True)
 _GROUP = Column("group", "string", "which group", required=True)
 _REASON = Column("reason", "string", "why a figure or its interval is missing")
+_HOLDS = Column("holds", "string", "what its interval holds: words with blanks between")
 
 
 _INTERVAL = (
@@ -55,7 +58,8 @@ _BAND = (number("low", "lower edge of the 95 % band"), number("high", "upper edg
 ERROR_TABLE = Table(
     "error_table",
     "Errors (measured minus manufacturer's height) of accepted roofs by lighting and overall, pooled from "
-    "the raw errors; figures named _m are in metres, _m2 in square metres, correlations have no unit.",
+    "the raw errors; figures named _m are in metres, _m2 in square metres, correlations have no unit. "
+    "Intervals are total, but for correlations and skewness: the column holds says what each holds.",
     (
         _HEIGHTS,
         _ROUNDING,
@@ -64,9 +68,32 @@ ERROR_TABLE = Table(
         _N,
         number("value", "the figure"),
         *_INTERVAL,
+        _HOLDS,
         _REASON,
     ),
     primary=("heights", "rounding", "group", "figure"),
+    folder=FOLDER,
+)
+KNOWN_ERRORS = Table(
+    "known_errors",
+    "Errors (measured minus known height) of accepted heights by target, of the traffic and of check "
+    "targets, by lighting and overall; figures as in error_table.csv. inside_u95: the share of differences, "
+    "not rounded, that are not larger than their own U95; about 0.95 should be. bias_total_m: the bias, not "
+    "rounded, with its total interval.",
+    (
+        _HEIGHTS,
+        _ROUNDING,
+        _TARGET,
+        flag("check_target", "true: of check targets, which count nowhere else", required=True),
+        _GROUP,
+        Column("figure", "string", "which figure", required=True),
+        _N,
+        number("value", "the figure"),
+        *_INTERVAL,
+        _HOLDS,
+        _REASON,
+    ),
+    primary=("heights", "rounding", "target", "check_target", "group", "figure"),
     folder=FOLDER,
 )
 AGREEMENT = Table(
@@ -270,6 +297,7 @@ LATERAL_TABLE = Table(
 )
 TABLES = (
     ERROR_TABLE,
+    KNOWN_ERRORS,
     AGREEMENT,
     ERROR_TREND,
     ERROR_ECDF,
@@ -283,19 +311,22 @@ TABLES = (
     SHARES,
     LATERAL_TABLE,
     *scans.TABLES,
+    *traffic.TABLES,
 )
 
 
 def statistics_rows(found: PackageStatistics) -> dict[str, Iterator[Cells]]:
     """The rows of every table by its path."""
-    errors = [
-        ({"heights": heights, "rounding": rounding}, found.of[correction, rounding].errors)
+    made = [
+        ({"heights": heights, "rounding": rounding}, found.of[correction, rounding])
         for heights, correction in _ERRORS_OF
         for rounding in get_args(Rounding)
     ]
+    errors = [(key, one.errors) for key, one in made]
     heights = [(correction, one) for (correction, rounding), one in found.of.items() if rounding == "cm"]
     return {
-        ERROR_TABLE.path: chain.from_iterable(_error_rows(key, one) for key, one in errors),
+        ERROR_TABLE.path: chain.from_iterable(_error_rows(key, one.groups) for key, one in errors),
+        KNOWN_ERRORS.path: chain.from_iterable(_known_rows(key, one.known_errors) for key, one in made),
         AGREEMENT.path: chain.from_iterable(_agreement_rows(key, one) for key, one in errors),
         ERROR_TREND.path: chain.from_iterable(_trend_rows(key, one) for key, one in errors),
         ERROR_ECDF.path: chain.from_iterable(_error_ecdf_rows(key, one) for key, one in errors),
@@ -309,16 +340,32 @@ def statistics_rows(found: PackageStatistics) -> dict[str, Iterator[Cells]]:
         SHARES.path: chain.from_iterable(_share_rows(*one) for one in heights),
         LATERAL_TABLE.path: _lateral_rows(found.headline),
         **scans.scan_rows(found.scans, found.scan_heights),
+        **traffic.traffic_rows(found.scan_traffic),
     }
 
 
-def _error_rows(key: Row, errors: Errors) -> Iterator[Cells]:
-    for name, group in errors.groups.items():
+def _known_rows(key: Row, found: Iterable[KnownErrors]) -> Iterator[Cells]:
+    for one in found:
+        of: Cells = {**key, "target": one.target, "check_target": one.check_target}
+        n = one.groups["overall"].n
+        yield from _error_rows(of, one.groups)
+        yield {**of, "group": "overall", "figure": "bias_total_m", "n": n, **_total_cells(one.bias)}
+        inside = one.inside
+        row: Cells = {**of, "group": "overall", "figure": "inside_u95"}
+        if isinstance(inside, str):
+            yield {**row, "n": 0, "reason": inside}
+        else:
+            yield {**row, "n": inside.n, "value": inside.share, "low": inside.low, "high": inside.high}
+
+
+def _error_rows(key: Row, groups: Mapping[str, ErrorGroup]) -> Iterator[Cells]:
+    for name, group in groups.items():
         for figure, value in group.figures.items():
             ci = group.ci95[figure]
             ends = {} if ci is None else {"low": ci.low, "high": ci.high}
             row = {**key, "group": name, "figure": figure, "n": group.n, "value": value, **ends}
-            yield {**row, "reason": group.reason}
+            holds = None if ci is None else " ".join(group.holds.get(figure, ()))
+            yield {**row, "holds": holds, "reason": group.reason}
 
 
 def _agreement_rows(key: Row, errors: Errors) -> Iterator[Cells]:

@@ -13,6 +13,7 @@ from sightline.infra.audit.records import AuditHead
 from sightline.infra.database.people import people
 from sightline.infra.database.rows import add_row, get_row, missing, who
 from sightline.infra.database.types import now
+from sightline.messages import SOURCE
 from sightline.results.selection import Selection, selection_of
 from sightline.results.tables import exports
 from sightline.surveys.tables import surveys
@@ -27,12 +28,14 @@ def add_export(
     sha256: str,
     head: AuditHead,
     selection: Selection = Selection(),
+    language: str = SOURCE,
     actor: int | None,
 ) -> Export:
-    """A package that was written whole; `head` is the audit head that it carries."""
+    """A package that was written whole, its report in `language`; `head`: the audit head that it carries."""
     get_row(session, surveys, survey_id, "survey")
     content = {"survey_id": survey_id, "media_key": media_key, "size_bytes": size_bytes, "sha256": sha256}
     content |= {"audit_count": head.count, "audit_head": head.hash, "selection": selection.stored()}
+    content |= {"language": language}
     export_id = add_row(session, exports, {**content, "created_at": now(), "created_by": actor})
     trail.record(session, actor, "create", "export", export_id, survey_id, None, content)
     return get_export(session, export_id)

@@ -81,7 +81,8 @@ def unknown_parts(pose: RoadPose) -> str | None:
     board = pose.board
     if board is None:
         return (
-            "The board is unknown, so its lean, height, square size and bow are left out of the uncertainty."
+            "The board is unknown, so its tilt, height, square size and bow are not included in "
+            "the uncertainty."
         )
     missing = []
     if board.u_square_m is None:
@@ -90,7 +91,7 @@ def unknown_parts(pose: RoadPose) -> str | None:
         missing.append("bow")
     if not missing:
         return None
-    return f"The pose does not state the board's {' and '.join(missing)}, left out of the uncertainty."
+    return f"The pose does not state the board's {' and '.join(missing)}; not included in the uncertainty."
 
 
 def _turn(axis: Floats, pivot: Floats) -> Floats:

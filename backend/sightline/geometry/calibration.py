@@ -88,7 +88,7 @@ def calibrate(
     used, skipped = usable_views(views)
     least = LEAST_BENT_VIEWS if bent_board else LEAST_VIEWS
     if len(used) < least:
-        raise BadInput("said", sentence=_too_few(len(used), len(views), skipped, least))
+        raise _too_few(len(used), len(views), skipped, least)
     size = used[0][2]
     flat = _fit(used, board, size, model)
     bent = _bend(flat, used, board) if len(used) >= LEAST_BENT_VIEWS else None
@@ -170,13 +170,11 @@ def usable_views(views: Sequence[NamedCorners]) -> tuple[list[NamedCorners], dic
     for name, corners, size in views:
         reason = None
         if size != usual:
-            reason = (
-                f"The picture is {size[0]}x{size[1]} px, most of the others are {usual[0]}x{usual[1]} px."
-            )
+            reason = f"The image is {size[0]}x{size[1]} px, most of the others are {usual[0]}x{usual[1]} px."
         elif not corners.found:
             reason = corners.reason or "No board was found."
         elif corners.sharpness > _BLURRED * spacing_px(corners.points_px):
-            reason = f"The picture is blurred (edges {corners.sharpness:.1f} px wide)."
+            reason = f"The image is blurred (edges {corners.sharpness:.1f} px wide)."
         if reason is None:
             used.append((name, corners, size))
         else:
@@ -184,12 +182,17 @@ def usable_views(views: Sequence[NamedCorners]) -> tuple[list[NamedCorners], dic
     return used, skipped
 
 
-def _too_few(used: int, given: int, skipped: dict[str, View], least: int) -> str:
+def _too_few(used: int, given: int, skipped: dict[str, View], least: int) -> BadInput:
     first = next(iter(skipped.values()), None)
-    why = "" if first is None else f" {first.file}: {first.reason}"
-    return (
-        f"Only {used} of {given} pictures can be used and at least {least} are needed; "
-        f"take more pictures of the whole board, from different sides.{why}"
+    if first is None:
+        return BadInput("geometry-too-few-pictures", used=used, given=given, least=least)
+    return BadInput(
+        "geometry-too-few-pictures-why",
+        used=used,
+        given=given,
+        least=least,
+        file=first.file,
+        reason=str(first.reason),
     )
 
 

@@ -62,9 +62,9 @@ def _flatness_warnings(flatness: BoardFlatness, effect: Sequence[HeightDifferenc
         else f" and a height at {worst.distance_m:g} m changes by {1000 * _size(worst):.1f} mm"
     )
     return (
-        f"The board is not flat: it bends by about {bow:.1f} % of a square; with its shape solved for the "
-        f"residual falls from {flat:.2f} to {bent:.2f} px{makes}. Fix the board to a stiff, flat plate "
-        "and take the pictures again, or calibrate with the board taken as bent.",
+        f"The board is not flat: it bends by about {bow:.1f} % of a square; modelling its shape "
+        f"lowers the residual from {flat:.2f} to {bent:.2f} px{makes}. Fix the board to a stiff, flat plate "
+        "and take the pictures again, or calibrate it as a board that may be bent.",
     )
 
 

@@ -11,8 +11,8 @@ from dataclasses import dataclass
 
 import cv2
 import numpy as np
+import scipy
 from numpy.typing import ArrayLike, NDArray
-from scipy.optimize import least_squares
 
 from sightline.geometry.arrays import Floats
 from sightline.geometry.camera import project
@@ -103,7 +103,7 @@ def _layout(picture: NDArray[np.uint8], pose: RoadPose, at_m: Floats) -> _Layout
     x = np.arange(-0.72, 0.72, cell) + at_m[0]
     z = np.arange(-0.25, 1.10, cell)
     if not 40 <= len(x) <= 1500:
-        return "The road is too near or too far here for a wheel to be made out."
+        return "The road is too near or too far here to detect a wheel."
     grid_x, grid_z = np.meshgrid(x, z)
     points = np.stack([grid_x, np.full_like(grid_x, at_m[1]), grid_z], axis=-1).reshape(-1, 3)
     pixels = project(pose.camera, pose.to_camera(points)).reshape(*grid_x.shape, 2)
@@ -117,7 +117,7 @@ def _layout(picture: NDArray[np.uint8], pose: RoadPose, at_m: Floats) -> _Layout
     origin = np.array([x[0], z[0]])
     clean = _clean(pose, at_m)
     if len(clean) < _FEWEST_ANGLES:
-        return "The wheel is seen too obliquely here; its tread hides where it stands."
+        return "The wheel is seen too obliquely here; its tread hides the contact."
     return _Layout(
         along=along,
         up=up,
@@ -234,7 +234,7 @@ def _two_circles(layout: _Layout, arc: Floats, disc: Floats, start: Floats) -> t
         return np.asarray(np.concatenate([one, two]) / layout.pixel_m, dtype=np.float64)
 
     x, bottom, r, rim = start
-    fit = least_squares(rest, [x, bottom + r, r, r * rim], loss="soft_l1", f_scale=0.4)
+    fit = scipy.optimize.least_squares(rest, [x, bottom + r, r, r * rim], loss="soft_l1", f_scale=0.4)
     x, z, r, inner = fit.x
     scatter = 1.4826 * float(np.median(np.abs(rest(fit.x)[: len(arc)])))
     return np.array([x, z - r, r, inner / r]), scatter
@@ -249,16 +249,14 @@ def _judged(layout: _Layout, pose: RoadPose, found: Floats, edges: _Edges, point
     if isinstance(on_road, str):
         return on_road
     if edges.rim < _RIM_SHARE or float(discs[0]) < _RIM_AGREEMENT:
-        return "No whole rim is seen round a wheel here, so the tyre cannot be told from shadow and body."
+        return "No complete rim is visible here, so the tyre cannot be separated from shadow and body."
     if edges.arc < _ARC_SHARE or float(arcs[0]) < _ARC_AGREEMENT or edges.scatter_px > _WIDEST_PX:
         return "The lower edge of the tyre does not stand out from the road here."
     radius = r * float((on_road[1] - pose.centre_m[1]) / (layout.y_m - pose.centre_m[1]))
     if not RADIUS_M[0] <= radius <= RADIUS_M[1]:
-        return f"What looks like a wheel here would have a radius of {radius:.2f} m."
+        return f"The wheel detected here would have a radius of {radius:.2f} m."
     if float(np.hypot(*(contact - pointer))) > 1.5 * REACH_PX:
-        return (
-            "The wheel that is seen stands too far from the pointer; point nearer to where it meets the road."
-        )
+        return "The detected wheel is too far from the pointer; point closer to its contact."
     turn = np.linspace(0.0, 2 * np.pi, 49)
     circle = np.stack([x + r * np.sin(turn), np.full(49, layout.y_m), bottom + r - r * np.cos(turn)], axis=1)
     outline = project(pose.camera, pose.to_camera(circle))

@@ -148,7 +148,7 @@ def detect(gray: Gray, board: Board, time_limit_s: float = 2.0) -> Corners:
     """
     require_board(board)
     if gray.ndim != 2 or min(gray.shape) < 32:
-        return not_found(board, "The picture is too small to hold a board.")
+        return not_found(board, "The image is too small to contain a board.")
     if board.charuco is not None:
         return _numbered(gray, board, board.charuco)
     started = perf_counter()
@@ -213,11 +213,16 @@ def neighbours(ids: NDArray[np.intp], points: Floats, board: Board) -> tuple[Flo
 
 
 def _advice(board: Board, skipped: bool) -> str:
-    text = (
-        f"No board of {board.columns}x{board.rows} inner corners was found; the whole board with its white "
-        "margin must be in the picture, sharp and evenly lit, and inner corners are counted"
+    if skipped:
+        return (
+            f"No board of {board.columns}x{board.rows} inner corners was found before the time "
+            "limit of the search; show the whole board with its white margin, sharp and evenly "
+            "lit, and count the inner corners."
+        )
+    return (
+        f"No board of {board.columns}x{board.rows} inner corners was found; show the whole board "
+        "with its white margin, sharp and evenly lit, and count the inner corners."
     )
-    return text + ("; the search was cut short by its time limit." if skipped else ".")
 
 
 def _accepted(gray: Gray, points: Floats, board: Board, name: str) -> Corners:
@@ -233,8 +238,8 @@ def _accepted(gray: Gray, points: Floats, board: Board, name: str) -> Corners:
     if side is not None:
         return not_found(
             board,
-            f"The board goes on {side} beyond {board.columns}x{board.rows} inner corners; count its inner "
-            "corners again.",
+            f"The board continues {side} beyond {board.columns}x{board.rows} inner corners; count "
+            "its inner corners again.",
         )
     return Corners(
         found=True,
@@ -346,7 +351,7 @@ def flaw(gray: Gray, grid: Floats) -> str | None:
     squares in brightness as a checkerboard's do.
     """
     if _cut(gray, grid):
-        return "The board is cut by the border of the picture; show the whole board."
+        return "The board is cut off by the edge of the image; show the whole board."
     if spacing_px(grid) < 3.0:
         return "The squares are smaller than 3 px; bring the board closer or use larger squares."
     for axis in (0, 1):
@@ -356,7 +361,7 @@ def flaw(gray: Gray, grid: Floats) -> str | None:
         shorter = np.minimum(np.take(length, range(length.shape[axis] - 1), axis), np.delete(length, 0, axis))
         if (bend > 0.5 * shorter + 1.0).any():
             return "The corners found do not form an even grid; something covers the board or it is not flat."
-    return None if _alternates(gray, grid) else "What was found is not a pattern of alternating squares."
+    return None if _alternates(gray, grid) else "The pattern found does not consist of alternating squares."
 
 
 def _cut(gray: Gray, grid: Floats) -> bool:

@@ -71,13 +71,13 @@ def cross_validate(
             fitted_lens(half, board, model, bent_board, whole) for half in halves
         )
     except BadInput as error:
-        return f"The halves could not be calibrated apart: {error.message}"
+        return f"The two halves could not be calibrated separately: {error.message}"
     held_out = (
         _residual(whole, first, bow1, halves[1], board),
         _residual(whole, second, bow2, halves[0], board),
     )
     if not np.isfinite(held_out).all():
-        return "A board lies where the lens model has no inverse; take more pictures that reach the corners."
+        return "A board lies where the lens model has no inverse; add images that reach the corners."
     return CrossValidation(
         (len(halves[0]), len(halves[1])),
         whole.rms_px or 0.0,
@@ -116,7 +116,10 @@ def in_words(found: CrossValidation | str) -> str:
         if d.difference_m is not None
     ]
     heights = f"differ by {', '.join(told)} in a height" if told else "cannot be compared in a height"
-    return f"two halves, calibrated apart, {heights}; held-out residual {found.all_held_out_rms_px:.3f} px"
+    return (
+        f"cross-validation, two halves calibrated separately, {heights}; "
+        f"held-out residual {found.all_held_out_rms_px:.3f} px"
+    )
 
 
 def cross_validation_warnings(found: CrossValidation) -> tuple[str, ...]:
@@ -131,15 +134,16 @@ def cross_validation_warnings(found: CrossValidation) -> tuple[str, ...]:
         by = "" if worst.expected_m is None else f", {1000 * worst.expected_m:.1f} mm expected"
         size = 1000 * abs(worst.difference_m)
         out.append(
-            f"Two halves of the pictures, calibrated apart, differ by {size:.1f} mm in a "
+            f"Two halves of the pictures, calibrated separately, differ by {size:.1f} mm in a "
             f"height at {worst.distance_m:g} m{by}: more than the corners' noise explains. The lens may "
             "need the other model, the board may be bent, or zoom or focus changed between pictures."
         )
     held_out, fit = found.all_held_out_rms_px, found.fit_rms_px
     if held_out > _HELD_OUT_RATIO * fit:
         out.append(
-            f"Pictures that did not help to find the lens fit it much worse ({held_out:.2f} px against "
-            f"{fit:.2f} px); take more pictures, in every part of the picture and tilted."
+            f"Held-out images fit the lens much worse than fitted images ({held_out:.2f} px "
+            f"against {fit:.2f} px); add images with the board tilted and in every part of the "
+            "image."
         )
     return tuple(out)
 

@@ -111,8 +111,8 @@ def fit_motion(before_px: Floats, after_px: Floats, size_px: tuple[int, int]) ->
 
 def _too_few(count: int) -> str:
     return (
-        f"Only {count} background points are seen again, or they lie in one part of the picture; it is too "
-        "dark, covered, or another view."
+        f"Only {count} background points were found again, or all of them in one part of the "
+        "frame; it is too dark, covered, or another view."
     )
 
 
@@ -183,7 +183,7 @@ def height_change(pose: RoadPose, motion: Motion) -> HeightChange:
         seen = [change for change in changes if change is not None]
         if seen:
             return HeightChange(max(seen, key=abs), float(distance), None)
-    reason = f"No target {TARGET_M} m high on the road between 3 and 12 m is in the picture."
+    reason = f"No target {TARGET_M} m high on the road between 3 and 12 m is in the frame."
     return HeightChange(None, None, reason)
 
 

@@ -72,7 +72,7 @@ def course(looks: Sequence[Look], last_frame: int, size_px: Size, look_at: LookA
     told = _confirmed(told, size_px, look_at)
     if len(told) < 2:
         reasons = [look.motion for look in looks if isinstance(look.motion, str)]
-        return Course(None, (), (), max(reasons, key=reasons.count) if reasons else "No frame was looked at.")
+        return Course(None, (), (), max(reasons, key=reasons.count) if reasons else "No frame was checked.")
     floor = floor_px(float(np.median([motion.u_px for _, motion in told])))
     bumps = [
         _located(before, after, size_px, look_at)

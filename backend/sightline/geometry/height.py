@@ -145,7 +145,7 @@ def left_out(pose: RoadPose) -> list[str]:
     """What the uncertainty of a height lacks because the pose does not say it, one sentence each."""
     out = []
     if pose.covariance is None:
-        out.append("The uncertainty of lens and pose is unknown and left out.")
+        out.append("The uncertainty of lens and pose is unknown and not included.")
     elif pose.camera.covariance is None:
         out.append("The uncertainty of the lens is unknown; only what the pose file states is included.")
     missing = unknown_parts(pose)
@@ -268,8 +268,11 @@ def height_both(
 
     As `measure_height`, twice.
     """
-    corrected = measure_height(pose, contact_px, target_px, sigma_px, inset_m, u_inset_m)
-    return corrected, measure_height(pose, contact_px, target_px, sigma_px)
+    contacts = np.tile(np.asarray(contact_px, dtype=np.float64).reshape(1, 2), (2, 1))
+    targets = np.tile(np.asarray(target_px, dtype=np.float64).reshape(1, 2), (2, 1))
+    insets, u_insets = (inset_m, 0.0), (u_inset_m, 0.0)
+    corrected, flat = measure_with_budgets(pose, contacts, targets, (sigma_px, sigma_px), insets, u_insets)
+    return corrected, flat
 
 
 def measure_heights(

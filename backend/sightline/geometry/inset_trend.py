@@ -9,8 +9,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
+import scipy
 from numpy.typing import ArrayLike
-from scipy.optimize import minimize_scalar
 
 from sightline.geometry.arrays import Bools, Floats
 from sightline.geometry.gradient import gradient
@@ -133,12 +133,14 @@ def inset_from_known_heights(
     def cost(inset: float) -> float:
         return float(np.square(_misfit(rows, known, u_known, inset)).sum())
 
-    found = minimize_scalar(cost, bounds=(_LEAST_INSET_M, _MOST_INSET_M), options={"xatol": 1e-9})
+    found = scipy.optimize.minimize_scalar(
+        cost, bounds=(_LEAST_INSET_M, _MOST_INSET_M), options={"xatol": 1e-9}
+    )
     inset = float(found.x)
     weight, slope = _weight(rows, u_known, inset), _slope(rows, known - rows.camera_height_m, inset)
     power = float(weight @ slope**2)
     if power < 1.0:  # one standard uncertainty would be a metre
-        return "The vehicles are about as high as the camera, and such heights say nothing about the inset."
+        return "Not conclusive: the vehicles are at about camera height, where the inset has little effect."
     if not _LEAST_INSET_M + 1e-3 < inset < _MOST_INSET_M - 1e-3:
         return "No inset fits the manufacturers' heights; check them, the camera's height and the clicks."
     answer = weight * slope / power
@@ -146,9 +148,7 @@ def inset_from_known_heights(
     u = float(np.sqrt(scatter / power + max(float(answer @ rows.shared_m2 @ answer), 0.0)))
     caution = None
     if u > _WIDE_U_M:
-        caution = (
-            "It says next to nothing: too few vehicles for heights so near the camera's or so uncertain."
-        )
+        caution = "Not conclusive: too few vehicles, or heights too near the camera's or too uncertain."
     return InsetEstimate(
         inset_m=inset, u_inset_m=u, vehicles=len(rows), spread_m=None, caution=caution, left_out=left_out
     )
@@ -190,7 +190,7 @@ def inset_from_trend(rows: Sightings) -> InsetEstimate | str:
         return f"At least {LEAST_TREND} vehicles are needed; {len(rows)} can be used."
     solved = _fit_trend(rows)
     if solved is None:
-        return "The heights do not settle on an inset: too few vehicles, or all at about the same distance."
+        return "The inset cannot be estimated: too few vehicles, or all at about the same distance."
     height, inset, covariance = solved
     u = float(np.sqrt(covariance[1, 1]))
     caution = _why_silent(rows, height) if u > _WIDE_U_M else None
@@ -235,10 +235,10 @@ def _fit_trend(rows: Sightings) -> tuple[float, float, Floats] | None:
 def _why_silent(rows: Sightings, height_m: float) -> str:
     d = rows.distance_m
     if abs(height_m - float(rows.camera_height_m.mean())) < 0.10:
-        return "It says nothing: this target is about as high as the camera, where the inset hardly matters."
+        return "Not conclusive: this target is at about camera height, where the inset has little effect."
     if float(d.max()) < 1.4 * float(d.min()):
-        return f"It says nothing: all passed at about the same distance, {d.min():.1f} to {d.max():.1f} m."
-    return "It says nothing yet: vehicles differ among themselves, and a few hundred are needed for ±0.15 m."
+        return f"Not conclusive: all passed at about the same distance, {d.min():.1f} to {d.max():.1f} m."
+    return "Not enough data: a few hundred vehicles are needed for u = 0.15 m."
 
 
 def inset_from_solved(solved_m: ArrayLike, u_solved_m: ArrayLike) -> InsetEstimate | str:
@@ -255,7 +255,7 @@ def inset_from_solved(solved_m: ArrayLike, u_solved_m: ArrayLike) -> InsetEstima
     found = mean_and_spread(values[~gone], u[~gone])
     spread = found.between if found.count >= LEAST_FOR_SPREAD else None
     left_out = tuple(int(i) for i in np.flatnonzero(gone))
-    caution = "It says next to nothing: the frames were close together." if found.u_mean > _WIDE_U_M else None
+    caution = "Not conclusive: the frames were close together." if found.u_mean > _WIDE_U_M else None
     return InsetEstimate(
         inset_m=found.mean,
         u_inset_m=found.u_mean,

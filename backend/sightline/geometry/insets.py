@@ -8,7 +8,7 @@ driver's eye has two, for a driver on the near and on the far side, and none unt
 import numpy as np
 from numpy.typing import ArrayLike
 
-from sightline.enums import DriverSide, InsetName, Target
+from sightline.enums import DriverSide, InsetName, InsetPlace, Target
 from sightline.geometry.arrays import Floats
 
 USUAL_INSETS: dict[InsetName, tuple[float, float, str]] = {
@@ -17,21 +17,18 @@ USUAL_INSETS: dict[InsetName, tuple[float, float, str]] = {
     "driver_eye_far": (1.15, 0.15, "driver on the side away from the camera (estimate)"),
     "taillight": (0.05, 0.05, "outer edge of the lamp (estimate)"),
     "headlight": (0.05, 0.05, "outer edge of the lamp (estimate)"),
-    "other": (0.0, 0.30, "unknown"),
+    "other": (0.0, 0.30, "not known"),
 }
 
-# What an operator can see of a vehicle and choose between: words, inset, standard uncertainty (estimates).
-INSET_CHOICES: dict[Target, tuple[tuple[str, float, float], ...]] = {
-    "roof": (("near edge", 0.30, 0.10), ("crown", 0.85, 0.10)),
+# What an operator can see of a vehicle and choose between: place, inset, standard uncertainty (estimates).
+INSET_CHOICES: dict[Target, tuple[tuple[InsetPlace, float, float], ...]] = {
+    "roof": (("near_edge", 0.30, 0.10), ("crown", 0.85, 0.10)),
 }
 
 # An eye of which nobody knows the side lies somewhere here: to look for it on other frames, for no height.
 EITHER_SIDE_M, U_EITHER_SIDE_M = 0.80, 0.40
 
-SIDE_UNKNOWN = (
-    "It is not known whether the driver sits on the near or on the far side of the vehicle, and the eye's "
-    "height depends on it; say which."
-)
+SIDE_UNKNOWN = "The driver's side (near or far) is not set, and the height of the eye depends on it; set it."
 
 
 def inset_name(target: Target, side: DriverSide | None) -> InsetName | None:

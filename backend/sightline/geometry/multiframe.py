@@ -31,7 +31,7 @@ from sightline.geometry.road_pose import RoadPose
 
 U_HEADING_RAD = float(np.deg2rad(1.0))  # how well a board is set parallel to the traffic (estimate)
 LEAST_TRAVEL_M = 0.15
-_UNSETTLED = "The clicks do not settle on one travelling vehicle; click the same two points in every frame."
+_UNSETTLED = "The clicks do not fit one moving vehicle; click the same two points in every frame."
 _ROUNDS = 50
 # Settled: left to gain of 1 + chi-square; its root is the step left in uncertainties (scaled by the misfit).
 _LEFT_TO_GAIN = 1e-8
@@ -89,7 +89,7 @@ def measure_frames(
     if travel < LEAST_TRAVEL_M:
         return MultiHeight(
             not_measurable(
-                f"The vehicle moved only {travel:.2f} m between the frames; pick frames further apart."
+                f"The vehicle moved only {travel:.2f} m between the frames; choose frames further apart."
             )
         )
     sigma = max(sigma_px, 1e-6)
@@ -275,7 +275,9 @@ def _reported(
     found = _budget(pose, at, sigma, u_heading)
     heading, _, inset, height = (float(v) for v in theta[frames + 1 :])
     if found is None:
-        return MultiHeight(not_measurable("The frames do not fix the inset; pick frames further apart."))
+        return MultiHeight(
+            not_measurable("The frames do not determine the inset; choose frames further apart.")
+        )
     if height <= 0:
         return MultiHeight(not_measurable(REASONS[BELOW_ROAD]))
     variances = np.sum(list(found[0].values()), axis=0)
@@ -310,9 +312,12 @@ def _flags(pose: RoadPose, at: _Linear, theta: Floats, sigma: float, u_inset: fl
     out = left_out(pose)
     freedom = len(at.residual) - len(theta)
     if at.residual @ at.residual / sigma**2 > _CHI2_999.get(freedom, freedom + 4.0 * np.sqrt(2.0 * freedom)):
-        out.append("The clicks disagree with straight, level travel; are the points the same in every frame?")
+        out.append(
+            "The clicks do not fit straight, level travel; check that the same points were clicked in "
+            "every frame."
+        )
     if not -0.5 < float(theta[-2]) < 2.6:
-        out.append("The solved inset is not that of a road vehicle; check the clicks.")
+        out.append("The computed inset is not plausible for a road vehicle; check the clicks.")
     if u_inset > 0.3:
-        out.append("The frames are too close together to say much about the inset.")
+        out.append("The frames are too close together to determine the inset well.")
     return tuple(out)

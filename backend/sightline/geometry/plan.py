@@ -6,6 +6,7 @@ import numpy as np
 
 from sightline.geometry.camera import Camera
 from sightline.geometry.plan_advice import advice
+from sightline.geometry.plan_passing import Passing, passings
 from sightline.geometry.plan_targets import (
     TYPICAL_M,
     Insets,
@@ -37,7 +38,7 @@ class Plan:
 
     `U95_over_distance`: vehicles at other distances, camera and board as planned. `bias_over_height`: error
     of a driver's eye whose inset is ignored, by the camera's height. `track_shown_m`: length of the wheel
-    track over which road and a driver's eye are in the picture.
+    track over which road and a driver's eye are in the picture. `passing`: exposure and frames by speed.
     """
 
     site: Site
@@ -48,6 +49,7 @@ class Plan:
     outlook: Outlook
     tilt_rad: float
     track_shown_m: float
+    passing: tuple[Passing, ...]
 
 
 def plan_site(camera: Camera, site: Site, insets: Insets | None = None) -> Plan:
@@ -81,6 +83,7 @@ def plan_site(camera: Camera, site: Site, insets: Insets | None = None) -> Plan:
         )
         for name in ("driver_eye", "driver_eye_far")
     )
+    shown_m = track_shown_m(bare, site.distance_m, eye)
     return Plan(
         site=site,
         targets=targets,
@@ -89,7 +92,8 @@ def plan_site(camera: Camera, site: Site, insets: Insets | None = None) -> Plan:
         bias_over_height=tuple(over_height),
         outlook=outlook(bare),
         tilt_rad=float(np.arcsin(-bare.rotation[2, 2])),
-        track_shown_m=track_shown_m(bare, site.distance_m, eye),
+        track_shown_m=shown_m,
+        passing=passings(bare, site, eye, shown_m),
     )
 
 

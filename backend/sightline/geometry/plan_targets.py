@@ -22,7 +22,7 @@ TYPICAL_M = (
     ("taillight", 0.75),
     ("headlight", 0.65),
 )
-NO_BOARD = "The picture would not show the whole board, so no road pose can be had from it."
+NO_BOARD = "The whole board does not fit in the image, so the camera pose cannot be computed."
 Insets = Mapping[str, tuple[float, float]]
 
 
@@ -109,7 +109,7 @@ def _two_frames(pose: RoadPose, site: Site, height_m: float, inset: tuple[float,
     if gain is None:
         shown = track_shown_m(pose, site.distance_m, height_m)
         return TwoFrames(
-            f"The picture shows contact and target over {shown:.1f} m of the wheel track only, so they "
+            f"The picture shows contact and target over {shown:.1f} m of the wheel path only, so they "
             f"cannot be clicked twice with {site.travel_m:g} m between."
         )
     return TwoFrames(None, gain.u_double_m, COVERAGE_95 * gain.u_double_m, gain.u_inset_m)

@@ -71,7 +71,7 @@ def _why_none(frames: Sequence[Corners]) -> str:
     parts = [len(c.ids) for c in frames if c.ids is not None]
     if parts:
         whole = frames[0].board_as_seen.corners
-        return f"At most {max(parts)} of its {whole} corners are seen; show the whole board."
+        return f"At most {max(parts)} of its {whole} corners were found; show the whole board."
     return frames[0].reason or "No board was found."
 
 
@@ -117,26 +117,27 @@ def _checked(
         raise BadInput("geometry-board-seen-edge-turn-towards-camera")
     warnings = []
     if missed:
-        warnings.append(f"The board was not found in {missed} of the frames; they are left out.")
+        warnings.append(f"The board was not found in {missed} of the frames; these are not used.")
     if still.moved_px > 0.3 and len(still.kept) > 1:
-        warnings.append("Board or camera moved in some of the frames; only the still ones are used.")
+        warnings.append("Board or camera moved in some of the frames; only frames at rest are used.")
     if rms > 0.5:
         warnings.append(
-            f"The corners miss the model by {rms:.2f} px; the board may be bent or the lens calibration poor."
+            f"The corners fit the model to {rms:.2f} px only; the board may be bent or the lens "
+            "calibration poor."
         )
     if len(roots) > 1 and roots[1].cost < _AMBIGUOUS * best.cost + 1e-12:
         warnings.append(
             "Two poses fit the board almost equally well; turn it by some 30 degrees or bring it closer."
         )
     if spacing_px(still.mean_px.reshape(board.rows, board.columns, 2)) < 8:
-        warnings.append("The squares are small in the picture; bring the board closer.")
+        warnings.append("The squares are small in the image; bring the board closer.")
     roll = float(np.rad2deg(np.arctan2(abs(best.rotation[0, 1]), best.rotation[1, 1])))
     if roll > 28.0:
         warnings.append(
             f"The board appears rolled by {roll:.0f} degrees; check that columns and rows were not exchanged."
         )
     if len(still.kept) == 1:
-        warnings.append("Only one frame is used; whether the board stood still is not checked.")
+        warnings.append("Only one frame is used, so it is not checked that the board was at rest.")
     return tuple(warnings)
 
 

@@ -46,7 +46,7 @@ def coverage_ninths(coverage: Floats) -> Floats:
 def places_missing(coverage: Floats) -> tuple[str, ...]:
     """Where in the picture the board should be held more, in words; coverage (12, 16). As `thin_parts`."""
     parts = thin_parts(coverage)
-    return (f"Hold the board in the {listed(parts)} of the picture.",) if parts else ()
+    return (f"Hold the board in the {listed(parts)} of the image.",) if parts else ()
 
 
 def _tilts(normals: tuple[Floats, ...]) -> tuple[str, ...]:
@@ -66,8 +66,8 @@ def _nearness(evidence: Evidence) -> tuple[str, ...]:
     if share >= _NEAR_SHARE:
         return ()
     return (
-        f"Bring the board nearer: it never fills more than {100 * share:.0f} % of the picture; a third "
-        "or more is good.",
+        f"Bring the board nearer: it never fills more than {100 * share:.0f} % of the image; a "
+        "third or more is good.",
     )
 
 

@@ -42,7 +42,7 @@ def require_site(site: Site) -> None:
     """Raise BadInput for numbers that no site has."""
     for what, value, least, most, unit in (
         ("camera height", site.camera_height_m, 0.2, 20.0, "m"),
-        ("distance to the wheel track", site.distance_m, 0.5, 100.0, "m"),
+        ("distance to the wheel path", site.distance_m, 0.5, 100.0, "m"),
         ("distance to the board", site.board_m, 0.5, 100.0, "m"),
         ("click sigma", site.sigma_px, 1e-3, 100.0, "px"),
         ("direction", float(np.rad2deg(site.direction_rad)), -60.0, 60.0, "degrees"),

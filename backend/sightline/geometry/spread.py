@@ -3,8 +3,8 @@
 from dataclasses import dataclass
 
 import numpy as np
+import scipy
 from numpy.typing import ArrayLike
-from scipy.optimize import brentq
 
 _LEAST_U = 1e-9
 _FAR = 4.0
@@ -38,7 +38,7 @@ def mean_and_spread(values: ArrayLike, u: ArrayLike) -> Spread:
     between2 = 0.0
     if len(x) > 1 and excess(0.0) > 0.0:
         high = float(np.square(x - x.mean()).sum()) + float(variance.max())
-        between2 = float(brentq(excess, 0.0, high)) if excess(high) < 0.0 else high
+        between2 = float(scipy.optimize.brentq(excess, 0.0, high)) if excess(high) < 0.0 else high
     w = 1.0 / (variance + between2)
     return Spread(float(w @ x / w.sum()), float(w.sum() ** -0.5), float(np.sqrt(between2)), len(x))
 

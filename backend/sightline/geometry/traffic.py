@@ -3,8 +3,8 @@
 from dataclasses import dataclass, replace
 
 import numpy as np
+import scipy
 from numpy.typing import ArrayLike
-from scipy.stats import t as student
 
 from sightline.geometry.arrays import Bools, Floats, frozen
 from sightline.geometry.camera import undistort
@@ -113,7 +113,7 @@ def _why_none(pose: RoadPose, pair: Floats, base_m: float, u_rad: float) -> str 
     if base_m > MOST_BASE_M:
         return f"The two tyre contacts are {base_m:.0f} m apart on the road; click both tyres of one vehicle."
     if not np.isfinite(u_rad):
-        return "A tyre contact lies at the edge of what the picture shows of the road; take another frame."
+        return "A tyre contact lies at the edge of the visible road; use another frame."
     return None
 
 
@@ -135,7 +135,7 @@ def summary_of_headings(heading_rad: ArrayLike, u_rad: ArrayLike) -> Headings | 
         )
     found = mean_and_spread(values[used], u[used])
     away = abs(found.mean) / found.u_mean
-    proposed = bool(away > student.ppf(0.975, found.count - 1))
+    proposed = bool(away > scipy.stats.t.ppf(0.975, found.count - 1))
     return Headings(
         heading_rad=frozen(values),
         used=used,
@@ -163,5 +163,5 @@ def turned(pose: RoadPose, heading_rad: float, u_heading_rad: float = 0.0) -> Ro
         turn = u_heading_rad * np.concatenate([up, -np.cross(up, pose.translation_m)])
         covariance = np.array(covariance)
         covariance[-6:, -6:] += np.outer(turn, turn)
-    told = f"Turned by {np.rad2deg(heading_rad):+.2f} degrees to the direction of the traffic."
+    told = f"Rotated by {np.rad2deg(heading_rad):+.2f} degrees to the travel direction."
     return replace(pose, rotation=rotation, covariance=covariance, warnings=(*pose.warnings, told))

@@ -68,8 +68,8 @@ def _views(evidence: Evidence) -> list[str]:
     different = different_views(evidence)
     if different < _FEW_VIEWS:
         return [
-            f"Only {different} of the {count} views differ, for the board hardly moved between the others; "
-            "move and tilt it between pictures, or take frames further apart."
+            f"Only {different} of the {count} views differ because the board hardly moved between "
+            "the others; move and tilt it between images, or use frames further apart."
         ]
     return []
 
@@ -94,14 +94,14 @@ def _spread(evidence: Evidence) -> list[str]:
     share = covered_share(evidence.coverage)
     if share < _LITTLE_COVERAGE:
         out.append(
-            f"The boards cover {share:.0%} of the picture; take views that reach its edges and corners, "
-            "where the lens bends most."
+            f"The boards cover {share:.0%} of the image; add views that reach its edges and "
+            "corners, where the distortion is largest."
         )
     normals = np.array(evidence.normals)
     cosines = np.clip(normals @ normals.T, -1.0, 1.0)
     if float(np.arccos(cosines.min())) < _PARALLEL_RAD:
         out.append(
-            "All boards face the same way, so focal length and distance cannot be told apart; "
+            "All board views have the same orientation, so focal length and distance cannot be separated; "
             "tilt the board by 30 to 45 degrees in several directions."
         )
     return out
@@ -151,7 +151,7 @@ def _precision(camera: Camera) -> list[str]:
         abs(camera.cy_px - (camera.height_px - 1) / 2) / camera.height_px,
     )
     if off > 0.15:
-        out.append("The optical axis lies far from the middle of the picture; was the picture cropped?")
+        out.append("The optical axis lies far from the middle of the image; was the image cropped?")
     if not 0.9 < camera.fx_px / camera.fy_px < 1.1:
         out.append("The two focal lengths differ by more than 10 %; are the pixels square?")
     return out
@@ -165,8 +165,8 @@ def _corners(camera: Camera) -> list[str]:
     if reach >= 0.999 * float(np.hypot(x, y)):
         return []
     return [
-        "The lens model cannot be inverted in the corners of the picture and nothing will be measured there; "
-        "views that reach the corners help."
+        "The lens model cannot be inverted in the corners of the image, so nothing is measured "
+        "there; add images that reach the corners."
     ]
 
 
@@ -187,14 +187,14 @@ def _left_out(evidence: Evidence) -> list[str]:
     camera, used = evidence.camera, len(evidence.files)
     if evidence.other_size:
         out.append(
-            f"Pictures of several sizes: {len(evidence.other_size)} left out that are not "
-            f"{camera.width_px}x{camera.height_px} px ({evidence.other_size[0]} first); a calibration holds "
-            "for one size only, so use pictures of the recordings' size."
+            f"Images of several sizes: {len(evidence.other_size)} skipped that are not "
+            f"{camera.width_px}x{camera.height_px} px ({evidence.other_size[0]} first); a "
+            "calibration holds for one size only, so use images of the recordings' size."
         )
     if evidence.missed > used:
         out.append(
-            f"The board was used in only {used} of {used + evidence.missed} pictures; "
-            "count its inner corners again, and show the whole board, sharp and evenly lit."
+            f"The board was used in only {used} of {used + evidence.missed} images; count its "
+            "inner corners again, and show the whole board, sharp and evenly lit."
         )
     return out
 
@@ -203,8 +203,7 @@ def _outliers(evidence: Evidence) -> list[str]:
     rms = np.array(evidence.rms_px)
     usual = float(np.median(rms))
     return [
-        f"{file} fits much worse than the others ({value:.2f} px against {usual:.2f} px); "
-        "look at its corners."
+        f"{file} fits much worse than the others ({value:.2f} px against {usual:.2f} px); check its corners."
         for file, value in zip(evidence.files, rms, strict=True)
         if value > _OUTLIER * usual and value > 0.3
     ]

@@ -70,7 +70,17 @@ def local_text(instant: datetime, zone: str, seconds: float = 0.0) -> str:
 def local_day(instant: datetime, zone: str, seconds: float = 0.0) -> int:
     """The day that clocks of a zone show then, in days since 1970-01-01."""
     at = instant + timedelta(milliseconds=round(1000.0 * seconds))
-    return (at.astimezone(zone_of(zone)).date() - _UNIX_DAY).days
+    return (local_date(at, zone) - _UNIX_DAY).days
+
+
+def local_date(instant: datetime, zone: str) -> date:
+    """The date that clocks of a zone show at an instant."""
+    return instant.astimezone(zone_of(zone)).date()
+
+
+def day_start(day: date, zone: str) -> datetime:
+    """The instant (UTC) at which clocks of a zone first show a date: midnight, or what they skip it to."""
+    return datetime.combine(day, datetime.min.time(), zone_of(zone)).astimezone(UTC)
 
 
 def _offset(at: datetime) -> str:

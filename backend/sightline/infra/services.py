@@ -16,6 +16,7 @@ from sightline.infra.database.engine import (
     make_engine,
     reading,
     session_factory,
+    sync,
     writing,
 )
 from sightline.infra.scratch import Scratch, sweep
@@ -55,12 +56,19 @@ class Services:
         """A session that sees one state of the database and never commits."""
         return reading(self.sessions)
 
-    def writing(self, survey: InSurvey | None = None) -> AbstractContextManager[Session]:
+    def writing(
+        self, survey: InSurvey | None = None, *, unsynced: bool = False
+    ) -> AbstractContextManager[Session]:
         """The write transaction of this thread; committed when the block ends, rolled back on any error.
 
-        `survey`: the only one that it writes to, so that other surveys need not wait.
+        `survey`: the only one that it writes to, so that other surveys need not wait. `unsynced`: on the disk
+        for good only once `sync` has returned.
         """
-        return writing(self.sessions, survey)
+        return writing(self.sessions, survey, unsynced=unsynced)
+
+    def sync(self) -> None:
+        """Returns when everything that was committed before is on the disk."""
+        sync(self.sessions)
 
     def part(self, make: Callable[["Services"], P]) -> P:
         """What `make(services)` gives: made the first time it is asked for, closed with the services."""

@@ -1,49 +1,81 @@
 """Front and rear of a vehicle to a fraction of a line, from the upper part of the picture alone.
 
 In every band of rows the edge lies where the picture has gone half the way from the road's grey to the
-vehicle's. The foremost point is the vertex of a parabola through the edges of neighbouring bands: bumpers are
-round. A shadow lies in the lowest part, which is not looked at.
+vehicle's. The foremost point is the vertex of a parabola through the edges of neighbouring bands, each with
+the weight of its own noise: bumpers are round, and may have the road's own grey in some bands. A shadow lies
+in the lowest part, which is not looked at. The road is taken as bright as it is just outside the boundary,
+for the light changes while a slow vehicle passes.
 """
 
 from dataclasses import dataclass
+from math import hypot
 
 import numpy as np
 from numpy.typing import NDArray
 
-from sightline.linescan.background import UPPER_PART
-from sightline.linescan.parts import Crossings, Passage, Pixels, Rig
+from sightline.linescan.parts import USUAL_SHADOW_SHARE, Crossings, Passage, Pixels, Rig
 
 Array = NDArray[np.float64]
 BANDS = 48
 # along the vehicle, metres: searched before and behind the rough edge; where the vehicle's grey is read
 BEFORE_M, BEHIND_M = 0.10, 0.30
 GREY_M = (0.012, 0.040)
-REACH = 4
-# above this noise of a pixel, bands and means along the vehicle are twice as wide
+# of what is searched before the edge, the outermost share shows the road as bright as it is now, by the rows
+# that are not dark: brighter than a share of the road's median
+ROAD_SHARE, DARK_SHARE = 0.2, 0.15
+# lamps flicker: over this share of the lines searched before the edge the light is followed, and a band must
+# differ by more than so many of its usual changes
+LIGHT_SHARE, LIGHT_TIMES = 0.6, 4.0
+# bands on either side of the foremost one through which the parabola goes: some 14 cm of a bumper
+REACH = 3
+# above this noise of a pixel, means along the vehicle are twice as long
 NOISY_DN = 4.5
+SOFT_M = 0.006
 CLEAR_SHARE = 0.4
-# standard uncertainty of a doubtful boundary: the rms error of 53 such ones on 180 simulated vehicles at
-# 8 DN, most of them white bumpers before a road of their own grey, which hide 60 to 70 mm
-DOUBT_M = 0.06
+# a band's edge is there, and clear, where the greys differ by so many standard deviations of the noise, and
+# no less than these shares of the road's grey
+SIGMAS, LEAST_SHARE, CLEAR_GREY_SHARE = 5.0, 0.02, 0.03
+# optics and exposure spread a step over so many metres, so it rises no less steeply than over these
+EDGE_M = 0.02
+# by how much edges of bands stray from a parabola without any noise, metres; weighs low noise down
+BUMPY_M = 0.0005
+# the half-way rule takes the grey read behind an edge for the grey at it: where that changes, read over these
+# metres behind the edge, a boundary is off by half its change over a step as wide as SOFT_EDGE_M (optics of
+# 4 mm)
+NEAR_M, FAR_M, SOFT_EDGE_M = (0.010, 0.020), (0.028, 0.040), 0.010
+# as many of the seven bands change independently of each other
+OWN_BANDS = 3.0
+CAUCHY, ROBUST_ROUNDS = 2.385, 6
+# what interpolating half the grey between two lines leaves of an edge that fell into a line of full exposure:
+# with a share f of that line covered it is off by (0.5 - f) f / (1 - f) lines; root mean square over f
+U_LINE_LINES = 0.06
+# standard uncertainty of a doubtful boundary: the rms error of 50 such ones of 1008 simulated vehicles, most
+# of them bumpers of the road's own grey at 8 DN and 30 m/s or more, which hide up to 110 mm
+DOUBT_M = 0.025
 
 
 @dataclass(frozen=True)
 class Edge:
-    """One boundary: its line, None where the bands show none; doubtful where few bands near it are clear."""
+    """One boundary: its line, None where the bands show none; doubtful where few bands near it are clear.
+
+    `u_lines`: standard uncertainty by the scatter of the bands about the parabola and by greys that change
+    behind the edge, 0 where there is no line.
+    """
 
     line: float | None
     doubtful: bool = True
+    u_lines: float = 0.0
 
 
 def refined(passage: Passage, rig: Rig) -> tuple[Crossings, float]:
-    """The crossings to a fraction of a line, and what doubt adds to the length's uncertainty, metres.
+    """The crossings to a fraction of a line, and what noise and doubt bring to the length's u, metres.
 
     A boundary that is not clear at all keeps its rough line.
     """
     rough = passage.crossings
     delay = (rough.front_line_2 - rough.front_line_1 + rough.rear_line_2 - rough.rear_line_1) / 2
-    per_m = max(delay, 1.0) / rig.baseline_m
-    lines, doubts = [], 0
+    per_m = max(abs(delay), 1.0) / rig.baseline_m
+    lines, u_m = [], []
     for line, rear, second in (
         (rough.front_line_1, False, False),
         (rough.rear_line_1, True, False),
@@ -52,46 +84,70 @@ def refined(passage: Passage, rig: Rig) -> tuple[Crossings, float]:
     ):
         picture, start = (passage.second, passage.start_2) if second else (passage.first, passage.start_1)
         road = passage.background_2 if second else passage.background_1
-        edge = edge_near(picture, road, line - start, rear, per_m, passage.noise_dn)
+        edge = edge_near(picture, road, line - start, rear, per_m, passage.noise_dn, rig.shadow_share)
         lines.append(line if edge.line is None else start + edge.line)
-        doubts += edge.doubtful
+        u_m.append(hypot(edge.u_lines / per_m, DOUBT_M * edge.doubtful))
     # each of four boundaries counts half in the length, and both of a pair tend to fail together
-    return Crossings(*lines), DOUBT_M * doubts / 2
+    front_1, rear_1, front_2, rear_2 = u_m
+    return Crossings(*lines), hypot((front_1 + front_2) / 2, (rear_1 + rear_2) / 2)
 
 
 def edge_near(
-    picture: Pixels, road: NDArray[np.float32], line: float, rear: bool, lines_per_m: float, noise_dn: float
+    picture: Pixels,
+    road: NDArray[np.float32],
+    line: float,
+    rear: bool,
+    lines_per_m: float,
+    noise_dn: float,
+    shadow_share: float = USUAL_SHADOW_SHARE,
 ) -> Edge:
     """The boundary near a line of a `picture` (lines, rows); `rear` looks for the end. `road` (rows,): the
-    empty road's line, grey values.
+    empty road's line, grey values. `shadow_share`: of the rows, not looked at below.
 
     Own method: in each band of rows the place half the way from the road's grey to the vehicle's, then the
-    vertex of a parabola through neighbouring bands. An Edge without a line where there is none. (Douxchamps
-    et al., section IV, compare whole lines with the background, shadow included.)
+    vertex of a weighted parabola through neighbouring bands. An Edge without a line where there is none.
+    (Douxchamps et al., section IV, compare whole lines with the background, shadow included.)
     """
     before, behind = BEFORE_M * lines_per_m + 6, BEHIND_M * lines_per_m + 6
     lo, hi = (line - behind, line + before) if rear else (line - before, line + behind)
     lo, hi = max(round(lo), 0), min(round(hi), len(picture))
     if hi - lo < 6:
         return Edge(None)
-    wide = 1 + (noise_dn > NOISY_DN)
-    differs, height = _differences(picture[lo:hi], road, wide)
+    window = picture[lo:hi, : max(1, int(picture.shape[1] * (1.0 - shadow_share)))]
     if rear:
-        differs = differs[::-1]
-    soft = max(1, round(0.006 * wide * lines_per_m))
+        window = window[::-1]
+    lit, unrest = _as_lit(road[: window.shape[1]], window[: max(3, round(LIGHT_SHARE * before))])
+    differs, height = _differences(window, lit)
+    soft = max(1, round(SOFT_M * (1 + (noise_dn > NOISY_DN)) * lines_per_m))
     smooth = _box(differs, soft)
-    sigma = 1.3 * noise_dn / np.sqrt(height * soft)
-    edges, clear = _band_edges(smooth, sigma, lines_per_m)
-    found = _vertex(edges, clear, REACH // wide + 1)
+    sigma = 1.15 * noise_dn / np.sqrt(height * soft)
+    least = np.maximum((LEAST_SHARE, CLEAR_GREY_SHARE), LIGHT_TIMES * unrest) * float(np.median(lit))
+    edges, u, clear = _band_edges(smooth, sigma, (float(least[0]), float(least[1])), lines_per_m)
+    uneven = _uneven(smooth, edges, lines_per_m)
+    found = _vertex(edges, np.hypot(u, BUMPY_M * lines_per_m), uneven, clear)
     if found.line is None:
         return found
-    return Edge(hi - 1 - found.line if rear else lo + found.line, found.doubtful)
+    return Edge(hi - 1 - found.line if rear else lo + found.line, found.doubtful, found.u_lines)
 
 
-def _differences(window: Pixels, road: NDArray[np.float32], wide: int) -> tuple[Array, int]:
-    """Band means (lines, bands) of picture minus road in the upper part, and the rows in a band."""
-    rows = max(1, int(window.shape[1] * UPPER_PART))
-    height = max(1, window.shape[1] // BANDS) * wide
+def _as_lit(road: NDArray[np.float32], outside: Pixels) -> tuple[NDArray[np.float32], float]:
+    """The road's line (rows,) as bright as the outermost lines (n, rows) show it, and by which share of it
+    the light usually changes in them.
+    """
+    bright = road > DARK_SHARE * float(np.median(road))
+    if np.count_nonzero(bright) < 8:
+        return road, 0.0
+    ratio = np.median(outside[:, bright] / road[bright], axis=1)
+    now = float(ratio[: max(3, round(len(ratio) * ROAD_SHARE / LIGHT_SHARE))].mean())
+    if now <= 0:
+        return road, 0.0
+    return road * np.float32(now), float(np.median(np.abs(ratio / now - 1)))
+
+
+def _differences(window: Pixels, road: NDArray[np.float32]) -> tuple[Array, int]:
+    """Band means (lines, bands) of the window minus road, and the rows in a band."""
+    rows = window.shape[1]
+    height = max(1, rows // BANDS)
     bands = max(1, rows // height)
     used = bands * height
     means = window[:, :used].reshape(len(window), bands, height).mean(-1)
@@ -109,11 +165,15 @@ def _box(values: Array, size: int) -> Array:
     return np.asarray((sums[size:] - sums[:-size]) / size)
 
 
-def _band_edges(smooth: Array, sigma: float, lines_per_m: float) -> tuple[Array, NDArray[np.bool_]]:
-    """(bands,) line at which each band is half the way to the vehicle's grey, and whether that is clear."""
+def _band_edges(
+    smooth: Array, sigma: float, least: tuple[float, float], lines_per_m: float
+) -> tuple[Array, Array, NDArray[np.bool_]]:
+    """(bands,) line at which each band is half the way to the vehicle's grey, u of that line by noise, and
+    whether it is clear. `least`: grey values by which something, and something clear, differs from the road.
+    """
     count, bands = smooth.shape
     every = np.arange(bands)
-    limit = max(5 * sigma, 3.0)
+    limit = max(SIGMAS * sigma, least[0])
     beyond = np.abs(smooth) > limit
     start = beyond.argmax(0)
     near, far = (max(1, round(part * lines_per_m)) for part in GREY_M)
@@ -128,9 +188,11 @@ def _band_edges(smooth: Array, sigma: float, lines_per_m: float) -> tuple[Array,
     after = np.minimum(last + 1, count - 1)
     y0, y1 = rising[last, every], rising[after, every]
     part = np.clip((half - y0) / np.maximum(y1 - y0, 1e-9), 0, 1)
-    steady = np.abs(level) > max(10 * sigma, 6.0)
+    steady = np.abs(level) > max(SIGMAS * sigma, least[1])
     inside = beyond.any(0) & below.any(0) & (last > 0) & (start + near < count)
-    return last + part, steady & inside
+    # of the level, half of whose noise comes on top, and of the line itself
+    steep = np.maximum(np.maximum(y1 - y0, np.abs(level) / max(EDGE_M * lines_per_m, 1.5)), 1e-9)
+    return last + part, 1.2 * sigma / steep, steady & inside
 
 
 def _of_three(values: Array) -> Array:
@@ -140,27 +202,66 @@ def _of_three(values: Array) -> Array:
     return np.concatenate([[values[:2].mean()], inner, [values[-2:].mean()]])
 
 
-def _vertex(edges: Array, clear: NDArray[np.bool_], reach: int) -> Edge:
-    """The smallest line of a parabola through the edges around the foremost bands."""
+def _uneven(smooth: Array, edges: Array, lines_per_m: float) -> Array:
+    """(bands,) lines by which each edge may be off because the vehicle's grey changes behind it."""
+    every = np.arange(smooth.shape[1])
+
+    def grey(span_m: tuple[float, float]) -> Array:
+        low, high = (max(1, round(one * lines_per_m)) for one in span_m)
+        places = np.rint(edges).astype(int) + np.arange(low, max(high, low + 1) + 1)[:, None]
+        return np.asarray(smooth[np.clip(places, 0, len(smooth) - 1), every].mean(axis=0))
+
+    near, far = grey(NEAR_M), grey(FAR_M)
+    change = (far - near) * (sum(NEAR_M) + sum(FAR_M)) / 2 / (sum(FAR_M) - sum(NEAR_M))
+    level = np.maximum(np.abs(near + far) / 2, 1e-6)
+    return np.minimum(SOFT_EDGE_M * np.abs(change) / level / 2, BEFORE_M / 10) * lines_per_m
+
+
+def _vertex(edges: Array, u: Array, uneven: Array, clear: NDArray[np.bool_]) -> Edge:
+    """The smallest line of a weighted parabola through the edges around the foremost bands, all (bands,)."""
     bands = np.flatnonzero(clear)
     if len(bands) < 3:
         return Edge(None)
     # a single band that is ahead of all others is noise, so the foremost three decide where to look
     smooth = _of_three(edges[bands])
     middle = bands[int(smooth[1:-1].argmin()) + 1]
-    near = bands[np.abs(bands - middle) <= reach]
+    near = bands[np.abs(bands - middle) <= REACH]
     if len(near) < 3:
         return Edge(float(smooth.min()))
-    x, y = (near - middle).astype(float), edges[near]
-    keep = np.abs(y - np.median(y)) <= 3 * max(1.4826 * float(np.median(np.abs(y - np.median(y)))), 0.7)
-    x, y = x[keep], y[keep]
+    x, y, s = (near - middle).astype(float), edges[near], u[near]
+    away = np.abs(y - np.median(y))
+    keep = away <= 3 * np.maximum(max(1.4826 * float(np.median(away)), 0.7), s)
+    x, y, s, off = x[keep], y[keep], s[keep], uneven[near][keep]
     if len(x) < 4:
         return Edge(float(np.median(y)))
-    c2, c1, c0 = np.polyfit(x, y, 2)
-    if c2 > 1e-6:
-        at = float(np.clip(-c1 / (2 * c2), x.min(), x.max()))
-        value = float(np.polyval([c2, c1, c0], at))
+    doubtful = float(np.mean(clear[max(middle - 2 * REACH, 0) : middle + 2 * REACH + 1])) < CLEAR_SHARE
+    c, normal, wider = _weighted_fit(x, y, s, 2)
+    if c[2] > 1e-6:
+        at = float(np.clip(-c[1] / (2 * c[2]), x.min(), x.max()))
     else:
-        value = float(min(np.polyval(np.polyfit(x, y, 1), [x.min(), x.max()])))
-    around = clear[max(middle - 2 * reach, 0) : middle + 2 * reach + 1]
-    return Edge(value, float(np.mean(around)) < CLEAR_SHARE)
+        c, normal, wider = _weighted_fit(x, y, s, 1)
+        at = float(x.min() if c[1] > 0 else x.max())
+    gradient = at ** np.arange(len(c))
+    by_grey = np.average(off**2, weights=s**-2) / OWN_BANDS
+    u_lines = float(np.sqrt(wider * gradient @ np.linalg.solve(normal, gradient) + by_grey))
+    return Edge(float(gradient @ c), doubtful, u_lines)
+
+
+def _weighted_fit(x: Array, y: Array, s: Array, degree: int) -> tuple[Array, Array, float]:
+    """Coefficients from x^0 up of a polynomial through `y` (n,) of standard deviations `s`, its normal
+    matrix, and by how much its variances are too small.
+
+    Bands in which a lamp or a gap has the road's grey lie far off: their weights fall as
+    1 / (1 + t^2). Bands that stray by more than their noise say how well the polynomial fits.
+    """
+    powers, sure = np.vander(x, degree + 1, increasing=True), s
+    for _ in range(ROBUST_ROUNDS):
+        design = powers / sure[:, None]
+        c = np.linalg.lstsq(design, y / sure, rcond=1e-10)[0]
+        misses = (y - powers @ c) / s
+        scale = max(1.0, 1.4826 * float(np.median(np.abs(misses))))
+        sure = s * np.sqrt(1 + (misses / (CAUCHY * scale)) ** 2)
+    design = powers / sure[:, None]
+    left = (y - powers @ c) / sure
+    wider = max(1.0, float(left @ left) / max(len(x) - degree - 1, 1))
+    return np.asarray(c, np.float64), design.T @ design, wider

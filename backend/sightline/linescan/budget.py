@@ -5,16 +5,13 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from sightline.linescan.boundaries import U_LINE_LINES
 from sightline.linescan.parts import Entry, Passage, Rig
 from sightline.linescan.registration import Clock, Fit
 
 Array = NDArray[np.float64]
-# what the half-way rule leaves on a round bumper, metres, standard uncertainty of one boundary
-U_EDGE_M = 0.0016
-# how much wider the errors scatter than the clusters of one vehicle say: what a whole vehicle has in common
-# (sampling between coarse lines, weights of blocks that follow the residuals). Found on 360 simulated
-# vehicles, the same at 2 and at 8 DN of noise, checked on others by the bench
-MODEL = 1.25
+# what the half-way rule and the parabola leave on a round bumper, metres, standard u of one boundary
+U_EDGE_M = 0.0006
 
 
 @dataclass(frozen=True)
@@ -50,7 +47,9 @@ def budget_of(
 
     CONVENTIONS.md, Line scan; entries add as squares, the fit's two with their covariance (JCGM 100:2008,
     5.1.2 and 5.2.2). A longer baseline scales speed, acceleration and length alike; a faster line rate the
-    speed, twice as much the acceleration, and the length not at all.
+    speed, twice as much the acceleration, and the length not at all. The speed is that at the front's
+    crossing of camera 1, so of a vehicle that gains speed it errs as the front is misplaced: by
+    a u_front / v.
     """
     course = fit.state.course
     c = passage.crossings
@@ -66,11 +65,11 @@ def budget_of(
     length = sum(lengths) / 2
     by_speed = (r1 + r2 - f2) / 2
     by_acceleration = (r1**2 + r2**2 - f2**2) / 4
-    alone = MODEL**2 * spread
     answer = _answer_to_shift(fit) * u_shift
     due = np.outer(answer, answer)
     apart = gone(f2) - course.baseline_m, gone(r2) - gone(r1) - course.baseline_m
-    u_edges = float(np.hypot(_u_edges(*apart), passage.u_boundaries_m))
+    u_lines_m = U_LINE_LINES * v / rig.line_rate_hz
+    u_edges = float(np.hypot(_u_edges(*apart, passage.u_boundaries_m), u_lines_m))
     gradient = np.array([by_speed, by_acceleration])
 
     def entry(source: str, spread: Array) -> Entry:
@@ -83,14 +82,14 @@ def budget_of(
         Entry("baseline", v * ratio, abs(a) * ratio, length * ratio),
         Entry("clock", v * clock_ratio, 2 * abs(a) * clock_ratio, 0.0),
         entry("misalignment", due),
-        entry("fit", alone),
-        Entry("boundaries", 0.0, 0.0, u_edges),
+        entry("fit", spread),
+        Entry("boundaries", abs(a) / v * u_edges / float(np.sqrt(2)), 0.0, u_edges),
     )
     u = [
         float(np.sqrt(sum(getattr(e, name) ** 2 for e in entries)))
         for name in ("u_speed_mps", "u_acceleration_mps2", "u_length_m")
     ]
-    together = float((alone + due)[0, 1]) + v * a * ratio**2 + 2 * v * a * clock_ratio**2
+    together = float((spread + due)[0, 1]) + v * a * ratio**2 + 2 * v * a * clock_ratio**2
     correlation = float(np.clip(together / (u[0] * u[1]), -1.0, 1.0)) if u[0] * u[1] > 0 else 0.0
     return Budget(
         length_m=length,
@@ -112,6 +111,8 @@ def _answer_to_shift(fit: Fit) -> Array:
     return np.asarray(-np.linalg.lstsq(normal / np.outer(size, size), right / size, rcond=1e-12)[0] / size)
 
 
-def _u_edges(front_m: float, rear_m: float) -> float:
-    """Of the length: what both cameras disagree about the same boundary says how well each is known."""
-    return float(np.sqrt(2 * U_EDGE_M**2 + (front_m**2 + rear_m**2) / 4))
+def _u_edges(front_m: float, rear_m: float, u_found_m: float) -> float:
+    """Of the length: the shape of both ends, and how well they were found, which the bands about them say, or
+    what both cameras disagree about the same boundary if that is more.
+    """
+    return float(np.sqrt(2 * U_EDGE_M**2 + max((front_m**2 + rear_m**2) / 4, u_found_m**2)))

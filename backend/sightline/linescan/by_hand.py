@@ -67,7 +67,8 @@ def road_beside(finder: Finder, front: float, rear: float, read: Read) -> Road:
 def seen_by_camera_2(
     front_1: float, rear_1: float, rig: Rig, rows: int, reads: tuple[Read, Read]
 ) -> Crossings:
-    """Where a vehicle marked in strip 1 alone crosses camera 2, by the likeness of both pictures in time.
+    """Where a vehicle marked in strip 1 alone crosses camera 2, after or before camera 1, by the likeness of
+    both pictures in time.
 
     Raises LookupError where nothing in strip 2 looks like it.
     """
@@ -78,15 +79,30 @@ def seen_by_camera_2(
     start, stop = max(0, int(front_1)), int(rear_1) + 1
     roads = [road_beside(finder, front_1, rear_1, read) for read in reads]
     first = _unlike(reads[0](start, stop), roads[0], finder)
-    second = _unlike(reads[1](start + nearest, stop + farthest), roads[1], finder)
-    if len(first) < 4 or len(second) < len(first):
+    found = [
+        _most_like(first, start, _unlike(reads[1](begin, end), roads[1], finder), begin, finder.grid.step)
+        for begin, end in (
+            (start + nearest, stop + farthest),
+            (max(0, start - farthest), max(0, stop - nearest)),
+        )
+    ]
+    likeness, shift = max(found)
+    if not likeness >= LEAST_LIKENESS:
         raise LookupError
+    return Crossings(front_1, rear_1, front_1 + shift, rear_1 + shift)
+
+
+def _most_like(
+    first: NDArray[np.float32], start: int, second: NDArray[np.float32], begin: int, step: int
+) -> tuple[float, int]:
+    """How like `first` (steps, bands; from line `start`) the likest part of `second` (from line `begin`) is,
+    and the shift to it in lines.
+    """
+    if len(first) < 4 or len(second) < len(first):
+        return -1.0, 0
     likeness = cv2.matchTemplate(second, first, cv2.TM_CCOEFF_NORMED)[:, 0]
     at = int(np.argmax(likeness))
-    if not likeness[at] >= LEAST_LIKENESS:
-        raise LookupError
-    shift = nearest + at * finder.grid.step
-    return Crossings(front_1, rear_1, front_1 + shift, rear_1 + shift)
+    return float(likeness[at]), begin + at * step - start
 
 
 def _unlike(picture: Pixels, road: Road, finder: Finder) -> NDArray[np.float32]:

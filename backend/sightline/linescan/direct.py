@@ -6,7 +6,8 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from sightline.linescan.budget import MODEL, budget_of
+from sightline.linescan.budget import budget_of
+from sightline.linescan.finding import TOO_FEW_LINES
 from sightline.linescan.masks import (
     ROWS,
     Points,
@@ -21,6 +22,7 @@ from sightline.linescan.masks import (
 )
 from sightline.linescan.parts import Crossings, Motion, Passage, Pixels, Profile, Rig
 from sightline.linescan.registration import Clock, Fit, Prior, State, register
+from sightline.linescan.rig import baseline_of
 from sightline.linescan.spread import covariance, second_slopes
 from sightline.linescan.warp import solved_by_boundaries
 
@@ -34,26 +36,27 @@ FEWEST_POINTS = 150
 BLOCK_M = 0.10
 BLOCK_ROWS = 12
 CELL_M = 0.18
-CLUSTER_M = 0.30
+# errors go together over some decimetres; one length alone would make u itself scatter more
+CLUSTERS_M = (0.30, 0.20, 0.45)
 PROFILE_M = 0.15
 UNLIKE_M = 0.05
+# by how much of the speed that the boundaries say the pictures may say another
+MOST_MOVED = 0.25
 MOST_SATURATED = 0.03
-NO_TEXTURE = "Too little of the vehicle stands out clearly enough to be followed from one strip to the other."
+NO_TEXTURE = "Too little of the vehicle is clear enough to be registered between the strips."
 NO_MATCH = (
-    "The two pictures of the vehicle do not fit one motion: two vehicles side by side, "
-    "a vehicle that stopped, or lost lines."
+    "The two images of the vehicle do not fit one motion: two vehicles side by side, a vehicle "
+    "that stopped, or lost lines."
 )
-NO_ORDER = (
-    "The boundaries are not in order: the front must come before the rear, and camera 1 before camera 2."
-)
+NO_ORDER = "The boundaries are not in order: the front must come before the rear at both cameras."
 
 
 @dataclass(frozen=True, eq=False)
 class Scene:
     """What the registration works on: both sheets, the points, the clock, and what the points fall into.
 
-    `block`: trusted or not as a whole; `cell`: has a gain and an offset of its own; `cluster`: its errors
-    go together. (n,) numbers each.
+    `block`: trusted or not as a whole; `cell`: has a gain and an offset of its own; `clusters`: whose errors
+    go together, for each of CLUSTERS_M. (n,) numbers each.
     """
 
     first: Sheet
@@ -61,17 +64,10 @@ class Scene:
     points: Points
     block: NDArray[np.intp]
     cell: NDArray[np.intp]
-    cluster: NDArray[np.intp]
+    clusters: tuple[NDArray[np.intp], ...]
     clock: Clock
     lines_per_m: float
     noise_dn: float
-
-
-def baseline_of(rig: Rig) -> tuple[float, float]:
-    """Baseline at the vehicle and its standard uncertainty, divergence of the planes included."""
-    away = rig.distance_m or 0.0
-    u = float(np.hypot(rig.u_baseline_m, rig.u_divergence_rad * away))
-    return rig.baseline_m + rig.divergence_rad * away, u
 
 
 def measure_direct(passage: Passage, rig: Rig) -> Motion:
@@ -93,7 +89,7 @@ def measure_direct(passage: Passage, rig: Rig) -> Motion:
     if len(scene.points) < FEWEST_POINTS:
         return _none(crossings, NO_TEXTURE)
     whole, fit = _coarse_to_fine(scene, start, prior)
-    reason = _distrusted(fit, scene, start)
+    reason = _distrusted(fit, scene, start, rig)
     if reason:
         return _none(crossings, reason)
     return _answer(passage, rig, scene, prior, whole, fit)
@@ -124,7 +120,7 @@ def _prepared(passage: Passage, rig: Rig) -> tuple[Scene, State, Prior]:
     per_m = lines_per_m / step
     block = _blocks(points, BLOCK_M * per_m, BLOCK_ROWS)
     cell = _blocks(points, CELL_M * per_m, int(np.clip(round(noise / 2.5), 1, 4)))
-    cluster = _blocks(points, CLUSTER_M * per_m, ROWS + 1)
+    clusters = tuple(_blocks(points, size_m * per_m, ROWS + 1) for size_m in CLUSTERS_M)
     prior = Prior()
     if rig.misalignment_px is not None:
         prior = Prior(rig.misalignment_px / band, max(rig.u_misalignment_px, 0.005) / band)
@@ -134,7 +130,7 @@ def _prepared(passage: Passage, rig: Rig) -> tuple[Scene, State, Prior]:
         points=points,
         block=block,
         cell=cell,
-        cluster=cluster,
+        clusters=clusters,
         clock=clock,
         lines_per_m=lines_per_m,
         noise_dn=noise,
@@ -171,8 +167,12 @@ def _coarse_to_fine(scene: Scene, start: State, prior: Prior) -> tuple[Fit, Fit]
     return whole, register(*args, whole.state, prior, scene.block, free, scene.cell)
 
 
-def _distrusted(fit: Fit, scene: Scene, start: State) -> str | None:
-    """Why the registration's end is not to be believed, or None."""
+def _distrusted(fit: Fit, scene: Scene, start: State, rig: Rig) -> str | None:
+    """Why the registration's end is not to be believed, or None.
+
+    Where a line at either end is a quarter of the way from camera to camera, boundaries a line off say
+    another speed than pictures that fit: then it is the lines that are too few.
+    """
     used = fit.weight > 0.05
     if used.sum() < FEWEST_POINTS:
         return NO_TEXTURE
@@ -188,14 +188,17 @@ def _distrusted(fit: Fit, scene: Scene, start: State) -> str | None:
     # away from what the boundaries say, by pictures that miss each other: both limits on simulated vehicles
     # side by side or stopping; single ones miss each other by up to 0.34 samples at 2 DN, 0.47 at 8 DN
     apart = (moved > 0.05 and missed > 0.25) or (max(moved, bent) > 0.02 and missed > 0.6)
-    return NO_MATCH if moved > 0.25 or apart or abs(told.acceleration_mps2) > 11.5 else None
+    lines = began.baseline_m / began.speed_mps * rig.line_rate_hz
+    if moved > MOST_MOVED and 2 / lines > MOST_MOVED:
+        return TOO_FEW_LINES.format(lines=lines)
+    return NO_MATCH if moved > MOST_MOVED or apart or abs(told.acceleration_mps2) > 11.5 else None
 
 
 def _answer(passage: Passage, rig: Rig, scene: Scene, prior: Prior, whole: Fit, fit: Fit) -> Motion:
     c, course = passage.crossings, fit.state.course
     shift, u_shift = whole.state.shift, _u_shift(scene, prior, whole)
     slopes = second_slopes(scene.first, scene.second, scene.points, scene.clock, fit, scene.cell)
-    spread = covariance(fit, slopes, scene.cluster, 2, prior)
+    spread = np.mean([covariance(fit, slopes, one, 2, prior) for one in scene.clusters], axis=0)
     budget = budget_of(passage, rig, scene.clock, fit, spread, u_shift, baseline_of(rig))
     profile = _profile(scene, fit, rig)
     return Motion(
@@ -226,26 +229,26 @@ def _u_shift(scene: Scene, prior: Prior, whole: Fit) -> float:
     A row's own gain errs alike all along the vehicle, so rows are clusters too, and both variances add up
     (Cameron, Gelbach and Miller 2011; what both count is small and left in).
     """
-    few = round(len(scene.cluster) / len(whole.weight))
+    few = round(len(scene.points) / len(whole.weight))
     points = scene.points.every(few)
     slopes = second_slopes(scene.first, scene.second, points, scene.clock, whole)
-    clusters = scene.cluster[::few], points.row.astype(np.intp)
+    clusters = scene.clusters[0][::few], points.row.astype(np.intp)
     variance = sum(covariance(whole, slopes, cluster, 5, prior)[2, 2] for cluster in clusters)
-    return MODEL * float(np.sqrt(variance))
+    return float(np.sqrt(variance))
 
 
 def _warnings(passage: Passage, scene: Scene, fit: Fit, apart_m: float) -> tuple[str, ...]:
     """What a person should look at before believing the numbers."""
     said = []
     if not fit.settled:
-        said.append("The registration did not settle completely.")
+        said.append("The registration did not converge completely.")
     if apart_m > UNLIKE_M:
         said.append(
-            f"The cameras disagree by {100 * apart_m:.0f} cm about the front or the rear: look at the "
-            "boundaries, and whether two vehicles pass side by side."
+            f"The cameras disagree by {100 * apart_m:.0f} cm about the front or the rear: check "
+            "the boundaries, and whether two vehicles pass side by side."
         )
     if max(_saturated(passage.first), _saturated(passage.second)) > MOST_SATURATED:
-        said.append("Part of the picture is saturated: open the exposure less.")
+        said.append("Part of the image is saturated; reduce the exposure.")
     return tuple(said)
 
 

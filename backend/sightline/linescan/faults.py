@@ -6,6 +6,7 @@ Recorders that count them should say so beside the file.
 
 import numpy as np
 
+from sightline.linescan.background import MOST_UNREST
 from sightline.linescan.finding import Finder
 from sightline.linescan.watching import Watcher
 
@@ -17,27 +18,29 @@ SATURATED_SHARE = 0.02
 def notes_of(finder: Finder) -> list[str]:
     """One sentence for each thing that a finder saw besides vehicles, after `finish`; empty if nothing."""
     seconds = max(finder.watchers[0].lines / finder.rig.line_rate_hz, 1e-9)
-    said = [_none_found(finder), _swapped(finder), _alone(finder), _jumps(finder)]
+    said = [_none_found(finder), _swapped(finder), _alone(finder), _jumps(finder), _moves(finder)]
     for number, watcher in enumerate(finder.watchers, 1):
-        said += [_blips(number, watcher, seconds), _flicker(number, watcher), _saturated(number, watcher)]
+        said += [
+            _unrest(number, watcher),
+            _blips(number, watcher, seconds),
+            _flicker(number, watcher),
+            _saturated(number, watcher),
+        ]
     return [sentence for sentence in said if sentence]
 
 
 def _none_found(finder: Finder) -> str | None:
     if finder.found:
         return None
-    return (
-        "No vehicle was found: the road is empty, or the strips do not show it; look at them, and check "
-        "that time runs along the axis given."
-    )
+    return "No vehicle was found; check the strips, and that time runs along the chosen axis."
 
 
 def _swapped(finder: Finder) -> str | None:
-    if finder.reversed * 2 <= max(2, finder.found):
+    if finder.reversed < 2 or finder.reversed * 10 < finder.found * 9:
         return None
     return (
-        f"{finder.reversed} of {finder.found} vehicles reached the second strip first; if all traffic goes "
-        "one way, the strips are swapped: give them the other way round."
+        f"{finder.reversed} of {finder.found} vehicles reached the second strip first; if traffic "
+        "does not run that way here, the strips are swapped."
     )
 
 
@@ -45,8 +48,8 @@ def _alone(finder: Finder) -> str | None:
     if finder.alone <= max(2, 0.2 * finder.found):
         return None
     return (
-        f"{finder.alone} times something passed one camera only: check that both look at the same lane and "
-        "that baseline and line rate are right."
+        f"{finder.alone} times something passed only one camera: check that both show the same "
+        "lane, and check baseline and line rate."
     )
 
 
@@ -55,7 +58,24 @@ def _jumps(finder: Finder) -> str | None:
     if not jumps:
         return None
     times = "once" if jumps == 1 else f"{jumps} times"
-    return f"The light jumped {times}; a vehicle that passed at such a moment may be missing."
+    return f"The brightness changed suddenly {times}; vehicles that passed at that moment may be missing."
+
+
+def _moves(finder: Finder) -> str | None:
+    moves = max(watcher.moves for watcher in finder.watchers)
+    if not moves:
+        return None
+    times = "once" if moves == 1 else f"{moves} times"
+    return f"A camera moved {times}: the road is some rows higher or lower since then; fix the camera firmly."
+
+
+def _unrest(number: int, watcher: Watcher) -> str | None:
+    if watcher.road is None or watcher.road.unrest <= MOST_UNREST:
+        return None
+    return (
+        f"The empty road of camera {number} varies by {100 * watcher.road.unrest:.0f} % from line "
+        "to line: snow, rain, or a vehicle at the start; record the empty road first."
+    )
 
 
 def _blips(number: int, watcher: Watcher, seconds: float) -> str | None:
@@ -63,20 +83,20 @@ def _blips(number: int, watcher: Watcher, seconds: float) -> str | None:
     if rate < BLIPS_PER_S:
         return None
     return (
-        f"Camera {number} saw {rate:.0f} short things a second: rain, snow or insects; boundaries are "
-        "unsure, look at them."
+        f"Camera {number} shows {rate:.0f} short objects a second: rain, snow or insects; check "
+        "the boundaries."
     )
 
 
 def _flicker(number: int, watcher: Watcher) -> str | None:
-    if watcher.road is None:
+    if watcher.road is None or watcher.road.unrest > MOST_UNREST:
         return None
     share = np.sqrt(2) * watcher.road.common_dn / max(float(np.mean(watcher.road.pooled)), 1.0)
     if share < FLICKER_SHARE:
         return None
     return (
-        f"The light before camera {number} flickers by {100 * share:.0f} %, as lamps on mains do; use other "
-        "lamps, or expect wider uncertainties."
+        f"The light at camera {number} flickers by {100 * share:.0f} %, as mains lighting does; "
+        "use other lighting, or expect larger uncertainties."
     )
 
 
@@ -84,4 +104,4 @@ def _saturated(number: int, watcher: Watcher) -> str | None:
     share = watcher.saturated_lines / max(watcher.lines, 1)
     if share < SATURATED_SHARE:
         return None
-    return f"{100 * share:.0f} % of the picture of camera {number} is saturated: open the exposure less."
+    return f"{100 * share:.0f} % of the image of camera {number} is saturated; reduce the exposure."

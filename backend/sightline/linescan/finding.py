@@ -10,10 +10,12 @@ from typing import cast
 import numpy as np
 
 from sightline.errors import BadInput
-from sightline.linescan.background import Grid, enough_lines
+from sightline.linescan.background import MOST_UNREST, Grid, enough_lines
 from sightline.linescan.boundaries import refined
+from sightline.linescan.lanes import lane_of
 from sightline.linescan.parts import Crossings, Passage, Pixels, Rig
-from sightline.linescan.watching import Event, Spans, Watcher
+from sightline.linescan.rig import at_lane
+from sightline.linescan.watching import Event, Spans, Watcher, present
 
 BANDS = 64
 STEPS_HZ = 1220.0
@@ -30,13 +32,19 @@ TOO_LONG = (
     "Something stood in view for longer than a vehicle takes to pass; it stopped, or the light changed."
 )
 CUT = "The vehicle is cut off by the beginning or the end of the recording."
-OTHER_WAY = (
-    "The vehicle reached camera 2 first: it drives the other way (alone or beside another), or the two "
-    "strips are swapped; if most vehicles say so, exchange the strips."
+NO_ROAD = (
+    "The empty road before the vehicle is too unsteady: snow, rain, or traffic from the first "
+    "line on; start to record while the road is empty."
 )
-TWO_AT_ONCE = (
-    "The two cameras saw it for different lengths of time: two vehicles pass side by side, or it stopped."
+NO_VEHICLE_SO_LONG = (
+    "Its estimated length is {length_m:.0f} m, and the limit is {most_m:g} m: a train, vehicles "
+    "without a gap, or a wrong baseline or line rate."
 )
+TOO_FEW_LINES = (
+    "Only about {lines:.0f} lines were recorded between the two cameras, too few for its speed or "
+    "direction: raise the line rate, or set the cameras further apart."
+)
+TWO_AT_ONCE = "The cameras show it for different durations: two vehicles pass side by side, or it stopped."
 
 
 @dataclass(eq=False)
@@ -79,7 +87,7 @@ class Finder:
         rate = rig.line_rate_hz
         step = max(1, round(rate / STEPS_HZ))
         self.rig, self.rows = rig, rows
-        self.grid = Grid(rows, step, max(1, rows // BANDS))
+        self.grid = Grid(rows, step, max(1, rows // BANDS), 1.0 - rig.shadow_share)
         lines = max(16 * step, round(BLOCK_S * rate))
         # whole tiles of the stored form where that comes near
         self.block = (
@@ -117,6 +125,13 @@ class Finder:
         for held, piece in zip(self._held, (first, second), strict=True):
             held.append(piece)
         return self._work(False)
+
+    @property
+    def settled_line(self) -> int:
+        """Every vehicle whose rear came before this line has been returned, or counted as left out."""
+        fronts = [event.front for waiting in self._waiting for event in waiting]
+        open_since = [watcher.busy_since for watcher in self.watchers]
+        return max(0, int(min([*fronts, *open_since])))
 
     def finish(self) -> list[Passage]:
         """The recording ends here: returns what is left."""
@@ -178,7 +193,8 @@ class Finder:
                 continue
             if not last and min(reel.stop for reel in self._buffers) < self._needed_to(one[0], two[0]):
                 break
-            out.append(self._passage(one.popleft(), two.popleft(), way))
+            out.append(self._passage(one.popleft(), two.popleft()))
+            self.reversed += way < 0 and out[-1].reason is None
         self._drop_late()
         return out
 
@@ -200,36 +216,58 @@ class Finder:
         if one.still or two.still or one.cut or two.cut:
             overlap = min(one.rear, two.rear) - max(one.front, two.front)
             return 1 if overlap > -self.spans.guard else None
-        shift = abs(delay + two.rear - one.rear) / 2
+        shift = self._shift(one, two)
         lines = self.rig.baseline_m * self.rig.line_rate_hz
         # a step of uncertainty in the delay matters where it is only a few steps long
-        slowest = lines / max(shift - 2 * self.grid.step, 0.5)
-        fastest = lines / (shift + 2 * self.grid.step)
+        most_mps = lines / max(shift - 2 * self.grid.step, 0.5)
+        least_mps = lines / (shift + 2 * self.grid.step)
         duration = (one.rear - one.front + two.rear - two.front) / 2 / self.rig.line_rate_hz
-        speed_ok = slowest >= SPEEDS_MPS[0] and fastest <= SPEEDS_MPS[1]
-        if not speed_ok or slowest * duration < LENGTHS_M[0] or fastest * duration > LENGTHS_M[1]:
+        if most_mps < SPEEDS_MPS[0] or least_mps > SPEEDS_MPS[1] or most_mps * duration < LENGTHS_M[0]:
+            return None
+        apart = min(one.rear, two.rear) <= max(one.front, two.front)
+        if not self._alike(one, two) and (apart or least_mps * duration > LENGTHS_M[1]):
+            return None
+        if apart and least_mps * duration > LENGTHS_M[1]:
             return None
         return 1 if delay + two.rear - one.rear > 0 else -1
 
-    def _reason(self, one: Event, two: Event, way: int) -> str | None:
+    def _shift(self, one: Event, two: Event) -> float:
+        """Lines from camera to camera, the mean of front and rear, whichever way."""
+        return abs(two.front - one.front + two.rear - one.rear) / 2
+
+    def _alike(self, one: Event, two: Event) -> bool:
+        """Whether both cameras saw something for the same length of time."""
+        first, second = one.rear - one.front, two.rear - two.front
+        return abs(first - second) - 6 * self.grid.step <= 0.12 * max(first, second)
+
+    def _long(self, one: Event, two: Event) -> str | None:
+        """That it is longer than any vehicle, whatever its ends' rough lines may be off by."""
+        lines = (one.rear - one.front + two.rear - two.front) / 2
+        shift = self._shift(one, two)
+        if lines * self.rig.baseline_m / (shift + 2 * self.grid.step) <= LENGTHS_M[1]:
+            return None
+        length_m = lines * self.rig.baseline_m / shift
+        return NO_VEHICLE_SO_LONG.format(length_m=length_m, most_m=LENGTHS_M[1])
+
+    def _reason(self, one: Event, two: Event) -> str | None:
+        if max(one.road.unrest, two.road.unrest) > MOST_UNREST:
+            return NO_ROAD
         if one.still or two.still:
             return STOPPED
         if one.cut or two.cut:
             ended = min(reel.stop for reel in self._buffers) - max(one.rear, two.rear) < 2 * self.margin
             started = min(one.front, two.front) < self.margin
             return CUT if ended or started else TOO_LONG
-        if way < 0:
-            return OTHER_WAY
+        shift = self._shift(one, two)
+        if shift <= 2 * self.grid.step:
+            return TOO_FEW_LINES.format(lines=shift)
         if min(one.front, two.front) < self.margin:
             return CUT
-        first, second = one.rear - one.front, two.rear - two.front
-        uneven = abs(first - second) - 6 * self.grid.step
-        return TWO_AT_ONCE if uneven > 0.12 * max(first, second) else None
+        return self._long(one, two) if self._alike(one, two) else TWO_AT_ONCE
 
-    def _passage(self, one: Event, two: Event, way: int) -> Passage:
-        reason = self._reason(one, two, way)
+    def _passage(self, one: Event, two: Event) -> Passage:
+        reason = self._reason(one, two)
         self.found += 1
-        self.reversed += reason == OTHER_WAY
         cuts = []
         for event, reel in zip((one, two), self._buffers, strict=True):
             stop = int(event.rear) + self.margin + 1
@@ -250,5 +288,29 @@ class Finder:
         )
         if reason:
             return passage
-        crossings, u_boundaries_m = refined(passage, self.rig)
-        return replace(passage, crossings=crossings, u_boundaries_m=u_boundaries_m)
+        if not self.rig.lanes:
+            return _bounded(passage, self.rig)
+        lane = lane_of(passage, self.rig).lane
+        name = None if lane is None else lane.name
+        rig = at_lane(self.rig, name, passage.crossings.direction)
+        if rig.shadow_share > self.rig.shadow_share:
+            ends = [self._above(*one, 1 - rig.shadow_share) for one in zip((one, two), cuts, strict=True)]
+            passage = replace(passage, crossings=Crossings(*ends[0], *ends[1]))
+        return _bounded(passage, rig)
+
+    def _above(self, event: Event, cut: tuple[Pixels, int], upper_part: float) -> tuple[float, float]:
+        """Front and rear, roughly, by the rows above a lane's own shadow zone alone."""
+        picture, start = cut
+        step = self.grid.step
+        there = np.flatnonzero(present(self.grid.pooled(picture), event.road, upper_part))
+        lines = start + there * step
+        lines = lines[(lines > event.front - step) & (lines < event.rear)]
+        if not len(lines):
+            return event.front, event.rear
+        return max(float(lines[0]) - 0.5, event.front), min(float(lines[-1]) + step - 0.5, event.rear)
+
+
+def _bounded(passage: Passage, rig: Rig) -> Passage:
+    """The passage with its boundaries to a fraction of a line."""
+    crossings, u_boundaries_m = refined(passage, rig)
+    return replace(passage, crossings=crossings, u_boundaries_m=u_boundaries_m)

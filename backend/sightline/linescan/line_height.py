@@ -58,7 +58,7 @@ def line_height(
     contact, target = (float(pose.slopes_of(row)) for row in (contact_row_px, target_row_px))
     if contact >= 0:
         return _refused(
-            "The contact is at or above the horizon, where no road is; click where the tyre stands."
+            "The contact is at or above the horizon, where there is no road; click the tyre contact."
         )
     if target_row_px >= contact_row_px:
         return _refused("The target is not above the contact; click the contact first, then the target.")
@@ -129,7 +129,7 @@ def _warnings(pose: LinePose, *rows: float) -> tuple[str, ...]:
     margin = 0.1 * (high - low)
     if all(low - margin <= row <= high + margin for row in rows):
         return ()
-    return ("A click lies outside the rows that the marks covered, so the pose is extrapolated.",)
+    return ("A click lies outside the rows covered by the marks, so the pose is extrapolated.",)
 
 
 def _refused(reason: str) -> LineHeight:

@@ -20,8 +20,8 @@ covariance to first order.
 from dataclasses import dataclass
 
 import numpy as np
+import scipy
 from numpy.typing import ArrayLike, NDArray
-from scipy.optimize import least_squares
 
 LEAST_MARKS = 4
 # Beyond this, columns of the scaled Jacobian cannot be told apart: the marks do not fix the pose.
@@ -103,7 +103,9 @@ def solve_line_pose(
     def residuals(x: Floats) -> Floats:
         return _rows(x * scale, _slopes(distance, height, x[3] * scale[3])) - row
 
-    found = least_squares(residuals, start / scale, method="lm", xtol=1e-15, ftol=1e-15, gtol=1e-15)
+    found = scipy.optimize.least_squares(
+        residuals, start / scale, method="lm", xtol=1e-15, ftol=1e-15, gtol=1e-15
+    )
     jacobian = found.jac
     norms = np.linalg.norm(jacobian, axis=0)
     if (
@@ -112,8 +114,8 @@ def solve_line_pose(
         or np.linalg.cond(jacobian / norms) > _WORST_CONDITION
     ):
         raise LinePoseError(
-            "The marks do not fix the camera's height: hold the rod upright at two distances, such as the "
-            "near and the far edge of the lane."
+            "The marks do not determine the camera height: hold the rod upright at two distances, "
+            "such as the near and the far edge of the lane."
         )
     parameters = found.x * scale
     if parameters[3] <= 0:
@@ -158,8 +160,8 @@ def _check(distance: Floats, height: Floats, row: Floats, sigma_px: float | None
         raise LinePoseError("Distances of marks and the sigma of rows must be greater than 0.")
     if np.ptp(distance) < 1e-3 * distance.mean():
         raise LinePoseError(
-            "All marks are at one distance, which leaves the camera's height open; "
-            "hold the rod upright at two."
+            "All marks are at one distance, so the camera height cannot be determined; hold the "
+            "rod upright at two."
         )
 
 

@@ -1,15 +1,20 @@
 """Which pixels of strip 1 tell the motion: clear changes along time, inside the vehicle, spread over it."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cached_property
 
 import cv2
 import numpy as np
+import scipy
 from numpy.typing import NDArray
 
 from sightline.linescan.parts import Pixels
 
 Floats = NDArray[np.float32]
 ROWS = 256
+# beyond so many rows a spline that is 1 in one place has fallen below 1e-6
+_REACH_ROWS = 12
 
 
 @dataclass(frozen=True, eq=False)
@@ -23,6 +28,13 @@ class Sheet:
     start_line: float
     step: int
     band: int
+
+    @cached_property
+    def splines(self) -> Floats:
+        """(n, rows) weights of the cubic B-splines along time that pass through the values."""
+        return np.asarray(
+            scipy.ndimage.spline_filter1d(self.values, order=3, axis=0, output=np.float32, mode="mirror")
+        )
 
     def place(self, line: NDArray[np.float64]) -> NDArray[np.float64]:
         """Places in `values`, of the same shape, of strip lines, `line` of any shape."""
@@ -170,44 +182,78 @@ def points_at(sheet: Sheet, place: NDArray[np.generic], row: NDArray[np.generic]
     )
 
 
-def _cubic(part: Floats) -> tuple[NDArray[np.floating], ...]:
-    """Catmull-Rom's four weights for fractions in 0..1."""
-    t, t2, t3 = part, part * part, part * part * part
-    return (
-        (-t3 + 2 * t2 - t) / 2,
-        (3 * t3 - 5 * t2 + 2) / 2,
-        (-3 * t3 + 4 * t2 + t) / 2,
-        (t3 - t2) / 2,
-    )
+def sampled(sheet: Sheet, place: NDArray[np.float64], row: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Values (n,) of a sheet between its lines at `place` (n,), at whole rows `row` (n,); the rim's outside.
 
-
-def sampled(values: Floats, place: NDArray[np.float64], row: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Values (n,) of a picture, `values` (lines, rows), between its lines at `place` (n,), at whole rows
-    `row` (n,); cubic; outside, the rim's.
-
-    Catmull and Rom 1974, which is the cubic convolution of Keys 1981 with a = -1/2. OpenCV's remap rounds
-    places to 1/32 of a pixel, which is too much here.
+    Cubic B-splines (Unser 1999). With cubic convolution (Keys 1981) a fast vehicle's speed was off by 0.011 %
+    where nothing but the lines' spacing was at fault, alike all along it, so that no scatter told of it; by
+    0.002 % with splines, and no less with those of the fifth degree. OpenCV's remap rounds places to 1/32 of
+    a pixel.
     """
-    lines, rows = values.shape
+    return _summed(sheet, place, row, _b_spline)
+
+
+def slopes_along(sheet: Sheet, place: NDArray[np.float64], row: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Derivatives (n,) of `sampled` by its `place` (n,), at whole rows `row` (n,): grey values a line of the
+    sheet (Unser 1999).
+    """
+    return _summed(sheet, place, row, _b_spline_slope)
+
+
+def _summed(
+    sheet: Sheet,
+    place: NDArray[np.float64],
+    row: NDArray[np.float64],
+    weights: Callable[[Floats], tuple[NDArray[np.floating], ...]],
+) -> NDArray[np.float64]:
+    lines, rows = sheet.values.shape
     place = np.clip(place, 1, lines - 2.001)
     at = place.astype(np.intp)
-    flat = values.ravel()
+    flat = sheet.splines.ravel()
     base = (at - 1) * rows + row.astype(np.intp)
     total = np.zeros(len(place), np.float32)
-    for by_line in _cubic((place - at).astype(np.float32)):
+    for by_line in weights((place - at).astype(np.float32)):
         total += by_line * flat.take(base)
         base += rows
     return total.astype(np.float64)
 
 
 def shifted(sheet: Sheet, shift: float) -> Sheet:
-    """The sheet whose row r shows what the given one shows at row r + shift; cubic, the rim repeated."""
+    """The sheet whose row r shows what this one has at row r + shift: cubic splines, the rim repeated."""
     if shift == 0.0:
         return sheet
-    whole = int(np.floor(shift))
-    kernel = np.zeros((1, 2 * abs(whole) + 5), np.float32)
-    middle = kernel.shape[1] // 2
-    weights = _cubic(np.array(shift - whole, np.float32))
-    kernel[0, middle + whole - 1 : middle + whole + 3] = weights
-    values = cv2.filter2D(sheet.values, -1, kernel, borderType=cv2.BORDER_REPLICATE)
+    kernel = _shift_kernel(shift)
+    values = cv2.filter2D(sheet.values, -1, kernel[None], borderType=cv2.BORDER_REPLICATE)
     return Sheet(np.asarray(values, np.float32), sheet.start_line, sheet.step, sheet.band)
+
+
+def _b_spline(part: Floats) -> tuple[NDArray[np.floating], ...]:
+    """The cubic B-spline's four weights for fractions in 0..1."""
+    t, rest = part, 1 - part
+    return (
+        rest**3 / 6,
+        (3 * t**3 - 6 * t**2 + 4) / 6,
+        (3 * rest**3 - 6 * rest**2 + 4) / 6,
+        t**3 / 6,
+    )
+
+
+def _b_spline_slope(part: Floats) -> tuple[NDArray[np.floating], ...]:
+    """What `_b_spline` changes by, per sample."""
+    t, rest = part, 1 - part
+    return -(rest**2) / 2, (3 * t**2 - 4 * t) / 2, (4 * rest - 3 * rest**2) / 2, t**2 / 2
+
+
+def _shift_kernel(shift: float) -> Floats:
+    """Weights of a filter: the spline that is 1 in the middle and 0 elsewhere, read `shift` rows on."""
+    whole = int(np.floor(shift))
+    half = abs(whole) + _REACH_ROWS
+    single = np.zeros(2 * half + 1)
+    single[half] = 1.0
+    splines = np.asarray(scipy.ndimage.spline_filter1d(single, order=3, mode="mirror"))
+    weights = _b_spline(np.array(shift - whole, np.float32))
+    # what filter2D sums at row r is kernel[k] of row r + k - half
+    kernel = np.zeros(2 * half + 1, np.float32)
+    for place, weight in zip(range(whole - 1, whole + 3), weights, strict=True):
+        kernel += np.float32(weight) * np.roll(splines, place).astype(np.float32)
+    return kernel

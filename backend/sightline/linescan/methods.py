@@ -1,17 +1,24 @@
-"""Motion by either method: the default's warped registration, or the paper's block matching.
+"""Motion by either method, of vehicles of either direction and any lane: the default's warped registration,
+or the paper's block matching.
 
 What either computes is refused where no road vehicle moves so: a number with an uncertainty beside it is
 believed, whatever it says.
 """
 
 from collections.abc import Callable
+from dataclasses import replace
+from math import inf
 
 from sightline.coverage import expanded
 from sightline.enums import ScanMethod
 from sightline.linescan.direct import measure_direct
+from sightline.linescan.either_way import either_way
 from sightline.linescan.finding import LENGTHS_M, SPEEDS_MPS
+from sightline.linescan.fineness import too_coarse
+from sightline.linescan.lanes import in_its_lane
 from sightline.linescan.paper import measure_paper
 from sightline.linescan.parts import Motion, Passage, Rig
+from sightline.linescan.wheels import wheels_in
 
 # Brakes on a dry road give 11 m/s2 at most, and no road engine more than that.
 MOST_ACCELERATION_MPS2 = 11.5
@@ -22,10 +29,11 @@ def unlikely(motion: Motion, rig: Rig) -> str | None:
     """Why a computed motion is no road vehicle's or too unsure to be one, in words; None where it may be.
 
     Speed within 1 to 85 m/s as the front reaches camera 1, still forward as the rear leaves it; acceleration
-    of either sign up to 11.5 m/s^2; length 1 to 32 m; the U95 of speed and length up to a quarter of them.
+    of either sign up to 11.5 m/s^2; length 1 to 32 m; a U95 of speed and length, up to a quarter of them;
+    of the direct method's acceleration, up to 11.5 m/s^2.
     """
     v, a, length = motion.speed_mps, motion.acceleration_mps2, motion.length_m
-    u_v, u_length = motion.u_speed_mps, motion.u_length_m
+    u_v, u_a, u_length = motion.u_speed_mps, motion.u_acceleration_mps2, motion.u_length_m
     if v is None or a is None or length is None or u_v is None or u_length is None:
         return None
     seen = motion.crossings
@@ -37,32 +45,66 @@ def unlikely(motion: Motion, rig: Rig) -> str | None:
     ):
         if not low <= value <= high:
             return (
-                f"The computed {what}, {value:.1f} {unit}, is no road vehicle's ({low:g} to {high:g} "
-                f"{unit}): look at the boundaries, the baseline and the line rate."
+                f"The computed {what} of {value:.1f} {unit} is not plausible for a road vehicle "
+                f"({low:g} to {high:g} {unit}): check the boundaries, the baseline and the line "
+                "rate."
             )
+    if u_v <= 0 or u_length <= 0 or not u_v + u_length < inf:
+        return "Too little of the vehicle was matched to state the uncertainty of its motion."
     if leaving <= 0:
-        return "By the computed motion the vehicle would have stopped in view; look at the boundaries."
+        return "By the computed motion the vehicle would have stopped in view; check the boundaries."
     for what, u, value in (("speed", u_v, v), ("length", u_length, length)):
         if expanded(u) > MOST_U95_SHARE * value:
             return (
-                f"The {what} is unsure by {100 * expanded(u) / value:.0f} % (95 %), too much to be of use: "
-                "the vehicle shows too little, or the boundaries are wrong."
+                f"The U95 of the {what} is {100 * expanded(u) / value:.0f} %, too large to be "
+                "useful: too little of the vehicle is clear, the boundaries are wrong, or two "
+                "vehicles pass at once."
             )
+    # of the paper's method the acceleration is often as unsure; its speed is none the worse for it
+    if motion.method == "direct" and u_a is not None and expanded(u_a) > MOST_ACCELERATION_MPS2:
+        return (
+            f"The U95 of the acceleration is {expanded(u_a):.0f} m/s², more than any vehicle "
+            "brakes: too little of the vehicle is clear, or the boundaries are wrong."
+        )
     return None
 
 
 def believed(measure: Callable[[Passage, Rig], Motion]) -> Callable[[Passage, Rig], Motion]:
-    """A method whose unlikely results are refusals."""
+    """A method whose unlikely results are refusals, as are vehicles for which the lines are too slow."""
 
     def measured(passage: Passage, rig: Rig) -> Motion:
         motion = measure(passage, rig)
+        coarse = too_coarse(passage, rig) if passage.reason is None else None
+        if coarse is not None:
+            return Motion(motion.method, motion.crossings, "not_measurable", coarse)
         reason = unlikely(motion, rig)
         return motion if reason is None else Motion(motion.method, motion.crossings, "not_measurable", reason)
 
     return measured
 
 
+def with_doubt(measure: Callable[[Passage, Rig], Motion]) -> Callable[[Passage, Rig], Motion]:
+    """A method whose motions keep what the doubt about their boundaries brought to the length's u."""
+
+    def measured(passage: Passage, rig: Rig) -> Motion:
+        return replace(measure(passage, rig), u_boundaries_m=passage.u_boundaries_m)
+
+    return measured
+
+
+def axled(measure: Callable[[Passage, Rig], Motion]) -> Callable[[Passage, Rig], Motion]:
+    """A method whose motions tell the wheels that strip 1 shows."""
+
+    def measured(passage: Passage, rig: Rig) -> Motion:
+        motion = measure(passage, rig)
+        if motion.status != "ok":
+            return motion
+        return replace(motion, axle_lines=wheels_in(passage.first, passage.start_1, motion, rig).lines)
+
+    return measured
+
+
 MEASURE: dict[ScanMethod, Callable[[Passage, Rig], Motion]] = {
-    "direct": believed(measure_direct),
-    "paper": believed(measure_paper),
+    "direct": with_doubt(in_its_lane(axled(either_way(believed(measure_direct))))),
+    "paper": with_doubt(in_its_lane(axled(either_way(believed(measure_paper))))),
 }

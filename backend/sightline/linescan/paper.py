@@ -15,13 +15,22 @@ from numpy.typing import NDArray
 from sightline.linescan.equations import exact, travelled_m
 from sightline.linescan.matching import BLOCK_LINES, STEP_LINES, Matches, match_blocks
 from sightline.linescan.parts import Crossings, Entry, Motion, Passage, Profile, Rig
+from sightline.linescan.rig import baseline_of
+from sightline.linescan.spread import widening
 
-LEAST_BLOCKS = 6
+# Blocks overlap, so of six neighbours one counts; two of those are spent on speed and acceleration.
+OVERLAP = BLOCK_LINES / STEP_LINES
+LEAST_FREEDOM = 2.0
 # The search covers this share of the delay beyond what the four crossings say, and no less than these lines.
 MARGIN_SHARE, MARGIN_LINES = 0.05, 8
 U_CROSSING_LINES = 2.0
 # The gate looks at changes over this length of the vehicle: over one line of a slow one, noise hides them.
 GATE_M = 0.006
+
+TOO_FEW_BLOCKS = (
+    f"Too few blocks of {BLOCK_LINES} lines of the vehicle show enough to be matched: it has too little to "
+    "show, or too few lines; raise the line rate, or use the other method."
+)
 
 Floats = NDArray[np.float64]
 
@@ -29,12 +38,12 @@ Floats = NDArray[np.float64]
 def measure_paper(passage: Passage, rig: Rig) -> Motion:
     """Motion of a vehicle by the paper's method; never raises for pictures: a reason instead.
 
-    Standard uncertainties: of the regression (blocks overlap, so only every sixth counts as independent),
-    baseline, clock; for the length the crossings besides.
+    Standard uncertainties: of the regression (blocks overlap, so only every sixth counts as independent; few
+    of them widen u as Student's t is wider), baseline, clock; for the length the crossings besides.
     """
     if passage.reason:
         return _refused(passage.crossings, passage.reason)
-    baseline_m = rig.baseline_m + rig.divergence_rad * (rig.distance_m or 0.0)
+    baseline_m, _ = baseline_of(rig)
     try:
         exact(passage.crossings, baseline_m, rig.line_rate_hz)
     except ValueError:
@@ -42,8 +51,8 @@ def measure_paper(passage: Passage, rig: Rig) -> Motion:
     matches = _match(passage, baseline_m)
     seconds, speeds = _speeds(matches, passage, baseline_m, rig.line_rate_hz)
     used = matches.used
-    if np.count_nonzero(used) < LEAST_BLOCKS:
-        return _refused(passage.crossings, "Too few blocks of the vehicle show enough to be matched.")
+    if np.count_nonzero(used) / OVERLAP - 2 < LEAST_FREEDOM:
+        return _refused(passage.crossings, TOO_FEW_BLOCKS)
     return _regression(passage, rig, baseline_m, matches, seconds, speeds)
 
 
@@ -86,8 +95,10 @@ def _regression(
     normal = np.linalg.inv(design.T @ design)
     speed, acceleration = normal @ design.T @ speeds[used]
     residuals = speeds[used] - design @ (speed, acceleration)
-    variance = float(residuals @ residuals) / (len(residuals) - 2)
-    covariance = variance * normal * (BLOCK_LINES / STEP_LINES)
+    # of n blocks n / OVERLAP are independent observations, and as many less two say how they scatter
+    freedom = len(residuals) / OVERLAP - 2
+    variance = float(residuals @ residuals) / (OVERLAP * freedom)
+    covariance = variance * normal * OVERLAP * widening(freedom) ** 2
     seen = passage.crossings
     rear_s = (seen.rear_line_1 - seen.front_line_1) / rig.line_rate_hz
     length = float(travelled_m(speed, acceleration, rear_s))
@@ -118,7 +129,7 @@ def _budget(
 ) -> tuple[Entry, ...]:
     """Of speed, acceleration and length; the clock shortens a time and leaves the length alone."""
     speed, acceleration, length = motion
-    of_baseline = hypot(rig.u_baseline_m, (rig.distance_m or 0.0) * rig.u_divergence_rad) / baseline_m
+    of_baseline = baseline_of(rig)[1] / baseline_m
     of_length = np.array([rear_s, rear_s**2 / 2])
     of_clock = rig.u_line_rate_ratio
     leaving = speed + acceleration * rear_s

@@ -1,9 +1,10 @@
 """What the line-scan room is told and what it answers: rig, crossings, a vehicle's pictures, its motion.
 
 Conventions. A strip is an array (lines, rows): one line a row of memory, time downwards; row 0 is the top of
-the picture. Line numbers are 0-based centres and fractional; line n was taken at n / line rate. Camera 1 is
-the one the vehicle reaches first. Speed and acceleration are those when the front reaches camera 1
-(time 0 of a motion): b = v t + a t^2 / 2 between the same point's crossings.
+the picture. Line numbers are 0-based centres and fractional; line n was taken at n / line rate. Speed and
+acceleration are those when the front reaches camera 1 (time 0 of a motion), whichever camera it reached
+first: b = v t + a t^2 / 2 between the same point's crossings. A method is given the camera that a vehicle
+reached first as camera 1 (`either_way`).
 """
 
 from dataclasses import dataclass, field
@@ -11,9 +12,31 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from sightline.enums import MeasurementStatus, ScanMethod
+from sightline.enums import LaneBy, MeasurementStatus, ScanDirection, ScanMethod
 
 Pixels = NDArray[np.uint8] | NDArray[np.uint16]
+
+
+USUAL_SHADOW_SHARE = 0.15
+
+
+@dataclass(frozen=True)
+class Lane:
+    """A lane that a rig sees, and by what its vehicles are known.
+
+    `distance_m`: from the cameras to its vehicles' side; `u_distance_m`: of one vehicle's, its place in the
+    lane included. `direction`: of its traffic, None: either. `tyres_from_px`, `tyres_to_px`: rows of strip 1
+    (from the top) between which its tyres meet the road, None: any. `shadow_share`: the rig's for this lane,
+    whose road and shadows lie higher in the picture the farther it is; None: the rig's own.
+    """
+
+    name: str
+    distance_m: float
+    u_distance_m: float = 0.0
+    direction: ScanDirection | None = None
+    tyres_from_px: float | None = None
+    tyres_to_px: float | None = None
+    shadow_share: float | None = None
 
 
 @dataclass(frozen=True)
@@ -22,7 +45,11 @@ class Rig:
 
     `misalignment_px`: a point's row in strip 2 minus its row in strip 1; None: estimated from the traffic.
     `divergence_rad`: angle by which the scanning planes open towards the vehicles; the baseline at a vehicle
-    is `baseline_m + divergence_rad * distance_m`.
+    is `baseline_m + divergence_rad * distance_m`; `baseline_correlation` of the errors of both, as a
+    calibration tells it. `u_distance_m`: of a vehicle's distance, its place in the lane included.
+    `shadow_share`: the lowest share of the rows, in which the road and the vehicle's shadow on it are seen
+    and no vehicle is looked for (Douxchamps et al., section IV). `lanes`: where vehicles drive at several
+    distances; `distance_m`, `u_distance_m` and `shadow_share` are then those of a lane (`rig.at_lane`).
     """
 
     baseline_m: float
@@ -34,6 +61,10 @@ class Rig:
     distance_m: float | None = None
     misalignment_px: float | None = None
     u_misalignment_px: float = 0.0
+    shadow_share: float = USUAL_SHADOW_SHARE
+    baseline_correlation: float = 0.0
+    u_distance_m: float = 0.0
+    lanes: tuple[Lane, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -45,6 +76,12 @@ class Crossings:
     front_line_2: float
     rear_line_2: float
 
+    @property
+    def direction(self) -> ScanDirection:
+        """Which camera it reached first, by the mean of front and rear."""
+        later = self.front_line_2 + self.rear_line_2 - self.front_line_1 - self.rear_line_1
+        return "camera_1_first" if later >= 0 else "camera_2_first"
+
 
 @dataclass(frozen=True, eq=False)
 class Passage:
@@ -53,7 +90,7 @@ class Passage:
     `first`, `second`: (lines, rows) pixels; row 0 of `first` is line `start_1` of strip 1, and so for 2.
     `background_1`, `background_2`: (rows,) float32, the empty road as last seen before the vehicle.
     `noise_dn`: standard deviation of a pixel of the empty road. `reason`: why it cannot be measured, or None.
-    `u_boundaries_m`: what boundaries that are hardly to be seen add to the length's uncertainty.
+    `u_boundaries_m`: what noise and doubt about the boundaries bring to the length's uncertainty.
     """
 
     crossings: Crossings
@@ -114,6 +151,11 @@ class Motion:
     profile: Profile | None = None
     warnings: tuple[str, ...] = field(default=())
     correlation: float | None = None  # of speed and acceleration, as fitted: gaps carry both on
+    axle_lines: tuple[float, ...] | None = None  # of strip 1, at each wheel's hub; None: not looked for
+    lane: str | None = None  # of the rig's lanes; None: not known, or the rig has none
+    lane_by: LaneBy | None = None
+    u_boundaries_m: float = 0.0  # the passage's
+    tyres_px: float | None = None  # row of strip 1 where tyres meet the road; None: not looked for
 
 
 @dataclass(frozen=True)

@@ -87,7 +87,7 @@ def look(first: Sheet, second: Sheet, points: Points, clock: Clock, state: State
     first_s = clock.seconds(first.line(points.place))
     second_s = state.course.second_s(first_s)
     place = second.place(clock.lines(second_s))
-    seen = sampled(second.values, place, points.row)
+    seen = sampled(second, place, points.row)
     margin = 2 + abs(state.shift)
     inside = (place > 2) & (place < len(second.values) - 3)
     inside &= (points.row > margin) & (points.row < second.values.shape[1] - 1 - margin)

@@ -2,22 +2,23 @@
 
 The residual divergence of the scanning planes cannot be told from the traffic: it acts as a longer baseline
 at a farther vehicle, which looks like a faster one. It takes vehicles of known length at several distances,
-or a plumb line at two.
+or a staff or board at two (`rig_calibration`).
 """
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from math import hypot, isfinite, sqrt
-from typing import Protocol
+from typing import Any, Protocol
 
 import numpy as np
+import scipy
 from numpy.typing import ArrayLike, NDArray
-from scipy import stats
 
 from sightline.coverage import COVERAGE_95
+from sightline.enums import ScanDirection
 from sightline.errors import BadInput
 from sightline.linescan.equations import travelled_m
-from sightline.linescan.parts import Motion, Rig
+from sightline.linescan.parts import Lane, Motion, Rig
 
 LEAST_VEHICLES = 5
 LEAST_U_M = 1e-3
@@ -55,12 +56,15 @@ U_LINE_RATE_RATIO = Limits("An uncertainty of the line rate", 0.0, 0.1, "of the 
 DIVERGENCE_RAD = Limits("A divergence", -0.2, 0.2, "rad")
 U_DIVERGENCE_RAD = Limits("An uncertainty of the divergence", 0.0, DIVERGENCE_RAD.most, "rad")
 DISTANCE_M = Limits("A distance to the vehicles", 0.01, 1000.0, "m")
+U_DISTANCE_M = Limits("An uncertainty of the distance to the vehicles", 0.0, 100.0, "m")
+CORRELATION = Limits("A correlation of baseline and divergence", -1.0, 1.0, "")
 MISALIGNMENT_PX = Limits("A misalignment", -1000.0, 1000.0, "px")
+SHADOW_SHARE = Limits("A shadow zone", 0.0, 0.6, "of the rows")
 U_MISALIGNMENT_PX = Limits("An uncertainty of the misalignment", 0.0, MISALIGNMENT_PX.most, "px")
 
 
 def require_rig(rig: Rig) -> None:
-    """Raise BadInput for the first value that no rig has."""
+    """Raise BadInput for the first value that no rig has, and for a divergence without its distance."""
     BASELINE_M.require(rig.baseline_m)
     LINE_RATE_HZ.require(rig.line_rate_hz)
     replace(U_BASELINE_M, most=rig.baseline_m).require(rig.u_baseline_m)
@@ -72,6 +76,87 @@ def require_rig(rig: Rig) -> None:
     if rig.misalignment_px is not None:
         MISALIGNMENT_PX.require(rig.misalignment_px)
     U_MISALIGNMENT_PX.require(rig.u_misalignment_px)
+    SHADOW_SHARE.require(rig.shadow_share)
+    CORRELATION.require(rig.baseline_correlation)
+    U_DISTANCE_M.require(rig.u_distance_m)
+    _require_lanes(rig.lanes)
+    if (rig.divergence_rad or rig.u_divergence_rad) and rig.distance_m is None and not rig.lanes:
+        raise BadInput("linescan-rig-divergence-without-distance")
+
+
+def rig_from(document: Mapping[str, Any]) -> Rig:
+    """The rig of a document that holds its fields by name; lanes that are not there are none. Numbers of
+    lanes are floats, so that 106 and 106.0 are one rig.
+    """
+    lanes = tuple(_lane_from(one) for one in document.get("lanes") or ())
+    return Rig(**{**document, "lanes": lanes})
+
+
+def _lane_from(document: Mapping[str, Any]) -> Lane:
+    held: dict[str, Any] = {
+        name: float(value) if isinstance(value, int) else value for name, value in document.items()
+    }
+    return Lane(**held)
+
+
+def lane_named(rig: Rig, name: str | None) -> Lane | None:
+    """The lane of that name; None where the rig has none."""
+    return next((one for one in rig.lanes if one.name == name), None)
+
+
+def at_lane(rig: Rig, name: str | None, way: ScanDirection | None = None) -> Rig:
+    """The rig with the distance of one lane, its u and its shadow zone; where the lane is not known, of all
+    lanes that have the direction `way`.
+
+    Of all: the middle between nearest and farthest, with the u of a distance that lies anywhere between them
+    (JCGM 100:2008, 4.3.7), and the highest zone. A rig without lanes as it is.
+    """
+    if not rig.lanes:
+        return rig
+    lane = lane_named(rig, name)
+    if lane is not None:
+        return replace(
+            rig,
+            distance_m=lane.distance_m,
+            u_distance_m=lane.u_distance_m,
+            shadow_share=_shadow_share(rig, lane),
+        )
+    ways = [one for one in rig.lanes if way is None or one.direction in (None, way)] or rig.lanes
+    nearest, farthest = (ends(one.distance_m for one in ways) for ends in (min, max))
+    u_m = hypot((farthest - nearest) / sqrt(12), max(one.u_distance_m for one in ways))
+    shade = max(_shadow_share(rig, one) for one in ways)
+    return replace(rig, distance_m=(nearest + farthest) / 2, u_distance_m=u_m, shadow_share=shade)
+
+
+def _shadow_share(rig: Rig, lane: Lane) -> float:
+    return rig.shadow_share if lane.shadow_share is None else lane.shadow_share
+
+
+def baseline_at(
+    baseline: tuple[float, float],
+    divergence: tuple[float, float],
+    correlation: float,
+    distance: tuple[float, float],
+) -> tuple[float, float]:
+    """B = b + q D and its u, m: u^2 = u_b^2 + D^2 u_q^2 + 2 r D u_b u_q + q^2 u_D^2; given as (value, u).
+
+    Never fails: the square is kept from below 0, which rounding makes of r near -1. JCGM 100:2008, 5.2.2.
+    """
+    (b, u_b), (q, u_q), (away, u_away) = baseline, divergence, distance
+    square = u_b**2 + (away * u_q) ** 2 + 2 * correlation * u_b * away * u_q + (q * u_away) ** 2
+    return b + q * away, sqrt(max(square, 0.0))
+
+
+def baseline_of(rig: Rig) -> tuple[float, float]:
+    """Baseline at the vehicle and its standard uncertainty, m: divergence of the planes included, with how
+    both go together, and the vehicle's distance.
+    """
+    return baseline_at(
+        (rig.baseline_m, rig.u_baseline_m),
+        (rig.divergence_rad, rig.u_divergence_rad),
+        rig.baseline_correlation,
+        (rig.distance_m or 0.0, rig.u_distance_m),
+    )
 
 
 @dataclass(frozen=True)
@@ -125,8 +210,8 @@ def misalignment(motions: Sequence[Registered]) -> RigEstimate:
     claimed = float(np.median([u for _, u in found]))
     if estimate.spread > max(3 * claimed, 0.1):
         warning = (
-            f"The vehicles' misalignments scatter by {estimate.spread:.2f} px, so it is no constant: "
-            "look whether a camera moved."
+            f"The misalignment differs between vehicles by {estimate.spread:.2f} px (standard "
+            "deviation); check whether a camera moved."
         )
         return RigEstimate(
             value=estimate.value,
@@ -184,7 +269,7 @@ def baseline_ratio(
     if abs(mean - 1) <= 2 * u:
         return RigEstimate(mean, u, spread, n)
     share = f"{abs(mean - 1) * 100:.2f} % {'longer' if mean > 1 else 'shorter'}"
-    warning = f"Vehicles come out {share} than they are; measure the baseline again (a shadow lengthens too)."
+    warning = f"Measured vehicles are {share} than known. Check the baseline; shadows can also add length."
     return RigEstimate(value=mean, u=u, spread=spread, n=n, reason=None, warning=warning)
 
 
@@ -203,7 +288,7 @@ def wheelbase(motion: Motion, rig: Rig, line_a: float, line_b: float, *, u_line:
     speed, acceleration = motion.speed_mps, motion.acceleration_mps2
     leaving = speed + acceleration * seconds
     if leaving.min() <= 0:
-        return Wheelbase(None, None, "By its fitted motion the vehicle stood at one of the clicks.")
+        return Wheelbase(None, None, "By its fitted motion the vehicle was at rest at one of the clicks.")
     first, second = np.asarray(travelled_m(speed, acceleration, seconds))
     u_clicks = float(np.hypot(*leaving)) * u_line / rig.line_rate_hz
     of_speed = float(seconds[1] - seconds[0]) * (motion.u_speed_mps or 0.0)
@@ -211,6 +296,25 @@ def wheelbase(motion: Motion, rig: Rig, line_a: float, line_b: float, *, u_line:
     together = 2 * (motion.correlation or 0.0) * of_speed * of_acceleration
     u_motion = sqrt(max(of_speed**2 + of_acceleration**2 + together, 0.0))
     return Wheelbase(float(second - first), hypot(u_clicks, u_motion))
+
+
+def _require_lanes(lanes: tuple[Lane, ...]) -> None:
+    """Raise BadInput for names that are missing or the same, distances of no lane, or rows out of
+    order. Lanes may be alike: people then say which is whose.
+    """
+    names = [one.name.strip() for one in lanes]
+    if not all(names):
+        raise BadInput("linescan-lane-needs-name")
+    for number, one in enumerate(lanes):
+        if names.count(one.name) > 1 or one.name != names[number]:
+            raise BadInput("linescan-lanes-same-name", name=names[number])
+        DISTANCE_M.require(one.distance_m)
+        U_DISTANCE_M.require(one.u_distance_m)
+        SHADOW_SHARE.require(_shadow_share(Rig(1.0, 1.0), one))
+        if (one.tyres_from_px is None) != (one.tyres_to_px is None):
+            raise BadInput("linescan-lane-rows-both", name=one.name)
+        if one.tyres_from_px is not None and not 0 <= one.tyres_from_px < (one.tyres_to_px or 0.0):
+            raise BadInput("linescan-lane-rows-order", name=one.name)
 
 
 def _median(values: Sequence[float], what: str) -> RigEstimate:
@@ -221,5 +325,5 @@ def _median(values: Sequence[float], what: str) -> RigEstimate:
     middle = float(np.median(array))
     spread = _MAD * float(np.median(np.abs(array - middle)))
     # few vehicles: the spread itself is uncertain, as Student's t widens it
-    widened = float(stats.t.ppf(0.975, n - 1) / COVERAGE_95)
+    widened = float(scipy.stats.t.ppf(0.975, n - 1) / COVERAGE_95)
     return RigEstimate(middle, widened * _MEDIAN * spread / sqrt(n), spread, n)

@@ -8,20 +8,23 @@ noise by which its pixels were chosen, which makes J J' too large (Carroll et al
 The sum over a cluster of neighbouring pixels, which share what matters (a reflection, a window's edge), is
 one observation (Liang and Zeger 1986). Clusters are few and those at the ends weigh most, so each is left
 out in turn (jackknife, "CR3": MacKinnon and White 1985, Bell and McCaffrey 2002), and the result is widened
-until 1.96 times it covers what Student's t covers.
+until 1.96 times it covers what Student's t covers. Of t's degrees of freedom there are as many as clusters of
+equal information would be (Kish 1965): of a white van's fifteen, four may hold nearly all that is to be seen.
 """
 
 from functools import lru_cache
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
-from scipy import stats
 
 from sightline.coverage import COVERAGE_95
-from sightline.linescan.masks import Points, Sheet, sampled, shifted
+from sightline.linescan.masks import Points, Sheet, sampled, shifted, slopes_along
 from sightline.linescan.registration import TUKEY, Clock, Fit, Look, Prior, levelled
 
 Array = NDArray[np.float64]
+# rows up and down between which the slope across the lines is taken
+_ROWS_APART = 0.25
 
 
 def second_slopes(
@@ -29,15 +32,15 @@ def second_slopes(
 ) -> Array:
     """J2 (n, 5): the residuals' derivatives with the gradients of strip 2 in the place of strip 1's.
 
-    `cell` (n,) as in `register`. Central differences of strip 2 are the instruments of the
-    errors-in-variables fit (Carroll et al. 2006, ch. 6).
+    `cell` (n,) as in `register`. They are the instruments of the errors-in-variables fit (Carroll et al.
+    2006, ch. 6), and the splines' own: a difference of neighbours is smaller than the slope, its u too large.
     """
     state, seen = fit.state, fit.look
-    values = shifted(second, state.shift).values
+    lower, moved, upper = (shifted(second, state.shift + by) for by in (-_ROWS_APART, 0.0, _ROWS_APART))
     place = second.place(clock.lines(seen.second_s))
     row = points.row
-    along = (sampled(values, place + 1, row) - sampled(values, place - 1, row)) / 2
-    across = (sampled(values, place, row + 1) - sampled(values, place, row - 1)) / 2
+    along = slopes_along(moved, place, row)
+    across = (sampled(upper, place, row) - sampled(lower, place, row)) / (2 * _ROWS_APART)
     per_s = along * clock.line_rate_hz / second.step
     by_speed, by_acceleration = state.course.derivatives(seen.first_s, seen.second_s)
     columns = [per_s * by_speed, per_s * by_acceleration, across, -points.value, -np.ones_like(along)]
@@ -61,7 +64,7 @@ def covariance(fit: Fit, slopes: Array, cluster: NDArray[np.intp], free: int, pr
     `slopes` (n, 5) of `second_slopes`; `cluster` (n,): numbers of the pixels' clusters. With a prior of the
     row shift, that is one more observation. Clusters: Liang and Zeger 1986; psi': Huber 1981, ch. 6; each
     cluster left out in turn: MacKinnon and White 1985, Bell and McCaffrey 2002; then widened as Student's t
-    is wider.
+    is wider, for the effective number of clusters (Kish 1965).
     """
     size = np.sqrt(np.maximum((fit.look.jacobian**2 * fit.weight[:, None]).sum(axis=0), 1e-12))[:free]
     first, second = fit.look.jacobian[:, :free].T / size[:, None], slopes[:, :free].T / size[:, None]
@@ -82,8 +85,16 @@ def covariance(fit: Fit, slopes: Array, cluster: NDArray[np.intp], free: int, pr
     apart = _solved(whole - normal[used], score[:, :, None])[:, :, 0]
     inverse = _solved(whole, np.eye(free))
     groups = len(score)
-    seen = _widening(max(groups - free, 1)) ** 2 * (groups - 1) / groups * apart.T @ apart
+    seen = widening(_effective(normal[used])) ** 2 * (groups - 1) / groups * apart.T @ apart
     return np.asarray((seen + inverse @ known @ inverse.T) / np.outer(size, size))
+
+
+def _effective(normal: Array) -> float:
+    """How many clusters of equal information are worth those of normal matrices (clusters, free, free); at
+    least 1, in steps of a tenth.
+    """
+    told = np.maximum(np.trace(normal, axis1=1, axis2=2), 0.0)
+    return max(round(float(told.sum() ** 2 / max(float((told**2).sum()), 1e-12)), 1), 1.0)
 
 
 def _slope_of_weighted(fit: Fit) -> Array:
@@ -101,6 +112,8 @@ def _solved(normal: Array, right: Array) -> Array:
 
 
 @lru_cache(maxsize=64)
-def _widening(freedom: int) -> float:
-    """By how much an uncertainty from so few observations is to be widened for a coverage of 95 %."""
-    return float(stats.t.ppf(0.975, freedom) / COVERAGE_95)
+def widening(freedom: float) -> float:
+    """By how much an uncertainty from so few observations is to be widened for a coverage of 95 %:
+    Student's t over 1.96.
+    """
+    return float(scipy.stats.t.ppf(0.975, freedom) / COVERAGE_95)

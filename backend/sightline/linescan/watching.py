@@ -6,19 +6,21 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sightline.linescan.background import (
-    UPPER_PART,
     Grid,
     Road,
     blended,
     first_road,
     road_from,
     same_but_for_light,
+    same_but_moved,
 )
 from sightline.linescan.middle import median
 from sightline.linescan.parts import Pixels
 
 LEAST_PART = 0.04
 LIGHT = 0.1
+# a step shows what stands still where so many of its cells are as they are on the mean
+STILL_PART = 0.9
 
 
 @dataclass(frozen=True)
@@ -55,6 +57,22 @@ class _Open:
     still: bool = False
 
 
+def present(cells: NDArray[np.float32], road: Road, upper_part: float) -> NDArray[np.bool_]:
+    """(steps,) whether enough cells, `cells` (steps, bands), of the upper part differ from the road under the
+    light of the moment.
+
+    Own method (Douxchamps et al., section IV, compare lines with a background): the light is the middle
+    cell's, within LIGHT, for clouds and lamps change it from line to line.
+    """
+    upper = max(1, int(cells.shape[1] * upper_part))
+    line = np.maximum(road.pooled[:upper], 1.0)
+    # every other cell will do for the middle one
+    light = median(cells[:, :upper:2] / line[::2]).astype(np.float32)
+    expected = np.clip(light, 1 - LIGHT, 1 + LIGHT) * line
+    differs = np.abs(cells[:, :upper] - expected) > road.threshold_dn[:upper]
+    return np.asarray(differs.sum(1) >= max(2, LEAST_PART * upper))
+
+
 @dataclass(eq=False)
 class Watcher:
     """One camera's state between blocks; `see` takes blocks in order and returns the events that ended."""
@@ -64,11 +82,13 @@ class Watcher:
     road: Road | None = None
     blips: int = 0
     jumps: int = 0
+    moves: int = 0
     lines: int = 0
     saturated_lines: float = 0.0
     _open: _Open | None = None
     _still: int = 0
     _mean: NDArray[np.float32] | None = None
+    _before: NDArray[np.float32] | None = None
     _remembered: list[Road] = field(default_factory=list)
 
     @property
@@ -86,9 +106,10 @@ class Watcher:
             self.begin(block)
         assert self.road is not None
         cells = self.grid.pooled(block)
-        there = self._present(cells, self.road)
+        there = present(cells, self.road, self.grid.upper_part)
         events = self._follow(there)
         events += self._watch_stillness(cells, there, block)
+        self._before = cells
         if self._open and self.lines + len(block) - self._open.front > self.spans.longest:
             events += self._end(self._open.last, cut=True)
         self._refresh(block, there)
@@ -100,19 +121,6 @@ class Watcher:
     def finish(self) -> list[Event]:
         """Ends what is still open when the recording ends."""
         return self._end(self._open.last, cut=True) if self._open else []
-
-    def _present(self, cells: NDArray[np.float32], road: Road) -> NDArray[np.bool_]:
-        """(steps,) whether enough cells of the upper part differ from the road under the light of the moment.
-
-        The light is the middle cell's, within LIGHT: clouds and lamps change it from line to line.
-        """
-        upper = max(1, int(self.grid.bands * UPPER_PART))
-        line = np.maximum(road.pooled[:upper], 1.0)
-        # every other cell will do for the middle one
-        light = median(cells[:, :upper:2] / line[::2]).astype(np.float32)
-        expected = np.clip(light, 1 - LIGHT, 1 + LIGHT) * line
-        differs = np.abs(cells[:, :upper] - expected) > road.threshold_dn[:upper]
-        return np.asarray(differs.sum(1) >= max(2, LEAST_PART * upper))
 
     def _follow(self, there: NDArray[np.bool_]) -> list[Event]:
         """Runs of presence become events; holes shorter than `close` are bridged."""
@@ -155,17 +163,37 @@ class Watcher:
         self._mean = mean if calm else None
         if not self._still:
             return []
-        known = any(same_but_for_light(mean, road) for road in self._remembered)
-        if known or same_but_for_light(mean, self.road):
-            # no vehicle, or the rest of one that is answered for: it stopped and has gone
-            self.jumps += not known
+        if any(same_but_for_light(mean, road, self.grid) for road in self._remembered):
+            # the rest of a vehicle that is answered for: it stopped and has gone
             self._take(block)
             return []
+        lit = same_but_for_light(mean, self.road, self.grid)
+        if lit or same_but_moved(block.mean(0, dtype=np.float32), self.road, self.grid):
+            return self._road_again(cells, mean, block, lit)
         self._open.still |= self._still >= self.spans.still
         if self._still < self.spans.stuck:
             return []
         self._remembered = [*self._remembered[-3:], self.road]
         events = self._end(self._open.last, cut=True)
+        self._take(block)
+        return events
+
+    def _road_again(
+        self, cells: NDArray[np.float32], mean: NDArray[np.float32], block: Pixels, lit: bool
+    ) -> list[Event]:
+        """The road is seen under another light, or from a camera that moved: what passed before, if anything
+        did, ended where the picture came to rest.
+        """
+        assert self._open is not None and self.road is not None
+        near = np.concatenate([part for part in (self._before, cells) if part is not None])
+        loose = 4 * self.road.cell_dn + 0.03 * mean
+        moving = np.flatnonzero((np.abs(near - mean) < loose).mean(1) < STILL_PART)
+        steps = len(near) - (int(moving[-1]) + 1 if len(moving) else 0)
+        rest = max(self.lines + len(cells) * self.grid.step - steps * self.grid.step, self._open.front)
+        self.jumps += lit
+        self.moves += not lit
+        # a jump of the light is no vehicle, nor is what it ends
+        events = self._end(rest) if rest - self._open.front >= self.spans.least else []
         self._take(block)
         return events
 

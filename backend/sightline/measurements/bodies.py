@@ -7,13 +7,11 @@ from uuid import UUID
 
 from pydantic import Field
 
-from sightline.enums import (
-    Made,
-    Target,
-)
+from sightline.enums import MadeAsSaid, Target
 from sightline.infra.audit.records import Who
 from sightline.infra.by_name import filled_from
-from sightline.infra.web.bodies import FrameNumber, Id, In, Point
+from sightline.infra.web.bodies import FrameNumber, In, Point, example
+from sightline.infra.web.named import MeasurementId, VehicleId
 from sightline.infra.web.quantities import InsetM, Revision, SigmaPx, UInsetM
 from sightline.measurements.records import (
     Measurement,
@@ -85,21 +83,69 @@ class ClicksIn(In):
     more_frames: MoreFrames = Field(default_factory=list)
 
 
+class FollowIn(In):
+    """The vehicle is followed through its pass from contact and target."""
+
+    second_contact: Annotated[
+        Point | None,
+        Field(description="Where the other tyre of that side stands, px; then the wheelbase follows."),
+    ] = None
+
+
+class FollowWanted(In):
+    """The points on one frame from which a vehicle is to be followed."""
+
+    model_config = example(target="driver_eye", frame=2, contact=[169.5, 194.5], target_point=[189.5, 134.5])
+
+    target: Target
+    frame: FrameNumber
+    contact: Point
+    target_point: Point
+    second_contact: Point | None = None
+    sigma_px: SigmaPx | None = None
+    inset_m: InsetM | None = None
+    u_inset_m: UInsetM | None = None
+
+
+Follow = Annotated[
+    FollowIn | None,
+    Field(description="Measure by the whole pass: the server follows the points and keeps what it finds."),
+]
+
+
 class SecondFrameWanted(ClicksIn):
     """What is clicked so far; the best frame to click next is looked for in the vehicle's pass."""
 
     target: Target
-    vehicle_id: Id
+    vehicle_id: VehicleId
+
+
+SnappedFrom = Annotated[
+    Point | None,
+    Field(
+        description="Where the contact was clicked, if it went from there to the tyre found; this is checked."
+    ),
+]
 
 
 class NewMeasurement(ClicksIn):
-    made: Made = Field(
+    model_config = example(
+        client_key="6f1c2d3e-0000-4000-8000-000000000001",
+        target="roof",
+        frame=2,
+        contact=[169.5, 194.5],
+        target_point=[189.5, 134.5],
+    )
+
+    made: MadeAsSaid = Field(
         default="clicked",
         description="confirmed: both points as proposed, which is checked; moved: begun from a proposal.",
     )
+    snapped_from: SnappedFrom = None
+    follow: Follow = None
     client_key: UUID = Field(description="Made by the client; sending it twice stores it once.")
     target: Target
-    repeat_of: Annotated[int, Field(ge=1, le=2**31 - 1)] | None = Field(
+    repeat_of: MeasurementId | None = Field(
         default=None, description="The measurement that these clicks repeat: it stands in no list or result."
     )
 
@@ -107,6 +153,8 @@ class NewMeasurement(ClicksIn):
 class ChangedMeasurement(ClicksIn):
     revision: Revision
     target: Target | None = None
+    snapped_from: SnappedFrom = None
+    follow: Follow = None
 
 
 @dataclass(frozen=True, slots=True)

@@ -2,9 +2,10 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import cache
 from typing import Any
 
-from sqlalchemy import ScalarSelect, and_, exists, select
+from sqlalchemy import ScalarSelect, Select, and_, bindparam, exists, select
 from sqlalchemy.orm import Session
 
 from sightline.geometry.sides import FoundSide, driver_side
@@ -68,7 +69,8 @@ def click_context(
 
     Raises NotFound (also when the recording was deleted).
     """
-    context = _context(session, recording_id, person_id, frame_numbers, vehicle_id)
+    asked = {"of_recording": recording_id, "of_person": person_id, "of_vehicle": vehicle_id}
+    context = _context(session, _on_recording(), {**asked, "clicked": frame_numbers})
     if context is None:
         raise missing("recording", recording_id)
     return context
@@ -78,25 +80,33 @@ def click_context_of_vehicle(
     session: Session, vehicle_id: int, person_id: int, frame_numbers: Sequence[int]
 ) -> ClickContext:
     """`click_context` of a vehicle's recording. Raises NotFound (also when the vehicle was deleted)."""
-    its_recording = select(vehicles.c.recording_id).where(
-        vehicles.c.id == vehicle_id, vehicles.c.deleted_at.is_(None)
-    )
-    context = _context(session, its_recording.scalar_subquery(), person_id, frame_numbers, vehicle_id)
+    asked = {"of_person": person_id, "of_vehicle": vehicle_id, "clicked": frame_numbers}
+    context = _context(session, _on_vehicle(), asked)
     if context is None:
         raise missing("vehicle", vehicle_id)
     return context
 
 
-def _context(
-    session: Session,
-    recording_id: int | ScalarSelect[int],
-    person_id: int | None,
-    frame_numbers: Sequence[int],
-    vehicle_id: int | None,
-) -> ClickContext | None:
-    on_vehicle = and_(vehicles.c.id == vehicle_id, vehicles.c.recording_id == recordings.c.id)
-    clicked_on = and_(frames.c.recording_id == recordings.c.id, frames.c.n.in_(frame_numbers))
-    query = (
+# Made once: making a statement anew takes longer than the database does to answer it.
+@cache
+def _on_recording() -> Select[Any]:
+    return _query().where(recordings.c.id == bindparam("of_recording"))
+
+
+@cache
+def _on_vehicle() -> Select[Any]:
+    its_recording = select(vehicles.c.recording_id).where(
+        vehicles.c.id == bindparam("of_vehicle"), vehicles.c.deleted_at.is_(None)
+    )
+    return _query().where(recordings.c.id == its_recording.scalar_subquery())
+
+
+def _query() -> Select[Any]:
+    on_vehicle = and_(vehicles.c.id == bindparam("of_vehicle"), vehicles.c.recording_id == recordings.c.id)
+    clicked_on = and_(
+        frames.c.recording_id == recordings.c.id, frames.c.n.in_(bindparam("clicked", expanding=True))
+    )
+    return (
         select(
             recordings.c.id,
             recordings.c.survey_id,
@@ -108,7 +118,7 @@ def _context(
             *(surveys.c.insets, *(surveys.c[name] for name in TRAFFIC)),
             *(vehicles.c.direction, vehicles.c.driver_side, vehicles.c.discarded),
             *(vehicles.c[name] for name in NOT_VISIBLE.values()),
-            _own_sigma(person_id).label("own_sigma_px"),
+            _own_sigma().label("own_sigma_px"),
             exists().where(proposals.c.vehicle_id == vehicles.c.id).label("proposed"),
             *(frames.c.n, frames.c.pts, frames.c.time_s, frames.c.key, frames.c.crc32),
         )
@@ -116,9 +126,12 @@ def _context(
         .outerjoin(road_poses, road_poses.c.id == recordings.c.pose_id)
         .outerjoin(vehicles, on_vehicle)
         .outerjoin(frames, clicked_on)
-        .where(recordings.c.id == recording_id, recordings.c.deleted_at.is_(None))
+        .where(recordings.c.deleted_at.is_(None))
     )
-    rows = session.execute(query).all()
+
+
+def _context(session: Session, query: Select[Any], asked: Mapping[str, Any]) -> ClickContext | None:
+    rows = session.execute(query, asked).all()
     if not rows:
         return None
     row = rows[0]
@@ -159,11 +172,14 @@ def frames_by_number(session: Session, recording_id: int, numbers: Sequence[int]
     return found
 
 
-def _own_sigma(person_id: int | None) -> ScalarSelect[float | None]:
-    """The newest choice for the person in the recording's survey (see `click_sigmas`)."""
+def _own_sigma() -> ScalarSelect[float | None]:
+    """The newest choice for `of_person` in the recording's survey (see `click_sigmas`)."""
     newest = (
         select(click_sigmas.c.sigma_px)
-        .where(click_sigmas.c.survey_id == recordings.c.survey_id, click_sigmas.c.person_id == person_id)
+        .where(
+            click_sigmas.c.survey_id == recordings.c.survey_id,
+            click_sigmas.c.person_id == bindparam("of_person"),
+        )
         .order_by(click_sigmas.c.id.desc())
         .limit(1)
     )

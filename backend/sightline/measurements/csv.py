@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
+from functools import partial
 from typing import get_args
 
 from typing_extensions import TypeVar
@@ -16,6 +17,7 @@ from sightline.enums import (
     Made,
     MeasurementStatus,
     Point,
+    ProposalKept,
     SideBasis,
     Target,
     Verdict,
@@ -35,6 +37,7 @@ from sightline.infra.csv_package.columns import (
     text,
 )
 from sightline.infra.csv_package.schema import Cell, Column, Table
+from sightline.measurements.followed_text import frames_of_text
 from sightline.measurements.records import FurtherFrame, Measurement
 from sightline.poses.csv import pose_path
 
@@ -52,6 +55,7 @@ class OfVehicle:
     lighting: str | None
     category: str | None
     manufacturer_height_m: float | None
+    check_target: bool
 
 
 @dataclass(frozen=True, slots=True)
@@ -128,15 +132,57 @@ POINTS: Columns = (
         minimum=0,
     ),
 )
+
+
+def _proposed(which: str) -> Columns:
+    """Where a point was proposed; of no height."""
+    return tuple(
+        pixel(
+            f"proposed_{which}_{axis}_px",
+            f"where the {which} was proposed, {way}; it counts for no height",
+            partial(_value, name=f"proposed_{which}_{axis}_px"),
+            required=False,
+        )
+        for axis, way in (("x", "x to the right"), ("y", "y down"))
+    )
+
+
+def _value(m: Measurement, name: str) -> float | None:
+    found: float | None = getattr(m.values, name)
+    return found
+
+
 _MADE: Columns = (
     text(
         "made",
-        "how the points on `frame` were set: clicked by hand, confirmed as proposed, or moved: begun from "
-        "proposed points (contact or target), at least one of the two put by a person",
+        "how the points on `frame` were set: clicked by hand, snapped: the contact went from a click to the "
+        "tyre found there, confirmed as proposed, or moved: begun from proposed or found points (contact or "
+        "target), at least one of the two put by a person",
         lambda m: m.values.made,
         required=True,
         enum=get_args(Made),
     ),
+    pixel(
+        "snapped_from_x_px",
+        "where a person clicked before the contact went to the tyre found there, x to the right",
+        lambda m: m.values.snapped_from_x_px,
+        required=False,
+    ),
+    pixel(
+        "snapped_from_y_px",
+        "where a person clicked before the contact went to the tyre found there, y down",
+        lambda m: m.values.snapped_from_y_px,
+        required=False,
+    ),
+    text(
+        "proposal",
+        "whether contact and target were proposed on `frame` when it was measured: shown, or withheld: the "
+        "vehicle was drawn to be measured free; empty where one of them was not proposed",
+        lambda m: m.values.proposal,
+        enum=get_args(ProposalKept),
+    ),
+    *_proposed("contact"),
+    *_proposed("target"),
 )
 POSE: Columns = (key("pose_id", "road pose used", lambda m: m.values.pose_id),)
 _INSET: Columns = (
@@ -209,19 +255,31 @@ def _frame_number(k: int) -> Column[Measurement]:
     return integer(f"frame{k}", meaning, _on_frame(k, lambda frame: frame.frame), minimum=0)
 
 
+def _frames_used(m: Measurement) -> int:
+    followed = m.values.followed
+    return len(m.values.frames) if followed is None else frames_of_text(followed)
+
+
 _SEVERAL: Columns = (
     integer(
         "frames",
-        "on how many frames the points were clicked",
-        lambda m: len(m.values.frames),
+        "on how many frames the points were clicked, or followed through a whole pass",
+        _frames_used,
         required=True,
         minimum=1,
     ),
     _frame_number(2),
     *_further_points(2),
+    text(
+        "followed",
+        "of a whole pass: JSON of the points followed from those on `frame` (docs/formats.md); height_m is "
+        "then that of all of them",
+        lambda m: m.values.followed,
+    ),
     metres(
         "solved_inset_m",
-        "the inset found from several frames; inset_m is then not used for height_m",
+        "the inset found from several frames or a whole pass; inset_m is then not used for height_m, of a "
+        "whole pass only as what is known beforehand",
         lambda m: m.values.solved_inset_m,
     ),
     metres(
@@ -392,9 +450,9 @@ def _measurement(clicked: Clicked) -> Measurement:
 
 
 def _reference_height_m(clicked: Clicked) -> Cell:
-    """A manufacturer's height is that of the roof."""
-    of_roof = clicked.measurement.values.target == "roof"
-    return clicked.vehicle.manufacturer_height_m if of_roof else None
+    """A manufacturer's height is that of the roof; check targets are not pooled with the traffic."""
+    of_traffic = clicked.measurement.values.target == "roof" and not clicked.vehicle.check_target
+    return clicked.vehicle.manufacturer_height_m if of_traffic else None
 
 
 CLICKS: Table[Clicked] = Table(
@@ -410,7 +468,7 @@ CLICKS: Table[Clicked] = Table(
             lambda c: c.vehicle.lighting,
             enum=get_args(Lighting),
         ),
-        metres("reference_height_m", "manufacturer's height, for roofs", _reference_height_m),
+        metres("reference_height_m", "manufacturer's height, for roofs of the traffic", _reference_height_m),
         text(
             "target", "what was measured", lambda c: c.measurement.values.target, required=True, enum=TARGETS
         ),

@@ -29,6 +29,8 @@ from sightline.geometry.height import (
 from sightline.geometry.insets import SIDE_UNKNOWN, inset_name
 from sightline.geometry.multiframe import MultiHeight, measure_frames
 from sightline.geometry.road_pose import RoadPose
+from sightline.geometry.whole_pass import WholePass, measure_pass
+from sightline.measurements.followed_text import read_text
 from sightline.measurements.records import Clicks, HeightOfClicks
 from sightline.surveys.records import Inset
 
@@ -37,7 +39,8 @@ DEFAULT_SIGMA_PX = 1.0
 _INSET_DECIMALS = 6
 _MOST_POSES = 32
 SIDE_FROM_PLACE = (
-    "The pass has no direction; the driver's side is taken from the median, beside which all go one way."
+    "The pass has no direction; the driver's side follows from the camera's place in the median, "
+    "past which all traffic runs one way."
 )
 
 
@@ -61,6 +64,12 @@ class Answer(HeightOfClicks):
     heading_rad: float | None = None
     u_heading_rad: float | None = None
     travel_m: float | None = None
+    speed_mps: Annotated[float | None, Field(description="Of a whole pass, towards the road's +X.")] = None
+    wheelbase_m: Annotated[float | None, Field(description="Of a whole pass with both tyres.")] = None
+    u_wheelbase_m: float | None = None
+    chance: Annotated[
+        float | None, Field(description="Of a whole pass: that its points would disagree more by chance.")
+    ] = None
     single: Annotated[SingleFrame | None, Field(description="Beside a height from several frames.")] = None
 
 
@@ -77,7 +86,7 @@ class PoseCache:
 
     def put(self, pose_id: int, document: Mapping[str, Any]) -> RoadPose:
         """Parse a pose.json document and keep it. Raises BadInput naming a key that is wrong."""
-        pose = pose_from_dict(document, f"road pose {pose_id}")
+        pose = pose_from_dict(document, f"camera pose {pose_id}")
         with self._lock:
             self._poses[pose_id] = pose
         return pose
@@ -128,6 +137,8 @@ def answer(pose: RoadPose, clicks: Clicks) -> Answer:
     always the first frame's; an eye of unknown side has none of the two from one frame.
     """
     height, uncorrected = _first_frame(pose, clicks)
+    if clicks.followed is not None:
+        return _of_whole_pass(clicks, height, uncorrected, measured_pass(pose, clicks))
     if not clicks.more_frames:
         return _answered(clicks, height, uncorrected)
     found = measured_frames(pose, clicks)
@@ -146,7 +157,7 @@ def answer(pose: RoadPose, clicks: Clicks) -> Answer:
 
 def answers(pose: RoadPose, asked: Sequence[Clicks]) -> list[Answer]:
     """`answer` of thousands of clicks at once, in their order."""
-    alone = [n for n, one in enumerate(asked) if not one.more_frames and one.inset_m is not None]
+    alone = [n for n, one in enumerate(asked) if not one.solves_inset and one.inset_m is not None]
     given = [asked[n] for n in alone]
     contacts = np.array([one.contact for one in given], dtype=np.float64).reshape(-1, 2)
     targets = np.array([one.target_point for one in given], dtype=np.float64).reshape(-1, 2)
@@ -168,7 +179,7 @@ def _first_frame(pose: RoadPose, clicks: Clicks) -> tuple[Height, Height]:
     else:
         uncorrected = measure_height(pose, clicks.contact, clicks.target_point, clicks.known_sigma_px)
         height = not_measurable(uncorrected.reason or SIDE_UNKNOWN)
-        if not clicks.more_frames:
+        if not clicks.solves_inset:
             uncorrected = height
     return _with_flags(clicks, height), uncorrected
 
@@ -185,8 +196,44 @@ def measured_frames(pose: RoadPose, clicks: Clicks) -> MultiHeight:
     return measure_frames(pose, clicks.contacts, clicks.target_points, clicks.known_sigma_px)
 
 
+def measured_pass(pose: RoadPose, clicks: Clicks) -> WholePass:
+    """The height from all that was followed. Raises ValueError where nothing was, Damaged for a text that is
+    none of ours.
+    """
+    if clicks.followed is None:
+        raise ValueError("nothing was followed from these clicks")
+    assumed = None if clicks.inset_m is None else clicks.assumed()[1:]
+    return measure_pass(pose, *read_text(clicks.followed), assumed_inset=assumed)
+
+
+def _of_whole_pass(clicks: Clicks, first: Height, uncorrected: Height, found: WholePass) -> Answer:
+    out = replace(
+        _answered(clicks, found.height, uncorrected),
+        frames=found.frames,
+        single=SingleFrame(first.height_m, first.u_height_m, first.U95_height_m),
+    )
+    if found.inset_m is None or found.heading_rad is None or found.speed_mps is None:
+        return out
+    base = found.wheelbase_m
+    return replace(
+        out,
+        solved_inset_m=found.inset_m.value,
+        u_solved_inset_m=found.inset_m.u,
+        heading_rad=found.heading_rad.value,
+        u_heading_rad=found.heading_rad.u,
+        speed_mps=found.speed_mps.value,
+        wheelbase_m=None if base is None else base.value,
+        u_wheelbase_m=None if base is None else base.u,
+        chance=found.chance,
+    )
+
+
 # Sources of a height's budget that no other height shares, and the assumed inset's.
-_OF_CLICKS = ("click, target", "click, contact", "clicks", "heading")
+_OF_CLICKS = (
+    *("click, target", "click, contact", "clicks", "heading"),
+    *("following", "confirmed points", "drift", "frame times"),
+    *("depth of what is followed", "seen from another side"),
+)
 _OF_INSET = ("inset",)
 
 

@@ -24,6 +24,13 @@ _reviewer = people.alias("reviewer")
 is_current: ColumnElement[bool] = ~exists().where(
     _later.c.series_id == measurements.c.series_id, _later.c.revision > measurements.c.revision
 )
+#: The same of one series, or of a vehicle's: its revisions are not gone through, only the last is looked up.
+is_last: ColumnElement[bool] = measurements.c.revision == (
+    select(func.max(_later.c.revision))
+    .where(_later.c.series_id == series.c.id)
+    .correlate(series)
+    .scalar_subquery()
+)
 _newest_review = (
     select(func.max(reviews.c.id))
     .where(reviews.c.series_id == measurements.c.series_id)

@@ -13,6 +13,7 @@ from sightline.enums import (
     Made,
     MeasurementStatus,
     Point,
+    ProposalKept,
     SideBasis,
     Target,
     VehicleState,
@@ -32,10 +33,30 @@ class ClickedFrame:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Clicks:
+class Origin:
+    """How the points on the first frame came about. `snapped_from_*`: where a person clicked before the
+    contact went to the tyre that Sightline found there.
+
+    `proposal`: whether contact and target were proposed on that frame, and whether that was shown;
+    `proposed_*`: where. They tell how far people lean on what they are shown, and count for no height.
+    """
+
+    made: Made = "clicked"
+    snapped_from_x_px: float | None = None
+    snapped_from_y_px: float | None = None
+    proposal: ProposalKept | None = None
+    proposed_contact_x_px: float | None = None
+    proposed_contact_y_px: float | None = None
+    proposed_target_x_px: float | None = None
+    proposed_target_y_px: float | None = None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Clicks(Origin):
     """What one height is computed from: two points in pixels on a frame, and on further frames of the pass.
 
-    With further frames the inset is solved for. What is None is filled in before anything is computed: the
+    With further frames, or points `followed` from these through the pass (followed_text.py), the inset is
+    solved for. What is None is filled in before anything is computed: the
     person's own sigma, else 1 px; the survey's inset of the target. An eye's inset stays None where nobody
     knows on which side the driver sits: then one frame gives no height.
     """
@@ -45,18 +66,23 @@ class Clicks:
     target_point: Point
     frame: int = 0
     more_frames: tuple[ClickedFrame, ...] = ()
+    followed: str | None = None
     sigma_px: float | None = None
     inset_m: float | None = None
     u_inset_m: float | None = None
     inset_from: InsetSource | None = None
     side: DriverSide | None = None
     side_from: SideBasis | None = None
-    made: Made = "clicked"
 
     @property
     def frames(self) -> tuple[int, ...]:
         """The frames clicked on, the first one first."""
         return (self.frame, *(further.frame for further in self.more_frames))
+
+    @property
+    def solves_inset(self) -> bool:
+        """Whether further frames or a followed pass tell the inset."""
+        return bool(self.more_frames) or self.followed is not None
 
     @property
     def contacts(self) -> tuple[Point, ...]:
@@ -154,8 +180,9 @@ class MeasurementValues(HeightOfClicks):
     made: Annotated[
         Made,
         Field(
-            description="Of the first frame's points. clicked: both by hand; confirmed: both as proposed; "
-            "moved: begun from proposed points (contact or target), at least one of the two put by a person."
+            description="Of the first frame's points. clicked: both by hand; snapped: the contact went from "
+            "a click to the tyre found there, the target by hand; confirmed: both as proposed; moved: begun "
+            "from proposed or found points, at least one of the two put by a person."
         ),
     ]
     pose_id: int
@@ -165,6 +192,23 @@ class MeasurementValues(HeightOfClicks):
         tuple[FurtherFrame, ...],
         Field(description="With any, the inset is solved for; `inset_m` is what one frame would assume."),
     ] = ()
+    followed: Annotated[
+        str | None,
+        Field(
+            description="Of a whole pass: JSON of the points followed from these through its frames "
+            "(docs/formats.md); then the inset is solved for."
+        ),
+    ] = None
+    snapped_from_x_px: Annotated[
+        float | None, Field(description="Where the contact was clicked before it went to the tyre found.")
+    ] = None
+    snapped_from_y_px: float | None = None
+    # in no answer: who clicks the next target of a vehicle measured free is not to see them
+    proposal: Annotated[ProposalKept | None, Field(exclude=True)] = None
+    proposed_contact_x_px: Annotated[float | None, Field(exclude=True)] = None
+    proposed_contact_y_px: Annotated[float | None, Field(exclude=True)] = None
+    proposed_target_x_px: Annotated[float | None, Field(exclude=True)] = None
+    proposed_target_y_px: Annotated[float | None, Field(exclude=True)] = None
 
     @property
     def frames(self) -> tuple[int, ...]:

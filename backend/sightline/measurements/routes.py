@@ -1,17 +1,22 @@
 """Measurements: each click pair is stored at once; a correction is a new revision."""
 
-from collections.abc import AsyncIterator
-from dataclasses import replace
+from collections.abc import Callable
+from dataclasses import asdict, replace
 from functools import partial
 from typing import Annotated
 
-from fastapi import APIRouter, Depends, Query, Request
+from fastapi import APIRouter, Depends, Query
+from fastapi.concurrency import run_in_threadpool
 
 from sightline.enums import Target
+from sightline.errors import Conflict
 from sightline.infra.database import Session
-from sightline.infra.web.deps import Operator, PathId, Reading, Viewer, Wired, writing_to
+from sightline.infra.services import Services
+from sightline.infra.web.deps import Operator, PathId, Reading, SignedIn, Viewer, Wired, Writes
+from sightline.infra.web.person import Person
 from sightline.infra.web.quantities import AtRevision
 from sightline.measurements import service, store
+from sightline.measurements.assist.service import is_from
 from sightline.measurements.bodies import (
     ChangedMeasurement,
     ClicksIn,
@@ -19,28 +24,45 @@ from sightline.measurements.bodies import (
     NewMeasurement,
     measurement_body,
 )
-from sightline.measurements.records import ClickedFrame, Clicks
+from sightline.measurements.following.service import followed_text
+from sightline.measurements.records import ClickedFrame, Clicks, Origin
 
 router = APIRouter()
 
 
-async def _writing_to_vehicle(
-    vehicle_id: PathId, request: Request, services: Wired
-) -> AsyncIterator[Session]:
-    async with writing_to(request, services, partial(store.survey_of_vehicle, vehicle_id=vehicle_id)) as made:
-        yield made
+async def _followed(vehicle_id: PathId, body: NewMeasurement, who: SignedIn, services: Wired) -> str | None:
+    """What is followed from the clicks, found before anything is written; not for what is stored already."""
+    return await run_in_threadpool(_follow, vehicle_id, body, who, services) if body.follow else None
 
 
-async def _writing_to_measurement(
-    measurement_id: PathId, request: Request, services: Wired
-) -> AsyncIterator[Session]:
-    find = partial(store.survey_of_measurement, series_id=measurement_id)
-    async with writing_to(request, services, find) as made:
-        yield made
+def _follow(vehicle_id: int, body: NewMeasurement, who: Person, services: Services) -> str | None:
+    if body.follow is None:
+        return None
+    with services.reading() as session:
+        if store.is_stored_key(session, str(body.client_key)):
+            return None
+    clicks, second = clicks_of(body, body.target), body.follow.second_contact
+    return followed_text(services, vehicle_id, clicks, second, actor=who.id)
 
 
-OfVehicle = Annotated[Session, Depends(_writing_to_vehicle, scope="function")]
-OfMeasurement = Annotated[Session, Depends(_writing_to_measurement, scope="function")]
+async def _followed_change(
+    measurement_id: PathId, body: ChangedMeasurement, who: SignedIn, services: Wired
+) -> str | None:
+    """`_followed` of a revision."""
+    if body.follow is None:
+        return None
+    return await run_in_threadpool(_follow_change, measurement_id, body, who, services)
+
+
+def _follow_change(
+    measurement_id: int, body: ChangedMeasurement, who: Person, services: Services
+) -> str | None:
+    if body.follow is None:
+        return None
+    with services.reading() as session:
+        before = store.get_measurement(session, measurement_id)
+    clicks = clicks_of(body, body.target or before.values.target)
+    return followed_text(services, before.vehicle_id, clicks, body.follow.second_contact, actor=who.id)
 
 
 def clicks_of(body: ClicksIn, target: Target) -> Clicks:
@@ -60,23 +82,68 @@ def clicks_of(body: ClicksIn, target: Target) -> Clicks:
     )
 
 
+async def _origin(vehicle_id: PathId, body: NewMeasurement, services: Wired) -> Origin:
+    """How the points came about, held against what Sightline finds before anything is written.
+
+    Raises Conflict where the contact is not where Sightline takes the click; not for what is stored already.
+    """
+    if body.snapped_from is None:
+        return Origin(made=body.made)
+    return await run_in_threadpool(_origin_of_snapped, vehicle_id, body, services)
+
+
+def _origin_of_snapped(vehicle_id: int, body: NewMeasurement, services: Services) -> Origin:
+    with services.reading() as session:
+        known = store.is_stored_key(session, str(body.client_key))
+    snapped = Origin() if known else _snapped(services, vehicle_id, body)
+    return snapped if body.made == "clicked" else replace(snapped, made=body.made)
+
+
+async def _origin_of_change(measurement_id: PathId, body: ChangedMeasurement, services: Wired) -> Origin:
+    """`_origin` of a revision; a contact that stays is what it was."""
+    if body.snapped_from is None:
+        return Origin()
+    return await run_in_threadpool(_origin_of_snapped_change, measurement_id, body, services)
+
+
+def _origin_of_snapped_change(measurement_id: int, body: ChangedMeasurement, services: Services) -> Origin:
+    with services.reading() as session:
+        before = store.get_measurement(session, measurement_id)
+    same = (body.frame, body.contact) == (before.values.frame, before.values.contact)
+    return Origin() if same else _snapped(services, before.vehicle_id, body)
+
+
+def _snapped(services: Services, vehicle_id: int, body: NewMeasurement | ChangedMeasurement) -> Origin:
+    click = body.snapped_from
+    if click is None:
+        return Origin()
+    if not is_from(services, vehicle_id, body.frame, click, body.contact):
+        raise Conflict("measurements-not-where-click-goes")
+    return Origin(made="snapped", snapped_from_x_px=click[0], snapped_from_y_px=click[1])
+
+
 @router.post("/vehicles/{vehicle_id}/measurements", status_code=201)
-def add_measurement(
-    vehicle_id: PathId, body: NewMeasurement, who: Operator, session: OfVehicle
+async def add_measurement(
+    vehicle_id: PathId,
+    body: NewMeasurement,
+    who: Operator,
+    origin: Annotated[Origin, Depends(_origin)],
+    followed: Annotated[str | None, Depends(_followed)],
+    writes: Writes,
 ) -> MeasurementBody:
     """Store one height; sending the same `client_key` again gives back the one that is stored.
 
     A height that cannot be had is stored too, with its reason. Without a road pose this is a conflict.
     """
-    stored = service.store_measurement(
-        session,
-        vehicle_id,
-        str(body.client_key),
-        replace(clicks_of(body, body.target), made=body.made),
-        repeat_of=body.repeat_of,
-        actor=who.id,
-    )
-    return measurement_body(stored)
+    clicks = replace(clicks_of(body, body.target), **asdict(origin), followed=followed)
+
+    def work(session: Session) -> MeasurementBody:
+        key, again = str(body.client_key), body.repeat_of
+        return measurement_body(
+            service.store_measurement(session, vehicle_id, key, clicks, repeat_of=again, actor=who.id)
+        )
+
+    return await writes.to(partial(store.survey_of_vehicle, vehicle_id=vehicle_id), work)
 
 
 @router.get("/measurements/{measurement_id}")
@@ -86,36 +153,58 @@ def get_measurement(measurement_id: PathId, who: Viewer, session: Reading) -> Me
 
 
 @router.put("/measurements/{measurement_id}")
-def revise_measurement(
-    measurement_id: PathId, body: ChangedMeasurement, who: Operator, session: OfMeasurement
+async def revise_measurement(
+    measurement_id: PathId,
+    body: ChangedMeasurement,
+    who: Operator,
+    origin: Annotated[Origin, Depends(_origin_of_change)],
+    followed: Annotated[str | None, Depends(_followed_change)],
+    writes: Writes,
 ) -> MeasurementBody:
     """A new revision; sigma and inset left out are the survey's, as while clicking.
 
     Further frames left out are taken away: what is sent is what the revision stands on.
     """
-    target = body.target or store.get_measurement(session, measurement_id).values.target
-    changed = service.store_revision(
-        session, measurement_id, body.revision, clicks_of(body, target), actor=who.id
-    )
-    return measurement_body(changed)
+
+    def work(session: Session) -> MeasurementBody:
+        before = store.require_measurement_revision(session, measurement_id, body.revision)
+        clicks = clicks_of(body, body.target or before.values.target)
+        clicks = replace(clicks, **asdict(origin), followed=followed)
+        return measurement_body(service.store_revision(session, before, clicks, actor=who.id))
+
+    return await writes.to(_survey_of(measurement_id), work)
 
 
 @router.delete("/measurements/{measurement_id}")
-def withdraw_measurement(
+async def withdraw_measurement(
     measurement_id: PathId,
     revision: Annotated[int, Query(ge=1, le=2**31 - 1, description="The revision that you saw.")],
     who: Operator,
-    session: OfMeasurement,
+    writes: Writes,
 ) -> MeasurementBody:
     """A new revision that takes the measurement out of lists and counts; nothing is erased."""
-    gone = store.withdraw_measurement(session, measurement_id, seen_revision=revision, actor=who.id)
-    return measurement_body(gone)
+
+    def work(session: Session) -> MeasurementBody:
+        return measurement_body(
+            store.withdraw_measurement(session, measurement_id, seen_revision=revision, actor=who.id)
+        )
+
+    return await writes.to(_survey_of(measurement_id), work)
 
 
 @router.post("/measurements/{measurement_id}/restore")
-def restore_measurement(
-    measurement_id: PathId, body: AtRevision, who: Operator, session: OfMeasurement
+async def restore_measurement(
+    measurement_id: PathId, body: AtRevision, who: Operator, writes: Writes
 ) -> MeasurementBody:
     """A new revision that brings a withdrawn measurement back."""
-    back = store.restore_measurement(session, measurement_id, seen_revision=body.revision, actor=who.id)
-    return measurement_body(back)
+
+    def work(session: Session) -> MeasurementBody:
+        return measurement_body(
+            store.restore_measurement(session, measurement_id, seen_revision=body.revision, actor=who.id)
+        )
+
+    return await writes.to(_survey_of(measurement_id), work)
+
+
+def _survey_of(measurement_id: int) -> Callable[[Session], int]:
+    return partial(store.survey_of_measurement, series_id=measurement_id)

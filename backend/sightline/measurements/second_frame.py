@@ -315,11 +315,9 @@ def _spot(pose: RoadPose, clicks: Clicks, frame: int, travel_m: float, kmh: floa
 def _chosen(u_now: float, source: TravelSource, spots: list[Spot], more_frames: bool) -> Proposal:
     """The best of the frames, and in words what it rests on."""
     if not more_frames:
-        return refused("The pass has no other frame; widen it by its first or last frame.", u_now)
+        return refused("The pass has no other frame; extend it by its first or last frame.", u_now)
     if not spots:
-        return refused(
-            "On no other frame of the pass are both points in the picture; one frame it is.", u_now
-        )
+        return refused("No other frame of the pass shows both points; use a single frame.", u_now)
     usual = [spot for spot in spots if spot.assumed_kmh in (None, ASSUMED_KMH[1])] or spots
     least = min(spot.u_height_m for spot in usual)
     best = min(
@@ -327,7 +325,7 @@ def _chosen(u_now: float, source: TravelSource, spots: list[Spot], more_frames: 
     )
     if best.u_height_m > _WORTH * u_now:
         now, then = (1000 * COVERAGE_95 * u for u in (u_now, best.u_height_m))
-        return refused(f"Another frame would not help here: {now:.0f} mm now, {then:.0f} mm with it.", u_now)
+        return refused(f"A second frame does not help: {now:.0f} mm now, {then:.0f} mm with it.", u_now)
     return Proposal(
         ok=True,
         frame=best.frame,
@@ -345,5 +343,7 @@ def _chosen(u_now: float, source: TravelSource, spots: list[Spot], more_frames: 
 _WORDS: dict[TravelSource, str] = {
     "followed": "The vehicle was followed through its pass.",
     "measured": "Its speed is that of the points clicked on two frames.",
-    "assumed": "The vehicle could not be followed; its speed is an assumption, so look for it.",
+    "assumed": (
+        "The vehicle could not be followed; its speed is assumed, so look for the points around the marks."
+    ),
 }

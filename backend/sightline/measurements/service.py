@@ -6,7 +6,8 @@ sigma and inset, so for the same points they are the same number.
 
 from __future__ import annotations
 
-from dataclasses import replace
+from collections.abc import Mapping
+from dataclasses import asdict, fields, replace
 from typing import Any, cast
 from weakref import WeakKeyDictionary
 
@@ -29,12 +30,18 @@ from sightline.measurements.height_of_clicks import (
     filled_in,
     inset_for,
 )
-from sightline.measurements.records import ClickedFrame, Clicks, FurtherFrame, Measurement, MeasurementValues
+from sightline.measurements.records import (
+    ClickedFrame,
+    Clicks,
+    FurtherFrame,
+    Measurement,
+    MeasurementValues,
+    Origin,
+)
 from sightline.measurements.store import (
     add_measurement,
     get_measurement,
     is_stored_key,
-    require_measurement_revision,
     revise_current_measurement,
 )
 from sightline.poses.store import get_pose
@@ -106,7 +113,7 @@ def store_measurement(
     """
     context = click_context_of_vehicle(session, vehicle_id, actor, _frames_once(clicks))
     if context.proposed or clicks.made != "clicked":
-        clicks = replace(clicks, made=made_of(session, vehicle_id, client_key, clicks))
+        clicks = origin_of(session, vehicle_id, client_key, clicks)
     if repeat_of is not None and clicks.inset_m is None:
         first = get_measurement(session, repeat_of)
         clicks = _with_inset_of(clicks, first.values)
@@ -120,25 +127,45 @@ def store_measurement(
     return made
 
 
-def made_of(session: Session, vehicle_id: int, client_key: str, clicks: Clicks) -> Made:
-    """How the points of clicks were set, held against what is proposed on their frame: a point exactly where
-    one is proposed was not clicked, whatever is said.
+def origin_of(session: Session, vehicle_id: int, client_key: str, clicks: Clicks) -> Clicks:
+    """Clicks with how their points were set, held against what is proposed on their frame: a point exactly
+    where one is proposed was not clicked, whatever is said. What was proposed is kept beside them.
 
     Raises Conflict where clicks said to be confirmed are not those proposed, or where nothing is proposed on
     the frame of clicks said to be moved; not for a `client_key` that is stored already.
     """
-    places = {
-        one.point: one.point_px
-        for one in proposals_of_vehicle(session, vehicle_id)
-        if one.frame == clicks.frame and one.point_px is not None
-    }
+    placed = [one for one in proposals_of_vehicle(session, vehicle_id) if one.frame == clicks.frame]
+    places = {one.point: one.point_px for one in placed if one.point_px is not None}
+    made = _made_of(clicks, places)
+    if made is None and not is_stored_key(session, client_key):
+        raise Conflict("measurements-proposals-not-these")
+    contacts = [one for one in placed if one.point.startswith("contact") and one.point_px is not None]
+    best = min(contacts, key=lambda one: one.expected_px or 0.0, default=None)
+    target = places.get(cast(ProposedPoint, clicks.target))
+    made = made or clicks.made
+    if best is None or best.point_px is None or target is None:
+        return replace(clicks, made=made)
+    return replace(
+        clicks,
+        made=made,
+        proposal="withheld" if best.withheld else "shown",
+        proposed_contact_x_px=best.point_px[0],
+        proposed_contact_y_px=best.point_px[1],
+        proposed_target_x_px=target[0],
+        proposed_target_y_px=target[1],
+    )
+
+
+def _made_of(clicks: Clicks, places: Mapping[ProposedPoint, Point]) -> Made | None:
+    """None where clicks are not what they are said to be."""
     contact = any(_same(clicks.contact, at) for point, at in places.items() if point.startswith("contact"))
     target = _same(clicks.target_point, places.get(cast(ProposedPoint, clicks.target)))
     if contact and target:
         return "confirmed"
-    unknown = clicks.made == "confirmed" or (clicks.made == "moved" and not places)
-    if unknown and not is_stored_key(session, client_key):
-        raise Conflict("measurements-proposals-not-these")
+    if clicks.made == "snapped":
+        return "snapped"
+    if clicks.made == "confirmed" or (clicks.made == "moved" and not places):
+        return None
     return "moved" if contact or target or clicks.made == "moved" else "clicked"
 
 
@@ -154,15 +181,17 @@ def gone_by_measuring(context: ClickContext, target: Target) -> VehicleChanges:
     return cast(VehicleChanges, dict.fromkeys(gone))
 
 
-def store_revision(
-    session: Session, series_id: int, revision: int, clicks: Clicks, *, actor: int
-) -> Measurement:
-    """Measure again and store a new revision. Raises Conflict if `revision` is not the current one."""
-    before = require_measurement_revision(session, series_id, revision)
+def store_revision(session: Session, before: Measurement, clicks: Clicks, *, actor: int) -> Measurement:
+    """Measure again and store a new revision of what `require_measurement_revision` gave in the same
+    transaction.
+    """
     then = before.values
     if (clicks.target, clicks.inset_m, clicks.u_inset_m) == (then.target, then.inset_m, then.u_inset_m):
         clicks = _with_inset_of(clicks, then)
-    clicks = replace(clicks, made=made_after(then, clicks.frame, clicks.contact, clicks.target_point))
+    if clicks.made != "snapped":
+        clicks = replace(clicks, **origin_after(then, clicks.frame, clicks.contact, clicks.target_point))
+    elif clicks.frame == then.frame and then.made in ("confirmed", "moved"):
+        clicks = replace(clicks, made="moved")
     values = values_of_vehicle(session, before.vehicle_id, clicks, actor=actor)
     return revise_current_measurement(session, before, values, actor=actor)
 
@@ -312,22 +341,32 @@ def clicked_again(values: MeasurementValues, n: int, contact: Point, target_poin
         contact=contact,
         target_point=target_point,
         more_frames=more if n == values.frame else (),
+        # what was followed began at these very points
+        followed=values.followed if (n, contact, target_point) == values.first_clicks else None,
         sigma_px=values.sigma_px,
         inset_m=values.inset_m,
         u_inset_m=values.u_inset_m,
         inset_from=values.inset_from,
         side=values.side,
         side_from=values.side_from,
-        made=made_after(values, n, contact, target_point),
+        **origin_after(values, n, contact, target_point),
     )
 
 
-def made_after(then: MeasurementValues, n: int, contact: Point, target_point: Point) -> Made:
-    """How the points of a revision were set that follows another: the same ones as before, put elsewhere, or
-    clicked on another frame.
+def origin_after(then: MeasurementValues, n: int, contact: Point, target_point: Point) -> dict[str, Any]:
+    """How the points of a revision were set that follows another, fields of `Origin`: the same ones as
+    before, put elsewhere, or clicked on another frame.
     """
     if n != then.frame:
-        return "clicked"
-    if (contact, target_point) == (then.contact, then.target_point):
+        return asdict(Origin())
+    before = {one.name: getattr(then, one.name) for one in fields(Origin)}
+    if contact != then.contact:
+        before |= {"snapped_from_x_px": None, "snapped_from_y_px": None}
+    return before | {"made": _made_after(then, contact, target_point)}
+
+
+def _made_after(then: MeasurementValues, contact: Point, target_point: Point) -> Made:
+    same = (contact == then.contact, target_point == then.target_point)
+    if all(same) or then.made == "clicked" or (then.made == "snapped" and same[0]):
         return then.made
-    return "clicked" if then.made == "clicked" else "moved"
+    return "moved"

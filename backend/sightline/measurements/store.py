@@ -2,11 +2,13 @@
 
 from collections import defaultdict
 from collections.abc import Mapping, Sequence
-from dataclasses import asdict, dataclass, replace
+from dataclasses import dataclass, fields, replace
 from datetime import datetime
+from functools import cache
+from operator import attrgetter
 from typing import Any
 
-from sqlalchemy import Row, Select, and_, func, select
+from sqlalchemy import Row, Select, and_, bindparam, func, select
 from sqlalchemy.orm import Session
 
 from sightline.cameras.calibrations.tables import calibrations
@@ -23,6 +25,7 @@ from sightline.measurements.query import (
     fetch_measurements,
     is_current,
     is_first,
+    is_last,
     measurement_of_row,
     measurement_revision_rows,
 )
@@ -235,6 +238,7 @@ def get_measurement(session: Session, series_id: int) -> Measurement:
     return _measurement_of(_current_row(session, series_id))
 
 
+@cache
 def _with_place() -> Select[Any]:
     """Whole revisions with what is known of the recording's camera and whether the vehicle was deleted."""
     return (
@@ -249,9 +253,19 @@ def _with_place() -> Select[Any]:
     )
 
 
+# What a stored click asks is made once: making a statement takes longer than the database does to answer it.
+@cache
+def _current() -> Select[Any]:
+    return _with_place().where(measurements.c.series_id == bindparam("of_series"), is_last)
+
+
+@cache
+def _revision() -> Select[Any]:
+    return _with_place().where(measurements.c.id == bindparam("of_revision"))
+
+
 def _current_row(session: Session, series_id: int) -> Row[Any]:
-    query = _with_place().where(measurements.c.series_id == series_id, is_current)
-    row = session.execute(query).one_or_none()
+    row = session.execute(_current(), {"of_series": series_id}).one_or_none()
     if row is None:
         raise missing("measurement", series_id)
     return row
@@ -364,8 +378,12 @@ def _append(
     return made
 
 
+_VALUES = tuple(field.name for field in fields(MeasurementValues))
+_values_of = attrgetter(*_VALUES)
+
+
 def _row_of(values: MeasurementValues) -> dict[str, Any]:
-    row = asdict(values)
+    row: dict[str, Any] = dict(zip(_VALUES, _values_of(values), strict=True))
     (row["contact_x_px"], row["contact_y_px"]) = row.pop("contact")
     (row["target_x_px"], row["target_y_px"]) = row.pop("target_point")
     row["more_frames"] = [plain(one) for one in values.more_frames]
@@ -452,27 +470,29 @@ def _made_again(one: ComputedAgain, row_id: int) -> Measurement:
 
 def _as_stored(session: Session, revision_id: int) -> tuple[Measurement, JsonObject]:
     """A revision as the database gives it back, and the content of its row as a verification hashes it."""
-    query = _with_place().where(measurements.c.id == revision_id)
-    row = session.execute(query).one()
+    row = session.execute(_revision(), {"of_revision": revision_id}).one()
     content = {column.name: row._mapping[column.name] for column in columns_of(measurements, "id")}
     return _measurement_of(row), plain(row_content(content))
 
 
-def _standing(vehicle_id: int, target: str, but: int | None = None) -> Select[Any]:
-    """The measurement of a vehicle's target that counts (the oldest), `but` and repeats left out."""
+@cache
+def _standing() -> Select[Any]:
+    """The measurement of `of_vehicle`'s `of_target` that counts (the oldest), `but` and repeats left out."""
     series = measurement_series.c
     return (
         select(func.min(series.id))
         .join(measurements, measurements.c.series_id == series.id)
-        .where(series.vehicle_id == vehicle_id, is_first, is_current, series.id != (but or 0))
-        .where(measurements.c.target == target, ~measurements.c.withdrawn)
+        .where(series.vehicle_id == bindparam("of_vehicle"), is_first, is_last)
+        .where(series.id != bindparam("but", 0))
+        .where(measurements.c.target == bindparam("of_target"), ~measurements.c.withdrawn)
     )
 
 
 def _require_alone(session: Session, before: Measurement, target: str) -> None:
     """Raises Conflict where another measurement of the target stands on the vehicle."""
     if before.repeat_of is None:
-        other = session.execute(_standing(before.vehicle_id, target, before.id)).scalar_one()
+        asked = {"of_vehicle": before.vehicle_id, "of_target": target, "but": before.id}
+        other = session.execute(_standing(), asked).scalar_one()
         if other is not None:
             raise _already_measured(session, other)
 
@@ -508,30 +528,43 @@ class _Ground:
     frames: dict[int, tuple[int, int]]  # pts and crc32
 
 
-def _ground_of(
-    session: Session, vehicle_id: int, values: MeasurementValues, client_key: str | None = None
-) -> _Ground:
-    """All of it in one query. Raises NotFound for a vehicle that never was."""
+@cache
+def _ground_query() -> Select[Any]:
     known = measurement_series.alias("known")
-    query = (
+    clicked_on = and_(
+        frames.c.recording_id == vehicles.c.recording_id, frames.c.n.in_(bindparam("clicked", expanding=True))
+    )
+    return (
         select(
             *(vehicles.c.survey_id, vehicles.c.recording_id, vehicles.c.deleted_at),
             *(known.c.id.label("known_id"), known.c.vehicle_id.label("known_vehicle_id")),
-            _standing(vehicle_id, values.target).scalar_subquery().label("standing_id"),
+            _standing().scalar_subquery().label("standing_id"),
             road_poses.c.survey_id.label("pose_survey_id"),
             calibrations.c.id.label("calibration_id"),
             *(frames.c.n, frames.c.pts, frames.c.crc32),
         )
         .select_from(vehicles)
-        .outerjoin(known, known.c.client_key == client_key)
-        .outerjoin(road_poses, road_poses.c.id == values.pose_id)
-        .outerjoin(calibrations, calibrations.c.id == values.calibration_id)
-        .outerjoin(
-            frames, and_(frames.c.recording_id == vehicles.c.recording_id, frames.c.n.in_(values.frames))
-        )
-        .where(vehicles.c.id == vehicle_id)
+        .outerjoin(known, known.c.client_key == bindparam("of_key"))
+        .outerjoin(road_poses, road_poses.c.id == bindparam("of_pose"))
+        .outerjoin(calibrations, calibrations.c.id == bindparam("of_calibration"))
+        .outerjoin(frames, clicked_on)
+        .where(vehicles.c.id == bindparam("of_vehicle"))
     )
-    rows = session.execute(query).all()
+
+
+def _ground_of(
+    session: Session, vehicle_id: int, values: MeasurementValues, client_key: str | None = None
+) -> _Ground:
+    """All of it in one query. Raises NotFound for a vehicle that never was."""
+    asked = {
+        "of_vehicle": vehicle_id,
+        "of_target": values.target,
+        "of_key": client_key,
+        "of_pose": values.pose_id,
+        "of_calibration": values.calibration_id,
+        "clicked": values.frames,
+    }
+    rows = session.execute(_ground_query(), asked).all()
     if not rows:
         raise missing("vehicle", vehicle_id)
     row = rows[0]
@@ -615,7 +648,7 @@ def _check(ground: _Ground, values: MeasurementValues) -> None:
         if ground.frames[clicked.frame] != (clicked.pts, clicked.frame_crc32):
             raise Conflict("measurements-frame-not-picture-clicked-load-again", frame=clicked.frame)
     if ground.pose_survey_id is None:
-        raise missing("road pose", values.pose_id)
+        raise missing("camera pose", values.pose_id)
     if ground.pose_survey_id != ground.survey_id:
         raise BadInput("measurements-road-pose-belongs-another-survey-choose", pose_id=values.pose_id)
     if not ground.has_calibration:

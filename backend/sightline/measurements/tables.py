@@ -24,6 +24,7 @@ from sightline.enums import (
     LotChoice,
     Made,
     MeasurementStatus,
+    ProposalKept,
     ReviewVerdict,
     SideBasis,
     Target,
@@ -89,6 +90,15 @@ measurements = Table(
     Column("sigma_px", Float, nullable=False),
     # by hand, or from what Sightline proposed and a person confirmed or moved
     Column("made", String(20), nullable=False),
+    # where a person clicked before the contact went to the tyre found there
+    Column("snapped_from_x_px", Float),
+    Column("snapped_from_y_px", Float),
+    # what was proposed on the frame, shown or not: only to know how far people lean on it
+    Column("proposal", String(20)),
+    Column("proposed_contact_x_px", Float),
+    Column("proposed_contact_y_px", Float),
+    Column("proposed_target_x_px", Float),
+    Column("proposed_target_y_px", Float),
     Column("pose_id", ForeignKey("road_poses.id"), nullable=False),
     Column("calibration_id", ForeignKey("calibrations.id"), nullable=False),
     # empty for an eye of which nobody knows on which side the driver sits
@@ -111,6 +121,8 @@ measurements = Table(
     Column("code_version", String(60), nullable=False),
     # the same two points in further frames: then the inset is solved for
     Column("more_frames", CanonicalJson, nullable=False, server_default="[]"),
+    # of a whole pass: the points followed from these through its frames, as JSON (followed_text.py)
+    Column("followed", Text),
     Column("solved_inset_m", Float),
     Column("u_solved_inset_m", Float),
     # parts of u_height_m: clicks (no other height shares them), assumed inset; the rest is the pose's
@@ -127,11 +139,24 @@ measurements = Table(
     enum_check("target", Target),
     enum_check("status", MeasurementStatus),
     enum_check("made", Made),
+    enum_check("proposal", ProposalKept),
     enum_check("inset_from", InsetSource),
     enum_check("side", DriverSide),
     enum_check("side_from", SideBasis),
     CheckConstraint("revision >= 1", name="revision_counts"),
     CheckConstraint("sigma_px > 0", name="sigma_positive"),
+    CheckConstraint(
+        "(proposal IS NULL AND proposed_contact_x_px IS NULL AND proposed_contact_y_px IS NULL "
+        "AND proposed_target_x_px IS NULL AND proposed_target_y_px IS NULL) OR "
+        "(proposal IS NOT NULL AND proposed_contact_x_px IS NOT NULL AND proposed_contact_y_px IS NOT NULL "
+        "AND proposed_target_x_px IS NOT NULL AND proposed_target_y_px IS NOT NULL)",
+        name="proposal_has_its_points",
+    ),
+    CheckConstraint(
+        "(snapped_from_x_px IS NULL) = (snapped_from_y_px IS NULL) "
+        "AND (made <> 'snapped' OR snapped_from_x_px IS NOT NULL)",
+        name="snapped_from_a_click",
+    ),
     CheckConstraint("verdict_of_revision < revision", name="verdict_of_an_earlier_one"),
     CheckConstraint("inset_m IS NOT NULL OR target = 'driver_eye'", name="inset_of_all_but_eyes"),
     CheckConstraint(

@@ -220,6 +220,7 @@ def clicks_of_row(row: Row) -> Clicks:
         inset_from=cast(InsetSource | None, row.get("inset_from")),
         side=cast(DriverSide | None, row.get("side") or None),
         side_from=cast(SideBasis | None, row.get("side_from") or None),
+        followed=row.get("followed") or None,
         more_frames=tuple(_on_further(number, k) for k in further(row)),
     )
 

@@ -7,6 +7,7 @@ sentence asks with NUMBER, for most of them are frames, lines and identifiers.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from functools import cache
 from importlib.resources import files
@@ -18,27 +19,48 @@ if TYPE_CHECKING:
 Value = str | int | float
 SOURCE = "en"
 _MOST_DIGITS = 15
+# An entry: from its key, which begins a line, up to the next line that begins with a key or a comment.
+_ENTRY = re.compile(r"^(-?[A-Za-z][\w-]*) *=.*(?:\n(?![-A-Za-z#]).*)*", re.MULTILINE)
+_NAMED = re.compile(r"\{\s*(-?[A-Za-z][\w-]*)")
 
 
 def say(key: str, values: Mapping[str, Value], language: str = SOURCE) -> str:
     """The sentence of a key. KeyError for a key that en.ftl lacks, ValueError for a missing value."""
     for bundle in dict.fromkeys((language, SOURCE)):
         found = _bundle(bundle)
-        if found.has_message(key):
-            return _formatted(found, key, values)
+        if found.has(key):
+            return _formatted(found.with_message(key), key, values)
     raise KeyError(key)
 
 
+def say_formatted(key: str, values: Mapping[str, Any], language: str) -> str:
+    """As `say`, with values that state how many digits they are written with."""
+    found = _bundle(language)
+    if not found.has(key):
+        return say(key, values, language)
+    return _text(found.with_message(key), key, values)
+
+
+@cache
 def languages() -> tuple[str, ...]:
     """The languages that there are, the source first."""
     others = sorted(one.name[:-4] for one in files(__name__).iterdir() if one.name.endswith(".ftl"))
     return (SOURCE, *(name for name in others if name != SOURCE))
 
 
+def entries(text: str) -> dict[str, str]:
+    """Each message of a file by its key, as it is written there."""
+    return {found[1]: found[0] for found in _ENTRY.finditer(text)}
+
+
 def _formatted(bundle: FluentBundle, key: str, values: Mapping[str, Value]) -> str:
+    return _text(bundle, key, {name: _given(value) for name, value in values.items()})
+
+
+def _text(bundle: FluentBundle, key: str, values: Mapping[str, Any]) -> str:
     pattern = bundle.get_message(key).value
     assert pattern is not None, key
-    text, errors = bundle.format_pattern(pattern, {name: _given(value) for name, value in values.items()})
+    text, errors = bundle.format_pattern(pattern, dict(values))
     if errors:
         raise ValueError(f"{key}: {'; '.join(str(error) for error in errors)}")
     return str(text)
@@ -52,12 +74,38 @@ def _given(value: Value) -> Any:
     return fluent_number(value, useGrouping=False, maximumFractionDigits=_MOST_DIGITS)
 
 
-@cache
-def _bundle(language: str) -> FluentBundle:
-    from fluent.runtime import FluentBundle, FluentResource  # a start needs none
+class _Bundle:
+    """The messages of one language, each parsed when it is first said: all of them take half a second."""
 
-    bundle = FluentBundle(["en-GB" if language == SOURCE else language], use_isolating=False)
-    there = files(__name__) / f"{language}.ftl"
-    if there.is_file():
-        bundle.add_resource(FluentResource(there.read_text("utf-8")))
-    return bundle
+    def __init__(self, language: str) -> None:
+        from fluent.runtime import FluentBundle  # a start needs none
+
+        there = files(__name__) / f"{language}.ftl"
+        text = there.read_text("utf-8") if there.is_file() else ""
+        self._texts = entries(text)
+        self._parsed = FluentBundle(["en-GB" if language == SOURCE else language], use_isolating=False)
+
+    def has(self, key: str) -> bool:
+        return key in self._texts
+
+    def with_message(self, key: str) -> FluentBundle:
+        """The bundle with this message in it, and those that it speaks of."""
+        from fluent.runtime import FluentResource
+
+        if not self._parsed.has_message(key):
+            self._parsed.add_resource(FluentResource("\n".join(self._needed(key))))
+        return self._parsed
+
+    def _needed(self, key: str) -> list[str]:
+        found, waiting = dict[str, str](), [key]
+        while waiting:
+            name = waiting.pop()
+            if name in self._texts and name not in found:
+                found[name] = self._texts[name]
+                waiting += _NAMED.findall(found[name])
+        return list(found.values())
+
+
+@cache
+def _bundle(language: str) -> _Bundle:
+    return _Bundle(language)

@@ -6,69 +6,76 @@
 ## Words of the domain: targets, and where to click each
 
 target-roof = Roof
-target-driver_eye = Driver's eye
+target-driver_eye = Driver’s eye
 target-taillight = Taillight
 target-headlight = Headlight
 target-other = Other
 target-noun-roof = roof
-target-noun-driver_eye = driver's eye
+target-noun-driver_eye = driver’s eye
 target-noun-taillight = taillight
 target-noun-headlight = headlight
 target-noun-other = other
-target-hint-roof = the roof’s near edge where it is highest (for its crown, choose that beside the roof)
-target-hint-driver_eye = the driver's eye
-target-hint-taillight = the lower limit of the lit area of the taillight
-target-hint-headlight = the lower limit of the headlight
+target-hint-roof = the near edge of the roof at its highest point (for the crown, select it beside the roof)
+target-hint-driver_eye = the driver’s eye
+target-hint-taillight = the bottom edge of the lit taillight
+target-hint-headlight = the bottom edge of the headlight
 target-hint-other = the point whose height you want
 
 not-visible-hidden = hidden by another vehicle
 not-visible-glare = glare
 not-visible-too_dark = too dark
-not-visible-outside = outside the picture
+not-visible-outside = outside the frame
+not-visible-own_body = hidden by its own body
 not-visible-no_driver = no driver seen
 direction-right = to the right
 direction-left = to the left
 side-near = near side
 side-far = far side
+inset-near-edge = near edge
+inset-crown = crown
 inset-driver_eye_near = Driver’s eye, near side
 inset-driver_eye_far = Driver’s eye, far side
 
 ## Words of the domain: how traffic goes at a site
 
 traffic-title = Traffic and camera
-traffic-help = From these follows, by each vehicle’s direction, whether its driver sits on the side of the camera (near) or away from it (far). Without them no driver’s eye has a height.
-traffic-not-said = not said yet
+traffic-help = With each vehicle’s direction, these settings determine whether its driver sits on the camera side (near) or the far side. Without them no driver’s eye has a height.
+traffic-not-said = Not set
 traffic-side = Traffic keeps
 traffic-right = right
 traffic-left = left
 traffic-steering = Steering wheel usually
 wheel-left = on the left
 wheel-right = on the right
-traffic-camera = The camera stands
+traffic-camera = Camera position
 place-title = Place and road
 place-latitude = Latitude (WGS84)
 place-longitude = Longitude
-place-coordinates-problem = Coordinates are decimal degrees, as 49.44315 and 1.09932; south and west are negative.
-place-road = Class of the road
+place-coordinates-problem = Enter coordinates in decimal degrees, for example 49.44315 and 1.09932. South and west are negative.
+place-road = Road class
 place-roads = motorway; dual carriageway; single carriageway, rural; urban arterial; urban street; local road
+place-lane = Lane measured
+place-lanes = lane 1, next to the verge; lane 2; both lanes; all lanes of one direction
+place-travel = Travel direction
+place-travel-example = towards Rouen, northbound
 place-limit = Speed limit
 place-limit-is = limit { $limit }
-place-limit-problem = A speed limit is a number of { $unit }.
-place-lamps = Street lamps
-place-lamps-present = there are
-place-lamps-none = there are none
+place-limit-problem = Enter the speed limit as a number of { $unit }.
+place-lamps = Street lighting
+place-lamps-present = present
+place-lamps-none = none
 place-lamps-are = { $lamps ->
-    [present] street lamps
-   *[none] no street lamps
+    [present] street lighting
+   *[none] no street lighting
 }
-place-not-said = not said yet
+place-not-said = Not set
 place-zone = Time zone
-place-zone-hint = Whose clocks are told there, as Europe/Paris; proposed for each recording.
+place-zone-hint = Example: Europe/Paris. Suggested for each recording.
 camera-verge = on the verge
 camera-median = in the median
 
-asked-title = What is asked for
-asked-help = A vehicle is measured when each of these is measured, or was said not to be visible.
+asked-title = Targets to measure
+asked-help = A vehicle is complete when each of these targets is measured or marked as not visible.
 asked-none = Choose at least one target by day and one in low light.
 
 ## Words of the domain: states of vehicles, measurements, recordings, jobs, calibrations, people
@@ -88,19 +95,20 @@ state-withdrawn = withdrawn
 state-not_measurable = not measurable
 state-done = done
 state-next = next
+state-begun = in progress
 state-waiting = waiting
-state-ingesting = being read
+state-ingesting = importing
 state-ready = ready
 state-failed = failed
 state-queued = queued
 state-running = running
 state-cancelled = cancelled
 state-trusted = trusted
-state-not_trusted = not to be trusted
+state-not_trusted = unreliable
 state-used = used
-state-left_out = left out
+state-left_out = excluded
 state-active = active
-state-inactive = switched off
+state-inactive = deactivated
 
 ## Words of the domain: light and kinds of vehicles
 
@@ -131,46 +139,46 @@ class-set-heavy = Heavy vehicles
 class-set-none = no set
 class-choice = Classes
 discarded-no_vehicle = discarded: no vehicle
-discarded-twice = discarded: found twice
+discarded-twice = discarded: duplicate
 discarded-cut_off = discarded: cut off by the recording
 discarded-stopped = discarded: stopped or turning
 discarded-other = discarded: other reason (see notes)
 sample-title = Sample
 sample-edit = Change the sample
-sample-dialog = Which passes are measured
+sample-dialog = Passes to measure
 sample-method = Passes
-sample-method-help = The rule goes by the pass’s number, so that a pass found later changes no other’s place. Passes that it leaves out end as “out of the sample”.
+sample-method-help = The rule uses the pass number, so a pass found later does not change which others are selected. Passes that are not selected are marked “out of the sample”.
 sample-every = every pass
 sample-nth = every n-th pass
-sample-share = a random share, drawn by a seed
+sample-share = a random share (seeded)
 sample-step = n
-sample-step-problem = A whole number from 2 to 1000.
+sample-step-problem = Enter a whole number from 2 to 1000.
 sample-start = First number
-sample-start-problem = A whole number from 1 to n.
+sample-start-problem = Enter a whole number from 1 to n.
 sample-share-percent = Share
-sample-share-problem = More than 0 and at most 100 %.
+sample-share-problem = Enter more than 0 and at most 100 %.
 sample-seed = Seed
-sample-seed-problem = A whole number.
-sample-free = Free-flowing: at least so long behind the vehicle before
-sample-free-help = By direction, from the beginning of one pass to the next; empty: all vehicles. 5 s is usual.
-sample-free-problem = Seconds, more than 0 and at most 60.
+sample-seed-problem = Enter a whole number.
+sample-free = Free-flowing vehicles: minimum headway
+sample-free-help = Per direction, from the start of one pass to the start of the next. Empty: all vehicles. 5 s is usual.
+sample-free-problem = Enter seconds, more than 0 and at most 60.
 sample-quotas = Quotas
-sample-quotas-help = How many vehicles you want of each kind; empty: no quota. Their progress stands beside the passes while you measure.
-sample-quota-problem = A whole number from 1 on.
+sample-quotas-help = Number of vehicles wanted of each kind. Empty: no quota. Progress is shown beside the passes while you measure.
+sample-quota-problem = Enter a whole number, 1 or more.
 sample-quota = { NUMBER($measured) } of { NUMBER($wanted) }
 sample-any-class = any class
-sample-response = What became of the passes
+sample-response = Outcome of the passes
 sample-lighting = Lighting
 sample-classes = Classes
-sample-of = of
+sample-of = target
 sample-passes = Passes
 sample-discarded = Discarded
 sample-out = Outside
 sample-measured = Measured
 sample-unseen = Not visible
 sample-outside = { $count ->
-    [one] { $count } pass was measured though it is out of the sample, and counts in the results.
-   *[other] { $count } passes were measured though they are out of the sample, and count in the results.
+    [one] { $count } pass outside the sample was measured and counts in the results.
+   *[other] { $count } passes outside the sample were measured and count in the results.
 }
 sample-open = Open
 sample-rate = Response
@@ -178,30 +186,30 @@ sample-rate-of = { $rate } % ({ $low } to { $high })
 sample-all = all
 sample-unknown = unknown
 sample-vehicle = vehicle
-sample-help = Response: measured over the passes in the sample, with its exact 95 % interval. Where it differs between groups, those that could be measured may differ from those that passed.
+sample-help = Response: passes measured divided by passes in the sample, with the exact 95 % interval. If it differs between groups, the measured vehicles may not represent the traffic.
 sample-rule = { $method ->
-    [nth] One pass in { NUMBER($step) } is to be measured, from number { NUMBER($start) } on.
-    [share] A random share of { $share } % of the passes is to be measured (seed { $seed }).
-   *[every] Every pass is to be measured.
+    [nth] One pass in { NUMBER($step) } is measured, starting with number { NUMBER($start) }.
+    [share] A random share of { $share } % of the passes is measured (seed { $seed }).
+   *[every] Every pass is measured.
 }
-sample-rule-free = Only vehicles at least { $seconds } s behind the one before.
+sample-rule-free = Only vehicles with a headway of at least { $seconds } s.
 class-choice-any = all classes
-class-choice-help = Sets and classes of vehicles that count; none chosen: all
+class-choice-help = Vehicle sets and classes to include. None selected: all.
 class-choice-sets = Sets
 class-choice-classes = Classes
-checklist-all = All of them
+checklist-all = All
 classes-open = Classes
-classes-title = Classes of vehicles
-classes-help = The sets by which statistics, quotas and packages can be limited, and the legal classes that the package names. A change holds for everything measured already too: the set of a vehicle follows from its class.
+classes-title = Vehicle classes
+classes-help = Sets limit statistics, quotas and packages; the package also names the legal classes. A change applies to existing measurements too, because a vehicle’s set follows from its class.
 classes-class = Class
 classes-set = Set
 classes-set-of = Set of { $category }
 classes-eu = EU
 classes-eu-of = EU classes of { $category }
-classes-eu-problem = Classes of the EU: L, M1 to M3, N1 to N3, O1 to O4 or T.
+classes-eu-problem = Enter EU classes: L, M1 to M3, N1 to N3, O1 to O4 or T.
 classes-fhwa = FHWA
 classes-fhwa-of = FHWA classes of { $category }
-classes-fhwa-problem = Numbers from 1 to 13, such as “5 6 7” or “8-13”.
+classes-fhwa-problem = Enter numbers from 1 to 13, for example “5 6 7” or “8-13”.
 
 ## Roles of people
 
@@ -216,26 +224,27 @@ role-manager = Manager
 page-sign-in = Sign in
 page-surveys = Surveys
 page-survey = Overview
-page-planning = Plan the site
-page-camera = Camera
+page-planning = Site planning
+page-camera = Camera calibration
 page-recordings = Recordings
-page-pose = Road pose
-page-measure = Measure
-page-checks = Checks
+page-pose = Camera pose
+page-measure = Measurement
+page-checks = Validation
 page-review = Review
-page-repeats = Repeats
-page-click-again = Click again
+page-repeats = Repeatability
+page-click-again = Blind repeats
 page-scans = Line scans
-page-scan-results = Motion
+page-scan-results = Speeds and gaps
 page-scan = Line scan
+page-live = Live
 page-export = Export
 page-statistics = Statistics
 page-sight-distance = Sight distance
 page-studies = Studies
 page-study = Study
 page-catalogue = Catalogue
-page-audit = Audit
-page-people = People
+page-audit = Audit trail
+page-people = Users
 page-jobs = Jobs
 page-system = System
 page-account = Account
@@ -243,22 +252,22 @@ page-guide = Guide
 
 ## Commands: buttons, menus and the list of keys
 
-command-help = Show the keys
+command-help = Show the keyboard shortcuts
 command-frameNext = Next frame
 command-framePrevious = Previous frame
-command-frameNextTen = Ten frames on
+command-frameNextTen = Ten frames forward
 command-framePreviousTen = Ten frames back
-command-secondNext = One second on
+command-secondNext = One second forward
 command-secondPrevious = One second back
 command-frameFirst = First frame
 command-frameLast = Last frame
 command-frameGo = Go to a frame
-command-play = Play and stop
-command-loupe = Loupe, while held
-command-loupeToggle = Loupe on and off
-command-linesToggle = Hide and show the lines
-command-brightToggle = Brighten the picture, for display only
-command-cursor = Place points by keyboard: cursor on and off
+command-play = Play or pause
+command-loupe = Magnifier (hold)
+command-loupeToggle = Magnifier on or off
+command-linesToggle = Show or hide the lines
+command-brightToggle = Brighten the image (display only)
+command-cursor = Keyboard cursor on or off
 command-place = Place the point at the cursor
 command-zoomIn = Zoom in
 command-zoomOut = Zoom out
@@ -266,28 +275,34 @@ command-zoomFit = Fit the frame
 command-passNext = Next pass
 command-passPrevious = Previous pass
 command-target1 = Target: roof
-command-target2 = Target: driver's eye
+command-target2 = Target: driver’s eye
 command-target3 = Target: taillight
 command-target4 = Target: headlight
 command-target5 = Target: other
-command-notVisible = Say that the target is not visible, and why
+command-notVisible = Mark the target as not visible
 command-newContact = New contact point
-command-secondFrame = Second frame: click the same two points there
-command-proposeContact = Propose the tyre's contact at the pointer
-command-driverSide = Driver on the other side, near or far
-command-selectNext = Select the next point
+command-secondFrame = Add a second frame
+command-followPass = Follow through the pass
+command-proposeContact = Suggest the tyre contact at the pointer
+command-driverSide = Change the driver’s side (near or far)
+command-selectNext = Next point
 command-bestFrame = Best frame of the pass
-command-whichModel = Which model fits: go to the list
+command-record = Go to make and model
+command-recentModel1 = Recently used model 1
+command-recentModel2 = Recently used model 2
+command-recentModel3 = Recently used model 3
+command-recentModel4 = Recently used model 4
+command-whichModel = Go to the models that fit
 command-passBegin = Mark the first frame of a pass or the board
 command-passEnd = Mark the last frame of a pass or the board
 command-passSplit = Split the pass before this frame
 command-passJoin = Join the pass with the next one
 command-passDiscard = Discard the pass
-command-confirmNext = Confirm and go to the next pass
+command-confirmNext = Next unfinished pass
 command-undo = Undo
 command-redo = Redo
 command-remove = Withdraw the selected measurement
-command-cancel = Let go of the point, close
+command-cancel = Deselect or cancel
 command-nudgeLeft = Move the point left 1 px
 command-nudgeRight = Move the point right 1 px
 command-nudgeUp = Move the point up 1 px
@@ -300,24 +315,24 @@ command-nudgeLeftFine = Move the point left 0.1 px
 command-nudgeRightFine = Move the point right 0.1 px
 command-nudgeUpFine = Move the point up 0.1 px
 command-nudgeDownFine = Move the point down 0.1 px
-command-scanFit = Fill the window with the vehicle
-command-scanTaller = Stretch the height
-command-scanFlatter = Flatten the height
+command-scanFit = Fit the vehicle to the window
+command-scanTaller = Stretch vertically
+command-scanFlatter = Compress vertically
 command-scanWheels = Click both wheels for the wheelbase
 command-scanNew = Add a vehicle by its front and rear
 command-scanHeight = Measure heights by contact and target
-command-scanRod = Calibrate the height with a rod
+command-scanRod = Calibrate heights with a rod
 command-reviewAccept = Accept
 command-reviewReject = Reject
 command-reviewFix = Fix
 command-reviewNext = Next measurement
 command-reviewPrevious = Previous measurement
-command-reviewReason1 = Reason 1 of a rejection
-command-reviewReason2 = Reason 2 of a rejection
-command-reviewReason3 = Reason 3 of a rejection
-command-reviewReason4 = Reason 4 of a rejection
-command-reviewReason5 = Reason 5 of a rejection
-command-reviewReason6 = Reason 6 of a rejection
+command-reviewReason1 = Rejection reason 1
+command-reviewReason2 = Rejection reason 2
+command-reviewReason3 = Rejection reason 3
+command-reviewReason4 = Rejection reason 4
+command-reviewReason5 = Rejection reason 5
+command-reviewReason6 = Rejection reason 6
 
 ## Keys, as keycaps show them
 
@@ -339,7 +354,7 @@ key-PageDown = PgDn
 
 scope-anywhere = Everywhere
 scope-frames = Frames
-scope-measure = Measure
+scope-measure = Measurement
 scope-point = A selected point
 scope-scan = Line scan
 scope-review = Review
@@ -349,29 +364,29 @@ scope-review = Review
 time-just-now = just now
 time-minutes-ago = { $minutes } min ago
 time-today = today { $time }
-length-problem = A length, such as { $example }.
-problem-server = The server could not do this (status { $status }); try again, and tell the administrator if it stays.
+length-problem = Enter a length, for example { $example }.
+problem-server = Server error (status { $status }). Try again. If the error continues, contact your administrator.
 problem-refused = The server refused this (status { $status }).
-problem-stopped = This was stopped.
-problem-page = Something went wrong in this page; reload it, and tell the administrator if it happens again.
+problem-stopped = Stopped.
+problem-page = Something went wrong in this page. Reload it; if it happens again, contact your administrator.
 problem-offline = The server cannot be reached.
-problem-unreachable = The server could not be reached, so this was not done; check the connection and try again.
-keys-reserved = The browser keeps { $chord } for itself; choose another key.
+problem-unreachable = The server could not be reached, so this was not saved. Check the connection and try again.
+keys-reserved = { $chord } is reserved by the browser; choose another key.
 
 ## Addresses of things that are not there
 
 address-elsewhere = { $what ->
-    [vehicle] The vehicle in this address is not in this survey, or was deleted.
-    [measurement] The measurement in this address is not in this survey, or was withdrawn.
-    [recording] The recording in this address is not in this survey, or cannot be shown.
-    [camera] The camera in this address is not in this survey; another is shown.
-   *[scan] The line-scan recording in this address is not in this survey.
+    [vehicle] This link points to a vehicle that is not in this survey, or was deleted.
+    [measurement] This link points to a measurement that is not in this survey, or was withdrawn.
+    [recording] This link points to a recording that is not in this survey, or cannot be shown.
+    [camera] This link points to a camera that is not in this survey; another is shown.
+   *[scan] This link points to a line-scan recording that is not in this survey.
 }
 
 ## Components: progress, undo
 
 loading = Loading { $what }…
-job-queued = Waiting for its turn
+job-queued = Queued
 job-working = Working
 undo-step = Undo: { $step }
 undo-nothing = Nothing to undo
@@ -398,14 +413,18 @@ guide-page-glossary = Glossary
 
 ## Jobs of the server, done once more
 
-jobs-only-failed-again = This job is { $state }; only one that failed or was stopped is done again.
-jobs-again-on-its-page = Work of this kind ({ $kind }) begins again on the page of its recording, where its files are looked at too.
+jobs-only-failed-again = { $state ->
+    [queued] This job is still queued
+    [running] This job is running
+   *[done] This job has finished
+ }; only failed or stopped jobs can be run again.
+jobs-again-on-its-page = Restart this job ({ $kind }) on the page of its recording, where its files are checked too.
 
 ## System: the page of administrators
 
-system-lead = How this installation is doing just now. Prometheus reads the same on a port of its own.
+system-lead = Current state of this installation. Prometheus reads the same figures on a separate port.
 system-loading = the state of the system
-system-program = Program and machine
+system-program = Software and server
 system-version = Version
 system-database = Database
 system-database-of = { $kind ->
@@ -415,51 +434,75 @@ system-database-of = { $kind ->
     [one] 1 connection in use
    *[other] { $count } connections in use
   }
-system-media = Videos and pictures
+system-media = Videos and images
 system-free = Free on the disk
 system-memory = Memory of the server
-system-unknown = not told by this machine
-system-decoder = Decoder of stills
-system-decoder-none = not needed just now
+system-unknown = not available
+system-decoder = Still-image decoder
+system-decoder-none = idle
 system-decoder-runs = process { $process }
-system-waiting = Waiting for their turn
-system-waiting-of = { $reading } to read, { $writing } to write
+system-waiting = Queued
+system-waiting-of = { $reading } reads, { $writing } writes
 system-jobs = Jobs
+system-checkpoints = Checkpoints
+system-checkpoints-sign = Sign a checkpoint
+system-checkpoints-lead = A checkpoint signs where every audit chain ends. Keep the files outside this server: they reveal a chain that is cut or rewritten later. Every export signs one too.
+system-checkpoints-loading = the checkpoints
+system-checkpoints-key = Key in force
+system-checkpoints-keys-before = { $count ->
+    [one] It replaced { $count } earlier key, which signed it.
+   *[other] It replaced { $count } earlier keys; each signed the next.
+  }
+system-checkpoints-none = Nothing is signed yet.
+system-checkpoints-chains = Chains
+system-checkpoints-events = Events
+system-checkpoints-root = Root
+system-checkpoints-download = Download
+system-checkpoints-download-of = Download the checkpoint of { $when }
+system-licences = Libraries and licences
+system-licences-show = Show
+system-licences-hide = Hide
+system-licences-loading = the libraries
+system-licences-server = library of the server
+system-licences-pages = library of the pages
+system-licences-version = version
+system-licences-licence = licence
+system-licences-none = none stated
 
 ## Jobs: the page
 
 own-name-title = What is your name?
-own-name-why = It stands beside everything that you measure, judge and change.
+own-name-why = It is shown beside everything that you measure, review or change.
 own-name = Your name
-jobs-lead = Long work of the server: what waits, what is under way, what came of it.
+jobs-lead = Long-running tasks of the server: queued, running and finished.
 jobs-loading = the jobs
 jobs-show = Show
 jobs-all = All
-jobs-none-title = No jobs here
-jobs-none = Reading videos, finding passes, poses, calibrations and packages appear here.
+jobs-none-title = No jobs
+jobs-none = Video imports, pass searches, poses, calibrations and packages are listed here.
 jobs-kind = { $kind ->
-    [ingest] Reading a video
-    [passes] Finding passes
-    [proposals] Proposing points
-    [pose] Road pose
+    [ingest] Video import
+    [passes] Pass search
+    [proposals] Suggested points
+    [pose] Camera pose
     [calibrate] Calibration
-    [drift] Looking for camera drift
+    [drift] Camera stability check
     [export] Package
-    [scan_read] Reading strips
-    [scan_find] Finding vehicles in strips
-    [scan_tidy] Tidying up after strips
+    [scan_read] Strip import
+    [scan_find] Vehicle search in strips
+    [scan_tidy] Strip clean-up
     [demonstration] Demonstration survey
     [demonstration_study] Demonstration study (simulated)
     [study] Study
-   *[other] Other work
+   *[other] Other job
 }
-jobs-column-what = What
+jobs-column-what = Job
 jobs-column-for = For
 jobs-column-state = State
-jobs-column-said = What it says
-jobs-column-begun = Begun
-jobs-again = Once more
-jobs-begun-again = It begins once more.
+jobs-column-said = Message
+jobs-column-begun = Started
+jobs-again = Run again
+jobs-begun-again = The job was started again.
 
 ## App: titles, the bar above, the rail, addresses that lead nowhere
 
@@ -468,26 +511,27 @@ app-title = { $page } – Sightline
 app-title-in-survey = { $page } – { $survey } – Sightline
 app-not-found = Not found
 app-skip = Skip to the page
-app-skip-picture = Skip to the picture
+app-skip-picture = Skip to the image
 app-to-surveys = Go to the surveys
-app-nothing-here-title = There is nothing at this address
-app-nothing-here = The link may be old, or the survey may have been removed.
-app-not-loaded = This page could not be loaded, perhaps because a newer version was installed; reload it.
+app-nothing-here-title = Page not found
+app-nothing-here = The link may be out of date, or the survey may have been removed.
+app-not-loaded = This page could not be loaded. A newer version may have been installed; reload the page.
 app-loading-page = { $page ->
     [sign-in] sign in
     [surveys] surveys
     [survey] overview
-    [planning] plan the site
-    [camera] camera
+    [planning] site planning
+    [camera] camera calibration
     [recordings] recordings
-    [pose] road pose
-    [measure] measure
-    [checks] checks
+    [pose] camera pose
+    [measure] measurement
+    [checks] validation
     [review] review
-    [repeats] repeats
-    [click-again] click again
+    [repeats] repeatability
+    [click-again] blind repeats
     [scans] line scans
-    [scan-results] motion
+    [scan-results] speeds and gaps
+    [live] live
     [scan] line scan
     [export] export
     [statistics] statistics
@@ -495,24 +539,27 @@ app-loading-page = { $page ->
     [studies] studies
     [study] study
     [catalogue] catalogue
-    [audit] audit
-    [people] people
+    [audit] audit trail
+    [people] users
     [jobs] jobs
     [system] the state of the system
     [guide] guide
    *[account] account
 }
-app-where = Where you are
+app-where = Current location
 app-survey = Survey
 app-other-step = { $page }: go to another step
-app-keys = Keys
-app-work = Order of work
-app-audit = Audit trail
+rail-setup = Set up
+rail-measure = Measure
+rail-quality = Quality
+rail-results = Results
+app-keys = Keyboard shortcuts
+app-work = Survey steps
 save-waiting = { $count } not yet saved
 save-pending = saving…
 save-failed = last change not saved
 save-done = saved { $time }
-menu-person = { $person }: account and settings
+menu-person = { $person }: account
 menu-role = { $role } · Sightline { $version }
 menu-theme = Theme
 menu-theme-system = System
@@ -526,16 +573,16 @@ menu-sign-out = Sign out
 ## App: while the server cannot be reached
 
 offline-kept = { $count ->
-    [one] { $count } change is kept in this browser and will be saved when it is back.
-   *[other] { $count } changes are kept in this browser and will be saved when it is back.
+    [one] { $count } change is kept in this browser and will be saved when the connection is back.
+   *[other] { $count } changes are kept in this browser and will be saved when the connection is back.
 }
 offline-changes = { $count ->
-    [one] { $count } change will be saved when it is back; keep this page open.
-   *[other] { $count } changes will be saved when it is back; keep this page open.
+    [one] { $count } change will be saved when the connection is back; keep this page open.
+   *[other] { $count } changes will be saved when the connection is back; keep this page open.
 }
-offline-next = Next try in { $seconds } s.
-offline-now = Trying again…
-offline-try = Try now
+offline-next = Retrying in { $seconds } s.
+offline-now = Retrying…
+offline-try = Retry now
 
 ## App: what was refused, or changed by somebody else meanwhile
 
@@ -544,16 +591,16 @@ unsaved-conflict = <link>{ $what }</link>: { $problem } Yours: { $mine }. Theirs
 unsaved-take = Take theirs
 unsaved-keep = Keep mine
 unsaved-again = Try again
-unsaved-drop = Let it go
-unsaved-otherwise = The server stored something else than was asked for; look at it again.
+unsaved-drop = Discard
+unsaved-otherwise = The server stored a different value; check it.
 
 ## App: the list of keys
 
-keys-how = To change a key, click on it, then press the new one; it is kept in this browser.
-keys-usual = Back to the usual keys
-keys-clash = { $chord } now means both “{ $one }” and “{ $other }”; the first one wins.
+keys-how = To change a key, click it and press the new one. Keys are saved in this browser.
+keys-usual = Reset to defaults
+keys-clash = { $chord } is now assigned to both “{ $one }” and “{ $other }”; the first one applies.
 keys-elsewhere = On other screens
-keys-wheel = Wheel: zoom at the pointer. Drag with the middle button, or with Space held: move the picture.
+keys-wheel = Wheel: zoom at the pointer. Drag with the middle button, or with Space held: move the image.
 keys-of = { $command }: { $keys }. Change
 keys-change = Change the key
 keys-press = press a key…
@@ -564,51 +611,55 @@ board-kind = Kind of board
 board-checkerboard = Checkerboard
 board-charuco = ChArUco
 board-dictionary = Dictionary
-board-marker = Marker’s side
-board-marker-problem = Give the side of the black marker, for example { $example }.
-board-marker-too-large = A marker is smaller than its square.
+board-marker = Marker side
+board-marker-problem = Enter the side of the black marker, for example { $example }.
+board-marker-too-large = The marker must be smaller than its square.
 
 ## Did the camera move
 
-drift-title = Did the camera move?
+drift-title = Camera stability
 drift-stopped = The check stopped.
-drift-under-way = Whether the camera moved since its road pose is being looked at.
-drift-not-yet = Whether the camera moved since its road pose has not been looked at.
-drift-holds = Still good, says { $person }: { $reason }
-drift-over-time = Over the recording's time
-drift-again = Look again
-drift-take-back = Take the decision back
-drift-reason = The pose is still good, because
-drift-decide = Decide: still good
+drift-under-way = Checking camera stability …
+drift-not-yet = Camera stability not checked.
+drift-holds = Pose kept by { $person }: { $reason }
+drift-over-time = Movement over time
+drift-again = Check again
+drift-take-back = Undo decision
+drift-reason = Reason for keeping the pose
+drift-decide = Keep pose
 drift-look = frame { $frame }: { $moved_px } px, { $change }
 drift-figure = { $untold ->
-    [0] { $count } frames against the road pose's; worst { $worst } of height for a target { $target } high at { $distance }. The band is what could not be told from standing still.
-   *[other] { $count } frames against the road pose's, { $untold } told nothing; worst { $worst } of height for a target { $target } high at { $distance }. The band is what could not be told from standing still.
+    [0] { $count } frames compared with the frames of the camera pose. Largest height error: { $worst } (target { $target } high, distance { $distance }). Shaded band: detection limit.
+   *[other] { $count } frames compared with the frames of the camera pose, { $untold } not usable. Largest height error: { $worst } (target { $target } high, distance { $distance }). Shaded band: detection limit.
 }
 
 ## Figures: their downloads and marks
 
 figure-as-svg = { $figure } as SVG
 figure-as-csv = { $figure } as CSV
+figure-read = Read values: { $figure }
+figure-read-hint = Arrow keys move along the axis.
+figure-read-value = { $what }: { $value }
+figure-no-band = n = { $n }. No band is drawn for fewer than { $least } vehicles: it would cover more than half of the axis.
 figure-standard = { $standards } { $height } { $unit }
 
 ## Vehicles: budget, history, catalogue, passes
 
-budget-title = Where the uncertainty comes from
+budget-title = Uncertainty budget
 budget-note = standard uncertainty
-budget-together = together
-revisions-computed-again = computed again; clicked by
+budget-together = Combined
+revisions-computed-again = recomputed; clicked by
 revisions-title = History
 revisions-who = { $person }, { $time }
 revisions-review = { $person } – { $reason }
 catalogue-list = { $field } in the catalogue
-catalogue-other-years = The catalogue has { $model } of { $years } only; is the year right?
+catalogue-other-years = The catalogue has { $model } only for { $years }. Check the year.
 passes-find = Find the passes
-passes-find-title = Looks through the video for vehicles; passes that are there or were discarded stay as they are
-passes-failed = The search failed; try it again.
+passes-find-title = Detect vehicle passes in this video. Existing and discarded passes do not change.
+passes-failed = The search for passes failed. Try again.
 passes-cancelled = The search for passes in { $recording } was cancelled.
 passes-found = { $recording }: { $message }
-passes-over = { $recording }: the search is over.
+passes-over = { $recording }: search finished.
 passes-all = All
 passes-to-do = To do
 passes-rejected = Rejected
@@ -623,23 +674,24 @@ passes-by-state = by state
 viewer-frame = frame { $frame }
 viewer-frame-label = Frame { $frame }
 viewer-frame-at = frame { $frame }, { $time }
-viewer-stand-in = thumbnail of frame { $thumbnail }; frame { $frame } is coming
+viewer-stand-in = thumbnail of frame { $thumbnail }; loading frame { $frame }
 viewer-what = frame
-viewer-layers = Axes and points over the picture
-viewer-bright = display only: brightened
+viewer-layers = Axes and points over the image
+viewer-bright = brightened (display only)
 viewer-pointer = x { $x } y { $y }
-viewer-wrong-frame = The server sent frame { $served } for frame { $frame }, so it is not shown; ingest the recording again.
-viewer-slid = Nothing was placed: the pointer moved on while the button was down. Space and a drag move the picture.
-viewer-changed = Nothing was placed: another picture came while the button was down. Click again.
+viewer-wrong-frame = The server sent frame { $served } for frame { $frame }, so it is not shown. Import the recording again.
+viewer-slid = Nothing was placed: the pointer moved while the button was down. To move the image, hold Space and drag.
+viewer-changed = Nothing was placed: the image changed while the button was down. Click again.
 viewer-first-corner = first
+timeline-passes = { $count } passes, frames { $first_frame } to { $last_frame }
 timeline-label = Position in the recording
 timeline-decoded = Decoded on the server
 transport-play = Play
-transport-stop = Stop
+transport-stop = Pause
 transport-frame = frame
 transport-of = of { $last_frame }
-transport-vfr-title = The frame rate of this recording varies; times come from each frame's own stamp.
-blind-elsewhere = Another frame than the one to click on; that is { $frame }.
+transport-vfr-title = Variable frame rate: times come from each frame’s own time stamp
+blind-elsewhere = This is not the frame to click on; go to frame { $frame }.
 blind-contact = click where the tyre meets the road
 blind-target = { $target ->
     [roof] click { target-hint-roof }
@@ -652,66 +704,66 @@ blind-wrong-frame = Click on frame { $frame }, where the first clicks are.
 
 ## Camera: the page
 
-camera-lead = A body and lens at one setting of zoom and focus. Calibrating it tells how the lens bends the picture, and how well that is known.
+camera-lead = A camera body and lens at one zoom and focus setting. Calibration determines the lens parameters and their uncertainty.
 camera-another = Another camera
 camera-loading-all = cameras
 camera-loading = the camera
 camera-none-title = No camera yet
-camera-none = Name the camera that filmed this site. Then drop in some fifteen pictures of a checkerboard, taken with it at the same zoom and focus, or a file with its calibration from another tool.
+camera-none = Add the camera that filmed this site. Then add about fifteen images of a checkerboard, taken at the same zoom and focus, or import a calibration file from another tool.
 camera-add-first = Add the camera
 camera-list = Cameras
 camera-take-open = From another survey
-camera-take-title = A camera of another survey
-camera-take = Take it over
-camera-take-lead = Its current calibration comes along, with the pictures that it was made of. From then on each survey has its own: a new calibration in one changes no height in the other.
+camera-take-title = Copy a camera from another survey
+camera-take = Copy
+camera-take-lead = Copies the current calibration and its images. The two surveys are then independent: a new calibration in one changes no height in the other.
 camera-take-survey = Survey
 camera-take-camera = Camera
 camera-take-none = No camera of this survey has a calibration yet.
 camera-take-no-other = There is no other survey yet.
-camera-taken-from = taken over from { $place }
+camera-taken-from = copied from { $place }
 camera-add = Add a camera
 camera-name = Camera { $number }
 camera-edit = Change
 camera-edit-title = { $camera }
-camera-words-none = Lens, zoom and focus are not said yet.
+camera-words-none = Lens, zoom and focus are not set.
 camera-zoomed = zoom { $zoom }
 camera-focused = focus { $focus }
 camera-lens-words = Lens
-camera-lens-words-hint = Maker and range, as engraved on it: 24-70 mm f/2.8.
+camera-lens-words-hint = As engraved. Example: 24-70 mm f/2.8.
 camera-zoom = Zoom
-camera-zoom-hint = As it was set, and whether it is taped: 28 mm, taped.
+camera-zoom-hint = Example: 28 mm, taped.
 camera-focus = Focus
-camera-focus-hint = By hand, and at what distance. Autofocus changes the lens with every picture.
-camera-name-problem = A camera needs a name.
-camera-notes-hint = Body, picture size, steadying switched off: what else must stay the same for the calibration to hold.
+camera-focus-hint = Manual, and the distance. Autofocus changes the lens with every image.
+camera-name-problem = Enter a name for the camera.
+camera-notes-hint = Body, image size, stabilisation off. If any of these changes, calibrate again.
 
 ## Camera: calibrating
 
 camera-calibrate = Calibrate
 camera-calibrate-again = Calibrate again
-camera-where-boards = Where the boards are
-camera-from-pictures = From pictures
+camera-where-boards = Source of the board images
+camera-from-pictures = From images
 camera-from-recording = From a recording
-camera-choose-pictures = Choose pictures of the checkerboard
-camera-drop-pictures = Drop pictures of the checkerboard here, or click to choose
+camera-choose-pictures = Choose images of the checkerboard
+camera-drop-pictures = Drop images of the checkerboard here, or click to choose
 camera-drop-hint = Same camera, same zoom and focus. Tilt the board, bring it into every corner, keep it sharp.
 camera-found-in = { $count ->
     [one] The board was found in <strong>{ $found }</strong> of { $count } image.
    *[other] The board was found in <strong>{ $found }</strong> of { $count } images.
 }
-camera-too-few = At least three are needed; twelve to twenty from different sides give a good calibration.
-camera-more-better = That will do; twelve to twenty, with the board tilted and in every corner of the picture, do better.
-camera-other-board = The images were searched for another board; look again for { $columns } × { $rows } inner corners.
-camera-other-board-markers = The images were searched for another board; look again for { $columns } × { $rows } inner corners and markers of { $dictionary }.
-camera-look-again = Look again
+camera-too-few = At least three are needed. Twelve to twenty from different sides give a good calibration.
+camera-more-better = Enough to calibrate. Twelve to twenty, with the board tilted and in every corner of the image, give a better result.
+camera-other-board = These images were searched for another board. Search again for { $columns } × { $rows } inner corners.
+camera-other-board-markers = These images were searched for another board. Search again for { $columns } × { $rows } inner corners and markers of { $dictionary }.
+camera-look-again = Search again
 camera-to-go = { $count ->
-    [one] { $count } image to go
-   *[other] { $count } images to go
+    [one] { $count } image left
+   *[other] { $count } images left
 }
 camera-import = Import a calibration file
 camera-import-title = OpenCV YAML or JSON, ROS camera_info, Kalibr, mrcal
-camera-imported = { $file } was read.
-camera-failed = The calibration failed; try again.
+camera-imported = { $file } imported.
+camera-failed = The calibration failed. Try again.
 camera-recording-frames = { $count ->
     [one] { $recording } ({ $count } frame)
    *[other] { $recording } ({ $count } frames)
@@ -719,22 +771,22 @@ camera-recording-frames = { $count ->
 camera-every = Every n-th frame
 camera-first-frame = First frame
 camera-last-frame = Last frame
-camera-no-recording = No recording is ready; <link>bring in the clip</link> in which the board is moved about.
-camera-every-problem = Take every n-th frame, with n a whole number from 1.
-camera-frames-problem = Give the first and last frame as whole numbers.
-camera-frames-order = The last frame lies before the first.
+camera-no-recording = No recording is ready. <link>Add the clip</link> in which the board is moved.
+camera-every-problem = Enter a whole number, 1 or more.
+camera-frames-problem = Enter the first and the last frame as whole numbers.
+camera-frames-order = The last frame is before the first.
 camera-frames-end = The recording ends with frame { $last_frame }.
 camera-lens = Lens
-camera-lens-brown = Ordinary lens
+camera-lens-brown = Pinhole
 camera-lens-fisheye = Fisheye
-camera-lens-brown-hint = Pinhole with Brown distortion: up to about 100° of view.
+camera-lens-brown-hint = Pinhole with Brown-Conrady distortion: up to about 100° of view.
 camera-lens-fisheye-hint = Equidistant with four terms: for lenses that see more than about 100°.
 camera-board = Board
 camera-board-flat = Flat board
 camera-board-bent = May be bent
-camera-board-flat-hint = On a stiff plate. The result says how flat it was.
-camera-board-bent-hint = Paper on a wall or thin sheet: its shape is solved for too. Needs six views, better 15.
-camera-three-images = Three images with the board are the least; the button wakes up then.
+camera-board-flat-hint = On a stiff plate. The result states how flat it is.
+camera-board-bent-hint = Paper on a wall or thin sheet: the board shape is modelled too. Needs 6 views, better 15.
+camera-three-images = Add at least three images that show the board.
 camera-corners-found = { $count ->
     [one] { $count } corner found in { $image }
    *[other] { $count } corners found in { $image }
@@ -746,23 +798,25 @@ camera-found-all = { $columns } × { $rows } found
 ## Camera: the board
 
 camera-inner-corners = Count the <strong>inner corners</strong>: the points where four squares meet. A board of 10 by 7 squares has 9 by 6.
-camera-charuco-corners = Makers of ChArUco boards often state the squares: one less each way. Part of the board in a picture is enough.
+camera-charuco-corners = ChArUco boards are often specified by their squares: subtract one in each direction. Part of the board in an image is enough.
 camera-columns = Columns
 camera-rows = Rows
-camera-square = Side of one square
-camera-square-hint = Measure across ten squares with a ruler and divide by ten: printers rarely keep the size.
+camera-square = Square size
+camera-square-hint = Measure ten squares with a ruler and divide by ten; printers rarely keep the exact size.
 camera-square-problem = { $unit ->
-    [ft] Give the side of one square in inches, for example { $example }.
-   *[m] Give the side of one square in millimetres, for example { $example }.
+    [ft] Enter the square size in inches, for example { $example }.
+   *[m] Enter the square size in millimetres, for example { $example }.
 }
 camera-count-problem = { $what ->
-    [rows] Give the number of rows as a whole number.
-   *[columns] Give the number of columns as a whole number.
+    [rows] Enter the number of rows as a whole number.
+   *[columns] Enter the number of columns as a whole number.
 }
 camera-count-range = { $what ->
-    [rows] Between 3 and 50 rows can be found; count the inner corners again.
-   *[columns] Between 3 and 50 columns can be found; count the inner corners again.
+    [rows] Between 3 and 50 rows can be detected; count the inner corners again.
+   *[columns] Between 3 and 50 columns can be detected; count the inner corners again.
 }
+camera-print = Print this board (PDF)
+camera-print-hint = True size, on the smallest sheet that fits, with a scale bar to check the print. Glue it to something flat.
 camera-drawing = { $kind ->
     [charuco] A ChArUco board, markers in its white squares, with { $columns } inner corners across and { $rows } down: the points where four squares meet. The outer edge does not count.
    *[checkerboard] A board with { $columns } inner corners across and { $rows } down: the points where four squares meet. The outer edge does not count.
@@ -781,8 +835,8 @@ camera-drawing-square = square { $side }
 
 camera-calibrations = Calibrations
 camera-loading-calibration = the calibration
-camera-trusted = This calibration can be trusted
-camera-not-trusted = This calibration is not to be trusted
+camera-trusted = Calibration reliable
+camera-not-trusted = Calibration unreliable
 camera-made = { $source ->
     [import] Imported { $time }
     [clip] From a recording { $time }
@@ -793,50 +847,50 @@ camera-made-by = { $source ->
     [clip] From a recording { $time }, { $person }
    *[images] From images { $time }, { $person }
 }
-camera-use = Use this one
-camera-residual = residual (rms)
-camera-not-told = not told
+camera-use = Use this calibration
+camera-residual = RMS reprojection error
+camera-not-told = Not stated
 camera-download = camera.json
 camera-views-used = { $count ->
     [one] { $used } of { $count } view used
    *[other] { $used } of { $count } views used
 }
-camera-picture = picture
+camera-picture = image size
 camera-across = { $model ->
     [fisheye] fisheye, about { $angle }° across
-   *[brown] ordinary lens, about { $angle }° across
+   *[brown] pinhole, about { $angle }° across
 }
 camera-u = u = { $u }
 camera-u-note = u is the standard uncertainty (k = 1).
-camera-fx = focal length, across
-camera-fy = focal length, down
-camera-cx = optical centre, across
-camera-cy = optical centre, down
+camera-fx = focal length fx
+camera-fy = focal length fy
+camera-cx = principal point cx
+camera-cy = principal point cy
 camera-distortion = distortion { $name }
-camera-coverage-unknown = Which parts of the picture the boards covered is not known for this calibration.
-camera-coverage = Where corners were seen: { $percent } % of the picture.
-camera-coverage-label = Coverage of the picture: { $empty } of { $all } parts hold no corner
+camera-coverage-unknown = The coverage of the image is not known for this calibration.
+camera-coverage = Corners cover { $percent } % of the image.
+camera-coverage-label = Coverage of the image: { $empty } of { $all } parts hold no corner
 camera-coverage-cell = { $count ->
     [one] { $count } corner
    *[other] { $count } corners
 }
-camera-covered = Every part of the picture was covered well enough.
-camera-reshoot = What to shoot again
-camera-residuals = Residual of each view
+camera-covered = All parts of the image are covered well enough.
+camera-reshoot = Images to add
+camera-residuals = Residuals by view
 camera-left-out = { $count ->
-    [one] { $count } view left out
-   *[other] { $count } views left out
+    [one] { $count } view excluded
+   *[other] { $count } views excluded
 }
-camera-no-reason = no reason told
+camera-no-reason = no reason stated
 camera-residuals-label = Residuals of { $file }, the longest { $longest_px } pixels
 camera-worst-view = Worst view.
-camera-residuals-drawn = { $file }: residuals drawn { $times } times as long; the longest is { $longest_px } px.
-camera-history-made = made
-camera-history-by = by
-camera-history-from = from
-camera-history-verdict = verdict
-camera-history-summary = summary
-camera-history-show = show
+camera-residuals-drawn = { $file }: residuals enlarged { $times } times; the longest is { $longest_px } px.
+camera-history-made = Made
+camera-history-by = By
+camera-history-from = From
+camera-history-verdict = Verdict
+camera-history-summary = Summary
+camera-history-show = Show
 camera-history-shown = shown
 camera-show = Show
 camera-source-images = images
@@ -846,47 +900,47 @@ camera-source-import = a file
 ## Camera: the checks of a calibration
 
 camera-checks = Checks
-camera-halves = Two halves, calibrated apart
+camera-halves = Cross-validation (split halves)
 camera-halves-not-done = Not done. { $reason }
-camera-halves-nothing = The picture shows too little of such a scene to compare a height.
-camera-halves-differ = Two halves of the pictures, calibrated apart, differ by { $differences } in a height.
+camera-halves-nothing = The field of view is too small to compare heights.
+camera-halves-differ = Heights from the two halves differ by { $differences }.
 camera-difference-at = { $difference } at { $distance }
-camera-held-out = Residual of pictures that did not help to find the lens: { $held_out }; of those that did: { $fit }.
+camera-held-out = RMS reprojection error, held-out images: { $held_out }; fitted images: { $fit }.
 camera-under = under { $length }
-camera-vehicle-at = vehicle at
-camera-heights-differ = heights differ by
-camera-expected = expected (k = 1)
-camera-not-in-picture = not in the picture
-camera-halves-note = An eye at { $eye }, camera level at { $camera }, board at { $board }, the same clicks through either half. Expected is what the noise of the corners alone would make.
-camera-flatness = Flatness of the board
-camera-board-solved = Solved for: the board bends by { $bow }; taken as flat the residual is { $flat }, with its shape solved for { $bent }.
-camera-board-taken-flat = Taken as flat. From the pictures it bends by { $bow }; taken as flat the residual is { $flat }, with its shape solved for { $bent }.
+camera-vehicle-at = Vehicle at
+camera-heights-differ = Height difference
+camera-expected = Expected u (k = 1)
+camera-not-in-picture = not in the image
+camera-halves-note = Height of an eye at { $eye } computed with each half (camera level at { $camera }, board at { $board }, the same clicks). “Expected” is the difference from corner noise alone.
+camera-flatness = Flatness deviation of the board
+camera-board-solved = Board shape modelled: it bends by { $bow }. RMS reprojection error { $flat } as flat, { $bent } with the shape modelled.
+camera-board-taken-flat = Taken as flat. The images indicate a bend of { $bow }. RMS reprojection error { $flat } as flat, { $bent } with the shape modelled.
 
-## Road pose: the page
+## Camera pose: the page
 
-pose-loading = the road pose
+pose-loading = the camera pose
 pose-no-recording-title = No recording with the board yet
-pose-no-recording = Add the video in which the checkerboard stands on the road; the road pose is found from it.
+pose-no-recording = Add the video in which the checkerboard stands on the road; the camera pose is computed from it.
 pose-add-recordings = Add recordings
 pose-mark-first = Mark the first frame of the board
 pose-mark-last = Mark the last frame of the board
 pose-side = Board and result
 pose-board-span = Board: frames { $first_frame } to { $last_frame }
-pose-go-again = This recording has its road pose. To find it again, go to a frame in which the board stands still.
-pose-go = Go to a frame in which the board stands still.
-pose-looking = Looking for the board…
+pose-go-again = This recording has a camera pose. To compute it again, go to a frame with the board at rest.
+pose-go = Go to a frame with the board at rest.
+pose-looking = Searching for the board…
 pose-found-part = Part found
 pose-found = { $columns } × { $rows } found
-pose-chosen = This pose now holds for the recording; heights clicked from now on use it.
+pose-chosen = This pose is now current for the recording; new measurements use it.
 
-## Road pose: the questions
+## Camera pose: the questions
 
 pose-lens = Recording and lens
 pose-calibration-none = none yet
 pose-calibration = { $state ->
     [current] { $camera }, { $calibration }, current
-    [current_not_trusted] { $camera }, { $calibration }, current, not to be trusted
-    [not_trusted] { $camera }, { $calibration }, not to be trusted
+    [current_not_trusted] { $camera }, { $calibration }, current, unreliable
+    [not_trusted] { $camera }, { $calibration }, unreliable
    *[other] { $camera }, { $calibration }
 }
 pose-board = The board
@@ -894,21 +948,21 @@ pose-columns = Inner corners across
 pose-rows = and down
 pose-square = Square
 pose-corners-hint = Inner corners are where four squares meet: a board of 10 by 7 squares has 9 by 6.
-pose-charuco-hint = A road pose needs the whole board in sight.
-pose-still = Frames in which it stands still
-pose-begins = Begins here
+pose-charuco-hint = A camera pose needs the whole board in sight.
+pose-still = Stationary frames
+pose-begins = Set first
 pose-begins-title = The first frame
-pose-ends = Ends here
+pose-ends = Set last
 pose-ends-title = The last frame
-pose-span-offer = The board stands still from frame { $first_frame } to { $last_frame }.
-pose-span-take = Take these frames
+pose-span-offer = The board is stationary from frame { $first_frame } to { $last_frame }.
+pose-span-take = Use these frames
 pose-not-marked = not marked yet
 pose-end-not-marked = from { $first_frame }, end not marked
 pose-marked = { $count ->
     [one] { $first_frame } to { $last_frame }, { $count } frame
    *[other] { $first_frame } to { $last_frame }, { $count } frames
 }
-pose-height = How high it stands
+pose-height = Board height
 pose-reference = Reference row
 pose-reference-bottom = lowest row of corners
 pose-reference-top = uppermost row
@@ -916,42 +970,43 @@ pose-reference-height = { $reference ->
     [top] From the road up to the uppermost row of inner corners
    *[bottom] From the road up to the lowest row of inner corners
 }
+pose-reference-height-hint = Measure it for each recording; it is never copied from another.
 pose-drawing = { $reference ->
     [top] The tape runs from the road up to the uppermost row of inner corners.
    *[bottom] The tape runs from the road up to the lowest row of inner corners.
 }
 pose-drawing-tape = tape
 pose-drawing-road = road
-pose-sure = How sure these are
-pose-u-tape = u of the tape
-pose-u-lean = u of the lean
-pose-u-square = u of a square
-pose-u-bow = u of the bow
-pose-u-hint = Standard uncertainties, all estimates until you measure them: 3 mm is a steel tape read with care on asphalt; 0.3° is a board set with a good spirit level, towards the camera and sideways alike; a print is true to 0.1 % of a square; the middle of a stiff board is out of plane by 0.5 mm. Each goes into every height's budget under its own name.
-pose-find = Find the road pose
-pose-find-again = Find the road pose again
+pose-sure = Standard uncertainties
+pose-u-tape = u(height)
+pose-u-lean = u(tilt and roll)
+pose-u-square = u(square size)
+pose-u-bow = u(flatness)
+pose-u-hint = Defaults are Type B estimates: steel tape on asphalt 3 mm; spirit level 0.3° (tilt and roll alike); printed square 0.1 %; flatness of a stiff board 0.5 mm. Each is a separate line in the uncertainty budget.
+pose-find = Compute the camera pose
+pose-find-again = Compute the camera pose again
 pose-stopped = Stopped; nothing was changed.
-pose-look-only = You may look; an operator finds the pose.
-pose-problem-calibration = Calibrate the camera first; without its lens there is no pose.
-pose-problem-board = A board has at least 2 by 2 inner corners.
-pose-problem-square = Measure one square over several and enter its side.
-pose-problem-height = Measure it with a tape; every height rests on it.
-pose-problem-u = Each is a figure of zero or more.
-pose-problem-span = Mark the frames in which the board stands still.
+pose-look-only = View only. An operator computes the pose.
+pose-problem-calibration = Calibrate the camera first. The pose needs the lens parameters.
+pose-problem-board = A board needs at least 2 by 2 inner corners.
+pose-problem-square = Enter the side of one square. Measure across several squares and divide.
+pose-problem-height = Enter the height measured with a tape.
+pose-problem-u = Each must be a number of 0 or more.
+pose-problem-span = Mark the frames with the board at rest.
 
-## Road pose: the result
+## Camera pose: the result
 
-pose-result = The recording's road pose
+pose-result = Camera pose of the recording
 pose-download = pose.json
-pose-result-earlier = An earlier road pose
+pose-result-earlier = Earlier camera pose
 pose-use = Use this pose for the recording
-pose-measure = Measure with it
+pose-measure = Start measuring
 pose-expected = Expected uncertainty of a height
-pose-expected-distance = at a distance of
-pose-expected-good = a height is good to (95 %)
+pose-expected-distance = Distance
+pose-expected-good = Height U95
 pose-expected-U95 = ± { $U95 }
 pose-expected-reason = At { $distance }: { $reason }
-pose-facts = Frames { $first_frame } to { $last_frame }; corners fit to { $fit }; board at { $distance }.
+pose-facts = Frames { $first_frame } to { $last_frame }; residual of the corners { $fit }; board at { $distance }.
 pose-other-recording = another recording
 pose-poses = { $count ->
     [one] { $count } pose in this survey
@@ -962,27 +1017,28 @@ pose-use-short = Use
 
 ## Recordings
 
-recordings-lead = Every frame is numbered by the server as it decodes the file, so frame n is the same picture for everybody.
+recordings-lead = Frame numbers are the same for everyone. Line-scan strips are added under Line scans.
 recordings-loading = recordings
 recordings-choose = Choose videos to upload
 recordings-drop = Drop videos here, or click to choose
-recordings-drop-hint = A broken connection does no harm: the upload goes on where it stopped, also after this page was closed.
+recordings-drop-hint = Interrupted uploads resume where they stopped, even after you close this page.
 recordings-uploads = Uploads
 recordings-none-title = No recordings yet
-recordings-none = Drop the day's video above: MP4, MOV, AVI, MKV and what else a camera writes. The clip in which the checkerboard stands on the road counts too: the road pose is found in it.
-recordings-none-look = An operator can upload the day's video here.
+recordings-none = Add the video of the day: MP4, MOV, AVI, MKV and others. Add the clip with the checkerboard on the road too: the camera pose is computed from it.
+recordings-none-look = An operator can upload the day’s video here.
 recordings-delete-title = Delete { $recording }?
-recordings-delete-body = The video, its frame table and its road poses go; a recording with measurements cannot be deleted.
+recordings-delete-body = This deletes the video, its frame table and its camera poses. A recording with measurements cannot be deleted.
 recordings-delete = Delete the recording
 recordings-delete-one = Delete { $recording }
+recordings-download-one = Download the video of { $recording }
 recordings-deleted = { $recording } was deleted.
-recordings-vfr-title = Variable frame rate: times come from each frame's own time stamp
-recordings-find-road = Find the road
+recordings-vfr-title = Variable frame rate: times come from each frame’s own time stamp
+recordings-find-road = Compute camera pose
 recordings-measure = Measure
-recordings-read-again = Read it again
-recordings-unreadable = This recording could not be read.
-recordings-no-picture = no picture
-recordings-no-picture-yet = no picture yet
+recordings-read-again = Import again
+recordings-unreadable = This recording could not be imported.
+recordings-no-picture = no image
+recordings-no-picture-yet = no image yet
 recordings-rename = Rename
 recordings-rename-one = Rename { $recording }
 recordings-name = Name of the recording
@@ -990,36 +1046,41 @@ recordings-frames = { $count ->
     [one] { $count } frame
    *[other] { $count } frames
 }
-recordings-rate = { $rate } per second
-recordings-rate-average = { $rate } per second on average
+recordings-rate = { $rate } frames/s
+recordings-rate-average = { $rate } frames/s on average
 recordings-codec = { $codec } in { $container }
+recordings-passes = { $count ->
+    [0] no passes yet
+    [one] { $count } pass
+   *[other] { NUMBER($count) } passes
+}
 recordings-sha256 = SHA-256 { $sha256 }
 recordings-no-camera = No camera yet: <link>calibrate one</link>.
 recordings-camera = Camera
-recordings-camera-unsaid = not said yet
+recordings-camera-unsaid = Not set
 recordings-camera-uncalibrated = { $camera } (not calibrated)
 recordings-lighting = Lighting
-recordings-lighting-proposed = Lighting <muted>(proposed)</muted>
+recordings-lighting-proposed = Lighting <muted>(suggested)</muted>
 recordings-lighting-of = Lighting of { $recording }
-recordings-lighting-of-proposed = Lighting of { $recording }, proposed by the machine
-recordings-lighting-guess = { $lighting } ?
+recordings-lighting-of-proposed = Lighting of { $recording }, suggested by Sightline
+recordings-lighting-guess = { $lighting } (suggested)
 
 filmed-start = Filmed from { $time } ({ $zone })
 filmed-at = filmed { $time }
-filmed-proposed = Start not confirmed; proposed from the file: { $time } ({ $zone })
-filmed-unknown = Start not known: the file states none.
+filmed-proposed = Start not confirmed; suggested by the file: { $time } ({ $zone })
+filmed-unknown = Start not known: the file contains no time.
 filmed-edit = Change
-filmed-edit-of = Change when and in what weather { $recording } was filmed
+filmed-edit-of = Change the start and weather of { $recording }
 filmed-confirm = Confirm the start
 filmed-confirm-of = Confirm the start of { $recording }
 filmed-confirm-action = Confirm
-filmed-title = When { $recording } was filmed
-filmed-started = First frame, by the clocks of the place
+filmed-title = Start and weather of { $recording }
+filmed-started = First frame, local time
 filmed-unsay = Not known
-filmed-from-file = Proposed from the file: { $time }. Cameras’ clocks are often off by minutes, or by the hour of summer time: compare with a watch that was filmed, or with your notes.
-filmed-from-file-none = The file states no time: take it from a watch that was filmed, or from your notes.
+filmed-from-file = Suggested by the file: { $time }. Camera clocks are often wrong by minutes, or by the summer-time hour: compare with a watch in the video or with your notes.
+filmed-from-file-none = The file contains no time: take it from a watch in the video or from your notes.
 filmed-zone = Time zone
-filmed-which = This hour came twice
+filmed-which = This hour occurs twice
 filmed-first = the first time ({ $offset })
 filmed-second = the second time ({ $offset })
 filmed-weather = Weather
@@ -1031,18 +1092,18 @@ filmed-lamps-are = { $state ->
     [on] street lighting on
    *[off] street lighting off
 }
-filmed-not-said = not said
+filmed-not-said = Not set
 
 ## Uploads
 
 upload-state = { $state ->
-    [waiting] { $file }: about to start
+    [waiting] { $file }: starting
     [paused] { $file }: paused
-    [retrying] { $file }: connection broken, trying again
+    [retrying] { $file }: connection lost, trying again
     [failed] { $file }: stopped
-    [read] { $file }: here, being read
-    [kept] { $file }: here
-   *[sending] { $file }: sending
+    [read] { $file }: uploaded, importing
+    [kept] { $file }: uploaded
+   *[sending] { $file }: uploading
 }
 upload-resumed = { $file }: sending, resumed at { $arrived }
 upload-amount = { $arrived } of { $size }
@@ -1050,19 +1111,19 @@ upload-rate = { $arrived } of { $size } · { $speed }/s · { $time } left
 upload-pause = Pause
 upload-resume = Resume
 upload-cancel = Cancel the upload of { $file }
-upload-empty = { $file } is empty; choose the file again after checking the copy.
-upload-not-loaded = The page could not be loaded fully; reload it and choose the file again.
-upload-broken = The connection broke while { $file } was sent; what arrived is kept, so press “Resume” when the connection is back.
-upload-unfinished = { $file }: not finished; drop the same file again and it goes on from here
-upload-discard-title = Throw away the part that arrived?
+upload-empty = { $file } is empty; check the copy and choose the file again.
+upload-not-loaded = The page could not be loaded completely. Reload it and choose the file again.
+upload-broken = The connection was lost while { $file } was being sent. What arrived is kept: press “Resume” when you are online again.
+upload-unfinished = { $file }: not finished; drop the same file again to continue
+upload-discard-title = Delete the partial upload?
 upload-discard-body = { $arrived } of { $file } are on the server.
-upload-discard = Throw it away
-upload-discard-one = Throw away the unfinished upload of { $file }
+upload-discard = Delete
+upload-discard-one = Delete the partial upload of { $file }
 
 ## Words that many pages need
 
 interval = { $low } to { $high }
-person-system = the system
+person-system = Sightline
 person-unknown = unknown
 menu-language = Language
 stage-frame = Frame
@@ -1071,24 +1132,23 @@ stage-timeline = Timeline
 stage-fit = Fit
 stage-lines = Lines
 stage-bright = Bright
-stage-loupe = Loupe
+stage-loupe = Magnifier
 vfr = VFR
 field-name = Name
 field-recording = Recording
 field-calibration = Calibration
-in-use = in use
+in-use = current
 field-notes = Notes
 action-add = Add
 action-cancel = Cancel
 action-close = Close
 action-dismiss = Dismiss
-action-keep = Keep it
 action-save = Save
 action-try-again = Try again
-action-clear-filter = Clear the filter
+action-clear-filter = Clear filters
 action-print = Print
 file-csv = CSV
-figure-share-of-vehicles = share of vehicles (%)
+figure-share-of-vehicles = Share of vehicles (%)
 with-unit = { $name } ({ $unit })
 percent = { $percent } %
 with-u = { $value } (u = { $u })
@@ -1102,153 +1162,161 @@ unit-mrad = mrad
 
 ## Checks: the page
 
-adjust-lead = What vehicles of known wheelbase and height say of the road pose. Nothing changes until somebody puts the adjusted pose in force; that computes the heights again, and both are taken back together.
+adjust-lead = Compare the camera pose with vehicles of known wheelbase and height. Nothing changes until you apply the adjusted pose; heights are then computed again, and both can be undone together.
 adjust-tab = Adjustment
 adjust-loading = the adjustment
-adjust-no-pose = No recording has a road pose yet.
-adjust-pose = Road pose { $pose }: { $recordings }
-adjust-seen = Both tyres and a known wheelbase: { $tyres } vehicles. A measured roof and a known height: { $roofs }.
-adjust-u-wheelbase = u of a wheelbase without one ({ $unit })
-adjust-u-wheelbase-common = u shared by all wheelbases ({ $unit })
-adjust-u-roof-common = u shared by all roofs ({ $unit })
-adjust-u-problem = A length from 0 to 1 m, such as { $example }.
+adjust-no-pose = No recording has a camera pose yet.
+adjust-pose = Camera pose { $pose }: { $recordings }
+adjust-seen = Vehicles with both tyres and a known wheelbase: { $tyres }. With a measured roof and a known height: { $roofs }.
+adjust-u-wheelbase = Default u of a wheelbase ({ $unit })
+adjust-u-wheelbase-common = u common to all wheelbases ({ $unit })
+adjust-u-roof-common = u common to all roofs ({ $unit })
+adjust-u-problem = Enter a length from 0 to 1 m, for example { $example }.
 adjust-used = { $used } of { $passes } observations used.
-adjust-global-holds = The global test holds: chi-square { $chi2 } with { $freedom } degrees of freedom stays below { $limit }.
-adjust-global-fails = The global test fails: chi-square { $chi2 } with { $freedom } degrees of freedom is above { $limit }, so the stated uncertainties do not hold together.
-adjust-largest = The largest change of a stored height is { $largest }.
-adjust-adjusted = This pose was adjusted by the traffic; the one before it is number { $pose }.
-adjust-put = Put in force
-adjust-put-done = The adjusted pose is in force.
-adjust-take-back = Take back
-adjust-taken-back = The pose before is in force again.
-adjust-moved-title = What moved
-adjust-what = what
-adjust-value = by
-adjust-by-u = by its u
-adjust-by-u-help = the change divided by the standard uncertainty before
+adjust-global-holds = Global test passed: chi-square { $chi2 } with { $freedom } degrees of freedom is below { $limit }.
+adjust-global-fails = Global test failed: chi-square { $chi2 } with { $freedom } degrees of freedom is above { $limit }. The stated uncertainties are not consistent.
+adjust-largest = Largest change of a stored height: { $largest }.
+adjust-adjusted = This pose was adjusted to the traffic. The previous pose is number { $pose }.
+adjust-put = Apply
+adjust-put-done = The adjusted pose is current.
+adjust-take-back = Undo
+adjust-taken-back = The previous pose is current again.
+adjust-moved-title = Parameter changes
+adjust-what = Parameter
+adjust-value = Change
+adjust-by-u = Change / u
+adjust-by-u-help = Change divided by the standard uncertainty before
 adjust-u-before = u before
 adjust-u-after = u after
-adjust-camera_height_m = camera’s height above the road
-adjust-road_lean_rad = road’s turn about its length (lean)
-adjust-road_roll_rad = road’s turn about the way across (roll)
-adjust-board_lean_rad = board’s lean
-adjust-board_roll_rad = board’s roll
-adjust-board_height_m = height of the board’s row
-adjust-square_m = square of the board
-adjust-bow_along_rows_m = board’s bow along its rows
-adjust-bow_down_columns_m = board’s bow down its columns
-adjust-wheelbase_common_m = error that all wheelbases share
-adjust-roof_common_m = error that all roofs share
+adjust-camera_height_m = camera height above the road
+adjust-road_lean_rad = rotation of the road about its length (tilt)
+adjust-road_roll_rad = rotation of the road about the direction across it (roll)
+adjust-board_lean_rad = board tilt
+adjust-board_roll_rad = board roll
+adjust-board_height_m = height of the board’s reference row
+adjust-square_m = square size of the board
+adjust-bow_along_rows_m = board bow along its rows
+adjust-bow_down_columns_m = board bow along its columns
+adjust-wheelbase_common_m = error common to all wheelbases
+adjust-roof_common_m = error common to all roofs
 adjust-left-title = Not used
-adjust-left-none = Everything that was seen is used.
+adjust-left-none = All observations are used.
 adjust-of-tyres = tyres
 adjust-of-roof = roof
-adjust-models-title = Without one model
-adjust-models-note = The camera’s height if the vehicles of one model are left out, against all: a model that carries the result alone would show here.
-adjust-model = model
-adjust-vehicles = vehicles
-adjust-camera = camera’s height
-adjust-heights-title = What each height would become
-adjust-now = now
-adjust-then = adjusted
-computing-lead = Heights follow from the road pose, the inset, the driver’s side and the program. When one of these changes, stored heights stay as they are until somebody computes them again here: as new revisions, old beside new, and undone as a whole.
-computing-loading = what is out of date
-computing-fine = Every height follows from what holds now.
+adjust-models-title = Leave one model out
+adjust-models-note = Change of the camera height when all vehicles of one model are left out. A model that dominates the result stands out here.
+adjust-model = Model
+adjust-vehicles = Vehicles
+adjust-camera = Camera height
+adjust-heights-title = Effect on each height
+adjust-now = Now
+adjust-then = Adjusted
+computing-lead = Heights depend on the camera pose (for line scans: the rod calibration), the inset, the driver’s side and the version of Sightline. When one of these changes, stored heights stay unchanged until they are computed again here: as new revisions, compared with the old ones, which can be undone together.
+computing-loading = out-of-date heights
+computing-fine = All heights are up to date.
 computing-stale = { $count ->
-    [one] One height follows from facts that no longer hold: { $causes }.
-   *[other] { $count } heights follow from facts that no longer hold: { $causes }.
+    [one] One height is out of date: { $causes }.
+   *[other] { $count } heights are out of date: { $causes }.
+}
+computing-in-line-scans = { $count ->
+    [one] One of them is in a line scan.
+   *[other] { $count } of them are in line scans.
 }
 computing-waiting = { $count ->
-    [one] One of them has no height yet and will have one.
-   *[other] { $count } of them have no height yet and will have one.
+    [one] One of them has no height yet and will get one.
+   *[other] { $count } of them have no height yet and will get one.
 }
 computing-other-program = { $count ->
-    [one] One height was computed by another version of the program. It may come out alike; computing again tells.
-   *[other] { $count } heights were computed by another version of the program. They may come out alike; computing again tells.
+    [one] One height was computed by another version of Sightline. Computing it again may give the same value.
+   *[other] { $count } heights were computed by another version of Sightline. Computing them again may give the same values.
 }
-computing-cause-pose = { $count } by another road pose
-computing-cause-inset = { $count } by another inset
-computing-cause-side = { $count } by another side of the driver
-computing-cause-program = { $count } by another version of the program
+computing-cause-pose = { $count } with another camera pose or calibration
+computing-cause-inset = { $count } with another inset
+computing-cause-side = { $count } with another driver’s side
+computing-cause-program = { $count } by another version of Sightline
 computing-start = Compute again
-computing-look = See and compute again
-computing-nothing-changed = No height came out as another one, so nothing was stored.
+computing-look = Review and compute again
+computing-nothing-changed = No height changed, so nothing was saved.
 computing-done = { $count ->
     [one] One height computed again.
    *[other] { $count } heights computed again.
 }
-computing-runs = Computed before
-computing-runs-none = Nothing was computed again in this survey.
-computing-when = when
-computing-who = by
-computing-kind = why
-computing-kind-asked = asked for
-computing-kind-sides = the driver’s side was told
-computing-kind-adjustment = an adjusted pose was put in force
+computing-runs = Previous runs
+computing-runs-none = No heights have been computed again in this survey.
+computing-when = When
+computing-who = By
+computing-kind = Reason
+computing-kind-asked = requested
+computing-kind-sides = driver’s side set
+computing-kind-adjustment = adjusted pose applied
 computing-kind-undo = undo
-computing-heights = heights
-computing-to-review = to review
-computing-largest = largest change
+computing-heights = Heights
+computing-to-review = To review
+computing-largest = Largest change
 computing-undone = undone
 computing-show = Show
 computing-shown = shown
-computing-old-new = Old beside new
+computing-old-new = Old and new values
 computing-summary = { $count ->
-    [one] One height by { $causes }; mean change { $mean }, largest { $largest }.
+    [one] { $count } height: { $causes }; mean change { $mean }, largest { $largest }.
    *[other] { $count } heights: { $causes }; mean change { $mean }, largest { $largest }.
 }
 computing-summary-undo = { $count ->
-    [one] One height was put back as it was before.
-   *[other] { $count } heights were put back as they were before.
+    [one] One height was restored to its previous value.
+   *[other] { $count } heights were restored to their previous values.
 }
 computing-kept = { $count ->
-    [one] One was changed since and stays as it is.
-   *[other] { $count } were changed since and stay as they are.
+    [one] One was changed since and stays unchanged.
+   *[other] { $count } were changed since and stay unchanged.
 }
 computing-sent = { $count ->
-    [0] None moved by more than the standard uncertainty it had, so every verdict still holds.
-    [one] One moved by more than the standard uncertainty it had and goes to review; the other verdicts still hold.
-   *[other] { $count } moved by more than the standard uncertainty they had and go to review; the other verdicts still hold.
+    [0] No height changed by more than its standard uncertainty, so all verdicts remain valid.
+    [one] One height changed by more than its standard uncertainty and returns to review; the other verdicts remain valid.
+   *[other] { $count } heights changed by more than their standard uncertainty and return to review; the other verdicts remain valid.
 }
 computing-undo = Undo all
-computing-undo-text = Every height of this computing becomes what it was before, as a new revision. What somebody changed since stays as it is.
+computing-undo-text = Restores every height of this run to its previous value, as a new revision. Heights changed since then stay unchanged.
 computing-figure = Change of each height
 computing-figure-says = The change of { $count } heights against their distance across the road, in { $small }.
+computing-figure-lines = Change of each height in line scans
+computing-figure-says-lines = The change of { $count } heights in line scans against the distance of their contact from the camera, in { $small }.
+computing-figure-x-lines = contact from the camera ({ $unit })
+computing-line-scan = line scan
 computing-figure-x = contact across the road ({ $unit })
 computing-figure-y = new − old ({ $small })
-computing-figure-note = Filled: moved by more than the standard uncertainty it had. A change that grows with the distance comes from the road pose; one alike for a target, from its inset.
-computing-figure-none = No height stands both before and after.
-computing-vehicle = vehicle
-computing-target = target
-computing-before = old
-computing-after = new
-computing-change = change
-computing-by-u = by its u
-computing-by-u-help = the change divided by the standard uncertainty that the height had
+computing-figure-note = Filled: changed by more than the standard uncertainty it had. A change that grows with distance comes from the camera pose; a change common to one target comes from its inset.
+computing-figure-none = No height exists both before and after.
+computing-vehicle = Vehicle
+computing-target = Target
+computing-before = Old
+computing-after = New
+computing-change = Change
+computing-by-u = Change / u
+computing-by-u-help = Change divided by the previous standard uncertainty
 computing-review-yes = to review
 computing-repeat = repeat
-computing-listed = The { $count } that moved most by their u are listed; the package has all of them.
+computing-listed = The { $count } largest changes relative to u are listed; the package contains all.
 computing-table = Old and new heights
 computing-job = the job
 checks-again = Compute again
-checks-lead = What the vehicles themselves say of the insets and of the road’s axes.
+checks-lead = Compare insets and road axes with the measured vehicles.
 checks-loading = the checks
 checks-which = Check
 checks-insets = Insets
-checks-direction = Direction of travel
+checks-direction = Road alignment
 checks-eye = Driver’s eye
 
 ## Checks: insets
 
-checks-insets-title = Insets in force, and what this survey says
+checks-insets-title = Insets: current and estimated from this survey
 checks-insets-loading = the estimates
-checks-insets-table = Insets in force
-checks-target = target
-checks-in-force = in force
-checks-from = from
-checks-inset-and-u = inset, u of the mean
-checks-moves = moves a typical height by
-checks-insets-note = An inset used here counts for measurements made from now on; those that are stored keep theirs until they are computed again. Its u is that of a single vehicle: the mean’s, and how much vehicles differ among themselves.
+checks-insets-table = Current insets
+checks-target = Target
+checks-in-force = Current
+checks-from = Source
+checks-inset-and-u = Inset, u of the mean
+checks-moves = Change in height
+checks-insets-note = A new inset applies to new measurements only; existing measurements keep theirs until they are computed again. Its u applies to a single vehicle: it combines the uncertainty of the mean and the spread between vehicles.
 checks-by-known_heights = manufacturers’ heights
 checks-by-trend = trend with distance
 checks-by-two_frames = two-frame measurements
@@ -1256,7 +1324,7 @@ checks-measurements = { $count ->
     [one] { $count } measurement
    *[other] { $count } measurements
 }
-checks-other-insets = and { NUMBER($count) } on another spot
+checks-other-insets = { NUMBER($count) } with a different inset, not used
 checks-estimate = estimate
 checks-vehicles = { $count ->
     [one] { $count } vehicle
@@ -1266,7 +1334,7 @@ checks-vehicles-without = { $count ->
     [one] { $count } vehicle
    *[other] { $count } vehicles
 } <without>without { $left_out }</without>
-checks-left-out-help = They do not fit the others; look at their clicks and heights.
+checks-left-out-help = Outliers: check their clicks and heights.
 checks-spread = { $spread } between vehicles
 checks-use = { $target ->
     [roof] Use { $inset } (u = { $u_inset }) for roofs
@@ -1277,27 +1345,27 @@ checks-use = { $target ->
    *[other] Use { $inset } (u = { $u_inset }) for other targets
 }
 checks-used = { $target ->
-    [roof] The inset of roofs is changed for new measurements; stored ones keep theirs.
-    [driver_eye_near] The inset of near drivers’ eyes is changed for new measurements; stored ones keep theirs.
-    [driver_eye_far] The inset of far drivers’ eyes is changed for new measurements; stored ones keep theirs.
-    [taillight] The inset of taillights is changed for new measurements; stored ones keep theirs.
-    [headlight] The inset of headlights is changed for new measurements; stored ones keep theirs.
-   *[other] The inset of other targets is changed for new measurements; stored ones keep theirs.
+    [roof] New measurements of roofs use the new inset; existing ones keep theirs.
+    [driver_eye_near] New measurements of near drivers’ eyes use the new inset; existing ones keep theirs.
+    [driver_eye_far] New measurements of far drivers’ eyes use the new inset; existing ones keep theirs.
+    [taillight] New measurements of taillights use the new inset; existing ones keep theirs.
+    [headlight] New measurements of headlights use the new inset; existing ones keep theirs.
+   *[other] New measurements of other targets use the new inset; existing ones keep theirs.
 }
 
 ## Checks: what the inset is
 
 checks-inset-what = What the inset is
 checks-inset-title = What the inset is, and why it matters
-checks-inset-plane = A height is read where the line of sight meets the <strong>side plane</strong>: the upright plane through the tyre’s contact with the road, along the traffic. A roof edge or a driver’s eye lies behind that plane, by its <strong>inset</strong>. Read on the plane, a target below the camera seems too high, and one above it too low.
+checks-inset-plane = A height is computed where the line of sight meets the <strong>side plane</strong>: the vertical plane through the tyre contact point, parallel to the traffic. A roof edge or a driver’s eye lies behind this plane, at a distance called its <strong>inset</strong>. Without a correction, a target below the camera reads too high, and one above it too low.
 checks-inset-formula = read − true = (H<sub>c</sub> − h) · inset / (D + inset)
-checks-inset-symbols = H<sub>c</sub> is the camera’s height, h the target’s, D the distance from the camera to the side plane. A camera as high as its target does not mind the inset. Every stored height is corrected for it; the uncorrected one is kept beside it.
-checks-missing-inset = What a missing inset does to a height
-checks-missing-inset-caption = How much too high a target reads without its inset, for the camera at { $camera_height }
-checks-height = height
-checks-inset = inset
-checks-at = at { $distance }
-checks-drawing = Cross-section of the road. The camera looks down at a target that lies behind the side plane through the tyre; its ray meets the plane higher up than the target is.
+checks-inset-symbols = H<sub>c</sub> is the camera’s height, h the target’s, D the distance from the camera to the side plane. If camera and target have the same height, the inset has no effect. Every stored height is corrected for it; the uncorrected height is stored too.
+checks-missing-inset = Error without inset correction
+checks-missing-inset-caption = Height error without inset correction, for the camera at { $camera_height }
+checks-height = Height
+checks-inset = Inset
+checks-at = At { $distance }
+checks-drawing = Cross-section of the road. The camera looks down at a target behind the side plane through the tyre; its ray meets the plane above the target.
 checks-drawing-camera = camera
 checks-drawing-side-plane = side plane
 checks-drawing-inset = inset
@@ -1307,50 +1375,50 @@ checks-drawing-too-high =
     too
     high
 
-## Checks: the direction of travel
+## Checks: the travel direction
 
 checks-vehicles-loading = the vehicles
 checks-no-vehicles-title = No vehicles yet
-checks-no-vehicles = The direction of travel comes from the tyres of vehicles whose passes are marked.
+checks-no-vehicles = The travel direction is computed from the tyres of vehicles. Mark their passes first.
 checks-mark-passes = Mark the passes
 checks-withdraw = Withdraw the tyres
 checks-previous = Previous
 checks-next = Next
-checks-no-pose = This recording has no road pose yet.
-checks-no-pose-link = Clicks need this recording’s road pose; <link>find the road</link> first.
-checks-turned-road = The road as the turned pose sees it.
+checks-no-pose = This recording has no camera pose yet.
+checks-no-pose-link = Measuring needs the camera pose of this recording; <link>compute it</link> first.
+checks-turned-road = Preview of the rotated pose.
 checks-replace = Click again to replace it.
 checks-choose-vehicle = Choose a vehicle.
-checks-first-tyre = Click where the first tyre of the near side touches the road.
-checks-second-tyre = Now the other tyre of the same side.
+checks-first-tyre = Click the contact point of the first near-side tyre.
+checks-second-tyre = Click the contact point of the other tyre on the same side.
 checks-verdict = Verdict
-checks-mean = mean
-checks-spread-of-vehicles = between vehicles
-checks-used-vehicles = used
+checks-mean = Mean
+checks-spread-of-vehicles = Between vehicles
+checks-used-vehicles = Used
 checks-used-of = { $count ->
     [one] { $count } vehicle of { NUMBER($all) }
    *[other] { $count } vehicles of { NUMBER($all) }
 }
-checks-turned-from = This pose was turned by { $turned } from pose { $pose }.
-value-u = { $value } (u { $u })
-checks-turn-by = Turn the road axes by { $turn }…
-checks-use-before = Use the pose before
-checks-turned-pose = Turned pose
-checks-turned-by = Turned by { $turn }
-checks-turn-no-heights = No stored height is measured with this pose.
+checks-turned-from = This pose was rotated by { $turned } from pose { $pose }.
+value-u = { $value } (u = { $u })
+checks-turn-by = Rotate the road axes by { $turn }…
+checks-use-before = Use the previous pose
+checks-turned-pose = Rotated pose
+checks-turned-by = Rotated by { $turn }
+checks-turn-no-heights = No stored height uses this pose.
 checks-turn-heights = { $count ->
-    [one] { $count } stored height would differ by up to { $largest } if clicked again; nothing stored changes.
-   *[other] { $count } stored heights would differ by up to { $largest } if clicked again; nothing stored changes.
+    [one] { $count } stored height would differ by up to { $largest } if clicked again. Stored values do not change.
+   *[other] { $count } stored heights would differ by up to { $largest } if clicked again. Stored values do not change.
 }
 checks-differences = Height differences
-checks-vehicle = vehicle
-checks-turned = turned
-checks-turn = Turn
-checks-turn-done = The turned pose now holds for new measurements; stored ones keep theirs.
-checks-turn-back-done = The pose before the turn holds again.
-checks-heading = heading
+checks-vehicle = Vehicle
+checks-turned = Rotated
+checks-turn = Rotate
+checks-turn-done = Rotated pose applied to new measurements. Existing measurements are unchanged.
+checks-turn-back-done = The previous pose is current again.
+checks-heading = Heading
 checks-u = u
-checks-apart = apart
+checks-apart = Spacing
 checks-two-frames = from two frames
 checks-tyres = tyres of vehicle { $vehicle }
 checks-withdrawal = withdrawal of the tyres of vehicle { $vehicle }
@@ -1361,12 +1429,12 @@ checks-tyres-at = frame { $frame }, at { $first } and { $second } px
 
 measure-loading = the frame
 measure-none-title = No recording to measure yet
-measure-none = Heights are measured on the frames of a recording. Add the day's videos first; they can be measured as soon as they are read.
+measure-none = Heights are measured on the frames of a recording. Add the day’s videos first; you can measure as soon as they are imported.
 measure-add-recordings = Add recordings
 measure-last-pass = This is the last pass in the list.
 measure-first-pass = This is the first pass in the list.
 measure-all-passes-done = Every pass of this survey is measured.
-measure-other-tab = This vehicle is open in another tab too; if both change it, you will be asked.
+measure-other-tab = Also open in another tab. If both change it, you choose which to keep.
 
 ## Measure: the passes
 
@@ -1374,19 +1442,19 @@ measure-passes = Passes
 measure-passes-open = Passes <muted>{ NUMBER($count) } to do</muted>
 measure-passes-show = Show
 measure-passes-order = Order
-measure-passes-none = No passes yet. Let them be found, or go to the first frame of a vehicle and mark it.
+measure-passes-none = No vehicles yet. Detect passes, or mark the first frame of a vehicle.
 measure-passes-none-in-state = No pass is in this state.
 measure-progress = { NUMBER($count) } of { NUMBER($all) }
-measure-pass-begins = The pass begins on this frame
+measure-pass-begins = Pass begins on this frame
 measure-pass-begin = New pass here
-measure-pass-ends = The pass ends on this frame
+measure-pass-ends = Pass ends on this frame
 measure-pass-end = …ends here
-measure-pass-drop = Do not add a pass
+measure-pass-drop = Cancel the new pass
 measure-pass-frames = { $count ->
     [one] { $count } frame
    *[other] { $count } frames
 }
-measure-pass-marked = The pass begins at frame { $frame }; go to its last frame and mark it too.
+measure-pass-marked = The pass begins at frame { $frame }. Go to its last frame and mark it.
 measure-pass-new = New pass
 measure-pass-new-short = new
 measure-pass-found = found
@@ -1394,10 +1462,10 @@ measure-pass-title = Pass { $vehicle }: frames { $first_frame } to { $last_frame
 measure-pass-title-more = Pass { $vehicle }: frames { $first_frame } to { $last_frame }, { $more }
 measure-way-right = to the right
 measure-way-left = to the left
-measure-unconfirmed = found by the search, not yet confirmed
+measure-unconfirmed = found by Sightline, not yet confirmed
 measure-unconfirmed-way = { $way ->
-    [right] to the right, found by the search, not yet confirmed
-   *[left] to the left, found by the search, not yet confirmed
+    [right] to the right, found by Sightline, not yet confirmed
+   *[left] to the left, found by Sightline, not yet confirmed
 }
 measure-pass-menu = Vehicle { $vehicle }: split, join, discard
 measure-pass-confirm = { $lighting ->
@@ -1408,17 +1476,17 @@ measure-pass-split = Split before this frame
 measure-pass-join = Join with the next pass
 measure-pass-splitted = Vehicle { $vehicle } was split at frame { $frame }; the other part is vehicle { $other }.
 measure-pass-joined = Vehicle { $gone } was joined to vehicle { $kept }.
-measure-pass-no-next = No pass of this recording begins after this one, so there is none to join it with.
+measure-pass-no-next = No pass of this recording begins after this one, so there is nothing to join.
 measure-pass-delete-of = Delete the pass of vehicle { $vehicle }
 measure-pass-delete-title = Delete vehicle { $vehicle }?
 measure-pass-delete-body = { $count ->
-    [0] Vehicle { $vehicle } leaves the list. Undo brings it back.
-    [one] Vehicle { $vehicle } leaves the list, and its { $count } measurement with it. Undo brings it back.
-   *[other] Vehicle { $vehicle } leaves the list, and its { $count } measurements with it. Undo brings it back.
+    [0] Vehicle { $vehicle } will be deleted. You can undo this.
+    [one] Vehicle { $vehicle } and its { $count } measurement will be deleted. You can undo this.
+   *[other] Vehicle { $vehicle } and its { $count } measurements will be deleted. You can undo this.
 }
 measure-pass-delete = Delete the pass
 measure-pass-bring-back = Bring the pass back
-measure-pass-kept = This is kept here and will be done when the connection is back.
+measure-pass-kept = Kept in this browser; it will be sent when the connection is back.
 measure-pass-new-frames = frames { $first_frame } to { $last_frame }
 
 ## Measure: what undo and redo name
@@ -1430,20 +1498,22 @@ measure-step-deletion = deletion of vehicle { $vehicle }
 measure-step-split = split of vehicle { $vehicle }
 measure-step-joining = joining of vehicles { $vehicle } and { $next }
 measure-step-contact = contact point
-measure-step-proposals = confirmed proposals
+measure-step-snap = snap to the tyre
+measure-snapped = snapped to the tyre, u = { $expected_px } px; { $key }: back to your click
+measure-step-proposals = confirmed suggestions
 measure-step-contact-removal = removal of the contact
 measure-step-move = move of a point
 measure-step-inset = inset
 measure-step-new = { $target ->
     [roof] new roof
-    [driver_eye] new driver's eye
+    [driver_eye] new driver’s eye
     [taillight] new taillight
     [headlight] new headlight
    *[other] new other
 }
 measure-step-withdrawal = { $target ->
     [roof] withdrawal of roof
-    [driver_eye] withdrawal of driver's eye
+    [driver_eye] withdrawal of driver’s eye
     [taillight] withdrawal of taillight
     [headlight] withdrawal of headlight
    *[other] withdrawal of other
@@ -1466,52 +1536,54 @@ viewer-place-here = Place it here
 measure-driver = { $side ->
     [near] driver near
     [far] driver far
-   *[unknown] which side is the driver?
+   *[unknown] driver’s side unknown
 }
-measure-find-pose = Find the road pose
-measure-no-pose = This recording has no road pose yet, so nothing can be measured on it.
+measure-find-pose = Compute the camera pose
+measure-no-pose = No camera pose. Compute it before you measure.
 measure-choose-pass = Choose a pass on the left, or mark a new one with [ and ].
-measure-look-only = You may look, not measure.
-measure-vehicle-done = All that is asked for is answered; 1 to 5 measure again.
+measure-look-only = View only. Ask an operator for measuring rights.
+measure-vehicle-done = Done. Keys 1 to 5 measure again.
 measure-next-pass = Next pass
 measure-choose-target = Choose a target: 1 to 5.
-measure-drift = The camera had moved by { $moved_px } px since its road pose. <link>Take a new pose or decide</link>
-measure-drift-off = The camera had moved by { $moved_px } px since its road pose, heights here are off by up to { $off }. <link>Take a new pose or decide</link>
-measure-proposal-looking = Looking for the wheel…
-measure-proposal-take = { $proposal }. Enter or a click on it takes it.
-measure-proposal-no-pass = Choose a pass first; then a contact can be proposed.
-measure-axes-awaited = axes on their way…
-measure-proposal-no-contact = No contact is awaited here; begin a new one with the key for a new contact point.
-measure-proposal-no-pointer = Point at where the tyre meets the road, then ask for a proposal.
+measure-drift = Camera moved { $moved_px } px after the pose was computed. <link>Compute a new pose or decide</link>
+measure-drift-off = Camera moved { $moved_px } px after the pose was computed. Height error here: up to { $off }. <link>Compute a new pose or decide</link>
+measure-proposal-looking = Searching for the wheel…
+measure-proposal-take = { $proposal }. Press Enter or click it to accept.
+measure-proposal-no-pass = Choose a pass first. Then a contact can be suggested.
+measure-axes-awaited = loading axes…
+measure-proposal-no-contact = Start a new contact point first.
+measure-proposal-no-pointer = Point at where the tyre meets the road, then ask for a suggestion.
 
 ## Measure: what Sightline proposes to click
 
-measure-propose = Propose points
-measure-propose-title = Looks at every found pass of this recording and proposes where to click; what was proposed before is replaced, and nothing is measured
-measure-propose-failed = The proposals failed; try again.
-measure-propose-cancelled = The work on proposals for { $recording } was cancelled; those from before stay.
-measure-propose-over = { $recording }: the proposals are made.
-measure-proposed = Proposed, not measured: Enter confirms, a point’s key goes to it.
-measure-proposed-awaited = Proposed, not measured: the heights are on their way…
-measure-proposed-selected = Drag the point or use the arrow keys; Enter confirms all, its key again turns it down.
-measure-proposed-mark = { $what }, proposed
-measure-proposed-title = Proposals
+measure-propose = Suggest points
+measure-propose-title = Suggests points on every found pass of this recording. Earlier suggestions are replaced; nothing is measured.
+measure-propose-failed = The suggestions failed. Try again.
+measure-propose-cancelled = Suggesting points in { $recording } was cancelled; earlier suggestions are kept.
+measure-propose-over = { $recording }: the suggestions are ready.
+measure-proposed = Suggested, not measured: Enter confirms, a point’s key goes to it.
+measure-proposed-awaited = Suggested, not measured: computing the heights…
+measure-proposed-selected = Drag the point or use the arrow keys. Enter confirms all; pressing its key again rejects it.
+measure-proposed-mark = { $what }, suggested
+measure-proposed-title = Suggestions
 measure-proposed-contact = Contact
 measure-proposed-accept = { $count ->
+    [0] Confirm the contact
     [one] Confirm 1 target
    *[other] Confirm { $count } targets
 }
-measure-proposed-accept-title = Makes measurements of the proposed points as they stand, in your name
-measure-proposed-on-frame = Proposals on frame { $frame }
-measure-proposed-go = Go to this point, to look at it and move it
+measure-proposed-accept-title = Saves the suggested points as measurements, in your name
+measure-proposed-on-frame = Suggestions on frame { $frame }
+measure-proposed-go = Go to this point, to check and move it
 measure-proposed-expected = u = { $expected_px } px
-measure-proposed-expected-title = Standard uncertainty that is expected of this point
-measure-proposed-doubt = Vehicle { $vehicle }: a height that you confirmed is unusual; look at it again.
+measure-proposed-expected-title = Expected standard uncertainty of this point
+measure-proposed-doubt = Vehicle { $vehicle }: a height that you confirmed is unusual. Check it again.
 measure-proposed-moved = moved by you
 measure-points-set = Points
 measure-made = { $made ->
-    [confirmed] Proposed by Sightline, confirmed
-    [moved] Begun from a proposal, finished by hand
+    [snapped] Contact snapped to the tyre, target by hand
+    [confirmed] Suggested by Sightline, confirmed
+    [moved] Suggested by Sightline, moved by hand
    *[clicked] Clicked by hand
 }
 
@@ -1519,88 +1591,88 @@ measure-made = { $made ->
 
 measure-measurements = Measurements
 measure-target = Measure: { $target }
-measure-target-afresh = Measure afresh: { $target }
+measure-target-afresh = Measure again: { $target }
 measure-afresh = { $target ->
-    [roof] Roof is measured afresh; the click before stays in its history.
-    [driver_eye] Driver's eye is measured afresh; the click before stays in its history.
-    [taillight] Taillight is measured afresh; the click before stays in its history.
-    [headlight] Headlight is measured afresh; the click before stays in its history.
-   *[other] Other is measured afresh; the click before stays in its history.
+    [roof] Roof measured again. The previous value is in the history.
+    [driver_eye] Driver’s eye measured again. The previous value is in the history.
+    [taillight] Taillight measured again. The previous value is in the history.
+    [headlight] Headlight measured again. The previous value is in the history.
+   *[other] Other measured again. The previous value is in the history.
 }
 measure-show-point = Show and select the point
 measure-click = click on the frame
 measure-details-show = { $target ->
     [roof] Show the details of roof
-    [driver_eye] Show the details of driver's eye
+    [driver_eye] Show the details of driver’s eye
     [taillight] Show the details of taillight
     [headlight] Show the details of headlight
    *[other] Show the details of other
 }
 measure-details-hide = { $target ->
     [roof] Hide the details of roof
-    [driver_eye] Hide the details of driver's eye
+    [driver_eye] Hide the details of driver’s eye
     [taillight] Hide the details of taillight
     [headlight] Hide the details of headlight
    *[other] Hide the details of other
 }
 measure-discard = Discard
 measure-doubt = { $kind ->
-    [above_roof] This lies above the roof ({ $low }): is the point on the right feature of this vehicle?
-    [below_lamp] The headlight lies higher ({ $low }): is the point on the driver’s eye?
-    [far_from_maker] The manufacturer says { $low }: are the points, and make and model, those of this vehicle?
-   *[outside_class] Vehicles of this kind lie between { $low } and { $high }: are the points and the category right?
+    [above_roof] This is above the roof ({ $low }). Check that the point is on the right feature.
+    [below_lamp] The headlight is higher ({ $low }). Check that the point is on the driver’s eye.
+    [far_from_maker] The manufacturer’s height is { $low }. Check the points, and make and model.
+   *[outside_class] Vehicles of this class are between { $low } and { $high }. Check the points and the category.
 }
 measure-not-yet-saved = not yet saved…
-measure-not-stored = not stored
+measure-not-stored = not saved
 measure-click-again = Click it again.
 measure-click-again-key = Click it again ({ $key }).
-measure-no-way-back = This could not be taken back.
+measure-no-way-back = This could not be undone.
 measure-clicked-on = clicked on frame { $frame }
 measure-contact = Contact
 measure-point = Target
 measure-distance = Distance
-measure-lateral = Tyre across the road, from the board
-measure-along = Tyre along the road, from the board
-measure-without-inset = Without inset
+measure-lateral = Tyre position across the road, from the board
+measure-along = Tyre position along the road, from the board
+measure-without-inset = Uncorrected height (inset = 0)
 measure-withdraw = Withdraw
 measure-px = { $across_px }, { $down_px } px
 measure-inset = Inset
 measure-inset-u = u
 measure-estimate = estimate
-measure-inset-solved = not used while several frames are clicked: they solve for it
-measure-inset-what = how far the target lies behind the side of the vehicle
-measure-inset-as-survey = As the survey has it: { $inset } (u = { $u_inset })
-measure-inset-side = The driver sits on the
+measure-inset-solved = Not used: solved from several frames
+measure-inset-what = lateral distance from the side plane of the vehicle to the target
+measure-inset-as-survey = Reset to survey value ({ $inset }, u = { $u_inset })
+measure-inset-side = Driver’s side
 measure-unseen = Not visible: { $why }.
-measure-unseen-back = It is
+measure-unseen-back = Mark as visible
 measure-unseen-ask = Not visible …
 measure-unseen-why = { $target ->
     [roof] Why is the roof not visible?
-    [driver_eye] Why is the driver's eye not visible?
+    [driver_eye] Why is the driver’s eye not visible?
     [taillight] Why is the taillight not visible?
    *[headlight] Why is the headlight not visible?
 }
 measure-side-unknown = not known
-measure-side-as-survey = as the survey says
+measure-side-as-survey = survey default
 measure-side-from = { $from ->
-    [said] said of this vehicle
+    [said] set for this vehicle
     [direction] { $direction ->
-        [right] goes to the right
-       *[left] goes to the left
-    }, wheel on the { $steering ->
+        [right] travels to the right
+       *[left] travels to the left
+    }, steering wheel on the { $steering ->
         [right] right
        *[left] left
     }
-    [place] no direction known: from the median all go one way
-    [undirected] no direction known, so the eye has no height: say near or far here, or which way the vehicle goes
-   *[unknown] not known yet, so the eye has no height: say it here for this vehicle, or on the survey’s page for all
+    [place] direction unknown: seen from the median, all traffic runs one way
+    [undirected] direction unknown, so the eye has no height: set near or far here, or the direction of the vehicle
+   *[unknown] unknown, so the eye has no height: set it here for this vehicle, or <link>on the survey’s page</link> for all
 }
-measure-inset-roof = Clicked on the roof: its
+measure-inset-roof = Roof point
 measure-inset-now = inset { $inset } (u = { $u_inset }), estimate
 
 ## Measure: several frames
 
-measure-second-looking = Looking for the frame that gains most …
+measure-second-looking = Searching for the best second frame …
 measure-second-hint = { $nth ->
     [2] Second frame
     [3] Third frame
@@ -1614,32 +1686,63 @@ measure-second-hint = { $nth ->
     [elsewhere] go to another frame of the pass
     [contact] click the same tyre contact
     [roof] click the same roof point
-    [driver_eye] click the same driver's eye point
+    [driver_eye] click the same driver’s eye point
     [taillight] click the same taillight point
     [headlight] click the same headlight point
    *[other] click the same other point
 }
 measure-second-hint-care = { $hint }. { $care }
-measure-second-nothing-yet = Measure a target first; then a second frame can be clicked.
-measure-second-no-use = No other frame would help.
-measure-second-clicked-already = This frame is clicked already; go to another one of the pass.
-measure-second-expected = expected about here
+measure-second-nothing-yet = Measure a target first. Then you can add a second frame.
+measure-second-no-use = A second frame does not help.
+measure-second-clicked-already = You have already used this frame. Choose another.
+measure-second-expected = Expected here
 measure-second-expected-at = at { $speed }
 measure-frames-said = { $count ->
     [one] From { $count } frame
    *[other] From { $count } frames
 }
 measure-frames-said-inset = { $count ->
-    [one] From { $count } frame; inset { $inset }, u { $u_inset }
-   *[other] From { $count } frames; inset { $inset }, u { $u_inset }
+    [one] From { $count } frame; inset { $inset } (u = { $u_inset })
+   *[other] From { $count } frames; inset { $inset } (u = { $u_inset })
+}
+measure-whole-nothing-yet = Measure a target first. Then it can be followed through the pass.
+measure-whole-looking = Following the points through the pass …
+measure-whole-heading = Whole pass: not saved yet
+measure-whole-height = Height
+measure-whole-frames = Frames
+measure-whole-frames-used = { $used } of { $all } used
+measure-whole-speed = Speed
+measure-whole-wheelbase = Wheelbase
+measure-whole-dropped = { $count ->
+    [one] { $count } point excluded: { $reason }
+   *[other] { $count } points excluded: { $reason }
+}
+measure-whole-look = { $count ->
+    [one] { $count } point was followed. Step through the frames and check that it stays in place.
+   *[other] { $count } points were followed. Step through the frames and check that they stay in place.
+}
+measure-whole-keep = Save this height
+measure-whole-leave = Cancel
+measure-whole-said = From the whole pass; inset { $inset } (u = { $u_inset })
+measure-whole-follow = Follow through the pass
+measure-whole-go = Follows contact and target through the frames of the pass. Nothing is saved until you save the height.
+measure-step-pass = whole pass
+measure-followed-mark = { $point ->
+    [contact] followed contact
+    [second_contact] followed second tyre
+   *[target] followed target
+}
+measure-followed-frame = { $used ->
+    [yes] Frame { $frame }: contact and target were followed
+   *[no] Frame { $frame }: contact or target was excluded
 }
 measure-frame = Frame { $frame }
 measure-frame-first = first
 measure-frame-remove = Remove frame { $frame }
 measure-frame-remove-this = Remove this frame
 measure-frame-removed = { $count ->
-    [one] Frame { $frame } is taken away; { $count } frame left.
-   *[other] Frame { $frame } is taken away; { $count } frames left.
+    [one] Frame { $frame } removed. { $count } frame left.
+   *[other] Frame { $frame } removed. { $count } frames left.
 }
 measure-one-frame = One frame
 measure-all-frames = { $count ->
@@ -1647,12 +1750,12 @@ measure-all-frames = { $count ->
    *[other] { $count } frames
 }
 measure-gain-looking = { $which ->
-    [second] Second frame gains: looking …
-   *[another] Another frame gains: looking …
+    [second] Searching for the best second frame …
+   *[another] Searching for the best further frame …
 }
 measure-gain = { $which ->
-    [second] Second frame gains: { $U95_now } → { $U95_then }
-   *[another] Another frame gains: { $U95_now } → { $U95_then }
+    [second] Second frame, U95: { $U95_now } → { $U95_then }
+   *[another] Another frame, U95: { $U95_now } → { $U95_then }
 }
 measure-gain-go = Go to frame { $frame } and click the same two points
 
@@ -1664,9 +1767,12 @@ measure-vehicle-none = Choose a pass on the left. Its vehicle and measurements a
 measure-save-again = Save again
 measure-record = Vehicle record
 measure-facts-of = facts of vehicle { $vehicle }
+recent-models-title = Recently used models
+recent-models-taken = Make and model: { $model }
+recent-models-gone = { $model } is no longer in the catalogue.
 which-model-title = Models that fit
-which-model-cannot = { $model } cannot fit: { $differences } (measured minus catalogue). The right model would differ this much with a chance of { $p }; the limit is { $limit }.
-which-model-row-cannot = cannot fit, p { $p }
+which-model-cannot = { $model } does not fit: { $differences } (measured minus catalogue). For the right model, differences this large have a probability of { $p }; the limit is { $limit }.
+which-model-row-cannot = does not fit, p = { $p }
 which-model-height = roof
 which-model-length = length
 which-model-width = width
@@ -1674,17 +1780,17 @@ which-model-wheelbase = wheelbase
 which-model-taillight = taillight
 which-model-headlight = headlight
 measure-makers-height = Manufacturer’s height
-measure-makers-height-u = its u
-measure-year-problem = A year has four digits.
+measure-makers-height-u = Standard uncertainty
+measure-year-problem = Enter a year with four digits.
 measure-span = Frames of the pass
 measure-span-first = First
 measure-span-best = Best
 measure-span-last = Last
-measure-span-first-here = Begin here
-measure-span-best-here = Best here
-measure-span-last-here = End here
+measure-span-first-here = Set first
+measure-span-best-here = Set best
+measure-span-last-here = Set last
 measure-span-elsewhere = Another recording is open.
-measure-span-frame-problem = Give a frame number.
+measure-span-frame-problem = Enter a frame number.
 measure-span-order = { $first_frame } is after { $last_frame }.
 measure-span-choose = Choose { $first_frame } to { $last_frame }.
 measure-span-move-best = Move best ({ $best_frame }) first.
@@ -1701,8 +1807,35 @@ measure-field-category = Category
 measure-field-manufacturer_height_m = Manufacturer’s height
 measure-field-u_manufacturer_height_m = u of the manufacturer’s height
 measure-field-height_source = Source of the height
+measure-field-known_driver_eye_m = Known height of the driver’s eye
+measure-field-u_known_driver_eye_m = u of the known height of the driver’s eye
+measure-field-known_driver_eye_source = Source of the known height of the driver’s eye
+measure-field-known_taillight_m = Known height of the taillight
+measure-field-u_known_taillight_m = u of the known height of the taillight
+measure-field-known_taillight_source = Source of the known height of the taillight
+measure-field-known_headlight_m = Known height of the headlight
+measure-field-u_known_headlight_m = u of the known height of the headlight
+measure-field-known_headlight_source = Source of the known height of the headlight
+measure-field-known_other_m = Known height of the mark
+measure-field-u_known_other_m = u of the known height of the mark
+measure-field-known_other_source = Source of the known height of the mark
+measure-field-check_target = Check target
+measure-check-target-yes = yes
+measure-check-target-no = no
+measure-check-target-mark = check target
+measure-known-title = Known heights
+measure-known-help = Heights of the eye, the lamps or a mark, from a tape or a data sheet. Errors are computed against them. The roof height is entered above.
+measure-known-some = { $count ->
+    [one] 1 known
+   *[other] { $count } known
+}
+measure-known-u = u
+measure-known-source = Source
+measure-known-mark = Mark
+measure-check-target-help = A staff with marks, or a car with taped heights, driven past to check the measurement. It has its own row in the error tables and is excluded from distributions, quotas and response.
+measure-check-target-empty = A check target needs a known height. Enter the roof height above, or another height here.
 measure-field-lighting = Lighting
-measure-field-direction = Goes
+measure-field-direction = Direction
 measure-field-driver_side = Driver’s side
 measure-field-roof_not_visible = Roof not visible
 measure-field-driver_eye_not_visible = Driver’s eye not visible
@@ -1723,11 +1856,24 @@ measure-fact = { $field ->
     [manufacturer_height_m] manufacturer’s height { $value }
     [u_manufacturer_height_m] u of the manufacturer’s height { $value }
     [height_source] source of the height { $value }
+    [known_driver_eye_m] known height of the driver’s eye { $value }
+    [u_known_driver_eye_m] u of the known height of the driver’s eye { $value }
+    [known_driver_eye_source] source of the known height of the driver’s eye { $value }
+    [known_taillight_m] known height of the taillight { $value }
+    [u_known_taillight_m] u of the known height of the taillight { $value }
+    [known_taillight_source] source of the known height of the taillight { $value }
+    [known_headlight_m] known height of the headlight { $value }
+    [u_known_headlight_m] u of the known height of the headlight { $value }
+    [known_headlight_source] source of the known height of the headlight { $value }
+    [known_other_m] known height of the mark { $value }
+    [u_known_other_m] u of the known height of the mark { $value }
+    [known_other_source] source of the known height of the mark { $value }
+    [check_target] check target: { $value }
     [lighting] lighting { $value }
     [direction] goes { $value }
     [driver_side] driver on the { $value }
     [roof_not_visible] roof not visible: { $value }
-    [driver_eye_not_visible] driver's eye not visible: { $value }
+    [driver_eye_not_visible] driver’s eye not visible: { $value }
     [taillight_not_visible] taillight not visible: { $value }
     [headlight_not_visible] headlight not visible: { $value }
     [discarded] { $value }
@@ -1736,13 +1882,13 @@ measure-fact = { $field ->
 measure-fact-empty = empty
 measure-deleted = deleted
 measure-merged = { $problem } Your changes are to other fields, so both are kept.
-measure-conflict = Changed by somebody else
+measure-conflict = Changed by another user
 measure-conflict-kept = Both versions are kept until you choose.
 measure-conflict-mine = mine: { $value }
 measure-conflict-theirs = theirs: { $value }
 measure-conflict-save = Save this
 measure-conflict-both = Theirs ({ $person }): { $theirs }. Yours: { $mine }.
-measure-conflict-somebody = somebody
+measure-conflict-somebody = another user
 
 ## Review: the page
 
@@ -1751,14 +1897,14 @@ review-back-to-frame = Back to frame { $frame }
 review-none-in-state-title = Nothing in this state
 review-none-in-state = Choose another state in the list on the left.
 review-all-done-title = Everything is reviewed
-review-all-done = Each measurement has a verdict. New and corrected ones appear here by themselves.
+review-all-done = Each measurement has a verdict. New and corrected ones appear here automatically.
 review-to-export = Go to the export
 review-none-title = Nothing to review yet
-review-none = Measurements appear here as soon as an operator has clicked them.
+review-none = Measurements appear here as soon as an operator has made them.
 review-to-measure = Go to measuring
 review-other-point = Choose the other point
-review-other-frame = Another frame than the one that was clicked.
-review-fix-hint = Drag the points, or choose one with { $key } and nudge it; Enter saves the fix, Esc leaves it.
+review-other-frame = Not the measured frame
+review-fix-hint = Drag a point, or press { $key } and nudge it with the arrows. Enter saves, Esc cancels.
 
 ## Review: the queue
 
@@ -1780,42 +1926,42 @@ review-lines = { $count ->
     [one] { $count } height of a line scan to review.
    *[other] { NUMBER($count) } heights of line scans to review.
 }
-review-lines-left-title = Heights in line scans wait
-review-lines-left = They are judged on the bench of line scans, which goes on from one to the next.
+review-lines-left-title = Heights in line scans to review
+review-lines-left = Review them under Line scans, one after the other.
 review-lines-open = Open the next one
 review-verdict-of = verdict on { $target } of vehicle { $vehicle }
 review-verdict-reason = { $verdict }: { $reason }
 review-verdict-by = { $verdict } by { $person }
 review-verdict-none = no verdict
-review-verdict-kept = The verdict is kept here and will be stored when the connection is back.
+review-verdict-kept = The verdict is kept in this browser and will be sent when the connection is back.
 
 ## Review: clicking again before the points are seen
 
 review-plan = { $one_in ->
-    [0] The survey’s plan: none is clicked blind.
-    [1] The survey’s plan: each is clicked blind before it is shown.
-   *[other] The survey’s plan: 1 in { $one_in } is clicked blind before it is shown.
+    [0] Blind check: off.
+    [1] Blind check: every measurement is clicked before it is shown.
+   *[other] Blind check: 1 measurement in { $one_in } is clicked before it is shown.
 }
-review-plan-choose = Clicked blind, for everybody who reviews this survey
+review-plan-choose = Blind check, for all reviewers of this survey
 review-plan-choice = { $one_in ->
-    [0] none blind
-    [1] all blind
-   *[other] 1 in { $one_in } blind
+    [0] Blind check: off
+    [1] Blind check: every measurement
+   *[other] Blind check: 1 in { $one_in }
 }
 review-blind-click = click it again
-review-blind-title = Click it again first
-review-blind-contact = Click the tyre's contact, then the target. The points and the height are shown afterwards, beside yours.
-review-blind-target = Now the target. Esc takes the contact back.
-review-blind-why = Two clicks that do not know of each other tell how well people click. The survey’s plan draws which; what cannot be clicked is rejected with its reason.
-blind-kept = Your second click is kept here and will be stored when the connection is back.
+review-blind-title = Blind check: click it yourself first
+review-blind-contact = Click the tyre contact, then the target. The points and the height are shown afterwards, beside yours.
+review-blind-target = Now the target. Esc removes the contact.
+review-blind-why = Independent blind clicks show how repeatable the measurements are. They are drawn at random. If one cannot be clicked, reject it and state the reason.
+blind-kept = Your second click is kept in this browser and will be sent when the connection is back.
 review-again = Clicked again
 review-again-you = <strong>You</strong> clicked it again: <height>{ $height }</height>
 review-again-person = <strong>{ $person }</strong> clicked it again: <height>{ $height }</height>
-review-again-somebody = <strong>Somebody</strong> clicked it again: <height>{ $height }</height>
-review-again-take-back = Take it back
-review-again-agree = agree: { $apart } apart, expected within { $expected }
-review-again-differ = differ by { $apart }, expected within { $expected }
-review-again-not-compared = not compared
+review-again-somebody = <strong>Another user</strong> clicked it again: <height>{ $height }</height>
+review-again-take-back = Undo
+review-again-agree = Agree: difference { $apart }, limit { $expected }
+review-again-differ = Disagree: difference { $apart }, limit { $expected }
+review-again-not-compared = Not compared
 
 ## Review: what is known of a measurement
 
@@ -1825,7 +1971,7 @@ review-contact = contact
 review-pixels = { $point ->
     [contact] Pixels around the contact point
     [roof] Pixels around the roof point
-    [driver_eye] Pixels around the driver's eye point
+    [driver_eye] Pixels around the driver’s eye point
     [taillight] Pixels around the taillight point
     [headlight] Pixels around the headlight point
    *[other] Pixels around the other point
@@ -1843,26 +1989,26 @@ review-clicked-by = Clicked by
 
 ## Review: the verdict
 
-review-look-only = You may look; a reviewer gives the verdict.
-review-own = You made this measurement, so somebody else reviews it.
-review-pose-changed = The recording has another road pose since this was measured; the fix is computed with the new one.
+review-look-only = View only. Reviewers decide.
+review-own = You made this measurement, so another person reviews it.
+review-pose-changed = The recording has a new camera pose since this was measured; the correction is computed with it.
 review-fix-save = Save the fix
-review-fix-nothing = Nothing is other than it was; move a point first, or accept the measurement.
-review-fix-leave = Leave it
-review-fix-mine = Fix it with my points
+review-fix-nothing = Nothing has changed. Move a point first, or accept the measurement.
+review-fix-leave = Cancel
+review-fix-mine = Use my points
 review-reopen = Reopen it
 review-reject-why = Why is it rejected?
 review-reject-words = In your own words
 review-reason-contact = The contact is not where the tyre meets the road.
-review-reason-point = The target point is beside the feature.
+review-reason-point = The target point is off the feature.
 review-reason-frame = Another frame shows it better.
 review-reason-hidden = The feature is hidden.
 review-reason-wrong = The wrong vehicle or target.
 review-reason-side = The driver sits on the other side.
 review-step-verdict = verdict on { $target } of vehicle { $vehicle }
-review-error = Error against it
+review-error = Height error
 review-side = Driver’s side
-review-signs = Look closely
+review-signs = Check closely
 review-sign = { $sign ->
     [large_u] large uncertainty
     [unusual] unusual height in this survey
@@ -1870,27 +2016,34 @@ review-sign = { $sign ->
    *[new_operator] operator with few measurements
 }
 review-own-waiting = { $count ->
-    [one] { $count } of your own waits for somebody else.
-   *[other] { $count } of your own wait for somebody else.
+    [one] { $count } of your own measurements waits for another reviewer.
+   *[other] { $count } of your own measurements wait for another reviewer.
 }
-review-neighbours = A little earlier and later
+review-neighbours = Neighbouring frames
 review-neighbour = Frame { $frame }
 
 ## Repeats: the page
 
-repeats-lead = The same targets clicked again without seeing the first clicks: how far a person comes out beside themselves, and how far two people beside each other.
-repeats-loading = the repeats
+repeats-lead = { $people ->
+    [1] Blind repeat measurements of the same targets: variation within one operator (repeatability). Variation between operators (reproducibility) is known once a second one repeats them.
+   *[other] Blind repeat measurements of the same targets: variation within one operator (repeatability) and between operators (reproducibility).
+}
+repeats-loading = repeatability
 repeats-not-compared = { $count ->
-    [one] { $count } repeat
-   *[other] { $count } repeats
-} with another road pose or inset, or without a height: in none of these figures.
-repeats-click-mine = Click 10 of mine again
-repeats-click-anybodys = Click 10 of anybody’s again
-repeats-none-title = Nothing was clicked again yet
-repeats-none = Repeats come from two places: click a random ten again here, each without its points, or a survey’s review plan lets you click before you see. Ten repeats of your own give you a click sigma of your own; repeats of other people’s work tell how far people differ.
-repeats-no-result = Repeats stand in no list and change no result.
+    [one] { $count } repeat is
+   *[other] { $count } repeats are
+} excluded: the camera pose or inset changed, or no height could be computed.
+repeats-click-mine = Repeat 10 of my measurements
+repeats-click-anybodys = Repeat 10 measurements by anyone
+repeats-none-title = No repeat measurements yet
+repeats-none = { $one_in ->
+    [0] Repeat ten random measurements here, or turn on blind checks in Review.
+    [1] Blind checks are on: every measurement is repeated in Review. Ten random ones can be repeated here as well.
+   *[other] Blind checks are on: 1 measurement in { $one_in } is repeated in Review. Ten random ones can be repeated here as well.
+} After ten repeats of your own work, your own click uncertainty can replace the default of 1 px. Repeats of other people’s work show the variation between operators.
+repeats-no-result = Repeats are kept separate and do not affect results.
 repeats-to-review = Go to the review
-repeats-target = target
+repeats-target = Target
 repeats-items = { $count ->
     [one] { $count } item
    *[other] { $count } items
@@ -1899,49 +2052,70 @@ repeats-items = { $count ->
 ## Repeats: the table of targets
 
 repeats-targets-title = Heights, by target
-repeats-targets-note = standard deviations with their 95 % intervals
-repeats-targets-help = One spread for near and far vehicles alike, though in millimetres it grows with the distance. Lens, road pose, board and inset are the same for all clicks on a frame and cancel in their differences, so only the clicks’ part of the budgets is compared. On another frame they do not cancel: step to it while you click again.
-repeats-clicked-again = clicked again
-repeats-same-person = the same person
-repeats-another-frame = … on another frame
-repeats-another-person = another person adds
-repeats-claimed = clicks’ part, claimed
-repeats-seen = clicks’ part, seen
-repeats-all-targets = all targets
-repeats-people-differ = People differ from vehicle to vehicle by more than their own repeats; “the same person” contains that.
+repeats-targets-note = Standard deviations with 95 % confidence intervals
+repeats-targets-help = Values are pooled over all distances; the spread in millimetres grows with distance. Repeats on the same frame share lens, pose, board and inset errors, so only the click component of the uncertainty budget is compared. To include the other components, repeat on another frame.
+repeats-clicked-again = Items repeated
+repeats-same-person = Repeatability (s)
+repeats-another-frame = Repeatability, other frame
+repeats-another-person = Reproducibility (between operators)
+repeats-claimed = Click uncertainty, stated
+repeats-seen = Click uncertainty, observed
+repeats-all-targets = All targets
+repeats-people-differ = Significant operator × vehicle interaction (p < 0.05); it is included in repeatability.
 repeats-ratio = × { $ratio } ({ $low } to { $high })
-repeats-more = more than claimed
-repeats-less = less than claimed
-repeats-as = as claimed
+repeats-more = more than stated
+repeats-less = less than stated
+repeats-as = as stated
 
 ## Repeats: the table of people
 
-repeats-people-title = Clicks, by person
-repeats-people-note = each coordinate of a click, from people’s repeats of their own
-repeats-person = person
-repeats-own = own repeats
-repeats-contact = contact
-repeats-height = height
-repeats-against-others = against others
-repeats-sigma = clicks count with
-repeats-sigma-usual = 1 px, as usual
-repeats-sigma-own = { $sigma_px } px of their own
+repeats-people-title = Clicks, by operator
+repeats-people-note = Standard deviation of each coordinate of a click, from own repeats
+repeats-person = Operator
+repeats-own = Own repeats
+repeats-contact = Contact
+repeats-height = Height
+repeats-against-others = Mean difference from other operators
+repeats-sigma = Click uncertainty used
+repeats-sigma-usual = 1 px (default)
+repeats-sigma-own = { $sigma_px } px (from repeats)
 repeats-sigma-from = { $count ->
     [one] from { $count } repeat, chosen by { $person }
    *[other] from { $count } repeats, chosen by { $person }
 }
 repeats-sigma-use = Use { $sigma_px } px
 repeats-sigma-use-title = { $count ->
-    [one] From { $count } repeat; clicks that are stored keep theirs
-   *[other] From { $count } repeats; clicks that are stored keep theirs
+    [one] From { $count } repeat; existing measurements keep the previous value
+   *[other] From { $count } repeats; existing measurements keep the previous value
 }
-repeats-sigma-needs = ten own repeats are needed for another
+repeats-sigma-needs = Needs 10 own repeats
 repeats-sigma-back = Back to 1 px
 
 ## Repeats: the figure of differences
 
+anchoring-title = Effect of showing suggestions
+anchoring-shown = Suggestions shown
+anchoring-free = Suggestions hidden
+anchoring-shift = Shift due to showing
+anchoring-goal = Goal: below { $goal }
+anchoring-vehicles = { $count ->
+    [one] 1 vehicle
+   *[other] { $count } vehicles
+}
+anchoring-verdict = { $verdict ->
+    [met] met: the whole 95 % CI is within the limit
+    [missed] missed: the whole 95 % CI is outside the limit
+   *[undecided] undecided: measure more vehicles with suggestions hidden
+}
+anchoring-plan = { $one_in ->
+    [0] suggestions always shown
+   *[other] suggestions hidden for 1 vehicle in { $one_in }
+}
+anchoring-plan-choose = Share of vehicles with suggestions hidden, drawn at random by the server
+anchoring-help = For each vehicle: stored height minus height of the suggested points, on the same frame. The server draws at random for which vehicles suggestions are hidden, so the two groups differ only in the showing. The shift is how much higher heights are stored when suggestions are shown (95 % CI, Welch). Heights measured by one person are not independent, so the result applies to the operators who measured here. It does not state how accurate the suggestions are.
+anchoring-counts = With suggestions shown, { $confirmed } heights were confirmed, { $moved } moved and { $afresh } clicked by hand; all are included.
 repeats-differences-title = Second minus first height, over their mean
-repeats-differences-note = Each bar is what the budgets of both clicks let one expect (k = 2): about 19 in 20 should reach zero.
+repeats-differences-note = Bars show the expanded uncertainty of the difference (U95). About 95 % of the bars should include zero.
 repeats-differences-label = { $count ->
     [one] Second minus first height in { $small } over their mean in { $unit }, { $count } repeat
    *[other] Second minus first height in { $small } over their mean in { $unit }, { $count } repeats
@@ -1951,55 +2125,104 @@ repeats-differences-y = difference ({ $unit })
 
 ## Click again: measurements once more, without their points
 
-again-loading = what to click again
+again-loading = the blind repeats
 again-place = <strong>{ $at } of { $of }</strong> <muted>vehicle { $vehicle }, { $target }</muted>
 again-stored = { $count ->
-    [one] { $count } repeat stored
-   *[other] { $count } repeats stored
+    [one] { $count } repeat saved
+   *[other] { $count } repeats saved
 }
 again-stop = Stop
-again-undo = Take the last back
+again-undo = Undo last repeat
 again-undo-clicks = second clicks
-again-undo-skip = passing over
-again-skip = Pass over
-again-results = See what they say
+again-undo-skip = skipping
+again-skip = Skip
+again-results = View results
 again-back-to-frame = Back to frame { $frame }
-again-last-title = That was the last one
-again-last = Each was stored as a repeat: it stands in no list and changes no result.
-again-none-own-title = You have clicked nothing yet
-again-none-title = Nothing is measured yet
-again-none-own = How well you repeat yourself shows once you have measured something in this survey.
-again-none = Measure some vehicles first; then they can be clicked again.
+again-last-title = No more measurements to repeat
+again-last = Each was saved as a repeat: repeats are kept separate and do not affect results.
+again-none-own-title = No measurements of yours yet
+again-none-title = No measurements yet
+again-none-own = Measure some vehicles in this survey first. Then you can repeat your own measurements.
+again-none = Measure some vehicles first. Then they can be repeated.
 again-to-measure = Go to measuring
+scans-lane-needs-boundaries = The vehicle was not measured yet, so it has no lane; place its boundaries first.
 
 ## Line scans: the page
 
-scans-lead = Two line cameras a known baseline apart: speed, length, acceleration and the gaps between vehicles, with the picture to check each by.
+scans-lead = Two line cameras at a known baseline give speed, length, acceleration and gaps, with the image of each vehicle.
 scans-loading = the line scans
-scans-plan = Plan the line rate
-scans-results = Results
+scan-live = This part of the stream is still being recorded; its image is available when it ends.
+live-lead = Vehicles seen by the line cameras, and the state of the cameras.
+live-loading = the live streams
+live-none-title = No stream yet
+live-none-pipe = On the computer at the cameras, pipe the recorder’s lines into the command:
+live-none-file = or follow a file that the recorder writes:
+live-none-cameras = or read two GigE Vision cameras (with Aravis):
+live-since = Since { $time }
+live-running = recording
+live-silent-state = no signal
+live-ended = ended
+live-stopped-state = stopped
+live-stopped = The stream stopped without ending. Last contact: { $time }. Vehicles up to then are stored. Recorded lines are on its computer: run the same command there to resume.
+live-silent = Last contact { $ago }. Check its computer; the same command resumes the stream.
+live-earlier = Earlier parts:
+live-time = Recorded
+live-lines = Lines
+live-lost = Lines lost (1 / 2)
+live-light = Road brightness
+live-saturated = Saturated
+live-clock = Delay
+live-waiting = Waiting
+live-memory = Memory
+live-flow = Vehicles per minute
+live-flow-last = { $time }: { $vehicles }
+live-flow-none = no complete minute yet
+live-flow-minute = { $time }: { $vehicles ->
+    [one] { $vehicles } vehicle
+   *[other] { $vehicles } vehicles
+}
+live-flow-part = { $time }: { $vehicles ->
+    [one] { $vehicles } vehicle
+   *[other] { $vehicles } vehicles
+}, partly observed
+live-vehicles = Latest vehicles
+live-no-vehicles = No vehicles yet
+live-picture-later = Images of vehicles are available when this part of the stream has ended and been imported.
 scans-add = Add a line scan
 scans-all = All line scans
+scans-no-such-lane = The rig has no lane { $lane }; choose one of its lanes.
 scans-none-title = No line scans yet
 scans-none = An operator can upload the strips of both cameras here.
 scans-delete-title = Delete { $scan }?
-scans-delete-what = Both strips and what was found in them go; a line scan on which somebody worked cannot be deleted.
+scans-delete-what = This deletes both strips and the vehicles found in them. A line scan with edited or reviewed vehicles cannot be deleted.
 scans-delete = Delete the line scan
 scans-delete-one = Delete { $scan }
 scans-deleted = { $scan } was deleted.
-scans-read-again = Read it again
-scans-not-read = The strips could not be read.
-scans-rig = The rig, and what the traffic says of it
+scans-read-again = Import again
+scans-not-read = The strips could not be imported.
+scans-rig = Rig, and estimates from the traffic
 scans-rig-change = Change the rig…
-scans-open = Open the bench
+scans-open = Open
 scans-fact-lines = { $lines ->
     [one] { $lines } line of { $rows_px } rows
    *[other] { $lines } lines of { $rows_px } rows
 }
+scans-start-words = { $start } (u = { $u_s } s)
+scans-start-unknown = Start not known, so no vehicle has a time of day.
+scans-start-edit-of = Change the start of { $recording }
+scans-start-line = First line, local time
+scans-start-hint = From the recorder’s clock, or from a watch held in front of camera 1 and your notes.
+scans-start-from-video = The source video starts { $time } (as confirmed, otherwise as stated in its file).
+scans-start-u = Standard uncertainty u
+scans-start-u-hint = Shared by all vehicles. Example: 1 for a watch read by eye, 0.001 for lines stamped by GPS or PTP.
+scans-start-u-problem = Enter the standard uncertainty of the start in seconds, more than 0.
 scans-fact-baseline = baseline { $baseline }
-scans-fact-rate = { $rate_hz } lines a second
-scans-fact-video = cut from a video at columns { $column_1_px } and { $column_2_px }
-scans-count-none = vehicles not looked for yet
+scans-fact-rate = { $rate_hz } lines/s
+scans-fact-video = cut from a video at { $along ->
+    [columns] columns
+   *[rows] rows
+} { $cut_1_px } and { $cut_2_px }
+scans-count-none = vehicles not searched yet
 scans-count-vehicles = { $count ->
     [one] { $count } vehicle
    *[other] { $count } vehicles
@@ -2021,97 +2244,189 @@ scans-count-heights-to-review = { $count ->
 
 scans-limits = What a line scan cannot measure
 scans-limit-opposing = Opposing direction
-scans-limit-opposing-why = A pair measures the direction that reaches camera 1 first; a vehicle that comes the other way is told and left out. For the other lane add a second line scan of the same strips with the cameras the other way round, and that lane’s baseline and distance.
-scans-limit-abreast = Side by side
-scans-limit-abreast-why = Two vehicles that hide each other share their lines, so neither has a front and a rear of its own. Only their passing one after the other helps: a lane farther away, or a steeper view from above.
-scans-limit-slow = Stopped, turned back, or very slow
-scans-limit-slow-why = Along a strip runs time, not way. A vehicle that stands paints the same line again and again, and the fit takes one constant acceleration from front to rear; stop-and-go traffic has none.
+scans-limit-opposing-why = A vehicle that reaches camera 2 first is measured with the cameras exchanged. Its direction is shown and exported; its speed, time and gaps refer to camera 1, as for all vehicles. Two vehicles that pass each other in front of the cameras share their lines and are not measured.
+scans-limit-abreast = Occlusion by parallel vehicles
+scans-limit-abreast-why = Two vehicles that hide each other share their lines, so neither has a front and a rear of its own. They can be measured only when they pass separately: use a lane farther away, or a steeper view from above.
+scans-limit-slow = Stopped, reversing, or very slow
+scans-limit-slow-why = A strip records time, not distance. A stopped vehicle repeats the same line, and the fit assumes constant acceleration, so stop-and-go traffic cannot be measured.
 scans-limit-cut = Cut off, or lines lost
-scans-limit-cut-why = What began before the recording or ended after it has no front or no rear; where the recorder lost lines the clock of the strip is wrong.
-scans-limit-distance = Another distance than the lane’s
-scans-limit-distance-why = Planes that are not quite parallel make the baseline longer or shorter with the distance; the traffic alone cannot tell that. Enter the divergence’s uncertainty and the lane’s distance under Rig.
+scans-limit-cut-why = A vehicle cut off by the beginning or end of the recording has no front or no rear. Where the recorder lost lines, the time axis of the strip is wrong.
+scans-limit-distance = Vehicles at another distance
+scans-limit-distance-why = If the scanning planes are not exactly parallel, the baseline changes with distance, which the traffic alone cannot reveal. Enter the uncertainty of the divergence and the distance to the lane under Rig.
 
 ## Line scans: adding one
 
 scans-new = A new line scan
-scans-new-from = Where it comes from
+scans-new-from = Source
 scans-new-strips = Two strips
-scans-new-columns = Two columns of a video
-scans-new-name-hint = Left empty, the file's name is taken.
-scans-new-read = Read it and find the vehicles
-scans-new-no-strip = no strip is here yet
+scans-new-columns = Two columns or rows of a video
+scans-new-name-hint = Empty: the file name is used.
+scans-new-read = Import and find the vehicles
+scans-new-no-strip = no strip uploaded yet
 scans-new-choose-strip = choose a strip
 scans-new-strip = { $file } ({ $size })
 scans-new-choose-both = Choose both strips
 scans-new-drop = Drop both strips here, or click to choose
-scans-new-drop-hint = PNG, TIFF or BigTIFF, 8 or 16 bits, grey; hours long if need be.
+scans-new-drop-hint = PNG, TIFF or BigTIFF, 8 or 16 bit greyscale, of any length.
 scans-new-camera-1 = Camera 1, which a vehicle reaches first
 scans-new-camera-2 = Camera 2
 scans-new-same-strip = Both cameras cannot have the same strip.
-scans-new-time-axis = Time runs along the picture’s
-scans-new-time-width = width, as usual
+scans-new-time-axis = Time runs along the image’s
+scans-new-time-width = width (usual)
 scans-new-time-height = height
 scans-new-no-recording = no recording is ready
 scans-new-choose-recording = choose a recording
-scans-new-recording-hint = Its frame rate is the line rate, so a steady, fast one.
-scans-new-column-1 = Column of camera 1
-scans-new-column-1-hint = The column that a vehicle reaches first.
-scans-new-column-1-hint-to = The column that a vehicle reaches first, 0 to { $last_px }.
-scans-new-column-2 = Column of camera 2
+scans-new-recording-hint = The frame rate becomes the line rate: use a constant, high frame rate.
+scans-new-cut-along = Travel direction in the video
+scans-new-cut-along-columns = Left or right: columns
+scans-new-cut-along-left = Up or down, roofs to the left: rows
+scans-new-cut-along-right = Up or down, roofs to the right: rows
+scans-new-cut-1 = { $along ->
+    [columns] Column
+   *[rows] Row
+} of camera 1
+scans-new-cut-1-hint = The one that vehicles reach first.
+scans-new-cut-1-hint-to = The one that vehicles reach first, 0 to { $last_px }.
+scans-new-cut-2 = { $along ->
+    [columns] Column
+   *[rows] Row
+} of camera 2
 
 ## Line scans: the rig
 
 scans-rig-title = The rig
-scans-rig-store = Store
-scans-rig-traffic = The rig from the traffic
+scans-rig-store = Save
+scans-rig-traffic = Rig estimated from the traffic
 scans-rig-traffic-title = From the traffic
-scans-rig-note = What was measured keeps the values that it was measured with, and says so, until it is measured again.
+scans-rig-note = Existing results keep the old values and are marked outdated until you measure again.
 scans-rig-undo = the rig
-scans-rig-stored = The rig’s values were stored.
-scans-rig-stored-older = The rig has other values now; find the vehicles again to bring the results up.
+scans-rig-stored = The rig was saved.
+scans-rig-stored-older = The rig was saved. Find the vehicles again to update the results.
 scans-rig-baseline = Baseline
 scans-rig-baseline-hint = Between the two scanning planes, at the vehicles.
-scans-rig-u = Its standard uncertainty
-scans-rig-baseline-u-hint = A speed is never better known than this.
-scans-rig-rate = Lines a second
-scans-rig-clock = Clock’s uncertainty
-scans-rig-clock-hint = A quartz keeps about 50 ppm.
-scans-rig-more = More: misalignment, divergence, distance of the lane
+scans-rig-u = Standard uncertainty
+scans-rig-baseline-u-hint = Limits the accuracy of every speed.
+scans-rig-rate = Line rate
+scans-rig-clock = Relative u of the line rate
+scans-rig-clock-hint = Typical quartz: 50 ppm.
+scans-rig-more = More: misalignment, divergence, distance to lane, shadow zone
 scans-rig-misalignment = Misalignment
 scans-rig-from-traffic = from the traffic
 scans-rig-misalignment-hint = Row of a point in strip 2 minus its row in strip 1. Empty: estimated from the traffic, vehicle by vehicle.
-scans-rig-divergence = Divergence of the planes
-scans-rig-divergence-hint = Positive: they open towards the vehicles. The baseline is then the one at the cameras.
-scans-rig-divergence-u-hint = Planes that were set parallel: what the setting leaves.
-scans-rig-distance = Distance of the lane
-scans-rig-distance-hint = From the cameras to the vehicles’ near side. Needed for the divergence only.
+scans-rig-divergence = Divergence angle between scanning planes
+scans-rig-divergence-hint = Positive: the planes diverge towards the vehicles. The baseline is then that at the cameras.
+scans-rig-divergence-u-hint = For planes set parallel: the uncertainty of the setting.
+scans-rig-distance = Distance to lane (near side of vehicles)
+scans-rig-distance-hint = Needed for the divergence only.
+scans-lanes = Lanes at several distances
+scans-lanes-why = Each vehicle is measured with the baseline at its own lane. A lane is told by its direction and by the row at which tyres meet the road (camera 1, row 0 on top); you can choose it on the vehicle. Without lanes, all vehicles are at the distance above.
+scans-lane-of = Lane { $number }
+scans-lane-name = Name of the lane
+scans-lane-way = { $way ->
+    [camera_1_first] camera 1 first
+    [camera_2_first] camera 2 first
+   *[either] either
+}
+scans-lane-distance = Distance to its vehicles (near side)
+scans-lane-from = Tyres from row
+scans-lane-to = Tyres to row
+scans-lane-rows-hint = Leave both empty if the direction tells the lane.
+scans-lane-shadow-rig = as the rig
+scans-lane-add = Add a lane
+scans-lane-remove = Remove this lane
+scans-lane-problem-name = Enter a name of at most 40 characters.
+scans-lane-problem-twice = Another lane has this name; enter another.
+scans-lane-problem-distance = Enter a length above 0.
+scans-lane-problem-rows = Enter both rows, the upper one (the smaller number) first, or leave both empty.
+scans-rig-shadow = Shadow zone
+scans-rig-shadow-hint = Lowest part of the image, with only road and shadows; vehicles are not searched there. A high camera close to the lane needs more.
+scans-rig-problem-shadow = Enter a share from 0 to 60 %.
 scans-rig-problem-number = Enter a number of 0 or more, or leave it empty.
 scans-rig-problem-length = Enter a length, or leave it empty.
 scans-rig-problem-angle = Enter an angle of at most 200 mrad, or leave it empty.
 scans-rig-problem-baseline = Enter the distance between the two scanning planes.
-scans-rig-problem-rate = Enter how many lines the cameras make a second.
+scans-rig-problem-rate = Enter the line rate of the cameras.
 scans-rig-problem-misalignment = Enter pixels, or leave it empty.
-scans-rig-problem-distance = Enter how far the lane is, or leave the divergence empty: it counts over this distance.
+scans-rig-problem-distance = Enter the distance to the lane, or leave the divergence empty.
 scans-rig-problem-misalignment-u = Enter the misalignment too, or leave its uncertainty empty.
+scans-rig-distance-u-hint = Lateral spread of the vehicles; matters if the planes diverge.
+scans-rig-correlation = Correlation of baseline and divergence
+scans-rig-correlation-hint = From a calibration; cleared when you enter another baseline or divergence.
+scans-rig-problem-correlation = Enter a number from −1 to 1, or leave it empty.
+scans-calibrate = Calibrate the rig…
+scans-calibrate-why = Baseline and divergence from a staff or board that passes both cameras at two distances.
+scans-calibrate-title = Calibrate the rig
+scans-calibrate-how = Move a staff or board past both cameras at two or more distances, several times each, for example in the near and the far lane. Keep its marks at mid-height of a vehicle.
+scans-calibrate-way = Method
+scans-calibrate-way-board = Board of known width
+scans-calibrate-way-positions = Staff along a tape
+scans-calibrate-way-speed = Staff at a known speed
+scans-calibrate-hint-board = Carry an upright board past at a steady speed, along the traffic. Enter the lines of its first and last edge in both strips: its width gives its speed.
+scans-calibrate-hint-positions = Move an upright staff along a tape that lies along the traffic. Enter where each camera sees it.
+scans-calibrate-hint-speed = Enter the staff’s speed and its line in either strip; this needs the line rate of the cameras.
+scans-calibrate-tape = Uncertainty of the tape’s scale
+scans-calibrate-tape-hint = Standard uncertainty common to all taped lengths. Empty: none.
+scans-calibrate-tape-problem = Enter 0 to 10 %.
+scans-calibrate-distance-problem = Enter the distance to the vehicles: speeds use the baseline there.
+scans-calibrate-compute = Compute
+scans-calibrate-busy = the calibration
+scans-calibrate-store = Apply
+scans-calibrate-answer = Result of the passes
+scans-calibrate-lane = Baseline at the lane, { $distance }
+scans-calibrate-share = ({ $percent } % of every speed)
+scans-calibrate-baseline = Baseline at the cameras
+scans-calibrate-agree = Consistency of the passes
+scans-calibrate-chi2 = chi-square { $chi2 }, { $degrees } degrees of freedom: p = { $percent } %
+scans-calibrate-mrad = { $value } ± { $U95 } mrad
+scans-calibrate-passes = Passes and residuals
+scans-calibrate-span = Baseline there
+scans-calibrate-residual = Residual
+scans-calibrate-history = Calibrations
+scans-calibrate-one = { $number }, by { $who }, { $passes } passes
+scans-calibrate-in-force = current
+scans-calibrate-use-one = Use calibration { $number }
+scans-passes = Passes
+scans-passes-typed = passes as entered
+scans-passes-number = Pass
+scans-passes-cell = Pass { $number }, { $column }
+scans-passes-add = Add a pass
+scans-passes-choose = CSV of passes
+scans-passes-drop = Or drop a CSV of passes
+scans-passes-drop-hint = One pass per row, with the columns of “sightline rig calibrate”.
+scans-passes-refused = Row { $row } is skipped.
+scans-passes-distance-shown = Distance
+scans-passes-distance = Distance, m
+scans-passes-u = u
+scans-passes-width = Width, m
+scans-passes-position-1 = At camera 1, m
+scans-passes-position-2 = At camera 2, m
+scans-passes-speed = Speed, m/s
+scans-passes-line-1 = Line, strip 1
+scans-passes-line-2 = Line, strip 2
+scans-passes-front-1 = First edge, strip 1
+scans-passes-rear-1 = Last edge, strip 1
+scans-passes-front-2 = First edge, strip 2
+scans-passes-rear-2 = Last edge, strip 2
+scans-passes-u-line = u of a line
 
 ## Line scans: the rig as the traffic says it
 
-scans-traffic-loading = what the traffic says
-scans-traffic-swapped = The cameras were exchanged; the vehicles are being found again.
+scans-traffic-loading = the estimates from the traffic
+scans-traffic-swapped = The cameras were swapped; the vehicles are being searched again.
 scans-traffic-swap = Swap the cameras
-scans-traffic-table = The rig as the traffic says it
-scans-traffic-says = the traffic says
-scans-traffic-value = value and u
-scans-traffic-from = from
-scans-traffic-in-force = in force
-scans-traffic-take = take it over
+scans-traffic-table = Estimates from the traffic
+scans-traffic-says = Parameter
+scans-traffic-value = Estimate (u)
+scans-traffic-from = Vehicles
+scans-traffic-in-force = Current
+scans-traffic-take = Use
 scans-traffic-gain = Light, camera 2 over 1
-scans-traffic-gain-own = each vehicle’s own
+scans-traffic-gain-own = per vehicle
 scans-traffic-baseline = { $of ->
     [length] Baseline by lengths
    *[wheelbase] Baseline by wheelbases
 }
-scans-traffic-note = u is the standard uncertainty. Nothing here is in force by itself: “Use…” fills it in, and you store it.
+scans-traffic-note = u is the standard uncertainty. Estimates are not applied automatically. Choose Use, then save.
 scans-traffic-use = Use…
 scans-traffic-use-for = Use this for { $what }
 
@@ -2125,20 +2440,20 @@ scan-rig = Rig…
 scan-find = Find the vehicles…
 scan-nothing-found-title = No vehicle was found
 scan-nothing-yet-title = No vehicles yet
-scan-nothing-found = Look at the strips: where a vehicle is seen, add it by two clicks, on its front and on its rear.
-scan-nothing-yet = Let them be found: front, rear, speed, length and the gaps between them come by themselves.
+scan-nothing-found = Check the strips. Add a missed vehicle with two clicks: its front and its rear.
+scan-nothing-yet = Detect vehicles to measure front, rear, speed, length and gaps automatically.
 scan-find-now = Find the vehicles
 scan-none-title = No line scan is chosen
 scan-none-choose = Choose one
-scan-on = On along the strips
+scan-on = Forward along the strips
 scan-back = Back along the strips
-scan-on-window = On by a window
-scan-back-window = Back by a window
+scan-on-window = Forward one window
+scan-back-window = Back one window
 scan-to-first = To the first line
 scan-to-last = To the last line
 scan-next-vehicle = Next vehicle
 scan-previous-vehicle = Previous vehicle
-scan-take-out-vehicle = Take the vehicle out
+scan-take-out-vehicle = Remove the vehicle
 scan-last-vehicle = This is the last vehicle.
 scan-first-vehicle = This is the first vehicle.
 scan-search-stopped = The search stopped.
@@ -2150,13 +2465,13 @@ scan-find-and-measure = Find and measure
 scan-find-again = Measure again
 scan-find-method = Method
 scan-find-direct = Direct registration
-scan-find-paper = The paper’s method
-scan-find-direct-what = Both strips of a vehicle are laid over each other as a whole: speed, acceleration and the cameras' misalignment in one fit. The default.
-scan-find-paper-what = Block matching and a linear regression, as Douxchamps, Macq and Chihara published it; to compare with.
+scan-find-paper = Block matching (Douxchamps et al.)
+scan-find-direct-what = Registers both strips of a vehicle as a whole: speed, acceleration and the cameras’ misalignment in one fit. The default.
+scan-find-paper-what = Block matching and linear regression, as published by Douxchamps, Macq and Chihara; for comparison.
 scan-find-what = What
-scan-find-all = Look through the whole recording
+scan-find-all = Search the whole recording
 scan-find-known = Measure the known vehicles again
-scan-find-note = Boundaries that somebody placed stay, and so does what was taken out. Every result is a revision of its own; accepted ones that change are to be reviewed again.
+scan-find-note = Manual boundaries and removed vehicles are kept. Accepted results that change return to review.
 
 ## Line scan: the strips, and what the next click is to hit
 
@@ -2164,13 +2479,13 @@ scan-strips = line-scan strips
 scan-strips-label = Camera 1 above, camera 2 below, time to the right
 scan-camera-1 = camera 1
 scan-camera-2 = camera 2
-scan-strips-missing = Some of the picture could not be fetched.
+scan-strips-missing = Part of the image could not be loaded.
 scan-asked = { $what } (Esc stops)
 scan-asked-stretch = { $what } (R stretches, Esc stops)
 scan-click-camera-1 = Click on camera 1, the upper strip.
-scan-click-rod-distance = Enter the rod's distance on the right
+scan-click-rod-distance = Enter the rod distance on the right
 scan-click-rod = Click the rod { $distance } away, { $height } above the road
-scan-click-tyre = Click where a tyre stands on the road, on camera 1
+scan-click-tyre = Click a tyre contact point on camera 1
 scan-click-target = { $target ->
     [roof] Click { target-hint-roof }
     [driver_eye] Click { target-hint-driver_eye }
@@ -2181,79 +2496,201 @@ scan-click-target = { $target ->
 scan-click-any-target = Click the target
 scan-click-front-wheel = Click the hub of the front wheel on camera 1
 scan-click-rear-wheel = Click the hub of the rear wheel on camera 1
-scan-click-front = Click the vehicle's front on camera 1
-scan-click-rear = Click the vehicle's rear on camera 1
+scan-click-front = Click the vehicle’s front on camera 1
+scan-click-rear = Click the vehicle’s rear on camera 1
 scan-drawn-height = { $target } { $height }
 scan-drawn-away = { $distance } away
 scan-drawn-mark-away = { $height }, { $distance } away
 
 ## Line scan: the table of vehicles
 
-scan-head-number = no.
-scan-head-time = time
-scan-head-speed = speed
-scan-head-acceleration = acc.
-scan-head-length = length
-scan-head-gap = gap
-scan-head-headway = headway
-scan-head-state = state
+scan-head-number = No.
+scan-head-time = Time
+scan-head-clock = Time of day
+scan-time-title = { $time }; { $since } after the first line
+scan-head-speed = Speed
+scan-head-acceleration = Acc.
+scan-head-length = Length
+scan-head-gap = Gap
+scan-head-headway = Headway
+scan-head-state = State
 scan-choose-vehicle = { $vehicle } <hidden>choose</hidden>
 
 ## Line scan: the chosen vehicle
 
 scan-vehicle = Vehicle
-scan-vehicle-none = Choose a vehicle in the list or in the picture{ $key }: its motion, the fit and the gaps come here.
+scan-vehicle-none = Choose a vehicle in the list or on the strips{ $key }. Its motion, fit and gaps appear here.
 scan-vehicle-body = Motion and history
 scan-fit-loading = the fit
 scan-motion = Motion
 scan-not-measurable = Not measurable
-scan-older = Measured with other values of the rig than the recording has now; measure again to bring it up.
+scan-older = Outdated: the rig values changed. Measure again.
 scan-length = Length
 scan-acceleration = Acceleration
 scan-wheelbase = Wheelbase
 scan-wheelbase-none = not clicked
-scan-time-gap = Time gap
+scan-axles = Axles
+scan-axles-of = { $count ->
+    [0] no wheel found
+   *[other] { $count }
+}, { $by ->
+    [person] corrected by hand
+   *[machine] found by Sightline
+}
+scan-axles-correct = Correct the axles
+scan-axles-title = Click a hub to add an axle, a line to remove it
+scan-axles-again = Find the axles again
+scan-click-axle = Click the hub of a wheel to add its axle, or the line of one to remove it; Esc ends.
+scan-step-lane = lane of vehicle { $vehicle }
+scan-step-axles = axles of vehicle { $vehicle }
+scan-passed = Passed
+scan-passed-at = { $day }, { $time }
+scan-passed-within = { $time } ± { $U95_s } s
+scan-passed-unknown = Time of day unknown: the start of the recording is not confirmed
+scan-lane = Lane
+scan-lane-unknown = lane not known
+scan-lane-of = { $lane }, { $by ->
+    [person] chosen by a person
+   *[machine] found
+}
+scan-lane-tyres = (tyres at row { $row })
+scan-lane-choose = Choose the lane
+scan-lane-by-program = as the program finds it
+scan-direction = Direction
+scan-direction-of = { $direction ->
+    [camera_2_first] camera 2 first
+   *[camera_1_first] camera 1 first
+}
+scan-time-gap = Time gap (rear to front)
 scan-time-gap-first = the first vehicle
-scan-distance-gap = Distance gap
+scan-distance-gap = Distance gap (clearance, rear to front)
 scan-distance-gap-paper = { $gap } <muted>(by mean speed { $paper_gap })</muted>
-scan-headway = Headway
+scan-headway = Time headway (front to front)
 scan-by = By
 scan-cause = { $method ->
-    [paper] the paper's method
+    [paper] block matching
    *[direct] direct registration
 }
 scan-cause-by-hand = { $method ->
-    [paper] the paper's method, boundaries placed by hand
+    [paper] block matching, boundaries placed by hand
    *[direct] direct registration, boundaries placed by hand
 }
-scan-cause-scatter = { $cause }; scatter of the blocks { $percent } %
+scan-cause-scatter = { $cause }; standard deviation of the blocks { $percent } %
 scan-misalignment = Misalignment
-scan-misalignment-u = { $value_px } px (u { $u_px } px)
+scan-misalignment-u = { $value_px } px (u = { $u_px } px)
 scan-show = Show
 scan-show-title = Fill the window
 scan-wheels = Click the wheels
 scan-wheels-again = Click the wheels again
 scan-wheels-title = Click both hubs
 scan-heights-measure = Measure heights
-scan-heights-title = Click a tyre's contact, then roof, eye and lamp
-scan-take-out = Take out
-scan-take-out-title = Take the vehicle out
+scan-heights-title = Click a tyre’s contact, then roof, eye and lamp
+scan-evidence = Evidence file
+scan-evidence-title = Evidence file of vehicle { $vehicle }
+scan-evidence-what = One page with both images, times, rig, motion, uncertainty budget, decision and signature. It opens without a server, lets the reader set other boundaries, and checks itself.
+scan-evidence-make = Make the file
+scan-evidence-limit-of = Quantity with a limit
+scan-evidence-none = No limit
+scan-evidence-speed = Speed
+scan-evidence-time-gap = Time gap
+scan-evidence-distance-gap = Distance gap
+scan-evidence-most = Limit: at most
+scan-evidence-least = Limit: at least
+scan-evidence-risk = Risk of a false decision
+scan-evidence-risk-hint = A smaller risk gives a wider guard band, within which no decision is made. Only accepted measurements are decided.
+scan-evidence-source = Source of the limit
+scan-evidence-source-hint = As it should appear in the file: the sign, order or rule.
+scan-evidence-problem = Enter a limit and a risk above 0.
+scan-take-out = Remove
+scan-take-out-title = Remove the vehicle
 
 ## Line scan: what is known of a vehicle, its budget and its history
 
-scan-known = What is known of the vehicle
+scan-known = Reference values of the vehicle
 scan-known-make = Make
 scan-known-model = Model
-scan-known-length = True length
-scan-known-wheelbase = True wheelbase
-scan-known-problem = This is no length.
+scan-known-length = Reference length
+scan-known-wheelbase = Reference wheelbase
+scan-known-problem = Enter a length.
+scan-shadow-zone = shadow zone: not searched
 scan-known-off = measured { $difference }
+
+scan-references = Reference measurements
+scan-references-none = None yet. Enter a value from a radar, GPS or the car’s speedometer.
+scan-reference-speed = Speed
+scan-reference-length = Length
+scan-reference-wheelbase = Wheelbase
+scan-reference-counter = speedometer
+scan-reference-radar = radar
+scan-reference-laser = laser gun
+scan-reference-gps = GPS
+scan-reference-loop = loop
+scan-reference-tape = tape
+scan-reference-other = other
+scan-reference-says = { $quantity }, { $source }: { $value }
+scan-reference-nothing = No measured value to compare with.
+scan-reference-within = Difference { $difference }, within ± { $U95 }.
+scan-reference-outside = Difference { $difference }, outside ± { $U95 }.
+scan-reference-add = Add a reference
+scan-reference-import = Import CSV
+scan-reference-edit = Edit
+scan-reference-edit-one = Edit { $quantity }, { $source }
+scan-reference-remove-one = Remove { $quantity }, { $source }
+scan-reference-add-title = Reference for vehicle { $vehicle }
+scan-reference-edit-title = Correct a reference for vehicle { $vehicle }
+scan-reference-store = Save
+scan-reference-quantity = Quantity
+scan-reference-source = Measured by
+scan-reference-value = Value
+scan-reference-u = Standard uncertainty (k = 1)
+scan-reference-device = Instrument (optional)
+scan-reference-value-problem = Enter a number above 0.
+scan-reference-u-problem = Enter an uncertainty above 0.
+scan-reference-note-speed = Compared with the speed at which the front reaches camera 1. A reference taken elsewhere needs a larger uncertainty.
+scan-reference-note-length = Compared with the length or wheelbase measured here, both uncertainties combined.
+scan-run-of = Run of car
+scan-run-of-hint = The same name on several vehicles marks them as runs of one car.
+scan-run-of-problem = Enter 100 characters at most.
+scan-references-import-title = Import reference measurements
+scan-references-choose = Choose a CSV
+scan-references-drop = Drop a CSV here
+scan-references-hint = Columns: number (or time: 14:05:32.4), source, speed_kmh, u_speed_kmh; also length_m, u_length_m, wheelbase_m, device, run_of
+scan-references-looking = the file
+scan-references-store = { $count ->
+    [one] Import { $count } line
+   *[other] Import { $count } lines
+}
+scan-references-done = { $values } reference { $values ->
+    [one] value
+   *[other] values
+} and { $cars } car { $cars ->
+    [one] name
+   *[other] names
+} stored.
+scan-references-lines = Lines of the file
+scan-references-line = Line
+scan-references-vehicle = Vehicle
+scan-references-given = Given
+scan-references-what = Action
+scan-references-why = Reason
+scan-references-new = new
+scan-references-replaces = replaces
+scan-references-same = already there
+scan-references-ambiguous = ambiguous
+scan-references-refused = refused
+scan-references-time = Time given
+scan-references-apart = Difference
+scan-references-by-time = { $number } (by time)
+scan-references-tolerance = Time tolerance
+scan-references-tolerance-hint = A line without a number is matched to the one vehicle that passed within this time.
+scan-references-tolerance-problem = Enter a number of seconds above 0, up to 60.
+scan-references-one = { $quantity } { $value }, u { $u }
 scan-budget-note = standard uncertainties
-scan-budget = Budget
-scan-budget-source = source
-scan-budget-speed = speed
-scan-budget-acceleration = acceleration
-scan-budget-length = length
+scan-budget = Uncertainty budget
+scan-budget-source = Source
+scan-budget-speed = Speed
+scan-budget-acceleration = Acceleration
+scan-budget-length = Length
 scan-history = History ({ NUMBER($count) })
 scan-revision = <strong>{ $speed }</strong>, { $length } <muted>{ $cause }</muted>
 scan-revision-who = { $person }, { $time }
@@ -2267,9 +2704,9 @@ scan-revision-verdict-why = { $verdict ->
     [rejected] { $person }, { $time }; rejected by { $reviewer }: { $reason }
    *[reopened] { $person }, { $time }; reopened by { $reviewer }: { $reason }
 }
-scan-by-search = the search
-scan-by-program = the program
-scan-by-somebody = somebody
+scan-by-search = Sightline
+scan-by-program = Sightline
+scan-by-somebody = another user
 scan-by-nobody = nobody
 
 ## Line scan: the fit of a vehicle
@@ -2279,33 +2716,33 @@ scan-profile-says = { $count ->
     [one] Speed of { $count } block along vehicle { $vehicle } and the fitted motion
    *[other] Speed of { $count } blocks along vehicle { $vehicle } and the fitted motion
 }
-scan-profile-none = There is no speed profile, since the vehicle has no measured motion.
+scan-profile-none = No speed profile: the vehicle has no measured motion.
 scan-profile-fitted = fitted motion
 scan-profile-used = block, used
-scan-profile-left-out = block, left out
-scan-profile-note = Each block's mean speed between the cameras.
+scan-profile-left-out = block, excluded
+scan-profile-note = Each block’s mean speed between the cameras.
 scan-profile-beyond = { $count ->
-    [one] { $count } block lies outside this picture; the CSV has all of them.
-   *[other] { $count } blocks lie outside this picture; the CSV has all of them.
+    [one] { $count } block lies outside this plot; the CSV contains all.
+   *[other] { $count } blocks lie outside this plot; the CSV contains all.
 }
 scan-profile-x = time after the front reached camera 1 (s)
-scan-match-title = Strip 2 laid over strip 1
-scan-match-picture = Picture of the match
+scan-match-title = Registration: strip 2 over strip 1
+scan-match-picture = Image of the registration
 scan-match-1 = 1
 scan-match-2 = 2
 scan-match-blink = blink
 scan-match-difference = difference
 scan-match-alt-1 = The vehicle on camera 1
 scan-match-alt-2 = The vehicle on camera 2
-scan-match-alt-difference = Difference of the two strips; even grey where they agree
-scan-match-note = Strip 2 is moved by the fitted speed and acceleration. Even grey: the same in both; wheels turn and what shines through windows stays behind, so they show.
+scan-match-alt-difference = Difference of the two strips; uniform grey where they agree
+scan-match-note = Strip 2 is shifted by the fitted speed and acceleration. Uniform grey: identical. Rotating wheels and the background seen through windows do not match.
 
 ## Line scan: the verdict
 
-scan-reason-boundary = A boundary is not where the vehicle begins or ends.
+scan-reason-boundary = A boundary is not at the front or rear of the vehicle.
 scan-reason-not-one = It is not one vehicle.
 scan-reason-match = The strips do not match.
-scan-verdict-mine = You placed these boundaries, so somebody else reviews them.
+scan-verdict-mine = You placed these boundaries, so another person reviews them.
 scan-verdict-given = { $verdict ->
     [accepted] Accepted by { $person }
    *[rejected] Rejected by { $person }
@@ -2318,58 +2755,57 @@ scan-verdict-done = Vehicle { $vehicle }: { $verdict ->
     [accepted] accepted.
    *[rejected] rejected.
 }
-scan-verdict-none-left = Nothing else of this line scan waits for your verdict.
+scan-verdict-none-left = No other vehicle of this line scan waits for your verdict.
 scan-verdict-reopen = Reopen
 scan-verdict-accept = Accept
 scan-verdict-reject = Reject
 scan-verdict-reject-why = Reject…
 scan-verdict-reason = Why it is rejected
-scan-verdict-leave = Leave it
+scan-verdict-leave = Cancel
 
 ## Line scan: heights
 
 scan-heights = Heights
 scan-heights-camera = camera at { $height }
 scan-heights-older = { $count ->
-    [one] { $count } height of this line scan stand on an earlier calibration.
-   *[other] { $count } heights of this line scan stand on an earlier calibration.
+    [one] { $count } height of this line scan is outdated: the calibration or an inset changed.
+   *[other] { $count } heights of this line scan are outdated: the calibration or an inset changed.
 }
-scan-heights-older-again = Compute them again
 scan-heights-no-pose = Heights need the pose of camera 1. Record a rod with marks, or a checkerboard, held upright at two distances in its plane; then click the marks.
 scan-heights-calibrate = Calibrate the height
-scan-heights-calibrate-first = Heights need the line camera's pose; calibrate the height with a rod first.
+scan-heights-calibrate-first = Heights need the line camera’s pose; calibrate the height with a rod first.
 scan-height-hide = { $target ->
     [roof] Hide the details of roof
-    [driver_eye] Hide the details of driver's eye
+    [driver_eye] Hide the details of driver’s eye
     [taillight] Hide the details of taillight
     [headlight] Hide the details of headlight
    *[other] Hide the details of other
 }
 scan-height-show = { $target ->
     [roof] Show the details of roof
-    [driver_eye] Show the details of driver's eye
+    [driver_eye] Show the details of driver’s eye
     [taillight] Show the details of taillight
     [headlight] Show the details of headlight
    *[other] Show the details of other
 }
 scan-height-measure = { $target ->
     [roof] Measure: roof
-    [driver_eye] Measure: driver's eye
+    [driver_eye] Measure: driver’s eye
     [taillight] Measure: taillight
     [headlight] Measure: headlight
    *[other] Measure: other
 }
 scan-height-measure-again = { $target ->
     [roof] Measure again: roof
-    [driver_eye] Measure again: driver's eye
+    [driver_eye] Measure again: driver’s eye
     [taillight] Measure again: taillight
     [headlight] Measure again: headlight
    *[other] Measure again: other
 }
-scan-height-verdict-mine = You clicked or computed this height, so somebody else reviews it.
+scan-height-verdict-mine = You clicked or computed this height, so another person reviews it.
 scan-height-verdict-done = Vehicle { $vehicle }, { $target ->
     [roof] roof
-    [driver_eye] driver's eye
+    [driver_eye] driver’s eye
     [taillight] taillight
     [headlight] headlight
    *[other] other
@@ -2382,12 +2818,12 @@ scan-heights-waiting = { $count ->
    *[other] { $count } heights to review
 }
 scan-height-unsaved = not yet saved…
-scan-height-older = Computed with the calibration before; compute it again.
+scan-height-older = Outdated: the calibration or the inset changed. Compute again.
 scan-height-again = Compute again
 scan-height-withdraw = Withdraw
-scan-height-side-first = Say first on which side the driver sits; the eye’s height depends on it.
-scan-height-inset-driver_eye = The driver sits on the
-scan-height-inset-roof = Clicked on the roof: its
+scan-height-side-first = Set the driver’s side first; the eye height depends on it.
+scan-height-inset-driver_eye = Driver’s side
+scan-height-inset-roof = Roof point
 scan-height-distance = Lateral distance
 scan-height-inset = Inset
 scan-height-inset-value = { $inset } (u = { $u_inset }), estimate
@@ -2401,34 +2837,34 @@ scan-rod-title = Calibrate the height
 scan-rod-label = Calibration of the height
 scan-rod-body = Marks of the rod
 scan-rod-none-title = No marks yet
-scan-rod-none = Enter how far the rod stood from camera 1, then click its marks from the foot up. Do the same where it stood at another distance.
+scan-rod-none = Enter the distance of the rod from camera 1, then click its marks from the foot up. Repeat at another distance.
 scan-rod-next = Next mark
-scan-rod-distance = Rod's distance
-scan-rod-height = Mark's height
-scan-rod-step = Then higher by
-scan-rod-next-note = Distances run level from the camera's centre. A checkerboard held upright will do as well: “higher by” is then the size of its squares.
+scan-rod-distance = Rod distance
+scan-rod-height = Mark height
+scan-rod-step = Height step
+scan-rod-next-note = Distances are horizontal, from the camera centre. An upright checkerboard can be used too: the height step is then its square size.
 scan-rod-marks = Marks
-scan-rod-head-distance = distance
-scan-rod-head-height = height
-scan-rod-head-row = row
-scan-rod-head-residual = residual
-scan-rod-head-remove = remove
+scan-rod-head-distance = Distance
+scan-rod-head-height = Height
+scan-rod-head-row = Row
+scan-rod-head-residual = Residual
+scan-rod-head-remove = Remove
 scan-rod-remove = Remove mark { $number }
-scan-rod-result = What the marks give
-scan-rod-camera-height = Camera's height
+scan-rod-result = Result of the marks
+scan-rod-camera-height = Camera height
 scan-rod-residuals = Residuals
 scan-rod-rms = { $rms_px } px rms
-scan-rod-store = Store the calibration
+scan-rod-store = Save the calibration
 scan-rod-clear = Remove all marks
-scan-rod-reset = Back to what is stored
+scan-rod-reset = Reset to saved
 scan-rod-u = Standard uncertainties
-scan-rod-u-row = u of a mark's row
+scan-rod-u-row = u of a mark’s row
 scan-rod-u-distance = u of a distance
-scan-rod-u-lean = u of the rod's lean
-scan-rod-at-least = A number from { $least }, please.
-scan-rod-distance-first = Enter the rod's distance from the camera first, then click its marks.
-scan-rod-stored = The calibration is stored. Choose a vehicle and measure its heights.
-scan-rod-stored-older = The calibration is stored. Heights keep the one before until they are computed again, beside each vehicle.
+scan-rod-u-lean = u of the rod’s tilt
+scan-rod-at-least = Enter a number from { $least }.
+scan-rod-distance-first = Enter the rod distance first, then click its marks.
+scan-rod-stored = Calibration saved. Choose a vehicle and measure its heights.
+scan-rod-stored-older = Calibration saved. Existing heights keep the previous one until you compute them again.
 
 ## Line scan: steps that can be taken back, and what is kept until it is sent
 
@@ -2438,32 +2874,32 @@ scan-step-marks-removed = removing all marks
 scan-step-calibration = calibration of the height
 scan-step-boundaries = boundaries of vehicle { $vehicle }
 scan-step-wheels = wheels of vehicle { $vehicle }
-scan-step-known = what is known of vehicle { $vehicle }
-scan-step-take-out = taking out vehicle { $vehicle }
+scan-step-known = reference values of vehicle { $vehicle }
+scan-step-take-out = removal of vehicle { $vehicle }
 scan-step-vehicle = vehicle { $vehicle }
 scan-step-height = { $target ->
     [roof] roof of vehicle { $vehicle }
-    [driver_eye] driver's eye of vehicle { $vehicle }
+    [driver_eye] driver’s eye of vehicle { $vehicle }
     [taillight] taillight of vehicle { $vehicle }
     [headlight] headlight of vehicle { $vehicle }
    *[other] other of vehicle { $vehicle }
 }
 scan-step-height-verdict = { $target ->
     [roof] verdict on the roof of vehicle { $vehicle }
-    [driver_eye] verdict on the driver's eye of vehicle { $vehicle }
+    [driver_eye] verdict on the driver’s eye of vehicle { $vehicle }
     [taillight] verdict on the taillight of vehicle { $vehicle }
     [headlight] verdict on the headlight of vehicle { $vehicle }
    *[other] verdict on the other height of vehicle { $vehicle }
 }
 scan-step-withdraw = { $target ->
     [roof] withdrawing the roof of vehicle { $vehicle }
-    [driver_eye] withdrawing the driver's eye of vehicle { $vehicle }
+    [driver_eye] withdrawing the driver’s eye of vehicle { $vehicle }
     [taillight] withdrawing the taillight of vehicle { $vehicle }
     [headlight] withdrawing the headlight of vehicle { $vehicle }
    *[other] withdrawing the other of vehicle { $vehicle }
 }
-scan-taken-out = Vehicle { $vehicle } was taken out; Ctrl Z brings it back.
-scan-kept-vehicle = The vehicle is kept here, and comes into the list when the connection is back.
+scan-taken-out = Vehicle { $vehicle } removed. Ctrl+Z undoes this.
+scan-kept-vehicle = The vehicle is kept in this browser and appears in the list when the connection is back.
 scan-wish-a-vehicle = a vehicle
 scan-wish-verdict = verdict on vehicle { $vehicle }
 scan-wish-lines = front at line { $front }, rear at line { $rear }
@@ -2474,11 +2910,13 @@ scan-wish-marks = { $count ->
 }
 scan-wish-no-marks = none
 scan-wish-there = in the list
-scan-wish-taken-out = taken out
+scan-wish-taken-out = removed
 scan-wish-boundaries = boundaries at lines { $lines }
 scan-wish-hubs = wheels at lines { $lines }
+scan-wish-lane = lane { $lane }
+scan-wish-axles = { $count } axles
 scan-wish-no-line = none
-scan-wish-nothing-known = nothing known
+scan-wish-nothing-known = none
 scan-wish-verdict-word = { $verdict ->
     [accepted] accepted
     [rejected] rejected
@@ -2499,16 +2937,15 @@ scan-wish-verdict-by = { $verdict ->
 
 ## Motion: what the line scans of a survey say together
 
-motion-title = Motion of the vehicles
-motion-lead = Speeds, gaps and lengths of every line scan of this survey, and how far known sizes are met.
+motion-lead = Speeds, gaps and lengths of every line scan of this survey, and agreement with known lengths and wheelbases.
 motion-loading = the statistics
 motion-which = Which vehicles count
-motion-which-accepted = accepted
-motion-which-all = those to review too
-motion-none-accepted-title = No vehicle is accepted yet
-motion-none-accepted = Review some on the bench, or let those that wait for a review count too.
-motion-none-title = No vehicle is measured yet
-motion-none = Add a line scan and let its vehicles be found.
+motion-which-accepted = Accepted
+motion-which-all = Include unreviewed
+motion-none-accepted-title = No accepted vehicles yet
+motion-none-accepted = Review some in Line scans, or include unreviewed vehicles.
+motion-none-title = No measured vehicles yet
+motion-none = Add a line scan and detect its vehicles.
 motion-counted = { $vehicles ->
     [one] { $vehicles } vehicle
    *[other] { $vehicles } vehicles
@@ -2532,12 +2969,12 @@ motion-by-wheelbases = By wheelbases
 
 ## Motion: errors against known sizes
 
-motion-errors-title = Measured minus the manufacturer’s value
+motion-errors-title = Error against manufacturers’ lengths and wheelbases
 motion-errors-note = with 95 % intervals
 motion-errors-table = Errors of lengths and wheelbases
-motion-errors-of = of
+motion-errors-of = Quantity
 motion-errors-n = n
-motion-bias = bias
+motion-bias = Bias
 motion-mae = MAE
 motion-rmse = RMSE
 motion-sd = SD
@@ -2549,6 +2986,38 @@ motion-wheelbase-low_light = Wheelbase, low light
 motion-wheelbase-overall = Wheelbase, overall
 motion-errors-none = No vehicle has a known size.
 
+motion-references-title = Difference from reference measurements
+motion-references-note = measured minus reference
+motion-references-of = Reference
+motion-references-n = n
+motion-references-mean = Mean
+motion-references-share = Within combined U95
+motion-references-by = { $quantity }, { $source }
+motion-references-all = all sources
+motion-references-within = { $within } of { $n }
+motion-references-percent = { $percent } %
+motion-references-shared = About 95 % should be within their combined U95. Vehicles of one rig share the error of its baseline, so several may be outside together.
+
+motion-cars-title = Runs of one car
+motion-cars-note = length and wheelbase must agree from run to run
+motion-cars-runs = { $count ->
+    [one] { $count } run: { $vehicles }.
+   *[other] { $count } runs: { $vehicles }.
+}
+motion-cars-speed = Mean speed { $mean }, SD { $sd }.
+motion-cars-speed-one = Speed { $mean }.
+motion-cars-table = Runs of { $car } combined
+motion-cars-size = Size
+motion-cars-mean = Mean
+motion-cars-stated = Stated u of a run
+motion-cars-chi-square = Chi-square
+motion-cars-chi = { $chi_square } ({ $degrees } d.f., p = { $p })
+motion-cars-says = Runs
+motion-cars-agree = Consistent with the stated uncertainties.
+motion-cars-too_far_apart = Differ by more than stated: check the boundaries, and whether it is the same car.
+motion-cars-too_alike = Differ by less than stated: the stated u is too large.
+motion-cars-too_few = One run; two are needed.
+
 ## Motion: distributions
 
 motion-speed = Speed as the front reaches camera 1
@@ -2556,32 +3025,77 @@ motion-length = Length
 motion-time-gap = Time gap, rear to front
 motion-distance-gap = Distance gap, rear to front
 motion-headway = Headway, front to front
-motion-percentile = { $percent } %: { $value }
-motion-percentile-interval = { $percent } %: { $value } ({ $low } to { $high })
-motion-percentile-none = { $percent } %: { $reason }
+motion-percentile = P{ $percent } = { $value }
+motion-percentile-interval = P{ $percent } = { $value } ({ $low } to { $high })
+motion-percentile-none = P{ $percent } = { $value } (too few vehicles for an interval)
 motion-spread-says = { $count ->
     [one] Cumulative distribution of { $count } vehicle; { $percentiles } { $unit }
    *[other] Cumulative distribution of { $count } vehicles; { $percentiles } { $unit }
 }
-motion-spread-note = Percentiles with their 95 % intervals, { $unit }: { $percentiles }.
+motion-spread-note = Percentiles in { $unit }, with 95 % intervals: { $percentiles }.
 
 ## Motion: the paper's table
 
-motion-paper-title = In the layout of the paper’s Table I
-motion-paper-own = This survey's vehicles
-motion-paper-printed = The paper's Table I, as printed
-motion-head-vehicle = vehicle
-motion-head-car = the paper’s car
-motion-head-speed = speed
-motion-head-acceleration = acc.
-motion-head-size = size
-motion-head-counter = counter
-motion-head-true = true
-motion-head-fit-error = fit error (%)
+flows-title = Traffic by time of day
+flows-note = Flow, headways and occupancy include all vehicles found; speeds and lengths include the measured vehicles selected above.
+flows-lane = { $name }, { $lane }
+flows-direction = { $scan }: { $direction ->
+    [camera_2_first] camera 2 first
+   *[camera_1_first] camera 1 first
+}
+flows-minutes = Interval
+flows-minutes-of = { $minutes } min
+flows-loading = the traffic
+flows-table = Traffic of { $scan }
+flows-table-note = Below each value: its standard uncertainty u (k = 1), or its 95 % interval. The interval of a flow assumes independent arrivals. Length classes: the four of England’s trunk road counters.
+flows-unplaced = { $count ->
+    [one] { $count } vehicle was not measured, has no time, and is in no interval.
+   *[other] { $count } vehicles were not measured, have no time, and are in no interval.
+}
+flows-head-from = From
+flows-head-watched = Observed
+flows-head-vehicles = Vehicles
+flows-head-flow = Flow
+flows-head-measured = Speeds
+flows-head-time-mean = Time mean
+flows-head-space-mean = Space mean
+flows-head-occupancy = Occupancy
+flows-head-density = Density
+flows-head-unclassed = No length
+flows-partial = partial
+flows-near-edge = { $count } near an edge
+flows-axles = { $axles } axles: { $count }
+flows-axles-many = 5 or more
+flows-near-limit = { $count } near
+flows-u = u = { $u }
+flows-axis-time = Time of day
+flows-flow = Flow
+flows-flow-of = Flow, { $scan }
+flows-flow-says = Flow in { $count } intervals; maximum { $flow } an hour, from { $time }.
+flows-flow-note = Thick: flow in intervals of { $minutes } min, over the time observed; thin: its 95 % interval.
+flows-speed = Speed
+flows-speed-of = Speed, { $scan }
+flows-speed-says = Space mean speed in { $count } intervals.
+flows-speed-note = Thick: space mean speed; thin: 15th to 85th percentile of the speeds.
+flows-speed-none = No interval contains an accepted speed.
+unit-per-hour = 1/h
+unit-per-km = 1/km
+motion-paper-title = Layout of Table I, Douxchamps et al.
+motion-paper-own = Vehicles of this survey
+motion-paper-printed = Table I of Douxchamps et al., as printed
+motion-head-vehicle = Vehicle
+motion-head-car = Car in Table I
+motion-head-speed = Speed
+motion-head-acceleration = Acc.
+motion-head-size = Length
+motion-head-counter = Counter
+motion-head-reference = Reference speed
+motion-head-true = True
+motion-head-fit-error = Fit error (%)
 
 ## Statistics: the page
 
-statistics-lead = Errors against known heights, and distributions of what was measured.
+statistics-lead = Errors against manufacturers’ heights, and distributions of measured heights.
 statistics-loading = the statistics
 statistics-back = Back to the survey
 statistics-counted = { $measurements ->
@@ -2594,7 +3108,7 @@ statistics-counted = { $measurements ->
     [one] { $roofs } roof
    *[other] { $roofs } roofs
 } with a manufacturer’s height.
-statistics-left-out = Left out: { $states }.
+statistics-left-out = Excluded: { $states }.
 statistics-left-out-state = { $state ->
     [to_review] { NUMBER($count) } to review
     [reopened] { NUMBER($count) } reopened
@@ -2605,16 +3119,16 @@ statistics-left-out-state = { $state ->
 statistics-none-accepted-title = No accepted measurements yet
 statistics-none-title = No measurements here
 statistics-to-review = Go to the review
-statistics-show-to-review = Show those to review
+statistics-show-to-review = Include unreviewed
 statistics-to-measure = Measure vehicles
 statistics-none-accepted = { $count ->
     [one] Only accepted measurements count, and { $count } measurement waits for review.
    *[other] Only accepted measurements count, and { $count } measurements wait for review.
 }
-statistics-none-filtered = The filter leaves no measurement; widen it.
+statistics-none-filtered = No measurements match the filter. Clear or change it.
 statistics-none = Measure vehicles and have them reviewed; their figures then appear here.
 statistics-eye = Driver’s eye
-statistics-taillight = Taillight, lower limit
+statistics-taillight = Taillight, lower edge
 statistics-headlight = Headlight
 statistics-roof = Roof
 
@@ -2628,19 +3142,19 @@ statistics-filter-target-all = all
 statistics-filter-lighting = Lighting
 statistics-filter-any = any
 statistics-filter-operator = Operator
-statistics-filter-anybody = anybody
+statistics-filter-anybody = any
 statistics-filter-filmed-from = Filmed from
 statistics-filter-filmed-to = Filmed to
 statistics-filter-first-day = Measured from (UTC)
 statistics-filter-last-day = Measured to (UTC)
 statistics-filter-correction = Correction
-statistics-correction-inset = inset of each (default)
-statistics-correction-shift = mean error (the paper’s)
+statistics-correction-inset = inset (default)
+statistics-correction-shift = mean error (Dupuis et al.)
 statistics-correction-none = none (inset 0)
 statistics-correction-regression = regression
 statistics-correction-deconvolution = deconvolution
 statistics-filter-rounding = Error table
-statistics-rounding-cm = whole cm (the paper’s)
+statistics-rounding-cm = whole cm (Dupuis et al.)
 statistics-rounding-none = not rounded
 statistics-filter-surveys = Surveys
 statistics-filter-surveys-some = { $count ->
@@ -2650,67 +3164,86 @@ statistics-filter-surveys-some = { $count ->
 statistics-filter-surveys-none = all surveys
 statistics-filter-surveys-help = Surveys that count; none chosen: all
 statistics-reference-u = u of a reference height
-statistics-reference-u-hint = as if within { $limit } either way, all alike
-statistics-reference-u-inches = Give a number of inches.
-statistics-reference-u-millimetres = Give a number of millimetres.
+statistics-reference-u-hint = Uniform distribution, half-width { $limit }
+statistics-reference-u-inches = Enter a number of inches.
+statistics-reference-u-millimetres = Enter a number of millimetres.
 
 ## Statistics: the error table
 
 statistics-errors-title = Error against manufacturers’ heights
 statistics-errors-save = Error table as CSV
-statistics-errors-head = error = measured − reference
-statistics-bias = bias
+statistics-errors-head = Error = measured − reference
+statistics-bias = Bias
 statistics-mae = MAE
 statistics-rmse = RMSE
 statistics-mse = MSE
 statistics-sd = SD
 statistics-correlation = r(error, height)
 statistics-correlation-absolute = r(|error|, height)
-statistics-errors-note = Intervals at 95 % below each figure. SD is that of the signed error, n − 1. Not pooled from other figures.
-statistics-shares-title = Shares of errors in per cent, with exact 95 % intervals, and skewness
-statistics-skewness = skewness
-statistics-within = within { $within }
-statistics-paper-inconsistent = What is inconsistent in the paper’s printed figures
+statistics-errors-note = Below each value: its 95 % CI. SD is that of the signed error, n − 1. Values are not pooled from other values.
+statistics-errors-holds = The intervals include { $words }. Those of correlations and skewness include sampling only.
+statistics-shares-title = Shares of errors in per cent, with exact 95 % CIs, and skewness
+statistics-skewness = Skewness
+statistics-within = Within { $within }
+statistics-paper-inconsistent = Inconsistencies in Table 1 of Dupuis et al.
 statistics-paper-note = <strong>{ $group }:</strong> { $note }
-statistics-paper-printed = the paper, as printed
-statistics-stands-for = stands for { $group }
+statistics-paper-printed = Dupuis et al., as printed
+statistics-stands-for = corresponds to { $group }
 statistics-no-interval = { $figures }: { $reason }
-statistics-reference-part = By itself it makes a correlation of { $correlation } between error and height, which no camera is to blame for (u of the reference { $u_reference }).
-statistics-bland-altman = Bland and Altman: bias { $bias } { $unit } ({ $bias_interval }), limits of agreement { $lower } ({ $lower_interval }) and { $upper } { $unit } ({ $upper_interval }), n = { $n }.
+statistics-reference-part = This alone causes a correlation of { $correlation } between error and height, independent of the camera (reference u = { $u_reference }).
+statistics-bland-altman = Bland and Altman: bias { $bias } { $unit } ({ $bias_interval }), limits of agreement { $lower } ({ $lower_interval }) and { $upper } { $unit } ({ $upper_interval }), n = { $n }.
+
+## Samples: files to try with
+
+samples-pictures = To try: { $count } laboratory pictures as a ZIP (unpack it; the board has { $columns } × { $rows } inner corners, squares of { $square })
+samples-clip = To try: the demonstration’s clip
+samples-catalogue = To try: a catalogue of invented models
+
+## Statistics: errors against known heights, by target
+
+statistics-known-title = Errors by target
+statistics-known-help = Measured minus known height, for accepted heights with a known value (the manufacturer’s or a taped one). Intervals are total; hold the pointer over one to see what it includes. The total interval of the bias is that of heights that are not rounded. Check targets have their own rows and are excluded from distributions.
+statistics-known-target = Target
+statistics-known-check = { $target }, check targets
+statistics-known-bias = Bias, total 95 % interval
+statistics-known-holds = Includes { $words }.
+statistics-known-inside = Within their U95
+statistics-known-inside-of = { $inside } of { $n }
+statistics-known-none = No known heights yet. Enter manufacturers’ heights, lamp heights or a check target in the vehicle records.
 
 ## Statistics: the figures of the error
 
-statistics-group-daytime = daytime
-statistics-group-low_light = low light
-statistics-group-overall = overall
-statistics-group-unknown = lighting unknown
-statistics-group-n = { $group } n = { $n }
+statistics-group-daytime = Daytime
+statistics-group-low_light = Low light
+statistics-group-overall = Overall
+statistics-group-unknown = Lighting unknown
+statistics-group-n = { $group } n = { $n }
 statistics-nothing = Nothing to draw.
 statistics-nothing-because = Nothing to draw: { $reason }
 statistics-absolute-title = Absolute error, cumulative
-statistics-absolute-says = Share of vehicles with an absolute error of at most so much; { $groups }
-statistics-absolute-note = Bands at 95 % hold everywhere at once; fewer than 5 vehicles have none. { $groups }.
-statistics-absolute-x = absolute error ({ $unit })
+statistics-absolute-says = Cumulative share of vehicles by absolute error; { $groups }
+statistics-absolute-note = Simultaneous 95 % confidence bands (DKW) for 30 vehicles or more. { $groups }.
+statistics-absolute-x = Absolute error ({ $unit })
 statistics-relative-title = Relative error, cumulative
-statistics-relative-says = Share of vehicles with an error of at most so many per cent of their height; { $groups }
-statistics-relative-note = Absolute error over the reference height. { $groups }.
-statistics-relative-x = relative error (%)
+statistics-relative-says = Cumulative share of vehicles by error in per cent of their height; { $groups }
+statistics-relative-note = Absolute error divided by the reference height. { $groups }.
+statistics-relative-x = Relative error (%)
 statistics-density-title = Signed error, density
 statistics-density-says = Density of the signed error; { $groups }
 statistics-density-note = Gaussian kernel, bandwidth { $bandwidths }; pointwise 95 % band. { $groups }.
 statistics-density-note-rounded = Gaussian kernel, bandwidth { $bandwidths }, at least half of the { $rounding } of rounding; pointwise 95 % band. { $groups }.
-statistics-signed-error = signed error ({ $unit })
-statistics-density-y = share of vehicles (% per { $unit })
-statistics-trend-title = Signed error against the manufacturer’s height
+statistics-signed-error = Signed error ({ $unit })
+statistics-density-y = Share of vehicles (% per { $unit })
+statistics-trend-title = Error against manufacturer’s height
 statistics-trend-says = Signed error over the manufacturer’s height of { $count ->
     [one] { $count } vehicle
    *[other] { $count } vehicles
 }.
 statistics-trend-nothing = Nothing to draw: no vehicle has a reference height.
-statistics-trend-x = manufacturer’s height ({ $unit })
+statistics-trend-x = Manufacturer’s height ({ $unit })
 statistics-trend-legend = regression, 95 % band
-statistics-trend = Slope { $slope } { $small } per { $unit } ({ $slope_interval }), r = { $correlation } ({ $correlation_interval }).
-statistics-trend-absolute = Absolute error: r = { $correlation } ({ $correlation_interval }).
+statistics-trend = Slope { $slope } { $small } per { $unit } ({ $slope_interval }), r = { $correlation } ({ $correlation_interval }).
+statistics-trend-absolute = Absolute error: r = { $correlation } ({ $correlation_interval }).
 
 ## Statistics: one target
 
@@ -2726,82 +3259,82 @@ statistics-heights-mean-sd = { $count ->
     [one] { $count } height, corrected mean { $mean }, SD { $sd }
    *[other] { $count } heights, corrected mean { $mean }, SD { $sd }
 }
-statistics-curve-raw = as the paper measures
+statistics-curve-raw = uncorrected
 statistics-curve-corrected = corrected
-statistics-legend-raw = as the paper measures (inset 0)
+statistics-legend-raw = uncorrected (inset = 0)
 statistics-target-ecdf-title = { $target }, cumulative
-statistics-target-ecdf-says = Cumulative distribution of { $target } heights as the paper measures them and corrected, { $count ->
+statistics-target-ecdf-says = Cumulative distribution of { $target } heights, uncorrected and corrected, { $count ->
     [one] { $count } vehicle
    *[other] { $count } vehicles
 }
-statistics-target-ecdf-note = Bands at 95 % hold everywhere at once.
+statistics-target-ecdf-note = Band: 95 %, simultaneous (DKW).
 statistics-target-ecdf-away = { $count ->
-    [one] { $count } standard far outside not drawn.
-   *[other] { $count } standards far outside not drawn.
+    [one] { $count } standard off scale.
+   *[other] { $count } standards off scale.
 }
-statistics-target-nothing = Nothing to draw: no height of this target is left by the filter.
-statistics-height-x = height above the road ({ $unit })
+statistics-target-nothing = Nothing to draw: no heights of this target match the filter.
+statistics-height-x = Height above the road ({ $unit })
 statistics-target-density-title = { $target }, density
 statistics-target-density-says = Density of corrected { $target } heights
 statistics-target-density-note = Corrected heights, Gaussian kernel, pointwise 95 % band.
-statistics-share = Share of { $target ->
-    [driver_eye] drivers
+statistics-share = { $standard }, { $height }: <strong>{ $share }</strong> of { $target ->
+    [driver_eye] drivers’ eyes
     [taillight] taillights
    *[headlight] headlights
-} below { $height } ({ $standard }): <strong>{ $share }</strong> <muted>({ $low } to { $high }; { NUMBER($below) } of { NUMBER($n) })</muted>
-statistics-compared-title = { $second } beside { $first }
+} are below <muted>({ $low } to { $high }; { NUMBER($below) } of { NUMBER($n) })</muted>
+statistics-compared-title = { $second } compared with { $first }
 statistics-compared-figure = Figure
-statistics-compared-mean = mean
+statistics-compared-mean = Mean
 statistics-compared-heights = Heights
 statistics-compared-of = { NUMBER($first) } and { NUMBER($second) }
 statistics-compared-difference = Difference
 statistics-compared-interval = { $low } to { $high }
 statistics-compared-verdict = Verdict
-statistics-compared-higher = higher: more than noise
-statistics-compared-lower = lower: more than noise
-statistics-compared-alike = not told apart
+statistics-compared-higher = higher (significant)
+statistics-compared-lower = lower (significant)
+statistics-compared-alike = no significant difference
 statistics-compared-unknown = no interval: { $reason }
-statistics-compared-none = No target has two heights or more in both surveys.
-statistics-compared-note = Figures of true heights, the survey made later less the one made earlier, with total 95 % intervals. A figure is called higher or lower where its interval leaves 0 out. Errors are taken to be each survey’s own: where both share some, the intervals are too wide, never too narrow.
-statistics-rule-title = The same rule today
+statistics-compared-none = No target has at least two heights in both surveys.
+statistics-compared-note = Differences of true heights, later survey minus earlier survey, with total 95 % intervals. A difference is called higher or lower if its interval excludes 0. Errors are taken as independent between the surveys; where surveys share errors, the intervals are too wide, never too narrow.
+statistics-rule-title = Standards: the same percentile today
 statistics-rule-standard = Standard
-statistics-rule-rule = Its rule
+statistics-rule-rule = Rule
 statistics-rule-of = P{ $percent } of { $class }
 statistics-rule-all = all vehicles (no class is known)
-statistics-rule-height = standard ({ $unit })
-statistics-rule-today = today ({ $unit })
+statistics-rule-height = Standard ({ $unit })
+statistics-rule-today = Today ({ $unit })
 statistics-rule-interval = { $low } to { $high }
-statistics-rule-difference = difference
+statistics-rule-difference = Difference
 statistics-rule-verdict = Verdict
-statistics-rule-lower = lower; wrong with a probability of { $risk }
-statistics-rule-higher = higher; wrong with a probability of { $risk }
+statistics-rule-lower = lower (risk of error { $risk })
+statistics-rule-higher = higher (risk of error { $risk })
 statistics-rule-least = less than { $risk }
-statistics-rule-alike = not told apart; lower with a probability of { $lower }
+statistics-rule-alike = undecided; lower with a probability of { $lower }
 statistics-rule-unknown = no verdict: { $reason }
-statistics-rule-note = The percentile that a standard is set by, of true heights today with its total 95 % interval. “Lower” and “higher” are said where the probability that it is not so is at most 2.5 % (JCGM 106).
+statistics-rule-note = The percentile on which a standard is based, for today’s true heights, with its total 95 % interval. “Lower” or “higher” is stated if the risk of error is at most 2.5 % (JCGM 106).
 statistics-percentiles = Percentiles, { $target }
 statistics-percentiles-save = Percentiles as CSV
 statistics-percentile = Percentile
-statistics-percentiles-corrected = corrected ({ $unit })
-statistics-percentiles-raw = as the paper ({ $unit })
-statistics-percentiles-true = true heights ({ $unit })
-statistics-percentiles-total = True heights: random error is taken out of the spread. Their 95 % intervals hold { $words }.
-statistics-percentiles-note = The other 95 % intervals hold sampling alone.
+statistics-percentiles-corrected = Corrected ({ $unit })
+statistics-percentiles-raw = Uncorrected ({ $unit })
+statistics-percentiles-true = True heights ({ $unit })
+statistics-percentiles-total = True heights: random measurement error is removed from the spread. Their 95 % intervals include { $words }.
+statistics-percentiles-note = The other 95 % intervals cover sampling only.
 statistics-percentiles-without = { $count ->
-    [one] Why { $count } percentile has none
-   *[other] Why { $count } percentiles have none
+    [one] Why { $count } percentile has no interval
+   *[other] Why { $count } percentiles have no interval
 }
 statistics-percentiles-reason = { $percentiles }: { $reason }.
 
 ## Statistics: heights by group
 
 statistics-lateral-title = Lateral position
-statistics-lateral-note = Distance of the tyre’s contact from the camera, measured across the road; one of each vehicle, the median of its contacts. A lane is all that goes one way in the picture.
+statistics-lateral-note = Distance of the tyre contact from the camera, measured across the road; one value per vehicle, the median of its contacts. A lane is all traffic that travels one way in the frame.
 statistics-lateral-figure = Lateral position by lane
 statistics-lateral-says = Cumulative distributions of the distance from the camera across the road, of { $count } lanes.
-statistics-lateral-x = distance from the camera across the road ({ $unit })
-statistics-lateral-none = No vehicle has a direction yet, so there are no lanes; the search for passes fills it in, or the vehicle’s panel.
-statistics-lateral-vehicles = vehicles
+statistics-lateral-x = Distance from the camera across the road ({ $unit })
+statistics-lateral-none = No vehicle has a direction yet, so there are no lanes. The pass search fills it in, or set it in the vehicle panel.
+statistics-lateral-vehicles = Vehicles
 statistics-lateral-all = all
 statistics-lane-right = to the right
 statistics-lane-left = to the left
@@ -2814,11 +3347,11 @@ statistics-grouping-lighting = Lighting
 statistics-grouping-site = Site
 statistics-grouping-operator = Operator
 statistics-groups-head = { $grouping ->
-    [category] category
-    [class_set] set of classes
-    [lighting] lighting
-    [site] site
-   *[operator] operator
+    [category] Category
+    [class_set] Set of classes
+    [lighting] Lighting
+    [site] Site
+   *[operator] Operator
 }
 statistics-groups-figure = { $grouping ->
     [category] { $target } by category
@@ -2837,24 +3370,24 @@ statistics-groups-says = Cumulative distributions of { $target } heights by { $g
     [one] { $count } group
    *[other] { $count } groups
 }
-statistics-groups-note = The { NUMBER($count) } largest groups of { NUMBER($all) }; the table lists more.
+statistics-groups-note = The { NUMBER($count) } largest of { NUMBER($all) } groups; the table lists all.
 statistics-groups-nothing = { $grouping ->
     [category] Nothing to draw: no vehicle has a category.
-    [class_set] Nothing to draw: no vehicle is of a set.
+    [class_set] Nothing to draw: no vehicle is in a set.
     [lighting] Nothing to draw: no vehicle has a lighting.
     [site] Nothing to draw: no vehicle has a site.
    *[operator] Nothing to draw: no vehicle has an operator.
 }
-statistics-groups-mean = mean ({ $unit })
+statistics-groups-mean = Mean ({ $unit })
 statistics-groups-sd = SD ({ $unit })
 
 ## Statistics: standards
 
-statistics-standards-title = Standards drawn in
+statistics-standards-title = Design standards shown
 statistics-standards-change = Change this survey’s standards
 statistics-standards-one-survey = The table belongs to the survey and goes into its package.
-statistics-standards-surveys = Each survey has a table of its own; choose one survey to change it.
-statistics-standards-address = Ticks and own values are kept in this page’s address.
+statistics-standards-surveys = Each survey has its own table; choose one survey to change it.
+statistics-standards-address = Your selection is saved in the link.
 statistics-standards-loading = the standards
 statistics-standard-of-eye_car = eye, passenger cars
 statistics-standard-of-eye_truck = eye, trucks
@@ -2865,23 +3398,23 @@ statistics-standard-of-vehicle = vehicle
 statistics-standard-percentile = P{ $percent }
 statistics-standard-rule = P{ $percent } of { $group }
 statistics-standard-edition = { $source }, { $edition }
-statistics-standard-cited = as cited by { $by }
+statistics-standard-cited = as cited in: { $by }
 statistics-standard-edition-field = Edition
 statistics-standard-year = Year
-statistics-standard-class = Class of the percentile
-statistics-standard-cited-by = As cited by
+statistics-standard-class = Vehicle class of the percentile
+statistics-standard-cited-by = As cited in
 statistics-standard-drawn-yes = yes
 statistics-standard-drawn-no = no
-statistics-standards-rule = rule
-statistics-standards-drawn = drawn
-statistics-standards-standard = standard
-statistics-standards-for = for
-statistics-standards-height = height
-statistics-standards-source = source
-statistics-standards-remove = remove
-statistics-standard-draw = Draw { $standard }, { $what }, { $height }
+statistics-standards-rule = Rule
+statistics-standards-drawn = Shown
+statistics-standards-standard = Standard
+statistics-standards-for = For
+statistics-standards-height = Height
+statistics-standards-source = Source
+statistics-standards-remove = Remove
+statistics-standard-draw = Show { $standard }, { $what }, { $height }
 statistics-standard-remove = Remove { $standard }
-statistics-standard-own-problem = Give a height above 0 and below 10 m, such as { $example }.
+statistics-standard-own-problem = Enter a height above 0 and below 10 m, for example { $example }.
 statistics-standard-own = Own value for
 statistics-standard-height = Height
 statistics-standard-name = Standard
@@ -2889,8 +3422,8 @@ statistics-standard-for = For
 statistics-standard-source = Source
 statistics-standard-new = New standard
 statistics-standard-new-remove = Remove the new standard
-statistics-standard-problem = Give the height of { $standard }, such as { $example }.
-statistics-standard-new-problem = Give the height of the new standard, such as { $example }.
+statistics-standard-problem = Enter the height of { $standard }, for example { $example }.
+statistics-standard-new-problem = Enter the height of the new standard, for example { $example }.
 statistics-standards-add = Add a standard
 statistics-standards-save = Save for this survey
 
@@ -2898,26 +3431,25 @@ statistics-standards-save = Save for this survey
 
 statistics-plan-title = How many vehicles to measure
 statistics-plan-percentile = Percentile
-statistics-plan-width = Width of its interval
+statistics-plan-width = Width of its 95 % interval
 statistics-plan-sd = Spread of heights (SD)
-statistics-plan-incomplete = Give three numbers.
+statistics-plan-incomplete = Enter three numbers.
 
 ## Planning: the page
 
-planning-lead-heights = What a height will be worth from here, before anything is filmed.
-planning-lead-lines = What the speed of a vehicle will be worth with two line cameras, before anything is recorded.
-planning-nothing-stored = Nothing on this page is stored; its address holds every value, so a link to it can be passed on.
-planning-title-lines = Plan the line rate
+planning-lead-heights = Estimate the uncertainty of heights at this site before you record.
+planning-lead-lines = Estimate the uncertainty of speeds from two line-scan cameras before you record.
+planning-nothing-stored = Nothing is saved. To share this plan, copy the page address.
 planning-what = What is planned
-planning-what-heights = Heights, by video
-planning-what-lines = Speeds, by line scan
+planning-what-heights = Heights (video)
+planning-what-lines = Speeds (line scan)
 planning-loading-cameras = the cameras
-planning-loading-rig = the survey's rig
+planning-loading-rig = the survey’s rig
 planning-loading = the plan
 planning-advice = Advice
-planning-lens-exact = The lens is taken as exactly known.
-planning-lens-exact-plain = The lens is taken as exactly known, and without distortion.
-planning-lens-calibrated = A calibration adds its own uncertainty, most of it away from the board.
+planning-lens-exact = Assumes no calibration uncertainty.
+planning-lens-exact-plain = Assumes an ideal lens: no distortion, no calibration uncertainty.
+planning-lens-calibrated = A real calibration adds uncertainty, mostly away from the board.
 planning-roof = Roof
 planning-driver_eye = Driver’s eye, near side
 planning-driver_eye_far = Driver’s eye, far side
@@ -2926,90 +3458,172 @@ planning-headlight = Headlight
 
 ## Planning: what is planned with
 
-planning-width = Picture width
-planning-height = Picture height
+planning-width = Image width
+planning-height = Image height
 planning-field-of-view = Horizontal field of view
 planning-camera-height = Camera above road
-planning-distance = To the wheel track
-planning-board-distance = To the board
-planning-board-distance-usual = wheel track
-planning-direction = Turned along road
-planning-sigma = Click sigma
-planning-travel = Two-frame travel
+planning-distance = Distance to wheel path
+planning-board-distance = Distance to board
+planning-board-distance-usual = wheel path
+planning-direction = Yaw from perpendicular
+planning-sigma = Click uncertainty (u)
+planning-travel = Travel between frames
 planning-camera = Camera
 planning-calibration = { $camera }: { $calibration }
-planning-calibration-in-use = { $camera }: { $calibration } (in use)
+planning-calibration-in-use = { $camera }: { $calibration } (current)
 planning-calibration-unknown = calibration { $id }
-planning-camera-plain = A camera that is not calibrated yet
-planning-number-problem = Give a number.
+planning-camera-plain = A camera without a calibration
+planning-number-problem = Enter a number.
 planning-speed = Fastest vehicle
-planning-error = Speed off by
+planning-error = Allowed speed error
 planning-baseline = Baseline
-planning-u-baseline = Its u (k = 1)
+planning-u-baseline = u of the baseline
 planning-line-rate = Camera’s line rate
-planning-line-rate-usual = what it takes
+planning-line-rate-usual = calculated
+planning-length = Vehicle length
+planning-time-gap = Time gap
+planning-pixel-width = Pixel width
+planning-pixel-height = Pixel height
+planning-focal = Focal length
+planning-line-distance = Distance
+planning-exposure = Exposure
+planning-exposure-usual = the whole line
+planning-um = µm
+planning-us = µs
+planning-mm = mm
 
 ## Planning: the table of targets
 
-planning-targets-title = What each target will be worth
+planning-targets-title = Expected uncertainty by target
 planning-target = Target
-planning-planned-height = planned height
-planning-inset = inset
+planning-planned-height = Planned height
+planning-inset = Inset
 planning-two-frames = U95, two frames
-planning-inset-ignored = error, inset ignored
-planning-targets-note = Heights and insets are estimates; the survey’s own insets are used. Two frames: the vehicle has moved { $travel } between them, and the inset is solved for instead of assumed.
-planning-parts-title = Contributions to u, one frame
-planning-parts-label = Contributions to u
+planning-inset-ignored = Bias if inset is ignored
+planning-targets-note = Heights and insets are estimates; the survey’s own insets are used. Two frames: the vehicle has moved { $travel } between them, and the inset is computed instead of assumed.
+planning-parts-title = Uncertainty budget, one frame
+planning-parts-label = Uncertainty budget
 planning-parts-source = Source
-planning-parts-sum = u, root of the sum of squares
+planning-parts-sum = Combined standard uncertainty u
+
+## Planning: exposure and frames of a pass
+
+planning-passing-title = Exposure and frames of a pass
+planning-passing-speed = Speed
+planning-passing-exposure = Longest exposure
+planning-passing-blur = Blur at 1/1000 s
+planning-passing-frames-30 = Frames at 30/s
+planning-passing-frames-60 = Frames at 60/s
+planning-passing-note = Longest exposure: the vehicle moves 2 px in the middle of the frame. More motion blur makes clicks less precise. Frames: those that show the road and a driver’s eye; two are needed, ten are good for following a whole pass.
+planning-passing-px = { $blur } px
+planning-passing-fraction = 1/{ $part } s
+no-such-language = There is no report in the language “{ $language }”. Choose one of { $known }.
+planning-no-language = There is no sheet in the language “{ $language }”. Choose one of { $known }.
+planning-sheet = Set-up sheet (PDF)
+
+## The set-up sheet: one page to take along
+
+sheet-title = Set-up sheet
+sheet-of = { $survey } · { $site }
+sheet-lead = From Sightline’s site planning, drawn to scale. Heights depend on the values measured on the day: enter them in the last column.
+sheet-planned = Planned
+sheet-built = On the day
+sheet-camera-plain = Not calibrated yet, { NUMBER($degrees, maximumFractionDigits: 1) }° wide
+sheet-camera-value = { $name }, { $width_px } × { $height_px } px
+sheet-metres = { NUMBER($metres, minimumFractionDigits: 2, maximumFractionDigits: 2) } m
+sheet-metres-in-words = { $what }: { sheet-metres }
+sheet-degrees = { NUMBER($degrees, maximumFractionDigits: 1) }°
+sheet-millimetres = { NUMBER($millimetres, minimumFractionDigits: 1, maximumFractionDigits: 1) } mm
+sheet-kmh = { NUMBER($kmh, maximumFractionDigits: 0) } km/h
+sheet-blur = { NUMBER($pixels, minimumFractionDigits: 1, maximumFractionDigits: 1) } px
+sheet-none = not measurable
+sheet-row = Board’s reference row above the road (taped twice)
+sheet-zoom = Zoom and focus (taped)
+sheet-exposure = Exposure, gain, white balance (fixed)
+sheet-start = Start of the recording, time zone
+sheet-traffic = Traffic keeps; steering wheel; camera on verge or median
+sheet-weather = Weather, street lighting, speed limit
+sheet-checks = Check list
+sheet-check-calibrated = Camera calibrated at this zoom and focus; both taped
+sheet-check-board = Square measured across ten squares; board flat against a straight edge
+sheet-check-place = Straight, even road; tyre contacts in the picture; tripod weighted
+sheet-check-exposure = Exposure, gain, focus and white balance fixed; blur below 2 px
+sheet-check-stood = Board at the wheel path, perpendicular to the road, turned by 20 to 30 degrees
+sheet-check-row = Reference row taped twice, to a millimetre
+sheet-check-filmed = Board filmed at rest for five seconds, then at another distance
+sheet-check-watch = A watch filmed, or the start written down
+sheet-check-own = A vehicle of known heights driven past
+sheet-check-again = Board filmed again at the end, and whenever the camera was touched
 
 ## Planning: figures and drawings
 
-planning-figure-distance-title = U95 of vehicles at other distances
-planning-figure-distance-note = One frame; camera, board and pose as planned. A line ends where the picture ends.
-planning-figure-distance-label = U95 of vehicles at other distances, U95 in { $small } over distance across the road to the wheel track in { $unit }
-planning-figure-distance-x = distance across the road to the wheel track ({ $unit })
+planning-figure-distance-title = Expanded uncertainty (95 %) by distance
+planning-figure-distance-note = Single frame, planned set-up. Lines end at the edge of the field of view.
+planning-figure-distance-label = U95 of vehicles at other distances, U95 in { $small } over distance across the road to the wheel path in { $unit }
+planning-figure-distance-x = Distance to the wheel path ({ $unit })
 planning-figure-distance-y = U95 ({ $unit })
-planning-figure-bias-title = Error of a driver’s eye whose inset is ignored
-planning-figure-bias-note = It vanishes for a camera at the eye’s height.
+planning-figure-bias-title = Bias of a driver’s eye if its inset is ignored
+planning-figure-bias-note = Zero when the camera is at eye height.
 planning-figure-bias-label = Error of a driver’s eye whose inset is ignored, error in { $small } over camera above the road in { $unit }
-planning-figure-bias-x = camera above the road ({ $unit })
-planning-figure-bias-y = error ({ $unit })
+planning-figure-bias-x = Camera above the road ({ $unit })
+planning-figure-bias-y = Error ({ $unit })
 planning-figure-bar = The bar marks the planned place.
 planning-along-title = The site, seen along the road
-planning-along-note = To scale. The wedge is what the picture shows above and below; dots are the targets.
-planning-along-label = Cross-section: camera { $camera_height } above the road, board at { $board_distance }, wheel track at { $distance }
+planning-along-note = To scale. The wedge is the vertical field of view; dots are the targets.
+planning-along-label = Cross-section: camera { $camera_height } above the road, board at { $board_distance }, wheel path at { $distance }
 planning-above-title = The site from above
-planning-above-note = To scale. The picture shows { $shown } of the wheel track with road and a driver’s eye in it.
+planning-above-note = To scale. The frame shows { $shown } of the wheel path with road and a driver’s eye in it.
 planning-above-label = From above: the camera looks across the road, square to it, a car in the lane
 planning-above-label-turned = { $turned_deg ->
     [one] From above: the camera looks across the road, turned { $turned_deg } degree along the road, a car in the lane
    *[other] From above: the camera looks across the road, turned { $turned_deg } degrees along the road, a car in the lane
 }
-planning-wheel-track = wheel track { $distance }
-planning-wheel-track-and-board = wheel track and board { $distance }
+planning-wheel-track = wheel path { $distance }
+planning-wheel-track-and-board = wheel path and board { $distance }
 planning-board = board { $distance }
 
 ## Planning: the line rate
 
-planning-speed-title = What a speed will be worth
-planning-lines = At { $speed } a vehicle takes <strong>{ $lines } lines</strong> from camera 1 to camera 2 at { $line_rate_hz } lines a second, { $one_line } of road a line.
-planning-one-line = One line more or less changes its speed by <strong>{ $speed }</strong>.
-planning-speed-u = Read to whole lines its standard uncertainty is { $u_lines } from the lines and { $u_baseline } from the baseline: <strong>{ $speed }</strong> in 95 of 100 cases.
-planning-forms-title = As printed and as corrected
+planning-speed-title = Expected uncertainty of speed
+planning-lines = At { $speed } a vehicle takes <strong>{ $lines } lines</strong> from camera 1 to camera 2 at { $line_rate_hz } lines/s; one line is { $one_line } of road.
+planning-one-line = One line more or less changes the speed by <strong>{ $speed }</strong>.
+planning-speed-u = Standard uncertainty: { $u_lines } from line quantization, { $u_baseline } from the baseline. Result: <strong>{ $speed }</strong> (95 %).
+planning-values-title = Expected uncertainties
+planning-values-note = for a vehicle at this speed behind another at the same speed, with boundaries read to whole lines
+planning-values-quantity = Quantity
+planning-values-value = Value and U95
+planning-values-lines = u from whole lines
+planning-values-baseline = u from the baseline
+planning-values-edges = u from front and rear
+planning-values-speed = Speed
+planning-values-length = Length
+planning-values-time_gap = Time gap
+planning-values-distance_gap = Distance gap
+planning-seconds = { $value } ± { $U95 } s
+planning-ms = { $value } ms
+planning-exposure-title = Pixels and exposure
+planning-exposure-blur = With an exposure of { $exposure_us } µs, each line is blurred by <strong>{ $blur }</strong> of road; the vehicle travels { $line } from line to line. A pixel covers { $width } along the road and { $height } vertically, so a vertical edge is spread over <strong>{ $smear }</strong>.
+planning-exposure-shape = A pixel is <strong>{ $shape }</strong> times as high as the line spacing. One row of misalignment changes the speed by up to { $row_error } where an edge is inclined by 45°.
+planning-exposure-light = A line receives <strong>{ $light }</strong> times the light of a 5 µm × 5 µm pixel exposed for 1 ms at the same aperture.
+planning-exposure-dark = Low light: open the aperture, use larger pixels or binning, or lower the line rate.
+planning-exposure-wide = Pixels are wider than two line spacings: a higher line rate adds little. Use a longer focal length.
+planning-exposure-tall = Pixels are much higher than the line spacing: align both cameras to a fraction of a row, or use more rows.
+planning-exposure-too-long = An exposure of { $exposure_us } µs is longer than one line, { $line_us } µs. Enter a shorter exposure or a lower line rate.
+planning-camera-cannot-be = { $name } of { $value } is out of range. Enter a value above 0 and up to { $most }.
+planning-forms-title = Equation (2) of Douxchamps et al., as printed and as corrected
 planning-forms-label = Both forms of equation (2)
-planning-forms-equation = equation (2)
-planning-forms-printed = as printed: its right side
-planning-forms-corrected = corrected: its middle term
-planning-forms-error = error of the speed
-planning-forms-says = what it says
-planning-forms-says-printed = n + 2 lines are counted for n, divided by n + 2. The paper’s own 6600 Hz and 1.3 % come from it.
-planning-forms-says-corrected = n + 2 lines are counted for n, divided by n as the middle term 2 s / (b f) is. A little more careful.
-planning-forms-line-rate = line rate for { $error }
+planning-forms-equation = Equation (2)
+planning-forms-printed = As printed: its right side
+planning-forms-corrected = Corrected: its middle term
+planning-forms-error = Speed error
+planning-forms-says = Note
+planning-forms-says-printed = n + 2 lines are counted instead of n, divided by n + 2. The printed 6600 Hz follow from it; the printed 1.3 % fit both forms.
+planning-forms-says-corrected = n + 2 lines are counted instead of n, divided by n, as in the middle term 2 s / (b f). Slightly more conservative.
+planning-forms-line-rate = Line rate for { $error }
 planning-forms-line-rate-value = { $line_rate_hz } Hz
-planning-forms-error-at = error at { $line_rate_hz } Hz
+planning-forms-error-at = Error at { $line_rate_hz } Hz
 planning-forms-error-value = { $error }, { $speed }
-planning-forms-note = n = b f / s: the lines from camera 1 to camera 2, of the baseline b, the line rate f and the speed s.
+planning-forms-note = n = b f / s: number of lines from camera 1 to camera 2, with baseline b, line rate f and speed s.
 
 ## Survey: the overview
 
@@ -3018,37 +3632,38 @@ survey-demonstration = demonstration
 survey-edit = Edit
 members-open = Members
 members-title = Members of the survey
-members-lead = Members and administrators see this survey. For everybody else it does not exist.
-members-lead-open = Everybody who signs in sees this survey, and acts in it by the role of their account. Members have the role that stands here.
-members-open-to-all = Open to everybody who signs in
+members-lead = Only members and administrators can see this survey.
+members-lead-open = Everyone who signs in can see this survey and acts with the role of their account. Members have the role shown here.
+members-open-to-all = Open to everyone who signs in
 members-name = Name
 members-role = Role here
 members-role-of = Role of { $person } in this survey
-members-remove = Take out
-members-remove-title = Take { $person } out of the survey?
-members-remove-body = { $person } no longer sees it. What they did stays theirs.
+members-remove = Remove
+members-remove-title = Remove { $person } from the survey?
+members-remove-body = { $person } can no longer see it. Their work is kept.
 members-remove-yourself = You will no longer see this survey.
-members-none = Nobody belongs to this survey yet; administrators manage it.
-members-inactive = switched off
+members-none = This survey has no members yet; administrators manage it.
+members-inactive = deactivated
 members-add = Add
 members-add-person = Person
 members-add-role = Role
 members-choose = Choose a person
-members-everybody = Everybody with an account is a member.
+members-everybody = Everyone with an account is already a member.
 members-does-viewer = sees everything, exports packages
-members-does-operator = brings in recordings, calibrates, measures
-members-does-reviewer = what an operator does, and reviews the work of others
-members-does-manager = what a reviewer does, and says who belongs to the survey and how it is reviewed
-members-loading = Loading the members
-survey-camera = Calibrate the camera
-survey-recordings = Bring in the recordings
-survey-pose = Find the road
-survey-vehicles = Measure the vehicles
-survey-review = Review the measurements
-survey-results = Export the results
+members-does-operator = adds recordings, calibrates, measures
+members-does-reviewer = everything an operator does, and reviews other people’s work
+members-does-manager = everything a reviewer does, and manages members and the review plan
+members-admin = An administrator has all rights here, whatever role is chosen.
+members-loading = the members
+survey-camera = Camera calibration
+survey-recordings = Recordings
+survey-pose = Camera pose
+survey-vehicles = Measurement
+survey-review = Review
+survey-results = Export
 survey-camera-go = Calibrate
 survey-recordings-go = Add recordings
-survey-pose-go = Find the road
+survey-pose-go = Compute pose
 survey-vehicles-go = Measure
 survey-review-go = Review
 survey-results-go = Export
@@ -3060,17 +3675,17 @@ survey-traffic = Traffic keeps { $traffic ->
 }, the steering wheel is usually on the { $steering ->
     [right] right
    *[left] left
-}, the camera stands { $camera ->
+}, the camera is { $camera ->
     [verge] on the verge
    *[median] in the median
 }.
-survey-asked = Asked for: by day { $daytime }; in low light { $low_light }.
-survey-traffic-unsaid = Nobody has said yet how traffic goes here and where the camera stands. Until then no driver’s eye has a height; those that are clicked get theirs when it is said.
-survey-traffic-say = Say it
+survey-asked = Targets by day: { $daytime }; in low light: { $low_light }.
+survey-traffic-unsaid = The traffic side and the camera position are not set. Until they are, no driver’s eye has a height; existing clicks get theirs when you set them.
+survey-traffic-say = Set
 survey-scans-none = <link>Line scans</link>: { $summary }
-survey-scans-label = Line scans, a way of their own beside these steps
+survey-scans-label = Line scans, separate from these steps
 survey-scans = Line scans
-survey-scan-results = <link>Results</link>: speeds, gaps, lengths against the manufacturers’.
+survey-scan-results = <link>Speeds and gaps</link>: speeds, gaps, lengths against the manufacturers’.
 survey-count-scans = { $count ->
     [one] line scan
    *[other] line scans
@@ -3093,13 +3708,13 @@ survey-count-measurements = { $count ->
 
 survey-edit-title = Edit the survey
 survey-name = Name
-survey-name-problem = A survey needs a name.
+survey-name-problem = Enter a name for the survey.
 survey-site = Site
 survey-description = Description
 survey-insets = Insets
-survey-insets-help = How far each target lies behind the plane through the tyres’ outer faces, away from the camera. Used for every new measurement; the second figure is its standard uncertainty.
+survey-insets-help = Distance of each target behind the plane through the tyres’ outer faces, away from the camera. Used for new measurements; the second value is its standard uncertainty.
 survey-insets-target = Target
-survey-insets-inset = inset ({ $unit })
+survey-insets-inset = Inset ({ $unit })
 survey-insets-u = u ({ $unit })
 survey-inset-label = { $target }: inset in { $unit ->
     [ft] feet
@@ -3109,7 +3724,7 @@ survey-inset-u-label = { $target }: uncertainty in { $unit ->
     [ft] feet
    *[m] metres
 }
-survey-inset-problem = { $target }: give the inset and its uncertainty as numbers in { $unit ->
+survey-inset-problem = { $target }: enter the inset and its uncertainty as numbers in { $unit ->
     [ft] feet
    *[m] metres
 }, for example { $inset } and { $u_inset }.
@@ -3117,59 +3732,59 @@ survey-inset-problem = { $target }: give the inset and its uncertainty as number
 ## Survey: photographs of the set-up
 
 photographs-title = Photographs of the set-up
-photographs-help = The rig, the road, the board in place. The report and the package show them.
+photographs-help = The rig, the road, the board in place. Shown in the report and the package.
 photographs-choose = Choose photographs to add
 photographs-drop = Drop photographs here, or choose them
 photographs-adding = Adding { $count } …
-photographs-hint = JPEG, PNG, WebP or TIFF. Kept at 1600 pixels a side at most, without the place where they were taken.
+photographs-hint = JPEG, PNG, WebP or TIFF. Resized to 1600 px; location data removed.
 photographs-open = Open { $photograph }
 photographs-what = What it shows
 photographs-caption = Caption of { $photograph }
 photographs-left = Move { $photograph } to the left
 photographs-right = Move { $photograph } to the right
-photographs-remove = Take out { $photograph }
-photographs-removed = { $photograph } was taken out.
+photographs-remove = Remove { $photograph }
+photographs-removed = { $photograph } removed.
 
 ## Surveys: the page
 
-surveys-lead = One survey is one campaign at one site: its camera, recordings, vehicles and people.
+surveys-lead = One survey per site and campaign.
 surveys-loading = surveys
 surveys-new = New survey
-surveys-new-make = Make the survey
+surveys-new-make = Create survey
 surveys-new-name = Name
 surveys-new-name-example = Rouen south, lane 1
-surveys-new-name-problem = Give the survey a name, for example the road and the lane.
+surveys-new-name-problem = Enter a name for the survey, for example the road and the lane.
 surveys-new-site = Site
 surveys-new-site-example = D938, km 12.4, towards the south
 surveys-new-description = Description
-surveys-new-description-hint = What whoever opens it in five years should know.
+surveys-new-description-hint = Notes for anyone who opens this survey later.
 surveys-choose-password = Choose a password
-surveys-link-used = Your sign-in link is used up now; choose a password to be able to come back.
-surveys-demo-failed = The demonstration survey could not be made.
-surveys-demo-first = The demonstration survey is rendered from a known scene, so every height you measure in it can be compared with the truth. Try the work there first; then make a survey of your own.
+surveys-link-used = Set a password so you can sign in again. Your link has been used.
+surveys-demo-failed = The demonstration survey could not be created.
+surveys-demo-first = The demonstration survey is rendered from a known scene, so every height can be compared with its true value. Try the work there first, then create your own survey.
 surveys-demo-open = Open the demonstration survey
 surveys-demo-title = Demonstration survey
-surveys-demo-being-made = being made
+surveys-demo-being-made = being created
 surveys-demo-wait = Rendering a road, a checkerboard and some forty vehicles; this takes about a minute.
 surveys-none-title = No surveys yet
-surveys-none-make = Make a survey for a site, then calibrate its camera, drop in the day's video, and measure. The demonstration survey has all of that in it already.
-surveys-none = Nobody has made a survey yet. An operator can make the first one.
-studies-lead = Surveys of many sites and years joined: figures of the fleet with total uncertainty, and what they change.
-studies-loading = Loading the studies ...
+surveys-none-make = Create a survey for a site, calibrate its camera, add the video of the day, and measure. The demonstration survey contains all of that.
+surveys-none = No surveys yet. An operator can create the first one.
+studies-lead = Surveys of several sites and years combined: heights of the fleet with total uncertainty, and their effect on standards.
+studies-loading = the studies
 studies-new = New study
 studies-new-make = Create study
 study-not-chosen = No study is chosen
 studies-none-title = No studies
-studies-none = A study joins surveys of several sites, weights their vehicles to the fleet, and says how sure its percentiles are.
+studies-none = A study combines surveys of several sites, weights their vehicles to the fleet, and states the uncertainty of its percentiles.
 studies-name = Study
 studies-surveys = Surveys
 studies-sites = Sites
 studies-heights = Heights
 studies-computed = Computed
 studies-not-computed = not computed
-study-loading = Loading the study ...
+study-loading = the study
 study-simulated = simulated
-study-simulated-note = Simulated: nothing here was filmed. The vehicles were drawn from known fleets, and no figure says anything of real roads.
+study-simulated-note = Simulated: nothing was filmed. The vehicles were drawn from known fleets; no value describes real roads.
 study-name = Name
 study-description = Description
 study-report = Report (PDF)
@@ -3177,51 +3792,51 @@ study-package = Study package
 study-compute = Compute
 study-compute-again = Compute again
 study-computed = The study is computed.
-study-old-study = The study was changed since these figures were computed; compute them again.
-study-old-surveys = Something was written since these figures were computed, in { $surveys }; compute them again to be sure.
+study-old-study = The study was changed after these values were computed. Compute it again.
+study-old-surveys = Data changed after these values were computed, in { $surveys }. Compute the study again.
 study-empty-title = No surveys yet
-study-empty = Add the surveys that the study joins; each has a site, and may have a stratum and a year.
+study-empty = Add the surveys to combine. Each has a site, and may have a stratum and a year.
 study-add-surveys = Add surveys
 study-not-computed-title = Not computed yet
-study-not-computed = Compute the study to see its figures.
+study-not-computed = Compute the study to see its results.
 study-made = Computed { $moment } by { $person } with Sightline { $version }; SHA-256 of the package { $hash }.
-study-made-by-system = the system
+study-made-by-system = Sightline
 study-joined = Surveys
 study-edit = Edit
 study-edit-title = Edit study
 study-remove = Remove study
 study-remove-now = Remove
-study-remove-words = { $name } goes from the list of studies. Its surveys stay as they are, and what was computed of it stays stored.
-study-members = Who sees this study
-study-members-note = Members see its figures, package and report, also of surveys that they do not belong to. Administrators see every study.
-study-members-open = Everybody who signs in sees it
+study-remove-words = { $name } is removed from the list of studies. Its surveys do not change, and its results remain stored.
+study-members = Members of this study
+study-members-note = Members see its results, package and report, even of surveys they do not belong to. Administrators see every study.
+study-members-open = Visible to everyone who signs in
 study-members-add = Add a member
 study-members-choose = Choose a person
-study-members-nobody = Everybody is a member
-study-members-remove = Take { $name } out
+study-members-nobody = Everyone is already a member
+study-members-remove = Remove { $name }
 study-survey = Survey
 study-site = Site
 study-stratum = Stratum
 study-year = Year
-study-counted = Heights that count
+study-counted = Heights included
 study-outside = Out of sample
-study-weighted = Heights are weighted to the fleet that was given.
-study-not-weighted = No fleet was given: vehicles count as they were drawn.
-study-sites-known = Strata, numbers of sites and traffic follow the table of sites.
-study-sites-unknown = No table of sites was given: each stratum is taken to have very many sites of equal traffic.
-study-goal-is = The plan is for a U95 of { $goal } of P10.
+study-weighted = Heights are weighted to the given fleet.
+study-not-weighted = No fleet given: vehicles are not weighted.
+study-sites-known = Strata, numbers of sites and traffic come from the table of sites.
+study-sites-unknown = No table of sites given: each stratum is assumed to have very many sites of equal traffic.
+study-goal-is = Planned for a U95 of { $goal } of P10.
 study-fleet = Fleet (CSV)
 study-fleet-hint = Columns category and share (or registrations); several kinds: variable, class, share. Empty: no weights.
 study-sites = Sites (CSV)
 study-sites-hint = Columns site and stratum; sites_there and traffic where known. Empty: strata as given with the surveys.
-study-goal = U95 wanted of P10
+study-goal = Target U95 of P10
 study-goal-unit = mm
-study-goal-hint = For the plan of a further study.
-study-take-out = Take { $name } out
+study-goal-hint = For planning a further study.
+study-take-out = Remove { $name }
 study-add-survey = Add a survey
 study-choose-survey = Choose a survey
 study-no-more-surveys = No other surveys
-study-surveys-hint = Surveys of one site are one cluster. Years are compared where two or more are given.
+study-surveys-hint = Surveys of one site form one cluster. Years are compared if at least two are given.
 study-choose-file = Choose file
 study-choose-file-of = Choose file: { $table }
 study-counted-words = { NUMBER($heights) } accepted heights of { NUMBER($vehicles) } vehicles at { $sites ->
@@ -3229,41 +3844,49 @@ study-counted-words = { NUMBER($heights) } accepted heights of { NUMBER($vehicle
    *[other] { $sites } sites
 }.
 study-percentiles = Percentiles of true heights ({ $unit })
-study-holds = Below each value its total 95 % interval: sampling of vehicles and sites, errors that heights share (road pose, mean inset), and random error, which is taken out of the values.
+study-holds = Below each value: its total 95 % interval. It includes sampling of vehicles and sites, and errors that heights share (camera pose, mean inset). Random measurement error is removed from the values.
 study-target = Target
 study-n = n = { NUMBER($n) }
-study-mean = mean
+study-mean = Mean
 study-sd = SD
 study-effects = Design effects
-study-effects-note = The design effect is the variance by this design over that of as many vehicles drawn one by one; effective n is the number over it.
+study-effects-note = Design effect: variance under this design divided by that of a simple random sample of the same size. Effective n: number of heights divided by the design effect.
 study-figure = Figure
 study-vehicles = Vehicles
 study-effect = Design effect
 study-effective = Effective n
-study-weighting = Of weights alone
+study-weighting = From weights alone
 study-years = Years compared
-study-years-note = The later year less the first, each weighted by itself, with total 95 % intervals. Higher or lower is said where the interval leaves 0 out. Errors are taken to be each year’s own: where both share some, the intervals are too wide, never too narrow.
+study-years-note = Later year minus first year, each weighted separately, with total 95 % intervals. A difference is called higher or lower if its interval excludes 0. Errors are taken as independent between the years; where years share errors, the intervals are too wide, never too narrow.
 study-years-column = Years
 study-years-of = { $first } to { $second }
-study-errors = Error against makers’ heights
-study-errors-note = Measured minus the maker’s height of roofs, not rounded, with 95 % intervals.
+study-beside = Comparison with another study
+study-beside-with = Compare with
+study-beside-none = No other study with results
+study-beside-choose = Choose a study
+study-beside-loading = the comparison
+study-beside-title = { $second } minus { $first }
+study-beside-note = Uses the latest results of each study, with total 95 % intervals. A difference is called higher or lower if its interval excludes 0 (risk of at most 2.5 % on either side, for each value separately). Errors are taken as independent between the studies; where studies share errors (a site, a mean inset), the intervals are too wide.
+study-beside-shared = Both studies contain { $surveys }. Shared errors partly cancel, so these intervals are too wide.
+study-errors = Error against manufacturers’ heights
+study-errors-note = Measured minus the manufacturer’s height of roofs, not rounded, with 95 % CI.
 study-lighting = Lighting
 study-bias = Bias
 study-all = all
-study-classes = Classes of vehicles
-study-classes-note = Shares as drawn, with 95 % intervals, beside the fleet’s.
+study-classes = Vehicle classes
+study-classes-note = Shares as sampled, with 95 % CI, compared with the fleet.
 study-class = Class
 study-share = Share
 study-fleet-share = Fleet
-study-plan = A further study: U95 of P10 within { $goal }
-study-plan-note = Vehicles needed at each site, if sites and vehicles differ as these do.
+study-plan = Next study: U95 of P10 within { $goal }
+study-plan-note = Vehicles needed at each site, if sites and vehicles vary as they do here.
 study-plan-sites = Sites
 study-plan-none = no number
 study-curve-title = { $target }: true heights
 study-curve-says = Cumulative distribution of true heights, { $target }, with its band.
-study-curve-note = The band joins the total 95 % intervals of the percentiles. Dashed: random error left in.
+study-curve-note = Band: total 95 % intervals of the percentiles, joined. Dashed: random measurement error not removed.
 study-curve-true = true heights
-study-curve-raw = random error left in
+study-curve-raw = random error not removed
 
 surveys-card = <made>{ $recordings ->
     [one] { $recordings } recording
@@ -3288,7 +3911,7 @@ signin-with-password = Sign in with a password
 signin-email = E-mail
 signin-password = Password
 signin-submit = Sign in
-signin-help = No password yet? Use the one-time link: the server prints it when it first starts, and an administrator makes one for each new person.
+signin-help = No password yet? Use the one-time link: the server prints it when it first starts, and an administrator creates one for each new user.
 
 ## Account: the page
 
@@ -3297,88 +3920,127 @@ account-email = E-mail
 account-role = Role
 account-password-change = Change the password
 account-password-choose = Choose a password
-account-no-password = You have no password yet; without one you need a new link for each sign-in.
-account-password-present = Present password
+account-no-password = You have no password yet. Without one you need a new link for each sign-in.
+account-password-present = Current password
 account-password-new = New password
-account-password-hint = At least { NUMBER($least) } characters; a few words in a row are easy to keep in mind.
+account-password-hint = At least { NUMBER($least) } characters. Several words in a row are easy to remember.
 account-password-short = { $count ->
-    [one] That has { $count } character; at least { NUMBER($least) } are needed.
-   *[other] That has { $count } characters; at least { NUMBER($least) } are needed.
+    [one] { $count } character; at least { NUMBER($least) } are needed.
+   *[other] { $count } characters; at least { NUMBER($least) } are needed.
 }
-account-password-again = The same again
-account-password-differs = The two are not the same; type the new password twice.
+account-password-again = Confirm new password
+account-password-differs = The passwords differ. Enter the new password twice.
 account-password-set = Set the password
 account-password-is-set = Your password is set.
+account-tokens = API tokens
+account-tokens-loading = your tokens
+account-tokens-none = No tokens yet
+account-tokens-help = A token lets a program, such as a script or sightline import, act with some of your rights.
+account-token-make = Create a token
+account-token-make-action = Create
+account-token-name = Name
+account-token-scopes = Scopes
+account-token-ends = Expires
+account-token-used = Last used
+account-token-ended = expired
+account-token-never = never
+account-token-revoke = Revoke
+account-token-revoke-title = Revoke { $name }?
+account-token-revoke-body = Programs that use it will be refused. This cannot be undone.
+account-token-title = Token { $name }
+account-token-once = Copy it into the program now; it will not be shown again. Whoever has it acts in your name.
+account-token = Token
+account-token-copied = The token is on the clipboard.
+account-token-name-field = Name
+account-token-name-hint = The program and the computer it runs on.
+account-token-name-problem = Enter a name that says what the token is for.
+account-token-scopes-field = Scopes
+account-token-scopes-problem = Choose at least one.
+account-token-days = Expires after
+account-token-days-count = { $days ->
+    [one] { $days } day
+    [366] a year
+   *[other] { $days } days
+}
+token-scope-read = read
+token-scope-read-hint = See what you see, and compute heights without storing them.
+token-scope-upload = upload
+token-scope-upload-hint = Add recordings and find their passes.
+token-scope-measure = measure
+token-scope-measure-hint = Everything else an operator does: surveys, cameras, poses, measurements.
+token-scope-review = review
+token-scope-review-hint = Give verdicts and decide on lots.
+token-scope-export = export
+token-scope-export-hint = Make and download packages and the results of studies.
+show-once-copy = Copy
+show-once-done = Done
 
 ## People: the page
 
-people-only-admin = Only an administrator can see and change accounts; ask one if you need another role.
-people-lead = Who may do what. Nobody reviews their own work, whatever their role.
-people-loading = people
-people-add = Add a person
-people-name = name
-people-email = e-mail
-people-role = role
-people-state = state
-people-last-seen = last sign-in
-people-actions = actions
+people-only-admin = Only administrators can manage accounts. Ask one if you need another role.
+people-lead = Accounts and roles.
+people-loading = users
+people-add = Add a user
+people-name = Name
+people-email = E-mail
+people-role = Role
+people-state = State
+people-last-seen = Last sign-in
+people-actions = Actions
 people-you = (you)
 people-role-of = Role of { $person }
 people-no-password = no password yet
 people-never = never
 people-new-link = New link
-people-switch-off = Switch off
-people-switch-on = Switch on
-people-role-title = Make { $person } { $role }?
-people-role-body = { $person } may then: { $does }
+people-switch-off = Deactivate
+people-switch-on = Reactivate
+people-role-title = Change { $person }’s role to { $role }?
+people-role-body = Rights of { $person } afterwards: { $does }
 people-role-change = Change the role
-people-switch-off-title = Switch off { $person }?
-people-switch-off-body = They are signed out and cannot sign in again; what they measured and reviewed stays under their name.
+people-switch-off-title = Deactivate { $person }’s account?
+people-switch-off-body = They are signed out and cannot sign in again. Their work stays under their name.
 people-does-viewer = sees everything, exports packages
-people-does-operator = brings in recordings, calibrates, measures
-people-does-reviewer = what an operator does, and reviews the work of others
-people-does-admin = everything, and people
+people-does-operator = adds recordings, calibrates, measures
+people-does-reviewer = everything an operator does, and reviews other people’s work
+people-does-admin = everything, including accounts
 
 ## People: adding one
 
 people-add-action = Add
 people-add-name = Name
-people-add-name-problem = Give the person's name as it should appear beside their work.
+people-add-name-problem = Enter the name as it should appear beside their work.
 people-add-email = E-mail
-people-add-email-hint = They sign in with it. Sightline sends no mail: you pass on the link that comes next.
-people-add-email-problem = Give an e-mail address, for example ada@example.org.
+people-add-email-hint = Used to sign in. Sightline sends no e-mail: you pass on the sign-in link that comes next.
+people-add-email-problem = Enter an e-mail address, for example ada@example.org.
 people-add-role = Role
 people-link-title = Sign-in link for { $person }
-people-link-help = Pass this on to { $person }. It works once, for seven days, and is shown only now.
+people-link-help = Send this link to { $person }. It works once, expires in 7 days, and will not be shown again.
 people-link = Sign-in link
-people-link-copy = Copy the link
 people-link-copied = The link is on the clipboard.
-people-link-done = Done
 
 ## Audit: the page
 
-audit-title = Audit trail
-audit-lead = One event per write, chained by hash: nothing here can be changed or removed without the chain showing it.
+audit-lead = Every change is one event in a hash chain. Any later edit or deletion breaks the chain.
 audit-loading = the audit trail
 audit-survey = Survey
 audit-survey-all = All
-audit-what = What was changed
+audit-what = Changed item
 audit-what-all = Everything
 audit-none-title = No events here
-audit-none-filtered = Nothing matches these filters; widen them.
-audit-none = Nothing has been written yet.
+audit-none-filtered = No events match the filters.
+audit-none = No changes recorded yet.
 audit-events = Audit events
-audit-number = no.
-audit-when = when
-audit-who = who
-audit-did = did
-audit-changes = changes
-audit-hash = hash
+audit-number = No.
+audit-when = When
+audit-who = Who
+audit-did = Action
+audit-changes = Changes
+audit-hash = Hash
 audit-older = Show older events
 audit-hash-after = { $hash }, after { $previous }
-audit-hash-first = { $hash }, after nothing
+audit-hash-first = { $hash }, first event
 audit-check = Check the chain
-audit-whole-title = The chain is whole
+audit-whole-title = The chain is intact
 audit-whole = { $count ->
     [one] { $count } event checked; the last hash is <code>{ $hash }</code>.
    *[other] { $count } events checked; the last hash is <code>{ $hash }</code>.
@@ -3390,12 +4052,12 @@ audit-broken-title = The chain is broken
 audit-action-calibrate = calibrated
 audit-action-cancel = cancelled
 audit-action-cancelled = stopped
-audit-action-check_drift = looked for drift in
+audit-action-check_drift = checked the camera stability of
 audit-action-choose = chose
 audit-action-choose_calibration = chose the calibration of
-audit-action-create = made
-audit-action-decide_drift = decided on the drift of
-audit-action-delete = took out
+audit-action-create = created
+audit-action-decide_drift = decided on the camera stability of
+audit-action-delete = removed
 audit-action-detect = found the board in
 audit-action-draw = drew
 audit-action-done = finished
@@ -3403,37 +4065,39 @@ audit-action-failed = failed at
 audit-action-finish = finished
 audit-action-fix = fixed
 audit-action-import = imported
-audit-action-ingest = read in
-audit-action-ingest_failed = could not read
-audit-action-order = put in order
+audit-action-ingest = imported
+audit-action-ingest_failed = could not import
+audit-action-order = ordered
 audit-action-propose = made
 audit-action-read = read
+audit-action-recorded = recorded
 audit-action-reading_failed = could not read
-audit-action-release = put back
-audit-action-requeue = put back
-audit-action-request = asked for the figures of
-audit-action-restart_ingest = began again to read
-audit-action-restart_reading = began again to read
-audit-action-restore = brought back
-audit-action-retire = retire
-audit-action-review = judged
+audit-action-release = requeued
+audit-action-requeue = requeued
+audit-action-request = requested the statistics of
+audit-action-restart_ingest = restarted the import of
+audit-action-restart_reading = restarted the import of
+audit-action-restore = restored
+audit-action-retire = retired
+audit-action-review = reviewed
 audit-action-revise = changed
+audit-action-revoke = revoked
 audit-action-run = ran
 audit-action-seal = sealed
 audit-action-set_password = set the password of
 audit-action-sign = signed
 audit-action-take = took
 audit-action-sign_out = signed out
-audit-action-swap_cameras = exchanged the cameras of
-audit-action-take_back_drift_decision = took back the decision on the drift of
+audit-action-swap_cameras = swapped the cameras of
+audit-action-take_back_drift_decision = undid the decision on the camera stability of
 audit-action-update = changed
 audit-action-use = used
 audit-action-compute_again = computed again
-audit-action-undo = put back
+audit-action-undo = undid
 audit-action-accepted = accepted
 audit-action-full_inspection = sent to full inspection
 audit-action-dissolved = dissolved
-audit-action-taken_back = took back
+audit-action-taken_back = undid
 audit-action-withdraw = withdrew
 audit-entity-survey = survey
 audit-entity-survey_member = member
@@ -3447,12 +4111,13 @@ audit-entity-photograph = photograph
 audit-entity-catalogue = catalogue
 audit-entity-vehicle = vehicle
 audit-entity-measurement = measurement
-audit-entity-proposals = proposals of what to click
+audit-entity-proposals = suggested points
 audit-entity-review = verdict
 audit-entity-computing = heights computed again
 audit-entity-review_plan = review plan
+audit-entity-free_plan = plan of hidden suggestions
 audit-entity-wheel_pair = wheel pair
-audit-entity-click_sigma = click sigma
+audit-entity-click_sigma = click uncertainty
 audit-entity-standards = standards
 audit-entity-scan = scan
 audit-entity-scan_run = scan run
@@ -3461,10 +4126,13 @@ audit-entity-lot_decision = decision on a lot
 audit-entity-scan_vehicle = scan vehicle
 audit-entity-scan_measurement = scan measurement
 audit-entity-scan_review = scan review
+audit-entity-scan_reference = reference value
 audit-entity-line_pose = line pose
+audit-entity-rig_calibration = rig calibration
 audit-entity-line_height = line height
 audit-entity-line_height_review = line height review
 audit-entity-export = export
+audit-entity-evidence = evidence file
 audit-entity-study = study
 audit-entity-study_result = result of a study
 audit-entity-study_member = member of a study
@@ -3472,12 +4140,13 @@ audit-entity-package = package
 audit-entity-checkpoint = checkpoint
 audit-entity-signing_key = signing key
 audit-entity-person = person
-audit-entity-sign_in_link = sign in link
+audit-entity-sign_in_link = sign-in link
+audit-entity-api_token = API token
 audit-entity-job = job
 audit-subject-vehicle = vehicle { $vehicle }
 audit-subject-target = vehicle { $vehicle }, { $target ->
     [roof] roof
-    [driver_eye] driver's eye
+    [driver_eye] driver’s eye
     [taillight] taillight
     [headlight] headlight
    *[other] other
@@ -3485,141 +4154,139 @@ audit-subject-target = vehicle { $vehicle }, { $target ->
 audit-subject-verdict = { $verdict }: { $subject }
 audit-subject-named = { $entity } “{ $name }”
 audit-person = Person
-audit-person-all = Everybody
+audit-person-all = All
 audit-day = Day (UTC)
-audit-vehicle = Vehicle’s number
-audit-vehicle-problem = A vehicle’s number is a whole number.
-audit-row = row { $id } of the database
+audit-vehicle = Vehicle number
+audit-vehicle-problem = Enter a whole number.
+audit-row = database row { $id }
 
 ## Export: the page
 
-export-lead = A zip file with everything needed to check each height, and to compute it again.
-export-crops = with pictures of the clicks
+export-lead = Download the data, report and audit trail.
+export-crops = with images of the clicks
 export-of-title = Vehicles in statistics and report
 export-of-lighting = Lighting
 export-of-filmed-from = filmed from { $day }
 export-of-filmed-to = filmed up to { $day }
-export-of-help = Statistics, figures and report are of these vehicles, and the report’s first page says so. The tables are whole, so that the audit trail can vouch for them; exclusions.csv names what is left out.
-export-of = of
+export-of-help = Statistics, figures and report cover these vehicles only, as the first page of the report states. The tables are complete, so that the audit trail covers them; exclusions.csv lists what is excluded.
+export-of = Vehicles
 export-of-all = all vehicles
 export-build = Build the package
 export-ready = The package is ready.
-export-failed = The package could not be built; try again.
+export-failed = The package could not be built. Try again.
 export-open-to-review = { $to_review ->
     [one] { $to_review } measurement not yet reviewed.
    *[other] { $to_review } measurements not yet reviewed.
 }
 export-open-rejected = { $rejected ->
-    [one] { $rejected } measurement rejected and not clicked again.
-   *[other] { $rejected } measurements rejected and not clicked again.
+    [one] { $rejected } measurement rejected and not measured again.
+   *[other] { $rejected } measurements rejected and not measured again.
 }
 export-open-both = { $to_review ->
-    [one] { $to_review } measurement not yet reviewed
-   *[other] { $to_review } measurements not yet reviewed
+    [one] { $to_review } measurement not yet reviewed
+   *[other] { $to_review } measurements not yet reviewed
 }, { $rejected ->
-    [one] { $rejected } measurement rejected and not clicked again.
-   *[other] { $rejected } measurements rejected and not clicked again.
+    [one] { $rejected } measurement rejected and not measured again.
+   *[other] { $rejected } measurements rejected and not measured again.
 }
-export-open-note = The package says so, row by row; <link>review first</link> if it is to be final.
+export-open-note = Each row shows its review status. For a final package, <link>complete the review</link> first.
 export-packages = Packages
 export-loading = packages
-export-none-title = No package yet
-export-none = Press “Build the package”. It takes from seconds to minutes, with the number of pictures, and you can go on working meanwhile.
-export-made = made
-export-by = by
-export-size = size
+export-none-title = No packages yet
+export-none = Press “Build the package”. It takes seconds to minutes, depending on the number of images. You can continue working.
+export-made = Made
+export-by = By
+export-language = Report language
+export-size = Size
 export-sha256 = SHA-256
-export-audit-head = head of the audit chain
-export-download-column = download
+export-audit-head = Audit head
+export-download-column = Download
 export-download = Download
 export-sha256-copy = Copy the SHA-256
 export-sha256-copied = The SHA-256 is on the clipboard.
-export-audit-head-copy = Copy the head of the audit chain
-export-audit-head-copied = The head of the audit chain is on the clipboard.
+export-audit-head-copy = Copy the audit head
+export-audit-head-copied = The audit head is on the clipboard.
 export-checking = Checking a package
-export-checking-help = This checks every file, the audit chain, its signature and each row against it, and computes every height and every statistic again. Send this installation's key (or the SHA-256) by another way than the package: it finds a package that somebody wrote anew and signed with another key. A signature proves what the holder of the key signed, not that it is true.
+export-checking-help = Checks every file, the audit chain, its signature and each row against it, and computes every height and statistic again. Send this installation’s key (or the SHA-256) separately from the package. It reveals a package that was replaced and signed with another key. A signature proves what the holder of the key signed, not that it is true.
 export-command-copy = Copy the command
 export-command-copied = The command is on the clipboard.
 
 ## Export: what is in a package
 
 export-contents = What is in a package
-export-contents-report = a few pages for people: set-up, calibration, method, errors, figures, exclusions
-export-contents-measurements = each measurement as it stands: vehicle, target, frame, height and its uncertainty
-export-contents-exclusions = what counts for no result, and why
+export-contents-report = set-up, calibration, method, errors, figures and exclusions on a few pages
+export-contents-measurements = current measurements: vehicle, target, frame, height and its uncertainty
+export-contents-exclusions = excluded measurements and reasons
 export-contents-statistics = error table, percentiles, distributions and corrections as CSV; figures as SVG
-export-contents-crops = the picture that each click was made on, unmarked, and with its points beside it
-export-contents-revisions = every revision with its clicks, and where its uncertainty comes from
-export-contents-clicks = the clicks alone: “sightline height” computes the same heights from them
+export-contents-crops = the image that each measurement was made on, unmarked and with its points
+export-contents-revisions = every revision with its clicks and its uncertainty budget
+export-contents-clicks = the clicks alone; “sightline height” computes the same heights from them
 export-contents-vehicles = make, model, year, manufacturer’s height and its source, lighting
 export-contents-recordings = file hashes, and the time stamp and checksum of each frame measured on
-export-contents-poses = where the camera stood and what its lens does, as tables and as JSON
-export-contents-classes = classes of vehicles with their sets; the vehicles that statistics and report are of
-export-contents-insets = insets in force; both tyres of a vehicle, for its direction of travel
-export-contents-reviews = who accepted, fixed or rejected what, and why; what was clicked again
+export-contents-poses = camera poses and lens parameters, as tables and as JSON
+export-contents-classes = vehicle classes with their sets; the vehicles that statistics and report cover
+export-contents-insets = current insets; wheel pairs, for the travel direction
+export-contents-reviews = verdicts and reasons, and the blind repeats
 export-contents-audit = each change with its hash; the chain can be checked
 export-contents-datapackage = name, unit and meaning of every column (Frictionless Data)
 
 ## Proposals: why a point of a passing vehicle is not proposed (kept by key)
 
-proposals-not-across = The vehicle goes down or up the picture; contacts and heights want one that goes across.
-proposals-no-empty-road = There are too few frames before and after the vehicle to tell the empty road.
-proposals-rear-not-in-view = The vehicle’s rear end is not in view.
-proposals-not-one-vehicle = The wheels found on several frames do not belong to one vehicle.
-proposals-headlight-by-hand = The middle of a headlight is not found well enough yet; click it yourself.
-proposals-eye-by-hand = A driver’s eye behind glass is not found well enough yet; click it yourself.
+proposals-not-across = The vehicle moves up or down the frame. Suggestions need one that crosses it.
+proposals-no-empty-road = Too few frames before and after the vehicle show the empty road.
+proposals-not-one-vehicle = The wheels found on different frames do not belong to one vehicle.
 proposals-wheels-on-few-frames = Wheels stand out from shadow and body on too few frames.
-proposals-halves-disagree = Two halves of the frames do not agree on it.
-proposals-roof-from-above = The camera looks down on this roof, so its near edge is no outline; click it yourself.
 proposals-wheel-on-best-frame = This wheel does not stand out from shadow and body on the best frame.
-proposals-not-in-picture = It is not in the picture on the frame that shows most.
-proposals-roof-not-one-line = The roof’s edge is not one line here.
-proposals-vehicle-not-distinct = The vehicle does not stand out from what is behind it.
-proposals-roof-not-in-picture = The roof is not in the picture on these frames.
-proposals-roof-not-distinct = The roof does not stand out from what is behind it.
-proposals-rear-not-in-picture = The vehicle’s rear end is not in the picture on these frames.
-proposals-no-red = No lamp stands out in red at the rear end.
-proposals-red-not-a-lamp = What is red at the rear end has not the size of a lamp.
-proposals-lamp-small = The rear lamp is too small here.
-proposals-lamp-edge = The lower edge of the rear lamp does not stand out.
+proposals-not-in-picture = It is outside the frame on the best frame.
 proposals-no-wheel = No wheel stands out from shadow and body on these frames.
-proposals-no-height = No height follows from this point; click it yourself.
+proposals-no-height = This point gives no height; click it yourself.
+proposals-roof-not-seen = The roof’s near edge was detected on too few frames; click it yourself.
+proposals-taillight-not-seen = The rear lamp was detected on too few frames; click its lower edge yourself.
+proposals-headlight-by-hand = The middle of a headlight cannot be found reliably yet; click it yourself.
+proposals-eye-not-seen = The driver’s eye was detected on too few frames; if you see it, click it yourself.
+proposals-hidden-here = It is not visible on the best frame.
+proposals-no-contact = No tyre contact is suggested on this frame, so no height would follow; click both yourself.
+proposals-too-uncertain = It was not located precisely enough for a height; click it yourself.
 
 
 ## Proposals: the job, and what is refused
 
-proposals-looking = Looking for what to propose.
-proposals-made = { $some } of { $passes ->
-    [one] 1 pass has
-   *[other] { $passes } passes have
-  } proposals, { $points ->
-    [one] 1 point
-   *[other] { $points } points
-  } in all.
-proposals-cancelled = The work on proposals was cancelled; what was proposed before stays. Start it again when you like.
-proposals-being-made-already = Proposals for { $name } are being made already; wait for that.
-proposals-no-found-passes = { $name } has no passes that were found by Sightline; let the passes be found first.
-measurements-proposals-not-these = These are not the points that are proposed on this frame now: the proposals were made again. Look at them and confirm again.
+proposals-looking = Searching for points to suggest.
+proposals-made = Suggestions in { $some } of { $passes } passes, points in all: { $points }.
+proposals-cancelled = Suggesting points was cancelled; earlier suggestions are kept. You can start it again.
+proposals-being-made-already = Points are already being suggested for { $name }; wait until that has finished.
+proposals-no-found-passes = { $name } has no passes found by Sightline. Find the passes first.
+snap-measured-free = This vehicle was drawn to be measured without suggestions.
+anchoring-too-few = Too few: five vehicles of each kind are needed.
+proposals-withheld = Suggestions are hidden for this vehicle, drawn at random to learn how much they influence people. Click it yourself.
+proposals-somebody-changed-plan = The share of vehicles with suggestions hidden was changed meanwhile. Check it and choose again.
+proposals-plan-one-in = Hide the suggestions for one vehicle in 2 to { $most }, or for none (0).
+measurements-not-where-click-goes = The contact is not where Sightline now places such a click: the camera pose or the suggestions changed. Click the contact again.
+snap-no-tyre = No tyre on the road was found at this click; the click is kept as it is.
+snap-out-of-reach = The nearest tyre found is too far from this click; the click is kept as it is.
+snap-not-sure = A tyre was found near this click, but not reliably enough; the click is kept as it is.
+measurements-proposals-not-these = These points are out of date: the suggestions were made again. Check and confirm them again.
 
 
 ## Errors: cameras
 
-cameras-charuco-board-needs-dictionary-markers-side = A ChArUco board needs the dictionary of its markers, the side of a marker and the side of a square; give all three.
-cameras-plain-checkerboard-no-markers-choose-charuco = A plain checkerboard has no markers; choose ChArUco as the kind of board, or leave out dictionary and marker.
+cameras-charuco-board-needs-dictionary-markers-side = A ChArUco board needs the dictionary of its markers, the marker side and the square size; give all three.
+cameras-plain-checkerboard-no-markers-choose-charuco = A checkerboard has no markers; choose ChArUco as the kind of board, or leave out dictionary and marker.
 cameras-frames-not-recording-frames-0 = Frames { $first } to { $last } are not in the recording; it has frames 0 to { $frame_count }.
-cameras-every-th-frame-would-views-take = Every { $every }th frame would be { $count } views; take every { $least }th or fewer frames.
-cameras-too-large-calibration-file-choose-file = { $file_name } is too large for a calibration file; choose the file that holds the intrinsics.
+cameras-every-th-frame-would-views-take = Every { $every }th frame gives { $count } views; take every { $least }th frame or fewer frames.
+cameras-too-large-calibration-file-choose-file = { $file_name } is too large for a calibration file; choose the file with the intrinsics.
 cameras-not-text-file-choose-calibration-yaml = { $file_name } is not a text file; choose a calibration as YAML, JSON or cameramodel.
 cameras-not-file-give-picture-files-clip = { $path } is not a file; give picture files or a clip.
 cameras-choose-calibration-give-pictures-width-height = Choose a calibration, or give the picture's width and height in pixels and its horizontal field of view in degrees.
 cameras-calibration-belongs-another-survey-choose-one = Calibration { $calibration_id } belongs to another survey; choose one of this survey's cameras.
-cameras-cameras-csv-not-what-audit = cameras.csv: camera { $id } is not what its audit events made of it; the table was changed.
-cameras-calibration-of-another-camera = calibrations.csv: { $id } names its camera otherwise than the audit events; the table was changed.
-cameras-taken-without-calibration = The camera { $camera } has no calibration yet, so there is nothing to take over; calibrate it in its own survey, or add it here as a new camera.
-cameras-taken-from-itself = The camera { $camera } is this survey’s own; choose one of another survey.
-cameras-camera-needs-name-fill = A camera needs a name; fill it in.
+cameras-cameras-csv-not-what-audit = cameras.csv: camera { $id } differs from its audit events; the table was changed.
+cameras-calibration-of-another-camera = calibrations.csv: { $id } names another camera than the audit events; the table was changed.
+cameras-taken-without-calibration = Camera { $camera } has no calibration to copy; calibrate it in its own survey, or add it here as a new camera.
+cameras-taken-from-itself = Camera { $camera } belongs to this survey already; choose one of another survey.
+cameras-camera-needs-name-fill = A camera needs a name; enter one.
 cameras-calibration-belongs-another-camera-choose-one = Calibration { $calibration_id } belongs to another camera; choose one of this camera's.
-cameras-image-without-board-needs-reason-why = An image without a board needs the reason why; say what was looked for.
+cameras-image-without-board-needs-reason-why = An image without a board needs a reason; state what was searched for.
+commands-baseline-or-rig = Give either --baseline (with --u-baseline) or --rig.
 
 ## Errors: commands
 
@@ -3627,11 +4294,12 @@ commands-empty-give = { $path } is empty; give { $what }.
 commands-no-column-give = { $path } has no column { $missing }; give { $what }{ $hint }.
 commands-column-more-once-name-each-column = { $path } has the column { $twice } more than once; name each column once.
 commands-not-readable-csv-table-give = { $path } is not a readable CSV table ({ $problem }); give { $what }.
-commands-not-percentile = “{ $part }” is no percentile; give numbers between 0 and 100, such as --percentile 2.5,10,50.
+commands-not-percentile = “{ $part }” is not a percentile; give numbers between 0 and 100, such as --percentile 2.5,10,50.
 commands-not-csv = { $path } cannot be read as a table ({ $why }); give { $what }.
-commands-no-row-with-height = { $path } has no row with a height; give one with rows whose status is ok.
-commands-distribution-needs-column = { $path } has no column { $name }; give a heights.csv that has it.
-commands-row-not-length = { $where }: { $name } “{ $cell }” is no length in metres that can be; correct the cell.
+commands-no-row-with-height = { $path } has no row with a height; give a file with rows whose status is ok.
+commands-distribution-needs-column = { $path } has no column “{ $name }”; give a heights.csv with this column.
+commands-rig-file-no-rig = { $path } is not a rig: a JSON object with baseline_m, as `sightline rig calibrate -o` writes it, and with lanes that have a distance_m each.
+commands-row-not-length = { $where }: { $name } “{ $cell }” is not a possible length in metres; correct the cell.
 commands-no-column-give-heights-csv-made = { $path } has no column { $missing }; give a heights.csv made from clicks with reference_height_m.
 commands-cannot-read-csv-text-give-heights = { $path } cannot be read as CSV text; give a heights.csv of sightline height.
 commands-larger-200-mb-give = { $path } is larger than 200 MB; give { $what }.
@@ -3640,27 +4308,42 @@ commands-not-utf-8-text-give-saved = { $path } is not UTF-8 text; give { $what }
 commands-cannot-read-give = { $path } cannot be read ({ $strerror }); give { $what }.
 commands-not-readable-json-give = { $path } is not readable JSON; give { $what }.
 commands-cannot-written-choose-another-place = { $path } cannot be written ({ $strerror }); choose another place.
-commands-stream-empty = Standard input ended before one pair of lines ({ $pair_bytes } bytes) had come; start the cameras first, and check --rows.
+commands-stream-camera-missing = Camera { $name } cannot be opened ({ $error }); check its cable, power and address, and that no other program uses it.
+commands-stream-camera-rows = Camera { $name } delivers lines of { $width } pixels, but { $rows } were requested; give --rows { $width }, or change the camera setting.
+commands-stream-empty = Standard input ended before one pair of lines ({ $pair_bytes } bytes) arrived; start the cameras first, and check --rows.
+commands-stream-follow-missing = { $path } cannot be read ({ $strerror }); give the file that the cameras' program is writing.
+commands-stream-no-aravis = GigE Vision cameras need Aravis and PyGObject, which are not installed ({ $error }); install gir1.2-aravis-0.8 and python3-gi, or give the lines on standard input.
+commands-stream-other-rig = { $path } holds an interrupted stream (segment { $number }) recorded with other rows or another rig; start it with the same options to resume it, or choose another --spool.
+commands-stream-spool-taken = Another stream writes into { $path }; give this one another --spool.
+commands-stream-two-cameras = Give --camera twice, first the camera that vehicles reach first, and no --follow with it.
 commands-cannot-written-because-disk-full-free = { $path } cannot be written because the disk is full; free some space.
 commands-charuco-marker-go-together-give-dictionary = --charuco and --marker go together; give the dictionary and the marker's side.
-commands-board-not-form-9x6-count-inner = --board { $text } is not of the form 9x6; count the inner corners across and down.
-commands-size-not-form-1920x1080-give-width = --size { $text } is not of the form 1920x1080; give width and height in pixels.
+commands-board-not-form-9x6-count-inner = --board { $text } does not have the form 9x6; count the inner corners across and down.
+commands-size-not-form-1920x1080-give-width = --size { $text } does not have the form 1920x1080; give width and height in pixels.
 commands-give-contact-x-y-target-x = Give --contact X,Y and --target X,Y, or --clicks with a CSV file.
 commands-sigma-inset-u-inset-must-finite = --sigma, --inset and --u-inset must be finite numbers, --sigma and --u-inset not negative; correct them.
-commands-give-o-heights-csv-write = Give -o with the heights.csv to write.
-commands-not-form-x-y-give-two = { $option } { $text } is not of the form X,Y; give two numbers of pixels.
+commands-give-o-heights-csv-write = Name the heights.csv to write with -o.
+commands-not-form-x-y-give-two = { $option } { $text } does not have the form X,Y; give two numbers in pixels.
 commands-problem = { $names }: { $message }
+measurements-followed-not-readable = The followed points of a measurement cannot be read; they were changed.
+measurements-followed-and-clicked = A pass is followed from the points on one frame; remove the other frames first.
+measurements-not-followed = The vehicle cannot be followed: { $reason }
+commands-follow-none = The vehicle cannot be followed: { $reason }
+commands-tracks-alone = Give only one of these: --tracks; --contact and --target; --clicks.
+commands-tracks-point = Row { $row } of { $path }: the point { $point } is not one of { $points }; correct the cell.
+commands-tracks-frame = Row { $row } of { $path }: the frame is not a whole number; correct the cell.
+commands-tracks-number = Row { $row } of { $path }: the cell { $name } is not a finite number; correct the cell.
 commands-give-either-contact-target-clicks-not = Give either --contact and --target or --clicks, not both.
 commands-no-effect-here-use-instead = --{ $name } has no effect here; use { $instead } instead.
-commands-cannot-written-folder-not-exist-choose = { $output } cannot be written, its folder does not exist; choose another place.
+commands-cannot-written-folder-not-exist-choose = { $output } cannot be written because its folder does not exist; choose another place.
 commands-given-twice-give-strips-both-cameras = { $first } is given twice; give the strips of both cameras.
-backup-none-here = { $folder } holds no whole backup (no manifest.json); run sightline backup into it again, or name another folder.
-backup-other-format = { $folder } holds a backup of another format; use the version of Sightline that made it.
-backup-manifest-damaged = { $path } is not what the backup wrote; use another backup.
-backup-file-missing = { $name } is missing from the backup; use another backup, or run sightline backup into it again.
-backup-file-changed = { $name } of the backup is not the file that was backed up; use another backup.
-backup-folder-holds-other-things = { $folder } holds other things than a backup; choose an empty folder or an earlier backup.
-backup-folder-in-data-folder = { $folder } and the data folder hold each other; choose a folder elsewhere, on another disk at best.
+backup-none-here = { $folder } holds no complete backup (no manifest.json); run sightline backup again, or name another folder.
+backup-other-format = { $folder } holds a backup in another format; use the version of Sightline that made it.
+backup-manifest-damaged = { $path } was changed after the backup; use another backup.
+backup-file-missing = { $name } is missing from the backup; use another backup, or run sightline backup again.
+backup-file-changed = { $name } in the backup is not the file that was backed up; use another backup.
+backup-folder-holds-other-things = { $folder } holds files that are not a backup; choose an empty folder or an earlier backup.
+backup-folder-in-data-folder = One of { $folder } and the data folder lies within the other; choose a separate folder, preferably on another disk.
 backup-under-way = Another backup is being written to { $folder }; wait until it ends.
 backup-database-not-copied = The database { $path } could not be copied ({ $said }); try again.
 backup-of-another-installation = The folder holds a backup of another installation, or of a later state than this; choose another folder.
@@ -3669,11 +4352,11 @@ backup-rows-do-not-fit = The rows of { $name } in the backup do not fit their ta
 backup-other-kind-of-database = The backup is of a { $kind } database and is restored into that kind only; set SIGHTLINE_DATABASE_URL accordingly.
 backup-place-not-empty = { $place } is not empty; restore into a new or empty place.
 backup-database-not-empty = The PostgreSQL database already has tables; restore into an empty one.
-backup-chains-end-elsewhere = The audit chains in the backup's database do not end where its manifest says; use another backup.
+backup-chains-end-elsewhere = The audit chains in the backup's database do not end as its manifest states; use another backup.
 backup-chain-broken = The database in the backup does not verify: { $problem }
 backup-media-missing = { $count ->
-    [one] The backup is whole, but a media file that the database names is not in the media store: { $names }
-   *[other] The backup is whole, but { $count } media files that the database names are not in the media store, such as { $names }
+    [one] The backup is complete, but a media file that the database refers to is not in the media store: { $names }
+   *[other] The backup is complete, but { $count } media files that the database refers to are not in the media store, such as { $names }
  }; look for it in an earlier backup.
 
 commands-no-database-name-folder-data-dir = There is no database at { $path }; name its folder with --data-dir.
@@ -3683,14 +4366,15 @@ commands-speed-speed-error-line-rate-u = --speed, --speed-error, --line-rate and
 commands-give-camera-height-distance-baseline-line = Give --camera-height and --distance; or --baseline for a line scan.
 commands-line-scans-plan-needs-speed-speed = A line scan's plan needs --speed and --speed-error beside --baseline.
 commands-numbers-plan-must-finite = The numbers of a plan must be finite.
-commands-line-scan-planned-without-camera-place = A line scan is planned without a camera and its place; leave those options out.
-commands-metrics-port-cannot-be-used = Metrics cannot be shown on port { $port } of { $host } ({ $why }); choose another with SIGHTLINE_METRICS_PORT.
-commands-another-server-has-folder = Another server works with the folder { $folder }; stop it, or give this one a folder of its own with --data-dir.
-commands-folder-cannot-written = Nothing can be written to the folder { $folder } ({ $why }); check its permissions and the disk, or name another with --data-dir.
+commands-line-scan-planned-without-camera-place = A line scan is planned without a camera and its position; leave those options out.
+commands-metrics-port-cannot-be-used = Metrics cannot be served on port { $port } of { $host } ({ $why }); choose another with SIGHTLINE_METRICS_PORT.
+commands-another-server-has-folder = Another server is using the folder { $folder }; stop it, or give this one its own folder with --data-dir.
+commands-folder-cannot-written = The folder { $folder } cannot be written ({ $why }); check its permissions and the disk, or name another with --data-dir.
 commands-port-cannot-used-choose-another-port = Port { $port } on { $host } cannot be used ({ $why }); choose another with --port.
-commands-option-not-negative = { $option } must be a finite number, not negative; correct it.
+commands-option-not-negative = { $option } must be a finite number of 0 or more; correct it.
 commands-row-without-pass = { $path }, row { $row }: the cell pass is empty; name the pass of every point.
 commands-row-cells = { $path }, row { $row } has { $cells } cells, the header has { $columns }; correct the row.
+commands-column-twice = { $path } has two columns { $name }; keep the one that counts.
 commands-problem-2 = { $place }: { $problem }
 commands-distance-or-speed = Give either --distance or --speed, not both.
 commands-grade-difference-needs-distance = --grade-difference needs a sight distance; give --distance or --speed too.
@@ -3698,55 +4382,58 @@ commands-not-exist-name-database-data-folder = { $place } does not exist; name a
 
 ## Errors: demo
 
-demo-drawing-demonstration-stopped-middle-start-server = Drawing the demonstration stopped in the middle; start the server again.
+demo-drawing-demonstration-stopped-middle-start-server = Rendering the demonstration stopped before it was finished; start the server again.
+demo-no-sample-pictures = There are no sample pictures, because there is no demonstration; create it with sightline demo.
 
 ## Errors: export
 
-export-crop-could-not-encoded-export-survey = A crop could not be encoded; export the survey again.
-export-frame-stored-video-not-one-clicked = Frame { $frame } of the stored video is not the one that was clicked on.
-export-not-follow-these-statistics-put = { $strange } does not follow from these statistics; it was put in.
-export-no-row-crops-csv-put = { $there } is in no row of crops.csv; it was put in.
+export-crop-could-not-encoded-export-survey = An image could not be encoded; export the survey again.
+export-frame-stored-video-not-one-clicked = Frame { $frame } of the stored video is not the frame that was clicked on.
+export-not-follow-these-statistics-put = { $strange } does not follow from these statistics; it was added.
+export-no-row-crops-csv-put = { $there } is in no row of crops.csv; it was added.
 export-crops-csv-other-points-frames-measurement = crops.csv: { $path } has other points or frames than its measurement; one is wrong.
-export-not-one-whose-hash-crops-csv = { $path } is not the one whose hash crops.csv holds; it was exchanged.
-export-no-picture-size-crops-csv-tells = { $path } is no picture of the size that crops.csv tells; it was exchanged.
+export-not-one-whose-hash-crops-csv = { $path } does not have the hash stated in crops.csv; it was replaced.
+export-no-picture-size-crops-csv-tells = { $path } is not a picture of the size stated in crops.csv; it was replaced.
 export-not-show-points-measurement-changed = { $overlay } does not show the points of its measurement; it was changed.
 export-cannot-read-take-whole-export-again = { $description } cannot be read; take the whole export again.
-export-another-files-chain-changed = { $description } has another { $name } than the files and the chain; it was changed.
-export-describes-otherwise-program-changed = { $description } describes { $named } otherwise than this program; it was changed.
+export-another-files-chain-changed = { $description } states another { $name } than the files and the chain; it was changed.
+export-describes-otherwise-program-changed = { $description } describes { $named } differently from this program; it was changed.
 export-too-rows-changed = { $path } has too { $value } rows; it was changed.
-export-not-one-these-rows-statistics-give = { $path } is not the one that these rows and statistics give; it was replaced.
-export-line-says-rows-give-one-wrong = { $path }, line { $at }: { $name } says { $told }, the rows give { $found }; one is wrong.
+export-not-one-these-rows-statistics-give = { $path } is not what these rows and statistics give; it was replaced.
+export-line-says-rows-give-one-wrong = { $path }, line { $at }: { $name } states { $told }, the rows give { $found }; one is wrong.
 export-missing-named-twice-crops-csv-take = { $path } is missing or named twice in crops.csv; take the whole export again.
-export-first-characters-head-prove-little-give = The first { $count } characters of a head prove little; give at least { $least_of_head }.
-export-audit-csv-ends-not-head-kept = audit.csv ends with { $head }, not with the head that was kept: it was written anew, or this is another export.
-export-no-no-whole-export-export-survey = There is no { $checksums }, so this is no whole export; export the survey again.
-export-not-belong-export-take-out-check = { $strange } does not belong to the export; take it out and check again.
+export-first-characters-head-prove-little-give = The audit head is too short ({ $count } characters). Enter at least { $least_of_head }.
+export-audit-csv-ends-not-head-kept = audit.csv ends with { $head }, not with the given audit head: it was rewritten, or this is another export.
+export-no-no-whole-export-export-survey = There is no { $checksums }, so this is not a complete export; export the survey again.
+export-not-belong-export-take-out-check = { $strange } does not belong to the export; remove it and check again.
 export-changed-after-export-take-whole-export = { $path } was changed after the export; take the whole export again.
 export-checkpoint-form = checkpoint.json is not written as this program writes it; take the whole export again.
-export-checkpoint-signature = checkpoint.json carries another signature than its key gives; it was changed.
+export-checkpoint-signature = checkpoint.json carries a signature that its key does not give; it was changed.
 export-checkpoint-other-chain = checkpoint.json does not vouch for the end of audit.csv; one was changed.
-export-checkpoint-keys = checkpoint.json does not tell how its key followed from the ones before; it was changed.
-export-checkpoint-other-key = The package was signed with key { $key } and not with the key that was given; it is another installation's or forged.
-export-key-too-short = The first characters of a key prove little; give { $least } or more.
+export-checkpoint-keys = checkpoint.json does not show how its key follows from the earlier keys; it was changed.
+export-checkpoint-other-key = The package was signed with key { $key }, not with the given key; it is from another installation, or forged.
+export-key-too-short = The key is too short. Enter at least its first { $least } characters.
 export-no-seal = audit.csv does not end with the event that seals the package: it was cut off or changed; take the whole export again.
 export-page-not-described = { $path } is not described by datapackage.json, or missing although it is; take the whole export again.
 export-page-another-program = { $path } is not the page that datapackage.json names; take the whole export again.
 export-page-carries-another = The page carries another { $path } than the package; take the whole export again.
-export-not-the-file-that-the-seal-names = { $path } is not what the package's seal, the last event of audit.csv, says: it was changed, taken out or put in after the export, and the sums with it.
-export-event-of-another-survey-or-time = audit.csv: event { $number } is told or withheld where the package's seal says otherwise, or the chain does not begin with the survey; audit.csv was changed after the export.
+export-not-the-file-that-the-seal-names = { $path } is not what the package's seal, the last event of audit.csv, states: it was changed, removed or added after the export, and the checksums with it.
+export-event-of-another-survey-or-time = audit.csv: event { $number } is shown or withheld against the package's seal, or the chain does not begin with the survey; audit.csv was changed after the export.
 
 ## Errors: geometry
 
+geometry-too-few-pictures = Only { $used } of { $given } pictures can be used and at least { $least } are needed; take more pictures of the whole board, from different sides.
+geometry-too-few-pictures-why = Only { $used } of { $given } pictures can be used and at least { $least } are needed; take more pictures of the whole board, from different sides. { $file }: { $reason }
 geometry-board-x-inner-corners-cannot-used = A board of { $columns }x{ $rows } inner corners cannot be used; count the inner corners (where four squares meet), 3 to 60 in each direction.
-geometry-square-m-cannot-right-give-side = A square of { $square_m } m cannot be right; give the side of one square in metres.
+geometry-square-m-cannot-right-give-side = A square of { $square_m } m is not plausible; give the side of one square in metres.
 geometry-model-could-not-fitted-these-views = The { $model } model could not be fitted to these views; add views from different sides or use the other model.
 geometry-x-px-camera-calibrated-x-px = { $what } is { $width_px }x{ $height_px } px but the camera was calibrated at { $width_px_2 }x{ $height_px_2 } px; use a calibration made at the recording's size.
-geometry-no-dictionary-markers-one-maker-board = { $dictionary } is no dictionary of markers; it is one of { $dictionaries }, as the maker of the board states.
-geometry-markers-m-not-go-squares-m = Markers of { $marker_m } m do not go with squares of { $square_m } m; give the side of the black marker, which is smaller than its square.
-geometry-board-x-inner-corners-markers-holds = A board of { $columns }x{ $rows } inner corners has { $needed } markers and { $dictionary } holds { $held }; choose the dictionary that the board was made with.
-adjustment-nothing-uncertain = the pose states no uncertainty of its own and none of a board, so the traffic could change nothing; make it with sightline pose.
-adjustment-contradictory = { $out } of { $passes } passes contradict the rest; check the known lengths, their uncertainties and which points were followed.
-adjustment-does-not-settle = the passes do not settle on one pose; check that each point follows the same place of its vehicle.
+geometry-no-dictionary-markers-one-maker-board = { $dictionary } is not a marker dictionary; use one of { $dictionaries }, as stated by the maker of the board.
+geometry-markers-m-not-go-squares-m = Markers of { $marker_m } m do not fit squares of { $square_m } m; give the side of the black marker, which is smaller than its square.
+geometry-board-x-inner-corners-markers-holds = A board of { $columns }x{ $rows } inner corners has { $needed } markers, but { $dictionary } has { $held }; choose the dictionary that the board was made with.
+adjustment-nothing-uncertain = the pose states neither its own uncertainty nor the board's, so the traffic cannot change anything; make it with sightline pose.
+adjustment-contradictory = { $out } of { $passes } passes contradict the others; check the known lengths, their uncertainties and which points were followed.
+adjustment-does-not-settle = the passes do not converge to one pose; check that each point follows the same place of its vehicle.
 geometry-must-correct-key-make-file-again = { $what }: '{ $key }' must be { $wanted }; correct that key or make the file again.
 geometry-must-json-object-write-sightline-see = { $what } must be a JSON object; write it with sightline or see docs/formats.md.
 geometry-distortion-model-not-supported-plumb-bob = { $file_name }: the distortion model '{ $word }' is not supported; plumb_bob, rational_polynomial, radtan, equidistant and fisheye are.
@@ -3761,7 +4448,7 @@ geometry-camera-model-not-supported-calibrate-pinhole = { $file_name }: the came
 geometry-intrinsics-must-four-numbers-fu-fv = { $file_name }: intrinsics must be four numbers, fu fv pu pv.
 geometry-lens-model-not-supported-convert-mrcal = { $file_name }: the lens model { $word } is not supported; convert it with mrcal-convert-lensmodel to LENSMODEL_OPENCV8.
 geometry-needs-intrinsics-file = { $file_name }: { $word } needs { $value } intrinsics, the file has { $count }.
-geometry-not-say-how-large-pictures-add = { $file_name } does not say how large the pictures are; add image_width and image_height to it.
+geometry-not-say-how-large-pictures-add = { $file_name } does not state the picture size; add image_width and image_height to it.
 geometry-focal-lengths-must-positive-numbers-pixels = { $file_name }: the focal lengths must be positive numbers of pixels.
 geometry-principal-point-lies-far-outside-picture = { $file_name }: the principal point lies far outside the picture; correct the image size.
 geometry-thin-prism-tilt-coefficients-not-supported = { $file_name }: thin-prism and tilt coefficients are not supported; calibrate with at most eight.
@@ -3774,21 +4461,21 @@ geometry-fisheye-model-needs-four-coefficients-file = { $file_name }: a fisheye 
 geometry-board-found-none-frames = The board was found in none of the { $count } frames. { $reason }
 geometry-no-pose-fits-corners-check-camera = No pose fits the corners; check that the camera file belongs to this recording and that the whole board lies within the lens's valid radius.
 geometry-reference-height-boards-uncertainties-must-numbers = The reference height and the board's uncertainties must be numbers, in metres and radians, the uncertainties not negative.
-geometry-reference-row-m-above-road-cannot = A reference row { $height_m } m above the road cannot be right; give the height of the { $side } row of inner corners above the road in metres.
-geometry-board-camera-moves-during-these-frames = The board or the camera moves during these frames (by up to { NUMBER($moved_px, minimumFractionDigits: 1, maximumFractionDigits: 1) } px); pick a span, or a single frame, in which both stand still.
+geometry-reference-row-m-above-road-cannot = A reference row { $height_m } m above the road is not plausible; give the height of the { $side } row of inner corners above the road in metres.
+geometry-board-camera-moves-during-these-frames = The board or the camera moves during these frames (by up to { NUMBER($moved_px, minimumFractionDigits: 1, maximumFractionDigits: 1) } px); choose frames, or a single frame, in which both are at rest.
 geometry-corners-not-fit-camera-model-residual = The corners do not fit the camera model (residual { NUMBER($rms, minimumFractionDigits: 1, maximumFractionDigits: 1) } px); the camera file belongs to another camera or zoom, or the board is bent.
-geometry-board-seen-edge-turn-towards-camera = The board is seen edge-on; turn it towards the camera, at least 10 degrees.
-geometry-board-lies-on-road = The board seems to lie on the road; stand it up at right angles to the road, its rows level, or measure the height of the row of corners that you named.
+geometry-board-seen-edge-turn-towards-camera = The board is seen edge-on; turn it towards the camera by at least 10 degrees.
+geometry-board-lies-on-road = The board seems to lie on the road; stand it perpendicular to the road, with its rows level, or measure the height of the row of corners that you named.
 geometry-reference-height-m-puts-camera-below = The reference height of { $height_m } m puts the camera below the road; give the height of the { $side } row of inner corners above the road, in metres.
-geometry-picture-x-px-cannot-planned-give = A picture of { $width_px } x { $height_px } px cannot be planned with; give a width and a height from 16 to 16384.
-geometry-horizontal-field-view-degrees-cannot-planned = A horizontal field of view of { $degrees } degrees cannot be planned with; give one from 5 to 150.
-geometry-cannot-planned-give-one = A { $what } of { $value } { $unit } cannot be planned with; give one from { $least } to { $most }.
+geometry-picture-x-px-cannot-planned-give = A picture of { $width_px } x { $height_px } px is out of range; give a width and a height from 16 to 16384.
+geometry-horizontal-field-view-degrees-cannot-planned = A horizontal field of view of { $degrees } degrees is out of range; give 5 to 150.
+geometry-cannot-planned-give-one = A { $what } of { $value } { $unit } is out of range; give { $least } to { $most }.
 
 ## Errors: audit
 
 audit-signing-key-unreadable = { $path } holds no signing key (64 hexadecimal digits); put it back from a backup.
 audit-signing-key-another = This machine's signing key is not the one that the database was signed with; put signing.key back from a backup, or give all machines the same SIGHTLINE_SIGNING_KEY.
-audit-database-made-another-version-verify-one = This database was made by another version; verify it with that one, or open it once with this one (`sightline serve`), which brings it up to date.
+audit-database-made-another-version-verify-one = This database was made by another version; verify it with that version, or open it once with this one (`sightline serve`), which updates it.
 audit-not-sightline-database-name-sightline-db = { $name } is not a Sightline database; name the sightline.db of a data folder.
 
 ## Errors: csv_package
@@ -3798,424 +4485,472 @@ csv_package-audit-csv-event-not-one-hashed = audit.csv: event { $number } is not
 csv_package-missing-take-whole-export-again = { $path } is missing; take the whole export again.
 csv_package-file-name-folder-export-not-exist = { $target } is a file; name a folder for the export that does not exist yet.
 csv_package-holds-other-files-name-folder-empty = { $target } holds other files; name a folder that is empty or does not exist yet.
-csv_package-holds-file-twice-no-export-take = { $place } holds a file twice, so it is no export; take the export again.
+csv_package-holds-file-twice-no-export-take = { $place } contains a file twice, so it is not an export; get the export again.
 csv_package-cannot-read-export-name-folder-zip = { $place } cannot be read as an export; name its folder or ZIP.
-csv_package-parquet-and-csv-not-pairs = { $path } stands without its other form: every table of a package is there as CSV and as Parquet; take the whole export again.
+csv_package-parquet-and-csv-not-pairs = { $path } lacks its other form: a package has every table as CSV and as Parquet; take the whole export again.
 csv_package-parquet-described-otherwise = { $path } has other columns, units or meanings than datapackage.json describes; it was changed.
-csv_package-parquet-not-csv = { $path } is not what { $csv_path } holds: column { $name } differs at row { $at }; one was changed.
+csv_package-parquet-not-csv = { $path } differs from { $csv_path }: column { $name }, row { $at }; one was changed.
 csv_package-parquet-other-rows = { $path } does not have the rows of { $csv_path }; one was changed.
 csv_package-parquet-cannot-be-read = { $path } cannot be read as Parquet; take the whole export again.
-csv_package-cell-not-of-its-type = { $path } has a cell that is not of the type that datapackage.json gives its column; it was changed.
-csv_package-csv-of-another-form = { $path } is not written as Sightline writes a table (near line { $at }: another end of line, another quote): programs might read different things in it; take the whole export again.
-csv_package-zip-odd-entry = { $place } holds { $path }, which is no plain file of a package; take the whole export again.
-csv_package-zip-bomb = { $place }: { $path } would unpack to far more than any table holds; take the whole export again.
+csv_package-cell-not-of-its-type = { $path } has a cell that does not have the type stated in datapackage.json; it was changed.
+csv_package-csv-of-another-form = { $path } is not written as Sightline writes a table (near line { $at }: line ending or quotes differ), so programs might read it differently; take the whole export again.
+csv_package-zip-odd-entry = { $place } contains { $path }, which is not a plain file of a package; take the whole export again.
+csv_package-zip-bomb = { $place }: { $path } would unpack to far more than any table has; take the whole export again.
 csv_package-too-many-files = { $place } lists more files than a package can have; take the whole export again.
 csv_package-link = { $path } is a link, not a file (or a pipe or device): an export has none; take the whole export again.
-csv_package-json-of-another-form = { $path } is not written as Sightline writes JSON (a key twice, other blanks or numbers): programs might read different things in it; take the whole export again.
+csv_package-json-of-another-form = { $path } is not written as Sightline writes JSON (a key twice, other blanks or numbers), so programs might read it differently; take the whole export again.
 csv_package-other-columns-than-described = { $path } has other columns than datapackage.json describes ({ $column }): it was changed after the export.
 csv_package-cannot-read-csv-take-whole-export = { $path } cannot be read as CSV; take the whole export again.
 csv_package-cannot-unpacked-take-whole-export-again = { $path } cannot be unpacked; take the whole export again.
 csv_package-cannot-read-described-take-whole-export = { $path } cannot be read as it was described; take the whole export again.
 csv_package-row-too-long-too-short-changed = { $path } has a row that is too long or too short; it was changed.
-csv_package-without-audit-event-missing = { $path }: { $kind_name } { $odd } is there without its audit event, or is missing.
-csv_package-twice-one-put = { $path }: { $columns } { $values } is there twice; one was put in.
-csv_package-not-what-audit-event-says-changed = { $path } is not what its audit event says; it was changed.
-csv_package-not-one-audit-chain-vouches-changed = { $path_of } is not the one that the audit chain vouches for; it was changed.
-csv_package-made-others-another-time-says = { $path }: { $kind_name } { $id } was made by others or at another time than { $path_2 } says.
+csv_package-without-audit-event-missing = { $path }: { $kind_name } { $odd } has no audit event, or is missing.
+csv_package-twice-one-put = { $path }: { $columns } { $values } appears twice; one was added.
+csv_package-not-what-audit-event-says-changed = { $path } differs from its audit event; it was changed.
+csv_package-not-one-audit-chain-vouches-changed = { $path_of } is not the one recorded in the audit chain; it was changed.
+csv_package-made-others-another-time-says = { $path }: { $kind_name } { $id } has another author or time than { $path_2 } states.
 csv_package-differs-one-changed = { $path }: { $kind_name } { $id } differs from { $path_2 }; one was changed.
-csv_package-not-csv-row-taken-out-changed = { $path }: { $mine } { $values } is not in { $table }.csv; a row was taken out or changed.
+csv_package-not-csv-row-taken-out-changed = { $path }: { $mine } { $values } is not in { $table }.csv; a row was removed or changed.
 
 ## Errors: database
 
 database-database-not-supported-use-sqlite-file = A { $backend } database is not supported; use sqlite:///FILE or postgresql+psycopg://USER@HOST/NAME.
-database-database-not-answer-check-runs-address = The database does not answer; check that it runs and that its address is right.
+database-database-not-answer-check-runs-address = The database does not answer; check that it is running and that its address is right.
 database-memory-database-would-lost-name-file = An in-memory database would be lost; name a file, as in sqlite:///sightline.db.
-database-disk-full-nothing-saved-make-room = The disk is full, so nothing was saved; make room and try again.
+database-disk-full-nothing-saved-make-room = The disk is full, so nothing was saved; free some space and try again.
 database-database-busy-another-writer-try-again = The database is busy with another writer; try again in a moment.
 database-database-file-cannot-opened-writing-check = The database file cannot be opened for writing; check the folder's permissions.
 database-database-address-cannot-read-use-sqlite = The database address cannot be read; use sqlite:///FILE or postgresql+psycopg://.
 database-no-database-check-name = There is no database { $path }; check its name.
-database-file-not-database-program-give-right = This file is not a database of this program; give the right one.
+database-file-not-database-program-give-right = This file is not a Sightline database; give the right file.
 database-no-migrations-set-sightline-migrations-folder = There are no migrations in { $folder }; set SIGHTLINE_MIGRATIONS to the folder that has them.
 database-database-made-newer-version-update-one = The database was made by a newer version; update this one before opening it.
-database-no-may-been-removed-go-back = There is no { $word }{ $number }; it may have been removed, so go back and choose another.
+database-no-may-been-removed-go-back = There is no { $word }{ $number }; it may have been removed. Go back and choose another.
 
 ## Errors: jobs
 
-jobs-somebody-else-started-job-ask-them = Somebody else started this job; ask them or an operator to cancel it.
+jobs-somebody-else-started-job-ask-them = Another person started this job; ask them or an operator to cancel it.
 jobs-worker-knows-no-job-kind-start = This worker knows no job of kind { $kind_name }; start one of this version.
 jobs-job-went-another-worker-one-stops = Job { $id } went to another worker; this one stops.
-jobs-job-already-nothing-cancel = Job { $job_id } is { $state } already, so there is nothing to cancel.
+jobs-job-already-nothing-cancel = Job { $job_id } is already { $state }, so there is nothing to cancel.
 jobs-job-moved-meanwhile-nothing = Job { $id } moved on meanwhile; nothing to do.
 jobs-job-given-another-worker-one-stops = Job { $id } was given to another worker; this one stops.
 
 ## Errors: web
 
-web-server-busy = The server has more to do than it can at the moment; nothing was done, try again in a few seconds.
+web-server-busy = The server is busy and nothing was done; try again in a few seconds.
 web-you-not-signed-sign-try-again = You are not signed in; sign in and try again.
-members-last-manager = A survey keeps one manager; make somebody else its manager first.
-audit-problem-ask-admin = The audit trail does not hold; ask an administrator to check it.
-web-needs-role-you-ask-admin = This needs the role { $needed }, and you are { $role }; ask an admin for it.
+web-token-does-not-hold = This token is not valid: it is wrong, has expired or was revoked. Create a new one in Account.
+web-token-lacks-scope = This token has the scopes { $scopes }; this needs { $needed }. Create a token with that scope in Account.
+web-token-never = Tokens cannot do this; sign in in the browser and do it there.
+web-token-too-many-requests = More than { NUMBER($most) } requests within a minute with this token; wait a minute.
+members-last-manager = A survey needs a manager; make another member manager first.
+audit-checkpoint-none = This checkpoint does not exist: choose one from the list on the System page.
+audit-problem-ask-admin = The audit trail is not intact; ask an administrator to check it.
+web-needs-role-you-ask-admin = This needs the role { $needed }; your role is { $role }. Ask an administrator.
 web-larger-mb-make-smaller-try-again = { $name } is larger than { $most_bytes } MB; make it smaller and try again.
 
 ## Errors: linescan
 
 linescan-strips-rows-high-least-8-needed = The strips are { $rows } rows high; at least 8 are needed to find a vehicle.
 linescan-strips-differ-lines-rows-rows-expected = The strips differ: { $shape } and { $shape_2 } lines by rows, { $rows } rows expected; both cameras must record the same lines.
-linescan-cannot-used-give = { $name } of { $value } { $unit } cannot be used; give { $least } to { $most } { $unit }.
+linescan-cannot-used-give = { $name } of { $value } { $unit } is out of range; give { $least } to { $most } { $unit }.
+linescan-rig-pass = Pass { $name }: { $sentence }
+linescan-rig-common = Uncertainties of line rate, tape and speed are relative, from 0 to 0.1 (1e-4 is 0.01 %); correct them.
+linescan-lane-needs-name = A lane has no name; give it one.
+linescan-lanes-same-name = Two lanes are called { $name }, or a name begins or ends with a space; give each a name of its own.
+linescan-lane-rows-both = The lane { $name } has only one row of its tyres; give both, or neither.
+linescan-lane-rows-order = The rows of the lane { $name } are not in order; give the upper one first, 0 or more.
+linescan-rig-divergence-without-distance = A divergence needs the distance to the vehicles; give it, or leave out the divergence and its uncertainty.
+linescan-rig-few-passes = { $count } usable passes are too few for baseline and divergence; at least { $least } are needed, at two distances or more.
+linescan-rig-distances-alike = All passes are between { $nearest_m } and { $farthest_m } m away, too close to separate the baseline from the divergence; add passes at another distance, for example in the near and the far lane.
+linescan-rig-width-two-u = The board of { $width_m } m has two different uncertainties of its width; give the same in every row.
+linescan-rig-distance-two-u = The distance of { $distance_m } m has two different uncertainties; give the same in every row of this position.
+linescan-rig-contradict = The passes contradict each other (chi-square { $chi2 } with { $degrees } degrees of freedom): pass { $name } differs from the others by { $residual_mm } mm, where { $expected_mm } mm (U95) was expected. Measure it again, leave it out, or state larger uncertainties.
+rig-passes-too-many = { $name } has more than { $most } rows; give the passes of one calibration alone.
+rig-passes-columns = { $name } lacks columns; give distance_m and all columns of one method: { $ways }.
+rig-passes-problem = { $path }: { $message }{ $left }
+rig-no-lane = --distance { $text } is not a distance to a lane; give it in metres, and after a comma its u, such as 4.2 or 4.2,0.1.
+commands-option-above-zero = { $option } must be a finite number above 0; correct it.
 
 ## Errors: measurements
 
-measurements-vehicle-not-recording-choose-one-passes = The vehicle is not of this recording; choose one of its passes.
+measurements-vehicle-not-recording-choose-one-passes = The vehicle does not belong to this recording; choose one of its passes.
 measurements-frame-clicked-twice-click-two-points = Frame { $twice } is clicked twice; click the two points on another frame of the pass.
 measurements-point-not-any-picture-click-again = The { $word } point { $point }, { $point_2 } is not in any picture; click again.
-measurements-no-road-pose-yet-make-choose = { $name } has no road pose yet; make or choose one on the road pose page first.
-measurements-road-pose-pictures-x-px-not = The road pose of { $name } is for pictures of { $size_px } x { $size_px_2 } px, not for its own size; make or choose another one on the road pose page.
-measurements-frame-not-part-vehicle-go-frame = Frame { $frame } does not part vehicle { $number }; go to a frame after its first ({ $first_frame }) and up to its last ({ $last_frame }).
-measurements-only-two-passes-same-recording-joined = Only two passes of the same recording can be joined; choose another one.
+measurements-no-road-pose-yet-make-choose = { $name } has no camera pose yet; compute or choose one on the camera pose page first.
+measurements-road-pose-pictures-x-px-not = The camera pose of { $name } is for pictures of { $size_px } x { $size_px_2 } px, not for its own size; compute or choose another one on the camera pose page.
+measurements-frame-not-part-vehicle-go-frame = Frame { $frame } cannot split vehicle { $number }; go to a frame after its first ({ $first_frame }) and up to its last ({ $last_frame }).
+measurements-only-two-passes-same-recording-joined = Only passes of the same recording can be joined; choose another one.
 measurements-vehicles-both-measurements-measurement-stays-vehicle = Vehicles { $number } and { $number_2 } both have measurements, and a measurement stays with its vehicle; discard one of the passes instead.
 measurements-vehicle-measured-before-after-frame-measurement = Vehicle { $number } was measured before and after frame { $frame }, and a measurement stays with its vehicle; split at another frame.
-measurements-vehicles-csv-missing-though-audit-event = vehicles.csv: { $missing } is missing, though its audit event is there.
-measurements-vehicles-csv-not-what-audit-events = vehicles.csv: { $id } is not what its audit events say; it was changed.
+measurements-vehicles-csv-missing-though-audit-event = vehicles.csv: { $missing } is missing, although it has an audit event.
+measurements-vehicles-csv-not-what-audit-events = vehicles.csv: { $id } differs from its audit events; it was changed.
 measurements-measurement-withdrawn-restore-before-you-change = This measurement is withdrawn; restore it before you change it.
-measurements-repeat-stands-clicked-withdraw-click-again = A repeat stands as it was clicked; withdraw it and click it again.
-measurements-measurement-withdrawn-already-restore-use-again = This measurement is withdrawn already; restore it to use it again.
-adjusting-says-something-else-now = The traffic now says something else than was shown; look at it again.
-adjusting-not-an-adjusted-pose-in-force = This is not an adjusted pose in force, so there is nothing to take back.
-computing-undo-cannot-be-undone = An undo is not undone; compute the heights again instead.
-computing-undone-already = This was undone already; compute the heights again to have its heights back.
+measurements-repeat-stands-clicked-withdraw-click-again = A repeat cannot be changed; withdraw it and click it again.
+measurements-measurement-withdrawn-already-restore-use-again = This measurement is already withdrawn; restore it to use it again.
+adjusting-says-something-else-now = The adjustment has changed since it was shown; check it again.
+adjusting-not-an-adjusted-pose-in-force = This is not a current adjusted pose, so there is nothing to undo.
+computing-undo-cannot-be-undone = An undo cannot be undone; compute the heights again instead.
+computing-undone-already = This was already undone; compute the heights again to restore them.
 computing-undo-the-later-first = Heights were computed again at { $when }; undo that first.
-computing-computings-csv-not-what-event-says = computings.csv: { $id } is not what its audit event says; take the whole export again.
-computing-computing-made-other-revisions = computings.csv: { $id } made another number of revisions than it says; take the whole export again.
-computing-computing-missing = computings.csv: { $id } is missing, though its audit event is there; take the whole export again.
+computing-computings-csv-not-what-event-says = computings.csv: { $id } differs from its audit event; take the whole export again.
+computing-computing-made-other-revisions = computings.csv: { $id } made a different number of revisions than it states; take the whole export again.
+computing-computing-missing = computings.csv: { $id } is missing, although it has an audit event; take the whole export again.
 computing-verdict-went-over = revisions.csv: revision { $revision } of measurement { $name } has a verdict that was given to another height; take the whole export again.
 measurements-measurement-not-withdrawn-nothing-restore = This measurement is not withdrawn, so there is nothing to restore.
 measurements-deleted-vehicle-restore-first = { $name } deleted vehicle { $vehicle_number } at { $when }; restore it first.
-measurements-changed-measurement-utc-look-again = { $name } changed this measurement at { $created_at } UTC; look again.
+measurements-changed-measurement-utc-look-again = { $name } changed this measurement at { $created_at } UTC; reload it.
 measurements-repeat-needs-vehicle-target-measurement-repeats = A repeat needs the vehicle and the target of the measurement that it repeats.
-measurements-road-pose-belongs-another-survey-choose = Road pose { $pose_id } belongs to another survey; choose one of this survey's.
-measurements-measurement-without-height-needs-reason-why = A measurement without a height needs the reason why; compute it again.
-measurements-measurement-no-height-needs-reason-why = A measurement that has no height needs the reason why; compute it again.
-measurements-measurement-stored-another-vehicle-already-click = This measurement was stored for another vehicle already; click again.
+measurements-road-pose-belongs-another-survey-choose = Camera pose { $pose_id } belongs to another survey; choose one of this survey's.
+measurements-measurement-without-height-needs-reason-why = A measurement without a height needs a reason; compute it again.
+measurements-measurement-no-height-needs-reason-why = A measurement without a height needs a reason; compute it again.
+measurements-measurement-stored-another-vehicle-already-click = This measurement was already stored for another vehicle; click again.
 measurements-frame-not-picture-clicked-load-again = Frame { $frame } is not the picture that was clicked on; load it again.
-measurements-measurements-csv-lacks-measurement-revisions-csv = measurements.csv lacks a measurement that revisions.csv holds; one was taken out.
-measurements-says-clicks-give-one-wrong = { $name } says { $status }, its clicks give { $status_2 }; one is wrong.
+measurements-measurements-csv-lacks-measurement-revisions-csv = measurements.csv lacks a measurement of revisions.csv; one was removed.
+measurements-says-clicks-give-one-wrong = { $name } states { $status }, its clicks give { $status_2 }; one is wrong.
 measurements-names-another-pose-file-pose-changed = { $path }: { $id } names another pose file than its pose; it was changed.
-measurements-measurement-no-audit-event-revision-put = { $path }: measurement { $key } has no audit event for revision { $key_2 }; it was put in.
+measurements-measurement-no-audit-event-revision-put = { $path }: measurement { $key } has no audit event for revision { $key_2 }; it was added.
 measurements-measurement-differs-audit-event-changed = { $path }: measurement { $key } differs from its audit event; it was changed.
-measurements-revisions-csv-measurement-no-revisions-one = revisions.csv: measurement { $id } has no revisions; one was taken out.
-measurements-missing-no-road-pose-take-whole = { $path } is missing or is no road pose; take the whole export again.
-measurements-says-clicks-give-one-wrong-2 = { $name } says { $words } { $told }, its clicks give { $computed }; one is wrong.
+measurements-revisions-csv-measurement-no-revisions-one = revisions.csv: measurement { $id } has no revisions; one was removed.
+measurements-missing-no-road-pose-take-whole = { $path } is missing or is not a camera pose; take the whole export again.
+measurements-says-clicks-give-one-wrong-2 = { $name } states { $words } { $told }, its clicks give { $computed }; one is wrong.
 measurements-measurements-csv-another-last-revision = measurements.csv: { $id } has another { $column } than its last revision.
 measurements-another-measurements-csv-one-wrong = { $path }: { $id } has another { $name } than measurements.csv; one is wrong.
-measurements-where-belongs-row-taken-out-put = { $path } { $found } where { $name } belongs; a row was taken out or put in.
-measurements-not-measurements-csv-put = { $path }: { $row } is not in measurements.csv; it was put in.
+measurements-where-belongs-row-taken-out-put = { $path } { $found } where { $name } belongs; a row was removed or added.
+measurements-not-measurements-csv-put = { $path }: { $row } is not in measurements.csv; it was added.
 measurements-measurements-csv-u95-not-1-96 = measurements.csv: { $id } has a U95 that is not 1.96 u; one is wrong.
-measurements-budget-csv-contributions-give-m-measurements = budget.csv: the contributions to { $id } give { NUMBER($total, minimumFractionDigits: 6, maximumFractionDigits: 6) } m, measurements.csv says { NUMBER($told, minimumFractionDigits: 6, maximumFractionDigits: 6) } m; one is wrong.
+measurements-budget-csv-contributions-give-m-measurements = budget.csv: the contributions to { $id } give { NUMBER($total, minimumFractionDigits: 6, maximumFractionDigits: 6) } m, measurements.csv states { NUMBER($told, minimumFractionDigits: 6, maximumFractionDigits: 6) } m; one is wrong.
 measurements-budget-csv-not-what-audit-event = budget.csv: the contributions to { $id } differ from its audit event; one was changed.
 cameras-calibration-of-other-images = calibrations.csv: { $id } names other images than its audit events; take the whole export again.
-measurements-event-another-row = audit.csv: an event of measurement { $id } holds another row than it hashed; it was changed.
-measurements-events-two-frames = audit.csv: two events tell of frame { $frame } of recording { $recording } otherwise; one was changed.
-measurements-frames-csv-not-as-clicked = frames.csv: frame { $frame } of recording { $recording } is not what the audit events of its measurements say; it was changed.
-measurements-budget-csv-not-measurements-csv-put = budget.csv: { $next } is not in measurements.csv; it was put in.
-measurements-revisions-csv-revision-measurement-missing-though = revisions.csv: revision { $revision } of measurement { $number } is missing, though its audit event is there; it was taken out.
-measurements-clicked-another-frame-frames-csv-tells = { $path }: { $id } was clicked on another frame than frames.csv tells; one is wrong.
+measurements-event-another-row = audit.csv: an event of measurement { $id } contains another row than it hashed; it was changed.
+measurements-events-two-frames = audit.csv: two events describe frame { $frame } of recording { $recording } differently; one was changed.
+measurements-frames-csv-not-as-clicked = frames.csv: frame { $frame } of recording { $recording } differs from the audit events of its measurements; it was changed.
+measurements-budget-csv-not-measurements-csv-put = budget.csv: { $next } is not in measurements.csv; it was added.
+measurements-revisions-csv-revision-measurement-missing-though = revisions.csv: revision { $revision } of measurement { $number } is missing, although it has an audit event; it was removed.
+measurements-clicked-another-frame-frames-csv-tells = { $path }: { $id } was clicked on another frame than frames.csv states; one is wrong.
 
 ## Errors: media
 
-media-ingest-cancelled-nothing-kept = The ingest of { $name } was cancelled; nothing of it was kept.
-media-claims-x-pixels-more-side-million = { $name } claims { $width } x { $height } pixels, more than { $max_side_px } on a side or { $max_pixels } million in all; make it smaller and try again.
+media-ingest-cancelled-nothing-kept = The import of { $name } was cancelled; nothing was kept.
+media-claims-x-pixels-more-side-million = { $name } states { $width } x { $height } pixels, more than { $max_side_px } on a side or { $max_pixels } million in all; make it smaller and try again.
 media-damaged-cannot-decoded-save-png-jpeg = { $name } is damaged and cannot be decoded; save it as PNG or JPEG and try again.
 media-empty-choose-picture = { $name } is empty; choose a picture.
 media-heif-picture = { $name } is a HEIC or AVIF picture, which cannot be read here; save it as PNG or JPEG and try again.
 media-not-picture-read-here-save-png = { $name } is not a picture that can be read here; save it as PNG or JPEG and try again.
-media-damaged-header-not-say-how-large = { $name } is damaged: its header does not say how large it is; save it as PNG or JPEG and try again.
+media-damaged-header-not-say-how-large = { $name } is damaged: its header does not state its size; save it as PNG or JPEG and try again.
 media-picture-shape-could-not-encoded = A picture of shape { $shape } could not be encoded as { $suffix }.
 media-larger-mb-make-smaller = { $name } is larger than { $max_bytes } MB; make it smaller.
 media-cannot-read-check-path = { $name } cannot be read ({ $strerror }); check the path.
 
 ## Errors: store
 
-store-no-media-address-use-folder-file = { $media_url } is no media address; use a folder, file:///folder or s3://bucket.
-store-no-room-needed-free-delete-recordings = There is no room for { $what } ({ $needed } needed, { $free } free); delete recordings that are no longer needed or add disk space, then try again.
+store-no-media-address-use-folder-file = { $media_url } is not a media address; use a folder, file:///folder or s3://bucket.
+store-no-room-needed-free-delete-recordings = There is not enough space for { $what } ({ $needed } needed, { $free } free); delete recordings that are no longer needed or add disk space, then try again.
 store-no-media-file = There is no media file { $key }.
 store-storage-s3-needs-local-cache-folder = Storage on S3 needs a local cache folder; name one beside the media address.
-store-disk-full-not-stored-delete-recordings = The disk is full, { $what } was not stored; delete recordings that are no longer needed or add disk space, then try again.
+store-disk-full-not-stored-delete-recordings = The disk is full and { $what } was not stored; delete recordings that are no longer needed or add disk space, then try again.
 store-media-file-missing-store-restore-backup = The media file { $key } is missing from the store; restore it from a backup.
 store-media-storage-did-not-answer-check = The media storage did not answer for { $key } ({ $name }); check its address, its credentials and that it is running.
 store-names-no-bucket-write-s3-bucket = { $url } names no bucket; write s3://bucket/prefix.
 store-media-file-missing-store = The media file { $key } is missing from the store.
-store-no-such-upload-finished-given-up = There is no such upload; it was finished or given up, start it again.
+store-no-such-upload-finished-given-up = There is no such upload; it was finished or cancelled. Start it again.
 store-file-empty-choose-video-file = The file is empty; choose a video file.
 store-upload-not-complete-bytes-arrived-continue = The upload is not complete: { $have } of { $size } bytes have arrived; continue it.
-store-upload-stands-byte-not-continue = The upload stands at byte { $have }, not { $at }; continue from there.
+store-upload-stands-byte-not-continue = The upload is at byte { $have }, not { $at }; continue from there.
 store-upload-name-already-under-way-start = An upload with this name is already under way; start a new one.
-store-upload-being-written-another-connection-try = This upload is being written by another connection; try again.
-store-more-bytes-came-announced-start-upload = More bytes came than the { $size } announced; start the upload again.
+store-upload-being-written-another-connection-try = Another connection is writing this upload; try again.
+store-more-bytes-came-announced-start-upload = More bytes arrived than the { $size } announced; start the upload again.
 
 ## Errors: strips
 
-strips-no-json-object-correct-them = { $what } are no JSON object; correct them.
-strips-give-line-rate-hz-no-positive = { $what } give a line_rate_hz that is no positive number; correct it.
-strips-give-dropped-lines-no-list-line = { $what } give dropped_lines that are no list of [line, count] in order; correct them.
+strips-no-json-object-correct-them = { $what } are not a JSON object; correct them.
+strips-give-line-rate-hz-no-positive = { $what } give a line_rate_hz that is not a positive number; correct it.
+strips-give-dropped-lines-no-list-line = { $what } give dropped_lines that are not a list of [line, count] in order; correct them.
 strips-larger-mb-correct-remove-file = { $what } are larger than { $sidecar_bytes } MB; correct or remove that file.
 strips-not-readable-json-correct-remove-file = { $what } are not readable JSON; correct or remove that file.
 strips-cut-off-header-copy-again-recorder = { $name } is cut off in its header; copy it again from the recorder.
 strips-problem = { $name } { $kinds }; { $grey }.
-strips-bits-pixel = { $name } has { $depth } bits a pixel; { $grey }.
+strips-bits-pixel = { $name } has { $depth } bits per pixel; { $grey }.
 strips-interlaced-cannot-read-pieces-save-without = { $name } is interlaced and cannot be read in pieces; save it without interlacing.
-strips-pixels-wide-png-here-save-tiff = { $name } is { $width_px } pixels wide, a PNG can have { $most_wide_px } here; save it as TIFF or with time along the height.
+strips-pixels-wide-png-here-save-tiff = { $name } is { $width_px } pixels wide, more than a PNG may have here ({ $most_wide_px }); save it as TIFF or with time along the height.
 strips-damaged-checksum-inside-not-match-copy = { $name } is damaged: a checksum inside does not match; copy it again from the recorder.
-strips-no-plain-picture-animation-damaged = { $name } is no plain picture (an animation, or damaged); { $grey }.
+strips-no-plain-picture-animation-damaged = { $name } is not a plain picture (an animation, or damaged); { $grey }.
 strips-give-png-tiff-line-scan-camera = { $name } { $what }; give a PNG or TIFF of the line-scan camera.
-strips-pixels-line-give-two-strips-equal = { $name } has { $rows } pixels a line and { $name_2 } { $rows_2 }; give two strips of equal height, or cut them to the part of the scene that both show.
-strips-bits-pixel-save-both-alike = { $name } has { $value } bits a pixel and { $name_2 } { $value_2 }; save both alike.
-strips-lines-both-begin-end-together-give = { $name } has { $lines } lines and { $name_2 } { $lines_2 }; both begin and end together, so give the two strips of one recording, or cut them to the same time.
+strips-pixels-line-give-two-strips-equal = { $name } has { $rows } pixels per line and { $name_2 } { $rows_2 }; give two strips of equal height, or crop them to the part of the scene that both show.
+strips-bits-pixel-save-both-alike = { $name } has { $value } bits per pixel and { $name_2 } { $value_2 }; save both alike.
+strips-lines-both-begin-end-together-give = { $name } has { $lines } lines and { $name_2 } { $lines_2 }; both must begin and end together, so give the two strips of one recording, or crop them to the same time.
 strips-not-file-give-png-tiff-line = { $name } is not a file; give a PNG or TIFF of the line-scan camera.
 strips-jpeg-which-changes-pixels-save-png = { $name } is a JPEG, which changes the pixels; save it as PNG or TIFF in the recorder.
-strips-would-pixels-line-time-along-more = { $name } would have { $rows } pixels a line with time along its { $time_axis }, more than { $most_rows }; { $hint }.
+strips-would-pixels-line-time-along-more = { $name } would have { $rows } pixels per line with time along its { $time_axis }, more than { $most_rows }; { $hint }.
 strips-lines-pixels-time-along-which-shows = { $name } has { $lines } lines of { $rows } pixels with time along its { $time_axis }, which shows no vehicle; give a PNG or TIFF of the line-scan camera.
-strips-more-thousand-million-lines-cut-into = { $name } has more than { $most_lines } thousand million lines; cut it into parts.
-strips-notes-say-lines-lost-record-again = { $name }: its notes say that { $lost } lines were lost of { $lines }; record it again.
-strips-notes-name-lost-lines-ends-correct = { $name }: its notes name lost lines at { $line }, but it ends at { $lines }; correct them.
+strips-more-thousand-million-lines-cut-into = { $name } has more than { $most_lines } thousand million lines; split it into parts.
+strips-notes-say-lines-lost-record-again = { $name }: its notes state that { $lost } of { $lines } lines were lost; record it again.
+strips-notes-name-lost-lines-ends-correct = { $name }: its notes state lost lines at { $line }, but it ends at { $lines }; correct them.
 strips-cannot-read-give-png-tiff-line = { $name } cannot be read ({ $strerror }); give a PNG or TIFF of the line-scan camera.
 strips-cut-off-ends-row-copy-again = { $name } is cut off: it ends in row { $row } of { $height }; copy it again from the recorder.
 strips-damaged-row-cannot-read-copy-again = { $name } is damaged at row { $row } of { $height } and cannot be read on; copy it again from the recorder.
-strips-claims-picture-x-pixels-copy-again = { $name } claims a picture of { $width } x { $height } pixels; copy it again from the recorder.
-strips-claims-x-pixels-more-mb-file = { $name } claims { $width } x { $height } pixels, more than { $file_bytes } MB of file can hold; it is damaged or no recording: copy it again from the recorder.
+strips-claims-picture-x-pixels-copy-again = { $name } states a picture of { $width } x { $height } pixels; copy it again from the recorder.
+strips-claims-x-pixels-more-mb-file = { $name } states { $width } x { $height } pixels, more than { $file_bytes } MB of file can hold; it is damaged or not a recording: copy it again from the recorder.
 strips-rows-pixels-too-long-read-copy = { $name } has rows of { $width_px } pixels, too long to be read; copy it again from the recorder.
 strips-stored-strip-damaged-restore-backup-read = The stored strip { $name } is damaged; restore it from a backup or read it again.
 strips-stored-strip-missing-restore-backup = The stored strip { $name } is missing; restore it from a backup.
+strips-spool-damaged = { $path } is not a strip of a stream, or is damaged; leave it, and choose another --spool.
 strips-strip-no-level-only-0 = The strip { $name } has no level { $level }, only 0 to { $count }.
-strips-gain-cannot-shown-choose-one-0 = The gain { $gain } cannot be shown; choose one from 0.1 to 50.
+strips-gain-cannot-shown-choose-one-0 = A gain of { $gain } is out of range; choose 0.1 to 50.
 strips-strip-no-tile-level = The strip { $name } has no tile { $index } in level { $level }.
-strips-index-pixels-not-fit-size = has an index of its pixels that does not fit its size; { $again }
+strips-index-pixels-not-fit-size = has a pixel index that does not fit its size; { $again }
 strips-holds-several-pictures-give-each-strip = { $name } holds several pictures; give each strip as one long picture.
 strips-palette-line-scan-grey = { $name } has a palette, and a line scan is grey; { $grey }.
 strips-colour-transparency-channel-line-scan-grey = { $name } is in colour or has a transparency channel, a line scan is grey; { $grey }.
 strips-holds-signed-floating-point-numbers = { $name } holds signed or floating-point numbers; { $grey }.
-strips-bits-pixel-2 = { $name } has { $bitspersample } bits a pixel; { $grey }.
-strips-packed-which-not-read-here-save = { $name } is packed with { $kind_name }, which is not read here; save it with zstd, deflate or LZW compression, or with none.
-strips-packed-unusual-way-save-zstd-deflate = { $name } is packed in an unusual way; save it with zstd, deflate or LZW compression, or with none.
-strips-marked-turned-mirrored-save-upright = { $name } is marked as turned or mirrored; save it upright.
+strips-bits-pixel-2 = { $name } has { $bitspersample } bits per pixel; { $grey }.
+strips-packed-which-not-read-here-save = { $name } is compressed with { $kind_name }, which is not supported; save it with zstd, deflate or LZW compression, or with none.
+strips-packed-unusual-way-save-zstd-deflate = { $name } is compressed in an unusual way; save it with zstd, deflate or LZW compression, or with none.
+strips-marked-turned-mirrored-save-upright = { $name } is marked as rotated or mirrored; save it upright.
 strips-tiff-cut-off-whose-directory-damaged = { $name } is a TIFF that is cut off or whose directory is damaged; { $again }.
-strips-packed-pieces-more-mb-save-smaller = { $name } is packed in pieces of more than { $piece_bytes } MB; save it in smaller strips or tiles.
+strips-packed-pieces-more-mb-save-smaller = { $name } is compressed in pieces of more than { $piece_bytes } MB; save it in smaller strips or tiles.
 strips-rows-tiles-more-mb-save-smaller = { $name } has rows of tiles of more than { $piece_bytes } MB; save it in smaller tiles.
 strips-problem-2 = { $name } { $message }.
 strips-tiff-whose-directory-damaged = { $name } is a TIFF whose directory is damaged; { $again }.
 strips-frames-too-few-line-scan-choose = { $name } has { $count } frames, too few for a line scan; choose another recording.
 strips-no-constant-frame-rate-time-stamps = { $name } has no constant frame rate (its time stamps are uneven, most of all after frame { $at }), and a line scan needs one; cut out an even part, or record with a fixed frame rate.
-strips-columns-cannot-cut-choose-two-different = The columns { $columns_px } and { $columns_px_2 } cannot be cut from { $name }; choose two different ones from 0 to { $width }.
-strips-now-gives-frames-not-ingest-again = { $name } now gives { $count } frames, not { $count_2 }; ingest it again.
+strips-cuts-cannot-cut-choose-two-different = The { $what ->
+    [rows] rows
+   *[columns] columns
+} { $cut_1 } and { $cut_2 } cannot be cut from { $name }; choose two different ones from 0 to { $last_px }.
+strips-now-gives-frames-not-ingest-again = { $name } now has { $count } frames, not { $count_2 }; import it again.
 
 ## Errors: video
 
 video-not-file-choose-video-file = { $name } is not a file; choose a video file.
 video-problem = { $name } { $reason }; { $way_out }.
-video-holds-no-moving-picture-only-sound = { $name } holds no moving picture, only sound or data; choose a video file.
+video-holds-no-moving-picture-only-sound = { $name } contains no video, only sound or data; choose a video file.
 video-uses-video-codec-cannot-decoded-here = { $name } uses a video codec that cannot be decoded here; convert it to MP4 with H.264 or choose another file.
-video-not-say-how-large-picture-says = { $name } does not say how large its picture is, or says it absurdly; convert it to MP4 with H.264 or choose another file.
-video-claims-picture-x-pixels-more-side = { $name } claims a picture of { $width } x { $height } pixels, more than { $max_side_px } on a side or { $max_pixels } million in all; convert it to MP4 with H.264 or choose another file.
-video-claims-pixels-width-height-which-not = { $name } claims pixels of { $aspect } width to height, which is not believable; convert it to MP4 with H.264 or choose another file.
+video-not-say-how-large-picture-says = { $name } does not state its picture size, or states an impossible one; convert it to MP4 with H.264 or choose another file.
+video-claims-picture-x-pixels-more-side = { $name } states a picture of { $width } x { $height } pixels, more than { $max_side_px } on a side or { $max_pixels } million in all; convert it to MP4 with H.264 or choose another file.
+video-claims-pixels-width-height-which-not = { $name } states a pixel aspect ratio of { $aspect }, which is not plausible; convert it to MP4 with H.264 or choose another file.
 video-not-video-read-here-convert-mp4 = { $name } is not a video that can be read here; convert it to MP4 with H.264 or choose another file.
-video-holds-no-picture-decoded-codec-convert = { $name } holds no picture that can be decoded (codec { $codec }); convert it to MP4 with H.264 or choose another file.
-video-holds-no-picture-decoded-convert-mp4 = { $name } holds no picture that can be decoded; convert it to MP4 with H.264 or choose another file.
-video-recording-ended-decoder-times-set-aside = This recording ended the decoder { $count } times and is set aside; convert the recording to MP4 with H.264 and upload it again.
-video-decoder-ended-again-again-look-memory = The decoder ended again and again; look at the memory of this machine.
+video-holds-no-picture-decoded-codec-convert = { $name } contains no picture that can be decoded (codec { $codec }); convert it to MP4 with H.264 or choose another file.
+video-no-times-follow = { $name } does not state the times of its frames, so a vehicle cannot be followed in it; convert it to MP4.
+video-holds-no-picture-decoded-convert-mp4 = { $name } contains no picture that can be decoded; convert it to MP4 with H.264 or choose another file.
+video-recording-ended-decoder-times-set-aside = This recording crashed the decoder { $count } times and is not tried again; convert it to MP4 with H.264 and upload it again.
+video-decoder-ended-again-again-look-memory = The decoder crashed repeatedly; check the memory of this server.
 video-cannot-decoded-decoder-save-another-format = { $header } cannot be decoded: the decoder { $why }; save it in another format and try again.
-video-frame-no-longer-wanted = This frame was no longer wanted.
+video-frame-no-longer-wanted = This frame is no longer needed.
 video-no-frame-recording-frames-0 = There is no frame { $n }; this recording has frames 0 to { $count }.
 video-crop-x-pixels-scale-out-bounds = A crop of { $w } x { $h } pixels at scale { $scale } is out of bounds; ask for a smaller one.
-video-holds-no-picture-decoded-copy-again = { $name } holds no picture that can be decoded; copy it again or convert it to MP4.
-video-changes-picture-size-way-split-where = { $name } changes its picture size on the way; split it where the size changes.
-video-proposals-cancelled = Making proposals for { $name } was cancelled; nothing of it was kept.
-video-search-passes-cancelled-nothing-kept = The search for passes in { $name } was cancelled; nothing of it was kept.
-video-cannot-made-addressable-frame-frame-convert = { $name } cannot be made addressable frame by frame; convert it to MP4 with H.264 and try again.
-video-disk-full-not-taken-make-room = The disk is full, { $name } was not taken in; make room and try again.
-video-frame-cannot-shown-stored-video-no = Frame { $n } cannot be shown: the stored video no longer gives the picture whose checksum was written down at ingest; restore the file from a backup or ingest it again as a new recording.
+video-holds-no-picture-decoded-copy-again = { $name } contains no picture that can be decoded; copy it again or convert it to MP4.
+video-changes-picture-size-way-split-where = { $name } changes its picture size partway; split it there.
+video-proposals-cancelled = Suggesting points for { $name } was cancelled; nothing was kept.
+video-search-passes-cancelled-nothing-kept = The search for passes in { $name } was cancelled; nothing was kept.
+video-cannot-made-addressable-frame-frame-convert = The frames of { $name } cannot be addressed one by one; convert it to MP4 with H.264 and try again.
+video-disk-full-not-taken-make-room = The disk is full and { $name } was not imported; free some space and try again.
+video-frame-cannot-shown-stored-video-no = Frame { $n } cannot be shown: the stored video no longer gives the picture whose checksum was recorded at import; restore the file from a backup or import it as a new recording.
 video-stored-video-missing-no-longer-opened = The stored video { $name } is missing or can no longer be opened; restore it from a backup.
-video-frame-no-longer-wanted-2 = Frame { $n } was no longer wanted.
+video-frame-no-longer-wanted-2 = Frame { $n } is no longer needed.
 video-needs-bgr-frames-one-even-size = { $name } needs BGR frames of one even size, got { $shape } for { $width } x { $height }.
 video-cannot-written-without-frames = { $name } cannot be written without frames.
 
 ## Errors: people
 
-people-email-password-not-fit-together-check = This email and password do not fit together; check both and try again.
+people-email-password-not-fit-together-check = Wrong e-mail or password. Try again.
 people-password-characters-choose-another = A password has { $min_password } to { $max_password } characters; choose another.
-people-current-password-not-right-type-again = The current password is not right; type it again.
+people-current-password-not-right-type-again = The current password is wrong; enter it again.
 people-no-active-account-check-address = There is no active account for { $email }; check the address.
 people-too-many-failed-sign-ins-wait = Too many failed sign-ins; wait five minutes and try again.
-people-sign-link-used-already-too-old = This sign-in link was used already or is too old; ask an admin for a new one.
-people-not-email-address-write-name-place = “{ $email }” is not an email address; write it as name@place.
+people-token-needs-name-scope-days = A token needs a name, a scope and 1 to { NUMBER($most_days) } days; fill them in.
+people-token-too-many = You already have { NUMBER($most) } tokens; revoke one that is no longer used.
+people-sign-link-used-already-too-old = This sign-in link was already used or has expired; ask an administrator for a new one.
+people-not-email-address-write-name-place = “{ $email }” is not an e-mail address; write it as name@place.
 people-already-account-change-one-instead = There is already an account for { $email }; change that one instead.
-people-last-admin-make-somebody-else-admin = This is the last admin; make somebody else admin first.
+people-last-admin-make-somebody-else-admin = This is the last administrator; make another person administrator first.
 people-person-needs-name-fill = A person needs a name; fill it in.
 people-no-role-use-one = There is no role “{ $role }”; use one of { $roles }.
 
 ## Errors: poses
 
 poses-no-frames-yet-wait-until-ready = { $name } has no frames yet; wait until it is ready.
-poses-frames-no-span-frames-0 = Frames { $first_frame } to { $last_frame } are no span of { $name }; it has frames 0 to { $frame_count }.
-poses-no-frame-shows-board = No frame from { $first } to { $last } shows the board: { $reason }{ $reason_2 }.
+poses-frames-no-span-frames-0 = Frames { $first_frame } to { $last_frame } are not in { $name }; it has frames 0 to { $frame_count }.
+poses-no-frame-shows-board = Frames { $first } to { $last }: { $reason }
 poses-calibration-pictures-x-px-x-px = The calibration is for pictures of { $width_px } x { $height_px } px and { $name } has { $width_px_2 } x { $height_px_2 } px; choose a calibration made at the recording's size.
 poses-calibration-belongs-another-survey-choose-one = Calibration { $calibration_id } belongs to another survey; choose one of this survey's.
 
 ## Errors: quality
 
-quality-no-recording-uses-road-pose-any = No recording uses this road pose any more; look at the checks again.
-quality-traffics-direction-now-not-what-you = The traffic's direction is now { $turn_deg }°, not what you saw; look again.
-quality-frame-not-vehicle-which-passes-frames = Frame { $frame } is not of vehicle { $number }, which passes in frames { $first_frame } to { $last_frame }; go to one of them.
-quality-wheel-pairs-csv-not-what-audit = wheel_pairs.csv: { $id } is not what its audit event says; it was changed.
-quality-clicked-their-own-measurements-again-needed = { $name } clicked { $pairs } of their own measurements again; { $least_pairs } are needed for a sigma of their own. Click more of them again.
-quality-repeats-csv-repeat-missing-though-audit = repeats.csv: repeat { $left } is missing, though its audit event is there.
-quality-repeats-csv-not-what-audit-event = repeats.csv: { $number } is not what its audit event says; it was changed.
+quality-no-recording-uses-road-pose-any = No recording uses this camera pose any more; reload the validation page.
+quality-traffics-direction-now-not-what-you = The travel direction is now { $turn_deg }°, not the value shown; reload the page.
+quality-frame-not-vehicle-which-passes-frames = Vehicle { $number } does not appear in frame { $frame }; it passes in frames { $first_frame } to { $last_frame }. Go to one of them.
+quality-wheel-pairs-csv-not-what-audit = wheel_pairs.csv: { $id } differs from its audit event; it was changed.
+quality-clicked-their-own-measurements-again-needed = { $name } has repeated { $pairs } of their own measurements; { $least_pairs } are needed for their own click uncertainty. Repeat more of them.
+quality-repeats-csv-repeat-missing-though-audit = repeats.csv: repeat { $left } is missing, although it has an audit event.
+quality-repeats-csv-not-what-audit-event = repeats.csv: { $number } differs from its audit event; it was changed.
 
 ## Errors: recordings
 
-recordings-images-add-least-three-better-15 = { $name } has { $images } images; add at least three, better 15 to 25.
+recordings-images-add-least-three-better-15 = { $name } has { $images } images; add at least three, preferably 15 to 25.
 recordings-belongs-another-survey-choose-one-surveys = { $name } belongs to another survey; choose one of this survey's.
-recordings-no-frames-yet-wait-until-ingest = { $name } has no frames yet; wait until its ingest is done.
-recordings-no-road-pose-yet-nothing-says = { $name } has no road pose yet, so nothing says where its camera stood.
-recordings-still-being-ingested-wait-until-ready = { $name } is still being ingested; wait until it is ready.
-recordings-could-not-ingested-no-frames-see = { $name } could not be ingested, so it has no frames; see its error and try again.
-recordings-frame-table-not-whole-ingest-recording = The frame table of { $name } is not whole; ingest the recording again.
+recordings-no-frames-yet-wait-until-ingest = { $name } has no frames yet; wait until it has been imported.
+recordings-no-road-pose-yet-nothing-says = { $name } has no camera pose yet, so the position of its camera is unknown.
+recordings-still-being-ingested-wait-until-ready = { $name } is still being imported; wait until it is ready.
+recordings-could-not-ingested-no-frames-see = { $name } could not be imported, so it has no frames; see its error and try again.
+recordings-frame-table-not-whole-ingest-recording = The frame table of { $name } is incomplete; import the recording again.
 recordings-recording-no-frame-choose-one-within = Recording { $recording_id } has no frame { $n }; choose one within the recording.
 recordings-frame-no-thumbnail-ask-frame-itself = Frame { $n } of { $name } has no thumbnail; ask for the frame itself.
-recordings-being-ingested-already-wait-cancel = { $name } is being ingested already; wait for it or cancel it.
-recordings-ingest-cancelled-start-again-delete-recording = The ingest was cancelled; start it again or delete the recording.
-recordings-being-ingested-cancel-first = { $name } is being ingested; cancel that first.
+recordings-being-ingested-already-wait-cancel = { $name } is already being imported; wait for it or cancel it.
+recordings-ingest-cancelled-start-again-delete-recording = The import was cancelled; start it again or delete the recording.
+recordings-being-ingested-cancel-first = { $name } is being imported; cancel that first.
 recordings-recordings-cannot-changed-leave-out = A recording's { $unknown } cannot be changed; leave it out.
 recordings-recording-needs-name-fill = A recording needs a name; fill it in.
-recordings-street-lighting-on-or-off = Street lighting is on or off; choose one.
-recordings-start-in-future = { $start } in { $zone } has not come yet; give the time at which the recording was begun.
-recordings-start-too-early = There was no digital video in { $start }; give the day on which the recording was begun.
-recordings-misfit-size = Its pictures are { $width } x { $height } px and its camera’s calibration is for { $lens_width } x { $lens_height } px: film at the calibrated size, or calibrate at this one.
-recordings-misfit-focal = Its file states a focal length of { $stated_mm } mm on 35 mm film and its camera’s calibration is of about { $lens_mm } mm: was the zoom another one?
-local-time-unknown-zone = { $zone } is no time zone of the IANA list; choose one such as Europe/Paris.
+recordings-street-lighting-on-or-off = Street lighting was either on or off; choose one.
+recordings-start-in-future = { $start } in { $zone } is in the future; enter the time at which the recording began.
+recordings-start-too-early = There was no digital video on { $start }; enter the day on which the recording began.
+recordings-misfit-size = Its frames are { $width } x { $height } px, but its camera’s calibration is for { $lens_width } x { $lens_height } px: record at the calibrated size, or calibrate at this one.
+recordings-misfit-focal = Its file states a focal length of { $stated_mm } mm (35 mm equivalent), but its camera’s calibration gives about { $lens_mm } mm: check the zoom.
+recordings-misfit-lamps = Its street lighting was on, but the survey states that the road has none: correct one of the two.
+local-time-unknown-zone = { $zone } is not a time zone of the IANA list; choose one such as Europe/Paris.
 local-time-cannot-read = { $text } cannot be read as a time; write it as 2026-05-03T08:10:00.
-local-time-skipped = { $time } does not exist in { $zone }, where clocks went forward over it; give the time that they showed ({ $before } before the change, { $after } after it).
-local-time-twice = { $time } comes twice in { $zone }, where clocks went back; say whether it is the first ({ $first }) or the second ({ $second }).
-local-time-other-offset = At { $time } clocks in { $zone } are at { $offset }; give that offset or none.
-measurements-filmed-at-another-time = measurements.csv: { $id } was filmed at another time than its recording’s start gives; one of them was changed.
-measurements-vehicles-csv-other-time = vehicles.csv: { $id } was filmed at another time than its recording’s start gives; one of them was changed.
+local-time-skipped = { $time } does not exist in { $zone }, where clocks were set forward; enter the time that they showed ({ $before } before the change, { $after } after it).
+local-time-twice = { $time } occurs twice in { $zone }, where clocks were set back; choose the first ({ $first }) or the second ({ $second }).
+local-time-other-offset = At { $time } clocks in { $zone } have the offset { $offset }; give that offset or none.
+measurements-filmed-at-another-time = measurements.csv: { $id } has another time of filming than its recording’s start gives; one of them was changed.
+measurements-vehicles-csv-other-time = vehicles.csv: { $id } has another time of filming than its recording’s start gives; one of them was changed.
 recordings-lighting-daytime-low-light-choose-one = The lighting is daytime or low_light; choose one.
-recordings-recording-measurements-stays-audit-needs-frames = This recording has measurements and stays; an audit needs its frames.
-recordings-camera-not-found-moved-since-road = The camera was not found to have moved since the road pose; there is nothing to decide.
-recordings-say-why-road-pose-still-good = Say why the road pose is still good, so that an audit can follow it.
-recordings-nothing-decided-about-recordings-camera-nothing = Nothing was decided about this recording's camera, so there is nothing to take back.
+recordings-recording-measurements-stays-audit-needs-frames = This recording has measurements and cannot be deleted: an audit needs its frames.
+recordings-camera-not-found-moved-since-road = No camera movement was detected since the camera pose; there is nothing to decide.
+recordings-say-why-road-pose-still-good = State why the camera pose is still valid, so that an audit can follow the decision.
+recordings-nothing-decided-about-recordings-camera-nothing = There is no decision about this recording’s camera to undo.
 recordings-belongs-another-survey-choose-one-surveys-2 = The { $word } { $row_id } belongs to another survey; choose one of this survey's.
-recordings-road-pose-pictures-x-px-x = The road pose { $pose_id } is for pictures of { $posed } x { $posed_2 } px and { $name } has { $filmed } x { $filmed_2 } px; choose a pose made at the recording's size.
+recordings-road-pose-pictures-x-px-x = The camera pose { $pose_id } is for pictures of { $posed } x { $posed_2 } px and { $name } has { $filmed } x { $filmed_2 } px; choose a pose made at the recording's size.
 recordings-frames-found-now-not-those-measured = The frames found now are not those that were measured; upload the video as a new one.
 recordings-uploads-speak-tus-1-0-0 = Uploads speak tus 1.0.0; send the header Tus-Resumable: 1.0.0.
-recordings-upload-not-say-how-long-file = The upload does not say how long the file is; send the header Upload-Length.
+recordings-upload-not-say-how-long-file = The upload does not state the length of the file; send the header Upload-Length.
 recordings-bytes-upload-come-application-offset-octet = The bytes of an upload come as application/offset+octet-stream; send that Content-Type.
 recordings-upload-not-name-file-send-filename = The upload does not name its file; send filename in the header Upload-Metadata.
 recordings-uploads-purpose-video-strip-send-one = The upload's purpose is video or strip; send one of them in Upload-Metadata.
 recordings-uploads-cannot-read-send-base64-utf = The upload's { $word } cannot be read; send it as base64 of UTF-8.
-recordings-upload-finished-already-look-recording-list = This upload is finished already; look for its recording in the list.
+recordings-upload-finished-already-look-recording-list = This upload is already finished; look for its recording in the list.
 recordings-upload-became-recording-deleted-since-upload = This upload became a recording that was deleted since; upload it again.
-recordings-upload-finished-already-make-scan = This upload is finished already; make the scan of it.
+recordings-upload-finished-already-make-scan = This upload is already finished; create the line scan from it.
 recordings-upload-finished-delete-recording-instead = This upload is finished; delete its recording instead.
-recordings-recordings-csv-not-what-audit-events = recordings.csv: { $id } is not what its audit events say; it was changed.
+recordings-recordings-csv-not-what-audit-events = recordings.csv: { $id } differs from its audit events; it was changed.
 
 ## Errors: results
 
 results-cannot-read-take-whole-export-again = { $path }: { $name } cannot be read; take the whole export again.
 results-database-holds-which-version-not-know = The database holds the { $name } “{ $unknown }”, which this version does not know.
 results-reference-heights-u-must-least-0 = The reference heights' u must be at least 0 and below 1 m, such as 0.0173.
-results-more-values-your-own-cannot-drawn = More than { $most_own } values of your own cannot be drawn; remove some.
+results-more-values-your-own-cannot-drawn = At most { $most_own } values of your own can be shown; remove some.
 results-value-your-own-must-lie-between = A value of your own must lie between 0 and 10 m, such as 1.08.
-results-somebody-changed-standards-meanwhile-load-them = Somebody changed the standards meanwhile; load them again and repeat your change.
-results-table-standards-cannot-drawn-most = A table of { $count } standards cannot be drawn; { $most } are the most.
-results-stands-table-twice-give-each-value = { $twice } stands in the table twice; give each value a name of its own.
+results-somebody-changed-standards-meanwhile-load-them = The standards were changed meanwhile; reload them and repeat your change.
+results-table-standards-cannot-drawn-most = A table of { $count } standards is too long; { $most } are the maximum.
+results-stands-table-twice-give-each-value = { $twice } appears twice in the table; give each value its own name.
 results-standard-needs-name-such-aashto-usa = A standard needs a name, such as AASHTO (USA).
 results-height-must-lie-between-0-10 = The height of { $name } must lie between 0 and 10 m, such as 1.08.
 results-standard-percent = { $name }: a percentile lies above 0 and below 100; correct it, or leave it empty.
-results-last-day-lies-before-first-exchange = The last day lies before the first; exchange them.
+results-last-day-lies-before-first-exchange = The last day is before the first; swap them.
 results-no-survey-may-been-removed = There is no survey { $survey_id }; it may have been removed.
-results-standards-csv-not-what-surveys-audit = standards.csv is not what the survey's audit events say; it was changed.
+results-standards-csv-not-what-surveys-audit = standards.csv differs from the survey's audit events; it was changed.
 
 ## Errors: reviews
 
-reviews-fix-needs-both-points-contact-target = A fix needs both points, contact and target; click them and send them along.
-reviews-only-fix-carries-points-leave-them = Only a fix carries points; leave them out or choose the verdict fixed.
+reviews-fix-needs-both-points-contact-target = A correction needs both points, contact and target; click them and send them along.
+reviews-only-fix-carries-points-leave-them = Only a correction carries points; leave them out or choose the verdict fixed.
 reviews-measurement-withdrawn-nothing-review = This measurement is withdrawn; there is nothing to review.
 reviews-repeat-not-reviewed-review-measurement-repeats = A repeat is not reviewed; review the measurement that it repeats.
-reviews-rejection-needs-reason-say-what-wrong = A rejection needs a reason; say what is wrong so that it can be put right.
-reviews-fix-needs-new-points-only-fix = A fix needs the new points, and only a fix has them; click them and send them along.
-reviews-somebody-changed-plan-meanwhile = Somebody changed the plan meanwhile; load it again and redo yours.
-reviews-plan-one-in-between = One in how many is a number between 0 (none) and { $most }.
-reviews-click-it-again-before = The survey's plan wants this one clicked again before it is shown; click contact and target, then judge it.
-reviews-fix-changes-nothing-accept = This fix changes nothing; move a point, or accept the measurement.
-reviews-measurement-waits-review-already = This measurement waits for a review already.
-reviews-nobody-reviews-their-own-measurement-ask = Nobody reviews their own measurement; ask another reviewer.
-reviews-reviews-csv-not-what-audit-event = reviews.csv: { $id } is not what its audit event says; it was changed.
-reviews-reviews-csv-missing-though-audit-event = reviews.csv: { $id } is missing, though its audit event is there.
+reviews-rejection-needs-reason-say-what-wrong = A rejection needs a reason; state what is wrong so that it can be corrected.
+reviews-fix-needs-new-points-only-fix = A correction needs the new points, and only a correction has them; click them and send them along.
+reviews-somebody-changed-plan-meanwhile = The plan was changed meanwhile; reload it and repeat your change.
+reviews-plan-one-in-between = Enter a number from 0 (no blind checks) to { $most }.
+reviews-click-it-again-before = The survey's plan requires a blind repeat of this measurement; click contact and target, then give your verdict.
+reviews-fix-changes-nothing-accept = Nothing was changed; move a point, or accept the measurement.
+reviews-measurement-waits-review-already = This measurement is already waiting for a review.
+reviews-nobody-reviews-their-own-measurement-ask = You cannot review your own measurement; ask another reviewer.
+reviews-reviews-csv-not-what-audit-event = reviews.csv: { $id } differs from its audit event; it was changed.
+reviews-reviews-csv-missing-though-audit-event = reviews.csv: { $id } is missing, although it has an audit event.
 reviews-measurements-csv-verdict-not-newest-review = measurements.csv: the verdict on { $one } is not that of its newest review; one is wrong.
 
 ## Errors: scans
 
-scans-calibrated-line-scan-meanwhile-look-calibration = { $name } calibrated this line scan meanwhile; look at that calibration first.
+scans-calibrated-line-scan-meanwhile-look-calibration = { $name } calibrated this line scan meanwhile; check that calibration first.
 scans-mark-row-line-lies-outside-strip = A mark at row { NUMBER($row_px, minimumFractionDigits: 1, maximumFractionDigits: 1) }, line { NUMBER($line, minimumFractionDigits: 0, maximumFractionDigits: 0) } lies outside the strip; click it again.
 scans-heights-need-line-cameras-pose-calibrate = Heights need the line camera's pose; calibrate the height with a rod first (Calibrate height).
-scans-eye-needs-side-say-which = It is not known whether the driver sits on the near or on the far side of this vehicle; choose one of them first.
+scans-eye-needs-side-say-which = The driver’s side of this vehicle is not set; choose near or far first.
 scans-click-line-row-lies-outside-strip = A click at line { NUMBER($line, minimumFractionDigits: 0, maximumFractionDigits: 0) }, row { NUMBER($row, minimumFractionDigits: 1, maximumFractionDigits: 1) } lies outside the strip; click again.
-scans-target-no-height-needs-reason-why = A target that has no height needs the reason why; measure it again.
-scans-height-withdrawn-already-nothing-done = This height was withdrawn already; nothing is to be done.
-scans-measured-target-meanwhile-look-height-first = { $name } measured this target meanwhile; look at that height first.
+scans-target-no-height-needs-reason-why = A target without a height needs a reason; measure it again.
+scans-height-withdrawn-already-nothing-done = This height was already withdrawn; there is nothing to do.
+scans-measured-target-meanwhile-look-height-first = { $name } measured this target meanwhile; check that height first.
 scans-calibration-no-row = { $path }: calibration { $marks } is in no row of { $path_2 }.
-scans-marks-calibration-not-those-event = { $path }: the marks of calibration { $id } are not those of its event.
-scans-row-marked-current-not-newest-revision = { $path }: a row that is marked as current is not the newest revision.
+scans-rig-needs-distance = Enter the distance from the cameras to the vehicles: with diverging planes, speeds use the baseline at that distance.
+scans-rig-passes-without = { $path }: passes of calibration { $id } exist, but not the calibration itself; a row is missing.
+scans-rig-passes-not-those = { $path }: the passes of calibration { $id } differ from its audit event.
+scans-rig-cannot-be-solved = { $path }: the passes of calibration { $id } give no calibration; one of them is wrong.
+scans-rig-not-what-passes-give = { $path }: { $name } of calibration { $id } is not what its passes give.
+scans-marks-calibration-not-those-event = { $path }: the marks of calibration { $id } differ from its event.
+scans-row-marked-current-not-newest-revision = { $path }: a row marked as current is not the newest revision.
 scans-height-no-row = { $path }: height { $budget } is in no row of { $path_2 }.
 scans-sources-height-not-those-clicks = { $path }: the sources of height { $id } are not those of its clicks.
 scans-marks-clicks-give = { $name } has { $column } { $told }, its marks and clicks give { $computed }.
 scans-cannot-solved-marks-one-wrong = { $name } cannot be solved for from its marks; one is wrong.
-scans-vehicle-no-measured-motion-no-match = This vehicle has no measured motion, so there is no match to look at.
-scans-camera-2s-strip-ends-before-vehicle = Camera 2's strip ends before this vehicle; there is no match to look at.
+scans-vehicle-no-measured-motion-no-match = This vehicle has no measured motion, so there is no registration to show.
+scans-camera-2s-strip-ends-before-vehicle = The strip of camera 2 ends before this vehicle, so there is no registration to show.
 scans-both-cameras-name-same-upload-upload = Both cameras name the same upload; upload a strip for each.
 scans-same-picture-give-strip-each-camera = { $name } and { $name_2 } are the same picture; give the strip of each camera.
 scans-frames-uneven-times-line-scan-needs = { $name } has frames at uneven times, and a line scan needs a steady rate; record at a constant frame rate.
-scans-columns-cannot-cut-choose-two-different = Columns { $columns } and { $columns_2 } cannot be cut; choose two different ones from 0 to { $width_px }.
-scans-read-already-nothing-done = { $name } was read already; nothing is to be done.
-scans-could-not-read-see-error-try = { $name } could not be read; see its error and try again.
-scans-still-being-read-wait-until-ready = { $name } is still being read; wait until it is ready.
-scans-already-wait-cancel = { $name } is { $what } already; wait for that or cancel it.
+scans-cuts-cannot-cut-choose-two-different = { $what ->
+    [rows] Rows
+   *[columns] Columns
+} { $cut_1 } and { $cut_2 } cannot be cut; choose two different ones from 0 to { $last_px }.
+scans-read-already-nothing-done = { $name } was already imported; there is nothing to do.
+scans-could-not-read-see-error-try = { $name } could not be imported; see its error and try again.
+scans-still-being-recorded = { $name } is still being recorded; its picture is available when this part of the stream ends.
+scans-still-being-read-wait-until-ready = { $name } is still being imported; wait until it is ready.
+scans-already-wait-cancel = { $name } is already { $what }; wait for that or cancel it.
 scans-strip-uploaded-another-survey-upload-one = The { $word } strip was uploaded to another survey; upload it to this one.
 scans-uploaded-video-upload-again-strip = { $filename } was uploaded as a video; upload it again as a strip.
 scans-belongs-line-scan-recording-already-upload = { $filename } belongs to a line-scan recording already; upload it again.
-scans-strip-not-arrived-whole-yet-finish = The { $word } strip, { $filename }, has not arrived whole yet; finish its upload.
-scans-changed-look-again-redo-yours = { $name } changed { $name_2 } at { $when }; look again and redo yours.
+scans-strip-not-arrived-whole-yet-finish = The { $word } strip, { $filename }, has not arrived completely; finish its upload.
+scans-changed-look-again-redo-yours = { $name } changed { $name_2 } at { $when }; reload it and repeat your change.
 scans-scans-cannot-changed-leave-out = A scan's { $unknown } cannot be changed; leave it out.
+scans-start-u-cannot-be = An uncertainty of the start of { $u_s } s is out of range; enter a standard uncertainty above 0 and up to 3600 s.
+scans-vehicle-passed-at-another-time = { $path }: vehicle { $number } has another passing time than its recording’s start and its lines give; one of them was changed.
+scans-direction-not-of-lines = { $path }: revision { $number } has another direction than its lines at both cameras give; one of them was changed.
+scans-axles-need-a-motion = Axles are counted of a vehicle whose motion is measured; this one has none.
+scans-axle-outside-vehicle = An axle lies outside the vehicle; click its hub between front and rear.
+scans-traffic-no-start = The start of this line scan is not confirmed. Confirm it to count its traffic by time of day.
+scans-traffic-other-minutes = Traffic cannot be counted in intervals of { $minutes } min; choose 1, 5, 15 or 60.
+scans-traffic-not-read = This line scan is not imported, so its traffic is unknown.
 scans-scan-needs-name-fill = A scan needs a name; fill it in.
-scans-people-worked-scans-vehicles-stays-audit = People have worked on this scan's vehicles, so it stays; an audit needs its strips.
+scans-people-worked-scans-vehicles-stays-audit = People have worked on the vehicles of this line scan, so it cannot be deleted: an audit needs its strips.
 scans-recording-belongs-another-survey-choose-one = The recording belongs to another survey; choose one of this survey's.
-scans-changed-look-again = { $name_of } changed { $name }; look again.
-scans-not-been-read-yet-wait-until = { $name } has not been read yet; wait until it is ready.
-scans-people-worked-cameras-stay-add-line = People have worked on { $name }, so its cameras stay; add a line scan with the strips the other way round.
+scans-changed-look-again = { $name_of } changed { $name }; reload it.
+scans-not-been-read-yet-wait-until = { $name } has not been imported yet; wait until it is ready.
+scans-people-worked-cameras-stay-add-line = People have worked on { $name }, so its cameras cannot be swapped; add a line scan with the strips swapped.
 scans-vehicle-not-measured-yet-no-wheelbase = This vehicle is not measured yet, so it has no wheelbase; place its boundaries first.
 scans-wheel-lies-outside-strips-which-end = A wheel lies outside the strips, which end at line { $lines }.
 scans-camera-front-line-must-come-before = At camera { $camera } the front (line { NUMBER($front, minimumFractionDigits: 1, maximumFractionDigits: 1) }) must come before the rear ({ NUMBER($rear, minimumFractionDigits: 1, maximumFractionDigits: 1) }); place them again.
 scans-boundaries-camera-lie-outside-strip-which = The boundaries at camera { $camera } lie outside the strip, which ends at line { $lines }; place them again.
 scans-front-rear-camera-lines-apart-more = Front and rear at camera { $camera } are { NUMBER($rear, minimumFractionDigits: 0, maximumFractionDigits: 0) } lines apart, more than one vehicle can be; place them again.
-scans-nothing-camera-2s-strip-looks-like = Nothing in camera 2's strip looks like this vehicle; place its front and rear there by hand, or leave it out if it is none.
-scans-vehicle-no-speed-needs-reason-why = A vehicle that has no speed needs the reason why; measure it again.
-scans-vehicle-measured-again-meanwhile-look-newer = This vehicle was measured again meanwhile; look at the newer result.
-scans-nobody-reviews-boundaries-they-placed-themselves = Nobody reviews boundaries that they placed themselves; ask another reviewer.
-scans-vehicle-waits-review-already = This vehicle waits for a review already.
-scans-height-measured-again-meanwhile-look-newer = This height was measured again meanwhile; look at the newer result.
-scans-height-without-figure-nothing-review = This height was withdrawn or has no figure, so there is nothing to review.
-scans-nobody-reviews-height-they-clicked-themselves = Nobody reviews a height that they clicked or computed themselves; ask another reviewer.
-scans-height-waits-review-already = This height waits for a review already.
+scans-nothing-camera-2s-strip-looks-like = Nothing in the strip of camera 2 looks like this vehicle; place its front and rear there by hand, or remove it if it is not a vehicle.
+scans-vehicle-no-speed-needs-reason-why = A vehicle without a speed needs a reason; measure it again.
+scans-vehicle-measured-again-meanwhile-look-newer = This vehicle was measured again meanwhile; check the newer result.
+scans-nobody-reviews-boundaries-they-placed-themselves = You cannot review boundaries that you placed; ask another reviewer.
+scans-vehicle-waits-review-already = This vehicle is already waiting for a review.
+scans-height-measured-again-meanwhile-look-newer = This height was measured again meanwhile; check the newer result.
+scans-height-without-figure-nothing-review = This height was withdrawn or has no value, so there is nothing to review.
+scans-nobody-reviews-height-they-clicked-themselves = You cannot review a height that you clicked or computed; ask another reviewer.
+scans-height-waits-review-already = This height is already waiting for a review.
 scans-camera-2-needs-both-lines-front = Camera 2 needs both lines, front and rear, or none; send both or leave both out.
-scans-wheelbase-needs-both-wheels-send-both = A wheelbase needs both wheels; send both lines, or none to take them away.
+scans-wheelbase-needs-both-wheels-send-both = A wheelbase needs both wheels; send both lines, or none to remove them.
 scans-vehicle-not-deleted-nothing-restore = This vehicle was not deleted, so there is nothing to restore.
 scans-deleted-vehicle-restore-first = { $name } deleted vehicle { $number } at { $when }; restore it first.
-scans-changed-vehicle-look-again-redo-yours = { $name } changed vehicle { $number } at { $when }; look again and redo yours.
+scans-changed-vehicle-look-again-redo-yours = { $name } changed vehicle { $number } at { $when }; reload it and repeat your change.
 scans-scanned-vehicle-no-leave-out = A scanned vehicle has no { $unknown }; leave it out.
-scans-m-cannot-used-give-metres-4 = A { $name } of { $value } m cannot be used; give it in metres, as in 4.447.
-scans-row-without-audit-event-missing = { $path }: row { $odd } is there without its audit event, or is missing.
-scans-row-not-what-audit-event-says = { $path }: { $name } of row { $id } is not what its audit event says.
+scans-m-cannot-used-give-metres-4 = A { $name } of { $value } m is out of range; give it in metres, as in 4.447.
+scans-row-without-audit-event-missing = { $path }: row { $odd } has no audit event, or is missing.
+scans-row-not-what-audit-event-says = { $path }: { $name } of row { $id } differs from its audit event.
 scans-vehicle-not-newest-revision-changed = { $path }: vehicle { $number } is not its newest revision; it was changed.
+scans-verdict-went-over = { $path }: height { $id } has a verdict that was given to another height; take the whole export again.
 scans-verdict-row-not-one-given = { $path }: the verdict of row { $number } is not the one given.
 
 ## Errors: statistics
@@ -4225,60 +4960,67 @@ statistics-width-spread-must-lengths-above-0 = Width and spread must be lengths 
 
 ## Errors: surveys
 
-surveys-file-photograph-missing-changed-take-out = The file of the photograph “{ $name }” is missing or was changed; take it out of the survey and add it again.
-surveys-survey-takes-photographs-take-one-out = A survey takes { $most_photographs } photographs; take one out before adding another.
-surveys-photographs-added-taken-out-meanwhile-look = Photographs were added or taken out meanwhile; look again and redo the order.
-surveys-changed-photograph-look-again-redo-yours = { $name } changed this photograph at { $when }; look again and redo yours.
+surveys-file-photograph-missing-changed-take-out = The file of the photograph “{ $name }” is missing or was changed; remove it from the survey and add it again.
+surveys-survey-takes-photographs-take-one-out = A survey has at most { $most_photographs } photographs; remove one before adding another.
+surveys-photographs-added-taken-out-meanwhile-look = Photographs were added or removed meanwhile; reload and change the order again.
+surveys-changed-photograph-look-again-redo-yours = { $name } changed this photograph at { $when }; reload it and repeat your change.
 surveys-caption-most-characters-shorten = A caption has at most { $most_caption } characters; shorten it.
-surveys-not-photographs-audit-events-changed = { $path } has not the photographs of the audit events; it was changed.
-surveys-no-row-put = { $strange } is in no row of { $path }; it was put in.
-surveys-not-photograph-audit-event-names-exchanged = { $file } is not the photograph that its audit event names; it was exchanged.
-surveys-not-what-audit-events-say-changed = { $path }: { $name } of { $id } is not what its audit events say; it was changed.
+surveys-not-photographs-audit-events-changed = { $path } does not have the photographs of the audit events; it was changed.
+surveys-no-row-put = { $strange } is in no row of { $path }; it was added.
+surveys-not-photograph-audit-event-names-exchanged = { $file } is not the photograph named by its audit event; it was replaced.
+surveys-not-what-audit-events-say-changed = { $path }: { $name } of { $id } differs from its audit events; it was changed.
 surveys-no-survey-named-check-name-home = There is no survey named “{ $name }”; check the name on the home page.
-surveys-changed-survey-look-again-redo = { $name } changed this survey at { $when }; look again and redo yours.
-surveys-place-half-coordinates = Coordinates are a latitude and a longitude; give both or none.
-surveys-place-latitude = A latitude lies between -90 and 90 degrees; { $latitude } does not: are latitude and longitude exchanged?
-surveys-place-longitude = A longitude lies between -180 and 180 degrees; { $longitude } does not.
-surveys-place-speed-limit = A speed limit lies above 0 and up to { $fastest } km/h; { $kmh } km/h does not.
+surveys-changed-survey-look-again-redo = { $name } changed this survey at { $when }; reload it and repeat your change.
+surveys-place-half-coordinates = Coordinates are a latitude and a longitude; give both or neither.
+surveys-place-latitude = Latitude { $latitude } is out of range; give −90 to 90 degrees. Are latitude and longitude swapped?
+surveys-place-longitude = Longitude { $longitude } is out of range; give −180 to 180 degrees.
+surveys-place-speed-limit = A speed limit of { $kmh } km/h is out of range; give a value above 0 and up to { $fastest } km/h.
 surveys-survey-needs-name-fill = A survey needs a name; fill it in.
-surveys-inset-cannot-used-give-known-target = The inset of “{ $target }” cannot be used; give a known target and an uncertainty >= 0.
-surveys-asks-nothing-choose-target = A survey asks for at least one target by day and one in low light; choose them.
-surveys-survey-csv-not-what-audit = survey.csv is not what the survey's audit events say; it was changed.
-surveys-insets-csv-not-what-surveys-audit = insets.csv is not what the survey's audit events say; it was changed.
-surveys-classes-csv-not-what-surveys-audit = classes.csv is not what the survey's audit events say; it was changed.
-surveys-sampling-csv-not-what-audit = sampling.csv or quotas.csv is not what the survey's audit events say; it was changed.
-surveys-sampling-step = Every n-th pass: n lies between 1 and { $most_step }, the first number between 1 and n; correct them.
-surveys-sampling-share = A share of the passes lies above 0 and at most at 100 %; correct it.
-surveys-sampling-headway = A headway of free-flowing vehicles lies above 0 and at most at { $most_headway_s } s; correct it.
-surveys-sampling-quota-twice = A lighting and set of classes has two quotas; give each one once.
+surveys-inset-cannot-used-give-known-target = The inset of “{ $target }” cannot be used; give a known target and an uncertainty of 0 or more.
+surveys-asks-nothing-choose-target = A survey needs at least one target by day and one in low light; choose them.
+surveys-survey-csv-not-what-audit = survey.csv differs from the survey's audit events; it was changed.
+surveys-insets-csv-not-what-surveys-audit = insets.csv differs from the survey's audit events; it was changed.
+surveys-classes-csv-not-what-surveys-audit = classes.csv differs from the survey's audit events; it was changed.
+surveys-sampling-csv-not-what-audit = sampling.csv or quotas.csv differs from the survey's audit events; it was changed.
+surveys-sampling-step = Every n-th pass: n must be from 1 to { $most_step }, the first number from 1 to n; correct them.
+surveys-sampling-share = A share of the passes must be above 0 and at most 100 %; correct it.
+surveys-sampling-headway = The headway of free-flowing vehicles must be above 0 and at most { $most_headway_s } s; correct it.
+surveys-sampling-quota-twice = A quota for one lighting and set of classes is given twice; give each once.
 surveys-class-twice = The class { $category } is in the table twice; give each class once.
-surveys-class-fhwa = A class of FHWA of { $category } is none of 1 to 13; correct it.
+surveys-class-fhwa = An FHWA class of { $category } is not between 1 and 13; correct it.
 
 ## Errors: vehicles
 
 vehicles-no-row-used-line = No row of { $name } can be used; line { $line }: { $reason }
-vehicles-larger-mb-split-into-several-files = { $name } is larger than { $most_bytes } MB; split it into several files.
-vehicles-no-column-first-line-names-columns = { $name } has no column { $missing }; its first line names the columns, out of { $known }.
+csv-too-large = { $name } is larger than { $most_bytes } MB; split it into several files.
+vehicles-no-column-first-line-names-columns = { $name } has no column { $missing }; its first line must name the columns, from { $known }.
 vehicles-not-category-use-one = “{ $category }” is not a category; use one of { $categories }.
 vehicles-which-not-year-give-four-digits = { $column } is “{ $cell }”, which is not a year; give four digits.
-vehicles-cannot-read-csv-near-line-save = { $name } cannot be read as CSV near line { $line_num } ({ $problem }); save it again as CSV.
-vehicles-not-utf-8-text-save-csv = { $name } is not a UTF-8 text; save it as CSV in UTF-8.
+csv-cannot-read = { $name } cannot be read as CSV near line { $line_num } ({ $problem }); save it again as CSV.
+csv-not-utf-8 = { $name } is not a UTF-8 text; save it as CSV in UTF-8.
 vehicles-which-not-number-give-metres = { $column } is “{ $cell }”, which is not a number; give it in metres.
-vehicles-gives-frames-now-gave-when-read = { $name } gives { $count } frames now and gave { $count_2 } when it was read; read it again.
-vehicles-search-passes-cancelled-start-again-when = The search for passes was cancelled; start it again when you like.
-vehicles-passes-being-looked-already-wait = Passes of { $name } are being looked for already; wait for that.
+vehicles-gives-frames-now-gave-when-read = { $name } now has { $count } frames, but had { $count_2 } when it was imported; import it again.
+vehicles-search-passes-cancelled-start-again-when = The search for passes was cancelled. You can start it again.
+vehicles-passes-being-looked-already-wait = Passes of { $name } are already being searched; wait until that has finished.
 vehicles-vehicle-needs-first-last-frame-mark = A vehicle needs its first and last frame; mark the pass on the timeline.
 vehicles-vehicle-no-leave-out = A vehicle has no { $unknown }; leave it out.
 vehicles-frames-not-span-recording-ends-frame = Frames { $first } to { $last } are not a span of this recording; it ends at frame { $end }.
-vehicles-best-frame-lies-outside-frames-choose = The best frame { $best } lies outside frames { $first } to { $last }; choose one of them.
+vehicles-best-frame-lies-outside-frames-choose = The best frame { $best } is outside frames { $first } to { $last }; choose one of them.
 vehicles-no-driver-only-eye-choose-another = “No driver seen” is a reason for the driver’s eye, not for { $target }; choose another.
-vehicles-manufacturers-height-m-cannot-used-give = A manufacturer’s height of { $height } m cannot be used; give it in metres, as in 1.624.
-vehicles-uncertainty-m-cannot-used-give-metres = An uncertainty of { $u_height } m cannot be used; give it in metres, as in 0.005.
+vehicles-known-height-m-cannot-used-give = A known height of { $height } m is out of range; give it in metres, as in 1.624.
+vehicles-known-height-of-none = A { $target ->
+    [roof] roof
+    [driver_eye] driver’s eye
+    [taillight] taillight
+    [headlight] headlight
+   *[other] mark
+} height of { $height } m is out of range; give { $low } to { $high } m.
+vehicles-uncertainty-m-cannot-used-give-metres = An uncertainty of { $u_height } m is out of range; give it in metres, as in 0.005.
 
 ## Errors: what the framework refuses, and what was said before
 
 said = { $sentence }
-request-needs-header = Requests that change something need the header { $header }; add it and send it again.
+request-needs-header = Requests that change data need the header { $header }; add it and send it again.
 request-from-another-site = This request comes from another site and was refused; use Sightline's own pages.
 request-no-json = The request's body is not valid JSON; send a JSON object.
 request-cannot-be-used = The { $place } of the request cannot be used: { $said }; correct it and send it again.
@@ -4287,109 +5029,109 @@ request-nothing-there = There is nothing at { $path }; check the address.
 request-bad-method = { $method } is not possible at { $path }; see /docs for what is.
 request-refused = { $detail }; correct it and try again.
 request-value-not-storable = A value in the request cannot be stored; correct it and send it again.
-server-something-went-wrong = Something went wrong on the server and nothing was saved; the server's log says what.
+server-something-went-wrong = Something went wrong on the server and nothing was saved; see the server's log.
 
 ## Errors: another person was quicker
 
-quality-tyres-changed-meanwhile = { $name } changed the tyres of this vehicle meanwhile; look at them first.
+quality-tyres-changed-meanwhile = { $name } changed the tyres of this vehicle meanwhile; check them first.
 measurements-discarded-but-measured-withdraw = Vehicle { $number } is measured, so it cannot be discarded; withdraw its measurements first.
-measurements-vehicles-csv-not-in-sample = vehicles.csv: whether vehicle { $id } is in the sample is not what sampling.csv and the passes give; it was changed.
+measurements-vehicles-csv-not-in-sample = vehicles.csv: whether vehicle { $id } is in the sample does not follow from sampling.csv and the passes; it was changed.
 measurements-not-visible-but-measured-withdraw = { $target } is measured of this vehicle, so it is visible; withdraw the measurement first.
 measurements-already-measured = { $name } has measured this target of the vehicle already; keep one of the two.
 lots-tab = Lots
-lots-lead = Instead of one by one, heights can be reviewed by lots: a sample is judged, and the lot is accepted by it or inspected whole. The plan says how often either would be a mistake.
+lots-lead = Heights can be reviewed in lots: a sample of each lot is reviewed, and the lot is accepted or inspected fully. The plan states the risk of a wrong decision either way.
 lots-loading = the lots
-lots-summary = Accepted by a verdict of their own: { $individual }; by their lot’s sample: { $by_lot }.
+lots-summary = Accepted individually: { $individual }; by the sample of their lot: { $by_lot }.
 lots-outgoing = { $count ->
-    [one] Of the 1 that nobody looked at, { $estimate } is wrong by estimate and { $most } at most ({ $share }, one-sided 95 %).
-   *[other] Of the { $count } that nobody looked at, { $estimate } are wrong by estimate and { $most } at most ({ $share }, one-sided 95 %).
+    [one] Of the 1 not reviewed individually, { $estimate } is estimated to be wrong and { $most } at most ({ $share }, one-sided 95 %).
+   *[other] Of the { $count } not reviewed individually, { $estimate } are estimated to be wrong and { $most } at most ({ $share }, one-sided 95 %).
   }
 lots-held = { $count ->
-    [one] 1 height waits for its lot’s sample.
-   *[other] { $count } heights wait for their lot’s sample.
+    [one] 1 height waits for the sample of its lot.
+   *[other] { $count } heights wait for the sample of their lot.
   }
-lots-draw-title = Draw lots from what waits
+lots-draw-title = Draw lots from the queue
 lots-draw = Draw
-lots-by = Heights of a lot have in common
+lots-by = Heights of a lot share
 lots-by-target = target
 lots-by-lighting = lighting
 lots-by-operator = who measured
 lots-by-day = day measured
-lots-producer-quality = A lot with so many wrong should pass
-lots-producer-risk = chance that it does not
-lots-consumer-quality = A lot with so many wrong should not pass
-lots-consumer-risk = chance that it does
-lots-nonconforming = Wrong (nonconforming) is a height that its reviewer rejects, or fixes by more than its own U95. The sample is drawn by a seed from the audit chain before anybody judges. The acceptance criterion is that of ISO 2859; its tables are not used: the plan is computed for each lot’s size.
-lots-nothing-waits = Nothing waits for a verdict outside of lots.
-lots-planned = Lots that could be drawn
-lots-lot = lot
-lots-size = heights
-lots-sample = sample
-lots-number = wrong ones allowed
-lots-what = what it saves
+lots-producer-quality = Share of wrong heights at which a lot should pass
+lots-producer-risk = Risk that it does not
+lots-consumer-quality = Share of wrong heights at which a lot should not pass
+lots-consumer-risk = Risk that it does
+lots-nonconforming = A height is wrong (nonconforming) if its reviewer rejects it, or corrects it by more than its U95. The sample is drawn by a seed from the audit chain before anyone reviews it. The acceptance criterion is that of ISO 2859; its tables are not used: the plan is computed for the size of each lot.
+lots-nothing-waits = No heights are waiting for review outside of lots.
+lots-planned = Possible lots
+lots-lot = Lot
+lots-size = Heights
+lots-sample = Sample
+lots-number = Allowed wrong
+lots-what = Saves
 lots-saves = { $count ->
     [one] 1 verdict
    *[other] { $count } verdicts
   }
-lots-saves-nothing = nothing: the sample is the whole lot; review it one by one
-lots-everything = everything that waited
+lots-saves-nothing = nothing: the sample is the whole lot; review it individually
+lots-everything = all heights in the queue
 lots-named = Lot { $number }: { $common }
 lots-of = { NUMBER($part) } of { NUMBER($all) }
-lots-judged = sample judged
-lots-bad = wrong
-lots-state = state
+lots-judged = Reviewed
+lots-bad = Wrong
+lots-state = State
 lots-state-open = open
 lots-state-accepted = accepted
 lots-state-full_inspection = full inspection
 lots-state-dissolved = dissolved
-lots-state-taken_back = taken back
+lots-state-taken_back = undone
 lots-left = Left the lot: { $reasons }.
 lots-left-measured_again = { $count } measured again
 lots-left-withdrawn = { $count } withdrawn
 lots-left-vehicle_deleted = { $count } whose vehicle was deleted
 lots-left-verdict_of_its_own = { $count } with a verdict of their own
-lots-plan = { $size } heights, a sample of { $sample }, accepted with at most { $most } wrong.
+lots-plan = { $size } heights, sample of { $sample }, accepted with at most { $most } wrong.
 lots-says-waits = { $count ->
-    [one] 1 of the sample still waits for its verdict.
-   *[other] { $count } of the sample still wait for their verdict.
+    [one] 1 height of the sample still waits for a verdict.
+   *[other] { $count } heights of the sample still wait for a verdict.
   }
 lots-says-accept = { $count ->
-    [one] The sample is judged: 1 is wrong, { $most } may be. The lot can be accepted.
-   *[other] The sample is judged: { $count } are wrong, { $most } may be. The lot can be accepted.
+    [one] Sample reviewed: 1 wrong, { $most } allowed. The lot can be accepted.
+   *[other] Sample reviewed: { $count } wrong, { $most } allowed. The lot can be accepted.
   }
 lots-says-refused = { $count ->
-    [one] 1 of the sample is wrong, and { $most } may be: the rest goes to full inspection.
-   *[other] { $count } of the sample are wrong, and { $most } may be: the rest goes to full inspection.
+    [one] Sample reviewed: 1 wrong, { $most } allowed. The rest goes to full inspection.
+   *[other] Sample reviewed: { $count } wrong, { $most } allowed. The rest goes to full inspection.
   }
 lots-says-accepted = { $count ->
-    [one] Accepted: { $bad } of the sample wrong, 1 height accepted by it. Of that, { $estimate } is wrong by estimate and { $most } at most ({ $share }, one-sided 95 %).
-   *[other] Accepted: { $bad } of the sample wrong, { $count } heights accepted by it. Of these, { $estimate } are wrong by estimate and { $most } at most ({ $share }, one-sided 95 %).
+    [one] Accepted: { $bad } of the sample wrong, 1 height accepted with it. Of that, { $estimate } is estimated to be wrong and { $most } at most ({ $share }, one-sided 95 %).
+   *[other] Accepted: { $bad } of the sample wrong, { $count } heights accepted with it. Of these, { $estimate } are estimated to be wrong and { $most } at most ({ $share }, one-sided 95 %).
   }
 lots-says-inspected = { $count ->
     [one] Not accepted by its sample: 1 height went to the queue.
    *[other] Not accepted by its sample: { $count } heights went to the queue.
   }
 lots-says-taken-back = { $count ->
-    [one] Accepted, then taken back: 1 height waits again.
-   *[other] Accepted, then taken back: { $count } heights wait again.
+    [one] Acceptance undone: 1 height waits again.
+   *[other] Acceptance undone: { $count } heights wait again.
   }
-lots-says-dissolved = Dissolved before anything was judged.
-lots-judge = Judge the sample
+lots-says-dissolved = Dissolved before the review began.
+lots-judge = Review the sample
 lots-accept = Accept the lot
 lots-inspect = Full inspection
 lots-inspect-text = { $count ->
-    [one] 1 height of the rest goes to the queue and enters no other lot.
-   *[other] { $count } heights of the rest go to the queue, each for itself, and enter no other lot.
+    [one] 1 remaining height goes to the queue and cannot enter another lot.
+   *[other] { $count } remaining heights go to the queue individually and cannot enter another lot.
   }
 lots-dissolve = Dissolve
-lots-take-back = Take back
+lots-take-back = Undo
 lots-own = { $count ->
-    [one] 1 of the sample is your own; somebody else judges it.
-   *[other] { $count } of the sample are your own; somebody else judges them.
+    [one] 1 height of the sample is your own; another person reviews it.
+   *[other] { $count } heights of the sample are your own; another person reviews them.
   }
 lots-drawn = Drawn { $when } by { $person }; seed { $seed }…
-lots-nobody = the program
-lots-curve = How often such a lot is accepted
+lots-nobody = Sightline
+lots-curve = Probability of acceptance
 lots-curve-says = The probability that the plan accepts a lot, falling with the share of wrong heights in it: with { $good } wrong it is not accepted in { $refused } of cases, with { $bad } it is accepted in { $passed }.
 lots-curve-note = Exact for a lot of this size (hypergeometric). With { $good } wrong, { $refused } of such lots are not accepted; with { $bad }, { $passed } are.
 lots-curve-x = wrong heights in the lot (%)
@@ -4398,48 +5140,50 @@ lots-producer = should pass
 lots-consumer = should not pass
 lots-sample-of = sample of lot { $number }
 lots-badge = lot { $number }
-lots-sample-done = This lot’s sample is judged.
+lots-sample-done = The sample of this lot is reviewed. Decide on the lot next.
+lots-sample-done-title = The sample is reviewed
+lots-decide = Decide on the lot
 lots-show-all = Show all
-lots-by-lot = Accepted by the sample of its lot; nobody looked at this one.
-lots-fraction-between = A fraction nonconforming is a number from 0 to below 1, such as 0.01 for 1 in 100.
-lots-risk-between = A risk is a number between 0.001 and 0.5, such as 0.05 for 1 in 20.
-lots-fractions-in-order = The fraction of a lot that should pass has to be smaller than that of one that should not; change one of them.
-lots-nothing-to-draw = No lot would save anything: what waits is too little for these risks, or in lots already. Divide it less, or review it one by one.
+lots-by-lot = Accepted by the sample of its lot; not reviewed individually.
+lots-fraction-between = Enter a fraction nonconforming from 0 to below 1, for example 0.01 for 1 in 100.
+lots-risk-between = Enter a risk from 0.001 to 0.5, for example 0.05 for 1 in 20.
+lots-fractions-in-order = The fraction of a lot that should pass must be smaller than that of one that should not; change one of them.
+lots-nothing-to-draw = No lot would save work: too few heights are waiting for these risks, or they are in lots already. Use fewer divisions, or review them individually.
 lots-sample-not-judged = { $count ->
-    [one] 1 height of the sample still waits for its verdict; judge it first.
-   *[other] { $count } heights of the sample still wait for their verdict; judge them first.
+    [one] 1 height of the sample still waits for its verdict; review it first.
+   *[other] { $count } heights of the sample still wait for their verdict; review them first.
   }
 lots-too-many = { $count ->
-    [one] 1 height of the sample is nonconforming; this lot is accepted with { $most } at most, so its rest goes to full inspection.
-   *[other] { $count } heights of the sample are nonconforming; this lot is accepted with { $most } at most, so its rest goes to full inspection.
+    [one] 1 height of the sample is nonconforming; this lot is accepted with { $most } at most, so the rest goes to full inspection.
+   *[other] { $count } heights of the sample are nonconforming; this lot is accepted with { $most } at most, so the rest goes to full inspection.
   }
-lots-own-heights = Nobody accepts heights of their own: the rest of this lot holds some of yours. Ask another reviewer.
-lots-judged-already = Some of this sample is judged already, so the draw stands; accept the lot or inspect it fully.
-lots-not-accepted = Only an accepted lot can be taken back; look at what became of this one.
-lots-decided-already = Lot { $number } was decided on meanwhile; look at it first.
+lots-own-heights = You cannot accept your own heights, and the rest of this lot contains some. Ask another reviewer.
+lots-judged-already = Part of this sample is already reviewed, so the lot cannot be dissolved; accept it or inspect it fully.
+lots-not-accepted = Only an accepted lot can be undone; check the state of this one.
+lots-decided-already = Lot { $number } was decided meanwhile; check it first.
 lots-event-another-row = audit.csv: event { $number } holds another lot than it hashed; take the whole export again.
 lots-verdict-of-no-lot = reviews.csv: a verdict by lot { $lot }, of which there is none; take the whole export again.
-lots-lots-csv-not-what-event-says = lots.csv: lot { $id } is not what its audit events say; it was changed.
-lots-lot-missing = lots.csv: lot { $id } is missing, though its audit event is there.
+lots-lots-csv-not-what-event-says = lots.csv: lot { $id } differs from its audit events; it was changed.
+lots-lot-missing = lots.csv: lot { $id } is missing, although it has an audit event.
 lots-seed-not-the-chains = lots.csv: the seed of lot { $id } does not follow from the audit chain; the draw was chosen.
 lots-not-drawn-by-its-seed = audit.csv: lot { $id } was not drawn in the order of its seed; the draw was changed.
 lots-plan-keeps-no-risk = lots.csv: the plan of lot { $id } does not keep the risks that it names; it was changed.
-lots-decided-otherwise = audit.csv: what was decided on lot { $id } does not follow one from the other; it was changed.
+lots-decided-otherwise = audit.csv: the decisions on lot { $id } do not follow from each other; it was changed.
 lots-sample-not-the-draws = audit.csv: the sample of lot { $id } is not the first of its draw; it was changed.
 lots-counts-not-those-of-verdicts = audit.csv: the counts of lot { $id } are not those of its sample’s verdicts; one is wrong.
 lots-accepted-beyond-its-plan = audit.csv: lot { $id } was accepted with more nonconforming heights than its plan allows, or unjudged.
-lots-verdicts-not-those-of-its-rest = reviews.csv: the verdicts by lot { $id } are not those of its rest; some were put in or taken out.
+lots-verdicts-not-those-of-its-rest = reviews.csv: the verdicts by lot { $id } are not those of its rest; some were added or removed.
 lots-verdict-before-the-decision = audit.csv: a verdict by lot { $id } came before its decision; one is wrong.
-lots-items-csv-not-what-events-say = lot_items.csv: place { $place } of lot { $id } is not what the audit events say; it was changed.
-reviews-verdict-given-meanwhile = { $name } gave the verdict “{ $verdict }” meanwhile; look at it first.
+lots-items-csv-not-what-events-say = lot_items.csv: place { $place } of lot { $id } differs from the audit events; it was changed.
+reviews-verdict-given-meanwhile = { $name } gave the verdict “{ $verdict }” meanwhile; check it first.
 
 ## Sight distance: the page
 
-sight-lead = What measured heights mean for a road: crests that keep a sight distance, by a standard’s heights and by the survey’s own.
-sight-loading = Computing the crests ...
-sight-form = What the crests are computed from
+sight-lead = Effect of measured heights on road design: crest curves that provide a sight distance, with a standard’s heights and with the survey’s.
+sight-loading = the crests
+sight-form = Input values
 sight-form-standard = Standard
-sight-form-survey = Survey, read by the standard’s rule
+sight-form-survey = Survey, at the standard’s percentiles
 sight-form-road = Road
 sight-form-fleet = Another fleet: share of each class
 sight-eye = Eye of the standard
@@ -4466,16 +5210,16 @@ sight-difference = Grade difference
 sight-headlight = Headlight (sag)
 sight-radius = Radius (curve)
 sight-number-problem = This number is out of range; correct it.
-sight-fleet-begin = What if the fleet were another
-sight-fleet-hint = Shares of the classes that were measured, to be changed.
+sight-fleet-begin = Try another fleet
+sight-fleet-hint = Shares of the measured classes; change them as needed.
 sight-fleet-end = Measured fleet
 sight-fleet-measured = { NUMBER($eyes) } eyes, { NUMBER($objects) } objects measured
 sight-case = Heights of
 sight-case-standard = the standard
 sight-case-survey = the survey
 sight-case-mix = the other fleet
-sight-sentence = What it means
-sight-missing = No height of this is left by the filter: { $targets }. Measure and accept some, or show all states.
+sight-sentence = Result
+sight-missing = No heights of this target match the filter: { $targets }. Measure and accept some, or show all states.
 sight-verdict-alike = { $case ->
     [mix] With the other fleet’s heights
     [study] With the study’s heights
@@ -4485,71 +5229,71 @@ sight-verdict-shorter = { $case ->
     [mix] With the other fleet’s heights
     [study] With the study’s heights
    *[survey] With the survey’s heights
-} (eye { $eye }, object { $object }) the crest constant is { $constant } instead of { $standard }, and K for { $distance } is { $k } instead of { $k_standard }. Crests could be { $change } shorter; on a crest built by the standard one sees { $seen }.
+} (eye { $eye }, object { $object }) the crest constant is { $constant } instead of { $standard }, and K for { $distance } is { $k } instead of { $k_standard }. Crests could be { $change } shorter; on a crest built to the standard the visible distance is { $seen }.
 sight-verdict-longer = { $case ->
     [mix] With the other fleet’s heights
     [study] With the study’s heights
    *[survey] With the survey’s heights
-} (eye { $eye }, object { $object }) the crest constant is { $constant } instead of { $standard }, and K for { $distance } is { $k } instead of { $k_standard }. Crests would have to be { $change } longer; on a crest built by the standard one sees only { $seen }.
+} (eye { $eye }, object { $object }) the crest constant is { $constant } instead of { $standard }, and K for { $distance } is { $k } instead of { $k_standard }. Crests would have to be { $change } longer; on a crest built to the standard the visible distance is only { $seen }.
 sight-verdict-unknown = { $case ->
     [mix] With the other fleet’s heights
     [study] With the study’s heights
    *[survey] With the survey’s heights
-} (eye { $eye }, object { $object }) the crest constant is { $constant } instead of { $standard }, a change of K by { $change }. There is no interval ({ $reason }), so whether that is more than chance cannot be said.
+} (eye { $eye }, object { $object }) the crest constant is { $constant } instead of { $standard }, a change of K by { $change }. There is no interval ({ $reason }), so its significance is unknown.
 sight-cases-title = Crests
 sight-cases-distance = { $speed }: { $formula } = { $distance }, rounded up to { $design }
-sight-cases-note = { NUMBER($eyes) } eyes and { NUMBER($objects) } objects. Below each value its 95 % interval, which holds the sampling of the percentiles; eye and object are taken as independent, the standard’s heights and the fleet’s shares as exact. Lengths are for the difference of the grades; the last column is what one sees on a crest built by the standard’s heights.
+sight-cases-note = { NUMBER($eyes) } eyes and { NUMBER($objects) } objects. Heights are true heights. Below each value: its total 95 % interval, for sampling, errors that heights share (camera pose, mean inset) and random error; errors of eye and object that come from the same camera pose are counted together; the standard’s heights and the fleet’s shares are taken as exact. Lengths are for the grade difference entered; the last column is the visible distance on a crest built to the standard.
 sight-interval = { $low } to { $high }
 sight-no-interval = no interval
 sight-column-eye = Eye ({ $unit })
 sight-column-object = Object ({ $unit })
 sight-column-constant = Constant ({ $unit })
 sight-column-k = K ({ $unit } per %)
-sight-column-length = Least length ({ $unit })
-sight-column-seen = Seen on the standard’s crest ({ $unit })
+sight-column-length = Minimum length ({ $unit })
+sight-column-seen = Visible on the standard’s crest ({ $unit })
 sight-figure-title = K of a crest against design speed
 sight-figure-says = K of a crest against design speed, by the standard’s heights and by the survey’s
-sight-figure-note = K = S² / C at the sight distance of each design speed, rounded up as in design tables; band: 95 % interval.
-sight-figure-x = design speed ({ $unit })
+sight-figure-note = K = S² / C at the sight distance of each design speed, rounded up as in design tables (dots). Band: 95 % interval; where none is seen, it is narrower than the line.
+sight-figure-x = Design speed ({ $unit })
 sight-figure-y = K ({ $unit } per %)
-sight-besides-title = Sag and curve, which eyes do not change
+sight-besides-title = Sag and curve, independent of eye heights
 sight-sag = Sag, by headlights
-sight-sag-words = K { $k } { $unit } per %; least length { $length } { $case ->
+sight-sag-words = K { $k } { $unit } per %; minimum length { $length } { $case ->
     [within] (the sight distance lies within the curve)
-    [beyond] (the sight distance reaches beyond the curve)
+    [beyond] (the sight distance extends beyond the curve)
    *[none] (these grades are lit without a curve)
 }
-sight-curve = Room beside the curve
-sight-curve-words = { $offset } from the line of travel to what blocks the view, at the middle of the curve
-sight-curve-none = The curve is too sharp for this distance: it would go round more than half a circle.
-sight-besides-note = A headlight’s beam rises 1 degree. Heights of what stands beside a curve are not looked at.
+sight-curve = Clearance beside the curve
+sight-curve-words = { $offset } from the line of travel to the obstruction, at the middle of the curve
+sight-curve-none = The curve is too sharp for this distance: it would extend over more than half a circle.
+sight-besides-note = The headlight beam rises by 1 degree. Heights of obstructions beside a curve are not considered.
 
 ## Sight distance: what cannot be computed
-sightdistance-heights = Heights of eyes must lie above 0 and of objects at or above 0, all below 10 m; give them in metres.
+sightdistance-heights = Eye heights must be above 0 and object heights 0 or more, all below 10 m; give them in metres.
 sightdistance-uncertainty = A standard uncertainty must be 0 or more, and 0 for an object on the road; correct it.
-sightdistance-distance = A sight distance must lie above 0 and below 100 km, and a length at or above 0; give metres.
-sightdistance-difference = The difference of the two grades must lie above 0 and at most 100 percent; correct it.
-sightdistance-speed = A speed of { $speed_kmh } km/h is no design speed; give more than 0 and at most 300 km/h.
-sightdistance-gradient = A gradient of { $gradient_percent } % cannot be braked on; give at most 25 %, and downhill less than braking holds.
+sightdistance-distance = A sight distance must be above 0 and below 100 km, and a length 0 or more; give metres.
+sightdistance-difference = The grade difference must be above 0 and at most 100 percent; correct it.
+sightdistance-speed = { $speed_kmh } km/h is not a design speed; give more than 0 and at most 300 km/h.
+sightdistance-gradient = A vehicle cannot brake on a gradient of { $gradient_percent } %; give at most 25 %, and downhill less than the deceleration allows.
 sightdistance-reaction-deceleration = The reaction time must be 0 or more and the deceleration more than 0; correct them.
-sightdistance-manoeuvre-time = Manoeuvre { $manoeuvre } takes { $least } to { $most } s; give a time within.
+sightdistance-manoeuvre-time = Manoeuvre { $manoeuvre } takes { $least } to { $most } s; give a time in this range.
 sightdistance-passing-speed = There is no passing sight distance at { $speed_kmh } km/h; the table runs from 30 to 130 km/h.
 sightdistance-headlight = The headlight's height and its beam's rise must not be negative, nor both 0; correct them.
 sightdistance-radius = The radius must be above 0, and its curve must hold the distance and the offset; correct them.
 sightdistance-shares = The shares of a fleet must sum to 100 %; these sum to { $total_percent } %. Correct them.
-sightdistance-share = “{ $share }” is no share of a fleet; write the class, a colon and 0 to 100 percent (suv:40).
+sightdistance-share = “{ $share }” is not a share of a fleet; write the class, a colon and 0 to 100 percent (suv:40).
 sightdistance-class-unseen = The fleet has a share of { $category }, of which the survey measured none; set that share to 0 or measure some.
 
 ## Catalogue: the page
 
-catalogue-lead = Manufacturers’ sizes of models, each with its source: what measured heights and lengths are compared with.
-catalogue-loading = Loading the catalogue ...
+catalogue-lead = Manufacturers’ sizes of vehicle models, each with its source, for comparison with measured heights and lengths.
+catalogue-loading = the catalogue
 catalogue-search = Search by make, model and year
 catalogue-which = Which models
-catalogue-offered = offered
+catalogue-offered = in use
 catalogue-retired = retired
 catalogue-none = No models
-catalogue-none-found = No model begins with these words; search by fewer letters.
+catalogue-none-found = No model matches. Search with fewer letters.
 catalogue-none-yet = Import a CSV of models, or add one by hand.
 catalogue-model = Model
 catalogue-years = Years
@@ -4567,14 +5311,14 @@ catalogue-u-of = { $size }, u
 catalogue-source-of = { $size }, source
 catalogue-source = Source of the sizes
 catalogue-shown = { NUMBER($first) } to { NUMBER($last) } of { NUMBER($total) }
-catalogue-before = Before
-catalogue-after = After
+catalogue-before = Previous
+catalogue-after = Next
 catalogue-correct = Correct
 catalogue-correct-model = Correct { $model }
 catalogue-correct-title = Correct a model
-catalogue-correct-save = Store the correction
+catalogue-correct-save = Save the correction
 catalogue-retire = Retire
-catalogue-restore = Offer again
+catalogue-restore = Use again
 catalogue-add = Add a model
 catalogue-add-title = Add a model
 catalogue-add-save = Add the model
@@ -4582,40 +5326,44 @@ catalogue-make = Make
 catalogue-model-name = Model
 catalogue-year-from = First model year
 catalogue-year-to = Last model year
-catalogue-needed = This is needed.
-catalogue-year-problem = Four digits, as in 2019.
-catalogue-number-problem = This is no number.
+catalogue-needed = Required.
+catalogue-year-problem = Enter four digits, for example 2019.
+catalogue-number-problem = Enter a number.
 catalogue-export = Export
 catalogue-import = Import a CSV
 catalogue-import-title = Import models from a CSV
 catalogue-import-choose = Choose a CSV of models
 catalogue-import-drop = Drop a CSV here
 catalogue-import-hint = A header line with make and model; sizes with their unit in the header (height_m, Length (mm)).
-catalogue-import-looking = Looking through the file ...
+catalogue-import-looking = the file
 catalogue-import-unit = Unit of the sizes
-catalogue-import-unit-header = as the headers say, else metres
-catalogue-import-conflicts = Where the catalogue says otherwise
-catalogue-import-keep = keep what it has
-catalogue-import-replace = put the file’s value in its place
+catalogue-import-unit-header = as stated in the header, otherwise metres
+catalogue-import-conflicts = Where the catalogue differs
+catalogue-import-keep = keep the catalogue’s value
+catalogue-import-replace = use the file’s value
 catalogue-import-columns = Columns of the file
 catalogue-import-in = in { $unit }
-catalogue-import-left-out = left out
-catalogue-import-lines = Lines to look at
+catalogue-import-left-out = skipped
+catalogue-import-some-left-out = { $count ->
+    [one] Not imported: the column { $columns }. Choose its meaning if it is a size, a year or an uncertainty.
+   *[other] Not imported: the columns { $columns }. Choose their meaning if they are sizes, years or uncertainties.
+}
+catalogue-import-lines = Lines to check
 catalogue-import-line = Line
-catalogue-import-what = What
-catalogue-import-why = Why
+catalogue-import-what = Action
+catalogue-import-why = Reason
 catalogue-import-store = { $count ->
-    [0] Nothing to store
-    [one] Store { NUMBER($count) } model
-   *[other] Store { NUMBER($count) } models
+    [0] Nothing to save
+    [one] Save { NUMBER($count) } model
+   *[other] Save { NUMBER($count) } models
 }
 catalogue-import-done = { NUMBER($added) } models added, { NUMBER($updated) } updated.
 catalogue-change-new = new
 catalogue-change-update = filled in
 catalogue-change-same = unchanged
-catalogue-change-conflict = in conflict
-catalogue-change-duplicate = twice in the file
-catalogue-change-refused = cannot be used
+catalogue-change-conflict = conflict
+catalogue-change-duplicate = duplicate in the file
+catalogue-change-refused = rejected
 catalogue-unit-m = metres
 catalogue-unit-cm = centimetres
 catalogue-unit-mm = millimetres
@@ -4623,57 +5371,111 @@ catalogue-unit-ft = feet
 catalogue-unit-in = inches
 
 ## Catalogue: what an import says of a line, and what cannot be stored
-catalogue-make-and-model = The make and the model are needed; fill in both.
-catalogue-too-long = A make has at most { $most_make } signs and a model { $most_model }; shorten it.
-catalogue-years-reversed = The last year lies before the first; swap them.
-catalogue-size-impossible = { $column } is { $value }, which no vehicle has; give it in metres, from { $low } to { $high }.
-catalogue-size-in-other-unit = { $column } is { $value }, which no vehicle has in metres; in { $unit } it would be { $metres } m. Give it in metres, or say the unit.
-catalogue-u-impossible = { $column } is { $value }, which is no standard uncertainty of a size; give metres, from 0 to 1.
-catalogue-unit-doubtful = { $column }: half of its values are { $middle } or more, which no list of vehicles has in { $unit }; they look like { $other }. Nothing is stored; say that the unit is { $sign }, or convert the file.
-catalogue-there-already = { $make } { $model } ({ $year }) is in the catalogue already; correct that row instead.
-catalogue-changed-meanwhile = Somebody changed { $make } { $model } meanwhile; look at it again and redo your change.
+catalogue-make-and-model = Enter both make and model.
+catalogue-too-long = A make has at most { $most_make } characters and a model { $most_model }; shorten it.
+catalogue-years-reversed = The last year is before the first; swap them.
+catalogue-sizes-contradict = { $column } is { $value } and { $other } is { $large }, which no vehicle has; correct one of the two.
+catalogue-control-characters = A make, model or source has a character that cannot be shown; type it again.
+catalogue-column-twice = The column { $column } appears more than once in the file; keep one, or give each its own name.
+catalogue-say-the-columns = { $name } has no column { $missing }; assign one of its columns, or name it so in the first line.
+catalogue-no-rows = { $name } has a header and no line of models below it; add one.
+catalogue-size-impossible = { $column } is { $value }, which is not plausible for a vehicle; give it in metres, from { $low } to { $high }.
+catalogue-size-in-other-unit = { $column } is { $value }, which is not plausible in metres; in { $unit } it would be { $metres } m. Give it in metres, or state the unit.
+catalogue-u-impossible = { $column } is { $value }, which is not a plausible standard uncertainty of a size; give metres, from 0 to 1.
+catalogue-unit-doubtful = { $column }: half of its values are { $middle } or more, which is not plausible in { $unit }; they look like { $other }. Nothing was saved. State the unit as { $sign }, or convert the file.
+catalogue-there-already = { $make } { $model } ({ $year }) is already in the catalogue; correct that row instead.
+catalogue-changed-meanwhile = { $make } { $model } was changed meanwhile; check it and repeat your change.
 catalogue-no-such-field = The catalogue has no field “{ $field }”; use one of { $known }.
-catalogue-column-choice = “{ $column }” says nothing of a column; write the field, an equals sign and the header (height_m=Roof).
-catalogue-duplicate = The same model as line { $line }; left out.
-catalogue-duplicate-differs = The same model as line { $line } with other values ({ $differences }); left out. Keep one of the two.
-catalogue-conflict-keep = { $differences }; what the catalogue has stays.
-catalogue-conflict-replace = { $differences }; this line takes its place.
+catalogue-column-choice = “{ $column }” does not assign a column; write the field, an equals sign and the header (height_m=Roof).
+catalogue-duplicate = The same model as line { $line }; skipped.
+catalogue-duplicate-differs = The same model as line { $line } with other values ({ $differences }); skipped. Keep one of the two.
+catalogue-conflict-keep = { $differences }; the catalogue’s value is kept.
+catalogue-conflict-replace = { $differences }; the value of this line replaces it.
 catalogue-differs = { $here } here, { $there } there
 catalogue-fills-in = Fills in { $columns }.
 
 studies-fleet-header = { $path } needs a column category (or lighting, stratum, site), or the two columns variable and class, and a column share or registrations; add them.
-studies-fleet-variable = { $path }, row { $row }: { $cell } is nothing that a fleet can be divided by; use one of { $known }.
-studies-fleet-class-twice = { $path }, row { $row }: { $name } is there twice; keep one row.
-studies-fleet-empty = { $path } has no row; give one row a class.
-studies-shares-do-not-sum = { $path }: the shares of { $variable } sum to { $total }, not to 1; correct them, or give registrations in their place.
-studies-registrations-do-not-sum = { $path }: { $first } sums to { $first_sum } vehicles and { $other } to { $other_sum }; both must be the same fleet.
+studies-fleet-variable = { $path }, row { $row }: a fleet cannot be divided by { $cell }; use one of { $known }.
+studies-fleet-class-twice = { $path }, row { $row }: { $name } appears twice; keep one row.
+studies-fleet-empty = { $path } has no rows; give one row per class.
+studies-shares-do-not-sum = { $path }: the shares of { $variable } sum to { $total }, not to 1; correct them, or give registrations instead.
+studies-registrations-do-not-sum = { $path }: { $first } sums to { $first_sum } vehicles and { $other } to { $other_sum }; both must describe the same fleet.
 studies-sites-header = { $path } needs the columns site and stratum; add them.
-studies-sites-there-differ = { $path }, row { $row }: stratum { $stratum } has another sites_there further up; write the same number, or none, in each of its rows.
-studies-traffic-of-some = { $path }: traffic stands for some sites only, or is 0; give it for all sites or for none.
+studies-sites-there-differ = { $path }, row { $row }: stratum { $stratum } has another sites_there in an earlier row; write the same number, or none, in each of its rows.
+studies-traffic-of-some = { $path }: traffic is given for some sites only, or is 0; give it for all sites or for none.
 studies-not-csv = { $path } cannot be read as CSV ({ $why }); save it as CSV in UTF-8.
+studies-not-a-count = { $path }, row { $row }: { $name } is { $cell }, not a whole number from 1; correct it or leave it empty.
 studies-not-an-amount = { $path }, row { $row }: { $name } is { $cell }, not a number from 0; correct it.
-studies-no-package-there = { $place } is no package and holds none; name exported folders or ZIPs, or a folder of them.
-studies-package-does-not-verify = { $place } does not verify, so that no study is made of it: { $problem }
-studies-package-without-sample = { $place } does not say which vehicles were in its sample, for it was made by an earlier version; export its survey again.
+studies-no-package-there = { $place } is not a package and contains none; name exported folders or ZIPs, or a folder of them.
+studies-package-does-not-verify = { $place } does not verify, so it cannot be used in a study: { $problem }
+studies-package-without-sample = { $place } does not state which of its vehicles count because it was made by an earlier version; export its survey again.
 studies-package-without-parquet = { $place } was made by an earlier version, without Parquet; export its survey again.
-studies-survey-without-poses = { $place } has no road pose, and so no height; leave it out, or pose its recordings (and export a package again).
+studies-survey-without-poses = { $place } has no camera pose and therefore no heights; leave it out, or compute the poses of its recordings (and export a package again).
 studies-same-survey-twice = { $first } and { $second } are packages of the same survey; keep the later one.
 studies-packages-of-two-versions = { $first } (version { $first_version }) and { $second } (version { $second_version }) have other columns in { $table }; export both with one version.
 studies-no-height-counts = None of the surveys has an accepted height in its sample; review measurements (and export a package again).
 studies-class-unknown = The fleet has { $variable } { $name }, which Sightline does not know; use { $known }.
-studies-class-never-seen = The fleet has { $variable } { $name }, which no survey saw; leave it out and let the other shares sum to 1, or measure some.
-studies-class-not-in-fleet = The surveys saw { $count } vehicles of { $variable } { $name }, which the fleet does not have; add a row for it (0 if it is not to count).
+studies-class-never-seen = The fleet has { $variable } { $name }, which no survey contains; leave it out and let the other shares sum to 1, or measure some.
+studies-class-not-in-fleet = The surveys contain { $count } vehicles of { $variable } { $name }, which the fleet does not have; add a row for it (0 to exclude it).
 studies-site-not-in-sites = The table of sites has no row for { $site }; add it.
 studies-more-sites-than-there = Stratum { $stratum } has { $count } sites here, but sites_there says { $there }; correct it.
-studies-needs-a-name = A study needs a name; fill it in.
+studies-needs-a-name = A study needs a name; enter one.
 studies-has-no-survey = The study has no survey; add at least one.
-studies-goal-of-study = { $goal } m is no U95 between 0 and 1 m; 0.010 m is 10 mm.
-studies-survey-stands-twice = { $name } stands in the study twice; keep it once.
-studies-no-year = { $year } is no year that { $name } can stand for; correct it, or leave it empty.
-studies-site-in-two-strata = Site { $site } is of stratum { $first } and of { $second }; give it one, in all its surveys and in the table of sites.
+studies-goal-of-study = { $goal } m is not a U95 between 0 and 1 m; 0.010 m is 10 mm.
+studies-survey-stands-twice = { $name } is in the study twice; keep it once.
+studies-no-year = { $year } is not a possible year for { $name }; correct it, or leave it empty.
+studies-site-in-two-strata = Site { $site } is in stratum { $first } and in stratum { $second }; give it one, in all its surveys and in the table of sites.
 studies-site-without-stratum = Site { $site } has no stratum, though others have one; give every site one, or none.
-studies-changed-meanwhile = { $name } changed this study on { $when }. Load it again and redo your change.
-studies-goal-no-length = --goal { $goal } is no U95 in metres between 0 and 1; 0.010 is 10 mm.
+studies-changed-meanwhile = { $name } changed this study on { $when }. Reload it and repeat your change.
+studies-goal-no-length = --goal { $goal } is not a U95 in metres between 0 and 1; 0.010 is 10 mm.
+studies-compared-with-itself = { $name } cannot be compared with itself; choose another study.
+studies-compared-without-figures = { $name } has not been computed; compute it first.
+studies-fleet-two-amounts = { $path } has a column share and a column registrations; keep the one that counts.
+studies-registrations-of-nobody = { $path }: { $variable } sums to 0 vehicles; give how many there are.
+studies-output-is-a-package = { $place } is a package of a survey, or lies in one; name a folder of its own for the study.
+traffic-duration-twice = { $path } states its own duration; leave --duration out.
+traffic-no-duration-inside = { $path } does not state its duration; write it again with sightline linescan --json.
+traffic-lanes-of-its-own = The vehicles of { $name } have lanes of their own ({ $lanes }); leave out --lane.
+traffic-no-duration = { $path } contains lines of sightline stream, which do not state the duration; give --duration in seconds.
+traffic-no-recording = { $path } is not output of sightline linescan --json or sightline stream; give one of those.
+traffic-file-too-large = { $path } is larger than { $most_gb } GB; add the recording in parts.
+traffic-cannot-read = { $path } cannot be read ({ $strerror }); give the output of sightline linescan --json or sightline stream.
+traffic-vehicle-without = Vehicle { $vehicle } of { $path } has no readable { $column }; write it again with sightline linescan --json.
+traffic-number-twice = { $path } has vehicle { $vehicle } twice; give one recording per file.
+traffic-outside-recording = Vehicle { $vehicle } of { $path } passed from { $front_s } s to { $rear_s } s, outside the recording's { $duration_s } s; correct --duration, or write the file again.
+import-videos-or-folder = Name videos, or a folder with --watch, and not both; see sightline import --help.
+import-no-token = A token is needed: make one in Account with read and upload, and set SIGHTLINE_TOKEN to it.
+import-no-address = “{ $url }” is not an address of Sightline; write it as http://name:8000.
+import-no-answer = { $url } does not answer; check the address, and that the server is running.
+import-no-sightline = { $url } answered with status { NUMBER($status, useGrouping: 0) }, but not as Sightline does; check the address.
+import-server-said = The server answered: { $sentence }.
+import-no-such-survey = There is no survey “{ $survey }” that you can see; yours are: { $names }.
+import-survey-name-twice = Several surveys are called “{ $survey }”; give the number of one: { $numbers }.
+import-no-such-file = { $name } is not a file; check the name.
+import-no-such-folder = { $name } is not a folder; name an existing one.
+import-not-a-video = { $name } does not have the ending of a video; videos end with { $suffixes }.
+import-empty-file = { $name } is empty; give the file that the camera wrote.
+import-changed-meanwhile = { $name } was changed while it was uploaded; delete its recording, and import the file again when it is finished.
+import-cannot-be-read = { $name } was uploaded but cannot be read: { $reason }.
+import-passes-not-found = { $name } was imported, but its passes were not found: { $reason }.
+traffic-recording-there = { $name } is already in the archive (site { $site }, { $day }); remove it first with: sightline traffic remove
+traffic-other-zone = Site { $site } uses the time zone { $there }, not { $zone }; give that zone, or another site.
+traffic-overlap = { $name } and { $other }, which is in the archive, both observed this lane of { $site } from { $start } to { $end }; correct --start, or name the lane with --lane.
+traffic-no-name = "{ $name }" cannot name a { $what } here; use up to { $most } letters, digits, spaces and - _ . with no dot in front.
+traffic-no-such-recording = { $path } has no recording { $name }; give its file's name or the beginning of its SHA-256.
+traffic-several-recordings = { $path } has several recordings that match { $name }; give the beginning of the SHA-256 of one.
+traffic-no-archive = { $path } is not a traffic archive; create one with: sightline traffic add
+traffic-being-changed = { $path } is being changed by another process; try again when it is done.
+traffic-cannot-write = { $path } cannot be written ({ $strerror }); choose another folder, or free some space.
+traffic-no-u-start = --u-start { $u_start_s } is not a standard uncertainty in seconds; give 0 or more.
+traffic-no-length-of-time = --duration { $duration_s } is not a time in seconds above 0; correct it.
+traffic-no-minutes = --minutes { $minutes } does not divide a day; use 1, 5, 15, 30, 60 or another that does.
+traffic-no-percents = --percentile { $text } must be different numbers above 0 and below 100, as in 15,50,85.
+traffic-no-limits = --lengths { $text } must be increasing lengths in metres between 0 and 100, as in 6,12.
+traffic-no-numbers = { $option } { $text } contains something that is not a number; separate numbers by commas.
+traffic-no-day = { $option } { $text } is not a day; write it as 2026-05-04.
+traffic-days-turned = --to { $last } is before --from { $first }; swap them.
+traffic-no-such-site = The archive has no site { $site }; it has { $there }.
 commands-compare-two-values = --compare { $text } needs --by and two different values of its column, as in --by year --compare 2020,2026.
 commands-compare-no-such-value = No row with a height has { $name } in { $by }; compare two of { $known }.
 
@@ -4682,64 +5484,68 @@ commands-compare-no-such-value = No row with a height has { $name } in { $by }; 
 opened-reading = Reading the package…
 opened-unreadable = This page cannot read the package that it carries. Use a browser of 2023 or later, or run sightline verify.
 opened-made-with = Made with Sightline { $version }.
+opened-only = This package is limited. Statistics, figures and report cover only: { $only }. The survey’s other vehicles are in the tables and count in no result.
 opened-report = Report (PDF)
 opened-measurements = Measurements
 opened-figures = Figures
 opened-tables = Tables
 opened-sizes = Sizes
 opened-checking = Checking the package…
-opened-is-fine = Nothing in what this page can check contradicts anything else.
-opened-is-wrong = This package is not as it was made.
-opened-failed = The package cannot be read to its end: { $words }.
+opened-is-fine = The checks of this page found no contradiction.
+opened-is-wrong = This package was changed after it was made.
+opened-failed = The package could not be read completely: { $words }.
 opened-heights-agree = { $count ->
     [one] The height was computed again from its clicks and agrees.
    *[other] { NUMBER($count) } heights were computed again from their clicks and agree.
   } The largest difference is { NUMBER($off_um, maximumFractionDigits: 2) } µm; tables are written to the micrometre.
 opened-heights-refused = { $count ->
-    [one] One was not computed: see its line.
-   *[other] { NUMBER($count) } were not computed: see their lines.
+    [one] One was not computed: see its row.
+   *[other] { NUMBER($count) } were not computed: see their rows.
   }
 opened-heights-differ = { $count ->
     [one] One measurement differs from what its clicks give: { $named }.
    *[other] { NUMBER($count) } measurements differ from what their clicks give: { $named }.
   }
 opened-chain-whole = { $count ->
-    [one] The audit chain of 1 event is whole.
-   *[other] The audit chain of { NUMBER($count) } events is whole: each holds what was hashed and follows the one before.
+    [one] The audit chain of 1 event is intact.
+   *[other] The audit chain of { NUMBER($count) } events is intact: each event matches its hash and follows the one before.
   }
 opened-chain-broken = The audit chain is broken at event { $number }.
-opened-chain-absent = The audit chain was not checked: audit.js does not lie beside this page, or the chain is too large for a page. Use sightline verify.
+opened-chain-absent = The audit chain was not checked: audit.js is not beside this page, or the chain is too large for a page. Drop the package’s ZIP or folder here, or use sightline verify.
 opened-seal-none = The audit chain does not end with the seal of a package.
-opened-seal-chain = The audit chain before the seal is not the one that the seal names.
-opened-seal-holds = The { NUMBER($count) } files that this page carries are those that the seal names.
-opened-seal-wrong = Not the files that the seal names: { $named }.
-opened-rows-agree = Every measurement says what its audit event says.
+opened-seal-chain = The audit chain before the seal is not the one named by the seal.
+opened-seal-holds = The { NUMBER($count) } files that this page carries match the seal.
+opened-seal-wrong = Files that do not match the seal: { $named }.
+opened-rows-agree = Every measurement matches its audit event.
 opened-rows-differ = { $count ->
-    [one] One measurement is not what its audit event says: { $named }.
-   *[other] { NUMBER($count) } measurements are not what their audit events say: { $named }.
+    [one] One measurement differs from its audit event: { $named }.
+   *[other] { NUMBER($count) } measurements differ from their audit events: { $named }.
   }
-opened-poses-agree = Every road pose is the one that its audit event names.
-opened-poses-differ = Not the road poses that their audit events name: { $named }.
-opened-signature-holds = Signed on { $at } with key { $key }…: compare it with the one that the installation shows.
-opened-signature-wrong = The signature does not hold for the end of this chain.
-opened-signature-unknown = The signature was not checked, for this browser has no Ed25519. Use sightline verify.
-opened-folder-choose = Check the files of the folder too: choose the folder in which this page lies. Nothing leaves this computer.
+opened-poses-agree = Every camera pose matches its audit event.
+opened-poses-differ = Camera poses that differ from their audit events: { $named }.
+opened-signature-holds = Signed on { $at } with key { $key }…: compare it with the key shown by the installation.
+opened-signature-wrong = The signature is not valid for the end of this chain.
+opened-signature-unknown = The signature was not checked because this browser does not support Ed25519. Use sightline verify.
+opened-folder-choose = Check the files too: drop the package’s ZIP or folder anywhere on this page, or choose it here. Nothing leaves this computer.
+opened-folder-folder = The folder in which this page lies
+opened-folder-zip = Or the package’s ZIP
+opened-folder-unreadable = The files were not checked: what was chosen is no whole package. Take the ZIP again, or choose the folder.
 opened-folder-checking = Checking the files…
-opened-folder-fine = All { NUMBER($count) } files of the folder ({ NUMBER($mb, maximumSignificantDigits: 2) } MB) are those that the seal names.
+opened-folder-fine = All { NUMBER($count) } files of the package ({ NUMBER($mb, maximumSignificantDigits: 2) } MB) match the seal.
 opened-folder-changed = Changed after the export: { $named }.
-opened-folder-missing = Missing from the folder: { $named }.
+opened-folder-missing = Missing from the package: { $named }.
 opened-folder-strange = Not part of the package: { $named }.
-opened-what-title = What is checked where
-opened-what-here = Here, from the copies of the tables that this page carries: every height in force from clicks, lens and road pose, by arithmetic of this page’s own; U95 as 1.96 u and u as the root sum of squares of its budget; the audit chain with its seal and signature; every measurement and road pose against its audit event.
-opened-what-folder = Only once you choose the folder: whether the files beside this page (pictures, figures, report, tables) are those that the seal names. A browser does not let a page read its neighbours unasked.
-opened-what-verify = Only by sightline verify: earlier revisions and repeats, the parts of the budgets, verdicts against reviews, vehicles, line scans, the statistics, figures and report made again, Parquet against CSV.
-opened-what-page = A page can be forged as a whole, and would then say what its forger likes. For a verdict that matters run sightline verify with the key that the installation shows.
-opened-measurements-none = No measurement in this package.
+opened-what-title = Which checks are made where
+opened-what-here = Here, from the copies of the tables that this page carries: every current height from clicks, lens and camera pose, with this page’s own arithmetic; U95 as 1.96 u and u as the root sum of squares of its budget; the audit chain with its seal and signature; every measurement and camera pose against its audit event.
+opened-what-folder = Only after you choose the folder or drop the ZIP: whether the files of the package (pictures, figures, report, tables) match the seal. A browser does not let a page read other files without asking.
+opened-what-verify = Only with sightline verify: earlier revisions and repeats, the components of the budgets, verdicts against reviews, vehicles, line scans, recomputed statistics, figures and report, Parquet against CSV.
+opened-what-page = A page can be forged as a whole and would then state whatever its forger wants. If it matters, run sightline verify with the key shown by the installation.
+opened-measurements-none = This package has no measurements.
 opened-figures-none = No figures: too few accepted measurements.
 opened-left-out = Too large for this page, so neither shown nor checked here: { $named }. Use sightline verify.
 opened-table-empty = No rows.
-opened-table-cut = The first { NUMBER($shown) } of { NUMBER($count) } rows; the file has all.
-opened-sizes-total = { NUMBER($files) } files, { NUMBER($mb, maximumSignificantDigits: 3) } MB, beside this page, the description, the audit chain and the list of sums.
+opened-table-cut = The first { NUMBER($shown) } of { NUMBER($count) } rows; the file contains all.
+opened-sizes-total = { NUMBER($files) } files, { NUMBER($mb, maximumSignificantDigits: 3) } MB, not counting this page, the description, the audit chain and the checksums.
 opened-size-top = { NUMBER($files) } files at the top, { NUMBER($mb, maximumSignificantDigits: 2) } MB
 opened-size = { $folder } { NUMBER($files) } files, { NUMBER($mb, maximumSignificantDigits: 2) } MB
 opened-filter = Show
@@ -4758,6 +5564,7 @@ opened-verdict-fixed = corrected
 opened-verdict-rejected = rejected
 opened-verdict-unreviewed = not reviewed
 opened-withdrawn = withdrawn
+opened-outside = { $verdict }; outside the limits
 opened-column-id = No.
 opened-column-target = Target
 opened-column-package = Height in the package
@@ -4766,19 +5573,1489 @@ opened-column-review = Review
 opened-height = { $height_m } ± { $U95_m } m
 opened-height-here = { $height_m } m
 opened-height-none = no height
-opened-refused-pose = not computed: its road pose is not in the package
-opened-refused-form = not computed: its frames are not all in the table
+opened-refused-pose = not computed: its camera pose is not in the package
+opened-refused-form = not computed: the table lacks some of its frames
 opened-one = Measurement { $id }: { $target }
-opened-crops-none = No picture of it in this package.
+opened-crops-none = There is no picture of it in this package.
+opened-crops-outside = Outside the limits of this package ({ $only }), so it has no picture here and counts in no result.
 opened-crop = Frame { $frame } with both points
-opened-differs = Not what the clicks give: { $named }.
+opened-differs = Differs from what the clicks give: { $named }.
 opened-pair-package = Height in the package, m
-opened-pair-here = Computed in this page
+opened-pair-here = Computed on this page
 opened-pair-off = Difference
 opened-nanometres = { $off_nm } nm
 opened-pair-contact = Tyre contact, px
 opened-pair-target = Target, px
 opened-pair-inset = Inset, m
 opened-pair-frame = Recording and frame
-opened-pair-pose = Road pose
+opened-pair-pose = Camera pose
 opened-pair-u = u from { $source }, m
+
+## The page of an evidence file: opened without a server, by somebody who has nothing else
+
+opened-evidence-unreadable = This page cannot read its data: the file was truncated or changed.
+opened-evidence-title = Vehicle { $number }, { $scan }
+opened-evidence-made = Evidence file made on { $at } UTC by { $by } with Sightline { $version }.
+opened-evidence-nobody = nobody signed in
+opened-evidence-checking = Checking the file…
+opened-evidence-is-fine = The checks of this page found no contradiction.
+opened-evidence-is-wrong = This file was changed after it was made.
+opened-evidence-failed = The file could not be checked completely: { $words }.
+opened-evidence-text-fine = The data are in exactly the form that is signed (RFC 8785).
+opened-evidence-text-wrong = The data are not in the form that is signed.
+opened-evidence-pictures-fine = Both pictures match the SHA-256 in the data.
+opened-evidence-pictures-wrong = Pictures that do not match the data: { $named }.
+opened-evidence-events-fine = { $count ->
+    [one] The audit event matches its hash.
+   *[other] The { NUMBER($count) } audit events match their hashes.
+  }
+opened-evidence-events-wrong = Audit events that do not match their hashes: { $named }.
+opened-evidence-event-fine = The motion matches its audit event.
+opened-evidence-event-wrong = The motion differs from its audit event: { $named }.
+opened-evidence-signature-holds = The signature is valid for key { $key }…
+opened-evidence-signature-wrong = The signature is not valid for key { $key }…
+opened-evidence-signature-unknown = The signature was not checked because this browser does not support Ed25519; the hashes were checked. Use sightline verify, or a newer browser.
+opened-evidence-proves = A signature proves only that the holder of this key signed these data: not who holds the key, nor that the data are true, nor when they were made. Compare the key with the key shown by the installation.
+opened-evidence-what-here = Here: the hashes of both pictures and of the audit events, the motion against its event, and the signature with the chain of keys.
+opened-evidence-what-verify = Only with sightline verify: length, budget, gap, time of day and decision recomputed from boundary lines and rig, the verdict against its event, and the program of this page. The motion itself comes from the two complete strips, which the installation keeps.
+opened-evidence-what-page = A file can be forged as a whole and would then state whatever its forger wants. If it matters, run sightline verify with the key shown by the installation.
+opened-evidence-data = All data of this file
+opened-evidence-decision = Decision
+opened-evidence-decision-note = Rule: a decision is made only if the value is beyond the limit, on either side, by at least the guard band (JCGM 106:2012, 8.3), with the stated uncertainty taken as normally distributed.
+opened-evidence-rule-source = The limit: { $source }
+opened-evidence-motion = Motion as measured
+opened-evidence-with-u = { $value } { $unit } (u = { $u } { $unit })
+opened-evidence-speed = Speed as the front reaches camera 1
+opened-evidence-acceleration = Acceleration
+opened-evidence-length = Length
+opened-evidence-direction = Direction
+opened-evidence-direction-of = { $direction ->
+    [camera_2_first] camera 2 first
+   *[camera_1_first] camera 1 first
+}
+opened-evidence-lane-unknown = not known
+opened-evidence-axles = Axles
+opened-evidence-axles-of = { $count }, { $by ->
+    [person] counted by a person
+   *[machine] counted by the program
+}
+opened-evidence-lines-1 = Front and rear at camera 1, line
+opened-evidence-lines-2 = Front and rear at camera 2, line
+opened-evidence-time-gap = Time gap to the vehicle in front
+opened-evidence-distance-gap = Distance to the vehicle in front
+opened-evidence-gap-none = no vehicle was measured in front of this one
+opened-evidence-method = Measured
+opened-evidence-found = Boundaries found by Sightline, { $method ->
+    [paper] block matching
+   *[direct] direct registration
+  }; revision { $revision } of { $at } UTC, Sightline { $version }
+opened-evidence-placed = Boundaries or wheels placed by a person, { $method ->
+    [paper] block matching
+   *[direct] direct registration
+  }; revision { $revision } of { $at } UTC, Sightline { $version }
+opened-evidence-review = Review
+opened-evidence-verdict = { $verdict ->
+    [accepted] Accepted by { $by } on { $at } UTC.
+    [rejected] Rejected by { $by } on { $at } UTC.
+    [reopened] Reopened by { $by } on { $at } UTC.
+   *[to_review] Not reviewed yet.
+  }
+opened-evidence-budget = Uncertainty budget
+opened-evidence-budget-note = Standard uncertainties; the last row is their root sum of squares.
+opened-evidence-source = Source
+opened-evidence-u-speed = u of the speed, m/s
+opened-evidence-u-acceleration = u of the acceleration, m/s²
+opened-evidence-u-length = u of the length, m
+opened-evidence-combined = combined
+opened-evidence-time = Time
+opened-evidence-passed = Front at camera 1
+opened-evidence-passed-u = { $at } (u = { $u_s } s)
+opened-evidence-start = Confirmed start of the recording
+opened-evidence-start-u = { $at }, local time in { $zone } (u = { $u_s } s)
+opened-evidence-since = Since the first line
+opened-evidence-clock-none = The start of this recording is not confirmed, so there is no time of day.
+opened-evidence-rig = Rig and recording
+opened-evidence-baseline = Baseline
+opened-evidence-baseline-there = Baseline at the vehicle
+opened-evidence-rate = Line rate
+opened-evidence-divergence = Divergence of the scanning planes
+opened-evidence-distance = Distance to the vehicles
+opened-evidence-lane = Lane
+opened-evidence-shadow = Shadow zone, lowest share of the rows
+opened-evidence-misalignment = Misalignment in rows, as set
+opened-evidence-strips = Recording
+opened-evidence-strips-size = { $name }: { NUMBER($lines) } lines of { $rows } rows, { $bits } bits
+opened-evidence-strip = SHA-256 of the stored strip of camera { $camera }
+opened-evidence-audit = Audit trail
+opened-evidence-audit-end = Chain { $chain } had { NUMBER($count) } events when this file was made. Its last hash was
+opened-evidence-event-number = No.
+opened-evidence-event-at = At (UTC)
+opened-evidence-event-what = Event
+opened-evidence-event-hash = Hash
+opened-evidence-keys = The installation’s keys up to the one that signed, each signed by the one before:
+opened-evidence-pictures = Both pictures, and your own boundaries
+opened-evidence-by-hand = Time runs to the right, one column per line. Choose front or rear, then click its position in each picture; you can also enter lines in the fields below.
+opened-evidence-set = { $edge ->
+    [rear] Set the rear (blue)
+   *[front] Set the front (yellow)
+  }
+opened-evidence-zoom = Zoom
+opened-evidence-show-lines = Show the file’s boundaries (dashed)
+opened-evidence-camera = Camera { $camera }
+opened-evidence-quantity = Quantity
+opened-evidence-hand = By your boundaries
+opened-evidence-file = In the file
+opened-evidence-line = { $edge ->
+    [rear] Rear
+   *[front] Front
+  } at camera { $camera }, line
+opened-evidence-plain-front = Speed of the front
+opened-evidence-plain-rear = Speed of the rear
+opened-evidence-plain = Your column uses the simple formula from two lines: speed = baseline / time between the cameras; length = mean of both speeds × time at camera 1. It differs from the server’s result, which registers all lines between and includes acceleration: the file’s speed is that when the front reaches camera 1.
+opened-evidence-no-speed = these lines give no speed
+opened-evidence-not-set = set all four boundaries
+opened-evidence-no-shift = no speed
+opened-evidence-speed-of = { $kmh } km/h ({ $mps } m/s)
+opened-evidence-overlay = Camera 2 over camera 1
+opened-evidence-shift = Move camera 2 back by (lines)
+opened-evidence-opacity = Opacity of camera 2
+opened-evidence-difference = Show the difference
+opened-evidence-shift-hand = { $edge ->
+    [rear] Align your rears
+   *[front] Align your fronts
+  }
+opened-evidence-shift-file = { $edge ->
+    [rear] Align the file’s rears
+   *[front] Align the file’s fronts
+  }
+opened-evidence-shift-words = { $lines } lines are { $ms } ms; baseline / time gives { $speed }.
+
+## Evidence of one line-scanned vehicle: its making, its decision, and its verification
+evidence-no-rule = No limit was stated, so no decision was made.
+evidence-decided = { $answer ->
+    [conforming] Conforming
+    [not_conforming] Not conforming
+   *[undecided] Undecided
+  }: the { $quantity ->
+    [speed] speed
+    [time_gap] time gap
+   *[distance_gap] distance gap
+  } is { $value } { $unit } with a standard uncertainty of { $u } { $unit }; the limit is { $side ->
+    [upper] at most
+   *[lower] at least
+  } { $limit } { $unit }. { $answer ->
+    [conforming] It keeps the limit by more than the guard band of { $guard } { $unit } ({ $factor } u); the probability that this decision is wrong is { $least } { $chance } %, and { $risk } % was allowed.
+    [not_conforming] It breaks the limit by more than the guard band of { $guard } { $unit } ({ $factor } u); the probability that this decision is wrong is { $least } { $chance } %, and { $risk } % was allowed.
+   *[undecided] It is no farther from the limit than the guard band of { $guard } { $unit } ({ $factor } u); the more likely decision would be wrong with a probability of { $least } { $chance } %, and { $risk } % was allowed.
+  }
+evidence-none-refused = No decision: the vehicle has no measured motion. { $reason }
+evidence-none-rig = No decision: values of the rig were changed after this vehicle, or the one in front of it, was measured.
+evidence-none-review = No decision: { $verdict ->
+    [rejected] a reviewer rejected the measurement.
+    [reopened] a reviewer reopened the measurement, and it has not been accepted since.
+   *[other] no reviewer has accepted the measurement.
+  }
+evidence-none-first = No decision: no vehicle was measured in front of this one, so there is no gap.
+evidence-none-before = No decision: vehicle { $number }, in front of this one, has no motion measured with the current rig.
+evidence-none-before-review = No decision: { $verdict ->
+    [rejected] a reviewer rejected
+    [reopened] no reviewer has accepted, since it was reopened,
+   *[other] no reviewer has accepted
+  } the measurement of vehicle { $number }, in front of this one.
+evidence-none-value = No decision: there is no value with an uncertainty. { $reason }
+evidence-not-measured = Vehicle { $number } is not measured; measure it first.
+evidence-no-picture = The strip of camera { $camera } ends before the vehicle; place its front and rear within the strip.
+evidence-too-long = Front and rear are { NUMBER($lines) } lines apart, more than a vehicle takes ({ NUMBER($most) }); correct its boundaries.
+evidence-pages-not-built = The page of evidence files is not built; run make setup and try again.
+evidence-one-limit = Give one limit: --most-kmh, --least-time-gap-s or --least-distance-gap-m, above 0 and below 10,000.
+evidence-no-scan = The survey has no line-scan recording { $scan }; it has: { $names }.
+evidence-no-vehicle = There is no vehicle { $number } in { $scan }; check the number on the line scan page.
+evidence-not-one = This is not an evidence file as written by this program, or it was truncated; get the file again.
+evidence-form = The part “{ $part }” cannot be read ({ $words }); it was changed.
+evidence-another-page = The page's program is not the one named by the document; it was changed.
+evidence-not-canonical = The document is not canonical JSON; it was changed.
+evidence-signature = The signature is not valid for the document.
+evidence-keys = The document does not show how its key follows from the earlier keys.
+evidence-other-key = The file was signed with key { $key }, which is not linked to the given key; it is from another installation, or forged.
+evidence-pictures = The two pictures, of camera 1 and camera 2, are not both there.
+evidence-picture = The picture { $name } is not the one named by the document.
+evidence-picture-size = The picture { $name } has another size than the document states.
+evidence-event = Audit event { $number } is not the one that was hashed, or belongs to another chain.
+evidence-no-event = There is no audit event of the { $part ->
+    [before] vehicle in front
+   *[measurement] measurement
+  }.
+evidence-not-as-event = The { $part ->
+    [before] vehicle in front
+   *[measurement] measurement
+  } differs from its audit events: { $named }.
+evidence-made-again = Recomputed from the document, this differs: { $named }.
+evidence-numbers = For the { $part ->
+    [before] vehicle in front
+   *[measurement] measurement
+  }, this does not follow from lines, rig and budget: { $named }.
+evidence-page-other-version = The page was made by another version of the program: its hash is signed, but the page could not be compared with a page of this version.
+evidence-key-given = The signature proves what the holder of that key signed, not who held the key, nor that it is true, nor when it was made.
+evidence-key-not-given = Signed with key { $key }: a forger can sign with a key of their own. Compare it with the key shown by the installation, or give that as --key.
+statistics-risk-cannot-be = A risk of { $risk } is out of range; give { $least } to { $most }.
+
+## A board to print
+
+print-board-title = Checkerboard: { $columns } × { $rows } inner corners, squares of { $square_mm } mm
+print-board-title-charuco = ChArUco board: { $columns } × { $rows } inner corners, squares of { $square_mm } mm, markers { $dictionary } of { $marker_mm } mm
+print-board-check = Print on { $paper } at actual size (100 %), not fitted to the page. Then measure the bar above: it is { $bar_mm } mm long. If the print differs, measure a whole row of squares and enter the printed size of one square.
+geometry-board-larger-than-paper = The board needs a sheet of { $width_mm } x { $height_mm } mm including its white margin, which is larger than A0; choose smaller squares, or name a roll of paper, such as 1200x900.
+geometry-board-not-on-paper = The board needs a sheet of { $width_mm } x { $height_mm } mm including its white margin and does not fit on { $paper }; choose a larger paper or smaller squares.
+geometry-paper-not-known = Paper { $paper } is not known; use one of { $papers }, or its width and height in mm, such as 841x1500.
+
+# Reference values of scanned vehicles, said or imported
+reference-value-cannot-be = A reference { $quantity } of { $value } { $unit } is out of range; give a value above 0 and up to { $most } { $unit }.
+reference-u-cannot-be = An uncertainty of { $u } { $unit } for a { $quantity } of { $value } { $unit } is out of range; give a standard uncertainty above 0 and not above the value itself.
+reference-device-too-long = The instrument's name is longer than { $most } characters; shorten it.
+reference-withdrawn-already = This reference value was already removed; there is nothing to do.
+reference-changed-meanwhile = { $name } changed this reference value meanwhile; check it first.
+reference-columns-missing = { $name } needs a column “number” (of the vehicle in its recording) or “time” (at which it passed) and one of speed_kmh, length_m, wheelbase_m or run_of; its first line must name the columns.
+reference-column-unit = The column “{ $column }” of { $name } does not state its unit; name it one of { $names }, with “u_” in front for the uncertainty.
+reference-no-line-used = No line of { $name } can be used; line { $line }: { $reason }
+reference-line-no-number = The vehicle number is “{ $number }”; give the whole number shown on the line scan page.
+reference-line-no-vehicle = This recording has no vehicle { $number }.
+reference-line-not-number = “{ $cell }” is not a number.
+reference-line-no-u = The { $quantity } has no uncertainty; give u_{ $quantity } beside it.
+reference-line-no-value = There is an uncertainty of the { $quantity } but no { $quantity }.
+reference-line-no-source = The source is “{ $source }”; use one of { $known }.
+reference-line-empty = The line gives no value and no car.
+reference-line-twice = Line { $line } gives the { $quantity } of this vehicle by { $source } already.
+reference-line-no-time = “{ $text }” is not a time with seconds; write it as 14:05:32.4 or 2025-05-14T14:05:32.4.
+reference-line-no-date = The recording continues into another day, on which { $time } occurs again; give the date too.
+reference-line-nobody = No vehicle of this recording has a time of day, so none passed within { $tolerance_s } s of { $time }.
+reference-line-nobody-near = No vehicle passed within { $tolerance_s } s of { $time }; the nearest is vehicle { $number }, { $apart_s } s away.
+reference-line-several = Vehicles { $numbers } passed within { $tolerance_s } s of { $time }; give the number of the right one.
+reference-line-fits-others = By its time this is vehicle { $number }, but line { $lines } gives its { $quantity } by { $source } too; give the vehicles’ numbers.
+reference-line-fits-cars = By its time this is vehicle { $number }, but line { $lines } names another car for it; give the vehicles’ numbers.
+reference-line-vehicle-without-time = Vehicle { $number } has no time of day to compare with; leave the time out.
+reference-line-time-of-another = Vehicle { $number } passed { $apart_s } s from this time, more than { $tolerance_s } s.
+reference-times-need-start = { $name } has times, but the start of this line scan is not confirmed, so no vehicle has a time of day. Confirm the start, or give the vehicles’ numbers.
+reference-times-later = The times of { $count } lines are { $off_s } s later (median) than those of their vehicles.
+reference-times-earlier = The times of { $count } lines are { $off_s } s earlier (median) than those of their vehicles.
+reference-times-start = The start of this line scan is known to ± { $U95_s } s only, more than the tolerance of { $tolerance_s } s: a line may fit a neighbour. Check the pairs.
+reference-line-replaces = Replaces the { $quantity } { $value } { $unit } (u { $u } { $unit }).
+reference-line-renames = Was a run of { $car }.
+reference-car-too-long = The car's name is longer than 100 characters; shorten it.
+scans-reference-does-not-follow = { $path }: { $name } of row { $number } does not follow from the reference and the vehicle's own value.
+## What the server says in English, found again by its text (sightline/messages/recognised.py)
+
+told-adjustment-its-of-m-is = Its { $lengths } of { $known_m } m is { $u } standard uncertainties too { $u2 } for the observed points; check the model.
+told-adjustment-too-many-of-its = Too many of its points are off a straight line.
+told-adjustment-a-point-lies-outside = A point lies outside the picture.
+told-adjustment-a-tyre-lies-where = A tyre lies where there is no road: above the horizon, or outside the lens model's radius.
+told-adjustment-the-traffic-contradicts-with = The traffic contradicts { $name } with its stated u of { $u }; it was excluded.
+told-adjustment-the-points-scatter-times = The points scatter { $point_factor } times as much as stated; their uncertainties were multiplied by this factor.
+told-adjustment-the-global-test-fails = Global test failed: chi-square { $chi2 } with { $freedom } degrees of freedom; the stated uncertainties are not consistent.
+told-adjustment-with-vehicles-a-wrong = With { $used } vehicles, a wrong vehicle cannot be distinguished from a wrong pose.
+told-adjustment-is-far-from-0 = { $name } is far from 0 for its stated u of { $u }; check that the known lengths refer to the points that were followed.
+told-adjustment-the-known-values-of = The known values of the { $name } scatter { $factor } times as much as stated; their uncertainties were multiplied by this factor.
+told-adjustment-no-pass-with-a = No pass with a known length could be used, so the pose is unchanged.
+told-adjustment-a-point-or-its = A point or its uncertainty is not a finite number.
+told-adjustment-the-uncertainty-of-a = The uncertainty of a point is not positive.
+told-adjustment-a-point-is-given = A point is given twice on one frame.
+told-adjustment-no-tyre-of-it = No tyre of this vehicle was measured, so it is not tied to the road.
+told-adjustment-no-known-length-of = No known length of this vehicle was measured.
+told-cameras-the-file-states-no = The file states no uncertainty of the lens, so that component is missing from the uncertainty of every height.
+told-cameras-focal-length-px = focal length { $fx_px } px
+told-cameras-of-views-used-residual = { $used } of { $given } views used, residual { $rms_px } px, { $focal }.
+told-cameras-imported-from-model-focal = Imported from { $file_name }: { $model } model, focal length { $fx_px } px.
+told-cameras-no-board-was-found = No board was found.
+told-cameras-the-search-was-given = The search was stopped.
+told-export-writing-vehicles-reviews-and = Writing vehicles, reviews and the audit chain.
+told-export-cutting-out-the-pictures = Cutting out the pictures of each click.
+told-export-writing-the-measurements = Writing the measurements.
+told-export-computing-statistics-drawing-figures = Computing statistics, drawing figures and the report.
+told-export-the-measurement-was-taken = The measurement was withdrawn.
+told-export-nobody-has-reviewed-it = It has not been reviewed yet.
+told-export-this-package-is-of = It is not among the vehicles of this package.
+told-export-there-is-no-height = There is no height.
+told-export-a-reviewer-rejected-it = It was rejected by a reviewer.
+told-export-it-was-reopened-and = It was reopened and is waiting for another review.
+told-export-reading-the-survey = Reading the survey.
+told-export-storing-the-package = Storing the package.
+told-export-packing-the-files = Packing the files.
+told-geometry-the-pose-does-not = The pose does not state the board's { $join }; not included in the uncertainty.
+told-geometry-the-board-is-unknown = The board is unknown, so its tilt, height, square size and bow are not included in the uncertainty.
+told-geometry-the-picture-is-x = The image is { $size }x{ $size2 } px, most of the others are { $usual }x{ $usual2 } px.
+told-geometry-the-picture-is-blurred = The image is blurred (edges { $sharpness } px wide).
+told-geometry-and-a-height-at = and a height at { $distance_m } m changes by { $size } mm
+told-geometry-the-board-is-not = The board is not flat: it bends by about { $bow } % of a square; modelling its shape lowers the residual from { $flat } to { $bent } px{ $makes }. Fix the board to a stiff, flat plate and take the pictures again, or calibrate it as a board that may be bent.
+told-geometry-the-road-is-too = The road is too near or too far here to detect a wheel.
+told-geometry-the-wheel-is-seen = The wheel is seen too obliquely here; its tread hides the contact.
+told-geometry-no-whole-rim-is = No complete rim is visible here, so the tyre cannot be separated from shadow and body.
+told-geometry-the-lower-edge-of = The lower edge of the tyre does not stand out from the road here.
+told-geometry-what-looks-like-a = The wheel detected here would have a radius of { $radius } m.
+told-geometry-the-wheel-that-is = The detected wheel is too far from the pointer; point closer to its contact.
+told-geometry-no-board-of-x = No board of { $columns }x{ $rows } inner corners was found; show the whole board with its white margin, sharp and evenly lit, and count the inner corners.
+told-geometry-no-board-before-limit = No board of { $columns }x{ $rows } inner corners was found before the time limit of the search; show the whole board with its white margin, sharp and evenly lit, and count the inner corners.
+told-geometry-the-board-is-cut = The board is cut off by the edge of the image; show the whole board.
+told-geometry-the-squares-are-smaller = The squares are smaller than 3 px; bring the board closer or use larger squares.
+told-geometry-what-was-found-is = The pattern found does not consist of alternating squares.
+told-geometry-the-picture-is-too = The image is too small to contain a board.
+told-geometry-no-charuco-board-of = No ChArUco board of { $columns }x{ $rows } inner corners with { $dictionary } markers was found, or too little of it; it must be sharp and of that dictionary.
+told-geometry-the-squares-are-smaller-than = The squares are smaller than 3 px; bring the board closer.
+told-geometry-the-board-goes-on = The board continues { $side } beyond { $columns }x{ $rows } inner corners; count its inner corners again.
+told-geometry-the-corners-found-do = The corners found do not form an even grid; something covers the board or it is not flat.
+told-geometry-two-halves-need-at = Two halves need at least { $least } usable views{ $bent_board }; there are { $usable }. Take more pictures.
+told-geometry-a-board-lies-where = A board lies where the lens model has no inverse; add images that reach the corners.
+told-geometry-the-halves-could-not = The two halves could not be calibrated separately: { $message }
+told-geometry-two-halves-of-the = Two halves of the pictures, calibrated separately, differ by { $size } mm in a height at { $distance_m } m{ $by }: more than the corners' noise explains. The lens may need the other model, the board may be bent, or zoom or focus changed between pictures.
+told-geometry-pictures-that-did-not = Held-out images fit the lens much worse than fitted images ({ $held_out } px against { $fit } px); add images with the board tilted and in every part of the image.
+told-geometry-only-background-points-are = Only { $count } background points were found again, or all of them in one part of the frame; it is too dark, covered, or another view.
+told-geometry-no-target-m-high = No target { $target_m } m high on the road between 3 and 12 m is in the frame.
+told-geometry-no-frame-was-looked = No frame was checked.
+told-geometry-the-side-plane-is = The side plane is seen at less than 10 degrees.
+told-geometry-a-click-lies-near = A click lies near the edge of what the lens model can invert.
+told-geometry-the-vehicle-is-at = The vehicle is at a very different distance than the board was.
+told-geometry-the-uncertainty-is-large = The uncertainty is large, so the 95 % interval is approximate.
+told-geometry-the-uncertainty-of-lens = The uncertainty of lens and pose is unknown and not included.
+told-geometry-the-uncertainty-of-the = The uncertainty of the lens is unknown; only what the pose file states is included.
+told-geometry-does-not-name-its = { $file_name } does not name its distortion model; its four coefficients were read as { $taken } (choose with --model).
+told-geometry-not-enough-data-a = Not enough data: a few hundred vehicles are needed for u = 0.15 m.
+told-geometry-at-least-vehicles-of = At least { $least_known } vehicles of known height are needed; { $rows } can be used.
+told-geometry-the-vehicles-are-about = Not conclusive: the vehicles are at about camera height, where the inset has little effect.
+told-geometry-no-inset-fits-the = No inset fits the manufacturers' heights; check them, the camera's height and the clicks.
+told-geometry-it-says-next-to = Not conclusive: too few vehicles, or heights too near the camera's or too uncertain.
+told-geometry-at-least-vehicles-are = At least { $least_trend } vehicles are needed; { $rows } can be used.
+told-geometry-the-heights-do-not = The inset cannot be estimated: too few vehicles, or all at about the same distance.
+told-geometry-it-says-nothing-this = Not conclusive: this target is at about camera height, where the inset has little effect.
+told-geometry-it-says-nothing-all = Not conclusive: all passed at about the same distance, { $d } to { $d2 } m.
+told-geometry-at-least-vehicles-measured = At least { $least_known } vehicles measured on two frames are needed; there are { $values }.
+told-geometry-it-says-next-to-nothing = Not conclusive: the frames were close together.
+told-geometry-it-is-not-known = The driver's side (near or far) is not set, and the height of the eye depends on it; set it.
+told-geometry-near-edge-of-the = near edge of the roof; 0.85 m (u 0.10 m) for its crown (estimate)
+told-geometry-driver-on-the-side = driver on the side of the camera (estimate)
+told-geometry-driver-on-the-side-away = driver on the side away from the camera (estimate)
+told-geometry-not-known = not known
+told-geometry-outer-edge-of-the = outer edge of the lamp (estimate)
+told-geometry-the-clicks-do-not = The clicks do not fit one moving vehicle; click the same two points in every frame.
+told-geometry-contact-and-target-are = Contact and target are needed in at least two frames.
+told-geometry-the-clicks-disagree-with = The clicks do not fit straight, level travel; check that the same points were clicked in every frame.
+told-geometry-the-solved-inset-is = The computed inset is not plausible for a road vehicle; check the clicks.
+told-geometry-the-frames-are-too = The frames are too close together to determine the inset well.
+told-geometry-the-vehicle-moved-only = The vehicle moved only { $travel } m between the frames; choose frames further apart.
+told-geometry-the-frames-do-not = The frames do not determine the inset; choose frames further apart.
+told-geometry-stand-the-board-square = Set the board perpendicular to the road, not plumb: on a crossfall of { $crossfall } % a plumb board biases heights by { $mm } mm at { $distance_m } m and by { $mm2 } mm at 1 m more.
+told-geometry-road-or-target-lie = Road or target are outside the picture for: { $join }; step back or use a wider lens.
+told-geometry-a-board-seen-obliquely = A board seen obliquely determines the camera's direction better than one seen frontally, while clicks are slightly less precise: with the camera turned 30 degrees along the road, an eye has ±{ $U95_mm } mm instead of ±{ $U95_mm2 } mm.
+told-geometry-click-eye-and-contact = Click eye and contact in a second frame where possible: with { $travel_m } m of travel the inset is computed instead of assumed, and ±{ $U95_mm } mm becomes ±{ $U95_mm2 } mm. At 50 km/h and 25 frames/s, this is { $frames } frames later.
+told-geometry-put-the-board-at = Put the board at the wheel path, { $distance_m } m away, not at { $board_m } m: errors of pose, tilt and focal length vanish at the board's distance and grow away from it.
+told-geometry-the-lane-is-very = The lane is very close; step back to at least 2 m.
+told-geometry-the-picture-would-not = The picture would not show a board at { $board_m } m with its top row { $board_top_m } m above the road; put it at the wheel path, step back, or use a wider lens.
+told-geometry-the-camera-stands-at = The camera is at about the height of a driver's eye ({ $height_m } m), where the inset has little effect; for roofs or lamps, place it at their height.
+told-geometry-a-second-frame-m = A second frame { $travel_m } m on does not reduce the uncertainty here (±{ $U95_mm } mm for an eye); use frames further apart.
+told-geometry-the-whole-board-does = The whole board does not fit in the image, so the camera pose cannot be computed.
+told-geometry-the-picture-shows-contact = The picture shows contact and target over { $shown } m of the wheel path only, so they cannot be clicked twice with { $travel_m } m between.
+told-geometry-no-frame-was-given = No frame was given.
+told-geometry-at-most-of-its = At most { $parts } of its { $whole } corners were found; show the whole board.
+told-geometry-the-board-was-not = The board was not found in { $missed } of the frames; these are not used.
+told-geometry-board-or-camera-moved = Board or camera moved in some of the frames; only frames at rest are used.
+told-geometry-the-corners-miss-the = The corners fit the model to { $rms } px only; the board may be bent or the lens calibration poor.
+told-geometry-two-poses-fit-the = Two poses fit the board almost equally well; turn it by some 30 degrees or bring it closer.
+told-geometry-the-squares-are-small = The squares are small in the image; bring the board closer.
+told-geometry-the-board-appears-rolled = The board appears rolled by { $roll } degrees; check that columns and rows were not exchanged.
+told-geometry-only-one-frame-is = Only one frame is used, so it is not checked that the board was at rest.
+told-geometry-a-click-coordinate-is = A click coordinate is not a finite number.
+told-geometry-the-contact-point-lies = The contact point lies outside the picture.
+told-geometry-the-target-point-lies = The target point lies outside the picture.
+told-geometry-the-contact-point-lies-outside = The contact point lies outside the lens model's valid radius, so its direction is unknown.
+told-geometry-the-target-point-lies-outside = The target point lies outside the lens model's valid radius, so its direction is unknown.
+told-geometry-the-pose-puts-the = The pose puts the camera on or below the road; compute the camera pose again.
+told-geometry-the-contact-point-lies-at = The contact point lies at or above the horizon, where there is no road.
+told-geometry-the-contact-point-lies-behind = The contact point lies behind the plane of the camera, as seen across the road.
+told-geometry-the-side-plane-through = The side plane through the contact point is seen nearly edge-on.
+told-geometry-the-target-ray-never = The target's ray never meets the side plane in front of the camera.
+told-geometry-the-target-lies-on = The target lies on or below the road; were contact and target swapped?
+told-geometry-a-click-uncertainty-inset = A click uncertainty, inset or inset uncertainty is not a finite number, or an uncertainty is negative.
+told-geometry-tilt-the-board-by = Tilt the board by about 30 degrees, its { $edge } nearer the camera.
+told-geometry-bring-the-board-nearer = Bring the board nearer: it never fills more than { $share } % of the image; a third or more is good.
+told-geometry-hold-the-board-in = Hold the board in the { $listed } of the image.
+told-geometry-the-board-moved-too = The board moved too far between two frames.
+told-geometry-turned-by-degrees-to = Rotated by { $heading_rad } degrees to the travel direction.
+told-geometry-the-two-tyre-contacts = The two tyre contacts are only { $base_m } m apart on the road; click the front and the rear tyre of the same side.
+told-geometry-the-two-tyre-contacts-are = The two tyre contacts are { $base_m } m apart on the road; click both tyres of one vehicle.
+told-geometry-a-tyre-contact-lies = A tyre contact lies at the edge of the visible road; use another frame.
+told-geometry-both-tyre-contacts-of = Both tyre contacts of at least { $least_vehicles } vehicles are needed; { $sum } can be used.
+told-geometry-the-tyre-contact = The { $word } tyre contact: { $lower }{ $point }
+told-geometry-contact-and-target-give = Contact and target give no height.
+told-geometry-the-lens-model-cannot = The lens model cannot be inverted in the corners of the image, so nothing is measured there; add images that reach the corners.
+told-geometry-in-of-views-the = In { $small } of { $spacings_px } views the squares are smaller than { $small_square_px } px and their corners inexact; bring the board nearer or use larger squares.
+told-geometry-fits-much-worse-than = { $file } fits much worse than the others ({ $value } px against { $usual } px); check its corners.
+told-geometry-only-views-were-used = Only { $count } views were used; with fewer than { $few_views } a small residual proves little; take 15 to 25.
+told-geometry-only-of-the-views = Only { $different } of the { $count } views differ because the board hardly moved between the others; move and tilt it between images, or use frames further apart.
+told-geometry-the-boards-cover-of = The boards cover { $share } of the image; add views that reach its edges and corners, where the distortion is largest.
+told-geometry-all-boards-face-the = All board views have the same orientation, so focal length and distance cannot be separated; tilt the board by 30 to 45 degrees in several directions.
+told-geometry-the-residual-of-px = The residual of { $rms } px is high; the board may not be flat, its size may be wrong, or the lens needs another model.
+told-geometry-the-model-fits-better = The { $better } model fits better ({ $other } px against { $rms } px); calibrate with that model.
+told-geometry-the-views-do-not = The views do not determine the lens; its uncertainty cannot be stated.
+told-geometry-the-focal-length-is = The focal length is known to { $relative } only; take more views, tilted and near.
+told-geometry-the-optical-axis-lies = The optical axis lies far from the middle of the image; was the image cropped?
+told-geometry-the-two-focal-lengths = The two focal lengths differ by more than 10 %; are the pixels square?
+told-geometry-pictures-of-several-sizes = Images of several sizes: { $other_size } skipped that are not { $width_px }x{ $height_px } px ({ $other_size2 } first); a calibration holds for one size only, so use images of the recordings' size.
+told-geometry-the-board-was-used = The board was used in only { $used } of { $used2 } images; count its inner corners again, and show the whole board, sharp and evenly lit.
+told-geometry-the-followed-points-do = The followed points do not fit one moving vehicle; follow them again.
+told-geometry-it-lies-px-from = It is { $off_px } px from the position given by the other frames, { $times } times its uncertainty.
+told-geometry-no-point-was-followed = No point was followed; confirm contact and target on one frame first.
+told-geometry-the-followed-points-do-not = The followed points do not give a path on the road; follow them again.
+told-geometry-the-frames-do-not-fix = The frames do not determine the inset; follow the points over a longer distance.
+told-geometry-it-lies-outside-the = It lies outside the frame.
+told-geometry-the-followed-points-disagree = The followed points deviate from straight, level travel by more than their uncertainty.
+told-geometry-the-solved-inset-is-not = The computed inset is not plausible for a road vehicle; check the points.
+told-geometry-it-lies-outside-the-lens = It lies outside the lens model's valid radius.
+told-geometry-it-lies-at-or = It lies at or above the horizon, where there is no road.
+told-geometry-of-followed-points-had = { $dropped } of { $frame } followed points were excluded; follow them again from a clearer frame.
+told-jobs-gave-up = The job stopped { $attempts } times; check the input and the available memory.
+told-jobs-broke = An error in the program stopped this ({ $name }); try again, and report it if it comes back.
+told-infra-a-worker-stopped-in = The job was interrupted and is started again.
+told-infra-waits-for-the-next = Waiting to be started again.
+told-linescan-too-little-of-the = Too little of the vehicle is clear enough to be registered between the strips.
+told-linescan-the-two-pictures-of = The two images of the vehicle do not fit one motion: two vehicles side by side, a vehicle that stopped, or lost lines.
+told-linescan-the-boundaries-are-not = The boundaries are not in order: the front must come before the rear at both cameras.
+told-linescan-the-registration-did-not = The registration did not converge completely.
+told-linescan-the-cameras-disagree-by = The cameras disagree by { $apart_m } cm about the front or the rear: check the boundaries, and whether two vehicles pass side by side.
+told-linescan-part-of-the-picture = Part of the image is saturated; reduce the exposure.
+told-linescan-no-vehicle-was-found = No vehicle was found; check the strips, and that time runs along the chosen axis.
+told-linescan-of-vehicles-reached-the = { $reversed } of { $found } vehicles reached the second strip first; if traffic does not run that way here, the strips are swapped.
+told-linescan-times-something-passed-one = { $alone } times something passed only one camera: check that both show the same lane, and check baseline and line rate.
+told-linescan-the-light-jumped-a = The brightness changed suddenly { $times }; vehicles that passed at that moment may be missing.
+told-linescan-a-camera-moved-the = A camera moved { $times }: the road is some rows higher or lower since then; fix the camera firmly.
+told-linescan-what-camera-took-for = The empty road of camera { $number } varies by { $unrest } % from line to line: snow, rain, or a vehicle at the start; record the empty road first.
+told-linescan-camera-saw-short-things = Camera { $number } shows { $rate } short objects a second: rain, snow or insects; check the boundaries.
+told-linescan-the-light-before-camera = The light at camera { $number } flickers by { $share } %, as mains lighting does; use other lighting, or expect larger uncertainties.
+told-linescan-of-the-picture-of = { $share } % of the image of camera { $number } is saturated; reduce the exposure.
+told-linescan-the-vehicle-stopped-or = The vehicle stopped or nearly stopped in view; mark another vehicle, or measure it by hand.
+told-linescan-something-stood-in-view = Something stood in view for longer than a vehicle takes to pass; it stopped, or the light changed.
+told-linescan-the-vehicle-is-cut = The vehicle is cut off by the beginning or the end of the recording.
+told-linescan-the-empty-road-was = The empty road before the vehicle is too unsteady: snow, rain, or traffic from the first line on; start to record while the road is empty.
+told-linescan-it-is-about-m = Its estimated length is { $length_m } m, and the limit is { $most_m } m: a train, vehicles without a gap, or a wrong baseline or line rate.
+told-linescan-only-about-lines-were = Only about { $lines } lines were recorded between the two cameras, too few for its speed or direction: raise the line rate, or set the cameras further apart.
+told-linescan-the-two-cameras-saw = The cameras show it for different durations: two vehicles pass side by side, or it stopped.
+told-linescan-the-lines-lie-too = The lines are too far apart for this vehicle: it moves about { $line_mm } mm from line to line, so neighbouring lines have too little in common. Raise the line rate to { $rate_hz } Hz or more for vehicles at this speed; a longer baseline does not help.
+told-linescan-braking-on-as-measured = At the measured deceleration, the vehicle in front would have stopped by then.
+told-linescan-the-two-vehicles-overlap = The two vehicles overlap at camera 1, so there is no gap.
+told-linescan-the-vehicle-before-has = The vehicle in front has no measured motion.
+told-linescan-no-vehicle-was-seen = No vehicle was detected in front of this one.
+told-linescan-a-click-lies-outside = A click lies outside the rows covered by the marks, so the pose is extrapolated.
+told-linescan-a-click-is-not = A click is not a number.
+told-linescan-the-contact-is-at = The contact is at or above the horizon, where there is no road; click the tyre contact.
+told-linescan-the-target-is-not = The target is not above the contact; click the contact first, then the target.
+told-linescan-the-inset-puts-the = The inset puts the target behind the camera.
+told-linescan-the-marks-do-not = The marks do not determine the camera height: hold the rod upright at two distances, such as the near and the far edge of the lane.
+told-linescan-the-marks-put-the = The marks put the camera below the road; check their distances, heights and rows.
+told-linescan-all-marks-are-at = All marks are at one distance, so the camera height cannot be determined; hold the rod upright at two.
+told-linescan-rig-no-way = It has neither positions nor lines; give the values of one method.
+told-linescan-rig-two-ways = It has values of two methods ({ $one } and { $two }); use a row of its own for each.
+told-linescan-rig-lacks = The value { $column } is missing; fill it in.
+told-linescan-rig-no-rate = Its speed needs the line rate of the cameras; give it.
+told-linescan-rig-no-order = The board's lines are not in order: its front passes each camera before its rear, and both cameras see the same edge first.
+told-linescan-rig-stopped = The board stopped or nearly stopped between the planes; carry it through evenly.
+told-linescan-rig-span = It gives a baseline of { $span_m } m, outside the range of { $least } to { $most } m; correct its values.
+told-linescan-rig-value = The value { $column } is out of range: { $value }; correct it.
+told-linescan-rig-differ = The passes differ by more than their uncertainties explain (p = { $chance } %); check pass { $name } first.
+told-linescan-rig-too-wide = The passes agree better than their stated uncertainties; these may be too large.
+told-linescan-rig-two-distances = Two distances cannot test whether the baseline changes linearly; add a third.
+told-linescan-rig-outside = { $distance_m } m is far outside the passes ({ $nearest_m } to { $farthest_m } m), so the baseline there is extrapolated; add a pass at this distance.
+told-rig-pass-cells = It has { $cells } cells, and the header has { $columns }; correct the row.
+told-rig-pass-twice = Another row has the same name; name each pass once.
+told-rig-pass-no-number = The cell { $column } is not a number; correct it.
+told-linescan-too-little-of-the-vehicle = Too little of the vehicle was matched to state the uncertainty of its motion.
+told-linescan-by-the-computed-motion = By the computed motion the vehicle would have stopped in view; check the boundaries.
+told-linescan-the-computed-is-no = The computed { $what } of { $value } { $unit } is not plausible for a road vehicle ({ $low } to { $high } { $unit2 }): check the boundaries, the baseline and the line rate.
+told-linescan-the-acceleration-is-unsure = The U95 of the acceleration is { $most } m/s², more than any vehicle brakes: too little of the vehicle is clear, or the boundaries are wrong.
+told-linescan-the-is-unsure-by = The U95 of the { $what } is { $value } %, too large to be useful: too little of the vehicle is clear, the boundaries are wrong, or two vehicles pass at once.
+told-linescan-equation-2-is-a = Equation (2) is a worst case for whole lines, with each crossing off by one line. Sightline registers both strips to fractions of a line, so expect better; each vehicle's own uncertainty states what was reached.
+told-linescan-only-lines-lie-between = Only { $lines } lines lie between the cameras; use a higher line rate or a longer baseline, otherwise this vehicle can hardly be measured.
+told-linescan-at-this-line-rate = At this line rate the speed error may reach { $percent }, more than the { $percent2 } allowed; use the line rate of the corrected equation, or a baseline { $corrected } times as long.
+told-linescan-the-baseline-is-taken = The baseline is taken as exact; enter its uncertainty, which is part of every speed.
+told-linescan-the-baseline-limits-not = The baseline is the limit, not the line rate: its standard uncertainty is { $percent }, whole lines add { $percent2 }. Measure the baseline more accurately first.
+told-linescan-the-line-rate-limits = The line rate is the limit, not the baseline: whole lines add { $percent } (standard uncertainty), the baseline { $percent2 }.
+told-linescan-vehicles-come-out-than = Measured vehicles are { $share } than known. Check the baseline; shadows can also add length.
+told-linescan-the-vehicles-misalignments-scatter = The misalignment differs between vehicles by { $spread } px (standard deviation); check whether a camera moved.
+told-linescan-known-vehicles-are-too = { $n } known vehicles are too few; { $least_vehicles } are needed.
+told-linescan-click-the-hubs-of = Click the hubs of two different wheels.
+told-linescan-by-its-fitted-motion = By its fitted motion the vehicle was at rest at one of the clicks.
+told-linescan-the-vehicle-has-no = The vehicle has no measured motion.
+told-linescan-no-vehicle-here-has = No vehicle here has an accepted speed.
+told-linescan-the-uncertainty-of-the = The uncertainty of the occupancy is not known: { $count } of the vehicles here have no motion.
+told-measurements-storing-the-heights-that = Saving the heights that changed.
+told-measurements-putting-the-old-heights = Restoring the previous heights.
+told-measurements-computing-the-heights = Computing the heights.
+told-measurements-proposal-expect-about-px = suggested contact, u = { $expected_px } px{ $worse }
+told-measurements-worse-than-a-careful = , less accurate than a careful click
+told-measurements-the-pass-has-no = The pass has no direction; the driver's side follows from the camera's place in the median, past which all traffic runs one way.
+told-measurements-the-vehicle-was-followed = The vehicle was followed through its pass.
+told-measurements-its-speed-is-that = Its speed is that of the points clicked on two frames.
+told-measurements-the-vehicle-could-not = The vehicle could not be followed; its speed is assumed, so look for the points around the marks.
+told-measurements-the-pass-has-no-other = The pass has no other frame; extend it by its first or last frame.
+told-measurements-on-no-other-frame = No other frame of the pass shows both points; use a single frame.
+told-measurements-another-frame-would-not = A second frame does not help: { $now } mm now, { $then } mm with it.
+told-measurements-there-is-no-height = There is no height yet; click contact and target first.
+told-media-save-it-as-png = save it as PNG or JPEG and try again
+told-media-is-in-colour-and = is in colour, and a line scan is grey
+told-media-has-a-palette-and = has a palette, and a line scan is grey
+told-media-has-a-transparency-channel = has a transparency channel, and a line scan has none
+told-media-is-in-colour-with = is in colour with transparency, and a line scan is grey
+told-media-give-one-camera-strip = give one camera's strip
+told-media-is-not-a-picture = is not an image format that is supported
+told-media-save-it-as-8 = save it as 8-bit or 16-bit greyscale and try again
+told-media-copy-it-again-from = copy it again from the recorder
+told-media-convert-it-to-mp4 = convert it to MP4 with H.264 or choose another file
+told-media-choose-a-video-file = choose a video file
+told-media-copy-it-again-from-the = copy it again from the recorder, or repair it there
+told-media-stretched-for-pixels-of = stretched for pixels of { $sample_aspect }
+told-media-turned-by-degrees-clockwise = turned by { $rotation_deg } degrees clockwise
+told-media-the-picture-has-another = The frame size differs from that of the camera pose.
+told-media-the-picture-of-the = The frame of the camera pose has nothing that can be followed; it is too dark or has too little contrast.
+told-media-the-camera-moves-by = The camera moves by up to { $far }; the search compensates for it. A camera pose is valid only while the camera is at rest.
+told-media-the-camera-moves-by-and = The camera moves (by { $far } and more), so road and vehicles cannot be separated; mark the passes by hand.
+told-media-the-header-speaks-of = The header states { $duration_s } s, the frames end after { $end_s } s; the file may be truncated.
+told-media-the-picture-was-as = The frames were { $layout_note }, as their header states.
+told-media-the-recording-is-interlaced = The recording is interlaced: moving edges are combed, prefer a progressive recording.
+told-media-frames-are-served-from = Frames are served from a working copy with an index; they are identical to the original's.
+told-media-the-frame-rate-varies = The frame rate varies: { $steps } to { $steps2 } s between frames; times come from the time stamps.
+told-media-the-header-says-frames = The header states { $rate_hz } frames per second, the time stamps give { $rate }; the time stamps are used.
+told-media-the-file-could-not = The file could not be read to its end; { $count } frames were found before that.
+told-media-frames-of-another-picture = { $other_size } frames of another size were skipped.
+told-media-the-header-speaks-of-frames = The header states { $claimed } frames, { $count } could be decoded; frame numbers refer to these.
+told-media-is-cut-off-before = is cut off before its index (moov) was written
+told-media-is-a-playlist-that = is a playlist that points to other files, not a video
+told-media-is-a-webp-picture = is a WebP picture, not a video
+told-media-is-a-heif-or = is a HEIF or AVIF picture, not a video
+told-media-is-an-audio-file = is an audio file, not a video
+told-media-is-a-text-file = is a text file, not a video
+told-media-is-cut-off-in = is cut off in the middle of its index (moov)
+told-poses-solving-for-the-camera = Computing the camera pose.
+told-poses-corners-are-numbered-from = Corners are numbered from the top left as seen, along the rows to the right and then down.
+told-poses-of-its-corners-are = { $seen } of its { $all } corners are visible: enough for a calibration; a camera pose needs all of them.
+told-poses-the-board-stands-the = The board is rotated: { $columns } columns by { $rows } rows as seen, not as entered.
+told-poses-the-picture-does-not = The image does not show the road at this distance.
+told-poses-the-board-stood-m = The board was { $distance_m } m from the camera.
+told-poses-a-height-of-1 = Expected U95 of a height of 1.2 m, clicked with u = 1 px: { $figures }.
+told-poses-looking-for-the-board = Searching for the board in frame { $n }.
+told-quality-its-make-and-model = Its make and model are not filled in, so its wheelbase is unknown.
+told-quality-the-catalogue-has-no = The catalogue has no wheelbase of this model and year.
+told-quality-the-catalogue-has-several = The catalogue has several wheelbases of this model; fill in the year.
+told-quality-the-manufacturer-height-is = The manufacturer's height is not filled in.
+told-quality-the-roof-was-not = The roof was not clicked at its near edge.
+told-quality-adjusted-by-passes-of = Adjusted by { $used } passes of known wheelbase or height.
+told-quality-nothing-is-known-yet = No lengths are known yet: click both tyres of vehicles of a known model, or measure their roofs.
+told-quality-this-pose-was-adjusted = This pose is already adjusted to the traffic.
+told-quality-no-pass-with-a = No pass with a known length could be used.
+told-quality-no-roof-is-measured = No vehicle with a manufacturer's height has a measured roof.
+told-quality-nothing-is-measured-of = No measurements of this target.
+told-quality-the-road-x-axis = The road's X axis is rotated by { $figures } against the traffic.
+told-quality-the-road-x-axis-agrees = The road's X axis agrees with the traffic: rotated by { $figures }, not significant.
+told-quality-left-out-it-strays = Excluded as an outlier; check its clicks.
+told-quality-turned-by-to-the = Rotated by { $turn_rad }° to the direction of { $vehicles } vehicles.
+told-quality-looking-for-the-frames = Searching for camera movement.
+told-quality-whether-the-camera-moved = Camera movement cannot be determined: { $document }
+told-quality-the-camera-stands-still = No camera movement detected, within { $document } px{ $worth }.
+told-quality-heights-are-off-by = (height error up to { $span } mm)
+told-quality-looking-for-the-background = Searching for the background in frame { $n }.
+told-quality-the-recording-has-no = The recording has no such frame.
+told-quality-mm-of-height = ({ $document } mm of height)
+told-quality-and-more-times = { $moved } more movements.
+told-quality-clicked-of-their-own = { $name } has { $pairs } own repeats; { $least_freedom } are needed.
+told-quality-were-clicked-by-one = { $sums } repeated on another frame by one operator; { $least_freedom } are needed.
+told-quality-the-first-clicks-give = The first clicks give no height: { $reason }
+told-quality-the-second-clicks-give = The second clicks give no height: { $reason }
+told-quality-they-were-clicked-on = They were clicked on different frames, so not only the clicks differ.
+told-quality-the-camera-pose-is = The camera pose changed since, so not only the clicks differ.
+told-quality-the-inset-is-another = The insets differ, so not only the clicks differ.
+told-quality-a-height-has-no = A height has no uncertainty.
+told-quality-the-catalogue-is-empty = The catalogue is empty.
+told-quality-it-is-not-measured = It is not measured.
+told-quality-its-measurement-was-rejected = Its measurement was rejected.
+told-quality-both-tyres-are-not = No frame has both tyres clicked.
+told-recordings-looking-for-the-board = Searching for the board.
+told-recordings-fitting-the-lens-and = Fitting the lens, and the two halves separately.
+told-recordings-looking-for-the-board-in = Searching for the board in { $name }.
+told-recordings-the-camera-had-moved = The camera moved { $moved_px } px after the pose was computed{ $off }; compute a new pose for this part, or decide to keep the old one.
+told-recordings-heights-are-off-by = (height error up to { $change_m } mm)
+told-recordings-the-ingest-was-cancelled = The import was cancelled; start it again or delete the recording.
+told-recordings-reading-the-video = Reading the video.
+told-results-too-few-different-errors = too few different errors for a bootstrap interval
+told-results-no-vehicle-in-this = no vehicle in this group
+told-results-heights-corrected-by-each = Heights corrected by each measurement's inset
+told-results-the-paper-heights-inset = Heights as in Dupuis et al. (inset 0)
+told-results-both-rounded-to-whole = both rounded to whole centimetres, as in Dupuis et al.
+told-results-against-manufacturers-heights-every = { $heights } against manufacturers' heights, { $rounded }; all values from the individual errors.
+told-scans-the-marks-miss-the = The marks fit the model to { $rms_px } px only, worse than clicks of { $sigma_px } px explain; check the distances and the mark with the largest residual.
+told-scans-the-camera-height-is = The camera's height is known to { $u_height } m only; hold the rod at two distances further apart, or measure them better.
+told-scans-a-click-lies-outside = A click lies outside the vehicle's front and rear; it may belong to another vehicle.
+told-scans-the-lines-of-this = The lines of this stream were not stored, so there is no image; its vehicles remain.
+told-scans-vehicles-wait-to-be = { $message } { $waiting } vehicles wait to be stored in the survey.
+told-scans-the-run-before-was = The previous run was stopped after { $lines } lines (segment { $number }, last contact { $last_at } UTC). Its vehicles are kept; missing are the { $gap_s } s (about { $gap_s2 } lines) since then, and the vehicle that was in view.
+told-scans-lines-of-camera-were = { $lost } lines of camera { $number } were lost and replaced by copies; vehicles that passed meanwhile are not measured.
+told-scans-the-computer-clock-was = The computer's clock was set by { $jump } s at line { $lines }; speeds, lengths and gaps are not affected, and times of day continue from the start of this segment.
+told-scans-the-run-before-was-killed = The previous run was stopped; it is resumed at line { $begin } of { $name }, and nothing is missing.
+told-scans-lines-after-these-could = Later lines could not be stored ({ $strerror }); they were measured nevertheless.
+told-scans-lines-are-kept-in = { $kept } lines are stored in { $path }.
+told-scans-the-journal-could-not = The journal could not be written ({ $strerror }).
+told-scans-the-reading-was-cancelled = The import was cancelled; start it again or delete the line-scan recording.
+told-scans-reading-the-strips = Reading the strips.
+told-scans-of-camera-pixels-are = { $saturated } of camera { $camera }'s pixels are saturated, so edges are lost there; reduce the light or the exposure.
+told-scans-the-recorder-of-lost = The recorder of { $name } lost { $lost } lines; they were replaced by copies.
+told-scans-cutting-the-strips = Cutting the strips.
+told-scans-the-misalignment-was-given = The misalignment was entered, so the estimates of the vehicles depend on it; leave it empty and measure again to have it estimated.
+told-scans-of-known-vehicles-come = { $which } of known vehicles measure { $off } % { $longer } than they are (u { $u } %): a { $longer2 } baseline would fit. Check the baseline.
+told-scans-of-known-vehicles-agree = { $which } of known vehicles agree with the baseline entered to { $expanded } % (U95).
+told-scans-a-shadow-lengthens-a = Shadows can also add length; wheelbases are free of them.
+told-progress-unread = { $count } line scans could not be imported; see the reason and try again.
+told-progress-unread-1 = 1 line scan could not be imported; see the reason and try again.
+told-progress-reading = { $count } line scans still being imported.
+told-progress-reading-1 = 1 line scan still being imported.
+told-progress-find = Find the vehicles of { $count } line scans.
+told-progress-find-1 = Find the vehicles of 1 line scan.
+told-progress-review-vehicles = Review { $open } of { $count } vehicles.
+told-progress-review-vehicle = Review { $open } of 1 vehicle.
+told-progress-review-heights = Review { $open } of { $count } heights.
+told-progress-review-height = Review { $open } of 1 height.
+told-progress-accepted = { $count } of { $all } detected vehicles accepted.
+told-progress-accepted-1 = { $count } of 1 detected vehicle accepted.
+told-progress-unmeasured = { $count } cannot be measured; see their reasons.
+told-progress-heights = { $count } of { $all } heights accepted.
+told-progress-height = { $count } of 1 height accepted.
+told-scans-being-searched-for-vehicles = being searched for vehicles
+told-scans-looking-for-vehicles = Searching for vehicles.
+told-scans-measuring-the-known-vehicles = Measuring the known vehicles again.
+told-scans-the-recorder-lost-while = The recorder lost { $join } while the vehicle passed.
+told-scans-lines-of-camera = { $count } lines of camera { $camera }
+told-statistics-a-trend-needs-at = A trend needs at least { $least } vehicles; { $there_are }.
+told-statistics-all-heights-are-the = All heights are the same, so there is no trend.
+told-statistics-limits-of-agreement-need = Limits of agreement need at least { $least } vehicles; { $there_are }.
+told-statistics-shares-of-the-variance = Shares of the variance need at least { $least } vehicles; { $there_are }.
+told-statistics-all-errors-are-the = All errors are the same; there is no variance to divide.
+told-statistics-the-reference-heights-own = The reference heights' own uncertainty explains all of the errors' variance: nothing remains for the measurement.
+told-statistics-the-mean-signed-error = The mean signed error of { $error_m } vehicles of known height, { $mean } mm, was subtracted from every height (as in Dupuis et al.).
+told-statistics-the-error-regression-on = The error's regression on the measured height of { $error_m } vehicles, { $intercept } mm { $slope } mm per m, was subtracted from every height.
+told-statistics-each-height-is-corrected = Each height is corrected by the inset of its measurement; no other correction is made.
+told-statistics-this-correction-needs-at = This correction needs at least { $least } vehicles with a reference height; { $there_are }.
+told-statistics-the-vehicles-of-known = The vehicles of known height are all of one height, so their error has no trend with it.
+told-statistics-of-the-heights-lie = { $outside } % of the heights lie outside the { $low } to { $high } m of the regression; the correction extrapolates there and is not reliable.
+told-statistics-the-errors-variance-is = The reference heights alone explain the errors' variance, so the variance of the measurement is unknown and cannot be removed.
+told-statistics-a-variance-needs-at = A variance needs at least 2 heights.
+told-statistics-the-measurement-own-variance = The variance of the measurement is larger than that of the heights, so it cannot be removed.
+told-statistics-heights-as-the-paper = Heights as in Dupuis et al. (inset 0), without a correction.
+told-statistics-an-interval-of-this = an interval of this percentile needs at least { $needed } vehicles; { $there_are }
+told-statistics-a-density-needs-at = A density needs at least { $least_for_density } vehicles; { $there_are }.
+told-statistics-all-values-are-the = All values are the same; a density needs values that differ.
+told-statistics-no-vehicle-in-this = no counted height of this group has a reference height
+told-statistics-too-few-repeats-degrees = Too few repeats: { $freedom } degrees of freedom, at least { $least_freedom } are needed.
+told-statistics-too-few-repeats-to = Too few repeats to compare: { $freedom }, at least { $least_freedom } are needed.
+told-statistics-nothing-was-clicked-again = No repeat measurements yet.
+told-statistics-no-two-persons-clicked = No target was repeated by a second operator; ask another operator to repeat some.
+told-statistics-people-differ-less-than = No difference between operators can be detected; add repeats to narrow the estimate.
+told-statistics-no-height-of-its = no accepted heights of its class
+told-statistics-vehicles-give-percentile-an = { $large } vehicles give percentile { $percent } a 95 % interval about { $width_m } mm wide, for normally distributed heights with a standard deviation of { $sd_m } mm.
+told-statistics-nobody-whose-text-was = no text consulted; check before use
+told-statistics-taillights-of-passenger-cars = taillights of passenger cars
+told-statistics-the-percentile-by-the = { $dupuis }; the percentile by the abstract of Fitzpatrick et al.
+told-statistics-headlights-of-passenger-cars = headlights of passenger cars
+told-statistics-the-abstract-of-fitzpatrick = the abstract of Fitzpatrick et al., who recommend it
+told-statistics-fitzpatrick-et-al-proposed = Fitzpatrick et al. (proposed)
+told-statistics-the-abstract-of-fitzpatrick-et = the abstract of Fitzpatrick et al.
+told-statistics-aashto-policy-of-the = AASHTO's policy of the time
+told-statistics-first-proposals-1676-mm = first proposals; 1676 mm by Fitzpatrick et al.
+told-statistics-more-than-95-of = { $rogers }: more than 95 % of drivers' eyes are higher
+told-statistics-large-heavy-goods-vehicles = large heavy goods vehicles, typical
+told-statistics-design-manual-for-roads = Design Manual for Roads and Bridges, TD 9/93 (now CD 109); Dupuis et al. print 0.25 m
+told-statistics-design-manual-for-roads-and = Design Manual for Roads and Bridges, TD 9/93 (now CD 109): the upper end of a range
+told-statistics-passenger-cars-of-the = passenger cars of the study of Fambro et al. 1997
+told-statistics-lower-limit-of-rear = lower limit of rear lamps, a toll station near Paris
+told-statistics-united-kingdom = United Kingdom
+told-statistics-united-kingdom-low = United Kingdom, low
+told-statistics-united-kingdom-high = United Kingdom, high
+told-statistics-italy = Italy
+told-statistics-australia = Australia
+told-statistics-australia-1991 = Australia, 1991
+told-statistics-germany = Germany
+told-statistics-israel = Israel
+told-statistics-israel-low = Israel, low
+told-statistics-national-guidelines = national guidelines
+told-statistics-drivers = drivers
+told-statistics-design-manual-now = Design Manual for Roads and Bridges, TD 9/93 (now CD 109)
+told-statistics-cnr-standards-of-1973 = CNR standards of 1973
+told-statistics-austroads-guide-to-road = Austroads, Guide to Road Tunnels Part 2, 4.5.2 (sags under a roof)
+told-statistics-austroads-guide-to-road-tunnels = Austroads, Guide to Road Tunnels Part 2, 4.5.2 (taillight of a car)
+told-statistics-taillights-of-cars = taillights of cars
+told-statistics-design-value-of-the = design value of the time
+told-statistics-the-abstract-of-barker = the abstract of Barker and Yue, Australian Road Research 21(2), 1991
+told-statistics-ral-ras-l-before = RAL (formerly RAS-L)
+told-statistics-its-interval-needs-at = its interval needs at least { $needed } heights that differ; there are { $n }
+told-statistics-they-speak-of = { $listed }; they apply to { $where }
+told-statistics-its-interval-needs-at-least = its interval needs at least { $needed } heights; { $there_are }
+told-statistics-differences-between-sites = differences between { $sites } sites
+told-statistics-errors-that-heights-share = errors that heights share
+told-statistics-random-error-taken-out = random error (removed from the values)
+told-statistics-random-errors-of-heights = random errors of heights
+told-statistics-errors-of-known-heights = errors of the known heights (both left in the values)
+told-statistics-roads-like-these-sites = roads like those of these sites
+told-statistics-the-place-of-the = the site of the survey only
+told-statistics-the-heights-are-all = the heights are all the same
+told-statistics-nothing-that-the-catalogue = No size in the catalogue has been measured on this vehicle yet.
+told-statistics-no-model-in-the = No model in the catalogue has a size that was measured on this vehicle.
+told-statistics-there-is-none = there is none
+told-studies-has-no-accepted-height = { $name } has no accepted height in its sample; it does not contribute.
+told-studies-packages-come-from-versions = Packages come from { $made_with } versions with identical tables: { $join }.
+told-studies-one-site-intervals-speak = One site: the intervals apply to that site only.
+told-studies-accepted-heights-are-of = { $sum } accepted heights are of vehicles outside their survey's sample; they do not count.
+told-studies-heights-of-have-no = { $left_out } heights of { $target } have no class of the fleet; they do not count.
+told-studies-simulated-no-figure-of = Simulated: no value describes real roads.
+told-studies-of-surveys-are-simulated = { $invented } of { $surveys } surveys are simulated: no figure of it says anything of real roads.
+told-studies-writing-the-package = Writing the package.
+told-studies-writing-the-report = Writing the report.
+told-studies-computing-the-figures = Computing the figures.
+told-studies-its-figures-need-at = its figures need at least { $least } heights
+told-studies-no-weights-meet-all = no weights meet all shares of the fleet at once
+told-studies-has-one-site-join = { $stratum } has one site: join it with another stratum, so that sites can differ
+told-studies-no-height-of-counts = no height of { $variable } { $words } counts, which the fleet has
+told-studies-a-stratum-has-its = a stratum has its class at one site only, so that sites cannot differ
+told-vehicles-the-search-for-passes = The search for passes was cancelled; you can start it again.
+told-vehicles-new-known-or-discarded = { $passes }: { $new } new, { $found } known or discarded before.
+told-vehicles-looking-for-passes = Searching for passes.
+told-vehicles-no-passes-were-found = No passes were found; mark them by hand.
+told-vehicles-1-pass-was-found = 1 pass was found
+told-vehicles-passes-were-found = { $found } passes were found
+told-geometry-put-the-camera-at = Put the camera at the height to be measured, where the inset has no effect: { $height_m } m for a driver's eye. At { $camera_height_m } m, ignoring the inset biases the height by { $mm } mm for a driver on the near side and { $mm2 } mm on the far side.
+told-geometry-two-halves-calibrated-apart = cross-validation, two halves calibrated separately, { $heights }; held-out residual { $all_held_out_rms_px } px
+told-media-the-stream-holds-no = The stream holds no usable time stamps: { $assumed_rate_hz } frames per second are assumed, so do not trust its times.
+told-scans-says-that-its-line = { $name } states a line rate of { $told } Hz, but { $line_rate_hz } Hz was given and is used; check which one is right.
+told-statistics-after-the-shift-by = After the shift by { $mean } mm, the measurement's own standard deviation of { $camera_sd_m } mm was removed: every height moved towards the mean by { $keep } %.
+told-paper-sd-is-that-of = SD is that of the signed error and differs from the RMSE, so there was a bias of 7 to 13 mm that is not printed. The text's “less than 10 % below 2 cm” is possible here: MAE and MSE allow as little as 0 to 3 % where errors reach 7 cm.
+told-paper-a-perfect-clicker-within = A perfect clicker (within 1 px, reference heights within 3 cm) scores MAE 0.016 m, RMSE 0.019 m: this column bounds the reference, not the method. The printed SD of 0.059 ft should be 0.062 ft. “Less than 10 % below 2 cm” is impossible here: MAE and MSE allow no less than 26.5 %.
+told-paper-not-the-pool-of = Not the pool of 400 and 250 vehicles: their MAE pools to 0.0198 m, their RMSE to 0.0249 m. The abstract's “MAE < 1.8 cm” is not in the table; the MSE in feet has a wrong factor and exponent. “Less than 10 % below 2 cm” needs an error of more than 10 cm here.
+told-paper-printed-sizes-are-3 = Printed sizes are 3.1 to 9.1 % longer than the true lengths (5.6 % in the mean), which the text blames on shadow, while it claims less than 1 %; braking “within 1 %” is off by up to 1.5 % against the other runs of the same car. Speed was never held against truth, only against the car's own counter.
+told-demo-simulated-so-that-the = Simulated, so true values are known: invented makes, one camera 0.6 px lower than the other, a rod held upright in the plane of camera 1 at 2.7 m and at 4.5 m before the first vehicle.
+told-demo-reading-the-videos = Reading the videos.
+told-demo-computing-the-camera-poses = Computing the camera poses.
+told-demo-simulating-a-site = Simulating a site.
+told-demo-recording-the-line-scan = Recording the line scan.
+told-demo-saving-the-demonstration-survey = Saving the demonstration survey.
+told-results-not-rounded = not rounded
+told-checks-u-vehicles = { $deg }° (u { $u }°, { $count } vehicles)
+told-checks-that-moves-stored-heights = This changes { $count } stored heights by up to { $largest } mm.
+told-checks-turning-it-would-move = Rotating it would change stored heights by up to { $largest } mm.
+told-poses-mm-at-m = ±{ $U95_height } mm at { $distance } m
+told-poses-the-camera-is-m = The camera is { $height } m above the road.
+told-poses-the-pose-before-it = The previous pose is number { $id }.
+told-cameras-standard-uncertainty-px = { $focal } (standard uncertainty { $u } px)
+told-statistics-vehicle-is-too-few = { $there } vehicle is too few for an interval; { $needed } are needed
+told-statistics-vehicles-are-too-few = { $there } vehicles are too few for an interval; { $needed } are needed
+told-statistics-there-is = there is { $count }
+told-statistics-there-are = there are { $count }
+told-statistics-sampling = sampling
+told-statistics-alone = { $part } alone
+told-statistics-passenger-cars = passenger cars
+told-statistics-the-reference-heights-own-uncertainty = The reference heights' own uncertainty explains { $share } % of the errors' variance; { $left } mm remain for the measurement.
+told-geometry-to-the-left = to the left
+told-geometry-edge = { $side } edge
+told-geometry-to-the-right = to the right
+told-assist-no-proposal-click-the = No suggestion: { $reason } Click the contact yourself.
+told-drift-the-camera-moved-at = The camera moved at { $clock } (frame { $frame }) by { $moved } px{ $off }, frames { $first } to { $last }.
+told-drift-the-camera-had-moved = The camera had already moved at { $clock } (frame { $frame }) by { $moved } px{ $off }, frames { $first } to { $last }.
+told-drift-the-camera-crept-at = The camera drifted at { $clock } (frame { $frame }) by { $moved } px{ $off }, frames { $first } to { $last }.
+told-words-and = { $first } and { $last }
+told-thing-camera-pose = camera pose
+told-thing-line-scan = line-scan recording
+told-thing-scanned-vehicle = scanned vehicle
+told-thing-calibration-image = calibration image
+told-thing-tyre-contacts = pair of tyre contacts
+told-thing-catalogue-row = catalogue row
+told-request-extra = extra inputs are not permitted
+told-request-missing = field required
+told-request-one-of-two = input should be { $first } or { $last }
+told-request-finite = input should be a finite number
+told-request-boolean = input should be a valid boolean
+told-request-boolean-word = input should be a valid boolean, unable to interpret input
+told-request-date = input should be a valid date or datetime, input is too short
+told-request-datetime = input should be a valid datetime or date, input is too short
+told-request-integer = input should be a valid integer
+told-request-integer-text = input should be a valid integer, unable to parse string as an integer
+told-request-integer-fraction = input should be a valid integer, got a number with a fractional part
+told-request-number = input should be a valid number
+told-request-number-text = input should be a valid number, unable to parse string as a number
+told-request-text = input should be a valid string
+told-request-list = input should be a valid list
+told-request-object = input should be a valid dictionary
+told-request-above = input should be greater than { $limit }
+told-request-least = input should be greater than or equal to { $limit }
+told-request-below = input should be less than { $limit }
+told-request-most = input should be less than or equal to { $limit }
+told-request-list-short = list should have at least { $least } item after validation, not { $count }
+told-request-list-long = list should have at most { $most } items after validation, not { $count }
+told-request-text-least-1 = string should have at least { $least } character
+told-request-text-least = string should have at least { $least } characters
+told-request-text-most = string should have at most { $most } characters
+told-request-pattern = string should match pattern { $pattern }
+told-linescan-plan-error = The error must be a share between 0 and 1; speed and baseline greater than 0.
+told-linescan-plan-above-zero = Speed, baseline and line rate must be greater than 0.
+told-linescan-plan-vehicle = The vehicle must be up to 100 m long, the gap up to 3600 s; both greater than 0.
+told-linescan-plan-baseline = The baseline's uncertainty must be at least 0 and less than the baseline.
+told-request-nul = a text cannot hold the NUL character
+told-media-this-recording = This recording
+told-survey-1-camera-calibrated = 1 camera calibrated.
+told-survey-cameras-calibrated = { $count } cameras calibrated.
+told-survey-calibrate-the-camera-from = Calibrate the camera from images of the checkerboard, or import a calibration.
+told-survey-add-a-camera-and = Add a camera and calibrate it.
+told-survey-1-recording-ready-of = { $count } of 1 recording ready.
+told-survey-recordings-ready-of = { $count } of { $all } recordings ready.
+told-survey-confirm-light-and-start-of-1 = Confirm lighting and start of 1 recording.
+told-survey-confirm-light-and-start = Confirm lighting and start of { $count } recordings.
+told-survey-review-1-height-of-line = Review 1 height of line scans.
+told-survey-review-heights-of-line = Review { $count } heights of line scans.
+told-survey-a-recording-could-not = A recording could not be imported; see its reason and upload another.
+told-survey-wait-until-the-recording = Wait until the recording has been imported.
+told-survey-drop-the-day-video = Drop the day's video here.
+told-survey-every-recording-has-its = Every recording has its camera pose.
+told-survey-mark-where-the-board = Mark the frames with the board at rest in 1 recording.
+told-survey-mark-where-the-board-stands = Mark the frames with the board at rest in { $count } recordings.
+told-survey-mark-where-the-board-stands-still = Mark the frames with the board at rest, once a recording is ready.
+told-survey-add-the-vehicles-that = Find the vehicles and measure the targets of the survey on each.
+told-survey-1-target-not-visible = 1 target not visible.
+told-survey-targets-not-visible = { $count } targets not visible.
+told-survey-all-1-vehicle-measured = All 1 vehicle measured.
+told-survey-all-vehicles-measured = All { $count } vehicles measured.
+told-survey-measure-of-1-vehicle = Measure { $left } of 1 vehicle.
+told-survey-measure-of-vehicles = Measure { $left } of { $count } vehicles.
+told-survey-review-1-measurement = Review 1 measurement.
+told-survey-review-measurements = Review { $count } measurements.
+told-survey-measure-1-rejected-one = Remeasure 1 rejected measurement.
+told-survey-measure-rejected-ones-again = Remeasure { $count } rejected measurements.
+told-survey-1-measurement-reviewed = 1 measurement reviewed.
+told-survey-measurements-reviewed = { $count } measurements reviewed.
+told-survey-nothing-to-review-yet = Nothing to review yet.
+told-survey-1-package-built = 1 package built.
+told-survey-packages-built = { $count } packages built.
+told-survey-build-the-package-of = Build the package of results.
+
+
+## App: the tour of the demonstration
+
+tour-title = Tour of the demonstration
+tour-offer = New here? The tour shows the pages of the demonstration in two minutes.
+tour-take = Take the tour
+tour-not-now = Not now
+tour-none = There is no demonstration here. Create it on the home page, then take the tour.
+tour-step = Tour, { $step } of { $of }: { $page }
+tour-next = Next
+tour-back = Back
+tour-skip = Skip the tour
+tour-end = End the tour
+tour-survey = A survey measures the heights of drivers’ eyes and lamps at one site. This list shows what is done and what comes next; the pages on the left follow the order of work.
+tour-recordings = A recording is a video taken from the roadside. Each shows its lighting, its start, and whether the camera moved.
+tour-pose = A board of known size on the road gives the position of the camera, and the expected uncertainty of heights.
+tour-measure = Choose a vehicle and click twice on one frame: where a tyre meets the road, and the eye, lamp or roof. The height appears at once, with its U95 and uncertainty budget.
+tour-review = Another person accepts, corrects or rejects each height. Nobody reviews their own measurements.
+tour-statistics = Only accepted heights count: their distributions, errors against known heights, and the percentiles of standards today.
+tour-export = One button builds the package for a standards body: report, tables, figures and audit trail. Its receiver can verify it. You can start the tour again from the menu under your initials.
+
+## Report: words of every report (PDF). A report is set in the language that it was asked for in.
+
+report-kind = Measurement report
+report-of-survey = { $survey }, measurement report
+report-survey = Survey
+report-foot = State of { $moment }
+report-foot-head = State of { $moment }, audit head { $head }…
+report-empty-trail = an empty audit trail
+report-page = Page { $page } of { $pages }
+report-between = { $low } to { $high }
+report-of-all = { $part } of { $all }
+report-decimal-sign = .
+report-date = { $year }-{ $month }-{ $day }
+report-minute = { $year }-{ $month }-{ $day } { $time }
+report-moment = { $year }-{ $month }-{ $day } { $time } UTC
+report-unit-m = metres
+report-unit-ft = feet
+report-unit-mm = millimetres
+report-unit-in = inches
+report-unit-cm2 = square centimetres
+report-unit-in2 = square inches
+report-driver-eye = driver’s eye
+report-taillight = taillight, lower edge
+report-headlight = headlight
+report-roof = roof
+report-other = other
+report-eye-near = driver’s eye, driver on the near side
+report-eye-far = driver’s eye, driver on the far side
+report-driver-eyes = drivers’ eyes
+report-taillights = taillights’ lower edges
+report-headlights = headlights
+report-roofs = roofs
+report-daytime = daytime
+report-low-light = low light
+report-overall = overall
+report-lighting-unknown = lighting unknown
+report-by-speedometer = speedometer
+report-by-radar = radar
+report-by-laser = laser gun
+report-by-gps = GPS
+report-by-loop = loop
+report-by-tape = tape
+report-hatchback = hatchback
+report-saloon = saloon
+report-estate = estate
+report-suv = SUV
+report-multi-purpose = multi-purpose vehicle
+report-pickup = pick-up
+report-van = van
+report-lorry = lorry
+report-tractor-unit = tractor unit
+report-bus = bus
+report-recreational = recreational vehicle
+report-trailer = trailer or caravan
+report-motorcycle = motorcycle
+report-to-the-right = to the right
+report-to-the-left = to the left
+report-passenger-cars = passenger cars
+report-light-trucks = light trucks and multi-purpose
+report-heavy = heavy vehicles
+report-by-class-set = set of classes
+report-by-category = category
+report-by-site = site
+report-by-lighting = lighting
+report-by-stratum = stratum
+report-by-operator = operator
+report-by-inset = corrected by inset
+report-by-shift = corrected by shift
+report-not-corrected = not corrected
+report-by-regression = corrected by regression
+report-by-deconvolution = corrected by deconvolution
+report-rejected = rejected
+report-withdrawn = withdrawn
+report-not-measurable = not measurable
+report-to-review = to review
+report-not-selected = not selected
+report-check-target = check target
+report-filmed-since = filmed from { $day }
+report-filmed-until = filmed up to { $day }
+report-lacking = { $mark } replaces characters of a script that this report’s fonts lack; the CSV files contain them.
+report-check-title = How to check this report
+report-median = Median
+report-mean = Mean
+report-sd = SD
+report-standard = Standard
+report-vehicles = Vehicles
+report-target = Target
+report-verdict = Verdict
+report-figure = Figure
+report-lighting = Lighting
+report-camera = Camera
+report-board = Board
+report-pose = Pose
+report-recording = Recording
+report-value = Value
+report-source = Source
+report-bias = Bias
+report-interval = 95 % interval
+report-interval-total = 95 %, total
+
+## Report: title
+
+report-days-none = nothing yet
+report-days = { $first } to { $last }
+report-more-versions = and { $n } more (see measurements.csv)
+report-verdicts-of = { $individual } accepted individually, { $by_lot } by the sample of their lot. Of the { $of } not reviewed individually in { $lots ->
+    [one] 1 accepted lot
+   *[other] { $lots } accepted lots
+ }, { $estimate } are estimated to be wrong and { $at_most } at most (one-sided 95 %).
+report-only = <strong>Only:</strong> { $selection }. The survey’s other vehicles are not included in this report.
+report-filmed = Filmed
+report-filmed-unconfirmed = start not confirmed
+report-measured = Measured
+report-place = Place
+report-in-this = In this report
+report-in-this-of = { $measurements ->
+    [one] 1 measurement
+   *[other] { $measurements } measurements
+ } of { $vehicles ->
+    [one] 1 vehicle
+   *[other] { $vehicles } vehicles
+ }, { $with_reference } with a reference height. Accepted measurements only.
+report-verdicts = Verdicts
+report-state-of = State of
+report-code = Code
+report-count-recordings = recordings
+report-count-vehicles = vehicles
+report-count-measurements = measurements
+report-count-not-visible = targets not visible
+report-count-used = counted in the results
+report-count-left-out = excluded
+report-count-scanned = scanned vehicles
+report-count-scanned-used = accepted of them
+report-span = { $day } { $first } to { $last } ({ $zone })
+report-unconfirmed = { $n ->
+    [one] 1 recording without a confirmed start
+   *[other] { $n } recordings without a confirmed start
+ }
+report-coordinates = { $latitude }, { $longitude } (WGS84)
+report-limit = limit { $speed }
+report-lamps = street lamps
+report-no-lamps = no street lamps
+
+## Report: set-up, calibration, camera pose
+
+report-setup = Set-up
+report-no-photo = There is no photograph of the set-up.
+report-photo-broken = The photograph “{ $caption }” cannot be read as PNG or JPEG.
+report-no-recording = There are no recordings.
+report-recordings = Recordings. recordings.csv contains the complete SHA-256 of each file.
+report-filmed-from = Filmed from
+report-picture = Picture
+report-frames = Frames
+report-duration = Duration
+report-model-brown = Brown’s radial and tangential model
+report-model-fisheye = equidistant fisheye (Kannala and Brandt)
+report-from-images = from pictures of a board
+report-from-clip = from a clip of a board
+report-from-import = imported from another tool’s file
+report-lens = { $camera }, calibration { $number }
+report-made = Made
+report-pixels = { $width } × { $height } pixels
+report-lens-model = Lens model
+report-views = Views
+report-views-used = { $used } of { $given } used
+report-residual = Residual
+report-residual-is = { $rms } px (RMS reprojection error)
+report-trusted = reliable
+report-not-trusted = unreliable; see the warnings
+report-lens-known = Lens of { $camera }: parameters with standard uncertainties.
+report-lens-unknown = Lens of { $camera }: parameters; their uncertainties are unknown.
+report-board-of = { $columns } × { $rows } inner corners, squares of { $square } mm
+report-board-stood = { $n ->
+    [one] Pose
+   *[other] Poses
+ } { $poses }: reference row of corners { $height } above the road{ $u_height }{ $u_lean }.
+report-board-u-height = , u = { $u }
+report-board-u-lean = ; board tilt and roll, u = { $u } mrad each
+report-poses = Camera poses
+report-poses-caption = Camera poses. “{ $sign }”: expected U95 of a height of 1.2 m clicked to 1 px, by distance from the camera. Residual: RMS reprojection error of the board’s corners.
+report-pose-at = { $sign } at { $distance }
+report-above-road = { $unit } above road
+report-away = { $unit } away
+report-frames-of = frames { $first } to { $last }
+report-calibration-of = calibration { $number }
+report-no-board = none: the pose was imported
+report-pose-warning = Pose { $pose }: { $words }
+report-calibration = Calibration and camera pose
+report-no-calibration = No measurement uses a calibration yet.
+report-no-pose = No measurement uses a camera pose yet.
+
+## Report: sample and response
+
+report-every = Every pass is measured
+report-nth = One pass in { $step } is measured, starting with number { $start }
+report-share-drawn = A random share of { $share } % of the passes (seed { $seed }) is measured
+report-rule = { $rule }.
+report-rule-free = { $rule }, of vehicles with a headway of at least { $seconds } s.
+report-all = all
+report-no-set = no set
+report-unknown = unknown
+report-vehicle = vehicle
+report-response = Sample and response
+report-response-words = { $rule } Each pass in the sample is measured, not visible for a stated reason, or still open; discarded passes are not vehicles to be measured. If the rate differs between groups, the measured vehicles may not represent the traffic.
+report-no-pass = No passes were found.
+report-response-table = Response. Rate: measured passes (or targets) divided by those in the sample, with its exact 95 % interval.
+report-classes = Classes
+report-of = Of
+report-passes = Passes
+report-discarded = Discarded
+report-outside = Outside
+report-in-sample = In sample
+report-not-visible = Not visible
+report-open = Open
+report-rate = Rate
+report-outside-sample = { $n ->
+    [one] 1 pass outside the sample was measured and counts in the results.
+   *[other] { $n } passes outside the sample were measured and count in the results.
+ }
+
+## Report: method
+
+report-method = Method
+report-method-lead = Heights are measured as proposed by Dupuis et al. (Sensors 2019, 19(7), 1611, “the paper”), with the misprints of its equations corrected (below). A checkerboard of known size on the road gives the camera pose; two clicks on one frame, where a tyre meets the road and on the target, give a height. The road frame has X along the traffic, Y across it and away from the camera, and Z up. A point { $point } of the road is imaged at the pixel
+report-method-lens = where { $pose } is the pose, { $distortion } the lens distortion (Brown’s radial and tangential model, or the equidistant fisheye) and { $matrix } contains the focal lengths and the principal point. A click { $click } is converted into a direction in the road frame, from the camera centre { $centre }:
+report-method-rays = The contact ray meets the road, { $road }. The target ray meets the vertical plane along the traffic at the inset { $inset } behind the contact. With one slope from each click,
+report-eq-contact = contact
+report-eq-target = target
+report-method-height = the distance { $distance } from the camera to the contact plane and the height { $height } are
+report-method-inset = The paper assumes { $inset }. A target at { $height } then reads too high by
+report-method-raw = 44 mm for an eye at 1.16 m, 0.45 m inboard, 3 m from a camera 1.5 m high. Heights are therefore given twice: “raw” with { $inset }, for comparison with the paper, and corrected by the inset below. Where the same two points were clicked on several frames of a pass, the inset is estimated together with the height by least squares.
+report-method-u = The standard uncertainty of each height follows by linear propagation (JCGM 100:2008),
+report-method-u-over = over both clicks, lens and pose (jointly, with their covariance), the board’s tilt, roll, height above the road, square size and bow, and the inset. One pose serves many vehicles: its error is common to all their heights.
+report-assumed = Assumptions
+report-assumed-plane = The road is a plane from the board to the vehicle, and the board was perpendicular to it within its stated uncertainty.
+report-assumed-still = The camera did not move between the recording of the board and the measurements that use it.
+report-assumed-parallel = Vehicles travel parallel to the rows of the board; their sides are vertical at the contact.
+report-assumed-inset = The inset of a target is that of the list below, within its uncertainty, unless it was estimated from several frames.
+report-assumed-makers = Manufacturers’ heights apply to the vehicle as it drove past, within their stated uncertainty.
+report-assumed-left-out = Not included: a wrong lens model, load and suspension, crossfall changes between board and vehicle.
+report-misprinted = Misprints of the paper
+report-misprints = Equations of the paper as printed, and as used here.
+report-equation = Equation
+report-as-printed = As printed
+report-as-used = As used
+report-used-3 = the distortion acts after the division by depth, equation (1)
+report-used-4 = the pixel is what is undistorted, equation (2)
+report-used-5 = directions rotate and are not shifted, { $used }
+report-used-8 = correct only where { $down } points down; corners are put into that order first
+report-used-10 = a row: { $used }
+report-used-13 = { $printed } is not defined; the normal of the side plane { $used } is meant
+report-used-14 = { $used }, otherwise the side plane is mirrored
+report-used-17 = { $used }, with the metric contact point
+report-used-18 = the signed distance from the road plane, { $used }
+report-insets = Current insets: distance of a target behind the plane of the contact, and its standard uncertainty.
+report-inset = Inset ({ $unit })
+report-from = Source
+
+## Report: how equations are read aloud
+
+report-aloud-pixel = p = K d(pi(R x + t)), pi(x, y, z) = (x over z, y over z)
+report-aloud-ray = m = d inverse of K inverse p, w = R transposed (m x, m y, 1), C = minus R transposed t
+report-aloud-slopes = s = w y over w z at the contact, q = w z over w y at the target
+report-aloud-height = D = minus C z s, h = C z + (D + delta) q
+report-aloud-inset = b = (C z minus h) delta over (D + delta)
+report-aloud-u = u squared of h = sum over i of (dh by dx i) squared u squared of x i, U 95 = 1.96 u of h
+report-aloud-4 = p = d inverse of K inverse P
+report-aloud-10 = P g = minus n x d
+report-aloud-10-used = minus n x transposed, d
+report-aloud-13 = P c = minus C x d
+report-aloud-14 = d = n z transposed p l
+report-aloud-14-used = d = minus n z transposed p l
+report-aloud-17 = n x p prime l over n x p prime h
+report-aloud-17-used = n z transposed p l over n z transposed p prime h
+report-aloud-18 = p h transposed P g over minus n x
+report-aloud-18-used = n x transposed (X g minus p h)
+
+## Report: results at a glance
+
+report-glance = Results at a glance
+report-glance-none = No accepted eye, taillight or headlight heights yet.
+report-glance-table = Heights above the road, { $correction }, in { $unit }.
+report-sure = { $target }: { $figures }. The intervals include { $holds }.
+report-sure-figure = { $percentile } { $value }{ $interval }
+report-brackets = (95 %: { $interval })
+report-error-none = No vehicle has a reference height, so the errors of heights cannot be stated.
+report-error-short = Roof heights of { $n ->
+    [one] 1 vehicle
+   *[other] { $n } vehicles
+ } with a reference height: mean absolute error { $mae }{ $mae_interval }, bias { $bias }{ $bias_interval }.
+report-eyes-below = Share of drivers’ eyes below the heights of design standards:
+report-eyes-below-one = { $standard }, { $height }: { $share } (95 %: { $interval } %)
+report-rules = Standards: the same percentile today. The percentile on which a standard is based, with its total 95 % interval. “Lower” or “higher” is stated if the risk of error is at most 2.5 % (JCGM 106).
+report-rule-column = Rule
+report-today = Today
+report-difference = Difference
+report-rule-of = P{ $percent } of { $of }
+report-all-vehicles = all vehicles (no class is known)
+report-no-verdict = no verdict: { $reason }
+report-alike = undecided; lower with a probability of { $percent }
+report-lower = lower (risk of error { $risk })
+report-higher = higher (risk of error { $risk })
+report-less-than = less than { $percent }
+
+## Report: error against reference heights
+
+report-errors = Error against reference heights
+report-errors-none = No accepted roof height has a reference height, so errors cannot be stated. Enter manufacturers’ heights in the vehicle records.
+report-errors-words = Error = measured minus reference, of roofs { $correction ->
+    [inset] corrected by their inset
+   *[none] with inset 0
+ }, { $rounding ->
+    [cm] both rounded to whole centimetres, as in the paper
+   *[none] without rounding
+ }. All values are computed from the individual errors, never from other values.
+report-errors-holds = The 95 % intervals include { $holds }. Those of correlations and skewness include sampling only.
+report-errors-table = Errors with their 95 % CIs.
+report-row-bias = Bias (mean error)
+report-row-sd = SD of the error
+report-row-r = r(error, height)
+report-row-r-abs = r(|error|, height)
+report-row-skewness = Skewness of the error
+report-row-within = Share of errors within { $limit } cm
+report-no-group = There are no accepted { $group } vehicles with a reference height.
+report-reference-part = { $words } This alone causes a correlation of { $correlation } between error and height, independent of the camera (reference u = { $u }).
+report-limits = Limits of agreement (Bland and Altman): { $lower } ({ $lower_interval }) and { $upper } ({ $upper_interval }).
+report-paper = For comparison, Table 1 of the paper as printed.
+report-its-column = Its column
+report-inconsistent = Inconsistencies
+report-known-errors = Errors by target: measured minus known height, with 95 % CIs. Check targets are excluded everywhere else.
+report-bias-total = Bias, total U95
+report-within-u95 = Within their U95
+report-known-errors-note = The total interval of the bias also includes errors that heights share (pose, mean inset); the others cover sampling only.
+report-check-targets = { $target }, check targets
+
+## Report: distributions of heights
+
+report-heights = Distributions of heights
+report-heights-none = There are no accepted heights yet.
+report-heights-words = Percentiles are median-unbiased estimates (type 8 of Hyndman and Fan); their intervals lie between order statistics and assume no distribution. Bands of cumulative distributions are simultaneous (Dvoretzky, Kiefer, Wolfowitz, Massart); intervals of shares are those of Clopper and Pearson.
+report-absent = No accepted heights: { $targets }.
+report-percentiles = Percentiles of the heights of the { $target }, with 95 % intervals; vehicles: { $corrected } corrected, { $raw } raw.
+report-percentile = Percentile
+report-true-heights = True heights
+report-corrected = Corrected
+report-interval-sampling = 95 %, sampling
+report-raw-inset = Raw, inset 0
+report-holds = True heights: random measurement error is removed from the spread. Their total intervals include { $holds }. The other intervals cover sampling only.
+report-reason-of = { $percents }: { $reason }.
+report-shares = Standards, and the share of { $targets } below them (true heights), with total 95 % intervals.
+report-height = Height
+report-below = Below
+report-share = Share
+report-not-corrected-why = Not corrected: { $reason }
+report-percentile-of = P{ $percent } of { $of }
+report-cited-by = as cited in: { $who }
+report-lateral = Lateral positions
+report-lateral-words = Distance of the tyre contact from the camera, measured across the road: one value per vehicle, the median of its contacts. A lane is all traffic that travels one way in the picture.
+report-lateral-table = Lateral positions by lane and class.
+report-lateral-all = All
+
+## Report: sight distance
+
+report-sight = Sight distance
+report-sight-words = A crest keeps a sight distance S if its length per percent of grade, K, is at least S²/C. C depends only on the heights of eye and object: C = 100 (√(2 eye) + √(2 object))². The standard is { $standard } (eye { $eye }, object { $object }). The survey’s heights are percentile { $eye_percent } of the eyes and percentile { $object_percent } of the taillights’ lower edges{ $rule ->
+    [own] , the rule of that standard according to its sources
+   *[usual] , and, where the standard states no rule, that of AASHTO’s heights
+ }. S is the stopping sight distance ({ $source }), rounded up as in design tables.
+report-sight-missing = There is no crest for the survey’s own heights: no accepted heights of { $targets }.
+report-sight-table = K of crests for the standard’s heights and for the survey’s, in { $unit } per percent.
+report-design-speed = Design speed
+report-stopping = Stopping distance
+report-k-standard = K, standard
+report-k-survey = K, survey
+report-per-percent = { $unit } per %
+report-sight-note = Total intervals of both percentiles of true heights (sampling, errors that heights share, random error); errors of both from the same camera pose are counted together (limits by Zou and Donner 2008). Reaction and braking follow the standard’s conventions and have no interval.
+
+## Report: line scans
+
+report-scans = Line scans
+report-scans-words = Two line cameras at a known baseline record the same traffic (Douxchamps, Macq and Chihara). The motion of a vehicle is its speed when the front reaches camera 1 and a constant acceleration; its length is corrected for the acceleration. Time gaps run from the rear of the vehicle in front to this front, distance gaps between the same points when this front reaches camera 1. { $methods }Uncertainties include baseline, clock, misalignment, fit and boundaries.
+report-scans-methods = Measured: { $methods }.
+report-and = { $first } and { $last }
+report-scans-direct = { $n ->
+    [one] 1 vehicle by registration of both strips as a whole (direct registration)
+   *[other] { $n } vehicles by registration of both strips as a whole (direct registration)
+ }
+report-scans-paper = { $n ->
+    [one] 1 vehicle by the paper’s block matching and linear regression
+   *[other] { $n } vehicles by the paper’s block matching and linear regression
+ }
+report-rigs = Line scans and their rigs as entered; u is the standard uncertainty.
+report-line-scan = Line scan
+report-lines = Lines
+report-baseline = Baseline
+report-line-rate = Line rate
+report-clock = Clock
+report-divergence = Divergence
+report-lane-distance = Distance to lane
+report-misalignment = Misalignment
+report-video-columns = columns of a video, { $lighting }
+report-strips = strips, { $lighting }
+report-from-traffic = from the traffic
+report-with-u = { $value } (u = { $u })
+report-no-vehicle = They contain no vehicles.
+report-left-out-to-review = { $n } not reviewed yet
+report-left-out-rejected = { $n } rejected
+report-left-out-not-measurable = { $n } not measurable
+report-none-accepted = There are no accepted vehicles of line scans.
+report-accepted-count = { $n ->
+    [one] 1 of { $all } detected vehicles accepted.
+   *[other] { $n } of { $all } detected vehicles accepted.
+ }
+report-scans-left-out = Excluded: { $states }; scan_vehicles.csv states the reasons.
+report-speed-short = Mean speed { $mean }; 85th percentile speed (V85) { $p85 } { $interval }.
+report-no-interval = (no 95 % interval: { $reason })
+report-quantities = Measured quantities of the accepted vehicles: percentiles with 95 % intervals.
+report-quantity = Quantity
+report-speed = speed
+report-length = length
+report-wheelbase = wheelbase
+report-time-gap = time gap
+report-distance-gap = distance gap
+report-headway = headway
+report-by-lengths = Baseline by lengths: { $reason }
+report-by-wheelbases = Baseline by wheelbases: { $reason }
+report-over-lengths = Measured divided by known lengths of { $n ->
+    [one] 1 vehicle
+   *[other] { $n } vehicles
+ }: { $ratio } (u = { $u }). { $verdict }
+report-over-wheelbases = Measured divided by known wheelbases of { $n ->
+    [one] 1 vehicle
+   *[other] { $n } vehicles
+ }: { $ratio } (u = { $u }). { $verdict }
+report-baseline-agrees = The baseline agrees with them.
+report-sizes-none = No accepted vehicle has a known length or wheelbase, so their errors cannot be stated.
+report-sizes = Errors (measured minus manufacturer’s size) in { $unit }, with 95 % CIs.
+report-size = Size
+report-references = Differences (measured minus reference) of accepted vehicles from reference measurements, by source. Within: |E<sub>n</sub>| at most 1, that is, within the combined U95 of both (ISO 13528), with the 95 % CI of the share.
+report-reference = Reference
+report-all-sources = all sources
+report-within = Within
+report-share-within = Share within
+report-references-words = About 95 % should be within. Vehicles of one rig share the error of its baseline, so several may be outside together. scan_references.csv contains all reference values.
+report-scan-heights = Accepted heights above the road of scanned vehicles, from two clicks in the strip of camera 1, whose pose was calibrated with a rod; corrected by their insets. Each has its own verdict; heights waiting for review are excluded.
+report-typical-u95 = Typical U95
+report-waiting = Waiting
+report-table-1 = Accepted vehicles in the layout of the paper’s Table I.
+report-vehicle-column = Vehicle
+report-speed-column = Speed
+report-acceleration = Acceleration
+report-length-column = Length
+report-true-length = Known length
+report-length-error = Length error
+report-fit-error = Fit error
+report-first-of = The first { $shown } of { $all }; scan_vehicles.csv contains all.
+
+## Report: what was left out, how to check
+
+report-left-out = Exclusions
+report-nothing-left-out = No measurements were excluded.
+report-left-out-of = { $n ->
+    [one] 1 measurement is excluded from the results.
+   *[other] { $n } measurements are excluded from the results.
+ } The package’s CSV files list all of them.
+report-left-out-first = { $n ->
+    [one] 1 measurement is excluded from the results.
+   *[other] { $n } measurements are excluded from the results.
+ } The first { $shown } are listed here. The package’s CSV files list all of them.
+report-left-out-table = Excluded measurements and reasons.
+report-number = Number
+report-state = State
+report-reason = Reason
+report-check-words = This report is part of a package of CSV and JSON files. The command below checks the package’s checksums and its audit trail, and recomputes every height from clicks, pose and camera, and every statistic from the rows. datapackage.json describes columns, units and meanings.
+report-package = PACKAGE
+report-trail-empty = The audit trail is empty.
+report-trail = The audit trail has { $n ->
+    [one] 1 event
+   *[other] { $n } events
+ } up to the last of this survey. Each contains the hash of the one before. Anyone who has kept the hash of that event can check that nothing before it was changed. The following event seals this package: it names every file by its hash.
+report-checksums = SHA-256 of the package’s files.
+report-file = File
+
+## Report: figures
+
+report-fig-cumulative = Heights of the { $target }, cumulative
+report-fig-no-height = There are no accepted heights of the { $target }.
+report-fig-raw = raw (inset 0), n = { $n }
+report-fig-corrected = corrected, n = { $n }
+report-fig-height-above = Height of the { $target } above the road ({ $unit })
+report-fig-height = Height of the { $target } ({ $unit })
+report-fig-share = Share of vehicles (%)
+report-fig-share-below = { $standard }, { $share } below
+report-fig-cumulative-caption = Solid: corrected, with its simultaneous 95 % band and five percentiles with their 95 % intervals. Dashed: raw, as in the paper (inset 0).
+report-fig-density = Heights of the { $target }, density
+report-fig-density-axis = Density (per { $unit })
+report-fig-density-caption = Corrected heights, n = { $n }; Gaussian kernel, bandwidth { $width }; pointwise 95 % band.
+report-fig-by = Heights of the { $target } by { $grouping }
+report-fig-by-caption = Corrected heights by group (number of vehicles): median (ring), 15th to 85th percentile (thick), 5th to 95th (thin).
+report-fig-by-rules = Vertical lines: { $rules }.
+report-fig-by-left-out = { $n } smaller groups are not shown.
+report-fig-group = { $group }, n = { $n }
+report-fig-no-error = No vehicle has a reference height.
+report-fig-no-errors = There are no errors to draw.
+report-fig-absolute-axis = Absolute error ({ $unit })
+report-fig-absolute = Absolute error, cumulative
+report-fig-absolute-caption = Cumulative share of vehicles by absolute error. Bands: 95 %, simultaneous.
+report-fig-relative-axis = Absolute error over reference height (%)
+report-fig-relative = Relative error, cumulative
+report-fig-relative-caption = Absolute error divided by the reference height. Bands: 95 %, simultaneous.
+report-fig-signed = Signed error, density
+report-fig-signed-axis = Measured minus reference ({ $unit })
+report-fig-signed-width = { $width } { $group }
+report-fig-signed-caption = Gaussian kernel, bandwidth { $widths }. Bands: 95 %, pointwise.
+report-fig-signed-caption-cm = Gaussian kernel, bandwidth { $widths }, at least half of the { $rounding } of rounding. Bands: 95 %, pointwise.
+report-fig-trend = Signed error against manufacturer’s height
+report-fig-regression = regression
+report-fig-maker-height = Manufacturer’s height ({ $unit })
+report-fig-one-mark = One mark per vehicle. { $reason }
+report-fig-per = { $small } per { $height }
+report-fig-seen = One mark per vehicle
+report-fig-seen-some = One mark for { $shown } of { $n } vehicles
+report-fig-trend-caption = { $seen }; regression with its 95 % band: slope { $slope } ({ $interval }), r = { $r }.
+report-fig-trend-caption-absolute = { $seen }; regression with its 95 % band: slope { $slope } ({ $interval }), r = { $r }; absolute error: r = { $r_absolute }.
+report-fig-lateral = Lateral position by lane and class
+report-fig-lateral-axis = Distance from the camera across the road ({ $unit })
+report-fig-lateral-caption = Tyre contact, one per vehicle, by travel direction in the picture and class (number of vehicles): median (ring), 15th to 85th percentile (thick), 5th to 95th (thin).
+report-fig-crest = K of a crest against design speed
+report-fig-by-standard = standard’s heights
+report-fig-by-survey = survey’s heights
+report-fig-design-speed = Design speed ({ $unit })
+report-fig-k = K ({ $unit } per %)
+report-fig-crest-caption = K = S²/C at the stopping sight distance of each speed, rounded up as in design tables. Solid: survey’s heights, with their 95 % band; dashed: standard’s.
+report-fig-scanned = Scanned vehicles: { $quantity }, cumulative
+report-fig-scanned-caption = n = { $n }; { $percentiles }; 95 % intervals where n allows, and the 95 % band of the curve.
+report-fig-true = True heights of the { $target }, cumulative
+report-fig-error-left-in = random error not removed
+report-fig-true-curve = true heights
+report-fig-true-caption = Solid: true heights, weighted to the fleet if one was given; the band joins the total 95 % intervals of the percentiles. Dashed: random error not removed.
+
+## Report of a study
+
+report-study-kind = Study report
+report-study-kind-simulated = Simulated: study report
+report-of-study = { $study }, study report
+report-study-simulated = <strong>Simulated.</strong> Nothing was filmed: the vehicles were drawn from known fleets. No value in this report describes real roads.
+report-joined = Combined
+report-joined-of = { $surveys ->
+    [one] 1 survey
+   *[other] { $surveys } surveys
+ } at { $sites ->
+    [one] 1 site
+   *[other] { $sites } sites
+ }: { $heights } accepted heights of { $vehicles ->
+    [one] 1 vehicle
+   *[other] { $vehicles } vehicles
+ }
+report-weighted = Weighted
+report-not-weighted = no: vehicles count as sampled
+report-fleet-by = to the fleet’s shares by { $margins }, from its table
+report-target-reason = { $target }: { $reason }.
+report-study-table = Heights above the road in { $unit }: true heights, weighted to the fleet if one was given, with total 95 % intervals.
+report-sites-of = { $n } sites
+report-study-note = The intervals include sampling of vehicles and of sites, and errors that heights share (camera pose, mean inset). Random measurement error is removed from the values.
+report-study-note-one-site = The intervals include sampling of vehicles and of sites, and errors that heights share (camera pose, mean inset). Random measurement error is removed from the values. With one site, they apply to that site only.
+report-years-table = Years compared: later year minus first year, each weighted separately, with total 95 % intervals.
+report-years = Years
+report-year-figure = { $target }, { $figure }
+report-figure-mean = mean
+report-heights-column = Heights
+report-more-higher = higher (significant)
+report-more-lower = lower (significant)
+report-not-told-apart = no significant difference
+report-year-no-interval = no interval
+report-verdict-why = { $verdict } ({ $reason })
+report-makers-words = Roof heights of { $n } vehicles with a manufacturer’s height: mean absolute error { $mae } (95 %: { $mae_interval }), bias { $bias } (95 %: { $bias_interval }).
+report-studied = Data
+report-surveys = The surveys. “Included”: accepted heights of vehicles in the survey’s sample; “excluded”: those of other vehicles.
+report-survey-column = Survey
+report-site = Site
+report-stratum = Stratum
+report-year = Year
+report-counts = Included
+report-not = Excluded
+report-true-distributions = Distributions of true heights
+report-no-distribution = There are no distributions to draw.
+report-true-percentiles = Percentiles of true heights of the { $target }, with total 95 % intervals. Design effect: variance under this design divided by that of a simple random sample of the same size.
+report-error-left-in = Random error not removed
+report-design-effect = Design effect
+report-effective-n = Effective n
+report-makers-errors = Error against manufacturers’ heights
+report-makers-table = Error = measured minus manufacturer’s height, of roofs, not rounded, with 95 % CIs.
+report-vehicle-classes = Vehicle classes
+report-classes-table = Shares of classes as sampled, in %, with 95 % CIs, compared with the fleet.
+report-class = Class
+report-fleet = Fleet
+report-further = Planning a further study
+report-further-table = Sites, and vehicles per site, that would give P10 of true heights a U95 of { $goal }, if sites and vehicles vary as they do here.
+report-sites = Sites
+report-no-number = no number
+report-study-check = The study’s package, whose SHA-256 is below, contains every value. { $command } gives the same values from packages exported from the same surveys; each package is first verified completely, down to the clicks.
+report-study = STUDY
+report-heads = Last hash of each survey’s audit chain when it was read.
+report-last-hash = Last hash

@@ -1,14 +1,15 @@
 """Accounts at work: signing in with a password or a one-time link, passwords (Argon2), the first admin."""
 
 from functools import cache
-from threading import Lock
-from typing import TYPE_CHECKING
 
 from argon2 import PasswordHasher
 from argon2.exceptions import InvalidHashError, VerifyMismatchError
 
 from sightline.errors import BadInput, NotAllowed, NotSignedIn, TooMany
+from sightline.infra.limits import store as limits
+from sightline.infra.limits.store import Limit
 from sightline.infra.services import Services
+from sightline.infra.web.bearer import PER_TOKEN, ApiToken
 from sightline.infra.web.person import Person
 from sightline.people.store import (
     create_person,
@@ -23,17 +24,14 @@ from sightline.people.store import (
     update_person,
     use_sign_in_link,
 )
-
-if TYPE_CHECKING:
-    from limits import RateLimitItem
-    from limits.strategies import MovingWindowRateLimiter
+from sightline.people.token_store import api_token_by_text, note_api_token_used
 
 MIN_PASSWORD = 10
 MAX_PASSWORD = 1000
 FIRST_ADMIN = ("Admin", "admin@sightline.local")
-PER_ACCOUNT = "5 per 5 minutes"
+PER_ACCOUNT = Limit("sign-ins to an account from an address", 5, 300)
 # One address may serve a whole office, so it gets more; not enough to try a list on everybody.
-PER_ADDRESS = "50 per 5 minutes"
+PER_ADDRESS = Limit("sign-ins, links and wrong tokens from an address", 50, 300)
 
 _hasher = PasswordHasher()
 
@@ -45,42 +43,59 @@ def _nobodys_hash() -> str:
 
 
 class Attempts:
-    """Counts failed sign-ins per account and address, and per address alone, in this process."""
+    """Counts failed sign-ins per account and address, and per address alone, over all processes."""
 
-    def __init__(self) -> None:
-        self._opening = Lock()
-        self._made: MovingWindowRateLimiter | None = None
+    def __init__(self, services: Services) -> None:
+        self._services = services
 
     def begin(self, email: str, address: str) -> None:
         """Count an attempt before it is tried, so that many at once do not slip through. Raises TooMany."""
-        limiter = self._limiter()
-        for limit, key in self._keys(email, address):
-            if not limiter.hit(limit, *key):
-                raise TooMany("people-too-many-failed-sign-ins-wait")
+        self._count((PER_ACCOUNT, _account(email, address)), (PER_ADDRESS, address))
+
+    def begin_secret(self, address: str) -> None:
+        """The same for a link or a token, which name no account. Raises TooMany."""
+        self._count((PER_ADDRESS, address))
 
     def succeeded(self, email: str, address: str) -> None:
         """Forget the failures of this account from this address."""
-        limit, key = self._keys(email, address)[0]
-        self._limiter().clear(limit, *key)
+        with self._services.writing() as session:
+            limits.forget_counted(session, PER_ACCOUNT, _account(email, address))
 
-    def _limiter(self) -> "MovingWindowRateLimiter":
-        """Made at the first attempt: a starting server has no use for what it imports."""
-        with self._opening:
-            if self._made is None:
-                from limits.storage import MemoryStorage
-                from limits.strategies import MovingWindowRateLimiter
+    def _count(self, *against: tuple[Limit, str]) -> None:
+        # Looked at first: who is refused makes nobody wait for the turn to write.
+        with self._services.reading() as session:
+            if not all(limits.has_room(session, *one) for one in against):
+                raise TooMany("people-too-many-failed-sign-ins-wait")
+        with self._services.writing() as session:
+            if not all(limits.count_against(session, *one) for one in against):
+                raise TooMany("people-too-many-failed-sign-ins-wait")
 
-                self._made = MovingWindowRateLimiter(MemoryStorage())
-            return self._made
 
-    @staticmethod
-    def _keys(email: str, address: str) -> "list[tuple[RateLimitItem, tuple[str, ...]]]":
-        from limits import parse
+def _account(email: str, address: str) -> str:
+    return f"{email.strip().lower()}\n{address}"
 
-        return [
-            (parse(PER_ACCOUNT), ("account", email.strip().lower(), address)),
-            (parse(PER_ADDRESS), ("address", address)),
-        ]
+
+class Tokens:
+    """What the app asks of tokens."""
+
+    def __init__(self, services: Services, attempts: Attempts) -> None:
+        self._services = services
+        self._attempts = attempts
+
+    def token_by_text(self, text: str) -> ApiToken | None:
+        """The token that holds."""
+        with self._services.reading() as session:
+            return api_token_by_text(session, text)
+
+    def spend(self, token: ApiToken, requests: int) -> bool:
+        """Count requests of a token; False where there are too many."""
+        with self._services.writing() as session:
+            note_api_token_used(session, token.id)
+            return limits.count_against(session, PER_TOKEN, str(token.id), requests)
+
+    def count_wrong(self, address: str) -> None:
+        """Count a wrong token. Raises TooMany."""
+        self._attempts.begin_secret(address)
 
 
 def sign_in(services: Services, attempts: Attempts, email: str, password: str, address: str) -> Person:
@@ -104,8 +119,9 @@ def sign_in(services: Services, attempts: Attempts, email: str, password: str, a
         return get_person(session, person.id)
 
 
-def sign_in_by_link(services: Services, token: str) -> Person:
-    """Whose one-time link this is; it works once. Raises NotSignedIn for a used, old or unknown one."""
+def sign_in_by_link(services: Services, attempts: Attempts, token: str, address: str) -> Person:
+    """Whose one-time link this is; it works once. Raises NotSignedIn for one that is not good, TooMany."""
+    attempts.begin_secret(address)
     with services.writing() as session:
         person = use_sign_in_link(session, token)
         note_person_seen(session, person.id)

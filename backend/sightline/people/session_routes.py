@@ -9,9 +9,9 @@ from pydantic import Field
 from sightline.infra.database import Session
 from sightline.infra.services import Services
 from sightline.infra.version import code_version
-from sightline.infra.web.bodies import In, Name, Out
+from sightline.infra.web.bodies import In, Name, Out, example
 from sightline.infra.web.cookie import SignIn
-from sightline.infra.web.deps import OPEN, Viewer, Wired
+from sightline.infra.web.deps import OPEN, InPerson, Viewer, Wired, address_of
 from sightline.infra.web.person import Person
 from sightline.people import service, store
 from sightline.people.routes import PersonBody
@@ -22,6 +22,8 @@ Secret = Annotated[str, Field(max_length=1000)]
 
 
 class Credentials(In):
+    model_config = example(email="ada@example.org", password="a few words in a row")
+
     email: Annotated[str, Field(max_length=320)]
     password: Secret
 
@@ -53,15 +55,14 @@ class OwnName(In):
 def sign_in(body: Credentials, request: Request, response: Response, services: Wired) -> Me:
     """Sign in with email and password; five failures within five minutes make you wait."""
     attempts: service.Attempts = request.app.state.attempts
-    address = request.client.host if request.client else ""
-    person = service.sign_in(services, attempts, body.email, body.password, address)
+    person = service.sign_in(services, attempts, body.email, body.password, address_of(request))
     return _welcome(request, response, services, person, by_link=False)
 
 
 @router.post("/session/link", dependencies=[OPEN])
 def sign_in_by_link(body: LinkToken, request: Request, response: Response, services: Wired) -> Me:
     """Sign in with the token of a one-time link."""
-    person = service.sign_in_by_link(services, body.token)
+    person = service.sign_in_by_link(services, request.app.state.attempts, body.token, address_of(request))
     return _welcome(request, response, services, person, by_link=True)
 
 
@@ -85,7 +86,7 @@ def sign_out(request: Request, response: Response, services: Wired) -> None:
 
 @router.put("/session/password")
 def change_password(
-    body: NewPassword, who: Viewer, request: Request, response: Response, services: Wired
+    body: NewPassword, who: InPerson, request: Request, response: Response, services: Wired
 ) -> Me:
     """Set the password; every other session of the person ends."""
     cookies = _cookies(request)
@@ -94,7 +95,7 @@ def change_password(
 
 
 @router.put("/session/name")
-def change_name(body: OwnName, who: Viewer, request: Request, services: Wired) -> Me:
+def change_name(body: OwnName, who: InPerson, request: Request, services: Wired) -> Me:
     """Say what one is called: the name stands beside everything that one does."""
     person = service.change_name(services, who, body.name)
     return _me(request, services, person, _cookies(request).by_link(request))

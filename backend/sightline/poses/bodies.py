@@ -10,7 +10,8 @@ from sightline.cameras.calibrations.bodies import CameraDocument
 from sightline.enums import BoardSide
 from sightline.geometry.road_pose import BoardOnRoad
 from sightline.geometry.ruler import Polyline
-from sightline.infra.web.bodies import Finite, FrameNumber, Id, Out
+from sightline.infra.web.bodies import Finite, FrameNumber, Out
+from sightline.infra.web.named import CalibrationId
 from sightline.poses.records import ExpectedHeight, PoseOverlay
 
 Corners = Annotated[int, Field(ge=2, le=60, description="Inner corners: where four squares meet.")]
@@ -24,7 +25,7 @@ class BoardWanted(Markers):
     columns: Corners
     rows: Corners
     square_m: SquareM = None
-    calibration_id: Id | None = None
+    calibration_id: CalibrationId | None = None
 
 
 class BoardBody(Out):
@@ -43,7 +44,7 @@ class BoardBody(Out):
 
 
 class PoseWanted(Markers):
-    calibration_id: Id
+    calibration_id: CalibrationId
     first_frame: FrameNumber
     last_frame: FrameNumber
     columns: Corners

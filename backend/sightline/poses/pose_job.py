@@ -153,7 +153,7 @@ def solve_pose(context: registry.JobContext) -> registry.Outcome:
         wanted.board,
         context.progress,
     )
-    context.progress(0.85, "Solving for the camera's place.")
+    context.progress(0.85, "Computing the camera pose.")
     solved = solve(camera, seen, wanted.board, wanted.tape)
     return storing(wanted, solved, context.actor)
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from scipy.spatial import ConvexHull
+import scipy
 
 from sightline.coverage import COVERAGE_95
 from sightline.errors import BadInput
@@ -30,10 +30,8 @@ MOST_FRAMES = 15
 STILL_PX = 1.0
 EXPECTED_AT_M = (2.0, 3.0, 5.0)
 _ORDER_NOTE = "Corners are numbered from the top left as seen, along the rows to the right and then down."
-_PART = (
-    "{seen} of its {all} corners are seen; that will do for a calibration, and a road pose needs them all. "
-)
-_TRANSPOSED = " The board stands the other way up than given: {columns} columns by {rows} rows as seen."
+_PART = "{seen} of its {all} corners are visible: enough for a calibration; a camera pose needs all of them. "
+_TRANSPOSED = " The board is rotated: {columns} columns by {rows} rows as seen, not as entered."
 
 Progress = Callable[[float, str], None]
 
@@ -73,7 +71,7 @@ def preview_board(pictures: Iterable[Gray], board: Board) -> BoardSeen:
 
 @dataclass(frozen=True, eq=False)
 class Solved:
-    """A road pose with everything that is stored beside it."""
+    """A camera pose with everything that is stored beside it."""
 
     pose: RoadPose
     document: dict[str, Any]
@@ -169,7 +167,7 @@ def outline(corners: Corners) -> list[list[float]]:
     if corners.ids is None:
         ring = np.array([grid[0, 0], grid[0, -1], grid[-1, -1], grid[-1, 0]])
     else:
-        ring = grid[ConvexHull(grid).vertices]
+        ring = grid[scipy.spatial.ConvexHull(grid).vertices]
     return [[float(x), float(y)] for x, y in [*ring, ring[0]]]
 
 
@@ -187,25 +185,19 @@ def board_in_span(
 
     def pictures() -> Iterator[Gray]:
         for index, n in enumerate(wanted):
-            progress(0.05 + 0.75 * index / len(wanted), f"Looking for the board in frame {n}.")
+            progress(0.05 + 0.75 * index / len(wanted), f"Searching for the board in frame {n}.")
             yield gray_of(n)
 
     seen = preview_board(pictures(), board)
     if not any(corners.found for corners in seen.corners):
-        reasons = Counter(corners.reason or "the board was not found" for corners in seen.corners)
-        reason = reasons.most_common(1)[0][0].rstrip(".")
-        raise BadInput(
-            "poses-no-frame-shows-board",
-            first=first,
-            last=last,
-            reason=reason[:1].lower(),
-            reason_2=reason[1:],
-        )
+        reasons = Counter(corners.reason or "No board was found." for corners in seen.corners)
+        reason, _ = reasons.most_common(1)[0]
+        raise BadInput("poses-no-frame-shows-board", first=first, last=last, reason=reason)
     return seen
 
 
 def solve(camera: Camera, seen: BoardSeen, board: Board, reference: Reference) -> Solved:
-    """The road pose from the board as seen, with its verdict and drawing.
+    """The camera pose from the board as seen, with its verdict and drawing.
 
     Raises BadInput with the reason (board or camera moved, board seen edge-on, height that cannot be).
     """
@@ -230,19 +222,17 @@ def described(pose: RoadPose, corners_px: Floats) -> Solved:
 
 
 def _expected(distance_m: float, u_m: float | None) -> ExpectedHeight:
-    reason = None if u_m is not None else "The picture does not show the road at this distance."
+    reason = None if u_m is not None else "The image does not show the road at this distance."
     u95_m = None if u_m is None else COVERAGE_95 * u_m
     return ExpectedHeight(distance_m=distance_m, u_height_m=u_m, U95_height_m=u95_m, reason=reason)
 
 
 def verdict(expected: Sequence[ExpectedHeight], distance_m: float | None, camera_height_m: float) -> str:
     """In plain words: where the board stood, how high the camera is, how well heights will be known."""
-    board = "" if distance_m is None else f"The board stood {distance_m:.2f} m from the camera. "
+    board = "" if distance_m is None else f"The board was {distance_m:.2f} m from the camera. "
     known = [(one["distance_m"], u95_m) for one in expected if (u95_m := one["U95_height_m"]) is not None]
     figures = ", ".join(f"±{1000 * u95_m:.0f} mm at {at_m:.0f} m" for at_m, u95_m in known)
-    heights = (
-        f" A height of 1.2 m clicked to 1 px is expected to be known (95 %) to {figures}." if known else ""
-    )
+    heights = f" Expected U95 of a height of 1.2 m, clicked with u = 1 px: {figures}." if known else ""
     return f"{board}The camera is {camera_height_m:.2f} m above the road.{heights}"
 
 

@@ -80,7 +80,7 @@ def get_pose(session: Session, pose_id: int) -> Pose:
     """One pose, whole. Raises NotFound."""
     found = _whole(session, road_poses.c.id == pose_id)
     if not found:
-        raise missing("road pose", pose_id)
+        raise missing("camera pose", pose_id)
     return found[0]
 
 

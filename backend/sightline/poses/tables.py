@@ -1,4 +1,4 @@
-"""The table of road poses."""
+"""The table of camera poses."""
 
 from sqlalchemy import (
     CheckConstraint,
@@ -37,5 +37,5 @@ road_poses = Table(
     Column("created_at", UtcDateTime, nullable=False),
     Column("created_by", ForeignKey("people.id")),
     CheckConstraint("first_frame >= 0 AND last_frame >= first_frame", name="span_forward"),
-    info=vouched(WrittenOnce("pose", "road pose")),
+    info=vouched(WrittenOnce("pose", "camera pose")),
 )

@@ -8,11 +8,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sightline.detection.background import Background, gain_of
-from sightline.proposals.propose import FrameSeen
+from sightline.proposals.seen import FrameSeen
 from sightline.proposals.side_view import Bgr
 from sightline.proposals.wheels import Box
 
-FRAMES = 7
+FRAMES = 9
+ALIKE = 0.6
 BORDER_PX = 2.0
 BoxOnFrame = tuple[int, float, float, float, float]
 
@@ -26,23 +27,16 @@ def box_on(boxes: Sequence[BoxOnFrame], n: int) -> Box:
 
 def frames_to_look_at(boxes: Sequence[BoxOnFrame], best: int, width_px: int) -> tuple[int, ...]:
     """FRAMES frames spread over those on which the vehicle is whole in the picture, and the best frame; where
-    it never is, those about the best frame.
+    it hardly is, over those on which it is nearly as wide as it ever is.
     """
-    first, last = min(boxes)[0], max(boxes)[0]
-    whole = [
-        n
-        for n in range(first, last + 1)
-        if (box := box_on(boxes, n))[0] > BORDER_PX and box[2] < width_px - 1 - BORDER_PX
-    ]
-    about = whole if len(whole) >= FRAMES else _about(whole or [best], first, last)
+    frames = range(min(boxes)[0], max(boxes)[0] + 1)
+    every = {n: box_on(boxes, n) for n in frames}
+    about = [n for n, box in every.items() if box[0] > BORDER_PX and box[2] < width_px - 1 - BORDER_PX]
+    if len(about) < FRAMES:
+        wide = {n: min(box[2], width_px) - max(box[0], 0.0) for n, box in every.items()}
+        about = [n for n in frames if wide[n] >= ALIKE * max(wide.values())]
     spread = {about[round(i)] for i in np.linspace(0, len(about) - 1, FRAMES)}
     return tuple(sorted(spread | {best}))
-
-
-def _about(core: Sequence[int], first: int, last: int) -> list[int]:
-    """The frames nearest to some."""
-    near = sorted(range(first, last + 1), key=lambda n: min(abs(n - one) for one in core))
-    return sorted(near[:FRAMES])
 
 
 def frame_seen(

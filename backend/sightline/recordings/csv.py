@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from datetime import datetime
-from typing import get_args
+from typing import TypeVar, get_args
 
 from sightline.enums import DriftState, Lighting, StreetLighting
 from sightline.infra.csv_package.chain import stamp
@@ -17,6 +17,8 @@ from sightline.infra.local_time import local_text
 from sightline.recordings.drift import DriftDecision, DriftFigures, drift_check_of, drift_figures
 from sightline.recordings.filming import Filming, frame_s
 from sightline.recordings.records import Recording
+
+Row = TypeVar("Row")
 
 
 @dataclass(frozen=True, slots=True)
@@ -98,6 +100,14 @@ def started_text(started_at: datetime | None, time_zone: str | None) -> str | No
     return None if started_at is None or time_zone is None else local_text(started_at, time_zone)
 
 
+def started_column(
+    what: str, at: Callable[[Row], datetime | None], zone: Callable[[Row], str | None]
+) -> Column[Row]:
+    """The start of a recording, as a person confirmed it; `what` begins the description."""
+    words = f"{what}, as a person confirmed, by the clocks of the place (ISO 8601 with offset)"
+    return Column("started_at", "datetime", words, of=lambda one: started_text(at(one), zone(one)))
+
+
 _FACTS: tuple[Column[Recording], ...] = (
     key("id", "recording", lambda r: r.id),
     text("name", "name of the file", lambda r: r.name, required=True),
@@ -111,13 +121,7 @@ _FACTS: tuple[Column[Recording], ...] = (
     text("container", "container of the file", lambda r: r.container),
     flag("variable_rate", "true where the time between frames varies", lambda r: r.vfr),
     text("lighting", "light in the recording", lambda r: r.lighting, enum=get_args(Lighting)),
-    Column(
-        "started_at",
-        "datetime",
-        "when its first frame was filmed, as a person confirmed, by the clocks of the place (ISO 8601 with "
-        "offset)",
-        of=lambda r: started_text(r.started_at, r.time_zone),
-    ),
+    started_column("when its first frame was filmed", lambda r: r.started_at, lambda r: r.time_zone),
     text("time_zone", "whose clocks these are (IANA)", lambda r: r.time_zone),
     text("weather", "weather, in words", lambda r: r.weather),
     text(

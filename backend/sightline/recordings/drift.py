@@ -1,4 +1,4 @@
-"""On which frames of a recording the camera was not where its road pose says, as documents and sentences."""
+"""On which frames of a recording the camera was not where its pose says, as documents and sentences."""
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
@@ -57,7 +57,7 @@ class DriftSpan(DriftMotion):
 
 
 class DriftCheck(TypedDict):
-    """What was found of a recording's camera against one road pose."""
+    """What was found of a recording's camera against one camera pose."""
 
     pose_id: int
     pose_recording_id: int
@@ -101,7 +101,7 @@ class SpanTold(TypedDict):
 
 
 class DriftDecision(TypedDict):
-    """Why somebody lets a road pose stand, and the moved spans that they saw."""
+    """Why somebody lets a camera pose stand, and the moved spans that they saw."""
 
     pose_id: int
     reason: str
@@ -122,7 +122,7 @@ class MovedSpan:
 
 
 def drift_check_of(drift: DriftChecks | None, pose_id: int | None) -> DriftCheck | None:
-    """What was found against one road pose; None where nobody looked."""
+    """What was found against one camera pose; None where nobody looked."""
     if drift is None or pose_id is None:
         return None
     return drift["checks"].get(str(pose_id))
@@ -195,8 +195,8 @@ def _decided(span: MovedSpan, decision: DriftDecision | None, pose_id: int | Non
 
 def sentence(span: MovedSpan) -> str:
     """The flag of a measurement on such a frame."""
-    off = "" if span.change_m is None else f", heights are off by up to {abs(span.change_m) * 1000:.0f} mm"
+    off = "" if span.change_m is None else f" (height error up to {abs(span.change_m) * 1000:.0f} mm)"
     return (
-        f"The camera had moved by {span.moved_px:.1f} px since its road pose{off}; take a new road pose for "
-        "this part, or decide that the old one is still good."
+        f"The camera moved {span.moved_px:.1f} px after the pose was computed{off}; compute a new pose for "
+        "this part, or decide to keep the old one."
     )

@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from sightline.enums import StreetLamps, StreetLighting
 from sightline.errors import BadInput
 from sightline.infra.local_time import instant_of, local_day, local_text
 from sightline.messages import say
@@ -66,6 +67,11 @@ def start_of(local: str, zone: str, present: datetime) -> Filming:
     if at < _EARLIEST:
         raise BadInput("recordings-start-too-early", start=local_text(at, zone)[:10])
     return Filming(at, zone)
+
+
+def lamps_misfits(street_lighting: StreetLighting | None, lamps: StreetLamps | None) -> list[str]:
+    """A sentence where street lighting is said to have been on along a road that is said to have none."""
+    return [say("recordings-misfit-lamps", {})] if street_lighting == "on" and lamps == "none" else []
 
 
 def misfits(

@@ -25,7 +25,7 @@ from sightline.recordings.records import Facts, Recording
 
 KIND = "ingest"
 PASSES = "passes"
-STOPPED = "The ingest was cancelled; start it again or delete the recording."
+STOPPED = "The import was cancelled; start it again or delete the recording."
 # Mean luminance (0-255) below which low light is proposed; people decide.
 LOW_LIGHT_BELOW = 60.0
 

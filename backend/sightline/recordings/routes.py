@@ -1,23 +1,28 @@
 """Recordings of a survey: what they are, what belongs to them, and trying an ingest again."""
 
+import re
 from collections.abc import Mapping
 from datetime import UTC, datetime
 from typing import Annotated, Any
 
 from fastapi import APIRouter
+from fastapi.responses import FileResponse
 from pydantic import Field
 
 from sightline.cameras.calibrations.store import documents_in_force
-from sightline.enums import Lighting, RecordingState, StreetLighting
+from sightline.enums import Lighting, RecordingState, StreetLamps, StreetLighting
 from sightline.infra.database import Session
-from sightline.infra.web.bodies import Id, In, JobBody, Name, Out
-from sightline.infra.web.deps import Operator, PathId, Reading, Viewer, Wired
+from sightline.infra.web.bodies import In, JobBody, Name, Out, example
+from sightline.infra.web.deps import Exporter, Operator, PathId, Reading, Uploader, Viewer, Wired
+from sightline.infra.web.named import CameraId, PoseId
 from sightline.recordings import ingest_job, store
+from sightline.recordings.bodies import StartIn
 from sightline.recordings.csv import started_text
 from sightline.recordings.drift_request import request_if_posed
-from sightline.recordings.filming import misfits, start_of
+from sightline.recordings.filming import lamps_misfits, misfits, start_of
 from sightline.recordings.frames.stills import stills_of
 from sightline.recordings.records import Recording, RecordingChanges
+from sightline.surveys.store import get_survey
 
 router = APIRouter()
 
@@ -59,27 +64,23 @@ class RecordingBody(Out):
     weather: str | None
     street_lighting: StreetLighting | None
     misfits: Annotated[
-        list[str], Field(description="Where it does not fit the calibration of its camera, in sentences.")
+        list[str],
+        Field(description="Where it does not fit its camera's calibration or its survey, in sentences."),
     ]
     created_at: datetime
     thumbs: list[Thumb]
 
 
-class StartIn(In):
-    """When the first frame was filmed, as clocks of the place showed it."""
-
-    local: str = Field(
-        max_length=40, description="ISO 8601; with its offset where the clocks showed that time twice."
-    )
-    time_zone: str = Field(max_length=60, description="IANA, as Europe/Paris.")
-
-
 class RecordingChange(In):
     """Any subset; what is left out stays."""
 
+    model_config = example(
+        name="Hill road, morning", lighting="daytime", weather="dry", street_lighting="off"
+    )
+
     name: Name = Field(default="", validate_default=False)
-    camera_id: Id | None = None
-    pose_id: Id | None = None
+    camera_id: CameraId | None = None
+    pose_id: PoseId | None = None
     lighting: Lighting | None = None
     start: Annotated[StartIn | None, Field(description="Null: nobody has confirmed it.")] = None
     weather: Annotated[str, Field(max_length=100)] | None = None
@@ -89,12 +90,17 @@ class RecordingChange(In):
 _MADE_HERE = ("thumbs", "started_local", "misfits")
 
 
-def recording_body(recording: Recording, lens: Mapping[str, Any] | None) -> RecordingBody:
-    """A recording as it goes out, with the addresses of its thumbnails; `lens`: its camera's calibration."""
+def recording_body(
+    recording: Recording, lens: Mapping[str, Any] | None, lamps: StreetLamps | None
+) -> RecordingBody:
+    """A recording as it goes out, with the addresses of its thumbnails; `lens`: its camera's calibration,
+    `lamps`: whether its survey's road has street lighting.
+    """
     values = {name: getattr(recording, name) for name in RecordingBody.model_fields if name not in _MADE_HERE}
     values["started_local"] = started_text(recording.started_at, recording.time_zone)
     size, focal = (recording.width_px, recording.height_px), recording.report.get("focal_35mm_mm")
-    values["misfits"] = [] if lens is None else misfits(size, focal, lens)
+    of_lens = [] if lens is None else misfits(size, focal, lens)
+    values["misfits"] = [*of_lens, *lamps_misfits(recording.street_lighting, lamps)]
     address = f"/api/recordings/{recording.id}/thumbs"
     thumbs = [Thumb(frame=n, url=f"{address}/{n}.jpg?v={recording.sha256[:12]}") for n in recording.thumbs]
     return RecordingBody.model_validate({**values, "thumbs": thumbs})
@@ -105,7 +111,8 @@ def list_recordings(survey_id: PathId, who: Viewer, session: Reading) -> list[Re
     """The recordings of a survey, in the order in which they came."""
     found = store.list_recordings(session, survey_id)
     lenses = documents_in_force(session, [one.camera_id for one in found])
-    return [recording_body(one, lenses.get(one.camera_id)) for one in found]
+    lamps = get_survey(session, survey_id).place.street_lamps
+    return [recording_body(one, lenses.get(one.camera_id), lamps) for one in found]
 
 
 @router.get("/recordings/{recording_id}")
@@ -116,7 +123,30 @@ def get_recording(recording_id: PathId, who: Viewer, session: Reading) -> Record
 
 def _body(session: Session, recording: Recording) -> RecordingBody:
     lenses = documents_in_force(session, [recording.camera_id])
-    return recording_body(recording, lenses.get(recording.camera_id))
+    lamps = get_survey(session, recording.survey_id).place.street_lamps
+    return recording_body(recording, lenses.get(recording.camera_id), lamps)
+
+
+@router.get("/recordings/{recording_id}/video", response_class=FileResponse)
+def download_video(recording_id: PathId, who: Exporter, services: Wired) -> FileResponse:
+    """The video as it was uploaded, byte for byte, under the name of its recording."""
+    with services.reading() as session:
+        recording = store.get_recording(session, recording_id)
+    path = services.media.local_path(recording.media_key)
+    headers = {"ETag": f'"{recording.sha256}"', "Cache-Control": "private, no-cache"}
+    # never shown within the app's own origin, whatever was uploaded as a video
+    return FileResponse(
+        path,
+        media_type="application/octet-stream",
+        headers=headers,
+        filename=_file_name(recording.name, path.suffix),
+    )
+
+
+def _file_name(name: str, suffix: str) -> str:
+    """A recording's name as a file's, with the ending that its file came with."""
+    plain = re.sub(r"[\\/:*?\"<>|\x00-\x1f]+", "-", name).strip(" .-") or "recording"
+    return plain if plain.lower().endswith(suffix) else f"{plain}{suffix}"
 
 
 @router.put("/recordings/{recording_id}")
@@ -147,6 +177,6 @@ def remove_recording(recording_id: PathId, who: Operator, services: Wired) -> No
 
 
 @router.post("/recordings/{recording_id}/ingest", status_code=202)
-def retry_ingest(recording_id: PathId, who: Operator, services: Wired) -> JobBody:
+def retry_ingest(recording_id: PathId, who: Uploader, services: Wired) -> JobBody:
     """Read the video again, after a failed or cancelled ingest."""
     return JobBody.model_validate(ingest_job.retry_ingest(services, recording_id, who.id))

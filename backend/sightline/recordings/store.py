@@ -94,7 +94,7 @@ def update_recording(
         raise BadInput("recordings-lighting-daytime-low-light-choose-one")
     if change.get("street_lighting") not in (None, *get_args(StreetLighting)):
         raise BadInput("recordings-street-lighting-on-or-off")
-    for column, word in ((recordings.c.camera_id, "camera"), (recordings.c.pose_id, "road pose")):
+    for column, word in ((recordings.c.camera_id, "camera"), (recordings.c.pose_id, "camera pose")):
         if change.get(column.name) is not None:
             row_id = cast(int, change[column.name])
             _same_survey(session, named_table(column), row_id, word, before["survey_id"])
@@ -159,7 +159,7 @@ def remove_recording(session: Session, recording_id: int, *, actor: int | None) 
 def store_drift(
     session: Session, recording_id: int, pose_id: int, check: DriftCheck, *, actor: int | None
 ) -> Recording:
-    """What was found of a camera that moved since a road pose; what was found against others stays."""
+    """What was found of a camera that moved since a camera pose; what was found against others stays."""
     before = _row(session, recording_id)
     none: DriftChecks = {"checks": {}}
     known: DriftChecks = before["drift"] or none
@@ -248,7 +248,7 @@ def _same_survey(session: Session, table: Any, row_id: int, word: str, survey_id
 
 def _same_size(session: Session, recording: Mapping[str, Any], pose_id: int) -> None:
     """A pose's pixels are those of its camera's pictures: at another size every height would be wrong."""
-    document = get_row(session, named_table(recordings.c.pose_id), pose_id, "road pose")["document"]
+    document = get_row(session, named_table(recordings.c.pose_id), pose_id, "camera pose")["document"]
     camera = document.get("camera", {})
     posed = (camera.get("width_px"), camera.get("height_px"))
     filmed = (recording["width_px"], recording["height_px"])

@@ -4,7 +4,7 @@ from typing import Annotated
 
 from pydantic import Field
 
-from sightline.enums import IntervalPart, LightingGroup, Rounding, StandardHeight, StatisticsTarget
+from sightline.enums import IntervalPart, LightingGroup, Rounding, StandardHeight, StatisticsTarget, Target
 from sightline.infra.audit.records import Who
 from sightline.infra.web.bodies import Finite, In, Out
 from sightline.infra.web.figures import (
@@ -18,6 +18,7 @@ from sightline.results.survey_statistics import SampleCounts
 from sightline.statistics.agreement import BlandAltman, ReferencePart
 from sightline.statistics.distributions import Percentile
 from sightline.statistics.errors import Interval
+from sightline.statistics.known_errors import Inside
 from sightline.statistics.paper import PaperColumn
 from sightline.statistics.rules import RuleToday
 from sightline.statistics.standards import Standard
@@ -32,6 +33,9 @@ class ErrorGroupBody(Out):
     n: int
     figures: dict[str, FigureBody]
     reason: str | None = Field(description="Why a figure or its interval is missing.")
+    words: str = Field(
+        description="What the intervals of all but correlations and skewness hold, and for which roads."
+    )
 
 
 class TrendBody(Out):
@@ -71,6 +75,19 @@ class ErrorsBody(Out):
     relative: Ecdfs
     density: dict[str, DensityBody | ReasonBody]
     points: PointsBody = Field(description="At most 1500, drawn at random but always the same.")
+
+
+class KnownErrorsBody(Out):
+    """Errors of one target against heights that were known before, of the traffic or of check targets."""
+
+    target: Target
+    check_target: bool
+    groups: list[ErrorGroupBody]
+    inside: Inside | ReasonBody = Field(
+        description="How many differences are not larger than their own U95; about 95 % should be."
+    )
+    bias: TotalFigure = Field(description="Mean error, not rounded, with its total uncertainty.")
+    words: str = Field(description="What the interval of the bias holds, and for which roads.")
 
 
 class StandardIn(In):
@@ -162,6 +179,9 @@ class StatisticsBody(Out):
     comparison: ComparedSurveys | None = Field(description="Where what counts is of two surveys.")
     counted: SampleCounts
     errors: ErrorsBody
+    known_errors: list[KnownErrorsBody] = Field(
+        description="By target, of the traffic and of check targets; of those that have a known height."
+    )
     targets: list[TargetBody]
     standards: list[Standard] = Field(description="Heights of standards, and the asker's own.")
     surveys: list[Who] = Field(description="What can be filtered by.")

@@ -25,6 +25,7 @@ from sightline.recordings.filming import filming_of, frame_s
 from sightline.recordings.tables import recordings
 from sightline.surveys.classes import sets_of
 from sightline.surveys.store import classes_of_surveys
+from sightline.vehicles.records import KNOWN
 from sightline.vehicles.tables import vehicles
 
 if TYPE_CHECKING:
@@ -42,6 +43,8 @@ VERDICTS: tuple[str, ...] = get_args(Verdict)
 # What a height's total uncertainty is made of, beside its pose.
 UNCERTAINTY = ("inset_m", "u_inset_m", "u_height_m", "u_clicks_m", "u_by_inset_m")
 NONE = -1
+# The fields of each target's known height, in the order of TARGETS.
+_KNOWN = tuple(KNOWN[target] for target in get_args(Target))
 _SPARSE = 2**20
 _FEW = 20_000  # series: so many are read sooner through the session than another connection is opened
 
@@ -55,7 +58,8 @@ class Measured:
     VERDICTS, -1 for none; `class_set` is what the survey makes of the category; `day` counts days since
     1970-01-01 (UTC) of the revision's making, 0 unless asked for; `filmed_day`: the day on which
     its pass was filmed, by the clocks of the place, days since 1970-01-01, -1 where nobody has confirmed the
-    start of its recording; `across_m`: the contact's distance from the
+    start of its recording; `known_m`: what was known of the target's height before it was measured, of a roof
+    the maker's; `check_target`: of no vehicle of the traffic; `across_m`: the contact's distance from the
     camera across the road; lengths in metres, NaN where unknown.
     """
 
@@ -73,8 +77,9 @@ class Measured:
     verdict: Ints
     height_m: Floats
     uncorrected_height_m: Floats
-    manufacturer_height_m: Floats
-    u_manufacturer_height_m: Floats
+    known_m: Floats
+    u_known_m: Floats
+    check_target: NDArray[np.bool_]
     pose_id: Ints
     across_m: Floats
     inset_m: Floats
@@ -110,6 +115,7 @@ def load_measured_columns(
     keep = (row != NONE) & ~np.isnan(height) & (car != NONE)
     row, car = row[keep], car[keep]
     pose_id = _ints(revisions, "pose_id")[row]
+    target = _codes(revisions, "target", TARGETS)[row]
     survey, category = _ints(cars, "survey_id")[car], _codes(cars, "category", CATEGORIES)[car]
     return Measured(
         measurement_id=id_[keep],
@@ -118,7 +124,7 @@ def load_measured_columns(
         operator_id=_ints(revisions, "created_by")[row],
         day=_days(revisions)[row] if days else np.zeros(len(row), np.int64),
         filmed_day=_filmed_days(session, cars)[car],
-        target=_codes(revisions, "target", TARGETS)[row],
+        target=target,
         lighting=_codes(cars, "lighting", LIGHTING)[car],
         lane=_codes(cars, "direction", LANES)[car],
         category=category,
@@ -126,8 +132,9 @@ def load_measured_columns(
         verdict=verdict[keep],
         height_m=height[keep],
         uncorrected_height_m=_floats(revisions, "uncorrected_height_m")[row],
-        manufacturer_height_m=_floats(cars, "manufacturer_height_m")[car],
-        u_manufacturer_height_m=_floats(cars, "u_manufacturer_height_m")[car],
+        known_m=_known(cars, [names.height for names in _KNOWN], car, target),
+        u_known_m=_known(cars, [names.u for names in _KNOWN], car, target),
+        check_target=_ints(cars, "check_target").astype(np.bool_)[car],
         pose_id=pose_id,
         across_m=_floats(revisions, "y_m")[row] - _cameras_across(session, pose_id),
         **{name: _floats(revisions, name)[row] for name in UNCERTAINTY},
@@ -168,8 +175,8 @@ def _vehicles(survey_ids: Sequence[int] | None) -> Select[Any]:
         lighting,
         v.direction,
         v.category,
-        v.manufacturer_height_m,
-        v.u_manufacturer_height_m,
+        case((v.check_target, 1), else_=0).label("check_target"),
+        *(v[name] for names in _KNOWN for name in (names.height, names.u)),
     ).join(recordings, recordings.c.id == v.recording_id)
     return query.where(v.deleted_at.is_(None), *_of(v.survey_id, survey_ids))
 
@@ -235,6 +242,15 @@ def _ints(table: pa.Table, name: str) -> Ints:
 def _floats(table: pa.Table, name: str) -> Floats:
     """NaN for null."""
     return np.asarray(table[name], dtype=np.float64)
+
+
+def _known(cars: pa.Table, fields: Sequence[str], car: Ints, target: Ints) -> Floats:
+    """What the fields of each target say of each row's target (N,) on its vehicle (N,), NaN for nothing."""
+    found = np.full(len(car), np.nan)
+    for code, name in enumerate(fields):
+        rows = target == code
+        found[rows] = _floats(cars, name)[car[rows]]
+    return found
 
 
 def _codes(table: pa.Table, name: str, words: Sequence[str]) -> Ints:

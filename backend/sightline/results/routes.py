@@ -20,7 +20,9 @@ from sightline.enums import (
 )
 from sightline.errors import BadInput
 from sightline.infra.audit.records import Who
+from sightline.infra.web.bodies import Id
 from sightline.infra.web.deps import Operator, PathId, Reading, SurveysSeen, Viewer, Writing
+from sightline.infra.web.named import SurveyId
 from sightline.results import standards_store
 from sightline.results.bodies import StandardsIn, StatisticsBody
 from sightline.results.standards_store import StandardsOfSurvey
@@ -33,6 +35,7 @@ from sightline.results.survey_statistics import (
 )
 from sightline.statistics.agreement import U_MANUFACTURER_M
 from sightline.statistics.errors import GROUPS, ErrorGroup
+from sightline.statistics.known_errors import KnownErrors
 from sightline.statistics.lateral import Lateral
 from sightline.statistics.paper import PAPER
 from sightline.statistics.sample_size import SampleSize, vehicles_needed
@@ -41,7 +44,6 @@ from sightline.statistics.summary import Distribution, Errors, Groups, Target
 
 router = APIRouter()
 
-Id = Annotated[int, Query(ge=1, le=2**31 - 1)]
 Metres = Annotated[float, Query(allow_inf_nan=False)]
 MOST_OWN = 20
 _LIGHTING = get_args(LightingGroup)
@@ -52,14 +54,14 @@ def statistics_of_measurements(
     who: Viewer,
     session: Reading,
     seen: SurveysSeen,
-    survey: Annotated[list[Id], Query(max_length=200)] = [],  # noqa: B006 (FastAPI copies it)
+    survey: Annotated[list[SurveyId], Query(max_length=200)] = [],  # noqa: B006 (FastAPI copies it)
     lighting: Lighting | None = None,
     category: Annotated[list[Category], Query(max_length=len(get_args(Category)))] = [],  # noqa: B006
     class_set: Annotated[
         list[ClassSet],
         Query(max_length=len(get_args(ClassSet)), description="Beside `category`: what is of either counts."),
     ] = [],  # noqa: B006
-    operator: Id | None = None,
+    operator: Annotated[Id | None, Query()] = None,
     first_day: date | None = None,
     last_day: date | None = None,
     filmed_from: Annotated[date | None, Query(description="By the clocks of the place.")] = None,
@@ -135,6 +137,7 @@ def statistics_body(found: Statistics, correction: Correction) -> StatisticsBody
             "counted": found.counted,
             "rules": found.rules,
             "errors": _errors(found.errors, correction),
+            "known_errors": [_known(one) for one in found.known_errors],
             "targets": [
                 _target(name, one, standards_of(found.standards, name)) for name, one in found.targets.items()
             ],
@@ -151,15 +154,17 @@ def _errors(found: Errors, correction: Correction) -> dict[str, Any]:
     heights = (
         "Heights corrected by each measurement's inset"
         if correction == "inset"
-        else "The paper's heights (inset 0)"
+        else "Heights as in Dupuis et al. (inset 0)"
     )
     rounded = (
-        "both rounded to whole centimetres, as the paper does" if found.rounding == "cm" else "not rounded"
+        "both rounded to whole centimetres, as in Dupuis et al." if found.rounding == "cm" else "not rounded"
     )
     points = found.points
     return {
         "rounding": found.rounding,
-        "words": f"{heights} against manufacturers' heights, {rounded}; every figure from the raw errors.",
+        "words": (
+            f"{heights} against manufacturers' heights, {rounded}; all values from the individual errors."
+        ),
         "groups": [_group(name, found.groups[name]) for name in GROUPS],
         "paper": PAPER,
         "reference_part": _part(found.reference_part),
@@ -179,11 +184,34 @@ def _errors(found: Errors, correction: Correction) -> dict[str, Any]:
 
 def _group(name: str, one: ErrorGroup) -> dict[str, Any]:
     figures = {
-        key: {"value": value, "ci95": _part(one.ci95[key], None), "reason": _no_interval(one, key)}
+        key: {
+            "value": value,
+            "ci95": _part(one.ci95[key], None),
+            "reason": _no_interval(one, key),
+            "holds": one.holds.get(key, ()) if one.ci95[key] is not None else (),
+        }
         for key, value in one.figures.items()
     }
     title = next(column.title for column in PAPER if column.group == name)
-    return {"group": name, "title": title, "n": one.n, "figures": figures, "reason": one.reason}
+    return {
+        "group": name,
+        "title": title,
+        "n": one.n,
+        "figures": figures,
+        "reason": one.reason,
+        "words": one.words,
+    }
+
+
+def _known(one: KnownErrors) -> dict[str, Any]:
+    return {
+        "target": one.target,
+        "check_target": one.check_target,
+        "groups": [_group(name, one.groups[name]) for name in GROUPS],
+        "inside": _part(one.inside),
+        "bias": one.bias,
+        "words": one.words,
+    }
 
 
 def _no_interval(one: ErrorGroup, key: str) -> str | None:

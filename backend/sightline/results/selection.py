@@ -7,6 +7,7 @@ from datetime import date
 from typing import Any, get_args
 
 from sightline.enums import Category, ClassSet, Lighting
+from sightline.errors import BadInput
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,6 +50,12 @@ class Selection:
             "filmed_from": _text(self.filmed_from),
             "filmed_to": _text(self.filmed_to),
         }
+
+
+def require_days(selection: Selection) -> None:
+    """Raise BadInput where its last day lies before its first: nothing would count, without a word."""
+    if selection.filmed_from and selection.filmed_to and selection.filmed_to < selection.filmed_from:
+        raise BadInput("results-last-day-lies-before-first-exchange")
 
 
 def _text(day: date | None) -> str | None:

@@ -50,6 +50,7 @@ from sightline.results.measured_columns_query import (
 from sightline.results.standards_store import standards_of_surveys
 from sightline.results.survey_comparison import ComparedSurveys, compared_surveys
 from sightline.statistics.agreement import U_MANUFACTURER_M
+from sightline.statistics.known_errors import COMPARED, Compared, KnownErrors, known_errors
 from sightline.statistics.lateral import Lateral, lateral_positions
 from sightline.statistics.rules import RuleToday, rule_today
 from sightline.statistics.standards import STANDARDS, Standard
@@ -142,6 +143,7 @@ class Statistics:
     surveys: dict[int, str]
     operators: dict[int, str]
     rules: tuple[RuleToday, ...] = ()
+    known_errors: tuple[KnownErrors, ...] = ()
     lateral: Lateral | None = None
     comparison: ComparedSurveys | None = None
 
@@ -161,7 +163,7 @@ def measured_columns(session: Session, chosen: Filter) -> Measured:
     wanted = _wanted(chosen, survey_names(session))
     days = chosen.first_day is not None or chosen.last_day is not None
     found, _ = filtered(_columns(session, trail.head(session).hash, wanted, days), chosen)
-    return found.where(_of_target(found, chosen.target))
+    return found.where(_of_target(found, chosen.target) & ~found.check_target)
 
 
 # The keys of what is kept hold the audit chain's last hash, so that any write makes it old.
@@ -231,8 +233,9 @@ def filtered(found: Measured, chosen: Filter) -> tuple[Measured, dict[str, int]]
         keep &= (found.filmed_day != NONE) & (found.filmed_day <= (chosen.filmed_to - _EPOCH).days)
     wanted = np.isin(found.verdict, [VERDICTS.index(word) for word in _STATES[chosen.state]])
     of_target = _of_target(found, chosen.target)
-    others = np.bincount(found.verdict[keep & ~wanted & of_target], minlength=len(VERDICTS))
-    left_out = {word: int(count) for word, count in zip(VERDICTS, others, strict=True) if count}
+    others = found.verdict[keep & ~wanted & of_target & ~found.check_target]
+    counts = np.bincount(others, minlength=len(VERDICTS))
+    left_out = {word: int(count) for word, count in zip(VERDICTS, counts, strict=True) if count}
     return found.where(keep & wanted), left_out
 
 
@@ -259,8 +262,15 @@ def made_of(
     operators: dict[int, str],
     only: StatisticsTarget | None = None,
 ) -> Statistics:
-    """The statistics of columns (N,), divided by groupings (N,); of one target `only`, or of all."""
-    roofs = _roofs(measured, choices.u_reference_m)
+    """The statistics of columns (N,), divided by groupings (N,); of one target `only`, or of all.
+
+    Check targets have their own rows among the errors, and count nowhere else.
+    """
+    checks, traffic = measured.where(measured.check_target), ~measured.check_target
+    of_checks = groupings["site"].where(measured.check_target) if "site" in groupings else None
+    measured = measured.where(traffic)
+    groupings = {name: one.where(traffic) for name, one in groupings.items()}
+    roofs = _roofs(measured, choices.u_reference_m, groupings.get("site"))
     table = STANDARDS if choices.standards is None else choices.standards
     against = (*table, *choices.own_standards)
     targets: dict[StatisticsTarget, Target] = {}
@@ -286,6 +296,7 @@ def made_of(
         targets=targets,
         surveys=named_surveys,
         operators=operators,
+        known_errors=_known_errors(((measured, sites), (checks, of_checks)), errors, choices),
         lateral=_lateral(measured.where(_of_target(measured, only))),
         rules=_rules(measured, against, sites) if choices.correction == "inset" and only is None else (),
         comparison=compared_surveys(
@@ -324,12 +335,14 @@ def height_sample(measured: Measured, sites: Grouping | None = None) -> HeightSa
 
     An inset is known by its value and its u: heights that assume the same have the same error of its mean.
     """
+    poses, pose = np.unique(measured.pose_id, return_inverse=True)
     return sample_of_measurements(
         height_m=measured.height_m,
         u_height_m=measured.u_height_m,
         u_clicks_m=measured.u_clicks_m,
         u_by_inset_m=measured.u_by_inset_m,
-        pose=_compact(measured.pose_id),
+        pose=pose.astype(np.int64),
+        pose_names=poses.astype(np.int64),
         inset=_compact(np.rint(measured.inset_m * 1e4) * 100_000 + np.rint(measured.u_inset_m * 1e4)),
         site=None if sites is None else sites.code,
     )
@@ -345,16 +358,61 @@ def standards_of(table: Sequence[Standard], target: StatisticsTarget) -> list[St
     return [one for one in table if one.drawn and one.what == _WHAT.get(target)]
 
 
-def _roofs(measured: Measured, u_reference_m: float) -> Roofs:
+def _roofs(measured: Measured, u_reference_m: float, sites: Grouping | None) -> Roofs:
     """Roofs with a reference height, measured with and without their inset."""
-    rows = measured.where(
+    chosen = (
         (measured.target == TARGETS.index("roof"))
-        & np.isfinite(measured.manufacturer_height_m)
+        & np.isfinite(measured.known_m)
         & np.isfinite(measured.uncorrected_height_m)
     )
-    u = np.where(np.isfinite(rows.u_manufacturer_height_m), rows.u_manufacturer_height_m, u_reference_m)
-    lighting = np.array([*LIGHTING, ""])[np.where(rows.lighting == NONE, len(LIGHTING), rows.lighting)]
-    return Roofs(rows.height_m, rows.uncorrected_height_m, rows.manufacturer_height_m, u, lighting)
+    rows = measured.where(chosen)
+    u = np.where(np.isfinite(rows.u_known_m), rows.u_known_m, u_reference_m)
+    parts = height_sample(rows, sites.where(chosen) if sites else None)
+    return Roofs(
+        measured_m=rows.height_m,
+        paper_m=rows.uncorrected_height_m,
+        reference_m=rows.known_m,
+        u_reference_m=u,
+        lighting=_lighting_words(rows),
+        parts=parts,
+    )
+
+
+def _lighting_words(rows: Measured) -> NDArray[np.str_]:
+    """The lighting of each row (N,), "" where unknown."""
+    return np.array([*LIGHTING, ""])[np.where(rows.lighting == NONE, len(LIGHTING), rows.lighting)]
+
+
+def _known_errors(
+    both: tuple[tuple[Measured, Grouping | None], tuple[Measured, Grouping | None]],
+    roofs: Errors,
+    choices: StatisticsOptions,
+) -> tuple[KnownErrors, ...]:
+    """Errors against known heights by target, of the traffic and then of check targets, each with their
+    sites: those there are.
+
+    The roofs of the traffic are those of the error table, whatever their maker said of u.
+    """
+    found = []
+    for (measured, sites), of_checks in zip(both, (False, True), strict=True):
+        for code, target in enumerate(COMPARED):
+            compared = _compared(measured, measured.target == code, sites, choices)
+            if len(compared.known_m) == 0:
+                continue
+            table = roofs.groups if target == "roof" and not of_checks else None
+            found.append(known_errors(target, of_checks, compared, choices.rounding, table))
+    return tuple(found)
+
+
+def _compared(
+    measured: Measured, chosen: NDArray[np.bool_], sites: Grouping | None, choices: StatisticsOptions
+) -> Compared:
+    """The chosen heights (N,) with a known height, as the error table takes them."""
+    chosen = chosen & np.isfinite(measured.known_m) & np.isfinite(measured.uncorrected_height_m)
+    rows = measured.where(chosen)
+    measured_m = rows.height_m if choices.correction == "inset" else rows.uncorrected_height_m
+    sample = replace(height_sample(rows, sites.where(chosen) if sites else None), height_m=measured_m)
+    return Compared(sample, rows.u_height_m, rows.known_m, rows.u_known_m, _lighting_words(rows).tolist())
 
 
 def _named(ids: NDArray[np.int64], names: Mapping[int, str]) -> Grouping:

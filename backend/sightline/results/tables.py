@@ -25,6 +25,8 @@ exports = Table(
     Column("audit_head", String(64), nullable=False),
     # the vehicles that its statistics and report are of
     Column("selection", CanonicalJson, nullable=False),
+    # that of the figures and the report
+    Column("language", String(20), nullable=False),
     Column("created_at", UtcDateTime, nullable=False),
     Column("created_by", ForeignKey("people.id")),
     info=vouched(CarriesHead("export")),

@@ -6,7 +6,7 @@ from typing import Annotated
 from pydantic import Field
 
 from sightline.enums import ReviewVerdict, Verdict
-from sightline.infra.web.bodies import FrameNumber, In, Point, Text
+from sightline.infra.web.bodies import FrameNumber, In, Point, Text, example
 from sightline.infra.web.quantities import Revision
 from sightline.measurements.bodies import MeasurementBody
 from sightline.measurements.records import VehicleInState
@@ -22,6 +22,8 @@ class HistoryBody:
 
 
 class NewReview(In):
+    model_config = example(revision=1, verdict="accepted", seen="to_review")
+
     revision: Revision
     verdict: ReviewVerdict
     reason: Text | None = None

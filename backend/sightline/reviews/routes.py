@@ -3,11 +3,11 @@
 from typing import Annotated
 
 from fastapi import APIRouter, Query
-from pydantic import Field
 
 from sightline.enums import QueueState
 from sightline.infra.by_name import filled_from
 from sightline.infra.web.deps import Manager, PathId, Reading, Reviewer, Viewer, Writing
+from sightline.infra.web.named import LotId, MeasurementId
 from sightline.measurements.bodies import MeasurementBody, measurement_body
 from sightline.reviews import plan_store, query, store
 from sightline.reviews.bodies import HistoryBody, NewReview, PlanIn, QueueItemBody
@@ -17,8 +17,6 @@ from sightline.surveys.store import get_survey
 
 router = APIRouter()
 
-QueryId = Annotated[int, Field(ge=1, le=2**31 - 1)]
-
 
 @router.get("/surveys/{survey_id}/review-queue")
 def review_queue(
@@ -26,9 +24,9 @@ def review_queue(
     who: Viewer,
     session: Reading,
     state: Annotated[QueueState, Query(description="What was said of them so far.")] = "to_review",
-    after: Annotated[QueryId | None, Query(description="Those behind this measurement.")] = None,
-    measurement: Annotated[QueryId | None, Query(description="This one alone, if it is there.")] = None,
-    lot: Annotated[QueryId | None, Query(description="The sample of this open lot alone.")] = None,
+    after: Annotated[MeasurementId | None, Query(description="Those behind this measurement.")] = None,
+    measurement: Annotated[MeasurementId | None, Query(description="This one alone, if it is there.")] = None,
+    lot: Annotated[LotId | None, Query(description="The sample of this open lot alone.")] = None,
     limit: Annotated[int, Query(ge=1, le=1000)] = 200,
 ) -> list[QueueItemBody]:
     """The survey's standing measurements by verdict, a page at a time, those most likely wrong first.

@@ -80,4 +80,11 @@ def _fixed(
 def _made_with(values: MeasurementValues) -> tuple[object, ...]:
     """What a height follows from: clicks, inset, pose and lens."""
     inset = (values.inset_m, values.u_inset_m)
-    return (*values.first_clicks, values.more_frames, *inset, values.pose_id, values.calibration_id)
+    return (
+        *values.first_clicks,
+        values.more_frames,
+        values.followed,
+        *inset,
+        values.pose_id,
+        values.calibration_id,
+    )

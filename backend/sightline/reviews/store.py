@@ -32,8 +32,7 @@ from sightline.reviews.lots.records import LotPlace
 from sightline.reviews.lots.service import places_in_open_lots
 from sightline.reviews.order_query import Standing, standing_order
 from sightline.reviews.plan_store import get_review_plan, is_drawn
-from sightline.reviews.query import reviews_of_series
-from sightline.reviews.records import Judged, QueueItem, Review, ReviewWork
+from sightline.reviews.records import Judged, QueueItem, ReviewWork
 
 
 def add_review(
@@ -183,11 +182,6 @@ def _drawn(session: Session, survey_id: int, found: Sequence[Measurement], actor
         .where(revision_rows.c.created_by == actor)
     )
     return waiting - set(session.execute(clicked).scalars())
-
-
-def list_for_survey(session: Session, survey_id: int) -> tuple[Review, ...]:
-    """Every review of a survey, oldest first, for the export."""
-    return reviews_of_series(session, measurement_series.c.survey_id == survey_id)
 
 
 def _not_own(session: Session, before: Measurement, actor: int) -> None:

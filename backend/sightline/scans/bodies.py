@@ -7,10 +7,15 @@ from pydantic import Field
 from pydantic.fields import FieldInfo
 
 from sightline.enums import (
+    AxlesBy,
     Category,
     Cause,
+    CutAlong,
+    LaneBy,
     Lighting,
+    LiveState,
     MeasurementStatus,
+    ScanDirection,
     ScanMethod,
     ScanSource,
     ScanState,
@@ -22,14 +27,18 @@ from sightline.enums import (
 )
 from sightline.infra.audit.records import Who
 from sightline.infra.web.bodies import Finite, Id, In, JobBody, Name, Out, Text
+from sightline.infra.web.named import RecordingId, UploadId
 from sightline.infra.web.quantities import Word
 from sightline.linescan import rig
+from sightline.linescan.parts import USUAL_SHADOW_SHARE
 from sightline.linescan.rig import Limits
 from sightline.measurements.records import ReviewState
+from sightline.recordings.bodies import StartIn
+from sightline.scans.references.bodies import ReferenceBody
 
 Version = Annotated[int, Field(ge=1, le=2**31 - 1, description="The version that you saw.")]
 Line = Annotated[Finite, Field(ge=0, le=1e12, description="Line number, fractional.")]
-Column = Annotated[int, Field(ge=0, le=2**16)]
+Cut = Annotated[int, Field(ge=0, le=2**16)]
 LengthM = Annotated[Finite, Field(gt=0, le=100)]
 ULengthM = Annotated[Finite, Field(ge=0, le=100)]
 
@@ -47,7 +56,39 @@ Angle = Annotated[Finite, _within(rig.DIVERGENCE_RAD)]
 UAngle = Annotated[Finite, _within(rig.U_DIVERGENCE_RAD)]
 DistanceM = Annotated[Finite, _within(rig.DISTANCE_M)]
 Pixels = Annotated[Finite, _within(rig.MISALIGNMENT_PX)]
+ShadowShare = Annotated[
+    Finite, _within(rig.SHADOW_SHARE, "Of the rows, from the bottom, in which no vehicle is looked for.")
+]
 UPixels = Annotated[Finite, _within(rig.U_MISALIGNMENT_PX)]
+Correlation = Annotated[
+    Finite,
+    _within(rig.CORRELATION, "Of the errors of baseline and divergence; 0 where these change without it."),
+]
+LaneName = Annotated[str, Field(min_length=1, max_length=40)]
+TyresPx = Annotated[Finite, Field(ge=0, le=2**16)]
+UDistanceM = Annotated[
+    Finite, _within(rig.U_DISTANCE_M, "Of a vehicle's distance, its place in the lane included.")
+]
+
+
+class RigLaneIn(In):
+    """A lane of the rig: its vehicles' distance, and by what they are known to be its own."""
+
+    name: LaneName
+    distance_m: DistanceM
+    u_distance_m: UDistanceM = 0.0
+    direction: ScanDirection | None = Field(default=None, description="Of its traffic; null: either.")
+    tyres_from_px: TyresPx | None = Field(
+        default=None, description="Tyres meet the road between this row of strip 1 (from the top) and"
+    )
+    tyres_to_px: TyresPx | None = Field(default=None, description="this one; both null: any row.")
+    shadow_share: ShadowShare | None = Field(default=None, description="null: the rig's.")
+
+
+Lanes = Annotated[
+    list[RigLaneIn],
+    Field(max_length=8, description="Where vehicles drive at several distances; none: all at distance_m."),
+]
 
 
 class RigIn(In):
@@ -62,14 +103,18 @@ class RigIn(In):
     distance_m: DistanceM | None = None
     misalignment_px: Pixels | None = Field(default=None, description="null: estimated from the traffic.")
     u_misalignment_px: UPixels = 0.0
+    shadow_share: ShadowShare = USUAL_SHADOW_SHARE
+    baseline_correlation: Correlation = 0.0
+    u_distance_m: UDistanceM = 0.0
+    lanes: Lanes = Field(default_factory=list)
 
 
 class NewScan(RigIn):
     """Two strips that were uploaded with the purpose `strip`; the first is reached first."""
 
     name: Name | None = None
-    first_upload: Id
-    second_upload: Id
+    first_upload: UploadId
+    second_upload: UploadId
     time_axis: TimeAxis = "width"
     lighting: Lighting | None = None
     find: ScanMethod | None = Field(
@@ -78,16 +123,27 @@ class NewScan(RigIn):
 
 
 class NewScanFromVideo(In):
-    """Two pixel columns of a video; its frame rate is the line rate."""
+    """Two pixel columns or rows of a video; its frame rate is the line rate."""
 
     name: Name | None = None
-    recording_id: Id
-    column_1_px: Column = Field(description="The column that a vehicle reaches first.")
-    column_2_px: Column
-    baseline_m: BaselineM = Field(description="Between the two columns on the vehicle's side plane.")
+    recording_id: RecordingId
+    cut_along: CutAlong = Field(
+        default="columns",
+        description="Columns: traffic runs to the left or right. Rows: it runs up or down, the camera is "
+        "mounted turned, and the vehicles' roofs point to the left or to the right of the picture.",
+    )
+    cut_1_px: Cut = Field(description="The column or row that a vehicle reaches first.")
+    cut_2_px: Cut
+    baseline_m: BaselineM = Field(description="Between the two cuts on the vehicle's side plane.")
     u_baseline_m: UBaselineM = 0.0
     lighting: Lighting | None = None
     find: ScanMethod | None = "direct"
+
+
+class ScanStartIn(StartIn):
+    """When line 0 was taken, as clocks of the place showed it, and how well that is known."""
+
+    u_s: Finite = Field(description="Standard uncertainty (k = 1), seconds: more than 0, at most an hour.")
 
 
 class ChangedScan(In):
@@ -96,6 +152,7 @@ class ChangedScan(In):
     version: Version
     name: Name | None = None
     lighting: Lighting | None = None
+    start: Annotated[ScanStartIn | None, Field(description="Null: nobody has confirmed it.")] = None
     baseline_m: BaselineM | None = None
     line_rate_hz: LineRateHz | None = None
     u_baseline_m: UBaselineM | None = None
@@ -105,6 +162,20 @@ class ChangedScan(In):
     distance_m: DistanceM | None = None
     misalignment_px: Pixels | None = None
     u_misalignment_px: UPixels | None = None
+    shadow_share: ShadowShare | None = None
+    baseline_correlation: Correlation | None = None
+    u_distance_m: UDistanceM | None = None
+    lanes: Lanes | None = None
+
+
+class RigLaneBody(Out):
+    name: str
+    distance_m: float
+    u_distance_m: float
+    direction: ScanDirection | None
+    tyres_from_px: float | None
+    tyres_to_px: float | None
+    shadow_share: float | None
 
 
 class RigBody(Out):
@@ -117,6 +188,10 @@ class RigBody(Out):
     distance_m: float | None
     misalignment_px: float | None
     u_misalignment_px: float
+    shadow_share: float
+    baseline_correlation: float
+    u_distance_m: float
+    lanes: list[RigLaneBody]
 
 
 class ScanCountsBody(Out):
@@ -166,8 +241,9 @@ class ScanBody(Out):
     job: JobBody | None
     source: ScanSource
     recording_id: int | None
-    column_1_px: int | None
-    column_2_px: int | None
+    cut_along: CutAlong | None
+    cut_1_px: int | None
+    cut_2_px: int | None
     first_name: str | None
     second_name: str | None
     time_axis: TimeAxis
@@ -181,6 +257,17 @@ class ScanBody(Out):
     notes: list[str]
     rig: RigBody
     lighting: Lighting | None
+    heard_at: datetime | None = Field(description="When its live stream was last heard; null: not live.")
+    stream_state: LiveState | None = Field(description="Of a live one; stopped: it never ended, nor goes on.")
+    start_proposed: datetime | None = Field(
+        description="When the video that it was cut from began; for a person to confirm."
+    )
+    started_at: datetime | None = Field(description="When line 0 was taken, as a person confirmed.")
+    time_zone: str | None
+    u_start_s: float | None = Field(description="Standard uncertainty of `started_at` (k = 1).")
+    started_local: str | None = Field(
+        description="`started_at` by the clocks of `time_zone`, ISO 8601 with offset."
+    )
     counts: ScanCountsBody
     run: ScanRunBody | None
     version: int
@@ -212,6 +299,7 @@ class ScanMotionBody(Out):
     placed_by_person: bool
     method: ScanMethod
     older: bool = Field(description="Made with other values of the rig than the scan has now.")
+    direction: ScanDirection = Field(description="Which camera it reached first.")
     front_line_1: float
     rear_line_1: float
     front_line_2: float
@@ -235,6 +323,15 @@ class ScanMotionBody(Out):
     wheelbase_m: float | None
     u_wheelbase_m: float | None
     U95_wheelbase_m: float | None
+    axle_lines: list[float] | None = Field(
+        description="Of strip 1, at each wheel's hub; null: not looked for."
+    )
+    axles_by: AxlesBy | None
+    lane: str | None = Field(description="Of the rig's lanes; null: not known, or the rig has none.")
+    lane_by: LaneBy | None
+    tyres_px: float | None = Field(
+        description="Row of strip 1 at which its tyres meet the road; null: not looked for."
+    )
     status: MeasurementStatus
     reason: str | None
     warnings: list[str]
@@ -246,7 +343,9 @@ class ScanMotionBody(Out):
 
 
 class GapBody(Out):
-    """From the rear of the vehicle before to this front, at camera 1; numbers are null where unknown."""
+    """From the rear of the vehicle before it of its direction and lane to this front, at camera 1; numbers
+    are null where unknown.
+    """
 
     time_gap_s: float | None
     u_time_gap_s: float | None
@@ -274,6 +373,7 @@ class ScanVehicleBody(Out):
     true_wheelbase_m: float | None
     u_true_wheelbase_m: float | None
     facts_source: str | None
+    run_of: str | None = Field(description="The name of the car of which it is one run.")
     lighting: Lighting | None
     notes: str
     version: int
@@ -281,9 +381,15 @@ class ScanVehicleBody(Out):
     updated_by: Who | None
     updated_at: datetime
     measurement: ScanMotionBody | None
+    filmed_at: str | None = Field(
+        description="When its front reached camera 1, ISO 8601 with offset; null without a start."
+    )
+    u_filmed_at_s: float | None = Field(description="Of that (k = 1); null without a measured motion.")
+    U95_filmed_at_s: float | None
     gap: GapBody | None = Field(description="null: the first vehicle.")
     length_error_m: float | None
     wheelbase_error_m: float | None
+    references: list[ReferenceBody] = Field(description="What something else measured of it, beside ours.")
 
 
 class ScanBudgetEntryBody(Out):
@@ -362,6 +468,20 @@ class WheelsIn(In):
     version: Version
 
 
+class AxlesIn(In):
+    """Lines in strip 1 of all wheels' hubs; null: as the program finds them."""
+
+    axle_lines: Annotated[list[Line], Field(max_length=20)] | None
+    version: Version
+
+
+class LaneIn(In):
+    """The lane that it drove in, one of the rig's; null: as the program tells it."""
+
+    lane: LaneName | None
+    version: Version
+
+
 class ScanFacts(In):
     """What is known of the vehicle; left out stays, null clears. `catalogue_id` fills in the rest."""
 
@@ -376,6 +496,7 @@ class ScanFacts(In):
     true_wheelbase_m: LengthM | None = None
     u_true_wheelbase_m: ULengthM | None = None
     facts_source: Text | None = None
+    run_of: Annotated[str, Field(max_length=100)] | None = None
     lighting: Lighting | None = None
     notes: Text | None = None
 

@@ -8,14 +8,19 @@ from typing import Any, get_args
 
 from sightline.coverage import expanded
 from sightline.enums import (
+    AxlesBy,
     Cause,
+    JsonObject,
+    LaneBy,
     Lighting,
     MeasurementStatus,
+    ScanDirection,
     ScanMethod,
     ScanSource,
     ScanVerdict,
     VehicleOrigin,
 )
+from sightline.infra.audit.hashing import canonical_json
 from sightline.infra.audit.records import Who
 from sightline.infra.csv_package.columns import (
     integer,
@@ -32,9 +37,15 @@ from sightline.infra.csv_package.files import Staging
 from sightline.infra.csv_package.schema import Cell, Column, Table
 from sightline.infra.database import Session
 from sightline.linescan.parts import Gap
+from sightline.recordings.csv import started_column
+from sightline.scans.clock import Passing
 from sightline.scans.heights.csv import TABLES as HEIGHT_TABLES
 from sightline.scans.heights.csv import HeightRecords
 from sightline.scans.records import Scan, ScanMeasurement, ScanReview
+from sightline.scans.references.csv import SCAN_REFERENCES, ListedReference, listed_references
+from sightline.scans.references.store import reference_history_of_scan, standing_references
+from sightline.scans.rig.csv import TABLES as RIG_TABLES
+from sightline.scans.rig.csv import RigRecords
 from sightline.scans.store import list_scans, rig_columns
 from sightline.scans.vehicles.listing import ShownVehicle, shown
 from sightline.scans.vehicles.measurement_store import scan_measurement_history
@@ -42,6 +53,16 @@ from sightline.scans.vehicles.review_store import list_scan_reviews
 from sightline.scans.vehicles.store import list_scan_vehicles
 
 Rig = Mapping[str, Cell]
+
+
+def axle_words(lines: list[float] | None) -> str | None:
+    """Lines of wheels as a cell has them."""
+    return None if lines is None else joined([f"{line:.3f}" for line in lines])
+
+
+def lanes_text(lanes: list[JsonObject] | None) -> str | None:
+    """Lanes of a rig as a cell has them: canonical JSON, as the audit chain hashes them."""
+    return canonical_json(lanes) if lanes else None
 
 
 def _with_u(
@@ -72,8 +93,18 @@ _RIG: tuple[Column[Rig], ...] = (
     _of_rig("distance_m", "from the cameras to the vehicles' side, where it is known", "m"),
     _of_rig("misalignment_px", "a point's row in strip 2 minus its row in strip 1, where it was given", "px"),
     _of_rig("u_misalignment_px", "standard uncertainty of the misalignment (k = 1)", "px"),
+    _of_rig("shadow_share", "share of the rows, from the bottom, in which no vehicle was looked for", ""),
+    _of_rig("baseline_correlation", "of the errors of baseline_m and divergence_rad", ""),
+    _of_rig("u_distance_m", "standard uncertainty of a vehicle's distance_m (k = 1)", "m"),
 )
 _MOTION: tuple[Column[ScanMeasurement], ...] = (
+    text(
+        "direction",
+        "which camera it reached first; speed and gaps are those at camera 1 all the same",
+        lambda m: m.values.direction,
+        required=True,
+        enum=get_args(ScanDirection),
+    ),
     number(
         "front_line_1",
         "line of strip 1 at which the front crosses camera 1, fractional, from 0",
@@ -138,6 +169,30 @@ _MOTION: tuple[Column[ScanMeasurement], ...] = (
         lambda m: m.values.wheelbase_m,
         lambda m: m.values.u_wheelbase_m,
     ),
+    integer(
+        "axles",
+        "how many axles it has, counted by its wheels; empty: none was found",
+        lambda m: m.values.axles,
+    ),
+    text(
+        "axle_lines",
+        "lines of strip 1 of the wheels' hubs, separated by semicolons",
+        lambda m: axle_words(m.values.axle_lines),
+    ),
+    text("axles_by", "who found the wheels", lambda m: m.values.axles_by, enum=get_args(AxlesBy)),
+    text("lane", "of the rig's lanes; empty: not known, or it has none", lambda m: m.values.lane),
+    text("lane_by", "who told the lane", lambda m: m.values.lane_by, enum=get_args(LaneBy)),
+    number(
+        "tyres_px",
+        "row of strip 1 at which its tyres meet the road, where the lane was told by it",
+        "px",
+        lambda m: m.values.tyres_px,
+    ),
+    metres(
+        "u_boundaries_m",
+        "what the doubt about boundaries that were found brings to u_length_m; 0 for a person's",
+        lambda m: m.values.u_boundaries_m,
+    ),
     number(
         "fit_error_percent",
         "scatter of the speed profile about its fit",
@@ -198,6 +253,11 @@ def _gap(shown: ShownVehicle) -> Gap | None:
     return shown.gap
 
 
+def _passing(shown: ShownVehicle) -> Passing | None:
+    """When it passed, where the recording's start was confirmed."""
+    return shown.passing
+
+
 def _rig_of_scan(scan: Scan) -> Rig:
     return rig_columns(scan.rig)
 
@@ -206,10 +266,26 @@ def _rig_of_motion(measurement: ScanMeasurement) -> Rig:
     return measurement.values.rig
 
 
+_PASSING: tuple[Column[Passing], ...] = (
+    Column(
+        "filmed_at",
+        "datetime",
+        "when its front reached camera 1, by the clocks of the place (ISO 8601 with offset): started_at of "
+        "its recording and front_line_1 over the line rate later; empty until a person confirmed the start",
+        of=lambda p: p.filmed_at,
+    ),
+    number(
+        "u_filmed_at_s",
+        "standard uncertainty of filmed_at (k = 1): of the start, which all vehicles of a recording share, "
+        "of the line rate, and of the front; empty without a motion",
+        "s",
+        lambda p: p.u_filmed_at_s,
+    ),
+)
 _GAP: tuple[Column[Gap], ...] = (
     number(
         "time_gap_s",
-        "from the rear of the vehicle before to this front, at camera 1",
+        "from the rear of the vehicle before it of its direction and lane to this front, at camera 1",
         "s",
         lambda g: g.time_gap_s,
     ),
@@ -259,8 +335,17 @@ LINE_SCANS: Table[Scan] = Table(
         text("second_sha256", "SHA-256 of camera 2's stored strip", lambda s: s.second_sha256),
         *of_part(_RIG, _rig_of_scan),
         text("lighting", "lighting", lambda s: s.lighting, enum=get_args(Lighting)),
+        started_column("when line 0 was taken", lambda s: s.started_at, lambda s: s.time_zone),
+        text("time_zone", "whose clocks these are (IANA)", lambda s: s.time_zone),
+        number("u_start_s", "standard uncertainty of started_at (k = 1)", "s", lambda s: s.u_start_s),
         text("notes", "what the reading said, separated by semicolons", lambda s: joined(s.notes)),
         moment("created_at", "when it was made", lambda s: s.created_at),
+        text(
+            "lanes",
+            "lanes of the rig as a JSON list, each with its name, distance_m, u_distance_m (k = 1), "
+            "direction, the rows between which its tyres meet the road, and shadow_share; empty: none",
+            lambda s: lanes_text(rig_columns(s.rig)["lanes"]),
+        ),
     ),
     primary=("id",),
     foreign=((("recording_id",), "recordings", ("id",)),),
@@ -295,6 +380,7 @@ SCAN_VEHICLES: Table[ShownVehicle] = Table(
             lambda s: s.vehicle.u_true_wheelbase_m,
         ),
         text("facts_source", "where the manufacturer's values come from", lambda s: s.vehicle.facts_source),
+        text("run_of", "name of the car of which this is one run of several", lambda s: s.vehicle.run_of),
         text("lighting", "lighting, where it differs from the recording's", lambda s: s.vehicle.lighting),
         text("notes", "notes", lambda s: s.vehicle.notes),
         *of_part(
@@ -306,6 +392,7 @@ SCAN_VEHICLES: Table[ShownVehicle] = Table(
             _motion,
             required=False,
         ),
+        *of_part(_PASSING, _passing),
         *of_part(_GAP, _gap),
         *of_part(_VERDICT, _motion, required=False),
     ),
@@ -352,7 +439,9 @@ TABLES: tuple[Table[Any], ...] = (
     SCAN_VEHICLES,
     SCAN_MEASUREMENTS,
     SCAN_REVIEWS,
+    SCAN_REFERENCES,
     *HEIGHT_TABLES,
+    *RIG_TABLES,
 )
 
 
@@ -364,7 +453,9 @@ class ScanRecords:
     vehicles: list[ShownVehicle] = field(default_factory=list)
     measurements: list[ScanMeasurement] = field(default_factory=list)
     reviews: list[ScanReview] = field(default_factory=list)
+    references: list[ListedReference] = field(default_factory=list)
     heights: HeightRecords = field(default_factory=HeightRecords)
+    rigs: RigRecords = field(default_factory=RigRecords)
     people: dict[int, str] = field(default_factory=dict)
 
     def name(self, people: Iterable[Who | None]) -> None:
@@ -380,20 +471,31 @@ def scan_records(session: Session, survey_id: int) -> ScanRecords:
     found = ScanRecords()
     for scan in list_scans(session, survey_id):
         found.scans.append(scan)
-        passed = shown(scan, list_scan_vehicles(session, scan.id))
+        standing = standing_references(session, scan.id)
+        passed = shown(scan, list_scan_vehicles(session, scan.id), standing)
         found.vehicles += passed
+        found.references += _references(session, scan.id, passed)
         for one in passed:
             found.measurements += scan_measurement_history(session, one.vehicle.id)
+        found.name(found.rigs.add_scan(session, scan.id))
         found.name(found.heights.add_scan(session, scan.id, [one.vehicle.id for one in passed]))
     found.heights.heights.sort(key=lambda one: one.height.id)
     found.heights.reviews.sort(key=lambda one: one.id)
     found.measurements.sort(key=lambda one: one.id)
+    found.references.sort(key=lambda one: one.reference.id)
+    found.name(one.reference.created_by for one in found.references)
     for revision in found.measurements:
         found.name((revision.created_by, revision.review.reviewer))
     kept = {one.id for one in found.measurements}
     found.reviews = [one for one in list_scan_reviews(session, survey_id) if one.measurement_id in kept]
     found.name(one.reviewer for one in found.reviews)
     return found
+
+
+def _references(session: Session, scan_id: int, passed: Iterable[ShownVehicle]) -> list[ListedReference]:
+    by_id = {one.vehicle.id: one for one in passed}
+    history = reference_history_of_scan(session, scan_id)
+    return listed_references(history, lambda one: by_id[one.vehicle_id].agreement(one))
 
 
 def fill_scans(staging: Staging, session: Session, survey_id: int) -> dict[int, str]:
@@ -403,5 +505,7 @@ def fill_scans(staging: Staging, session: Session, survey_id: int) -> dict[int, 
     staging.fill(SCAN_VEHICLES, found.vehicles)
     staging.fill(SCAN_MEASUREMENTS, found.measurements)
     staging.fill(SCAN_REVIEWS, found.reviews)
+    staging.fill(SCAN_REFERENCES, found.references)
     found.heights.fill(staging)
+    found.rigs.fill(staging)
     return found.people

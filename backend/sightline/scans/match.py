@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from sightline.errors import BadInput
 from sightline.infra.services import Services
-from sightline.linescan.direct import baseline_of
+from sightline.linescan.rig import baseline_of
 from sightline.linescan.warp import Course
 from sightline.media.images import jpeg
 from sightline.media.strips.stored_reader import StripReader
@@ -60,7 +60,9 @@ def partner_lines(values: ScanValues, lines: NDArray[np.float64]) -> NDArray[np.
     """Lines (n,) of strip 2 at which the fitted motion brings what strip 1 saw at `lines` (n,)."""
     rig = rig_of(values.rig)
     assert values.speed_mps is not None
-    course = Course(values.speed_mps, values.acceleration_mps2 or 0.0, baseline_of(rig)[0])
+    # of the other direction, camera 2 lies the baseline before camera 1
+    ahead_m = baseline_of(rig)[0] * (1 if values.direction == "camera_1_first" else -1)
+    course = Course(values.speed_mps, values.acceleration_mps2 or 0.0, ahead_m)
     second_s = course.second_s((lines - values.front_line_1) / rig.line_rate_hz)
     return np.asarray(values.front_line_1 + second_s * rig.line_rate_hz)
 

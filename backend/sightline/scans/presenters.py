@@ -1,10 +1,14 @@
 """Scans and their vehicles as they go out."""
 
+from dataclasses import asdict
 from typing import Any, get_args
 
 from sightline.coverage import expanded
-from sightline.enums import JsonObject, MatchPicture
+from sightline.enums import MatchPicture
+from sightline.infra.database.types import now
+from sightline.linescan.parts import Rig
 from sightline.media.strips.stored_writer import STEP, TILE_LINES, level_lines
+from sightline.recordings.csv import started_text
 from sightline.scans.bodies import (
     GapBody,
     LevelBody,
@@ -18,12 +22,17 @@ from sightline.scans.bodies import (
     ScanVehicleBody,
     ScanVehicleDetailBody,
 )
+from sightline.scans.clock import Passing
+from sightline.scans.live.state import live_state
 from sightline.scans.match import window_of
 from sightline.scans.records import Scan, ScanMeasurement, ScanRun, ScanValues
+from sightline.scans.references.presenters import reference_body
+from sightline.scans.store import rig_for
 from sightline.scans.vehicles.listing import ShownDetail, ShownVehicle
 
-_DERIVED = ("duration_s", "tile_lines", "tiles_version", "levels", "run")
+_DERIVED = ("started_local", "stream_state", "duration_s", "tile_lines", "tiles_version", "levels", "run")
 _U95 = ("speed_mps", "acceleration_mps2", "length_m", "wheelbase_m")
+_PASSED = (*Passing.__slots__, "U95_filmed_at_s")
 _OF_REVISION = ("id", "revision", "created_by", "created_at", "review")
 
 
@@ -40,6 +49,8 @@ def scan_body(scan: Scan) -> ScanBody:
     return ScanBody.model_validate(
         {
             **values,
+            "stream_state": scan.heard_at and live_state(scan.heard_at, None, now()),
+            "started_local": started_text(scan.started_at, scan.time_zone),
             "duration_s": scan.lines and scan.lines / scan.rig.line_rate_hz,
             "tile_lines": TILE_LINES,
             "tiles_version": scan.first_sha256 and f"{scan.first_sha256[:8]}{(scan.second_sha256 or '')[:8]}",
@@ -57,7 +68,7 @@ def run_body(run: ScanRun) -> ScanRunBody:
     return ScanRunBody.model_validate({**values, **{name: run.summary.get(name) for name in told}})
 
 
-def motion_body(one: ScanMeasurement, rig: JsonObject, asker: int) -> ScanMotionBody:
+def motion_body(one: ScanMeasurement, rig: Rig, asker: int) -> ScanMotionBody:
     """One revision; `rig` is the scan's as it is now."""
     values = one.values
     body: dict[str, Any] = {
@@ -66,7 +77,7 @@ def motion_body(one: ScanMeasurement, rig: JsonObject, asker: int) -> ScanMotion
     body |= {name: getattr(one, name) for name in _OF_REVISION}
     for name in _U95:
         body[f"U95_{name}"] = expanded(getattr(values, f"u_{name}"))
-    body["older"] = values.rig != rig
+    body["older"] = values.rig != rig_for(rig, values.lane, values.direction)
     body["time_s"] = values.front_line_1 / values.rig["line_rate_hz"]
     body["placed_by_person"] = values.placed_by is not None
     body["mine"] = values.placed_by == asker
@@ -76,14 +87,18 @@ def motion_body(one: ScanMeasurement, rig: JsonObject, asker: int) -> ScanMotion
 def vehicle_body(shown: ShownVehicle, asker: int) -> ScanVehicleBody:
     """A vehicle with its current measurement and the gap before it."""
     vehicle = shown.vehicle
-    left_out = ("measurement", "gap", "length_error_m", "wheelbase_error_m")
+    left_out = ("measurement", *_PASSED, "gap", "length_error_m", "wheelbase_error_m", "references")
     body: dict[str, Any] = {
         name: getattr(vehicle, name) for name in ScanVehicleBody.model_fields if name not in left_out
     }
     measured = vehicle.measurement
     body["measurement"] = None if measured is None else motion_body(measured, shown.rig, asker)
+    passing = shown.passing
+    body |= dict.fromkeys(_PASSED) if passing is None else asdict(passing)
+    body["U95_filmed_at_s"] = None if passing is None else expanded(passing.u_filmed_at_s)
     body["gap"] = None if shown.gap is None else GapBody.model_validate(shown.gap)
     body |= {"length_error_m": shown.length_error_m, "wheelbase_error_m": shown.wheelbase_error_m}
+    body["references"] = [reference_body(one, shown.agreement(one)) for one in shown.references]
     return ScanVehicleBody.model_validate(body)
 
 

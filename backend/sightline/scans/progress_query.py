@@ -11,7 +11,7 @@ from sightline.scans.query import scan_vehicle_states
 from sightline.scans.records import ScanProgress, state_of
 from sightline.scans.tables import scan_vehicles, scans
 
-NOTHING = "None here. Two line cameras a known baseline apart give speed, length and gaps."
+NOTHING = "None here. Two line cameras at a known baseline give speed, length and gaps."
 
 
 def scan_progress_of(session: Session, survey_ids: Sequence[int]) -> dict[int, ScanProgress]:
@@ -69,9 +69,9 @@ def _progress(counts: dict[str, int]) -> ScanProgress:
     open_work = _open(of, counts.get("failed", 0), counts.get("reading", 0))
     if open_work:
         return ScanProgress("open", " ".join(open_work), **of)
-    said = f"{_number(of['accepted'], 'vehicle')} accepted of {of['vehicles']} found."
+    said = f"{of['accepted']} of {_number(of['vehicles'], 'detected vehicle')} accepted."
     if of["not_measurable"]:
-        said += f" {of['not_measurable']} cannot be measured; each says why."
+        said += f" {of['not_measurable']} cannot be measured; see their reasons."
     if of["heights"]:
         said += f" {counts.get('heights_accepted', 0)} of {_number(of['heights'], 'height')} accepted."
     return ScanProgress("done", said, **of)
@@ -81,9 +81,9 @@ def _open(of: dict[str, int], failed: int, reading: int) -> list[str]:
     """What is to be done, what stops the rest first."""
     said = []
     if failed:
-        said.append(f"{_number(failed, 'line scan')} could not be read; look at the reason and try again.")
+        said.append(f"{_number(failed, 'line scan')} could not be imported; see the reason and try again.")
     if reading:
-        said.append(f"Wait until {_number(reading, 'line scan')} has been read in.")
+        said.append(f"{_number(reading, 'line scan')} still being imported.")
     if of["ready"] and not of["vehicles"]:
         said.append(f"Find the vehicles of {_number(of['ready'], 'line scan')}.")
     if of["to_review"]:

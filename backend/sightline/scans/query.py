@@ -85,13 +85,17 @@ def scan_vehicle_rows(*, profile: bool = False) -> Select[Any]:
 
 
 def scan_vehicle_states(*conditions: ColumnElement[bool]) -> Select[Any]:
-    """(scan, status, verdict, rig as its text) of each living vehicle: what counts are made of."""
+    """(scan, status, verdict, rig as its text, lane, direction) of each living vehicle: what counts are made
+    of.
+    """
     return (
         select(
             scan_vehicles.c.scan_id,
             scan_measurements.c.status,
             scan_reviews.c.verdict,
             type_coerce(scan_measurements.c.rig, Text),
+            scan_measurements.c.lane,
+            scan_measurements.c.direction,
         )
         .select_from(scan_vehicles)
         .outerjoin(scan_measurements, (scan_measurements.c.vehicle_id == scan_vehicles.c.id) & is_current)

@@ -26,7 +26,7 @@ from sightline.scans.service import FIND, READ, tidy
 from sightline.scans.store import get_scan, note_reading_failed, note_scan_read
 
 TIDY = "scan_tidy"
-STOPPED = "The reading was cancelled; start it again or delete the line-scan recording."
+STOPPED = "The import was cancelled; start it again or delete the line-scan recording."
 MOST_SATURATED = 0.02
 _READING = "Reading the strips."
 
@@ -64,7 +64,7 @@ def read_scan(context: JobContext) -> Finish:
     def finish(session: Session) -> Mapping[str, Any]:
         note_scan_read(session, scan_id, facts, actor=context.actor)
         place: dict[str, Any] = {"survey_id": scan.survey_id, "actor": context.actor}
-        if scan.source == "strips":
+        if scan.source != "video":
             registry.enqueue(session, TIDY, {"scan_id": scan_id}, **{**place, "survey_id": None})
         method = context.payload.get("find")
         if method:
@@ -121,12 +121,13 @@ def _opened(
     context: JobContext, services: Services, scan: Scan, folder: Path, share: float
 ) -> tuple[Strip, Strip]:
     if scan.source == "video":
-        assert scan.recording_id is not None and scan.column_1_px is not None and scan.column_2_px is not None
+        assert scan.recording_id is not None and scan.cut_1_px is not None and scan.cut_2_px is not None
         video = stills_of(services).open(scan.recording_id)
         return cut_strips(
             video.media.path,
-            (scan.column_1_px, scan.column_2_px),
+            (scan.cut_1_px, scan.cut_2_px),
             video.time_s,
+            along=scan.cut_along or "columns",
             work_dir=folder,
             name=video.recording.name,
             on_progress=lambda fraction: context.progress(share * fraction, "Cutting the strips."),
@@ -162,20 +163,20 @@ def _notes(scan: Scan, pair: tuple[Strip, Strip]) -> list[str]:
     for strip in pair:
         lost = sum(gap.count for gap in strip.notes.dropped)
         if lost:
-            notes.append(f"The recorder of {strip.name} lost {lost} lines; copies stand in their place.")
+            notes.append(f"The recorder of {strip.name} lost {lost} lines; they were replaced by copies.")
         told = strip.notes.line_rate_hz
         if told is not None and abs(told / scan.rig.line_rate_hz - 1) > 1e-3:
             notes.append(
-                f"{strip.name} says that its line rate is {told:g} Hz, and {scan.rig.line_rate_hz:g} Hz was "
-                "given and is used; check which one is right."
+                f"{strip.name} states a line rate of {told:g} Hz, but {scan.rig.line_rate_hz:g} Hz "
+                "was given and is used; check which one is right."
             )
     return notes
 
 
 def _saturation(stored: tuple[StoredStrip, StoredStrip]) -> list[str]:
     return [
-        f"{one.saturated:.0%} of camera {camera}'s pixels are as bright as can be, so edges are lost there; "
-        "record with less light or a shorter exposure."
+        f"{one.saturated:.0%} of camera {camera}'s pixels are saturated, so edges are lost there; "
+        "reduce the light or the exposure."
         for camera, one in enumerate(stored, 1)
         if one.saturated > MOST_SATURATED
     ]

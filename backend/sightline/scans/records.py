@@ -5,12 +5,16 @@ from datetime import datetime
 from typing import TypedDict
 
 from sightline.enums import (
+    AxlesBy,
     Category,
     Cause,
+    CutAlong,
     JsonObject,
+    LaneBy,
     Lighting,
     MeasurementStatus,
     OptionalStepState,
+    ScanDirection,
     ScanMethod,
     ScanSource,
     ScanState,
@@ -23,6 +27,7 @@ from sightline.infra.audit.records import Who
 from sightline.infra.jobs.records import Job
 from sightline.linescan.parts import Rig
 from sightline.measurements.records import ReviewState
+from sightline.scans.clock import CLOCK, ScanClock, clock_of
 
 
 @dataclass(frozen=True, slots=True)
@@ -36,12 +41,18 @@ class StripSource:
 
 
 @dataclass(frozen=True, slots=True)
-class ColumnSource:
-    """A video that the strips are cut from, along two pixel columns; the first is reached first."""
+class LiveSource:
+    """Live lines, which become strips when the stream ends."""
+
+
+@dataclass(frozen=True, slots=True)
+class CutSource:
+    """A video that the strips are cut from, along two pixel columns or rows; the first is reached first."""
 
     recording_id: int
-    column_1_px: int
-    column_2_px: int
+    cut_along: CutAlong
+    cut_1_px: int
+    cut_2_px: int
 
 
 @dataclass(frozen=True, slots=True)
@@ -77,7 +88,11 @@ class ScanCounts:
 
 @dataclass(frozen=True, slots=True)
 class Scan:
-    """A pair of strips. Facts are None until it is ready; `first` is the camera that is reached first."""
+    """A pair of strips. Facts are None until it is ready; `first` is the camera that is reached first.
+
+    `started_at`, with its zone and uncertainty: when line 0 was taken, as a person said; `start_proposed`:
+    when the video that it was cut from began. `heard_at`: when its live stream was last heard.
+    """
 
     id: int
     survey_id: int
@@ -87,8 +102,9 @@ class Scan:
     job: Job | None
     source: ScanSource
     recording_id: int | None
-    column_1_px: int | None
-    column_2_px: int | None
+    cut_along: CutAlong | None
+    cut_1_px: int | None
+    cut_2_px: int | None
     first_name: str | None
     second_name: str | None
     first_source_key: str | None
@@ -106,6 +122,11 @@ class Scan:
     notes: list[str]
     rig: Rig
     lighting: Lighting | None
+    started_at: datetime | None
+    time_zone: str | None
+    u_start_s: float | None
+    start_proposed: datetime | None
+    heard_at: datetime | None
     counts: ScanCounts
     run: "ScanRun | None"
     version: int
@@ -114,12 +135,18 @@ class Scan:
     updated_by: Who | None
     updated_at: datetime
 
+    @property
+    def clock(self) -> ScanClock | None:
+        """Its clock; None while nobody has confirmed the start."""
+        return clock_of({name: getattr(self, name) for name in CLOCK})
+
 
 class ScanChanges(TypedDict, total=False):
     """What people may change of a scan; keys left out stay as they are."""
 
     name: str
     lighting: Lighting | None
+    clock: ScanClock | None
     baseline_m: float
     u_baseline_m: float
     line_rate_hz: float
@@ -129,6 +156,10 @@ class ScanChanges(TypedDict, total=False):
     distance_m: float | None
     misalignment_px: float | None
     u_misalignment_px: float
+    shadow_share: float
+    baseline_correlation: float
+    u_distance_m: float
+    lanes: list[JsonObject]
 
 
 @dataclass(frozen=True, slots=True)
@@ -166,7 +197,10 @@ class ScanValues:
 
     `cause`: what made it. `placed_by`: who placed the boundaries or wheels that stand in it, None where the
     machine found them. `budget`: {source, u_speed_mps, u_acceleration_mps2, u_length_m} each. `profile`:
-    columns line_1, speed_mps, fitted_mps, used of equal length.
+    columns line_1, speed_mps, fitted_mps, used of equal length. `axle_lines`: of strip 1 at each wheel's hub,
+    rising; None where nobody looked for wheels. `lane`: of the rig's lanes, None where it is not known or
+    there are none; `tyres_px`: the row of strip 1 at which its tyres meet the road, where looked for.
+    `u_boundaries_m`: what the doubt about found boundaries brings to the length's u.
     """
 
     cause: Cause
@@ -174,6 +208,7 @@ class ScanValues:
     run_id: int | None
     method: ScanMethod
     rig: JsonObject
+    direction: ScanDirection
     front_line_1: float
     rear_line_1: float
     front_line_2: float
@@ -193,12 +228,23 @@ class ScanValues:
     rear_wheel_line: float | None
     wheelbase_m: float | None
     u_wheelbase_m: float | None
+    axle_lines: list[float] | None
+    axles_by: AxlesBy | None
+    lane: str | None
+    lane_by: LaneBy | None
+    tyres_px: float | None
+    u_boundaries_m: float
     status: MeasurementStatus
     reason: str | None
     budget: list[JsonObject]
     profile: JsonObject | None
     warnings: list[str]
     code_version: str
+
+    @property
+    def axles(self) -> int | None:
+        """How many axles it has; None where no wheel is known."""
+        return len(self.axle_lines) if self.axle_lines else None
 
 
 @dataclass(frozen=True, slots=True)
@@ -228,13 +274,16 @@ class ScanVehicleChanges(TypedDict, total=False):
     true_wheelbase_m: float | None
     u_true_wheelbase_m: float | None
     facts_source: str | None
+    run_of: str | None
     lighting: Lighting | None
     notes: str
 
 
 @dataclass(frozen=True, slots=True)
 class ScanVehicle:
-    """A vehicle of a scan with its current measurement; `true_` lengths are the manufacturer's."""
+    """A vehicle of a scan with its current measurement; `true_` lengths are the manufacturer's. `run_of`: the
+    name of the car of which it is one run.
+    """
 
     id: int
     survey_id: int
@@ -250,6 +299,7 @@ class ScanVehicle:
     true_wheelbase_m: float | None
     u_true_wheelbase_m: float | None
     facts_source: str | None
+    run_of: str | None
     lighting: Lighting | None
     notes: str
     version: int

@@ -1,5 +1,6 @@
 """Line-scan recordings: made, read, looked at; their vehicles found."""
 
+from datetime import UTC, datetime
 from typing import Annotated, cast
 
 from fastapi import APIRouter, Path, Query, Request, Response
@@ -7,7 +8,7 @@ from fastapi import APIRouter, Path, Query, Request, Response
 from sightline.infra.web.bodies import JobBody
 from sightline.infra.web.deps import Operator, PathId, Reading, Viewer, Wired, Writing
 from sightline.infra.web.pictures import JPEG, is_held, picture_response, unchanged
-from sightline.linescan.parts import Rig
+from sightline.linescan.rig import rig_from
 from sightline.recordings.uploads.store import strips_waiting
 from sightline.scans import service, store
 from sightline.scans.bodies import (
@@ -19,8 +20,9 @@ from sightline.scans.bodies import (
     StripUploadBody,
     SwapWanted,
 )
+from sightline.scans.clock import clock_said
 from sightline.scans.presenters import scan_body
-from sightline.scans.records import ColumnSource, ScanChanges
+from sightline.scans.records import CutSource, ScanChanges
 from sightline.scans.rig.service import RigOfTraffic, rig_of_traffic
 from sightline.scans.store import RIG
 from sightline.surveys.store import get_survey
@@ -49,7 +51,7 @@ def list_strip_uploads(survey_id: PathId, who: Viewer, session: Reading) -> list
 @router.post("/surveys/{survey_id}/scans", status_code=201)
 def add_scan(survey_id: PathId, body: NewScan, who: Operator, session: Writing) -> ScanBody:
     """A scan of two uploaded strips; they are read in the background, then vehicles are looked for."""
-    rig = Rig(**{name: getattr(body, name) for name in RIG})
+    rig = rig_from(body.model_dump(include=set(RIG)))
     made = service.create_from_strips(
         session,
         survey_id,
@@ -69,12 +71,12 @@ def add_scan(survey_id: PathId, body: NewScan, who: Operator, session: Writing) 
 def add_scan_from_video(
     survey_id: PathId, body: NewScanFromVideo, who: Operator, session: Writing
 ) -> ScanBody:
-    """A scan cut from a video along two pixel columns."""
+    """A scan cut from a video along two pixel columns or rows."""
     made = service.create_from_video(
         session,
         survey_id,
         name=body.name,
-        source=ColumnSource(body.recording_id, body.column_1_px, body.column_2_px),
+        source=CutSource(body.recording_id, body.cut_along, body.cut_1_px, body.cut_2_px),
         baseline_m=body.baseline_m,
         u_baseline_m=body.u_baseline_m,
         lighting=body.lighting,
@@ -98,10 +100,13 @@ def get_rig_of_traffic(scan_id: PathId, who: Viewer, session: Reading) -> RigOfT
 
 @router.patch("/scans/{scan_id}")
 def change_scan(scan_id: PathId, body: ChangedScan, who: Operator, session: Writing) -> ScanBody:
-    """Change name, lighting or values of the rig; results keep those that they were made with."""
-    given = body.model_dump(exclude_unset=True, exclude={"version"})
+    """Change name, lighting, the start or values of the rig; results keep those that they were made with."""
+    given = body.model_dump(exclude_unset=True, exclude={"version", "start"})
     may_be_null = {"lighting", "distance_m", "misalignment_px"}
     changes = {name: value for name, value in given.items() if value is not None or name in may_be_null}
+    if "start" in body.model_fields_set:
+        said = body.start
+        changes["clock"] = said and clock_said(said.local, said.time_zone, said.u_s, datetime.now(UTC))
     return scan_body(
         store.update_scan(session, scan_id, cast(ScanChanges, changes), version=body.version, actor=who.id)
     )

@@ -18,7 +18,7 @@ from sightline.recordings.store import get_recording, recording_media_in_use
 from sightline.recordings.uploads.records import Upload
 from sightline.recordings.uploads.store import get_upload, upload_content_waits
 from sightline.scans import store
-from sightline.scans.records import ColumnSource, Scan, StripSource
+from sightline.scans.records import CutSource, Scan, StripSource
 from sightline.scans.swap_store import swap_scan_cameras
 
 READ = "scan_read"
@@ -69,32 +69,35 @@ def create_from_video(
     survey_id: int,
     *,
     name: str | None,
-    source: ColumnSource,
+    source: CutSource,
     baseline_m: float,
     u_baseline_m: float,
     lighting: Lighting | None,
     find: ScanMethod | None,
     actor: int,
 ) -> Scan:
-    """A scan cut from a video along two pixel columns; its line rate is the video's frame rate."""
+    """A scan cut from a video along two pixel columns or rows; its line rate is the video's frame rate."""
     recording = get_recording(session, source.recording_id)
-    if recording.state != "ready" or not recording.width_px:
+    if recording.state != "ready" or not recording.width_px or not recording.height_px:
         raise BadInput("poses-no-frames-yet-wait-until-ready", name=recording.name)
     rate_hz = recording.report.get("rate_hz")
     if recording.vfr or not rate_hz:
         raise BadInput("scans-frames-uneven-times-line-scan-needs", name=recording.name)
-    columns = (source.column_1_px, source.column_2_px)
-    if columns[0] == columns[1] or not all(0 <= one < recording.width_px for one in columns):
+    cuts = (source.cut_1_px, source.cut_2_px)
+    what = "columns" if source.cut_along == "columns" else "rows"
+    size_px = recording.width_px if what == "columns" else recording.height_px
+    if cuts[0] == cuts[1] or not all(0 <= one < size_px for one in cuts):
         raise BadInput(
-            "scans-columns-cannot-cut-choose-two-different",
-            columns=columns[0],
-            columns_2=columns[1],
-            width_px=recording.width_px - 1,
+            "scans-cuts-cannot-cut-choose-two-different",
+            what=what,
+            cut_1=cuts[0],
+            cut_2=cuts[1],
+            last_px=size_px - 1,
         )
     made = store.create_scan(
         session,
         survey_id,
-        name=name or f"{recording.name}, columns {columns[0]} and {columns[1]}",
+        name=name or f"{recording.name}, {what} {cuts[0]} and {cuts[1]}",
         source=source,
         time_axis="width",
         rig=Rig(baseline_m=baseline_m, line_rate_hz=float(rate_hz), u_baseline_m=u_baseline_m),
@@ -158,6 +161,8 @@ def require_ready(scan: Scan) -> None:
     """Raises BadInput while a scan has no strips to look at."""
     if scan.state == "failed":
         raise BadInput("scans-could-not-read-see-error-try", name=scan.name)
+    if scan.state == "live":
+        raise BadInput("scans-still-being-recorded", name=scan.name)
     if scan.state != "ready":
         raise BadInput("scans-still-being-read-wait-until-ready", name=scan.name)
 

@@ -2,26 +2,31 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict, replace
+from datetime import datetime
+from functools import partial
 from typing import Any, cast
 
-from sqlalchemy import ColumnElement, or_, select
+from sqlalchemy import ColumnElement, func, or_, select
 from sqlalchemy import update as sql_update
 from sqlalchemy.orm import Session
 
-from sightline.enums import Lighting, TimeAxis
+from sightline.enums import Lighting, ScanDirection, TimeAxis
 from sightline.errors import BadInput, Conflict
 from sightline.infra.audit import trail
 from sightline.infra.database.rows import add_row, change_row, get_row, last_change, names, who
 from sightline.infra.database.types import now
 from sightline.infra.jobs.store import latest_jobs_of_scans
 from sightline.linescan.parts import Rig
-from sightline.linescan.rig import require_rig
+from sightline.linescan.rig import at_lane, require_rig, rig_from
 from sightline.recordings.tables import recordings
 from sightline.recordings.uploads.tables import uploads
+from sightline.scans.clock import CLOCK
 from sightline.scans.heights.store import line_height_states
 from sightline.scans.heights.tables import line_heights, line_poses
+from sightline.scans.live.tables import scan_live
 from sightline.scans.records import (
-    ColumnSource,
+    CutSource,
+    LiveSource,
     Scan,
     ScanChanges,
     ScanCounts,
@@ -29,6 +34,7 @@ from sightline.scans.records import (
     StripSource,
     state_of,
 )
+from sightline.scans.rig.tables import rig_calibrations
 from sightline.scans.tables import scan_measurements, scan_reviews, scan_vehicles, scans
 from sightline.scans.vehicles.run_store import latest_scan_runs
 from sightline.scans.vehicles.store import counts_of_scans
@@ -44,10 +50,16 @@ RIG = (
     "distance_m",
     "misalignment_px",
     "u_misalignment_px",
+    "shadow_share",
+    "baseline_correlation",
+    "u_distance_m",
+    "lanes",
 )
+#: What a calibration of the rig gives; the correlation is that of these errors and goes with them.
+CALIBRATED = ("baseline_m", "u_baseline_m", "divergence_rad", "u_divergence_rad", "baseline_correlation")
 _ALIVE: ColumnElement[bool] = scans.c.deleted_at.is_(None)
-_CHANGEABLE = frozenset(ScanChanges.__annotations__)
-_DERIVED = ("rig", "job", "counts", "run", "created_by", "updated_by")
+_CHANGEABLE = frozenset(ScanChanges.__annotations__) - {"clock"} | set(CLOCK)
+_DERIVED = ("rig", "start_proposed", "heard_at", "job", "counts", "run", "created_by", "updated_by")
 _NAMED = [name for name in Scan.__slots__ if name not in _DERIVED]
 
 
@@ -56,35 +68,36 @@ def create_scan(
     survey_id: int,
     *,
     name: str,
-    source: tuple[StripSource, StripSource] | ColumnSource,
+    source: tuple[StripSource, StripSource] | CutSource | LiveSource,
     time_axis: TimeAxis,
     rig: Rig,
     lighting: Lighting | None = None,
     actor: int | None,
 ) -> Scan:
-    """A scan whose strips are stored and whose reading is to come (state "reading").
+    """A scan whose strips are stored and whose reading is to come (state "reading"), or are coming ("live").
 
     Strips that came as uploads belong to it from then on. Raises BadInput for things of another survey.
     """
     get_row(session, surveys, survey_id, "survey")
     require_rig(rig)
     content: dict[str, Any] = {"survey_id": survey_id, "name": name.strip() or "line scan"}
-    content |= {"time_axis": time_axis, "lighting": lighting, **rig_columns(rig)}
-    if isinstance(source, ColumnSource):
+    content |= {"time_axis": time_axis, "lighting": lighting, **rig_columns(rig), **dict.fromkeys(CLOCK)}
+    if isinstance(source, CutSource):
         recording = get_row(session, recordings, source.recording_id, "recording")
         if recording["survey_id"] != survey_id:
             raise BadInput("scans-recording-belongs-another-survey-choose-one")
         content |= {"source": "video", "first_source_sha256": recording["sha256"], **asdict(source)}
+    elif isinstance(source, LiveSource):
+        content["source"] = "live"
     else:
-        for word, one in zip(("first", "second"), source, strict=True):
-            content |= {f"{word}_name": one.name, f"{word}_source_key": one.media_key}
-            content[f"{word}_source_sha256"] = one.sha256
+        content |= _strip_columns(source)
         content["source"] = "strips"
     moment = now()
     stamps = {"version": 1, "created_at": moment, "created_by": actor}
-    stamps |= {"updated_at": moment, "updated_by": actor, "state": "reading", "notes": []}
+    state = "live" if isinstance(source, LiveSource) else "reading"
+    stamps |= {"updated_at": moment, "updated_by": actor, "state": state, "notes": []}
     scan_id = add_row(session, scans, {**content, **stamps})
-    if not isinstance(source, ColumnSource):
+    if isinstance(source, tuple):
         ids = [one.upload_id for one in source if one.upload_id is not None]
         session.execute(sql_update(uploads).where(uploads.c.id.in_(ids)).values(scan_id=scan_id))
     trail.record(session, actor, "create", "scan", scan_id, survey_id, None, content)
@@ -112,6 +125,18 @@ def note_scan_read(session: Session, scan_id: int, facts: StripFacts, *, actor: 
     return get_scan(session, scan_id)
 
 
+def note_scan_recorded(
+    session: Session, scan_id: int, source: tuple[StripSource, StripSource], *, actor: int | None
+) -> Scan:
+    """A live stream has ended and its strips are stored; their reading is to come."""
+    before = _row(session, scan_id)
+    values = {**_strip_columns(source), "state": "reading"}
+    change_row(session, scans, scan_id, values)
+    then = {"state": before["state"]}
+    trail.record(session, actor, "recorded", "scan", scan_id, before["survey_id"], then, values)
+    return get_scan(session, scan_id)
+
+
 def note_reading_failed(session: Session, scan_id: int, error: str, *, actor: int | None) -> Scan:
     """The strips cannot be used; `error` is the sentence that says why."""
     return _state(session, scan_id, "failed", error, "reading_failed", actor)
@@ -125,7 +150,7 @@ def restart_reading(session: Session, scan_id: int, *, actor: int | None) -> Sca
 def update_scan(
     session: Session, scan_id: int, changes: ScanChanges, *, version: int, actor: int | None
 ) -> Scan:
-    """Change name, lighting or values of the rig. What was measured stays, with the rig that it had.
+    """Change name, lighting, the start or values of the rig. What was measured stays, with its rig.
 
     Raises Conflict, naming who and when, if `version` is not the current one; BadInput.
     """
@@ -134,12 +159,20 @@ def update_scan(
         name, when = last_change(session, before)
         raise Conflict("scans-changed-look-again-redo-yours", name=name, name_2=before["name"], when=when)
     change: dict[str, Any] = dict(changes)
+    if "clock" in change:
+        clock = change.pop("clock")
+        change |= dict.fromkeys(CLOCK) if clock is None else clock.columns()
     unknown = set(change) - _CHANGEABLE
     if unknown:
         raise BadInput("scans-scans-cannot-changed-leave-out", unknown=", ".join(sorted(unknown)))
     if "name" in change and not str(change["name"]).strip():
         raise BadInput("scans-scan-needs-name-fill")
-    require_rig(Rig(**{key: change.get(key, before[key]) for key in RIG}))
+    if any(key in change and change[key] != before[key] for key in CALIBRATED):
+        change.setdefault("baseline_correlation", 0.0)
+    rig = rig_from({key: change.get(key, before[key]) for key in RIG})
+    require_rig(rig)
+    if "lanes" in change:
+        change["lanes"] = rig_columns(rig)["lanes"]
     change_row(
         session,
         scans,
@@ -176,9 +209,22 @@ def scan_media_in_use(session: Session, media_key: str) -> bool:
 _unread: ColumnElement[bool] = scans.c.state != "ready"
 
 
+def _strip_columns(source: tuple[StripSource, StripSource]) -> dict[str, Any]:
+    columns: dict[str, Any] = {}
+    for word, one in zip(("first", "second"), source, strict=True):
+        columns |= {f"{word}_name": one.name, f"{word}_source_key": one.media_key}
+        columns[f"{word}_source_sha256"] = one.sha256
+    return columns
+
+
 def rig_columns(rig: Rig) -> dict[str, Any]:
     """The rig as it is stored and compared."""
-    return {name: getattr(rig, name) for name in RIG}
+    return {**{name: getattr(rig, name) for name in RIG}, "lanes": [asdict(one) for one in rig.lanes]}
+
+
+def rig_for(rig: Rig, lane: str | None, way: ScanDirection) -> dict[str, Any]:
+    """The rig as a vehicle of a lane and direction is measured with it, as it is stored and compared."""
+    return rig_columns(at_lane(rig, lane, way))
 
 
 def _state(
@@ -209,8 +255,9 @@ def scan_worked_on(session: Session, scan_id: int) -> bool:
         scan_vehicles.c.scan_id == scan_id,
         (scan_vehicles.c.make.is_not(None)) | (scan_vehicles.c.true_length_m.is_not(None)),
     )
-    rods, heights = (select(one.c.id).where(one.c.scan_id == scan_id) for one in (line_poses, line_heights))
-    found = (placed, judged, filled, rods, heights)
+    stored = (line_poses, line_heights, rig_calibrations)
+    made = (select(one.c.id).where(one.c.scan_id == scan_id) for one in stored)
+    found = (placed, judged, filled, *made)
     return any(session.execute(one.limit(1)).first() is not None for one in found)
 
 
@@ -218,14 +265,17 @@ def _scans(session: Session, rows: Sequence[Mapping[str, Any]]) -> tuple[Scan, .
     ids = [row["id"] for row in rows]
     latest, runs = latest_jobs_of_scans(session, ids), latest_scan_runs(session, ids)
     people = names(session, [row[key] for row in rows for key in ("created_by", "updated_by")])
-    rigs = {row["id"]: Rig(**{key: row[key] for key in RIG}) for row in rows}
-    counted = counts_of_scans(session, {key: rig_columns(rig) for key, rig in rigs.items()})
-    heights = _height_counts(session, ids)
+    rigs = {row["id"]: rig_from({key: row[key] for key in RIG}) for row in rows}
+    counted = counts_of_scans(session, {key: partial(rig_for, rig) for key, rig in rigs.items()})
+    heights, begun = _height_counts(session, ids), _begun(session, [row["recording_id"] for row in rows])
+    heard = _heard(session, [row["id"] for row in rows if row["state"] == "live"])
     return tuple(
         Scan(
             rig=rigs[row["id"]],
             job=latest.get(row["id"]),
             run=runs.get(row["id"]),
+            start_proposed=begun.get(row["recording_id"]),
+            heard_at=heard.get(row["id"]),
             counts=replace(counted.get(row["id"], ScanCounts()), **heights[row["id"]]),
             created_by=who(row["created_by"], people.get(cast(int, row["created_by"]))),
             updated_by=who(row["updated_by"], people.get(cast(int, row["updated_by"]))),
@@ -233,6 +283,19 @@ def _scans(session: Session, rows: Sequence[Mapping[str, Any]]) -> tuple[Scan, .
         )
         for row in rows
     )
+
+
+def _heard(session: Session, live_ids: Sequence[int]) -> dict[int, datetime]:
+    """When the streams of scans that are still live were last heard."""
+    query = select(scan_live.c.scan_id, scan_live.c.heard_at).where(scan_live.c.scan_id.in_(live_ids))
+    return {row.scan_id: row.heard_at for row in session.execute(query)} if live_ids else {}
+
+
+def _begun(session: Session, recording_ids: Sequence[int | None]) -> dict[int | None, datetime]:
+    """When the videos that scans were cut from began: as a person said, else as their files state."""
+    at = func.coalesce(recordings.c.started_at, recordings.c.start_proposed)
+    query = select(recordings.c.id, at).where(recordings.c.id.in_(set(recording_ids) - {None}))
+    return {id_: begun for id_, begun in session.execute(query) if begun is not None}
 
 
 def _height_counts(session: Session, scan_ids: Sequence[int]) -> dict[int, dict[str, int]]:

@@ -1,7 +1,10 @@
 """Exchanging the two cameras of a scan whose strips were given the wrong way round."""
 
+from typing import get_args
+
 from sqlalchemy.orm import Session
 
+from sightline.enums import ScanDirection
 from sightline.errors import Conflict
 from sightline.infra.audit import trail
 from sightline.infra.database.rows import change_row, get_row, name_of
@@ -11,12 +14,14 @@ from sightline.scans.store import get_scan, scan_worked_on
 from sightline.scans.tables import scans as table
 
 _PAIRS = (
-    ("column_1_px", "column_2_px"),
+    ("cut_1_px", "cut_2_px"),
     *(
         (f"first_{word}", f"second_{word}")
         for word in ("name", "source_key", "source_sha256", "key", "sha256")
     ),
 )
+# a lane's direction is told by the camera that is reached first
+_OTHER_WAY = dict(zip(get_args(ScanDirection), reversed(get_args(ScanDirection)), strict=True))
 
 
 def swap_scan_cameras(session: Session, scan_id: int, *, version: int, actor: int | None) -> Scan:
@@ -39,6 +44,7 @@ def swap_scan_cameras(session: Session, scan_id: int, *, version: int, actor: in
     change = {name: row[other] for pair in _PAIRS for name, other in (pair, pair[::-1])}
     if row["misalignment_px"] is not None:
         change["misalignment_px"] = -row["misalignment_px"]
+    change["lanes"] = [{**one, "direction": _OTHER_WAY.get(one["direction"])} for one in row["lanes"]]
     stamps = {"version": version + 1, "updated_at": now(), "updated_by": actor}
     change_row(session, table, scan_id, {**change, **stamps})
     trail.record(

@@ -2,6 +2,7 @@
 
 from sqlalchemy import (
     BigInteger,
+    Boolean,
     CheckConstraint,
     Column,
     Float,
@@ -15,10 +16,16 @@ from sqlalchemy import (
 )
 
 from sightline.enums import (
+    AxlesBy,
     Category,
     Cause,
+    CutAlong,
+    LaneBy,
     Lighting,
     MeasurementStatus,
+    ReferenceQuantity,
+    ReferenceSource,
+    ScanDirection,
     ScanMethod,
     ScanSource,
     ScanState,
@@ -45,11 +52,12 @@ scans = Table(
     Column("name", String(400), nullable=False),
     Column("state", String(20), nullable=False),
     Column("error", Text),
-    # two strips that were uploaded, or two pixel columns of a video
+    # two strips that were uploaded, or two pixel columns or rows of a video
     Column("source", String(20), nullable=False),
     Column("recording_id", ForeignKey("recordings.id"), index=True),
-    Column("column_1_px", Integer),
-    Column("column_2_px", Integer),
+    Column("cut_along", String(20)),
+    Column("cut_1_px", Integer),
+    Column("cut_2_px", Integer),
     Column("first_name", String(400)),
     Column("second_name", String(400)),
     Column("first_source_key", String(400)),
@@ -75,7 +83,18 @@ scans = Table(
     Column("distance_m", Float),
     Column("misalignment_px", Float),
     Column("u_misalignment_px", Float, nullable=False),
+    # of the rows, from the bottom: where shadows fall and no vehicle is looked for
+    Column("shadow_share", Float, nullable=False),
+    # of the errors of baseline and divergence
+    Column("baseline_correlation", Float, nullable=False),
+    Column("u_distance_m", Float, nullable=False),
+    # the fields of a linescan Lane each; none: all vehicles are at distance_m
+    Column("lanes", CanonicalJson, nullable=False),
     Column("lighting", String(20)),
+    # when line 0 was taken, as a person said, with the zone of the clocks and the uncertainty
+    Column("started_at", UtcDateTime),
+    Column("time_zone", String(60)),
+    Column("u_start_s", Float),
     Column("version", Integer, nullable=False),
     Column("created_at", UtcDateTime, nullable=False),
     Column("created_by", ForeignKey("people.id")),
@@ -85,8 +104,13 @@ scans = Table(
     enum_check("state", ScanState),
     enum_check("source", ScanSource),
     enum_check("time_axis", TimeAxis),
+    enum_check("cut_along", CutAlong),
     enum_check("lighting", Lighting),
     CheckConstraint("version >= 1", name="version_counts"),
+    CheckConstraint(
+        "(started_at IS NULL) = (time_zone IS NULL) AND (started_at IS NULL) = (u_start_s IS NULL)",
+        name="start_whole",
+    ),
     CheckConstraint("baseline_m > 0 AND line_rate_hz > 0", name="rig_positive"),
     CheckConstraint(
         "state <> 'ready' OR (lines IS NOT NULL AND first_key IS NOT NULL)", name="ready_has_lines"
@@ -133,6 +157,8 @@ scan_vehicles = Table(
     Column("true_wheelbase_m", Float),
     Column("u_true_wheelbase_m", Float),
     Column("facts_source", Text),
+    # the name of a car of which this is one run of several
+    Column("run_of", String(100)),
     Column("lighting", String(20)),
     Column("notes", Text, nullable=False),
     Column("version", Integer, nullable=False),
@@ -164,6 +190,8 @@ scan_measurements = Table(
     Column("placed_by", ForeignKey("people.id")),
     Column("method", String(20), nullable=False),
     Column("rig", CanonicalJson, nullable=False),
+    # which camera it reached first; speed and acceleration are those at camera 1 all the same
+    Column("direction", String(20), nullable=False),
     Column("front_line_1", Float, nullable=False),
     Column("rear_line_1", Float, nullable=False),
     Column("front_line_2", Float, nullable=False),
@@ -184,6 +212,15 @@ scan_measurements = Table(
     Column("rear_wheel_line", Float),
     Column("wheelbase_m", Float),
     Column("u_wheelbase_m", Float),
+    # lines of strip 1 at the wheels' hubs, found by the machine or set by a person
+    Column("axle_lines", CanonicalJson),
+    Column("axles_by", String(20)),
+    # of the rig's lanes, where it has several, and the row of strip 1 by whose tyres the machine tells them
+    Column("lane", String(40)),
+    Column("lane_by", String(20)),
+    Column("tyres_px", Float),
+    # what the doubt about boundaries that the machine found brings to the length's u; 0 for a person's
+    Column("u_boundaries_m", Float, nullable=False),
     Column("status", String(20), nullable=False),
     Column("reason", Text),
     Column("budget", CanonicalJson, nullable=False),
@@ -196,6 +233,11 @@ scan_measurements = Table(
     enum_check("cause", Cause),
     enum_check("method", ScanMethod),
     enum_check("status", MeasurementStatus),
+    enum_check("direction", ScanDirection),
+    enum_check("axles_by", AxlesBy),
+    enum_check("lane_by", LaneBy),
+    CheckConstraint("(lane IS NULL) = (lane_by IS NULL)", name="lane_by_whom"),
+    CheckConstraint("(axle_lines IS NULL) = (axles_by IS NULL)", name="axles_by_whom"),
     CheckConstraint("revision >= 1", name="revision_counts"),
     CheckConstraint(
         "(status = 'ok' AND speed_mps IS NOT NULL) OR (status <> 'ok' AND reason IS NOT NULL)",
@@ -224,3 +266,30 @@ scan_reviews = Table(
     info=vouched(WrittenOnce("scan_review", "scanned vehicle's review")),
 )
 Index("ix_scan_reviews_measurement_id", scan_reviews.c.measurement_id)
+
+# What something else measured of a vehicle (m/s or m); the newest revision of a quantity and source counts,
+# and takes it away where it is withdrawn. Written once.
+scan_references = Table(
+    "scan_references",
+    metadata,
+    identity(),
+    Column("survey_id", ForeignKey("surveys.id"), nullable=False, index=True),
+    Column("scan_id", ForeignKey("scans.id"), nullable=False, index=True),
+    Column("vehicle_id", ForeignKey("scan_vehicles.id"), nullable=False),
+    Column("quantity", String(20), nullable=False),
+    Column("source", String(20), nullable=False),
+    Column("revision", Integer, nullable=False),
+    Column("value", Float, nullable=False),
+    Column("u", Float, nullable=False),
+    # which radar, whose tape
+    Column("device", String(200)),
+    Column("withdrawn", Boolean, nullable=False),
+    Column("created_at", UtcDateTime, nullable=False),
+    Column("created_by", ForeignKey("people.id")),
+    UniqueConstraint("vehicle_id", "quantity", "source", "revision"),
+    enum_check("quantity", ReferenceQuantity),
+    enum_check("source", ReferenceSource),
+    CheckConstraint("revision >= 1", name="revision_counts"),
+    CheckConstraint("value > 0 AND u > 0", name="value_with_u"),
+    info=vouched(WrittenOnce("scan_reference", "reference value of a scanned vehicle")),
+)

@@ -1,4 +1,6 @@
-"""Holding the line-scan tables of an export against the audit chain: motions, boundaries, facts, verdicts."""
+"""Holding the line-scan tables of an export against the audit chain: motions, boundaries, facts, references,
+verdicts.
+"""
 
 from __future__ import annotations
 
@@ -10,30 +12,48 @@ from sightline.errors import Damaged
 from sightline.infra.csv_package.chain import chain
 from sightline.infra.csv_package.files import Files, read_rows
 from sightline.infra.csv_package.schema import AnyTable, cell_text
-from sightline.scans.csv import LINE_SCANS, SCAN_MEASUREMENTS, SCAN_REVIEWS, SCAN_VEHICLES
+from sightline.linescan.parts import Crossings
+from sightline.scans.clock import Passing, clock_of, passing_of
+from sightline.scans.csv import (
+    LINE_SCANS,
+    SCAN_MEASUREMENTS,
+    SCAN_REVIEWS,
+    SCAN_VEHICLES,
+    axle_words,
+    lanes_text,
+)
 from sightline.scans.heights.csv import LINE_HEIGHT_REVIEWS, LINE_HEIGHTS, LINE_POSES
-from sightline.scans.heights.verify import check_line_heights
+from sightline.scans.heights.verify import check_line_heights, check_verdicts_gone_over
+from sightline.scans.references.csv import SCAN_REFERENCES
+from sightline.scans.references.verify import check_references
+from sightline.scans.rig.csv import RIG_CALIBRATIONS
+from sightline.scans.rig.verify import check_rig_calibrations
 
 _ENTITIES: dict[str, AnyTable] = {
     "scan": LINE_SCANS,
     "scan_vehicle": SCAN_VEHICLES,
     "scan_measurement": SCAN_MEASUREMENTS,
     "scan_review": SCAN_REVIEWS,
+    "scan_reference": SCAN_REFERENCES,
     "line_pose": LINE_POSES,
     "line_height": LINE_HEIGHTS,
     "line_height_review": LINE_HEIGHT_REVIEWS,
+    "rig_calibration": RIG_CALIBRATIONS,
 }
 # Verdicts, and how the row that is judged calls what they say.
 _REVIEWS = ("scan_review", "line_height_review")
 _SAID = {"verdict": "verdict", "review_reason": "reason", "reviewer_id": "reviewer_id", "reviewed_at": "at"}
+_LINES = ("front_line_1", "rear_line_1", "front_line_2", "rear_line_2")
+_RATES = ("line_rate_hz", "u_line_rate_ratio")
 # What an event says in other words than the table.
 _OTHER_WORDS = ("notes", "created_at")
 
 
-def check_scans(files: Files, events_of_scans: int) -> int:
+def check_scans(files: Files, events_of_scans: int, computings: Mapping[str, str]) -> int:
     """Every row is what its events say, none is missing and none too many; how many were held against them.
 
-    The current revision of a vehicle is its newest. Raises Damaged.
+    The current revision of a vehicle is its newest. `computings`: the kind of each, by its number.
+    Raises Damaged.
     """
     if not events_of_scans and not any(_rows(files, table) for table in _ENTITIES.values()):
         return 0
@@ -46,11 +66,16 @@ def check_scans(files: Files, events_of_scans: int) -> int:
             odd = min(set(rows[entity]) ^ expected)
             raise Damaged("scans-row-without-audit-event-missing", path=table.path, odd=odd)
         for number, row in rows[entity].items():
-            _same(table, row, told[entity][number])
+            _same(table, row, _in_words_of_table(entity, told[entity][number]))
+    _directions(rows["scan_measurement"])
     _current(rows["scan_vehicle"], rows["scan_measurement"])
+    _passings(rows["scan_vehicle"], rows["scan_measurement"], told)
     _verdicts(SCAN_MEASUREMENTS, rows["scan_measurement"], "measurement_id", rows["scan_review"])
     _verdicts(LINE_HEIGHTS, rows["line_height"], "height_id", rows["line_height_review"])
+    check_references(rows["scan_reference"], rows["scan_vehicle"], told)
+    check_verdicts_gone_over(rows["line_height"], rows["line_height_review"], computings)
     check_line_heights(files, told["line_pose"])
+    check_rig_calibrations(files, told["rig_calibration"])
     return sum(len(found) for found in rows.values())
 
 
@@ -82,16 +107,34 @@ def _gone(told: Mapping[str, Mapping[int, Mapping[str, Any]]]) -> dict[str, set[
         "scan_vehicle": vehicles,
         "scan_measurement": measurements,
         "scan_review": reviews,
-        "line_pose": {number for number, one in told["line_pose"].items() if one["scan_id"] in scans},
+        **{
+            entity: {number for number, one in told[entity].items() if one["scan_id"] in scans}
+            for entity in ("line_pose", "rig_calibration")
+        },
         **{
             entity: {number for number, one in told[entity].items() if one["vehicle_id"] in vehicles}
-            for entity in ("line_height", "line_height_review")
+            for entity in ("scan_reference", "line_height", "line_height_review")
         },
     }
 
 
 def _rows(files: Files, table: AnyTable) -> dict[int, dict[str, str]]:
     return {int(row["id"]): dict(row) for row in read_rows(files, table.path)}
+
+
+def _in_words_of_table(entity: str, told: Mapping[str, Any]) -> Mapping[str, Any]:
+    """A start is told in UTC and written by the clocks of its zone; wheels' lines and lanes are one cell."""
+    if entity == "scan_measurement":
+        return {
+            **told,
+            "axle_lines": axle_words(told["axle_lines"]),
+            "axles": len(told["axle_lines"] or ()) or None,
+        }
+    if entity != "scan":
+        return told
+    told = {**told, "lanes": lanes_text(told.get("lanes"))}
+    clock = clock_of(told)
+    return told if clock is None else {**told, "started_at": clock.filming.at()}
 
 
 def _same(table: AnyTable, row: Mapping[str, str], told: Mapping[str, Any]) -> None:
@@ -105,6 +148,13 @@ def _same(table: AnyTable, row: Mapping[str, str], told: Mapping[str, Any]) -> N
             value = float(value)
         if row[name] != cell_text(column, value):
             raise Damaged("scans-row-not-what-audit-event-says", path=table.path, name=name, id=row["id"])
+
+
+def _directions(revisions: Mapping[int, Mapping[str, str]]) -> None:
+    """Which camera a vehicle reached first follows from its lines."""
+    for number, row in revisions.items():
+        if row["direction"] != Crossings(*(float(row[name]) for name in _LINES)).direction:
+            raise Damaged("scans-direction-not-of-lines", path=SCAN_MEASUREMENTS.path, number=number)
 
 
 def _current(vehicles: Mapping[int, Mapping[str, str]], revisions: Mapping[int, Mapping[str, str]]) -> None:
@@ -128,15 +178,38 @@ def _current(vehicles: Mapping[int, Mapping[str, str]], revisions: Mapping[int, 
             raise Damaged("scans-vehicle-not-newest-revision-changed", path=SCAN_VEHICLES.path, number=number)
 
 
+def _passings(
+    vehicles: Mapping[int, Mapping[str, str]],
+    revisions: Mapping[int, Mapping[str, str]],
+    told: Mapping[str, Mapping[int, Mapping[str, Any]]],
+) -> None:
+    """When a vehicle passed follows from its recording's start, its front and the rig; each held before."""
+    clocks = {number: clock_of(one) for number, one in told["scan"].items()}
+    written = {column.name: column for column in SCAN_VEHICLES.columns}
+    for number, row in vehicles.items():
+        clock, passed = clocks[int(row["scan_id"])], None
+        if clock is not None and row["measurement_id"]:
+            motion = told["scan_measurement"][int(row["measurement_id"])]
+            rig = {name: float(revisions[int(row["measurement_id"])][name]) for name in _RATES}
+            speed, u_length = motion["speed_mps"], motion["u_length_m"]
+            passed = passing_of(clock, motion["front_line_1"], speed, u_length, rig)
+        for name in Passing.__slots__:
+            if row[name] != cell_text(written[name], None if passed is None else getattr(passed, name)):
+                raise Damaged("scans-vehicle-passed-at-another-time", path=SCAN_VEHICLES.path, number=number)
+
+
 def _verdicts(
     judged: AnyTable,
     revisions: Mapping[int, Mapping[str, str]],
     of: str,
     reviews: Mapping[int, Mapping[str, str]],
 ) -> None:
-    """A revision's verdict, with its reason, reviewer and time, is the newest that was given on it."""
-    newest = {int(one[of]): one for _, one in sorted(reviews.items())}
+    """A revision's verdict, with its reason, reviewer and time, is the newest that was given on it, or on the
+    one whose verdict holds for it too.
+    """
+    newest = {int(one[of]): (at, one) for at, one in sorted(reviews.items())}
     for number, row in revisions.items():
-        given = newest.get(number, {"verdict": "to_review"})
+        known = [newest[one] for one in (number, int(row.get("verdict_of_id") or 0)) if one in newest]
+        _, given = max(known, default=(0, {"verdict": "to_review"}))
         if any(row[name] != given.get(said, "") for name, said in _SAID.items()):
             raise Damaged("scans-verdict-row-not-one-given", path=judged.path, number=number)

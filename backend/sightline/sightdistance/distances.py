@@ -20,7 +20,7 @@ from sightline.errors import BadInput
 
 GREEN_BOOK = "AASHTO, A Policy on Geometric Design of Highways and Streets, 2018"
 GRAVITY_MPS2 = 9.81  # the Green Book's
-FASTEST_MPS = 300.0 / 3.6
+FASTEST_MPS = 300.0 / 3.6 * (1.0 + 1e-9)  # 300 km/h, in whichever unit it was written
 
 
 @dataclass(frozen=True)

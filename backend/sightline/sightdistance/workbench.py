@@ -26,8 +26,6 @@ from sightline.sightdistance.distances import (
     stopping_distance,
 )
 
-#: Design speeds of a figure, m/s: 30 to 130 km/h.
-DESIGN_SPEEDS_MPS = tuple(kmh / 3.6 for kmh in range(30, 131, 5))
 _MANOEUVRE: dict[SightKind, Manoeuvre] = {
     "decision_a": "A",
     "decision_b": "B",
@@ -94,12 +92,13 @@ def sight_distance(kind: SightKind, speed_mps: float, units: UnitSystem = METRIC
     return intersection_distance(speed_mps, _CROSSING[kind], units=units)
 
 
-def constant_of(eye_m: Bounded, object_m: Bounded) -> Bounded:
+def constant_of(eye_m: Bounded, object_m: Bounded, correlation: float = 0.0) -> Bounded:
     """The crest constant of two heights with the interval that theirs give, metres.
 
-    sqrt(C / 200) = sqrt(h1) + sqrt(h2) is a sum of two independent parameters, whose limits are recovered
-    from those of each (Zou and Donner 2008): (l, u) = sum -+ sqrt(sum of squares of what each limit is away
-    from its value). Intervals need not be symmetric. A height without an interval is taken as exact, unless
+    sqrt(C / 200) = sqrt(h1) + sqrt(h2) is a sum of two parameters, whose limits are recovered from those of
+    each (Zou and Donner 2008): (l, u) = sum -+ sqrt(d1^2 + d2^2 + 2 r d1 d2), d: what each limit is away from
+    its value, r: the correlation of both errors (heights of one road pose share its and its board's).
+    Intervals need not be symmetric. A height without an interval is taken as exact, unless
     it has a reason for lacking one: then so has the constant. Raises BadInput for heights that cannot be.
     """
     constant = crest_constant(eye_m.value, object_m.value).constant_m
@@ -109,17 +108,24 @@ def constant_of(eye_m: Bounded, object_m: Bounded) -> Bounded:
     if eye_m.low is None and object_m.low is None:
         return Bounded(constant)
     middle = math.sqrt(eye_m.value) + math.sqrt(object_m.value)
-    below = math.hypot(*(_root_gap(one, one.low) for one in (eye_m, object_m)))
-    above = math.hypot(*(_root_gap(one, one.high) for one in (eye_m, object_m)))
+    below = _joined(_root_gap(eye_m, eye_m.low), _root_gap(object_m, object_m.low), correlation)
+    above = _joined(_root_gap(eye_m, eye_m.high), _root_gap(object_m, object_m.high), correlation)
     low = max(middle - below, 0.0)
     return Bounded(constant, 200.0 * low**2, 200.0 * (middle + above) ** 2)
 
 
 def crest_of(
-    eye_m: Bounded, object_m: Bounded, distance_m: float, difference_percent: float, built_constant_m: float
+    eye_m: Bounded,
+    object_m: Bounded,
+    distance_m: float,
+    difference_percent: float,
+    built_constant_m: float,
+    correlation: float = 0.0,
 ) -> Crest:
-    """What two heights mean for S and A; built_constant_m: the standard's, by which a road was built."""
-    constant = constant_of(eye_m, object_m)
+    """What two heights mean for S and A; built_constant_m: the standard's, by which a road was built;
+    correlation: of the errors of both heights.
+    """
+    constant = constant_of(eye_m, object_m, correlation)
     built = crest_length(distance_m, difference_percent, built_constant_m).length_m
     return Crest(
         eye_m=eye_m,
@@ -156,6 +162,10 @@ def shares_of_fleet(shares: Sequence[float]) -> tuple[float, ...]:
     if any(not (math.isfinite(one) and one >= 0.0) for one in shares) or not 0.99 <= total <= 1.01:
         raise BadInput("sightdistance-shares", total_percent=f"{100 * total:.1f}")
     return tuple(one / total for one in shares)
+
+
+def _joined(one: float, other: float, correlation: float) -> float:
+    return math.sqrt(max(one * one + other * other + 2.0 * correlation * one * other, 0.0))
 
 
 def _root_gap(height: Bounded, limit: float | None) -> float:

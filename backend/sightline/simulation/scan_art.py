@@ -14,8 +14,8 @@ import numpy as np
 from sightline.simulation.camera import Array, Floats
 from sightline.simulation.insides import driver_plate, spoke_count, wheel_plates
 from sightline.simulation.light import DAY
-from sightline.simulation.paint import Plate, Stencil, body_outline, glass_area
-from sightline.simulation.scan_traffic import ScanSite, ScanVehicle
+from sightline.simulation.paint import FINE, Plate, Stencil, body_outline, glass_area
+from sightline.simulation.scan_traffic import Photograph, ScanSite, ScanVehicle
 from sightline.simulation.shape import Shape
 from sightline.simulation.sideart import side_plate
 
@@ -34,32 +34,45 @@ _GREY = np.array([0.114, 0.587, 0.299], np.float32)
 class Ribbon:
     """Running sums (n + 1, rows) of own light and of how much of the road behind comes through.
 
-    `start_m`: body coordinate (metres behind the front) of the first sample's near edge.
+    `start_m`: body coordinate (metres behind the front) of the first sample's near edge; `ppm`: samples a
+    metre.
     """
 
     light: Array
     through: Array
     start_m: float
+    ppm: float = PPM
 
     def mean(self, from_m: Array, to_m: Array) -> tuple[Floats, Floats]:
         """(lines, rows) light and transmission, averaged from one body coordinate to another."""
-        lo, hi = _places(from_m, self.start_m, len(self.light)), _places(to_m, self.start_m, len(self.light))
-        width = np.maximum((to_m - from_m) * PPM, 1e-9)[:, None]
-        light = (_at(self.light, hi) - _at(self.light, lo)) / width
+        lo, hi = (self._places(one) for one in (from_m, to_m))
+        width = np.maximum((to_m - from_m) * self.ppm, 1e-9)[:, None]
+        light = (_smooth_at(self.light, hi) - _smooth_at(self.light, lo)) / width
         # what lies outside the sums is plain road
         outside = width[:, 0] - (hi - lo)
-        through = (_at(self.through, hi) - _at(self.through, lo) + outside[:, None]) / width
+        through = (_smooth_at(self.through, hi) - _smooth_at(self.through, lo) + outside[:, None]) / width
         return light.astype(np.float32), through.astype(np.float32)
 
-
-def _places(coordinate_m: Array, start_m: float, count: int) -> Array:
-    return np.asarray(np.clip((coordinate_m - start_m) * PPM, 0, count - 1))
+    def _places(self, coordinate_m: Array) -> Array:
+        return np.asarray(np.clip((coordinate_m - self.start_m) * self.ppm, 0, len(self.light) - 1))
 
 
 def _at(sums: Array, place: Array) -> Array:
     low = np.minimum(place.astype(int), len(sums) - 2)
     part = (place - low)[:, None]
     return np.asarray(sums[low] * (1 - part) + sums[low + 1] * part)
+
+
+def _smooth_at(sums: Array, place: Array) -> Array:
+    """Running sums of a texture that is interpolated between its samples' middles, not one of upright bars:
+    their quadratic B-spline. A slow vehicle's lines are finer than the samples, and would show the bars.
+    """
+    middle = np.clip(np.rint(place).astype(int), 1, len(sums) - 2)
+    part = (place - middle)[:, None]
+    out = sums[middle] * (0.75 - part**2)
+    out += sums[middle - 1] * ((0.5 - part) ** 2 / 2)
+    out += sums[middle + 1] * ((0.5 + part) ** 2 / 2)
+    return np.asarray(out)
 
 
 @dataclass(frozen=True, eq=False)
@@ -122,16 +135,37 @@ def _over(base: tuple[Floats, Floats], plate: Plate, left_m: float, top_m: float
     base[1][at] += room * cover[of]
 
 
+@lru_cache(maxsize=2)
+def _photograph(path: str) -> Floats:
+    picture = cv2.imread(path, cv2.IMREAD_GRAYSCALE)
+    if picture is None:
+        raise FileNotFoundError(path)
+    return np.asarray(picture, np.float32)
+
+
+def _skin(of: Photograph, size: tuple[int, ...]) -> Floats:
+    """The photograph's part (h, w), ART_PPM pixels a metre."""
+    step = of.px_per_m / ART_PPM
+    x, y = np.meshgrid(
+        of.left_px + step * np.arange(size[1]), of.top_px + step * np.arange(size[0]), indexing="xy"
+    )
+    picture = _photograph(of.path)
+    flat = x.astype(np.float32), y.astype(np.float32)
+    return np.asarray(cv2.remap(picture, *flat, cv2.INTER_CUBIC, borderMode=cv2.BORDER_REFLECT), np.float32)
+
+
 @lru_cache(maxsize=6)
-def _side(shape: Shape, plane_m: float | None) -> tuple[Floats, Floats, float, float]:
+def _side(
+    shape: Shape, plane_m: float | None, skin: Photograph | None = None
+) -> tuple[Floats, Floats, float, float]:
     """The still part of the near side: light, coverage (h, w; l forward), left edge, top edge."""
     plate = side_plate(shape, DAY, ART_PPM, EYE_M, 3.0, 0.0)
     light, cover = (part.copy() for part in _grey(plate))
     stencil = Stencil(-0.08, shape.length_m + 0.08, 0.0, shape.vehicle.roof_height_m + 0.06, ART_PPM)
     driver, glass = driver_plate(shape, DAY, ART_PPM), glass_area(shape, stencil)
     if plane_m is not None:
-        skin = _as_seen(shape.inset, light.shape, plate.left_m, plate.top_m, plane_m)
-        light, cover, glass = (skin(part) for part in (light, cover, glass))
+        seen = _as_seen(shape.inset, light.shape, plate.left_m, plate.top_m, plane_m)
+        light, cover, glass = (seen(part) for part in (light, cover, glass))
         inset_m = shape.vehicle.eye_inset_m
         deep = _as_seen(
             lambda along, _z: np.full_like(along, inset_m),
@@ -147,6 +181,8 @@ def _side(shape: Shape, plane_m: float | None) -> tuple[Floats, Floats, float, f
         arch = stencil.disc((axle, shape.radius_m + 0.005), shape.radius_m + 0.045) * body
         light += (1 - cover) * arch * HOUSING_DN
         cover += (1 - cover) * arch
+    if skin is not None:
+        light = cover * _skin(skin, cover.shape)
     return _finer(light), _finer(cover), plate.left_m, plate.top_m
 
 
@@ -195,7 +231,7 @@ def _shadow(shape: Shape, site: ScanSite, along_m: Array, z: Array) -> Floats:
 def ribbon_of(car: ScanVehicle, site: ScanSite, camera: int) -> Ribbon:
     """The body's running sums as one camera sees it, optical blur included."""
     shape, edges = car.shape, _edges(site, camera, car.far)
-    light, cover, left_m, top_m = _side(shape, site.plane_m)
+    light, cover, left_m, top_m = _side(shape, site.plane_m, car.skin)
     pad = round(MARGIN_M * PPM)
     # flipped: from here on columns run from the front backwards
     light, cover = (np.pad(part[:, ::-1], ((0, 0), (pad, pad))) for part in (light, cover))
@@ -208,7 +244,10 @@ def ribbon_of(car: ScanVehicle, site: ScanSite, camera: int) -> Ribbon:
     through = (1 - cover) * _shadow(shape, site, along, z)
     rows_light = _to_rows(_blurred(light, site), top_m, ART_PPM, edges)
     rows_through = 1 - _to_rows(1 - _blurred(np.asarray(through, np.float32), site), top_m, ART_PPM, edges)
-    return Ribbon(_sums(rows_light), _sums(rows_through), start_m)
+    # what is filled holds both its edges, so that it is one of the stencil's fine pixels too long, in front
+    more_m = 1 / (ART_PPM * FINE)
+    ppm = PPM * (1 + more_m / shape.length_m)
+    return Ribbon(_sums(rows_light), _sums(rows_through), (start_m + more_m) * PPM / ppm, ppm)
 
 
 def _sums(rows: Floats) -> Array:
@@ -252,7 +291,12 @@ def wheels_of(car: ScanVehicle, site: ScanSite, camera: int) -> tuple[Wheel, ...
     )
 
 
-@lru_cache(maxsize=4)
 def body_of(car: ScanVehicle, site: ScanSite, camera: int) -> Body:
-    """What camera 1 or 2 sees of a vehicle."""
+    """What camera 1 or 2 sees of a vehicle, whatever its motion."""
+    still = replace(car, front_s=0.0, speed_mps=1.0, acceleration_mps2=0.0, against=False, halt=None)
+    return _body(still, site, camera)
+
+
+@lru_cache(maxsize=4)
+def _body(car: ScanVehicle, site: ScanSite, camera: int) -> Body:
     return Body(ribbon_of(car, site, camera), wheels_of(car, site, camera))

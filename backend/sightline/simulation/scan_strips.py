@@ -12,7 +12,7 @@ import numpy as np
 from sightline.simulation.camera import Array, Floats, Image
 from sightline.simulation.scan_art import MARGIN_M, Wheel, body_of, row_edges_m
 from sightline.simulation.scan_rod import HeldRod, lay_rods
-from sightline.simulation.scan_traffic import ScanSite, ScanVehicle
+from sightline.simulation.scan_traffic import ScanSite, ScanVehicle, baseline_at
 
 CHUNK = 1024
 _NOISE = 1 << 20
@@ -68,7 +68,7 @@ def _illumination(site: ScanSite, time_s: Array) -> Floats:
 def _lay_vehicle(site: ScanSite, car: ScanVehicle, camera: int, edge_s: Array, scene: Floats) -> None:
     """Puts a vehicle over the scene (lines, rows) in place; `edge_s`: (lines + 1,) ends of the exposures."""
     first = camera == (2 if car.against else 1)
-    behind = car.travelled_m(edge_s) - (0.0 if first else site.baseline_m)
+    behind = car.travelled_m(edge_s) - (0.0 if first else baseline_at(site, car))
     seen = np.flatnonzero((behind[1:] > -MARGIN_M) & (behind[:-1] < car.length_m + MARGIN_M))
     if not len(seen):
         return
@@ -104,13 +104,15 @@ def _lay_wheel(wheel: Wheel, start: Array, end: Array, turned_m: Array, scene: F
 
 
 def _turned(sums: Floats, turn: Array, place: Array) -> Floats:
-    """Running sums (lines, band) between the two nearest angles and the two nearest columns."""
+    """Running sums (lines, band) between the two nearest angles, smoothly between columns, as a body's."""
     low, part = turn.astype(int) % len(sums), (turn % 1)[:, None]
-    column = np.minimum(place.astype(int), sums.shape[1] - 2)
+    column = np.clip(np.rint(place).astype(int), 1, sums.shape[1] - 2)
     inner = (place - column)[:, None]
-    nearer = sums[low, column] * (1 - inner) + sums[low, column + 1] * inner
-    after = (low + 1) % len(sums)
-    farther = sums[after, column] * (1 - inner) + sums[after, column + 1] * inner
+    weights = (0.5 - inner) ** 2 / 2, 0.75 - inner**2, (0.5 + inner) ** 2 / 2
+    nearer, farther = (
+        sum(weight * sums[angle, column + by] for weight, by in zip(weights, (-1, 0, 1), strict=True))
+        for angle in (low, (low + 1) % len(sums))
+    )
     return np.asarray(nearer * (1 - part) + farther * part, np.float32)
 
 
@@ -122,16 +124,16 @@ def _rain(site: ScanSite, rng: np.random.Generator, scene: Floats) -> None:
         scene[line : line + int(rng.integers(1, 4)), row : row + tall] += rng.uniform(25, 60)
 
 
-def _exposed(
+def _lit(
     site: ScanSite,
     camera: int,
     first_line: int,
     lines: int,
     cars: list[ScanVehicle],
     rods: tuple[HeldRod, ...],
-) -> Image:
-    """One chunk (lines, rows) of one camera."""
-    rng = np.random.default_rng((site.seed, camera, first_line))
+    rng: np.random.Generator,
+) -> Floats:
+    """One chunk (lines, rows) of one camera before its noise."""
     edge_s = (first_line - 0.5 + np.arange(lines + 1)) / site.line_rate_hz
     scene: Floats = np.tile(empty_line(site, camera), (lines, 1))
     if camera == 1:
@@ -143,10 +145,29 @@ def _exposed(
     light = gain * _illumination(site, (edge_s[:-1] + edge_s[1:]) / 2)
     scene *= light[:, None] * _fixed_gain(site, camera)[None]
     scene += offset
+    return scene
+
+
+def _read_out(site: ScanSite, scene: Floats, rng: np.random.Generator) -> Image:
+    """Noise of the light and of reading, and the rounding to eight bits."""
     sigma = np.sqrt(site.read_noise_dn**2 + site.shot_dn2_per_dn * np.maximum(scene, 0))
-    scene += sigma * _noise(site, rng, lines)
+    scene = scene + sigma * _noise(site, rng, len(scene))
     # rounds and saturates; negative values must not come back mirrored
     return np.asarray(cv2.convertScaleAbs(np.maximum(scene, 0)), np.uint8)
+
+
+def _exposed(
+    sites: tuple[ScanSite, ...],
+    camera: int,
+    first_line: int,
+    lines: int,
+    cars: list[ScanVehicle],
+    rods: tuple[HeldRod, ...],
+) -> list[Image]:
+    """One chunk (lines, rows) of one camera, as each site reads it."""
+    rng = np.random.default_rng((sites[0].seed, camera, first_line))
+    scene = _lit(sites[0], camera, first_line, lines, cars, rods, rng)
+    return [_read_out(site, scene, rng) for site in sites]
 
 
 def recording(
@@ -160,6 +181,18 @@ def recording(
     `seconds`: length of the recording; None ends it 0.4 s after the last vehicle. `rods`: held in camera 1's
     plane, which needs a site that has a `plane_m`.
     """
+    for chunks in recordings((site,), vehicles, seconds, rods):
+        yield chunks[0]
+
+
+def recordings(
+    sites: tuple[ScanSite, ...],
+    vehicles: tuple[ScanVehicle, ...],
+    seconds: float | None = None,
+    rods: tuple[HeldRod, ...] = (),
+) -> Iterator[list[tuple[Image, Image]]]:
+    """As `recording`, the same light read by sites that differ in noise alone: a pair of chunks each."""
+    site = sites[0]
     clear = {car: car.clear_s(site.baseline_m) for car in vehicles}
     if seconds is None:
         seconds = max(clear.values(), default=0.6) + 0.4
@@ -169,7 +202,8 @@ def recording(
         lines = min(CHUNK, total - start)
         lo, hi = start / site.line_rate_hz, (start + lines) / site.line_rate_hz
         cars = [car for car in vehicles if car.front_s - slack_s < hi and clear[car] + slack_s > lo]
-        yield _exposed(site, 1, start, lines, cars, rods), _exposed(site, 2, start, lines, cars, rods)
+        pairs = [_exposed(sites, camera, start, lines, cars, rods) for camera in (1, 2)]
+        yield list(zip(*pairs, strict=True))
 
 
 def strips(

@@ -20,6 +20,7 @@ RESTART_MPS2 = 1.5
 class ScanSite:
     """The rig and the weather as they truly are. `misalignment_px`: row in strip 2 minus row in strip 1.
 
+    `opening_m`: by how much the baseline is longer at the far lane, where the scanning planes open.
     `plane_m`: from the cameras' centres to the near lane's side plane; what lies behind that plane is then
     seen under the angle that it has. None: vehicles are flat, all of them on the plane.
     """
@@ -44,6 +45,7 @@ class ScanSite:
     rain_per_s: float = 0.0
     shadow_m: float = 0.27
     plane_m: float | None = None
+    opening_m: float = 0.0
     seed: int = 1
 
 
@@ -57,11 +59,25 @@ class Halt:
 
 
 @dataclass(frozen=True)
+class Photograph:
+    """What covers a vehicle's side in the place of its paint: a part of a picture file, read as grey.
+
+    `left_px`, `top_px`: the part's corner; `px_per_m`: its scale on the vehicle. Beyond its rim it is
+    continued by its mirror image.
+    """
+
+    path: str
+    left_px: int
+    top_px: int
+    px_per_m: float
+
+
+@dataclass(frozen=True)
 class ScanVehicle:
     """One vehicle; speed and acceleration hold when its front reaches the first camera, at `front_s`.
 
     `far`: drives the farther lane, smaller in the picture and behind whatever is near; `against`: the
-    other way, so that it reaches camera 2 first.
+    other way, so that it reaches camera 2 first; `skin`: what its side shows, None: as it is drawn.
     """
 
     vehicle: Vehicle
@@ -71,6 +87,7 @@ class ScanVehicle:
     far: bool = False
     against: bool = False
     halt: Halt | None = None
+    skin: Photograph | None = None
 
     @property
     def shape(self) -> Shape:
@@ -139,6 +156,11 @@ class ScanTruth:
     distance_gap_m: float | None
 
 
+def baseline_at(site: ScanSite, car: ScanVehicle) -> float:
+    """What lies between both scanning planes in a vehicle's lane."""
+    return site.baseline_m + (site.opening_m if car.far else 0.0)
+
+
 def truths(site: ScanSite, vehicles: tuple[ScanVehicle, ...]) -> tuple[ScanTruth, ...]:
     """The truth of every vehicle that does not halt, in order of arrival."""
     out: list[ScanTruth] = []
@@ -151,7 +173,7 @@ def truths(site: ScanSite, vehicles: tuple[ScanVehicle, ...]) -> tuple[ScanTruth
 
 
 def _truth(site: ScanSite, car: ScanVehicle, before: ScanVehicle | None) -> ScanTruth:
-    rate, length, baseline = site.line_rate_hz, car.length_m, site.baseline_m
+    rate, length, baseline = site.line_rate_hz, car.length_m, baseline_at(site, car)
     camera_1, camera_2 = (baseline, 0.0) if car.against else (0.0, baseline)
     hubs = [camera_1 + length - axle for axle in reversed(car.shape.axles)]
     gap_s = gap_m = None

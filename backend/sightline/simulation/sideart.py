@@ -16,8 +16,6 @@ from sightline.simulation.paint import (
 )
 from sightline.simulation.shape import Shape
 
-RUBBER = {False: (34.0, 33.0, 33.0), True: (17.0, 14.0, 13.0)}
-
 
 def _rect(l0: float, z0: float, l1: float, z1: float) -> np.ndarray:
     return np.array([[l0, z0], [l1, z0], [l1, z1], [l0, z1]])

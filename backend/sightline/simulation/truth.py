@@ -159,8 +159,8 @@ def _best(camera: DemoCamera, frames: list[FramePixels], wanted: tuple[str, ...]
         x = [p[0] for p in one.pixels.values()]
         return sum(one.shows(name) for name in wanted), -abs(sum(x) / len(x) - camera.width_px / 2)
 
-    best = max((f for f in frames if f.contact), key=score)
-    return best.frame if score(best)[0] else None
+    best = max((f for f in frames if f.contact), key=score, default=None)
+    return best.frame if best is not None and score(best)[0] else None
 
 
 def pass_truth(scene: Scene, vehicle: Vehicle) -> PassTruth:
@@ -174,7 +174,7 @@ def pass_truth(scene: Scene, vehicle: Vehicle) -> PassTruth:
         spots=spots_of(vehicle),
         first_whole_frame=whole[0] if whole else None,
         last_whole_frame=whole[-1] if whole else None,
-        best_frame=_best(camera, frames, (*TARGETS, "contact_rear")) or frames[0].frame,
+        best_frame=_best(camera, frames, (*TARGETS, "contact_rear")) or vehicle.first_frame,
         best_frames={name: n for name in TARGETS if (n := _best(camera, frames, (name,))) is not None},
         distance_m=vehicle.side_plane_m - camera.centre_m[1],
         frames=tuple(frames),

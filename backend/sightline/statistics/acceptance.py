@@ -14,8 +14,8 @@ from dataclasses import dataclass
 from functools import lru_cache
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
-from scipy.stats import hypergeom
 
 from sightline.errors import BadInput
 
@@ -106,7 +106,7 @@ def accepted_with(size: int, nonconforming: int, sample_size: int, acceptance_nu
     """Probability that a lot of `size` with so many nonconforming heights is accepted, P(X <= c): X is
     hypergeometric (Johnson, Kemp and Kotz 2005, 6.2), as in type A curves of a single lot.
     """
-    return float(hypergeom.cdf(acceptance_number, size, nonconforming, sample_size))
+    return float(scipy.stats.hypergeom.cdf(acceptance_number, size, nonconforming, sample_size))
 
 
 @lru_cache(maxsize=1024)
@@ -145,7 +145,7 @@ def operating_curve(plan: SamplingPlan, up_to: float = 1.0) -> OperatingCurve:
     """
     most = max(1, math.ceil(min(1.0, up_to) * plan.size))
     numbers = np.unique(np.linspace(0, most, min(most + 1, _POINTS)).round().astype(np.int64))
-    accepted = hypergeom.cdf(plan.acceptance_number, plan.size, numbers, plan.sample_size)
+    accepted = scipy.stats.hypergeom.cdf(plan.acceptance_number, plan.size, numbers, plan.sample_size)
     return OperatingCurve(numbers / plan.size, np.asarray(accepted, dtype=np.float64))
 
 
@@ -162,7 +162,7 @@ def outgoing(size: int, sample_size: int, nonconforming: int, confidence: float 
     rest = size - sample_size
     estimate = rest * nonconforming / sample_size
     numbers = np.arange(nonconforming, nonconforming + rest + 1)
-    likely = hypergeom.cdf(nonconforming, size, numbers, sample_size) > 1.0 - confidence
+    likely = scipy.stats.hypergeom.cdf(nonconforming, size, numbers, sample_size) > 1.0 - confidence
     return Outgoing(rest, estimate, int(numbers[likely].max()) - nonconforming)
 
 

@@ -8,8 +8,8 @@ states beside it.
 from dataclasses import dataclass
 
 import numpy as np
+import scipy
 from numpy.typing import ArrayLike, NDArray
-from scipy import stats
 
 from sightline.coverage import COVERAGE_95
 from sightline.statistics.errors import Interval
@@ -83,9 +83,9 @@ def trend(at: ArrayLike, value: ArrayLike, points: int = 64) -> Trend | str:
     if n < LEAST:
         return f"A trend needs at least {LEAST} vehicles; {there_are(n)}."
     if np.ptp(x) <= 0:
-        return "All heights are the same, so there is no trend to see."
-    line = stats.linregress(x, y)
-    t = float(stats.t.ppf(0.5 + 0.5 * CONFIDENCE, n - 2))
+        return "All heights are the same, so there is no trend."
+    line = scipy.stats.linregress(x, y)
+    t = float(scipy.stats.t.ppf(0.5 + 0.5 * CONFIDENCE, n - 2))
     grid = np.linspace(x.min(), x.max(), points)
     fitted = line.intercept + line.slope * grid
     power = float(np.sum((x - x.mean()) ** 2))
@@ -125,7 +125,7 @@ def bland_altman(error_m: ArrayLike) -> BlandAltman | str:
     if n < LEAST:
         return f"Limits of agreement need at least {LEAST} vehicles; {there_are(n)}."
     z = COVERAGE_95
-    t = float(stats.t.ppf(0.5 + 0.5 * CONFIDENCE, n - 1))
+    t = float(scipy.stats.t.ppf(0.5 + 0.5 * CONFIDENCE, n - 1))
     bias, sd = float(error.mean()), float(error.std(ddof=1))
     mean_half = t * sd / np.sqrt(n)
     limit_half = t * sd * np.sqrt(1.0 / n + 0.5 * z * z / (n - 1))
@@ -162,7 +162,7 @@ def reference_part(
         return f"Shares of the variance need at least {LEAST} vehicles; {there_are(n)}."
     variance = float(error.var(ddof=1))
     if variance <= 0:
-        return "All errors are the same; there is no variance to share out."
+        return "All errors are the same; there is no variance to divide."
     truth = float(np.mean(np.square(np.broadcast_to(u_reference_m, (n,)))))
     rounding = 2.0 * float(ROUNDING_M) ** 2 if rounded else 0.0
     left = variance - truth - rounding
@@ -182,10 +182,10 @@ def reference_part(
 def _words(share: float, camera_sd_m: float | None) -> str:
     if camera_sd_m is None:
         return (
-            "The reference heights' own uncertainty explains all of the errors' variance: these errors say "
-            "nothing about the measurement."
+            "The reference heights' own uncertainty explains all of the errors' variance: nothing "
+            "remains for the measurement."
         )
     return (
         f"The reference heights' own uncertainty explains {100 * share:.0f} % of the errors' variance; "
-        f"{1000 * camera_sd_m:.0f} mm are left for the measurement."
+        f"{1000 * camera_sd_m:.0f} mm remain for the measurement."
     )

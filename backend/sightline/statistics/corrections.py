@@ -10,8 +10,8 @@ from dataclasses import dataclass
 from typing import get_args
 
 import numpy as np
+import scipy
 from numpy.typing import ArrayLike, NDArray
-from scipy import stats
 
 from sightline.enums import Correction
 from sightline.statistics.agreement import LEAST
@@ -57,11 +57,11 @@ def corrected(
     "deconvolution" c - mean(e) + (h - c) sqrt(1 - camera_sd^2 / var(h)), c the mean of h.
     """
     if kind == "inset":
-        words = "Each height is corrected by its own measurement's inset; no other correction is made."
+        words = "Each height is corrected by the inset of its measurement; no other correction is made."
         return Corrected(np.asarray(inset_m, dtype=np.float64), words)
     heights = np.asarray(paper_m, dtype=np.float64)
     if kind == "none":
-        return Corrected(heights, "Heights as the paper measures them (inset 0), without a correction.")
+        return Corrected(heights, "Heights as in Dupuis et al. (inset 0), without a correction.")
     if len(known.error_m) < LEAST:
         return (
             f"This correction needs at least {LEAST} vehicles with a reference height; "
@@ -77,8 +77,8 @@ def corrected(
 def _shifted(heights: Floats, known: Known) -> Corrected:
     mean = float(known.error_m.mean())
     words = (
-        f"The mean signed error of {len(known.error_m)} vehicles of known height, {1000 * mean:+.1f} mm, was "
-        "taken off every height (the paper's correction)."
+        f"The mean signed error of {len(known.error_m)} vehicles of known height, "
+        f"{1000 * mean:+.1f} mm, was subtracted from every height (as in Dupuis et al.)."
     )
     return Corrected(heights - mean, words)
 
@@ -86,18 +86,19 @@ def _shifted(heights: Floats, known: Known) -> Corrected:
 def _regressed(heights: Floats, known: Known) -> Corrected | str:
     if np.ptp(known.measured_m) <= 0:
         return "The vehicles of known height are all of one height, so their error has no trend with it."
-    line = stats.linregress(known.measured_m, known.error_m)
+    line = scipy.stats.linregress(known.measured_m, known.error_m)
     low, high = float(known.measured_m.min()), float(known.measured_m.max())
     outside = float(np.mean((heights < low) | (heights > high))) if len(heights) else 0.0
     words = (
         f"The error's regression on the measured height of {len(known.error_m)} vehicles, "
-        f"{1000 * line.intercept:+.1f} mm {1000 * line.slope:+.1f} mm per m, was taken off every height."
+        f"{1000 * line.intercept:+.1f} mm {1000 * line.slope:+.1f} mm per m, was subtracted from "
+        "every height."
     )
     warning = None
     if outside > _MANY_OUTSIDE:
         warning = (
-            f"{100 * outside:.0f} % of the heights lie outside the {low:.2f} to {high:.2f} m that the "
-            "regression rests on: there it extrapolates and may do harm."
+            f"{100 * outside:.0f} % of the heights lie outside the {low:.2f} to {high:.2f} m of the "
+            "regression; the correction extrapolates there and is not reliable."
         )
     return Corrected(heights - (line.intercept + line.slope * heights), words, warning)
 
@@ -105,20 +106,20 @@ def _regressed(heights: Floats, known: Known) -> Corrected | str:
 def _deconvolved(heights: Floats, known: Known, camera_sd_m: float | None) -> Corrected | str:
     if camera_sd_m is None:
         return (
-            "The errors' variance is explained by the reference heights alone, so the measurement's own is "
-            "not known and cannot be taken out."
+            "The reference heights alone explain the errors' variance, so the variance of the "
+            "measurement is unknown and cannot be removed."
         )
     if len(heights) < 2:
         return "A variance needs at least 2 heights."
     variance = float(heights.var(ddof=1))
     keep = 1.0 - camera_sd_m**2 / variance if variance > 0 else 0.0
     if keep <= 0:
-        return "The measurement's own variance is larger than that of the heights; nothing would be left."
+        return "The variance of the measurement is larger than that of the heights, so it cannot be removed."
     centre = float(heights.mean())
     mean = float(known.error_m.mean())
     words = (
         f"After the shift by {1000 * mean:+.1f} mm, the measurement's own standard deviation of "
-        f"{1000 * camera_sd_m:.1f} mm was taken out: every height moved towards the mean by "
+        f"{1000 * camera_sd_m:.1f} mm was removed: every height moved towards the mean by "
         f"{100 * (1 - np.sqrt(keep)):.1f} %."
     )
     return Corrected(centre - mean + (heights - centre) * np.sqrt(keep), words)

@@ -11,11 +11,11 @@ skewed ones keep their shape. Its weight is found with the fit (Fellner and Scha
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
-from scipy.interpolate import BSpline, CubicSpline
-from scipy.linalg import cho_factor, cho_solve, toeplitz
 
 Floats = NDArray[np.float64]
 
@@ -65,6 +65,14 @@ class SmoothDensity:
     true_slope: Floats
     measured_slope: Floats
 
+    @cached_property
+    def _true_below(self) -> tuple[Floats, Floats]:
+        return _cumulative(self.edge_m, self.true)
+
+    @cached_property
+    def _measured_below(self) -> tuple[Floats, Floats]:
+        return _cumulative(self.edge_m, self.measured)
+
     def cell_of(self, heights_m: Floats) -> NDArray[np.int64]:
         """The cell (N,) in which each of heights_m (N,) lies."""
         at = np.searchsorted(self.edge_m, heights_m, side="right") - 1
@@ -72,7 +80,7 @@ class SmoothDensity:
 
     def measured_quantile_m(self, p: Floats | float) -> Floats:
         """Quantiles of the measured heights, of the same shape as p (any shape), 0 to 1."""
-        return _quantile(self.edge_m, self.measured, p)
+        return _quantile(self._measured_below, p)
 
     def measured_density(self, height_m: float) -> float:
         """Density of the measured heights, per metre."""
@@ -84,7 +92,7 @@ class SmoothDensity:
 
     def correction_m(self, p: float) -> float:
         """What is to be added to a percentile of the measured heights to have that of the true ones."""
-        return float(_quantile(self.edge_m, self.true, p) - _quantile(self.edge_m, self.measured, p))
+        return float(_quantile(self._true_below, p) - _quantile(self._measured_below, p))
 
     def share_correction(self, limit_m: float) -> float:
         """What is to be added to the share of measured heights below a limit for that of the true ones."""
@@ -92,7 +100,7 @@ class SmoothDensity:
 
     def correction_influence_m(self, p: float) -> Floats:
         """Influence (M,) of one height in each cell on `correction_m`; its mean is about 0."""
-        true_at, measured_at = (float(_quantile(self.edge_m, of, p)) for of in (self.true, self.measured))
+        true_at, measured_at = (float(_quantile(of, p)) for of in (self._true_below, self._measured_below))
         of_true = _below(self.edge_m, true_at) @ self.true_slope / self.true_density(true_at)
         below = _below(self.edge_m, measured_at)
         of_measured = below @ self.measured_slope / self.measured_density(measured_at)
@@ -130,7 +138,7 @@ def smooth_density(heights_m: Floats, noise: Noise, weight: Floats | None = None
         edge_m=edge,
         true=true,
         measured=mu / mu.sum(),
-        influence=n * cho_solve(fit.factor(mu, design), design.T).T,
+        influence=n * scipy.linalg.cho_solve(fit.factor(mu, design), design.T).T,
         true_slope=slope,
         measured_slope=kernel @ slope,
     )
@@ -168,10 +176,10 @@ class _Fit:
         _, mu, design = self.model()
         factor = self.factor(mu, design)
         gradient = design.T @ (self._counts - mu) - self._weight * (self._rough @ self._beta)
-        step = cho_solve(factor, gradient)
+        step = scipy.linalg.cho_solve(factor, gradient)
         largest = float(np.abs(step).max())
         self._beta = self._beta + step * min(1.0, _LONGEST / max(largest, 1e-12))
-        return largest, float(np.trace(cho_solve(factor, design.T @ (design * mu[:, None]))))
+        return largest, float(np.trace(scipy.linalg.cho_solve(factor, design.T @ (design * mu[:, None]))))
 
     def model(self) -> tuple[Floats, Floats, Floats]:
         """Expected counts without the errors (M,), with them (M,), slope of their logarithm (M, K)."""
@@ -183,7 +191,7 @@ class _Fit:
         """Cholesky's factor of the penalised information (K, K)."""
         information = design.T @ (design * mu[:, None]) + self._weight * self._rough
         information[np.diag_indices_from(information)] += 1e-9
-        found: tuple[Floats, bool] = cho_factor(information)
+        found: tuple[Floats, bool] = scipy.linalg.cho_factor(information)
         return found
 
 
@@ -192,7 +200,9 @@ def _basis(edge: Floats, knots: int) -> Floats:
     centre = 0.5 * (edge[1:] + edge[:-1])
     step = (edge[-1] - edge[0]) / (knots - 3)
     at = edge[0] + step * np.arange(-3, knots + 1)
-    return np.asarray(BSpline.design_matrix(centre, at, 3, extrapolate=True).toarray(), dtype=np.float64)
+    return np.asarray(
+        scipy.interpolate.BSpline.design_matrix(centre, at, 3, extrapolate=True).toarray(), dtype=np.float64
+    )
 
 
 def _kernel(noise: Noise, cell_m: float, cells: int) -> Floats:
@@ -205,7 +215,7 @@ def _kernel(noise: Noise, cell_m: float, cells: int) -> Floats:
         else:
             part = np.exp(-0.5 * (reach / sd) ** 2)
             row += share * part / (2 * part.sum() - part[0])
-    return np.asarray(toeplitz(row), dtype=np.float64)
+    return np.asarray(scipy.linalg.toeplitz(row), dtype=np.float64)
 
 
 def _normal(edge: Floats, heights: Floats, noise_m2: float) -> Floats:
@@ -238,16 +248,23 @@ def _fine(edge: Floats, share: Floats) -> tuple[Floats, Floats]:
     """Edges and probabilities of cells `_FINER` times finer: a cubic spline of the logarithm."""
     centre = 0.5 * (edge[1:] + edge[:-1])
     finer = np.linspace(edge[0], edge[-1], _FINER * len(share) + 1)
-    log = CubicSpline(centre, np.log(np.maximum(share, 1e-300)))(0.5 * (finer[1:] + finer[:-1]))
+    log = scipy.interpolate.CubicSpline(centre, np.log(np.maximum(share, 1e-300)))(
+        0.5 * (finer[1:] + finer[:-1])
+    )
     return finer, np.exp(np.minimum(log, 0.0))
 
 
-def _quantile(edge: Floats, share: Floats, p: Floats | float) -> Floats:
+def _cumulative(edge: Floats, share: Floats) -> tuple[Floats, Floats]:
+    """Heights (K,) and the share below each, rising, K at most the fine edges."""
     edge, share = _fine(edge, share)
     cumulative = np.concatenate([[0.0], np.cumsum(share)])
     cumulative /= cumulative[-1]
     rising = np.concatenate([[True], np.diff(cumulative) > 0])
-    return np.asarray(np.interp(p, cumulative[rising], edge[rising]), dtype=np.float64)
+    return edge[rising], cumulative[rising]
+
+
+def _quantile(below: tuple[Floats, Floats], p: Floats | float) -> Floats:
+    return np.asarray(np.interp(p, below[1], below[0]), dtype=np.float64)
 
 
 def _density(edge: Floats, share: Floats, at: float) -> float:

@@ -9,9 +9,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
+import scipy
 from numpy.typing import ArrayLike, NDArray
-from scipy import stats
-from scipy.fft import irfft, next_fast_len, rfft
 
 from sightline.statistics.wording import there_are
 
@@ -103,9 +102,9 @@ def percentiles(
 def _ranks(n: int, p: Floats, tail: float) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
     """Places of the order statistics that enclose percentiles p, (P,) each; none outside 0 to n - 1."""
     # x[low] <= percentile fails if at most `low` values lie below it; likewise from above.
-    low = stats.binom.ppf(tail, n, p).astype(np.int64) - 1
-    low -= (low >= 0) & (stats.binom.cdf(low, n, p) > tail)
-    return low, stats.binom.ppf(1.0 - tail, n, p).astype(np.int64)
+    low = scipy.stats.binom.ppf(tail, n, p).astype(np.int64) - 1
+    low -= (low >= 0) & (scipy.stats.binom.cdf(low, n, p) > tail)
+    return low, scipy.stats.binom.ppf(1.0 - tail, n, p).astype(np.int64)
 
 
 def _percentile(
@@ -143,8 +142,8 @@ def share_below(ordered: Floats, limit: float, confidence: float = CONFIDENCE) -
 def share_interval(count: int, n: int, confidence: float = CONFIDENCE) -> tuple[float, float]:
     """The exact interval of a share `count` / `n` (Clopper and Pearson 1934); n must be positive."""
     tail = 0.5 * (1.0 - confidence)
-    low = float(stats.beta.ppf(tail, count, n - count + 1)) if count else 0.0
-    high = float(stats.beta.ppf(1.0 - tail, count + 1, n - count)) if count < n else 1.0
+    low = float(scipy.stats.beta.ppf(tail, count, n - count + 1)) if count else 0.0
+    high = float(scipy.stats.beta.ppf(1.0 - tail, count + 1, n - count)) if count < n else 1.0
     return low, high
 
 
@@ -218,6 +217,6 @@ def _kernel(points: int, step: float) -> Floats:
 def _smoothed(counts: NDArray[np.int64], kernel: Floats) -> Floats:
     """Counts (R, points) convolved with the kernel, cut to the grid."""
     points = counts.shape[1]
-    size = next_fast_len(points + len(kernel) - 1, real=True)
-    full = irfft(rfft(counts, size, axis=1) * rfft(kernel, size), size, axis=1)
+    size = scipy.fft.next_fast_len(points + len(kernel) - 1, real=True)
+    full = scipy.fft.irfft(scipy.fft.rfft(counts, size, axis=1) * scipy.fft.rfft(kernel, size), size, axis=1)
     return np.asarray(np.maximum(full[:, points - 1 : 2 * points - 1], 0.0), dtype=np.float64)

@@ -5,17 +5,19 @@ The paper's "overall" column is not the pool of its two groups (MAE pools to 0.0
 """
 
 import warnings
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 from typing import get_args
 
 import numpy as np
+import scipy
 from numpy.typing import ArrayLike, NDArray
-from scipy import stats
 
 from sightline.coverage import COVERAGE_95
-from sightline.enums import Lighting, Rounding
+from sightline.enums import IntervalPart, Lighting, Rounding
 from sightline.statistics.distributions import share_interval
-from sightline.statistics.wording import are_too_few
+from sightline.statistics.error_totals import ErrorTotals
+from sightline.statistics.total_uncertainty import HeightSample, TotalUncertainty
+from sightline.statistics.wording import are_too_few, holding
 
 Floats = NDArray[np.float64]
 
@@ -38,6 +40,7 @@ SHARES_WITHIN_M = {
     "share_within_40_mm": 0.040,
 }
 ALL_FIGURES = (*FIGURES, *SHARES_WITHIN_M)
+_SAMPLED_ALONE = ("pearson_error_vs_height", "pearson_abs_error_vs_height", "skewness")
 _ROUNDING_M = 1e-9  # 0.02 m written as a difference of two heights is not 0.02 in binary
 GROUPS = (*get_args(Lighting), "overall")
 _RESAMPLES = 4999
@@ -56,12 +59,18 @@ class Interval:
 
 @dataclass(frozen=True)
 class ErrorGroup:
-    """One column of the error table. A figure that n rows cannot give is None, and `reason` says why."""
+    """One column of the error table. A figure that n rows cannot give is None, and `reason` says why.
+
+    holds: by figure, what its interval holds; words: the same of all but correlations and skewness, and for
+    which roads, as the end of a sentence; both empty where there are no intervals.
+    """
 
     n: int
     figures: dict[str, float | None]
     ci95: dict[str, Interval | None]
     reason: str | None = None
+    holds: dict[str, tuple[IntervalPart, ...]] = field(default_factory=dict)
+    words: str = ""
 
 
 def round_to_cm(height_m: ArrayLike) -> Floats:
@@ -183,8 +192,8 @@ def _bootstrap(error: Floats, height: Floats) -> Floats:
     batch = max(1, min(_RESAMPLES, _BATCH_NUMBERS // len(error)))
     with np.errstate(all="ignore"), warnings.catch_warnings():
         # Equal errors have no interval; the caller sees that in its NaN.
-        warnings.simplefilter("ignore", stats.DegenerateDataWarning)
-        found = stats.bootstrap(
+        warnings.simplefilter("ignore", scipy.stats.DegenerateDataWarning)
+        found = scipy.stats.bootstrap(
             (error, height),
             _figures,
             paired=True,
@@ -197,13 +206,18 @@ def _bootstrap(error: Floats, height: Floats) -> Floats:
     return np.stack([found.low, found.high], axis=1)
 
 
-def error_group(error_m: ArrayLike, reference_m: ArrayLike) -> ErrorGroup:
+def error_group(
+    error_m: ArrayLike, reference_m: ArrayLike, measured: HeightSample | None = None
+) -> ErrorGroup:
     """One column of the table from `error_m`, `reference_m` (N,), metres, with its 95 % intervals.
 
     The figures of Dupuis et al. 2019, Table 1 (its MSE is in m^2, printed as m), and of section 3.4
     (correlations), with skewness and shares that it leaves out, each from the raw errors; SD is that of the
-    signed error, with n - 1. Intervals: exact for shares; for the others BCa
-    bootstrap (Efron 1987), for many rows the infinitesimal jackknife's (Efron 1982, ch. 6).
+    signed error, with n - 1. measured: the heights (N,) with what they share and their sites.
+
+    Intervals: where heights share errors or have several sites those of `ErrorTotals`, the bias's that of
+    `TotalUncertainty`. Otherwise, and for correlations and skewness always, of sampling: exact for shares;
+    BCa bootstrap (Efron 1987), for many rows the infinitesimal jackknife's (Efron 1982, ch. 6).
     """
     error = np.asarray(error_m, dtype=np.float64)
     height = np.asarray(reference_m, dtype=np.float64)
@@ -211,7 +225,7 @@ def error_group(error_m: ArrayLike, reference_m: ArrayLike) -> ErrorGroup:
     if n == 0:
         none: dict[str, float | None] = dict.fromkeys(ALL_FIGURES)
         return ErrorGroup(
-            0, none, dict.fromkeys(ALL_FIGURES), "no vehicle in this group has a reference height"
+            0, none, dict.fromkeys(ALL_FIGURES), "no counted height of this group has a reference height"
         )
     values = _figures(error, height)
     figures = {name: float(v) if np.isfinite(v) else None for name, v in zip(FIGURES, values, strict=True)}
@@ -224,18 +238,72 @@ def error_group(error_m: ArrayLike, reference_m: ArrayLike) -> ErrorGroup:
         name: Interval(float(low), float(high)) if np.isfinite([low, high]).all() else None
         for name, (low, high) in zip(FIGURES, _intervals(error, height), strict=True)
     }
-    return ErrorGroup(n, figures, ci95 | shares_ci95)
+    ci95 |= shares_ci95
+    total, parts, words = _totals(error, measured)
+    for name, interval in total.items():
+        ci95[name] = interval if ci95[name] is not None else None
+    sampled: tuple[IntervalPart, ...] = ("sampling", "random_error", "known_heights")
+    holds = {name: sampled if name in _SAMPLED_ALONE else parts for name in ALL_FIGURES}
+    return ErrorGroup(n, figures, ci95, holds=holds, words=words)
+
+
+def _totals(
+    error: Floats, measured: HeightSample | None
+) -> tuple[dict[str, Interval], tuple[IntervalPart, ...], str]:
+    """Total intervals of what has them, what they hold, and that in words."""
+    found: dict[str, Interval] = {}
+    sites = None
+    shared = measured is not None and bool(measured.shared)
+    if measured is not None:
+        of_errors = TotalUncertainty(replace(measured, height_m=error))
+        sites = of_errors.sites
+        if shared or sites is not None:
+            bias = of_errors.mean()
+            if bias.U95_low is not None and bias.U95_high is not None:
+                found["bias_m"] = Interval(bias.U95_low, bias.U95_high)
+            found |= _spread_totals(ErrorTotals(error, measured.shared, measured.site))
+    there: dict[IntervalPart, tuple[bool, str]] = {
+        "sampling": (True, "sampling"),
+        "sites": (sites is not None, f"differences between {sites} sites"),
+        "shared_errors": (shared, "errors that heights share"),
+        "random_error": (True, "random errors of heights"),
+        "known_heights": (True, "errors of the known heights (both left in the values)"),
+    }
+    parts = tuple(part for part, (held, _) in there.items() if held)
+    return found, parts, holding([words for held, words in there.values() if held], sites)
+
+
+def _spread_totals(totals: ErrorTotals) -> dict[str, Interval]:
+    mse, mae, sd = totals.mse(), totals.mae(), totals.sd()
+    found = {
+        "mae_m": Interval(*mae),
+        "rmse_m": Interval(float(np.sqrt(max(mse.low, 0.0))), float(np.sqrt(mse.high))),
+        "mse_m2": Interval(*mse),
+        "sd_m": Interval(*sd),
+    }
+    for name, limit_m in SHARES_WITHIN_M.items():
+        found[name] = Interval(*totals.share_within(limit_m + _ROUNDING_M))
+    return found
 
 
 def error_table(
-    measured_m: ArrayLike, reference_m: ArrayLike, lighting: list[str], rounding: Rounding = "cm"
+    measured_m: ArrayLike,
+    reference_m: ArrayLike,
+    lighting: list[str],
+    rounding: Rounding = "cm",
+    measured: HeightSample | None = None,
 ) -> dict[str, ErrorGroup]:
     """The whole table: daytime, low light, overall, from `measured_m`, `reference_m` (N,), metres; `lighting`
-    has N words, and rows without one count in overall only.
+    has N words, and rows without one count in overall only. measured: as of `error_group`.
 
     Dupuis et al. 2019, Table 1; its "overall" is not the pool of its two groups, here it is.
     """
     error, reference = signed_errors(measured_m, reference_m, rounding)
     where = np.array(lighting, dtype=object)
     chosen = {name: where == name for name in GROUPS[:2]} | {"overall": np.ones(len(error), dtype=bool)}
-    return {name: error_group(error[rows], reference[rows]) for name, rows in chosen.items()}
+    return {
+        name: error_group(
+            error[rows], reference[rows], None if measured is None else measured.where(np.flatnonzero(rows))
+        )
+        for name, rows in chosen.items()
+    }

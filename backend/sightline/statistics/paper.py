@@ -24,7 +24,7 @@ _DAY = (
     "3 % where errors reach 7 cm."
 )
 _LOW = (
-    "A perfect clicker of ±1 px against reference heights of ±3 cm scores MAE 0.016 m, RMSE 0.019 m: this "
+    "A perfect clicker (within 1 px, reference heights within 3 cm) scores MAE 0.016 m, RMSE 0.019 m: this "
     "column bounds the reference, not the method. The printed SD of 0.059 ft should be 0.062 ft. “Less than "
     "10 % below 2 cm” is impossible here: MAE and MSE allow no less than 26.5 %."
 )

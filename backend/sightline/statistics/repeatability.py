@@ -20,9 +20,8 @@ from dataclasses import dataclass
 from functools import lru_cache
 
 import numpy as np
+import scipy
 from numpy.typing import ArrayLike, NDArray
-from scipy import stats
-from scipy.stats import qmc
 
 Floats = NDArray[np.float64]
 Codes = NDArray[np.intp]
@@ -81,7 +80,7 @@ def spread_of(sum_of_squares: float, freedom: int, few: str) -> Spread:
     """The standard deviation of a sum of squares with its exact interval; `few`: the reason if too few."""
     if freedom < LEAST_FREEDOM:
         return no_spread(few, freedom)
-    low, high = stats.chi2.ppf([(1 + _LEVEL) / 2, (1 - _LEVEL) / 2], freedom)
+    low, high = scipy.stats.chi2.ppf([(1 + _LEVEL) / 2, (1 - _LEVEL) / 2], freedom)
     sd, low, high = (float(np.sqrt(sum_of_squares / by)) for by in (freedom, low, high))
     return Spread(sd, low, high, freedom)
 
@@ -114,7 +113,7 @@ def gauge(values: ArrayLike, items: Codes, persons: Codes) -> Gauge:
     y, item, person = y[often], items[often], persons[often]
     counts = (len(y), len(np.unique(item)), len(np.unique(person)))
     if not counts[0]:
-        nothing = no_spread("Nothing was clicked again yet.")
+        nothing = no_spread("No repeat measurements yet.")
         return Gauge(*counts, nothing, nothing)
     scale, squares = _persons_part(y, item, person)
     within = _centred(y[:, None], item)[:, 0]
@@ -122,17 +121,17 @@ def gauge(values: ArrayLike, items: Codes, persons: Codes) -> Gauge:
     freedom = counts[0] - counts[1] - len(scale)
     few = f"Too few repeats: {max(freedom, 0)} degrees of freedom, at least {LEAST_FREEDOM} are needed."
     repeatability = spread_of(residual, freedom, few)
+    if not len(scale):  # said before "too few": more repeats of one person would not help
+        alone = no_spread("No target was repeated by a second operator; ask another operator to repeat some.")
+        return Gauge(*counts, repeatability, alone)
     if repeatability.sd is None:
         return Gauge(*counts, repeatability, no_spread(few, len(scale)))
-    if not len(scale):
-        alone = no_spread("No two persons clicked the same; ask somebody else to click some again.")
-        return Gauge(*counts, repeatability, alone)
     variance = float((squares.sum() - len(scale) * repeatability.sd**2) / scale.sum())
     low, high = _pivot_interval(scale, squares, residual, freedom)
     between = Spread(float(np.sqrt(max(variance, 0.0))), low, high, len(scale))
     if high <= 0:  # an interval from 0 to 0 would claim what nobody knows
         between = no_spread(
-            "People differ less than their clicks scatter; more repeats would tell.", len(scale)
+            "No difference between operators can be detected; add repeats to narrow the estimate.", len(scale)
         )
     return Gauge(
         *counts, repeatability, between, variance, _interaction_p(y, item, person, residual, freedom)
@@ -177,8 +176,8 @@ def _pivot_interval(scale: Floats, squares: Floats, residual: float, freedom: in
 @lru_cache(maxsize=32)
 def _pivots(freedom: int, more: int) -> tuple[Floats, Floats]:
     """Chi-square values of the two freedoms that stand for all their possible pairs."""
-    draws = qmc.Sobol(2, rng=np.random.default_rng(_SEED)).random_base2(_LOG2_DRAWS)
-    return stats.chi2.ppf(draws[:, 0], freedom), stats.chi2.ppf(draws[:, 1], more)
+    draws = scipy.stats.qmc.Sobol(2, rng=np.random.default_rng(_SEED)).random_base2(_LOG2_DRAWS)
+    return scipy.stats.chi2.ppf(draws[:, 0], freedom), scipy.stats.chi2.ppf(draws[:, 1], more)
 
 
 def _interaction_p(y: Floats, item: Codes, person: Codes, residual: float, freedom: int) -> float | None:
@@ -187,7 +186,7 @@ def _interaction_p(y: Floats, item: Codes, person: Codes, residual: float, freed
     if of_own < LEAST_FREEDOM or freedom - of_own < 1 or own <= 0:
         return None
     ratio = max(residual - own, 0.0) / (freedom - of_own) / (own / of_own)
-    return float(stats.f.sf(ratio, freedom - of_own, of_own))
+    return float(scipy.stats.f.sf(ratio, freedom - of_own, of_own))
 
 
 def _pairs_of(item: Codes, person: Codes) -> Codes:

@@ -50,7 +50,7 @@ def rule_today(standard: Standard, sample: HeightSample, by_class: bool) -> Rule
     if standard.percent is None:
         return None
     if not len(sample.height_m):
-        return unknown_rule(standard, 0, by_class, None, "no height of its class counts")
+        return unknown_rule(standard, 0, by_class, None, "no accepted heights of its class")
     found = TotalUncertainty(sample)
     draws = found.percentile_draws(standard.percent)
     return rule_of_draws(standard, found.n, by_class, found.percentile(standard.percent), draws)

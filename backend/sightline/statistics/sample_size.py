@@ -3,8 +3,8 @@
 from dataclasses import dataclass
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
-from scipy import stats
 
 from sightline.coverage import COVERAGE_95
 from sightline.errors import BadInput
@@ -36,11 +36,12 @@ def vehicles_needed(percent: float, width_m: float, sd_m: float) -> SampleSize:
         raise BadInput("statistics-width-spread-must-lengths-above-0")
     p = percent / 100.0
     z = COVERAGE_95
-    at_percentile = float(stats.norm.pdf(stats.norm.ppf(p))) / sd_m
+    at_percentile = float(scipy.stats.norm.pdf(scipy.stats.norm.ppf(p))) / sd_m
     large = int(np.ceil((2.0 * z / (width_m * at_percentile)) ** 2 * p * (1.0 - p)))
     least = vehicles_for_interval(percent)
     words = (
-        f"{max(large, least)} vehicles give percentile {percent:g} an interval about {1000 * width_m:.0f} mm "
-        f"wide, if heights spread by {1000 * sd_m:.0f} mm (standard deviation) like a normal distribution."
+        f"{max(large, least)} vehicles give percentile {percent:g} a 95 % interval about "
+        f"{1000 * width_m:.0f} mm wide, for normally distributed heights with a standard deviation "
+        f"of {1000 * sd_m:.0f} mm."
     )
     return SampleSize(percent, width_m, max(large, least), words)

@@ -1,5 +1,6 @@
 """Errors that many heights share (a road pose's, a mean inset's), and what they do to means and spreads."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -9,20 +10,35 @@ Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
 
+def correlation_of(
+    one: Mapping[int, float], other: Mapping[int, float], u_one_m: float, u_other_m: float
+) -> float:
+    """Correlation of two figures' errors, of which `one` and `other` are what one standard uncertainty of
+    each error by name moves them by, and u_one_m, u_other_m their whole standard uncertainties.
+
+    JCGM 100:2008, F.1.2.3: the covariance is the sum of the products over what both share.
+    """
+    covariance = sum(by * other[name] for name, by in one.items() if name in other)
+    u2 = u_one_m * u_other_m
+    return float(np.clip(covariance / u2, -1.0, 1.0)) if u2 > 0.0 else 0.0
+
+
 @dataclass(frozen=True, eq=False)
 class SharedErrors:
     """One error for each group of heights, independent between groups and of mean 0.
 
     group: (N,) codes from 0 without many gaps, -1 for none; u_m: (N,), the error's standard uncertainty as it
-    acts on each height. Its sign is taken to be the same on all heights of a group.
+    acts on each height. Its sign is taken to be the same on all heights of a group. names: (G,), by which
+    the same error is known in another sample (a road pose's number); None: it acts in this one alone.
     """
 
     group: Ints
     u_m: Floats
+    names: Ints | None = None
 
-    def where(self, chosen: Ints | NDArray[np.bool_]) -> "SharedErrors":
-        """The rows that are `chosen` (M,), by number, or (N,), by truth."""
-        return SharedErrors(self.group[chosen], self.u_m[chosen])
+    def where(self, chosen: Ints | NDArray[np.bool_] | slice) -> "SharedErrors":
+        """The rows that are `chosen` (M,), by number, a slice, or (N,), by truth."""
+        return SharedErrors(self.group[chosen], self.u_m[chosen], self.names)
 
     def variance_of_mean_m2(self) -> float:
         """Variance of the mean of heights of which these (N,) are a sample; 0 of fewer than 2.
@@ -64,6 +80,15 @@ class SharedErrors:
         known = self.group >= 0
         moved = np.bincount(self.group[known], self.u_m[known] * weight[known])
         return np.asarray(moved / weight.sum(), dtype=np.float64)
+
+    def named_of_mean_m(self, weight: Floats) -> dict[int, float]:
+        """What one standard uncertainty of each named error moves the mean of heights of weight (N,) by."""
+        if self.names is None:
+            return {}
+        known = self.group >= 0
+        moved = np.bincount(self.group[known], self.u_m[known] * weight[known], len(self.names))
+        there = np.flatnonzero(moved)
+        return dict(zip(self.names[there].tolist(), (moved[there] / weight.sum()).tolist(), strict=True))
 
     def _by_group(self) -> tuple[Floats, Floats]:
         """Sums of u and of its squares by group, (G,) each."""

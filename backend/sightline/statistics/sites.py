@@ -150,6 +150,16 @@ def _excess(count: Floats, of_site: Floats, inner: float) -> float:
     return max((observed - (len(count) - 1) * inner) / (n - float(count @ count) / n), 0.0)
 
 
+def excess_variance(sites: Sites, values: Floats, moved: Sequence[Floats]) -> float:
+    """Variance between sites of values (N,) beyond sampling and beyond what shared errors move the sites by,
+    `moved` (J, G) each, not below 0; as `pooled_variance` has it.
+    """
+    of_site = sites.means(values)
+    of_site = of_site - sites.share @ of_site
+    found = _excess(sites.effective_count, of_site, _within(sites, values))
+    return max(found - sum(_variance_between(one) for one in moved), 0.0)
+
+
 def _moments(weight: Floats, emphasis: Floats, working: Floats) -> tuple[float, float]:
     """Mean of the sum of `emphasis` times the squared deviations of sites whose variances are `working`, (J,)
     each, and the degrees of freedom of a chi-squared variable of the same two moments.

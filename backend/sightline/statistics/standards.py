@@ -34,7 +34,7 @@ GREEN_BOOK = "A Policy on Geometric Design of Highways and Streets"
 FITZPATRICK = "Fitzpatrick, Lienau and Fambro, Transportation Research Record 1612, 1998"
 DUPUIS = "Dupuis et al., Sensors 2019"
 ROGERS = "Rogers, Highway Engineering, 2003"
-UNSEEN = "nobody whose text was seen: check before use"
+UNSEEN = "no text consulted; check before use"
 _CARS = "passenger cars"
 _LAMPS = "taillights of passenger cars"
 
@@ -232,14 +232,14 @@ STANDARDS = (
         name="Germany",
         what="eye_car",
         height_m=1.00,
-        source="RAL; RAS-L before it",
+        source="RAL (formerly RAS-L)",
         cited_by=UNSEEN,
     ),
     Standard(
         name="Germany",
         what="eye_truck",
         height_m=2.50,
-        source="RAL; RAS-L before it",
+        source="RAL (formerly RAS-L)",
         vehicle_class="trucks",
         cited_by=UNSEEN,
     ),

@@ -10,8 +10,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
-from scipy import special, stats
 
 from sightline.coverage import COVERAGE_95
 from sightline.statistics.deconvolution import SmoothDensity, noise_of, smooth_density
@@ -20,16 +20,22 @@ from sightline.statistics.sites import Sites, pooled_variance
 from sightline.statistics.study_plan import Components
 from sightline.statistics.survey_design import Design
 from sightline.statistics.survey_weights import residuals
-from sightline.statistics.total_uncertainty import HeightSample, TotalFigure, TotalPercentile
+from sightline.statistics.total_uncertainty import (
+    HeightSample,
+    TotalFigure,
+    TotalPercentile,
+    normal_draws,
+    student_draws,
+)
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
 _LEVELS = (np.arange(4000) + 0.5) / 4000
-_NORMAL = special.ndtri(((np.arange(4000) + 0.5) * 0.6180339887498949) % 1.0)  # as in total_uncertainty
 _TAIL = 0.025
 _SHAPE = 0.1  # of a correction for random error: what a density of another shape may change it by (k = 1)
 _SMOOTHED = 0.5  # spreads: heights by which sites are compared at a percentile
+_WINDOW = 0.10  # of all heights, on either side of a percentile: those that say which poses it rests on
 _NODES = 20_000
 _MANY = 1e6  # degrees of freedom of a variance that is as good as known
 
@@ -105,7 +111,7 @@ class Drawn:
             sites = _sites(design.site[rows], design.weight[rows])
             part = float(design.weight[rows].sum()) / whole
             j = len(sites.count)
-            told = [SharedErrors(one.group[rows], one.u_m[rows]) for one in shared]
+            told = [one.where(rows) for one in shared]
             moved = [one.by_site_m(sites.code, j, sites.weight) for one in told]
             seen = min(j / float(design.sites_there[h]), 1.0)
             own_weight = design.weight[rows]
@@ -155,7 +161,7 @@ class Drawn:
     def figure(self, value: float, influence: Floats, *, height: bool = False) -> StudyFigure:
         """A figure with this value and influence (N,), with Student's interval (Cochran 1977, 2.8)."""
         found = self.sampled(influence, height=height)
-        low, high = _ends(_student(found) + np.sqrt(found.unseen) * _NORMAL)
+        low, high = _ends(_student(found) + np.sqrt(found.unseen) * normal_draws())
         return StudyFigure(value, value + low, value + high)
 
 
@@ -184,6 +190,7 @@ class StudyFigures:
         order = np.argsort(sample.height_m, kind="stable")
         self._height_m = sample.height_m[order]
         shared = tuple(one.where(order) for one in sample.shared)
+        self._shared = shared
         design = ordered(design, order)
         self._drawn = Drawn(design, shared)
         self._site = design.site
@@ -211,7 +218,7 @@ class StudyFigures:
         """The mean height of the fleet, metres."""
         value = float(self._share @ self._height_m)
         found = self._drawn.sampled(self._height_m - value)
-        draws = _student(found) + np.sqrt(found.unseen) * _NORMAL
+        draws = _student(found) + np.sqrt(found.unseen) * normal_draws()
         plain = float(self._share @ np.square(self._height_m - value)) / self.n
         low, high = _ends(draws)
         return StudyFigure(value, value + low, value + high, effect=_effect(found, plain))
@@ -251,6 +258,18 @@ class StudyFigures:
         found = self._percentile(percent)
         return found if isinstance(found, str) else (found.value_m, found.error_m)
 
+    def named_effects_m(self, percent: float) -> dict[int, float]:
+        """What one standard uncertainty of each error that other samples know (a road pose's) moves a
+        percentile by, metres, by the error's name: of the heights whose ranks lie about it.
+
+        Own method: as `TotalUncertainty.named_effects_m`, weighted.
+        """
+        near = np.flatnonzero(np.abs(self._middle - percent / 100.0) <= _WINDOW)
+        found: dict[int, float] = {}
+        for one in self._shared:
+            found |= one.where(near).named_of_mean_m(self._share[near]) if len(near) else {}
+        return found
+
     def _percentile(self, percent: float) -> _DrawnPercentile | str:
         p = percent / 100.0
         if self._density is None or self.n * min(p, 1.0 - p) < 1.0:
@@ -263,15 +282,15 @@ class StudyFigures:
         smooth = self._smooth_influence(at, self._density) + of_correction
         found = self._drawn.sampled(own + of_correction, smooth)
         plain = p * (1.0 - p) / self.n / slope**2
-        longer = float(stats.t.ppf(1.0 - _TAIL, found.freedom)) / COVERAGE_95
+        longer = float(scipy.special.stdtrit(found.freedom, 1.0 - _TAIL)) / COVERAGE_95
         n = p * (1.0 - p) / max(found.variance * (longer * slope) ** 2, 1e-300)
-        draws = self._quantile(special.betaincinv(n * p + 0.5, n * (1.0 - p) + 0.5, _LEVELS)) - at
+        draws = self._quantile(scipy.special.betaincinv(n * p + 0.5, n * (1.0 - p) + 0.5, _LEVELS)) - at
         correction = self._density.correction_m(p)
         u_m2 = found.unseen + (_SHAPE * correction) ** 2
         return _DrawnPercentile(
             value_m=at + correction,
             raw_m=at,
-            error_m=draws + np.sqrt(u_m2) * _NORMAL,
+            error_m=draws + np.sqrt(u_m2) * normal_draws(),
             effect=_effect(found, plain),
         )
 
@@ -305,7 +324,7 @@ class StudyFigures:
         """Influence (N,) of each height on the percentile of heights smoothed by half their spread."""
         width = _SMOOTHED * density.spread_m
         away = (at - self._nodes_m) / width
-        below = special.ndtr(away)
+        below = scipy.special.ndtr(away)
         slope = float(self._at_nodes @ np.exp(-0.5 * away**2)) / (width * np.sqrt(2.0 * np.pi))
         influence = (self._at_nodes @ below - below) / slope
         return np.asarray(influence[self._node], dtype=np.float64)
@@ -349,10 +368,10 @@ def share_of(drawn: Drawn, chosen: NDArray[np.bool_]) -> StudyFigure:
     if found.variance == 0.0 and 0.0 < value < 1.0:
         return StudyFigure(value, value, value)
     plain = value * (1.0 - value) / len(chosen)
-    longer = float(stats.t.ppf(1.0 - _TAIL, found.freedom)) / COVERAGE_95
+    longer = float(scipy.special.stdtrit(found.freedom, 1.0 - _TAIL)) / COVERAGE_95
     n = value * (1.0 - value) / max(found.variance * longer**2, 1e-300) if plain > 0.0 else len(chosen)
     n = min(n, 10.0 * len(chosen))
-    low, high = special.betaincinv(n * value + 0.5, n * (1.0 - value) + 0.5, [_TAIL, 1.0 - _TAIL])
+    low, high = scipy.special.betaincinv(n * value + 0.5, n * (1.0 - value) + 0.5, [_TAIL, 1.0 - _TAIL])
     effect = _effect(found, plain) if plain > 0.0 else None
     return StudyFigure(value, float(min(low, value)), float(max(high, value)), effect=effect)
 
@@ -362,7 +381,7 @@ def _effect(found: Sampled, plain: float) -> float | None:
 
 
 def _student(found: Sampled) -> Floats:
-    return np.asarray(stats.t.ppf(_LEVELS, found.freedom) * np.sqrt(found.variance), dtype=np.float64)
+    return np.asarray(student_draws(found.freedom) * np.sqrt(found.variance), dtype=np.float64)
 
 
 def _ends(draws: Floats) -> tuple[float, float]:

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from scipy import stats
+import scipy
 
 _MOST_VEHICLES = 100_000
 
@@ -33,8 +33,10 @@ def U95_of(components: Components, sites: int, vehicles: int) -> float:
     between = (1.0 - seen) * components.between_m**2 / sites
     if seen < 1.0 and sites < 2:
         return float("inf")
-    wider = float(stats.t.ppf(0.975, sites - 1)) if seen < 1.0 else float(stats.norm.ppf(0.975))
-    normal = float(stats.norm.ppf(0.975))
+    wider = (
+        float(scipy.special.stdtrit(sites - 1, 0.975)) if seen < 1.0 else float(scipy.special.ndtri(0.975))
+    )
+    normal = float(scipy.special.ndtri(0.975))
     return float(np.hypot(wider * np.sqrt(between + within), normal * components.common_m))
 
 

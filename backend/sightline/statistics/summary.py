@@ -1,7 +1,7 @@
 """What a statistics page, a report and a package show, computed in one place from columns of measurements."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import get_args
 
 import numpy as np
@@ -30,7 +30,7 @@ from sightline.statistics.distributions import (
     sorted_values,
 )
 from sightline.statistics.errors import WHOLE_CM, ErrorGroup, error_table, signed_errors
-from sightline.statistics.total_uncertainty import HeightSample, TotalFigures, total_figures
+from sightline.statistics.total_uncertainty import HeightSample, TotalFigures, TotalUncertainty, total_figures
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -43,13 +43,16 @@ _SEED = 20190403
 
 @dataclass(frozen=True, eq=False)
 class Roofs:
-    """Roofs of vehicles with a reference height, (N,) each, metres; `lighting` "" where unknown."""
+    """Roofs of vehicles with a reference height, (N,) each, metres; `lighting` "" where unknown; `parts`: the
+    same heights with the parts of their uncertainty and their sites.
+    """
 
     measured_m: Floats
     paper_m: Floats
     reference_m: Floats
     u_reference_m: Floats
     lighting: NDArray[np.str_]
+    parts: HeightSample | None = None
 
     def known(self) -> Known:
         """What the paper's corrections start from: heights with inset 0 and the errors they have."""
@@ -113,7 +116,7 @@ class Target:
     """A target's heights as the paper measures them and corrected, and the corrected ones by group.
 
     total: figures of the true heights with their total uncertainty, where each height is corrected by its
-    inset.
+    inset; by_pose_m: what one standard uncertainty of each road pose moves each percentile by, metres.
     """
 
     raw: Distribution
@@ -122,6 +125,7 @@ class Target:
     density: Density | str
     groups: dict[str, Groups]
     total: TotalFigures | None = None
+    by_pose_m: Mapping[float, Mapping[int, float]] = field(default_factory=dict)
 
 
 def errors_of(roofs: Roofs, correction: Correction, rounding: Rounding) -> Errors:
@@ -137,7 +141,7 @@ def errors_of(roofs: Roofs, correction: Correction, rounding: Rounding) -> Error
     step_m = WHOLE_CM if rounding == "cm" else 0.0
     return Errors(
         rounding=rounding,
-        groups=error_table(measured, roofs.reference_m, list(roofs.lighting), rounding),
+        groups=error_table(measured, roofs.reference_m, list(roofs.lighting), rounding, roofs.parts),
         reference_part=reference_part(error, reference, roofs.u_reference_m, rounded=rounding == "cm"),
         bland_altman=bland_altman(error),
         trend=trend(reference, error),
@@ -180,7 +184,11 @@ def target_of(
         return Target(raw, distribution(np.empty(0)), done, done, {})
     heights = done.height_m
     by = {name: groups_of(heights, one, limits_m) for name, one in groupings.items()}
-    total = None if correction != "inset" or sample is None else total_figures(sample, PERCENTILES, limits_m)
+    total, by_pose_m = None, {}
+    if correction == "inset" and sample is not None and len(sample.height_m):
+        total = total_figures(sample, PERCENTILES, limits_m)
+        uncertain = TotalUncertainty(sample)
+        by_pose_m = {percent: uncertain.named_effects_m(percent) for percent in PERCENTILES}
     return Target(
         raw=raw,
         corrected=distribution(heights, limits_m),
@@ -188,6 +196,7 @@ def target_of(
         density=density(sorted_values(heights)),
         groups=by,
         total=total,
+        by_pose_m=by_pose_m,
     )
 
 

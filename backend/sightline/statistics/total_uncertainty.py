@@ -8,17 +8,18 @@ One site, or no word of sites, gives intervals for that place and those days alo
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cache, cached_property, lru_cache
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
-from scipy import special, stats
 
 from sightline.coverage import COVERAGE_95
 from sightline.enums import IntervalPart
 from sightline.statistics.deconvolution import SmoothDensity, noise_of, smooth_density
 from sightline.statistics.shared_errors import SharedErrors
 from sightline.statistics.sites import Sites, pooled_variance, sites_of
-from sightline.statistics.wording import there_are
+from sightline.statistics.wording import holding, there_are
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -26,7 +27,6 @@ Ints = NDArray[np.int64]
 _TAIL = 0.025
 _LEVELS = (np.arange(4000) + 0.5) / 4000  # one draw in each of so many equally likely parts of a distribution
 # Spread evenly against the levels and each other: multiples of irrational numbers, modulo 1; always the same.
-_NORMAL = special.ndtri(((np.arange(4000) + 0.5) * 0.6180339887498949) % 1.0)
 _OTHER = np.argsort((np.arange(4000) + 0.5) * 0.4142135623730951 % 1.0, kind="stable")
 _SHAPE = 0.1  # of a correction for random error: what a density of another shape may change it by (k = 1)
 _SMOOTHED = 0.5  # spreads, on either side of a percentile: heights by which sites are compared there
@@ -35,6 +35,24 @@ _LEAST_IN_WINDOW = 25
 _MEAN_OF_INSET = 0.5  # of an assumed inset's variance: its mean's, the rest is the vehicles' own
 _LARGEST = 30.0  # of the logarithm of a variance's ratio, beyond which numbers end
 _LEAST_BEYOND = 1.0  # heights that must be expected beyond a percentile for it to have an interval
+
+
+@cache
+def normal_draws() -> Floats:
+    """(4000,) normal deviates (JCGM 101:2008, 6.4.7), spread evenly against `_LEVELS`."""
+    return np.asarray(scipy.special.ndtri((np.arange(4000) + 0.5) * 0.6180339887498949 % 1.0), np.float64)
+
+
+@lru_cache(maxsize=256)
+def student_draws(freedom: float) -> Floats:
+    """(4000,) quantiles of Student's t with so many degrees of freedom, at `_LEVELS`, ascending.
+
+    Own method: the upper half, mirrored.
+    """
+    upper = np.asarray(scipy.special.stdtrit(freedom, _LEVELS[len(_LEVELS) // 2 :]), np.float64)
+    found = np.concatenate([-upper[::-1], upper])
+    found.setflags(write=False)
+    return found
 
 
 @dataclass(frozen=True, eq=False)
@@ -64,10 +82,11 @@ def sample_of_measurements(
     pose: Ints,
     inset: Ints,
     site: Ints | None = None,
+    pose_names: Ints | None = None,
 ) -> HeightSample:
     """Heights height_m (N,) with budgets of u_height_m (N,), of which u_clicks_m (N,) comes from clicks and
     u_by_inset_m (N,) from an assumed inset; pose (N,), inset (N,), site (N,): codes from 0, which of each a
-    height used.
+    height used; pose_names (G,): by which another sample knows each pose.
 
     Own reading of the budget: clicks are random; what neither clicks nor inset explain (lens, pose, board) is
     shared by all heights of a pose; of an assumed inset half the variance is the vehicles' own and half that
@@ -76,7 +95,10 @@ def sample_of_measurements(
     """
     clicks, by_inset = np.nan_to_num(u_clicks_m), np.nan_to_num(u_by_inset_m)
     by_pose = np.sqrt(np.maximum(np.nan_to_num(u_height_m) ** 2 - clicks**2 - by_inset**2, 0.0))
-    shared = (SharedErrors(pose, by_pose), SharedErrors(inset, by_inset * np.sqrt(_MEAN_OF_INSET)))
+    shared = (
+        SharedErrors(pose, by_pose, pose_names),
+        SharedErrors(inset, by_inset * np.sqrt(_MEAN_OF_INSET)),
+    )
     random = np.sqrt(clicks**2 + (1.0 - _MEAN_OF_INSET) * by_inset**2)
     return HeightSample(height_m, random, tuple(one for one in shared if np.any(one.u_m > 0.0)), site)
 
@@ -132,10 +154,14 @@ class TotalUncertainty:
         # Sites show by their differences what their shared errors were; a sample without sites does not.
         unknown = sum(one.variance_of_spread_m4() for one in sample.shared) if self._sites is None else 0.0
         self._u_spread_m2 = float(np.sqrt(unknown))
-        noise = noise_of(sample.u_random_m, spread_m2)
-        self._noise_m2 = noise.variance_m2
+        self._noise = noise_of(sample.u_random_m, spread_m2)
+        self._noise_m2 = self._noise.variance_m2
         self._random = bool(np.any(sample.u_random_m > 0.0))
-        self._density = smooth_density(self._height_m, noise)
+
+    @cached_property
+    def _density(self) -> SmoothDensity | None:
+        """Of the true heights; a mean needs none."""
+        return smooth_density(self._height_m, self._noise)
 
     @property
     def n(self) -> int:
@@ -165,12 +191,9 @@ class TotalUncertainty:
             "sampling": "sampling",
             "sites": f"differences between {self.sites} sites",
             "shared_errors": "errors that heights share",
-            "random_error": "random error (taken out of the values)",
+            "random_error": "random error (removed from the values)",
         }
-        where = "roads like these sites'" if self._sites is not None else "the place of the survey alone"
-        *most, last = (words[part] for part in self.holds)
-        listed = f"{', '.join(most)} and {last}" if most else f"{last} alone"
-        return f"{listed}; they speak of {where}"
+        return holding([words[part] for part in self.holds], self.sites)
 
     def percentile(self, percent: float) -> TotalPercentile:
         """A percentile, 0 < percent < 100, metres.
@@ -205,7 +228,19 @@ class TotalUncertainty:
         else:
             draws, unseen = self._between_sites(here, sampled, self._sites)
             u_m2 += unseen
-        return here.at_m + here.correction_m, draws + np.sqrt(u_m2) * _NORMAL
+        return here.at_m + here.correction_m, draws + np.sqrt(u_m2) * normal_draws()
+
+    def named_effects_m(self, percent: float) -> dict[int, float]:
+        """What one standard uncertainty of each error that other samples know (a road pose's) moves a
+        percentile by, metres, by the error's name.
+
+        Of the heights whose ranks lie about it, as in its own uncertainty.
+        """
+        near = self._near(percent / 100.0)
+        found: dict[int, float] = {}
+        for one in self._shared:
+            found |= one.where(near).named_of_mean_m(np.ones(len(near)))
+        return found
 
     def mean(self) -> TotalFigure:
         """The mean height, metres: random errors leave it as it is."""
@@ -219,7 +254,7 @@ class TotalUncertainty:
         else:
             pooled = pooled_variance(self._sites, influence, influence, self._shared)
             draws, u_m2 = _student(pooled.variance, pooled.freedom), pooled.unseen
-        low, high = _ends(draws + np.sqrt(u_m2) * _NORMAL)
+        low, high = _ends(draws + np.sqrt(u_m2) * normal_draws())
         return TotalFigure(value, value + low, value + high)
 
     def sd(self) -> TotalFigure:
@@ -239,7 +274,7 @@ class TotalUncertainty:
             draws = _student(pooled.variance, pooled.freedom)
         draws = (
             measured_m2 * np.expm1(np.minimum(draws / max(measured_m2, 1e-12), _LARGEST))
-            + self._u_spread_m2 * _NORMAL
+            + self._u_spread_m2 * normal_draws()
         )
         value = measured_m2 - self._noise_m2
         low, high = _ends(draws)
@@ -257,12 +292,12 @@ class TotalUncertainty:
             return TotalFigure(plain, None, None, self._too_few(8))
         correction = self._density.share_correction(limit_m)
         n = self._effective_n(plain, limit_m)
-        draws = special.betaincinv(n * plain + 0.5, n * (1.0 - plain) + 0.5, _LEVELS) - plain
+        draws = scipy.special.betaincinv(n * plain + 0.5, n * (1.0 - plain) + 0.5, _LEVELS) - plain
         near = self._near(plain)
         shared_m2 = sum(one.where(near).variance_of_mean_m2() for one in self._shared)
         u2 = (self._density.true_density(limit_m) ** 2) * (shared_m2 if self._sites is None else 0.0)
         u2 += (_SHAPE * correction) ** 2
-        low, high = _ends(draws + np.sqrt(u2) * _NORMAL)
+        low, high = _ends(draws + np.sqrt(u2) * normal_draws())
         value = float(np.clip(plain + correction, 0.0, 1.0))
         return TotalFigure(value, max(value + low, 0.0), min(value + high, 1.0))
 
@@ -271,7 +306,7 @@ class TotalUncertainty:
             return float(self.n)
         influence = np.asarray((self._height_m < limit_m) - share, dtype=np.float64)
         pooled = pooled_variance(self._sites, influence, influence, ())
-        wider = float(stats.t.ppf(1.0 - _TAIL, pooled.freedom)) / COVERAGE_95
+        wider = float(scipy.special.stdtrit(pooled.freedom, 1.0 - _TAIL)) / COVERAGE_95
         return min(share * (1.0 - share) / max(pooled.variance * wider**2, 1e-12), float(self.n))
 
     def _too_few(self, needed: int) -> str:
@@ -307,7 +342,7 @@ class TotalUncertainty:
         n, ordered = self.n, self._height_m
         reach = 5.0 * np.sqrt(n * p * (1.0 - p)) + 6.0
         rank = np.linspace(max(n * p - reach, 1.0), min(n * p + reach, float(n)), 500)
-        level = 1.0 - special.betainc(rank, n - rank + 1.0, p)
+        level = 1.0 - scipy.special.betainc(rank, n - rank + 1.0, p)
         at = np.interp(np.interp(_LEVELS, level, rank), np.arange(1, n + 1), ordered)
         low, high = (1.0 - p) ** n > _LEVELS, 1.0 - p**n < _LEVELS
         middle = float(density.measured_quantile_m(p))
@@ -331,7 +366,7 @@ class TotalUncertainty:
         assert self._density is not None
         width = _SMOOTHED * self._density.spread_m
         away = (here.at_m - self._height_m) / width
-        below = special.ndtr(away)
+        below = scipy.special.ndtr(away)
         density = float(np.exp(-0.5 * away**2).mean()) / (width * np.sqrt(2.0 * np.pi))
         return np.asarray((below.mean() - below) / density, dtype=np.float64)
 
@@ -393,7 +428,7 @@ def difference(one: TotalUncertainty, other: TotalUncertainty, percent: float) -
 
 def _student(variance: float, freedom: float) -> Floats:
     """Draws (D,) of an error of this estimated variance, ascending."""
-    return np.asarray(stats.t.ppf(_LEVELS, freedom) * np.sqrt(variance), dtype=np.float64)
+    return np.asarray(student_draws(freedom) * np.sqrt(variance), dtype=np.float64)
 
 
 def _ends(draws: Floats) -> tuple[float, float]:

@@ -3,8 +3,8 @@
 from dataclasses import dataclass
 
 import numpy as np
+import scipy
 from numpy.typing import ArrayLike, NDArray
-from scipy.stats import norm
 
 Floats = NDArray[np.float64]
 Bools = NDArray[np.bool_]
@@ -51,18 +51,20 @@ def fit_models(
     u_sizes = np.asarray(u_sizes_m, dtype=np.float64).reshape(sizes.shape)
     used = np.isfinite(measured) & (u_measured > 0)
     if not used.any():
-        return "Nothing that the catalogue knows was measured of this vehicle yet."
+        return "No size in the catalogue has been measured on this vehicle yet."
     known = np.isfinite(sizes) & used
     compared = known.sum(axis=1)
     if not compared.any():
-        return "No model in the catalogue states a size that was measured of this vehicle."
+        return "No model in the catalogue has a size that was measured on this vehicle."
     variance = u_measured**2 + u_sizes**2
     deviate = np.where(known, (measured - sizes) / np.sqrt(variance), np.nan)
     score = np.where(known, deviate**2 + np.log(variance), _of_any(measured, u_measured, sizes, known))
     total = np.where(used, score, 0.0).sum(axis=1) + _class_score(same_class, len(sizes))
     some = compared > 0
     worst = np.max(np.abs(np.where(known, deviate, 0.0)), axis=1)
-    p = np.where(some, -np.expm1(compared * np.log1p(-2.0 * norm.sf(np.maximum(worst, 1e-12)))), np.nan)
+    p = np.where(
+        some, -np.expm1(compared * np.log1p(-2.0 * scipy.stats.norm.sf(np.maximum(worst, 1e-12)))), np.nan
+    )
     ranked = [int(index) for index in np.argsort(total, kind="stable") if some[index]]
     return ModelFits(
         deviate=deviate,

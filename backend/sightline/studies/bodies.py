@@ -7,15 +7,16 @@ from pydantic import Field
 
 from sightline.enums import ComparisonVerdict, RuleVerdict, StandardHeight, StatisticsTarget
 from sightline.infra.audit.records import Who
-from sightline.infra.web.bodies import Finite, Id, In, JobBody, Name, Out, Text
-from sightline.studies.records import StudyFacts, StudySurvey
+from sightline.infra.web.bodies import Finite, In, JobBody, Name, Out, Text
+from sightline.infra.web.named import SurveyId
+from sightline.studies.records import StudyDifference, StudyFacts, StudySurvey
 
 _MOST_SURVEYS = 2000
 _Table = Annotated[str, Field(max_length=1_000_000)]
 
 
 class StudySurveyIn(In):
-    survey_id: Id
+    survey_id: SurveyId
     site: Annotated[str, Field(max_length=200, description="Empty: as the survey says.")] = ""
     stratum: Annotated[str, Field(max_length=200, description="Empty: as the table of sites says.")] = ""
     year: Annotated[int | None, Field(description="Where years are compared.")] = None
@@ -132,6 +133,15 @@ class YearRow(Out):
     high_m: float | None
     verdict: ComparisonVerdict | None
     reason: str | None
+
+
+class BesideBody(Out):
+    """A study less another one."""
+
+    first: Annotated[str, Field(description="The other one, which is taken away.")]
+    second: str
+    shared_surveys: Annotated[list[str], Field(description="In both: the intervals are then too wide.")]
+    differences: list[StudyDifference]
 
 
 class ErrorRow(Out):

@@ -9,21 +9,22 @@ from sightline.export.report.sight import crest_sentence, question_of
 from sightline.results.sightdistance.service import case_of
 from sightline.sightdistance.workbench import Bounded
 from sightline.statistics.rules import RuleToday
+from sightline.studies.records import StudyRule
 
 
-def consequence(rules: Sequence[RuleToday], unit: LengthUnit) -> str | None:
+def consequence(rules: Sequence[StudyRule], unit: LengthUnit) -> str | None:
     """Of the first standard whose eye and object both have a rule that the study has a percentile of."""
-    eyes = {one.standard.name: one for one in rules if one.standard.what == "eye_car" and one.value_m}
-    objects = {
-        one.standard.name: one for one in rules if one.standard.what == "object_stopping" and one.value_m
-    }
+    known = [one for one in rules if one.rule.value_m]
+    eyes = {one.rule.standard.name: one for one in known if one.rule.standard.what == "eye_car"}
+    objects = {one.rule.standard.name: one for one in known if one.rule.standard.what == "object_stopping"}
     name = next((one for one in eyes if one in objects), None)
     if name is None:
         return None
-    eye, thing = eyes[name], objects[name]
+    eye, thing = eyes[name].rule, objects[name].rule
+    by_pose_m = eyes[name].by_pose_m, objects[name].by_pose_m
     question = question_of(eye.standard, thing.standard, unit)
     standard = case_of(question, "standard", Bounded(eye.standard.height_m), Bounded(thing.standard.height_m))
-    study = case_of(question, "survey", _bounded(eye), _bounded(thing))
+    study = case_of(question, "survey", _bounded(eye), _bounded(thing), by_pose_m)
     return crest_sentence(question, standard, study, "study")
 
 

@@ -29,6 +29,7 @@ PACKAGES: Table = Table(
         text("place", "folder or ZIP as it was named, or which survey of the installation", required=True),
         text("survey", "name of the survey"),
         text("site", "site: surveys of one site are one cluster"),
+        flag("simulated", "true: invented, so that no figure says anything of real roads", required=True),
         integer("year", "year that it stands for, where years are compared"),
         text("made_with", "version that made the package, or read the installation's database"),
         text("chain_sha256", "of a package: SHA-256 of its audit chain without its seal"),
@@ -60,7 +61,8 @@ FIGURES: Table = Table(
 ERRORS: Table = Table(
     "errors",
     "Errors (measured minus maker's height) of roofs, not rounded, by lighting and overall. Intervals hold "
-    "sampling and sites, that of the bias also the errors that heights share.",
+    "sampling, sites and the errors that heights share; random errors, and those of the makers' heights, are "
+    "in the errors themselves.",
     (
         text("group", "lighting, or overall", required=True),
         text("figure", "which figure", required=True),
@@ -156,6 +158,7 @@ def study_rows(study: Study) -> dict[str, Iterator[Cells]]:
 def _packages(study: Study) -> Iterator[Cells]:
     for one, n, outside in zip(study.surveys, study.counted, study.out_of_sample, strict=True):
         told: Cells = {"place": one.place, "survey": one.name, "site": one.site, "year": one.year}
+        told["simulated"] = one.simulated
         told |= {"counted": n, "out_of_sample": outside, "made_with": one.made_with}
         yield {**told, "chain_sha256": one.seal or None, "audit_head": one.head or None}
 

@@ -16,7 +16,7 @@ def document_of(found: Computed) -> JsonObject:
         "heights": found.study.heights,
         "vehicles": found.study.vehicles,
         "notes": found.study.notes,
-        "consequence": consequence([one.rule for one in found.study.rules], "m"),
+        "consequence": consequence(found.study.rules, "m"),
         "curves": [_curve(one) for one in found.study.curves],
         **{table.name: list(rows[table.path]) for table in TABLES},
     }

@@ -14,6 +14,7 @@ from sightline.studies.records import Fleet, SiteFacts
 #: What may divide a fleet.
 KINDS = ("category", "lighting", "stratum", "site")
 _CLOSE = 1e-3  # of a sum of shares, or of two sums of registrations
+_MOST = 1e12  # of any number in these tables
 
 
 def read_fleet(path: Path, text: str) -> Fleet:
@@ -25,9 +26,12 @@ def read_fleet(path: Path, text: str) -> Fleet:
     header, rows = _rows(path, text)
     kind = next((one for one in KINDS if one in header), None)
     several = {"variable", "class"} <= set(header)
-    amount = next((one for one in ("share", "registrations") if one in header), None)
-    if amount is None or (kind is None and not several):
+    amounts = [one for one in ("share", "registrations") if one in header]
+    if not amounts or (kind is None and not several):
         raise BadInput("studies-fleet-header", path=path)
+    if len(amounts) == 2:
+        raise BadInput("studies-fleet-two-amounts", path=path)
+    amount = amounts[0]
     found: dict[str, dict[str, float]] = {}
     for at, row in rows:
         variable = row["variable"] if several else str(kind)
@@ -49,7 +53,9 @@ def _shares(path: Path, found: dict[str, dict[str, float]], amount: str) -> dict
     for variable, total in sums.items():
         if amount == "share" and abs(total - 1.0) > _CLOSE:
             raise BadInput("studies-shares-do-not-sum", path=path, variable=variable, total=f"{total:.4g}")
-        if abs(total - sums[first]) > _CLOSE * max(sums[first], 1e-300) or total <= 0.0:
+        if total <= 0.0:
+            raise BadInput("studies-registrations-of-nobody", path=path, variable=variable)
+        if abs(total - sums[first]) > _CLOSE * max(sums[first], 1e-300):
             raise BadInput(
                 "studies-registrations-do-not-sum",
                 path=path,
@@ -76,7 +82,7 @@ def read_sites(path: Path, text: str) -> dict[str, SiteFacts]:
     for at, row in rows:
         site, stratum = row["site"], row["stratum"]
         told = row.get("sites_there", "")
-        sites_there = _amount(path, at, told, "sites_there") if told else math.inf
+        sites_there = _whole(path, at, told, "sites_there") if told else math.inf
         if there.setdefault(stratum, sites_there) != sites_there:
             raise BadInput("studies-sites-there-differ", path=path, row=at, stratum=stratum)
         if site in found:
@@ -100,6 +106,9 @@ def _rows(path: Path, text: str) -> tuple[list[str], Iterator[tuple[int, dict[st
     except csv.Error as error:
         raise BadInput("studies-not-csv", path=path, why=str(error)) from error
     header = told[0] if told else []
+    for name in header:
+        if header.count(name) > 1:
+            raise BadInput("commands-column-twice", path=path, name=name)
     body = [(at, row) for at, row in enumerate(told[1:], start=2) if any(row)]
     for at, row in body:
         if len(row) != len(header):
@@ -107,11 +116,18 @@ def _rows(path: Path, text: str) -> tuple[list[str], Iterator[tuple[int, dict[st
     return header, iter([(at, dict(zip(header, row, strict=True))) for at, row in body])
 
 
+def _whole(path: Path, at: int, cell: str, name: str) -> float:
+    value = _amount(path, at, cell, name)
+    if value < 1.0 or value != math.floor(value):
+        raise BadInput("studies-not-a-count", path=path, row=at, name=name, cell=cell)
+    return value
+
+
 def _amount(path: Path, at: int, cell: str, name: str) -> float:
     try:
         value = float(cell)
     except ValueError:
         value = math.nan
-    if not 0.0 <= value < math.inf:
+    if not 0.0 <= value <= _MOST:
         raise BadInput("studies-not-an-amount", path=path, row=at, name=name, cell=cell)
     return value

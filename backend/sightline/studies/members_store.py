@@ -1,6 +1,6 @@
 """Who sees a study: its members, everybody where it is open to all, and administrators."""
 
-from sqlalchemy import delete, or_, select
+from sqlalchemy import delete, select
 from sqlalchemy.orm import Session
 
 from sightline.infra.audit import trail
@@ -9,17 +9,9 @@ from sightline.infra.database.people import people
 from sightline.infra.database.rows import add_row, change_row, get_row, missing
 from sightline.infra.web.person import Person
 from sightline.studies.tables import studies, study_members
+from sightline.surveys.members.store import seen_studies
 
 _m = study_members.c
-
-
-def seen_studies(session: Session, person: Person) -> frozenset[int] | None:
-    """The studies that a person sees; None for all (an administrator)."""
-    if person.role == "admin":
-        return None
-    mine = select(_m.study_id).where(_m.person_id == person.id)
-    query = select(studies.c.id).where(or_(studies.c.open_to_all, studies.c.id.in_(mine)))
-    return frozenset(session.execute(query).scalars())
 
 
 def require_study(session: Session, person: Person, study_id: int) -> None:

@@ -8,8 +8,9 @@ import shutil
 from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
 
-from sightline.errors import BadInput
+from sightline.errors import BadInput, Damaged
 from sightline.export.seal import read_seal
+from sightline.infra.csv_package.audit import AUDIT
 from sightline.infra.csv_package.files import Files, open_package, read_rows
 from sightline.infra.csv_package.schema import CHECKSUMS, DESCRIPTION, parquet_path
 from sightline.results.csv import standards_in
@@ -38,6 +39,14 @@ def found_places(named: Iterable[Path]) -> list[Path]:
     return found
 
 
+def refuse_output(output: Path, places: Sequence[Path]) -> None:
+    """Raises BadInput where a study would take the place of a package, or lie within one of `places`."""
+    inside = {place.resolve() for place in places if place.is_dir()}
+    around = {one.resolve() for one in (output, *output.absolute().parents)}
+    if (output / AUDIT.path).is_file() or inside & around:
+        raise BadInput("studies-output-is-a-package", place=output)
+
+
 def studied(places: Sequence[Path], check: Check, scratch: Path) -> list[StudiedPackage]:
     """Every package, verified by `check`, its tables where DuckDB reads them (a ZIP's in `scratch`).
 
@@ -54,6 +63,13 @@ def _studied(place: Path, check: Check, scratch: Path) -> StudiedPackage:
     problem = check(files)
     if problem is not None:
         raise BadInput("studies-package-does-not-verify", place=place, problem=problem)
+    try:
+        return _read(place, files, scratch)
+    except Damaged as error:
+        raise BadInput("studies-package-does-not-verify", place=place, problem=error.message) from error
+
+
+def _read(place: Path, files: Files, scratch: Path) -> StudiedPackage:
     for name in READ:
         if parquet_path(name) not in files.paths:
             raise BadInput("studies-package-without-parquet", place=place)
@@ -69,6 +85,7 @@ def _studied(place: Path, check: Check, scratch: Path) -> StudiedPackage:
         place=str(place),
         name=row["name"],
         site=row["site"] or row["name"],
+        simulated=row.get("simulated") == "true",
         made_with=made_with,
         standards=standards_in(files),
         seal=seal.before_sha256,
@@ -97,7 +114,7 @@ def _refuse_twice(packages: Sequence[StudiedPackage]) -> None:
 def _refuse_versions(packages: Sequence[StudiedPackage]) -> None:
     """Tables of one form: columns of further frames aside, which depend on how many were clicked."""
     first = _form(packages[0])
-    if "in_sample bool" not in first["vehicles.csv"]:
+    if not {"in_sample bool", "check_target bool"} <= set(first["vehicles.csv"]):
         raise BadInput("studies-package-without-sample", place=packages[0].place)
     for one in packages[1:]:
         form = _form(one)

@@ -18,7 +18,7 @@ from sightline.studies.records import Floats, Ints, StudiedHeights, StudiedPacka
 
 #: The tables that a study reads of a package.
 READ = ("survey.csv", "measurements.csv", "vehicles.csv", "recordings.csv", "classes.csv")
-_MEMORY, _THREADS = "700MB", 2
+_MEMORY, _THREADS = "400MB", 2
 _COUNTED = "NOT m.withdrawn AND m.height_m IS NOT NULL AND m.verdict IN ('accepted', 'fixed')"
 _LENGTHS = ("height_m", "u_height_m", "u_clicks_m", "u_by_inset_m", "inset_m", "u_inset_m")
 
@@ -116,7 +116,7 @@ class StudyTables:
             LEFT JOIN lightings l ON l.word = coalesce(v.lighting, r.lighting)
             LEFT JOIN {self._of("classes.csv")} k ON k.file_index = v.file_index AND k.category = v.category
             LEFT JOIN class_sets s ON s.word = k.class_set
-            WHERE v.in_sample AND v.discarded IS NULL
+            WHERE v.in_sample AND v.discarded IS NULL AND NOT v.check_target
             """,
             {
                 name: value

@@ -36,6 +36,7 @@ class StudiedSurvey:
     seal: str = ""
     head: str = ""
     year: int | None = None
+    simulated: bool = False
 
 
 @dataclass(frozen=True)
@@ -132,10 +133,13 @@ class PlannedStudy:
 
 @dataclass(frozen=True)
 class StudyRule:
-    """A standard's rule on the heights of its class in the fleet."""
+    """A standard's rule on the heights of its class in the fleet; by_pose_m: what one standard uncertainty of
+    each road pose moves its percentile by, metres.
+    """
 
     target: StatisticsTarget
     rule: RuleToday
+    by_pose_m: Mapping[int, float] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -153,6 +157,21 @@ class YearDifference:
     U95_high: float | None
     verdict: ComparisonVerdict | None
     reason: str | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class StudyDifference:
+    """A figure of a study less that of another, metres; percent None: the mean."""
+
+    target: StatisticsTarget
+    percent: float | None
+    n_first: int
+    n_second: int
+    value_m: float | None
+    low_m: float | None
+    high_m: float | None
+    verdict: ComparisonVerdict | None
+    reason: str | None
 
 
 @dataclass(frozen=True)

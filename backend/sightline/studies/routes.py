@@ -6,15 +6,28 @@ from urllib.parse import quote
 from fastapi import APIRouter, Response
 from fastapi.responses import FileResponse
 
+from sightline.errors import BadInput
 from sightline.infra.database import Session
 from sightline.infra.database.rows import missing
 from sightline.infra.jobs.store import get_job
 from sightline.infra.services import Services
 from sightline.infra.web.bodies import JobBody
-from sightline.infra.web.deps import Operator, PathId, Reading, Viewer, Wired, Writing
+from sightline.infra.web.deps import (
+    AskedIn,
+    Exporter,
+    Operator,
+    OperatorInPerson,
+    PathId,
+    Reading,
+    Viewer,
+    Wired,
+    Writing,
+)
 from sightline.infra.web.person import Person
 from sightline.studies import store
+from sightline.studies.beside import shared_surveys, study_differences
 from sightline.studies.bodies import (
+    BesideBody,
     FiguresBody,
     ListedStudy,
     NewStudy,
@@ -34,11 +47,10 @@ from sightline.studies.members_store import (
     open_study_to_all,
     remove_study_member,
     require_study,
-    seen_studies,
 )
 from sightline.studies.records import StoredStudy, StudyFacts, StudyResult
 from sightline.studies.stored import ask_to_compute, checked, heads_of
-from sightline.surveys.members.store import roles_by_thing
+from sightline.surveys.members.store import roles_by_thing, seen_studies
 from sightline.surveys.store import survey_names
 
 router = APIRouter()
@@ -90,21 +102,38 @@ def remove_study(study_id: PathId, version: int, who: Operator, session: Writing
 
 
 @router.post("/studies/{study_id}/computings", status_code=202)
-def compute_study(study_id: PathId, who: Operator, session: Writing) -> JobBody:
-    """Compute figures, package and report in the background."""
+def compute_study(study_id: PathId, who: Operator, session: Writing, asked_in: AskedIn) -> JobBody:
+    """Compute figures, package and report in the background, the report in the language of the request."""
     require_study(session, who, study_id)
-    return JobBody.model_validate(ask_to_compute(session, study_id, actor=who.id))
+    return JobBody.model_validate(ask_to_compute(session, study_id, language=asked_in, actor=who.id))
+
+
+@router.get("/studies/{study_id}/beside/studies/{other_id}")
+def compare_studies(study_id: PathId, other_id: PathId, who: Viewer, session: Reading) -> BesideBody:
+    """A study's figures less those of another, both as they were computed last, with total intervals."""
+    for one in (study_id, other_id):
+        require_study(session, who, one)
+    (second, newer), (first, older) = (_computed(session, one) for one in (study_id, other_id))
+    if study_id == other_id:
+        raise BadInput("studies-compared-with-itself", name=second.facts.name)
+    names = survey_names(session)
+    return BesideBody(
+        first=first.facts.name,
+        second=second.facts.name,
+        shared_surveys=[names[one][0] for one in shared_surveys(older, newer)],
+        differences=study_differences(older, newer),
+    )
 
 
 @router.get("/studies/{study_id}/results/{result_id}.zip", response_class=FileResponse)
-def download_study(study_id: PathId, result_id: PathId, who: Viewer, services: Wired) -> FileResponse:
+def download_study(study_id: PathId, result_id: PathId, who: Exporter, services: Wired) -> FileResponse:
     """The study as `sightline study` writes it."""
     study, result = _found(services, who, study_id, result_id)
     return _file(services, result.media_key, "application/zip", f"{_plain(study)}-{result_id}.zip")
 
 
 @router.get("/studies/{study_id}/results/{result_id}.pdf", response_class=FileResponse)
-def download_report(study_id: PathId, result_id: PathId, who: Viewer, services: Wired) -> FileResponse:
+def download_report(study_id: PathId, result_id: PathId, who: Exporter, services: Wired) -> FileResponse:
     """The report of the study."""
     study, result = _found(services, who, study_id, result_id)
     return _file(services, result.report_key, "application/pdf", f"{_plain(study)}-{result_id}.pdf")
@@ -128,7 +157,7 @@ def list_members_of_study(study_id: PathId, who: Viewer, session: Reading) -> St
 
 @router.put("/studies/{study_id}/members/{person_id}")
 def add_member_of_study(
-    study_id: PathId, person_id: PathId, who: Operator, session: Writing
+    study_id: PathId, person_id: PathId, who: OperatorInPerson, session: Writing
 ) -> StudyMembersBody:
     """Let a person see the study; what they may do there is their account's role."""
     require_study(session, who, study_id)
@@ -138,7 +167,7 @@ def add_member_of_study(
 
 @router.delete("/studies/{study_id}/members/{person_id}")
 def remove_member_of_study(
-    study_id: PathId, person_id: PathId, who: Operator, session: Writing
+    study_id: PathId, person_id: PathId, who: OperatorInPerson, session: Writing
 ) -> StudyMembersBody:
     """Take a person out; what they did stays theirs."""
     require_study(session, who, study_id)
@@ -147,7 +176,7 @@ def remove_member_of_study(
 
 
 @router.put("/studies/{study_id}/open-to-all")
-def open_study(study_id: PathId, body: Openness, who: Operator, session: Writing) -> StudyMembersBody:
+def open_study(study_id: PathId, body: Openness, who: OperatorInPerson, session: Writing) -> StudyMembersBody:
     """Open it to everybody who signs in, or close it to all but members and administrators."""
     require_study(session, who, study_id)
     open_study_to_all(session, study_id, body.open_to_all, actor=who.id)
@@ -160,6 +189,14 @@ def _members(session: Session, study_id: int) -> StudyMembersBody:
         members=list_study_members(session, study_id),
         others=list_study_others(session, study_id),
     )
+
+
+def _computed(session: Session, study_id: int) -> tuple[StoredStudy, StudyResult]:
+    """Raises BadInput for a study without figures."""
+    study, result = store.get_study(session, study_id), store.newest_result(session, study_id)
+    if result is None:
+        raise BadInput("studies-compared-without-figures", name=study.facts.name)
+    return study, result
 
 
 def _found(services: Services, who: Person, study_id: int, result_id: int) -> tuple[StoredStudy, StudyResult]:

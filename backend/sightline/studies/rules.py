@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,34 +19,51 @@ from sightline.studies.weighted import Weighted
 _Classes = tuple[tuple[Category, ...], tuple[ClassSet, ...]]
 
 
-def rules_of(
-    target: StatisticsTarget, of: Weighted, whole: StudyFigures | None, standards: Sequence[Standard]
-) -> list[StudyRule]:
-    """The rule of every standard that states one for this target, on the heights of its class; of all, where
-    no class is known. whole: the figures of all heights.
+def rules_of_all(
+    target: StatisticsTarget, of: Weighted, figures: StudyFigures | None, standards: Sequence[Standard]
+) -> dict[int, StudyRule]:
+    """The rule of every standard that states one for this target and whose class is that of all heights, or
+    where no class is known, by the standard's place among them. figures: of all heights.
     """
-    asked = [
-        one for one in standards if one.percent is not None and RULE_OF.get(one.what, ("",))[0] == target
-    ]
     known = bool(np.any(of.rows.category >= 0))
-    made: dict[_Classes, tuple[Weighted, StudyFigures | None]] = {}
-    found = []
-    for one in asked:
-        classes = RULE_OF[one.what][1]
-        if classes not in made:
-            made[classes] = _of_class(of, whole, classes) if known else (of, whole)
-        found.append(StudyRule(target, _rule(one, *made[classes], known)))
+    return {
+        n: _made(target, one, of, figures, known)
+        for n, one in _asked(target, standards).items()
+        if not known or _are(of.rows, RULE_OF[one.what][1]).all()
+    }
+
+
+def rules_of_classes(
+    target: StatisticsTarget, of: Weighted, standards: Sequence[Standard], made: Collection[int]
+) -> dict[int, StudyRule]:
+    """The other rules, each on the heights of its class, by the standard's place; figures of one class at a
+    time, for they are as large as those of all. made: those that are there.
+    """
+    waiting = {n: one for n, one in _asked(target, standards).items() if n not in made}
+    found = {}
+    for classes in dict.fromkeys(RULE_OF[one.what][1] for one in waiting.values()):
+        own = of.domain(_are(of.rows, classes))
+        figures = None if own.design is None else own.figures()
+        for n, one in waiting.items():
+            if RULE_OF[one.what][1] == classes:
+                found[n] = _made(target, one, own, figures, True)
+        del own, figures
     return found
 
 
-def _of_class(
-    of: Weighted, whole: StudyFigures | None, classes: _Classes
-) -> tuple[Weighted, StudyFigures | None]:
-    chosen = _are(of.rows, classes)
-    if chosen.all():
-        return of, whole
-    own = of.domain(chosen)
-    return own, None if own.design is None else own.figures()
+def _asked(target: StatisticsTarget, standards: Sequence[Standard]) -> dict[int, Standard]:
+    return {
+        n: one
+        for n, one in enumerate(standards)
+        if one.percent is not None and RULE_OF.get(one.what, ("",))[0] == target
+    }
+
+
+def _made(
+    target: StatisticsTarget, standard: Standard, of: Weighted, figures: StudyFigures | None, by_class: bool
+) -> StudyRule:
+    by_pose_m = {} if figures is None else figures.named_effects_m(standard.percent or 50.0)
+    return StudyRule(target, _rule(standard, of, figures, by_class), by_pose_m)
 
 
 def _are(rows: StudiedHeights, classes: _Classes) -> NDArray[np.bool_]:
@@ -58,7 +75,7 @@ def _are(rows: StudiedHeights, classes: _Classes) -> NDArray[np.bool_]:
 
 def _rule(standard: Standard, of: Weighted, figures: StudyFigures | None, by_class: bool) -> RuleToday:
     if figures is None:
-        none = "no height of its class counts"
+        none = "no accepted heights of its class"
         return unknown_rule(standard, of.n, by_class, None, (of.reason if of.n else None) or none)
     percent = standard.percent or 50.0
     return rule_of_draws(

@@ -35,12 +35,13 @@ from sightline.studies.records import (
     TargetFigures,
     YearDifference,
 )
-from sightline.studies.rules import rules_of
+from sightline.studies.rules import rules_of_all, rules_of_classes
 from sightline.studies.shares import class_shares, error_figures
 from sightline.studies.weighted import Weighted, refuse_fleet, weighted, where
 
 TARGETS: tuple[StatisticsTarget, ...] = get_args(StatisticsTarget)
 PERCENTS = (2.5, 5.0, 10.0, 15.0, 50.0, 85.0, 90.0, 95.0, 97.5)
+SIMULATED = "Simulated: no value describes real roads."
 _CURVE = (1.0, *PERCENTS[:4], *(float(one) for one in range(20, 81, 5)), *PERCENTS[5:], 99.0)
 _PLANNED_PERCENT = 10.0
 _PLANNED_SITES = (2, 3, 4, 5, 6, 8, 10, 12, 15, 20, 30, 50)
@@ -134,19 +135,27 @@ def make_study(surveys: Sequence[StudiedSurvey], tables: Tables, asked: Plan, te
 
 def _notes(surveys: Sequence[StudiedSurvey], places: Places) -> list[str]:
     made_with = sorted({one.made_with for one in surveys})
+    invented = sum(one.simulated for one in surveys)
     notes = []
+    if invented == len(surveys):
+        notes.append(SIMULATED)
+    elif invented:
+        notes.append(
+            f"{invented} of {len(surveys)} surveys are simulated: no figure of it says anything of real "
+            "roads."
+        )
     if len(made_with) > 1:
         notes.append(
-            f"Packages come from {len(made_with)} versions whose tables are alike: {', '.join(made_with)}."
+            f"Packages come from {len(made_with)} versions with identical tables: {', '.join(made_with)}."
         )
     if len(places.names) == 1:
-        notes.append("One site: intervals speak of that place alone.")
+        notes.append("One site: the intervals apply to that site only.")
     return notes
 
 
 def _notes_of_counts(surveys: Sequence[StudiedSurvey], counted: Ints, outside: Ints) -> list[str]:
     notes = [
-        f"{one.name} has no accepted height in its sample; it says nothing here."
+        f"{one.name} has no accepted height in its sample; it does not contribute."
         for one, n in zip(surveys, counted.tolist(), strict=True)
         if n == 0
     ]
@@ -179,7 +188,10 @@ def _of_target(
         if asked.curves:
             found.curves.append(Curve(target, [figures.percentile(percent) for percent in _CURVE]))
         found.plans += _plans(target, figures, asked.goal_m, float(places.sites_there.sum()))
-    found.rules += rules_of(target, of, figures, standards)
+    rules = rules_of_all(target, of, figures, standards)
+    del figures  # as large as all heights, and so are those of a class
+    rules |= rules_of_classes(target, of, standards, rules)
+    found.rules += [rules[n] for n in sorted(rules)]
     found.years += _years(target, rows, surveys, asked)
 
 

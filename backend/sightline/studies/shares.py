@@ -5,11 +5,14 @@ from __future__ import annotations
 import numpy as np
 
 from sightline.results.measured_columns_query import CATEGORIES, LIGHTING
+from sightline.statistics.error_totals import ErrorTotals
 from sightline.statistics.shared_errors import SharedErrors
 from sightline.statistics.study_figures import Drawn, StudyFigure, share_of
 from sightline.studies.places import Places, design_of
 from sightline.studies.records import ClassShare, ErrorFigure, Fleet, Floats, Ints, StudiedHeights
 from sightline.studies.weighted import LEAST, sample_of, where
+
+LEAST_ERRORS = 5  # for a figure of them
 
 
 def class_shares(cars: tuple[Ints, Ints, Ints], places: Places, fleet: Fleet | None) -> list[ClassShare]:
@@ -33,7 +36,11 @@ def class_shares(cars: tuple[Ints, Ints, Ints], places: Places, fleet: Fleet | N
 
 
 def error_figures(rows: StudiedHeights, places: Places) -> list[ErrorFigure]:
-    """Bias, MAE, RMSE and SD of roofs against their makers' heights, by the draw: of errors, not fleets."""
+    """Bias, MAE, RMSE and SD of roofs against their makers' heights, by the draw: of errors, not fleets.
+
+    The bias is a mean of the design; the others' intervals are those of `ErrorTotals`, weighted alike, in
+    which every site there is counts as not seen yet.
+    """
     known = np.isfinite(rows.reference_m)
     found = []
     for group, wanted in [
@@ -42,24 +49,28 @@ def error_figures(rows: StudiedHeights, places: Places) -> list[ErrorFigure]:
     ]:
         chosen = where(rows, wanted)
         n = len(chosen.height_m)
-        if n < LEAST:
+        if n < LEAST_ERRORS:
             continue
         error = chosen.height_m - chosen.reference_m
         sample = sample_of(chosen)
         shared: tuple[SharedErrors, ...] = sample.shared
         drawn = Drawn(design_of(chosen.package, places), shared)
-        found += [ErrorFigure(group, name, n, value) for name, value in _figures_of(error, drawn).items()]
+        totals = ErrorTotals(error, shared, drawn.design.site, drawn.design.weight)
+        found += [
+            ErrorFigure(group, name, n, value) for name, value in _figures_of(error, drawn, totals).items()
+        ]
     return found
 
 
-def _figures_of(error: Floats, drawn: Drawn) -> dict[str, StudyFigure]:
+def _figures_of(error: Floats, drawn: Drawn, totals: ErrorTotals) -> dict[str, StudyFigure]:
     share = drawn.design.weight / drawn.design.weight.sum()
-    bias, mae = float(share @ error), float(share @ np.abs(error))
-    square = float(share @ error**2)
-    sd2 = max(square - bias**2, 1e-18)
+    bias, square = float(share @ error), float(share @ error**2)
+    mse, mae, sd = totals.mse(), totals.mae(), totals.sd()
+    sd_m = float(np.sqrt(max(square - bias**2, 0.0) / (1.0 - float(np.square(share).sum()))))
+    rmse = [float(np.sqrt(max(one, 0.0))) for one in (square, *mse)]
     return {
         "bias_m": drawn.figure(bias, error - bias, height=True),
-        "mae_m": drawn.figure(mae, np.abs(error) - mae),
-        "rmse_m": drawn.figure(np.sqrt(square), (error**2 - square) / (2.0 * np.sqrt(max(square, 1e-18)))),
-        "sd_m": drawn.figure(np.sqrt(sd2), ((error - bias) ** 2 - sd2) / (2.0 * np.sqrt(sd2))),
+        "mae_m": StudyFigure(float(share @ np.abs(error)), mae.low, mae.high),
+        "rmse_m": StudyFigure(rmse[0], rmse[1], rmse[2]),
+        "sd_m": StudyFigure(sd_m, sd.low, sd.high),
     }

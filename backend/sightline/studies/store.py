@@ -1,6 +1,6 @@
 """Studies and their results; a result is written once, a study is removed softly."""
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import asdict
 from typing import Any
 
@@ -16,6 +16,7 @@ from sightline.infra.database.types import now
 from sightline.infra.version import code_version
 from sightline.studies.records import StoredStudy, StudyFacts, StudyResult, StudySurvey
 from sightline.studies.tables import studies, study_results
+from sightline.surveys.store import simulated_surveys
 
 _EDITABLE = ("name", "description", "surveys", "fleet_csv", "sites_csv", "goal_m")
 
@@ -34,13 +35,15 @@ def create_study(
 
 def get_study(session: Session, study_id: int) -> StoredStudy:
     """One study. Raises NotFound, also for a removed one."""
-    return _study(get_row(session, studies, study_id, "study", studies.c.deleted_at.is_(None)))
+    row = get_row(session, studies, study_id, "study", studies.c.deleted_at.is_(None))
+    return _study(row, simulated_surveys(session))
 
 
 def list_studies(session: Session) -> tuple[StoredStudy, ...]:
     """Every study, newest first."""
     query = select(studies).where(studies.c.deleted_at.is_(None)).order_by(studies.c.id.desc())
-    return tuple(_study(row) for row in session.execute(query).mappings())
+    invented = simulated_surveys(session)
+    return tuple(_study(row, invented) for row in session.execute(query).mappings())
 
 
 def simulated_study(session: Session) -> int | None:
@@ -139,11 +142,13 @@ def _content(facts: StudyFacts) -> dict[str, Any]:
     return {**asdict(facts), "surveys": [asdict(one) for one in facts.surveys]}
 
 
-def _study(row: Mapping[Any, Any]) -> StoredStudy:
+def _study(row: Mapping[Any, Any], invented: Collection[int]) -> StoredStudy:
+    """invented: the surveys that are simulated; a study that takes one is so too."""
     told = {name: row[name] for name in _EDITABLE}
     facts = StudyFacts(**{**told, "surveys": tuple(StudySurvey(**one) for one in row["surveys"])})
-    kept = ("id", "simulated", "job_id", "version", "created_at", "updated_at")
-    return StoredStudy(facts=facts, **{name: row[name] for name in kept})
+    simulated = bool(row["simulated"]) or any(one.survey_id in invented for one in facts.surveys)
+    kept = ("id", "job_id", "version", "created_at", "updated_at")
+    return StoredStudy(facts=facts, simulated=simulated, **{name: row[name] for name in kept})
 
 
 def _result(session: Session, row: Mapping[Any, Any]) -> StudyResult:

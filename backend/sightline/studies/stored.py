@@ -14,6 +14,7 @@ from sightline.infra.jobs import registry
 from sightline.infra.jobs.records import Job
 from sightline.infra.jobs.store import get_job
 from sightline.infra.version import code_version
+from sightline.messages import SOURCE
 from sightline.results.standards_store import get_standards
 from sightline.studies.fleet_csv import read_fleet, read_sites
 from sightline.studies.records import (
@@ -107,9 +108,10 @@ def _sites(facts: StudyFacts) -> Mapping[str, SiteFacts] | None:
     return {site: SiteFacts(stratum, math.inf, None) for site, stratum in told.items()}
 
 
-def ask_to_compute(session: Session, study_id: int, *, actor: int | None) -> Job:
-    """Queue its computing; the job that waits or runs already, where there is one. Raises NotFound, BadInput
-    for a study without surveys.
+def ask_to_compute(session: Session, study_id: int, *, language: str = SOURCE, actor: int | None) -> Job:
+    """Queue its computing, with a report in a language; the job that waits already, where there is one.
+
+    Raises NotFound, BadInput for a study without surveys.
     """
     study = get_study(session, study_id)
     if not study.facts.surveys:
@@ -118,7 +120,8 @@ def ask_to_compute(session: Session, study_id: int, *, actor: int | None) -> Job
         before = get_job(session, study.job_id)
         if before.state == "queued":
             return before
-    job = registry.enqueue(session, KIND, {"study_id": study_id}, survey_id=None, actor=actor)
+    payload = {"study_id": study_id, "language": language}
+    job = registry.enqueue(session, KIND, payload, survey_id=None, study_id=study_id, actor=actor)
     note_study_job(session, study_id, job.id, actor=actor)
     return job
 
@@ -148,7 +151,8 @@ def _surveys(session: Session, facts: StudyFacts, heads: Mapping[int, str]) -> l
     posed = surveys_with_poses(session, [one.survey_id for one in facts.surveys])
     found = []
     for one in facts.surveys:
-        name = get_survey(session, one.survey_id).name
+        survey = get_survey(session, one.survey_id)
+        name = survey.name
         if one.survey_id not in posed:
             raise BadInput("studies-survey-without-poses", place=name)
         found.append(
@@ -160,6 +164,7 @@ def _surveys(session: Session, facts: StudyFacts, heads: Mapping[int, str]) -> l
                 standards=get_standards(session, one.survey_id).standards,
                 head=heads[one.survey_id],
                 year=one.year,
+                simulated=survey.simulated,
             )
         )
     return found

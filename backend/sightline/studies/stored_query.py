@@ -64,7 +64,7 @@ class StoredTables:
             category=rows.category,
             lighting=rows.lighting,
             class_set=rows.class_set,
-            reference_m=micrometres(rows.manufacturer_height_m),
+            reference_m=micrometres(rows.known_m),
             **{name: micrometres(getattr(rows, name)) for name in _LENGTHS},
         )
 
@@ -92,7 +92,7 @@ def _vehicles_in_samples(session: Session, survey_ids: Sequence[int]) -> NDArray
     for survey_id in survey_ids:
         rule = get_survey(session, survey_id).sampling
         query = select(v.id, v.number, v.recording_id).where(
-            v.survey_id == survey_id, v.deleted_at.is_(None), v.discarded.is_(None)
+            v.survey_id == survey_id, v.deleted_at.is_(None), v.discarded.is_(None), ~v.check_target
         )
         rows = session.execute(query).all()
         headway_s = headways_of(session, {one.recording_id for one in rows}) if rule.free_flowing_s else {}

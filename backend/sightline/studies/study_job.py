@@ -10,21 +10,23 @@ from typing import Any
 from sightline.infra.database import Session
 from sightline.infra.jobs import registry
 from sightline.media.store.local import key_of, sha256_of
+from sightline.messages import SOURCE
 from sightline.studies.store import add_study_result, get_study
 from sightline.studies.stored import KIND
 
-SIMULATED = "Simulated: no figure of it says anything of real roads."
 _COMPUTED, _PACKED = 0.85, 0.92  # of the whole work, by progress
 
 
 @registry.handler(KIND)
 def compute_study(context: registry.JobContext) -> registry.Outcome:
     """Compute the study that was asked for."""
-    return result_of(context, int(context.payload["study_id"]))
+    language = str(context.payload.get("language", SOURCE))
+    return result_of(context, int(context.payload["study_id"]), language)
 
 
-def result_of(context: registry.JobContext, study_id: int) -> registry.Finish:
-    """Figures from one state of the database and what is made of them; what stores them.
+def result_of(context: registry.JobContext, study_id: int, language: str = SOURCE) -> registry.Finish:
+    """Figures from one state of the database and what is made of them; what stores them; the report is in
+    a language.
 
     Raises BadInput in one sentence where surveys, fleet and sites do not fit.
     """
@@ -49,18 +51,18 @@ def result_of(context: registry.JobContext, study_id: int) -> registry.Finish:
         context.progress(_COMPUTED, "Writing the package.")
         staging = Staging(folder / "study")
         staging.folder.mkdir()
-        write_study(staging, found.study, [SIMULATED] if stored.simulated else [])
+        write_study(staging, found.study, [])
         package = folder / "study.zip"
         zip_folder(staging, package)
         size, sha256 = package.stat().st_size, sha256_of(package)
         context.progress(_PACKED, "Writing the report.")
         report = folder / "report.pdf"
-        report.write_bytes(study_report(stored, found, sha256, now()))
+        report.write_bytes(study_report(stored, found, sha256, now(), language))
         report_sha256 = sha256_of(report)
         media_key, report_key = key_of(sha256, ".zip"), key_of(report_sha256, ".pdf")
         services.media.put_file(media_key, package)
         services.media.put_file(report_key, report)
-    document = document_of(found)
+    document = {**document_of(found), "language": language}
 
     def store(session: Session) -> Mapping[str, Any]:
         made = add_study_result(

@@ -136,12 +136,16 @@ def sample_of(rows: StudiedHeights) -> HeightSample:
     inset = np.rint(np.nan_to_num(rows.inset_m) * 1e4) * 100_000
     inset = inset + np.rint(np.nan_to_num(rows.u_inset_m) * 1e4)
     alike = bool(np.all(inset == inset[0]))
+    pose = _pose_codes(rows)
+    names = np.zeros(int(pose.max()) + 1, dtype=np.int64)
+    names[pose] = (rows.package << 32) + rows.pose
     return sample_of_measurements(
         height_m=rows.height_m,
         u_height_m=rows.u_height_m,
         u_clicks_m=rows.u_clicks_m,
         u_by_inset_m=rows.u_by_inset_m,
-        pose=_pose_codes(rows),
+        pose=pose,
+        pose_names=names,
         inset=np.zeros(len(inset), np.int64) if alike else _codes(inset),
     )
 

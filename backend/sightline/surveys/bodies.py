@@ -12,12 +12,13 @@ from sightline.enums import (
     ClassSet,
     EuClass,
     Hand,
+    InsetPlace,
     Lighting,
     SamplingMethod,
     StreetLamps,
 )
 from sightline.geometry.insets import INSET_CHOICES
-from sightline.infra.web.bodies import In, Name, Out, Text
+from sightline.infra.web.bodies import In, Name, Out, Text, example
 from sightline.statistics.sampling import MOST_HEADWAY_S, MOST_STEP, Quota, Sampling
 
 Metres = Annotated[float, Field(ge=-10, le=10, allow_inf_nan=False)]
@@ -57,7 +58,7 @@ class InsetChanges(In):
 
 
 class InsetChoice(Out):
-    words: str
+    place: InsetPlace
     inset_m: float
     u_inset_m: float
 
@@ -65,12 +66,13 @@ class InsetChoice(Out):
 def inset_choices(insets: Insets) -> dict[str, list[InsetChoice]]:
     """Per target what can be told apart by looking at the vehicle: a roof's spot, a driver's side."""
     choices = {
-        str(target): [InsetChoice(words=words, inset_m=inset, u_inset_m=u) for words, inset, u in found]
+        str(target): [InsetChoice(place=place, inset_m=inset, u_inset_m=u) for place, inset, u in found]
         for target, found in INSET_CHOICES.items()
     }
-    eyes = (("near side", insets.driver_eye_near), ("far side", insets.driver_eye_far))
+    near, far = insets.driver_eye_near, insets.driver_eye_far
     choices["driver_eye"] = [
-        InsetChoice(words=words, inset_m=eye.inset_m, u_inset_m=eye.u_inset_m) for words, eye in eyes
+        InsetChoice(place="near", inset_m=near.inset_m, u_inset_m=near.u_inset_m),
+        InsetChoice(place="far", inset_m=far.inset_m, u_inset_m=far.u_inset_m),
     ]
     return choices
 
@@ -95,6 +97,8 @@ class PlaceBody(Out):
     latitude_deg: Annotated[float | None, Field(description="WGS84, north positive.")] = None
     longitude_deg: Annotated[float | None, Field(description="WGS84, east positive.")] = None
     road_class: str | None = None
+    lane: Annotated[str | None, Field(description="Which lane is measured, in words.")] = None
+    travel_direction: Annotated[str | None, Field(description="Where its traffic goes, in words.")] = None
     speed_limit_mps: float | None = None
     street_lamps: StreetLamps | None = None
     time_zone: Annotated[str | None, Field(description="IANA; proposed for recordings.")] = None
@@ -107,6 +111,8 @@ class PlaceIn(In):
     latitude_deg: Degrees | None = None
     longitude_deg: Degrees | None = None
     road_class: Annotated[str, Field(max_length=100)] | None = None
+    lane: Annotated[str, Field(max_length=100)] | None = None
+    travel_direction: Annotated[str, Field(max_length=100)] | None = None
     speed_limit_mps: Annotated[float, Field(allow_inf_nan=False)] | None = None
     street_lamps: StreetLamps | None = None
     time_zone: Annotated[str, Field(max_length=60)] | None = None
@@ -217,6 +223,8 @@ class NewSurvey(In):
 
 
 class FirstSurvey(NewSurvey):
+    model_config = example(name="Hill road, spring", site="lane 1", open_to_all=False)
+
     open_to_all: bool = Field(
         default=False, description="Everybody who signs in acts in it by the role of the account."
     )

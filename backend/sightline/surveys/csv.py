@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import get_args
 
 from sightline.enums import AskedTarget, Category, ClassSet, InsetName, Lighting, SamplingMethod, StreetLamps
-from sightline.infra.csv_package.columns import integer, key, metres, number, text
+from sightline.infra.csv_package.columns import flag, integer, key, metres, number, text
 from sightline.infra.csv_package.files import Files, read_columns, read_rows, unsafe
 from sightline.infra.csv_package.files import number as figure
 from sightline.infra.csv_package.schema import Table
@@ -27,9 +27,17 @@ SURVEY: Table[Survey] = Table(
             "site", "where it was filmed; a study takes surveys of one site as one cluster", lambda s: s.site
         ),
         text("description", "what was said of the survey", lambda s: s.description),
+        flag(
+            "simulated",
+            "true: invented, so that no figure of it says anything of real roads",
+            lambda s: s.simulated,
+            required=True,
+        ),
         number("latitude_deg", "latitude (WGS84), north positive", "deg", lambda s: s.place.latitude_deg),
         number("longitude_deg", "longitude (WGS84), east positive", "deg", lambda s: s.place.longitude_deg),
         text("road_class", "class of the road, in words", lambda s: s.place.road_class),
+        text("lane", "which lane is measured, in words", lambda s: s.place.lane),
+        text("travel_direction", "where its traffic goes, in words", lambda s: s.place.travel_direction),
         number("speed_limit_mps", "speed limit", "m/s", lambda s: s.place.speed_limit_mps),
         text(
             "street_lamps",
@@ -171,6 +179,8 @@ def place_in(files: Files) -> Place:
         latitude_deg=figure(row["latitude_deg"]),
         longitude_deg=figure(row["longitude_deg"]),
         road_class=unsafe(row["road_class"]) or None,
+        lane=unsafe(row["lane"]) or None,
+        travel_direction=unsafe(row["travel_direction"]) or None,
         speed_limit_mps=figure(row["speed_limit_mps"]),
         street_lamps=lamps.get(row["street_lamps"]),
         time_zone=unsafe(row["time_zone"]) or None,

@@ -13,13 +13,15 @@ _FASTEST_MPS = 60.0
 class Place:
     """What is known of a survey's site; None while nobody has said.
 
-    Latitude and longitude in degrees (WGS84), north and east positive; `time_zone` by its IANA name, proposed
-    for recordings.
+    Latitude and longitude in degrees (WGS84), north and east positive; which lane is measured and where its
+    traffic goes, in words; `time_zone` by its IANA name, proposed for recordings.
     """
 
     latitude_deg: float | None = None
     longitude_deg: float | None = None
     road_class: str | None = None
+    lane: str | None = None
+    travel_direction: str | None = None
     speed_limit_mps: float | None = None
     street_lamps: StreetLamps | None = None
     time_zone: str | None = None
@@ -40,10 +42,19 @@ def checked_place(place: Place) -> Place:
     limit = place.speed_limit_mps
     if limit is not None and not 0.0 < limit <= _FASTEST_MPS:
         raise BadInput(
-            "surveys-place-speed-limit", kmh=f"{3.6 * limit:.3g}", fastest=f"{3.6 * _FASTEST_MPS:.3g}"
+            "surveys-place-speed-limit", kmh=f"{3.6 * limit:.0f}", fastest=f"{3.6 * _FASTEST_MPS:.0f}"
         )
-    zone = (place.time_zone or "").strip() or None
+    zone = _words(place.time_zone)
     if zone is not None:
         zone_of(zone)
-    road = (place.road_class or "").strip() or None
-    return replace(place, road_class=road, time_zone=zone)
+    return replace(
+        place,
+        road_class=_words(place.road_class),
+        lane=_words(place.lane),
+        travel_direction=_words(place.travel_direction),
+        time_zone=zone,
+    )
+
+
+def _words(said: str | None) -> str | None:
+    return (said or "").strip() or None

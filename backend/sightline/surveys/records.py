@@ -45,6 +45,7 @@ class Survey:
     site: str
     description: str
     is_demo: bool
+    simulated: bool
     open_to_all: bool
     version: int
     created_at: datetime

@@ -43,16 +43,19 @@ def create_survey(
     sampling: Sampling = Sampling(),
     insets: Mapping[str, Inset] | None = None,
     is_demo: bool = False,
+    simulated: bool = False,
     open_to_all: bool = False,
     actor: int | None,
 ) -> Survey:
-    """A new, empty survey without members. Raises BadInput without a name."""
+    """A new, empty survey without members; simulated: no figure of it says anything of real roads. Raises
+    BadInput without a name.
+    """
     moment = now()
     content = _content(
         name, site, description, traffic, place, asked, classes, sampling, insets or default_insets()
     )
     stamps = {"created_at": moment, "created_by": actor, "updated_at": moment, "updated_by": actor}
-    content["open_to_all"] = open_to_all
+    content |= {"open_to_all": open_to_all, "simulated": simulated}
     survey_id = add_row(session, surveys, {**content, **stamps, "is_demo": is_demo, "version": 1})
     trail.record(session, actor, "create", "survey", survey_id, survey_id, None, content)
     return get_survey(session, survey_id)
@@ -69,6 +72,11 @@ def list_surveys(session: Session, seen: Seen = None) -> tuple[Survey, ...]:
     if seen is not None:
         query = query.where(surveys.c.id.in_(seen))
     return tuple(_survey(dict(row)) for row in session.execute(query).mappings())
+
+
+def simulated_surveys(session: Session) -> set[int]:
+    """Those of whom no figure says anything of real roads."""
+    return set(session.execute(select(surveys.c.id).where(surveys.c.simulated)).scalars())
 
 
 def survey_names(session: Session) -> dict[int, tuple[str, str]]:
@@ -152,7 +160,7 @@ def _content(
         "description": description.strip(),
         **asdict(traffic),
         **asdict(checked_place(place)),
-        "asked": {lighting: list(targets) for lighting, targets in asdict(asked).items()},
+        "asked": {lighting: list(dict.fromkeys(targets)) for lighting, targets in asdict(asked).items()},
         "classes": stored_classes(classes),
         "sampling": stored_sampling(sampling),
         "insets": {target: asdict(inset) for target, inset in whole.items()},
@@ -166,6 +174,7 @@ def _survey(row: Mapping[str, Any]) -> Survey:
         site=row["site"],
         description=row["description"],
         is_demo=row["is_demo"],
+        simulated=row["simulated"],
         open_to_all=row["open_to_all"],
         version=row["version"],
         created_at=row["created_at"],

@@ -23,6 +23,8 @@ surveys = Table(
     Column("site", String(200), nullable=False),
     Column("description", Text, nullable=False),
     Column("is_demo", Boolean, nullable=False),
+    # No figure of it says anything of real roads; said of each study that takes it.
+    Column("simulated", Boolean, nullable=False),
     # everybody who signs in acts here with the role of the account; else members alone
     Column("open_to_all", Boolean, nullable=False),
     # how traffic goes here and where the camera stands; empty while nobody has said
@@ -33,6 +35,8 @@ surveys = Table(
     Column("latitude_deg", Float),
     Column("longitude_deg", Float),
     Column("road_class", String(100)),
+    Column("lane", String(100)),
+    Column("travel_direction", String(100)),
     Column("speed_limit_mps", Float),
     Column("street_lamps", String(20)),
     Column("time_zone", String(60)),

@@ -5,9 +5,12 @@ from typing import Annotated
 from pydantic import Field
 
 from sightline.enums import Category, Direction, Discarded, DriverSide, Lighting, NotVisible
-from sightline.infra.web.bodies import Finite, FrameNumber, In, Text
+from sightline.infra.web.bodies import Finite, FrameNumber, In, Text, example
 from sightline.infra.web.quantities import Word
 from sightline.vehicles.records import MOST_HEIGHT_M
+
+Height = Annotated[Finite, Field(gt=0, le=MOST_HEIGHT_M)] | None
+HeightU = Annotated[Finite, Field(ge=0, le=MOST_HEIGHT_M)] | None
 
 
 class VehicleFields(In):
@@ -20,9 +23,22 @@ class VehicleFields(In):
     model: Word | None = None
     year: Annotated[int, Field(ge=1885, le=2100)] | None = None
     category: Category | None = None
-    manufacturer_height_m: Annotated[Finite, Field(gt=0, le=MOST_HEIGHT_M)] | None = None
-    u_manufacturer_height_m: Annotated[Finite, Field(ge=0, le=MOST_HEIGHT_M)] | None = None
+    manufacturer_height_m: Height = None
+    u_manufacturer_height_m: HeightU = None
     height_source: Text | None = None
+    known_driver_eye_m: Height = None
+    u_known_driver_eye_m: HeightU = None
+    known_driver_eye_source: Text | None = None
+    known_taillight_m: Height = None
+    u_known_taillight_m: HeightU = None
+    known_taillight_source: Text | None = None
+    known_headlight_m: Height = None
+    u_known_headlight_m: HeightU = None
+    known_headlight_source: Text | None = None
+    known_other_m: Height = None
+    u_known_other_m: HeightU = None
+    known_other_source: Text | None = None
+    check_target: bool = False
     lighting: Lighting | None = None
     direction: Direction | None = None
     driver_side: DriverSide | None = None
@@ -35,6 +51,8 @@ class VehicleFields(In):
 
 
 class NewVehicle(VehicleFields):
+    model_config = example(first_frame=2, last_frame=9, category="hatchback")
+
     first_frame: FrameNumber
     last_frame: FrameNumber
 

@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 from datetime import datetime
-from typing import Annotated, TypedDict, get_args
+from typing import Annotated, NamedTuple, TypedDict, get_args
 
 from pydantic import Field
 
@@ -13,9 +13,11 @@ from sightline.enums import (
     Discarded,
     DriverSide,
     JsonObject,
+    KnownTarget,
     Lighting,
     NotVisible,
     SideBasis,
+    Target,
     VehicleOrigin,
 )
 from sightline.infra.audit.records import Who
@@ -23,6 +25,32 @@ from sightline.infra.audit.records import Who
 # The field that says why a target is not visible, by target.
 NOT_VISIBLE: dict[AskedTarget, str] = {target: f"{target}_not_visible" for target in get_args(AskedTarget)}
 MOST_HEIGHT_M = 10.0  # of a vehicle, and of its uncertainty; a height is more than 0
+#: What is known of a target lies within these, metres, on any vehicle or check target; feet mostly do not.
+KNOWN_WITHIN_M: dict[Target, tuple[float, float]] = {
+    "roof": (0.3, 5.0),
+    "driver_eye": (0.3, 3.5),
+    "taillight": (0.1, 2.5),
+    "headlight": (0.1, 2.5),
+    "other": (0.0, MOST_HEIGHT_M),
+}
+
+
+class KnownFields(NamedTuple):
+    """The fields of a height that was known before it was measured: metres, metres, words."""
+
+    height: str
+    u: str
+    source: str
+
+
+# A roof's known height is that of the maker, or the taped one of a check target.
+KNOWN: dict[Target, KnownFields] = {
+    "roof": KnownFields("manufacturer_height_m", "u_manufacturer_height_m", "height_source"),
+    **{
+        target: KnownFields(f"known_{target}_m", f"u_known_{target}_m", f"known_{target}_source")
+        for target in get_args(KnownTarget)
+    },
+}
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,6 +71,25 @@ class Vehicle:
     manufacturer_height_m: float | None
     u_manufacturer_height_m: float | None
     height_source: str | None
+    known_driver_eye_m: float | None
+    u_known_driver_eye_m: float | None
+    known_driver_eye_source: str | None
+    known_taillight_m: float | None
+    u_known_taillight_m: float | None
+    known_taillight_source: str | None
+    known_headlight_m: float | None
+    u_known_headlight_m: float | None
+    known_headlight_source: str | None
+    known_other_m: float | None
+    u_known_other_m: float | None
+    known_other_source: str | None
+    check_target: Annotated[
+        bool,
+        Field(
+            description="A staff with marks, or a car with taped heights, to check the measuring: it has its "
+            "own row among the errors and counts in no distribution, quota or response."
+        ),
+    ]
     lighting: Lighting | None
     notes: str
     origin: VehicleOrigin
@@ -101,6 +148,19 @@ class VehicleChanges(TypedDict, total=False):
     manufacturer_height_m: float | None
     u_manufacturer_height_m: float | None
     height_source: str | None
+    known_driver_eye_m: float | None
+    u_known_driver_eye_m: float | None
+    known_driver_eye_source: str | None
+    known_taillight_m: float | None
+    u_known_taillight_m: float | None
+    known_taillight_source: str | None
+    known_headlight_m: float | None
+    u_known_headlight_m: float | None
+    known_headlight_source: str | None
+    known_other_m: float | None
+    u_known_other_m: float | None
+    known_other_source: str | None
+    check_target: bool
     lighting: Lighting | None
     notes: str
     origin: VehicleOrigin

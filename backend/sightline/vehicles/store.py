@@ -4,7 +4,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from sqlalchemy import ColumnElement, Select, func, select
+from sqlalchemy import ColumnElement, Select, and_, func, select
 from sqlalchemy.orm import Session
 
 from sightline.enums import Direction
@@ -19,7 +19,14 @@ from sightline.recordings.tables import recordings
 from sightline.statistics.sampling import PassTime, headways, is_in_sample
 from sightline.surveys.store import TRAFFIC, asked_of, sampling_of, traffic_of_row
 from sightline.surveys.tables import surveys
-from sightline.vehicles.records import MOST_HEIGHT_M, NOT_VISIBLE, Vehicle, VehicleChanges
+from sightline.vehicles.records import (
+    KNOWN,
+    KNOWN_WITHIN_M,
+    MOST_HEIGHT_M,
+    NOT_VISIBLE,
+    Vehicle,
+    VehicleChanges,
+)
 from sightline.vehicles.tables import vehicles
 
 
@@ -30,6 +37,14 @@ class PassSpan:
     first_frame: int
     last_frame: int
     direction: Direction | None
+
+
+@dataclass(frozen=True, slots=True)
+class PassCount:
+    """How many passes a recording has."""
+
+    recording_id: int
+    passes: int
 
 
 _ALIVE: ColumnElement[bool] = vehicles.c.deleted_at.is_(None)
@@ -65,6 +80,20 @@ def get_vehicle(session: Session, vehicle_id: int, *, deleted: bool = False) -> 
     if row is None:
         raise missing("vehicle", vehicle_id)
     return Vehicle(**facts_of_row(row, headways_needed(session, [row])))
+
+
+def count_passes(session: Session, survey_id: int) -> tuple[PassCount, ...]:
+    """How many passes each recording of a survey has, without those that were discarded."""
+    query = (
+        select(recordings.c.id, func.count(vehicles.c.id))
+        .outerjoin(
+            vehicles, and_(vehicles.c.recording_id == recordings.c.id, _ALIVE, vehicles.c.discarded.is_(None))
+        )
+        .where(recordings.c.survey_id == survey_id, recordings.c.deleted_at.is_(None))
+        .group_by(recordings.c.id)
+        .order_by(recordings.c.id)
+    )
+    return tuple(PassCount(*row) for row in session.execute(query))
 
 
 def list_vehicles_of_recording(session: Session, recording_id: int) -> tuple[Vehicle, ...]:
@@ -135,7 +164,7 @@ def _current(session: Session, vehicle_id: int, version: int | None) -> dict[str
 
 
 def _empty() -> dict[str, Any]:
-    return {**dict.fromkeys(_FIELDS, None), "notes": "", "origin": "person"}
+    return {**dict.fromkeys(_FIELDS, None), "notes": "", "origin": "person", "check_target": False}
 
 
 def _span(row: Mapping[str, Any]) -> dict[str, Any]:
@@ -156,11 +185,16 @@ def _checked(fields: Mapping[str, Any], frame_count: int | None) -> dict[str, An
     for target, name in NOT_VISIBLE.items():
         if values.get(name) == "no_driver" and target != "driver_eye":
             raise BadInput("vehicles-no-driver-only-eye-choose-another", target=target)
-    height, u_height = values.get("manufacturer_height_m"), values.get("u_manufacturer_height_m")
-    if height is not None and not 0 < height <= MOST_HEIGHT_M:
-        raise BadInput("vehicles-manufacturers-height-m-cannot-used-give", height=format(height, "g"))
-    if u_height is not None and not 0 <= u_height <= MOST_HEIGHT_M:
-        raise BadInput("vehicles-uncertainty-m-cannot-used-give-metres", u_height=format(u_height, "g"))
+    for known, names in KNOWN.items():
+        height, u_height = values.get(names.height), values.get(names.u)
+        if height is not None and not 0 < height <= MOST_HEIGHT_M:
+            raise BadInput("vehicles-known-height-m-cannot-used-give", height=format(height, "g"))
+        low, high = KNOWN_WITHIN_M[known]
+        if height is not None and not low <= height <= high:
+            given = format(height, "g")
+            raise BadInput("vehicles-known-height-of-none", target=known, height=given, low=low, high=high)
+        if u_height is not None and not 0 <= u_height <= MOST_HEIGHT_M:
+            raise BadInput("vehicles-uncertainty-m-cannot-used-give-metres", u_height=format(u_height, "g"))
     return values
 
 

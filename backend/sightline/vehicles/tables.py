@@ -1,6 +1,9 @@
 """The table of vehicles."""
 
+from typing import get_args
+
 from sqlalchemy import (
+    Boolean,
     CheckConstraint,
     Column,
     Float,
@@ -10,12 +13,22 @@ from sqlalchemy import (
     Table,
     Text,
     UniqueConstraint,
+    false,
 )
 
-from sightline.enums import Category, Direction, Discarded, DriverSide, Lighting, NotVisible, VehicleOrigin
+from sightline.enums import (
+    Category,
+    Direction,
+    Discarded,
+    DriverSide,
+    KnownTarget,
+    Lighting,
+    NotVisible,
+    VehicleOrigin,
+)
 from sightline.infra.audit.vouched import ChangedByEvents, vouched
 from sightline.infra.database.types import CanonicalJson, UtcDateTime, enum_check, identity, metadata
-from sightline.vehicles.records import NOT_VISIBLE
+from sightline.vehicles.records import KNOWN, NOT_VISIBLE
 
 vehicles = Table(
     "vehicles",
@@ -34,6 +47,13 @@ vehicles = Table(
     Column("manufacturer_height_m", Float),
     Column("u_manufacturer_height_m", Float),
     Column("height_source", Text),
+    *(
+        column
+        for names in (KNOWN[target] for target in get_args(KnownTarget))
+        for column in (Column(names.height, Float), Column(names.u, Float), Column(names.source, Text))
+    ),
+    # driven by to check the measuring: no vehicle of the traffic
+    Column("check_target", Boolean, nullable=False, server_default=false()),
     Column("lighting", String(20)),
     Column("notes", Text, nullable=False),
     # found by the job that looks for passes, or marked by a person; where it goes in the picture

@@ -42,6 +42,8 @@ const survey: Survey = {
     latitude_deg: null,
     longitude_deg: null,
     road_class: null,
+    lane: null,
+    travel_direction: null,
     speed_limit_mps: null,
     street_lamps: null,
     time_zone: null,
@@ -102,6 +104,7 @@ const job = (part: Partial<Job>): Job => ({
   progress: 0.4,
   message: "drawing daytime.mp4",
   error: null,
+  said: null,
   result: null,
   survey_id: null,
   recording_id: null,
@@ -159,7 +162,7 @@ describe("the surveys", () => {
   it("offer a viewer nothing that a viewer may not do", async () => {
     answers = { "/session": person("viewer"), "/surveys": [], "/jobs": [] };
     show("/");
-    await shown("Nobody has made a survey yet");
+    await shown("No surveys yet. An operator can create");
     expect(text()).not.toContain("New survey");
   });
 
@@ -179,7 +182,7 @@ describe("the surveys", () => {
       "/jobs": [job({ state: "queued", message: "" })],
     };
     show("/");
-    await shown("being made");
+    await shown("being created");
     expect(text()).not.toContain("No surveys yet");
   });
 
@@ -235,9 +238,7 @@ describe("a recording that failed", () => {
     };
     show("/surveys/5/recordings");
     await shown("is a text file, not a video");
-    [...document.querySelectorAll("button")]
-      .find((button) => button.textContent === "Read it again")
-      ?.click();
+    [...document.querySelectorAll("button")].find((button) => button.textContent === "Import again")?.click();
     await vi.waitFor(() => expect(asked).toContain("POST /api/recordings/3/ingest"));
   });
 });
@@ -246,7 +247,7 @@ describe("an address that leads nowhere", () => {
   it("says so and leads back", async () => {
     answers = { "/session": person("operator") };
     show("/surveys/0");
-    await shown("There is nothing at this address");
+    await shown("Page not found");
   });
 });
 

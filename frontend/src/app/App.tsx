@@ -11,6 +11,7 @@ import { loadSurvey, survey, surveyProblem } from "../core/survey";
 import { Arrival } from "./arrival";
 import { keysShown } from "./KeysDialog.state";
 import "./kinds";
+import { tour } from "../core/tour";
 import { Offline } from "./Offline";
 import { Rail } from "./Rail";
 import { NotFound, Screen } from "./Screen";
@@ -35,6 +36,7 @@ export function App() {
       <Arrival />
       <AskDialog />
       {keysShown.value && <Keys />}
+      {tour.value && me.value && <Touring />}
       <Toasts />
     </>
   );
@@ -139,6 +141,15 @@ function Keys() {
   const [Shown, setShown] = useState<ComponentType | null>(null);
   useEffect(() => {
     void import("./KeysDialog").then((module) => setShown(() => module.default));
+  }, []);
+  return Shown && <Shown />;
+}
+
+/** So does the tour's. */
+function Touring() {
+  const [Shown, setShown] = useState<ComponentType | null>(null);
+  useEffect(() => {
+    void import("./Tour").then((module) => setShown(() => module.default));
   }, []);
   return Shown && <Shown />;
 }

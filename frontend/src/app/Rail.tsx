@@ -2,67 +2,54 @@ import { Icon, type IconName, StateMark } from "../components";
 import { say } from "../core/messages";
 import { titleOf } from "../core/places";
 import { survey } from "../core/survey";
-import { RESULTS, resultAddress, stepState, WORK } from "../core/work";
+import { type EntryName, GROUPS, stepState } from "../core/work";
 
-const ICONS: Record<(typeof WORK)[number]["name"], IconName> = {
+const ICONS: Record<EntryName, IconName> = {
   survey: "overview",
   planning: "search",
   camera: "camera",
   recordings: "film",
   pose: "road",
   measure: "ruler",
-  checks: "check",
-  review: "review",
-  repeats: "retry",
   scans: "scan",
-  export: "package",
-};
-
-const RESULT_ICONS: Record<(typeof RESULTS)[number]["name"], IconName> = {
+  review: "review",
+  checks: "check",
+  repeats: "retry",
   statistics: "chart",
   "sight-distance": "crest",
   studies: "sites",
   catalogue: "overview",
+  export: "package",
   audit: "audit",
 };
 
-/** The order of work beside the quiet screens: each step with its state. */
+/** The pages of a survey beside the quiet screens, in groups: each step of the work with its state. */
 export function Rail({ surveyId, name }: { surveyId: number; name: string }) {
   return (
     <nav class="rail" aria-label={say("app-work")}>
-      <ul>
-        {WORK.map((entry) => {
-          const state = stepState(survey.value, entry.step);
-          return (
-            <li key={entry.name}>
-              <a
-                class="rail__item"
-                href={`/surveys/${surveyId}${entry.path}`}
-                aria-current={entry.name === name ? "page" : undefined}
-              >
-                <Icon name={ICONS[entry.name]} />
-                <span class="grow">{titleOf(entry.name)}</span>
-                {state && <StateMark state={state} hideWord />}
-              </a>
-            </li>
-          );
-        })}
-      </ul>
-      <div class="rail__sep" />
-      <ul>
-        {RESULTS.map((entry) => (
-          <li key={entry.name}>
-            <a
-              class="rail__item"
-              href={resultAddress(entry, surveyId)}
-              aria-current={entry.name === name ? "page" : undefined}
-            >
-              <Icon name={RESULT_ICONS[entry.name]} />
-              <span class="grow">{entry.name === "audit" ? say("app-audit") : titleOf(entry.name)}</span>
-            </a>
-          </li>
-        ))}
-      </ul>
+      {GROUPS.map((group) => (
+        <section key={group.key}>
+          <h2 class="rail__group">{say(`rail-${group.key}`)}</h2>
+          <ul>
+            {group.entries.map((entry) => {
+              const state = stepState(survey.value, entry.step);
+              return (
+                <li key={entry.name}>
+                  <a
+                    class="rail__item"
+                    href={entry.address(surveyId)}
+                    aria-current={entry.name === name ? "page" : undefined}
+                  >
+                    <Icon name={ICONS[entry.name]} />
+                    <span class="grow">{titleOf(entry.name)}</span>
+                    {state && <StateMark state={state} hideWord />}
+                  </a>
+                </li>
+              );
+            })}
+          </ul>
+        </section>
+      ))}
     </nav>
   );
 }

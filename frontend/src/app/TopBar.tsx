@@ -1,8 +1,9 @@
-import { Button, Mark, Menu } from "../components";
+import { Fragment } from "preact";
+import { Button, LanguageChoice, Mark, Menu } from "../components";
 import { current, surveyHere } from "../core/address";
 import { hint } from "../core/commands";
 import { GUIDE_OF, guideAddress } from "../core/guide";
-import { chooseLanguage, LANGUAGES, language, say } from "../core/messages";
+import { say } from "../core/messages";
 import { outbox } from "../core/outbox";
 import { titleOf } from "../core/places";
 import { saveState } from "../core/save";
@@ -12,9 +13,10 @@ import { type ThemeChoice, themeChoice } from "../core/theme";
 import { formatClock } from "../core/times";
 import { toastProblem } from "../core/toasts";
 import { topTools } from "../core/topbar";
+import { beginTour } from "../core/tour";
 import { ROLE_NAMES } from "../core/types";
 import { type LengthUnit, lengthUnit } from "../core/units";
-import { RESULTS, resultAddress, WORK } from "../core/work";
+import { GROUPS } from "../core/work";
 import { keysShown } from "./KeysDialog.state";
 
 export function TopBar() {
@@ -92,26 +94,20 @@ function WorkMenu({ surveyId, name, title }: { surveyId: number; name: string; t
         </>
       }
     >
-      {WORK.map((entry) => (
-        <a
-          key={entry.name}
-          class="menu__item"
-          href={`/surveys/${surveyId}${entry.path}`}
-          aria-current={entry.name === name ? "page" : undefined}
-        >
-          {titleOf(entry.name)}
-        </a>
-      ))}
-      <div class="menu__sep" />
-      {RESULTS.map((entry) => (
-        <a
-          key={entry.name}
-          class="menu__item"
-          href={resultAddress(entry, surveyId)}
-          aria-current={entry.name === name ? "page" : undefined}
-        >
-          {entry.name === "audit" ? say("app-audit") : titleOf(entry.name)}
-        </a>
+      {GROUPS.map((group, n) => (
+        <Fragment key={group.key}>
+          {n > 0 && <div class="menu__sep" />}
+          {group.entries.map((entry) => (
+            <a
+              key={entry.name}
+              class="menu__item"
+              href={entry.address(surveyId)}
+              aria-current={entry.name === name ? "page" : undefined}
+            >
+              {titleOf(entry.name)}
+            </a>
+          ))}
+        </Fragment>
       ))}
     </Menu>
   );
@@ -188,7 +184,7 @@ function PersonMenu() {
         </a>
       )}
       <a class="menu__item" href="/audit">
-        {say("app-audit")}
+        {titleOf("audit")}
       </a>
       <div class="menu__sep" />
       <Choice
@@ -210,25 +206,16 @@ function PersonMenu() {
           lengthUnit.value = v;
         }}
       />
-      {LANGUAGES.length > 1 && (
-        <Choice
-          label={say("menu-language")}
-          value={language.value}
-          options={LANGUAGES.map((value) => ({ value, label: nameOfLanguage(value) }))}
-          set={(v) => void chooseLanguage(v)}
-        />
-      )}
+      <LanguageChoice class="menu__choice" />
       <div class="menu__sep" />
+      <button type="button" class="menu__item" onClick={() => beginTour().catch(toastProblem)}>
+        {say("tour-title")}
+      </button>
       <button type="button" class="menu__item" onClick={() => signOut().catch(toastProblem)}>
         {say("menu-sign-out")}
       </button>
     </Menu>
   );
-}
-
-/** "français": what a language calls itself. */
-function nameOfLanguage(name: string): string {
-  return new Intl.DisplayNames([name], { type: "language" }).of(name) ?? name;
 }
 
 interface ChoiceProps<T extends string> {

@@ -20,6 +20,7 @@ const LOADERS: Record<PlaceName, () => Promise<{ default: Screen }>> = {
   "click-again": () => import("../screens/repeats/ClickAgainScreen"),
   scans: () => import("../screens/scans/ScansScreen"),
   "scan-results": () => import("../screens/scans/ResultsScreen"),
+  live: () => import("../screens/live/LiveScreen"),
   scan: () => import("../screens/scans/BenchScreen"),
   export: () => import("../screens/export/ExportScreen"),
   statistics: () => import("../screens/statistics/StatisticsScreen"),

@@ -33,7 +33,7 @@ export function Checklist({ label, words, help, groups }: Props) {
         {label}
       </span>
       <details class="checklist" ref={list}>
-        <summary class="input clip" aria-describedby={id}>
+        <summary class="input clip" aria-describedby={id} title={words}>
           {words}
         </summary>
         <fieldset class="checklist__list">

@@ -84,7 +84,7 @@ export function AskDialog() {
       onClose={() => q.answer(false)}
       actions={
         <>
-          <Button onClick={() => q.answer(false)}>{say("action-keep")}</Button>
+          <Button onClick={() => q.answer(false)}>{say("action-cancel")}</Button>
           <Button kind="primary" onClick={() => q.answer(true)}>
             {q.action}
           </Button>

@@ -33,6 +33,7 @@ const SHAPES: Record<StateName, MarkShape> = {
   // steps
   done: "check",
   next: "arrow",
+  begun: "half",
   waiting: "dash",
   // recordings and jobs
   ingesting: "wait",

@@ -6,8 +6,10 @@ export { Empty, JobProgress, Loading, Notice, Problem, Progress } from "./Feedba
 export { DateField, Field, Segments, SelectField, TextField } from "./Field";
 export { FormDialog } from "./FormDialog";
 export { Icon, type IconName } from "./Icon";
+export { LanguageChoice } from "./LanguageChoice";
 export { LongList } from "./LongList";
 export { Mark } from "./Mark";
 export { Menu } from "./Menu";
+export { ShowOnce } from "./ShowOnce";
 export { type MarkShape, Shape, StateMark } from "./StateMark";
 export { TableScroll } from "./TableScroll";

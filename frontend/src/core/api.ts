@@ -1,6 +1,6 @@
 /** The only door to the server. One error shape, one header against cross-site requests, retries that are never silent. */
 import { computed, signal } from "@preact/signals";
-import { type MessageKey, type Said, say, sayCode, sentence } from "./messages";
+import { language, type MessageKey, type Said, say, sayCode, sentence } from "./messages";
 import type { AddressOf, AnswerOf, BodyOf, Deed, ParamsOf, Question, Route } from "./routes";
 import { changeSave } from "./save";
 
@@ -130,7 +130,11 @@ async function send(
 }
 
 function contentOf(body: unknown): Pick<RequestInit, "headers" | "body"> {
-  const headers: Record<string, string> = { Accept: "application/json", "X-Sightline": "1" };
+  const headers: Record<string, string> = {
+    Accept: "application/json",
+    "Accept-Language": language.value,
+    "X-Sightline": "1",
+  };
   if (body === undefined) return { headers, body };
   if (body instanceof File) {
     const form = new FormData();

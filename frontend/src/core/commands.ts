@@ -1,6 +1,6 @@
 /** The one key map. `?` shows it, the person can change it, overrides live in local storage. */
 import { computed } from "@preact/signals";
-import { useEffect, useRef } from "preact/hooks";
+import { useLayoutEffect, useRef } from "preact/hooks";
 import { say, wordsOf } from "./messages";
 import { stored } from "./stored";
 
@@ -46,9 +46,15 @@ export const ACTIONS = {
   driverSide: { scope: "measure", keys: ["E"] },
   notVisible: { scope: "measure", keys: ["X"] },
   secondFrame: { scope: "measure", keys: ["S"] },
+  followPass: { scope: "measure", keys: ["Shift+S"] },
   proposeContact: { scope: "measure", keys: ["A"] },
   selectNext: { scope: "measure", keys: ["W"] },
   bestFrame: { scope: "measure", keys: ["B"] },
+  record: { scope: "measure", keys: ["Shift+C"] },
+  recentModel1: { scope: "measure", keys: ["6"] },
+  recentModel2: { scope: "measure", keys: ["7"] },
+  recentModel3: { scope: "measure", keys: ["8"] },
+  recentModel4: { scope: "measure", keys: ["9"] },
   whichModel: { scope: "measure", keys: ["Shift+M"] },
   passBegin: { scope: "measure", keys: ["["] },
   passEnd: { scope: "measure", keys: ["]"] },
@@ -239,7 +245,8 @@ const layers: Layer[] = [];
 export function useCommands(commands: readonly Command[]): void {
   const latest = useRef(commands);
   latest.current = commands;
-  useEffect(() => addCommands(() => latest.current), []);
+  // of the layout, so that a key serves as soon as what it does is seen
+  useLayoutEffect(() => addCommands(() => latest.current), []);
 }
 
 export function addCommands(commands: Layer): () => void {

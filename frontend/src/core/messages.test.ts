@@ -4,7 +4,7 @@ import { language, preferredLanguage, say, sayCode, sentence, speak } from "./me
 afterEach(() => speak("en"));
 
 test("a sentence is the catalogue's", () => {
-  expect(say("page-repeats")).toBe("Repeats");
+  expect(say("page-repeats")).toBe("Repeatability");
 });
 
 test("a sentence counts as its language does, thousands set apart", () => {

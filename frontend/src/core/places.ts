@@ -20,6 +20,7 @@ export type PlaceName =
   | "click-again"
   | "scans"
   | "scan-results"
+  | "live"
   | "scan"
   | "export"
   | "statistics"
@@ -111,6 +112,11 @@ export const PLACES: readonly Place[] = [
   {
     name: "scan-results",
     pattern: "/surveys/:id/scans/results",
+    layout: "bench",
+  },
+  {
+    name: "live",
+    pattern: "/surveys/:id/live",
     layout: "bench",
   },
   {

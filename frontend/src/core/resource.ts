@@ -1,4 +1,5 @@
 import { useCallback, useEffect, useRef, useState } from "preact/hooks";
+import { language } from "./messages";
 
 export interface Resource<T> {
   data: T | null;
@@ -20,7 +21,8 @@ interface State<T> {
   loading: boolean;
 }
 
-/** Something read from the server, read again when `deps` change or on `reload`, during which old data stays. */
+/** Something read from the server, read again when `deps` change or on `reload`, during which old data stays. Another
+ *  language asks again: the answer's sentences come in the language spoken. */
 export function useResource<T>(
   read: (signal: AbortSignal) => Promise<T>,
   deps: readonly unknown[],
@@ -46,7 +48,7 @@ export function useResource<T>(
     if (!keep) setState({ data: null, error: null, loading: true });
     void load();
     return () => stop.current?.abort();
-  }, deps);
+  }, [...deps, language.value]);
   const set = useCallback((next: T | ((now: T) => T)) => setState((old) => withNext(old, next)), []);
   return { ...state, reload: load, set };
 }

@@ -22,7 +22,8 @@ export type Question = Extract<
   | "POST /catalogue/import/preview"
   | `POST /recordings/{recording_id}/${"board" | "board/span" | "frames/{n}/contact"}`
   | `POST /recordings/{recording_id}/geometry/${string}`
-  | `POST /scans/{scan_id}/${"line-height" | "line-pose/preview"}`
+  | `POST /vehicles/{vehicle_id}/${"frames/{n}/snap" | "follow"}`
+  | `POST /scans/{scan_id}/${"line-height" | "line-pose/preview" | "references/preview" | "rig-calibrations/preview"}`
 >;
 
 /** What is done: the top bar tells whether it is saved. */

@@ -2,6 +2,7 @@
 
 import { computed } from "@preact/signals";
 import { region, say } from "./messages";
+import { fixed } from "./units";
 
 const clock = format({ hour: "2-digit", minute: "2-digit", second: "2-digit" });
 const hour = format({ hour: "2-digit", minute: "2-digit" });
@@ -23,6 +24,8 @@ const placeDayTime = format({
   second: "2-digit",
   timeZone: "UTC",
 });
+
+const placeDay = format({ day: "numeric", month: "short", year: "numeric", timeZone: "UTC" });
 
 function format(options: Intl.DateTimeFormatOptions) {
   return computed(() => new Intl.DateTimeFormat(region.value, options));
@@ -65,6 +68,18 @@ export function formatPlaceClock(local: string): string {
   return local.slice(11, 19);
 }
 
+/** "3 May 2026" */
+export function formatPlaceDay(local: string): string {
+  return placeDay.value.format(new Date(`${local.slice(0, 10)}T00:00:00Z`));
+}
+
+/** "08:10:00.25"; of a time that is not known to a tenth of a second "08:10:00". */
+export function formatPlaceTime(local: string, u_s: number | null): string {
+  const whole = local.slice(11, 19);
+  const parts = local.slice(19, 22);
+  return u_s !== null && u_s < 0.1 && parts ? `${whole}${fixed(Number(`0${parts}`), 2).slice(1)}` : whole;
+}
+
 /** What clocks of a zone show at an instant, "2026-05-03T08:10:00"; null for a zone that the browser does not know. */
 export function placeTime(iso: string, zone: string): string | null {
   try {
@@ -85,15 +100,15 @@ export function ownZone(): string {
 
 /** A position in a recording: "42.800 s", or "3:02.800" from one minute on. */
 export function formatFrameTime(seconds: number): string {
-  if (seconds < 60) return `${seconds.toFixed(3)} s`;
+  if (seconds < 60) return `${fixed(seconds, 3)} s`;
   const minutes = Math.floor(seconds / 60);
-  return `${minutes}:${(seconds - minutes * 60).toFixed(3).padStart(6, "0")}`;
+  return `${minutes}:${fixed(seconds - minutes * 60, 3).padStart(6, "0")}`;
 }
 
 /** A length of time: "12 s", "3 min 20 s", "1 h 04 min". */
 export function formatDuration(seconds: number): string {
   const whole = Math.round(seconds);
-  if (seconds < 10) return `${seconds.toFixed(1)} s`;
+  if (seconds < 10) return `${fixed(seconds, 1)} s`;
   if (whole < 60) return `${whole} s`;
   if (whole < 3600) return `${Math.floor(whole / 60)} min ${String(whole % 60).padStart(2, "0")} s`;
   return `${Math.floor(whole / 3600)} h ${String(Math.floor((whole % 3600) / 60)).padStart(2, "0")} min`;

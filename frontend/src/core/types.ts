@@ -29,6 +29,7 @@ export const ROLE_NAMES = wordsOf({
 export type SurveyRole = Schemas["MemberBody"]["role"];
 export type Members = Schemas["MembersBody"];
 export type Member = Members["members"][number];
+export type Candidate = Schemas["Candidate"];
 /** What a person is in the survey that is open: a member's role, or that of the account. */
 export type ActingRole = Survey["my_role"];
 export const SURVEY_ROLE_NAMES = wordsOf({
@@ -39,12 +40,15 @@ export const SURVEY_ROLE_NAMES = wordsOf({
 });
 
 export type Person = Schemas["PersonBody"];
+export type ApiToken = Schemas["TokenBody"];
+export type MadeToken = Schemas["MadeToken"];
 export type Me = Schemas["Me"];
 
 export type ListedStudy = Schemas["ListedStudy"];
 export type StudyPage = Schemas["StudyPage"];
 export type Study = StudyPage["study"];
 export type StudyResult = NonNullable<StudyPage["result"]>;
+export type StudiesBeside = Schemas["BesideBody"];
 
 export type Inset = Schemas["InsetBody"];
 export type Step = Schemas["Step"];
@@ -56,6 +60,8 @@ export type Place = Survey["place"];
 /** The targets that a survey asks for, by lighting. */
 export type Asked = Survey["asked"];
 export type AskedTarget = Asked["daytime"][number];
+/** What may be known of a vehicle beside the height of its roof. */
+export type KnownTarget = "driver_eye" | "taillight" | "headlight" | "other";
 export type NotVisible = NonNullable<Schemas["VehicleBody"]["roof_not_visible"]>;
 /** What a survey makes of a class of vehicles: its set, and what the EU and FHWA call it. */
 export type VehicleClass = Survey["classes"][number];
@@ -67,6 +73,8 @@ export type SampleProgress = Schemas["SampleProgress"];
 export type Response = Schemas["Response"];
 export type Discarded = NonNullable<Schemas["VehicleBody"]["discarded"]>;
 export type InsetName = keyof Survey["insets"];
+export type InsetChoice = Schemas["InsetChoice"];
+export type InsetPlace = InsetChoice["place"];
 
 export type CameraDocument = Schemas["CameraDocument"];
 
@@ -97,6 +105,7 @@ export type AxesAnswer = Schemas["Ruler"];
 export type BudgetEntry = Schemas["BudgetPart"];
 export type HeightAnswer = Schemas["Answer"];
 /** The second frame proposed: where both points are expected and what it gains. */
+export type FollowedAnswer = Schemas["FollowedAnswer"];
 export type SecondFrameAnswer = Schemas["Proposal"];
 
 export type Measurement = Schemas["MeasurementBody"];
@@ -113,6 +122,10 @@ export type VehicleFields = Pick<
   | "manufacturer_height_m"
   | "u_manufacturer_height_m"
   | "height_source"
+  | `known_${KnownTarget}_m`
+  | `u_known_${KnownTarget}_m`
+  | `known_${KnownTarget}_source`
+  | "check_target"
   | "lighting"
   | "direction"
   | "driver_side"
@@ -135,6 +148,8 @@ export type ReviewWork = Schemas["ReviewWork"];
 
 export type Comparison = Schemas["ComparisonBody"];
 export type Repeats = Schemas["Findings"];
+export type Anchoring = Schemas["Anchoring"];
+export type ProposedTarget = Schemas["OfProposedTarget"];
 export type RepeatSpread = Schemas["Spread"];
 export type PersonRepeats = Schemas["OfPerson"];
 export type TargetRepeats = Schemas["OfTarget"];
@@ -166,5 +181,19 @@ export type LineHeightQueue = Schemas["LineHeightQueue"];
 export type LineHeightAnswer = Schemas["LineHeightAnswer"];
 export type ScanMethod = NonNullable<Schemas["FindWanted"]["method"]>;
 export type ScanStatistics = Schemas["ScanStatisticsBody"];
+export type ScanReference = ScanVehicle["references"][number];
+export type ReferenceQuantity = ScanReference["quantity"];
+export type ReferenceSource = ScanReference["source"];
+export type ReferencePlan = Schemas["ReferencePlan"];
+export type ReferenceRow = Schemas["ReferenceRow"];
+export type ReferenceGroup = Schemas["ReferenceGroupBody"];
+export type CarRuns = Schemas["CarRunsBody"];
+export type RunsTogether = Schemas["RunsTogether"];
+export type LiveStream = Schemas["LiveStreamBody"];
+export type LiveVehicle = LiveStream["vehicles"][number];
 export type ScanSpread = Schemas["ScanSpreadBody"];
+export type TrafficOfScans = Schemas["ScanFlows"];
+export type ScanTraffic = Schemas["ScanTrafficBody"];
+export type TrafficInterval = Schemas["TrafficIntervalBody"];
+export type TrafficFigure = Schemas["Figure"];
 export type ScanErrorGroup = Schemas["ScanErrorGroupBody"];

@@ -81,9 +81,9 @@ describe("numbers", () => {
   });
 
   it("puts the millimetres of a sentence into inches for those who read feet", () => {
-    const words = "The camera moved by 2.5 px: heights are off by up to 25.4 mm on frames 17 to 39.";
+    const words = "The camera moved by 2.5 px (height error up to 25.4 mm), frames 17 to 39.";
     expect(inUnits(words, "m")).toBe(words);
-    expect(plain(inUnits(words, "ft"))).toContain("off by up to 1.00 in on frames 17");
+    expect(plain(inUnits(words, "ft"))).toContain("up to 1.00 in), frames 17");
   });
 
   it("rounds bytes into the next unit rather than 1000 of the last", () => {

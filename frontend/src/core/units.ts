@@ -84,7 +84,13 @@ export function formatSmall(metres: number | null, unit = lengthUnit.value): str
 /** A sentence of the server, which speaks millimetres, with its small lengths in the shown unit. */
 export function inUnits(words: string, unit = lengthUnit.value): string {
   if (unit === "m") return words;
-  return words.replace(/(\d+(?:\.\d+)?) mm\b/g, (_, mm: string) => formatSmall(Number(mm) / 1000, unit));
+  const said = /(\d+(?:[.,]\d+)?) mm\b/g;
+  return words.replace(said, (_, mm: string) => formatSmall(Number(mm.replace(",", ".")) / 1000, unit));
+}
+
+/** A small uncertainty to two digits that count, as the chosen language writes it: "0.0021". */
+export function significant(value: number): string {
+  return new Intl.NumberFormat(region.value, { maximumSignificantDigits: 2 }).format(value);
 }
 
 /** What a person typed as a length in the shown unit, in metres; null when it is no number. Takes a comma for the point. */

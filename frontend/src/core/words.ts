@@ -8,6 +8,7 @@ import type {
   Discarded,
   DriverSide,
   InsetName,
+  InsetPlace,
   Lighting,
   NotVisible,
   Target,
@@ -48,12 +49,21 @@ export const LIGHTING_NOUNS: Readonly<Record<Lighting, string>> = wordsOf({
   low_light: "lighting-noun-low_light",
 });
 
+/** How a live stream is. */
+export const LIVE_WORDS = wordsOf({
+  running: "live-running",
+  silent: "live-silent-state",
+  stopped: "live-stopped-state",
+  ended: "live-ended",
+});
+
 /** Why a target cannot be measured. */
 export const NOT_VISIBLE_WORDS: Readonly<Record<NotVisible, string>> = wordsOf({
   hidden: "not-visible-hidden",
   glare: "not-visible-glare",
   too_dark: "not-visible-too_dark",
   outside: "not-visible-outside",
+  own_body: "not-visible-own_body",
   no_driver: "not-visible-no_driver",
 });
 
@@ -74,6 +84,14 @@ export const DIRECTION_WORDS: Readonly<Record<Direction, string>> = wordsOf({
 
 /** On which side of a vehicle, as the camera sees it, its driver sits. */
 export const SIDE_WORDS: Readonly<Record<DriverSide, string>> = wordsOf({
+  near: "side-near",
+  far: "side-far",
+});
+
+/** What can be told apart by looking at a vehicle: the spot of a roof, the side of a driver. */
+export const INSET_PLACE_WORDS: Readonly<Record<InsetPlace, string>> = wordsOf({
+  near_edge: "inset-near-edge",
+  crown: "inset-crown",
   near: "side-near",
   far: "side-far",
 });
@@ -140,6 +158,7 @@ export const STATE_WORDS = wordsOf({
   // steps
   done: "state-done",
   next: "state-next",
+  begun: "state-begun",
   waiting: "state-waiting",
   // recordings and jobs
   ingesting: "state-ingesting",

@@ -1,43 +1,60 @@
-/** The order of work in a survey, as the rail, the menu and the overview list it. */
+/** The pages of a survey in their four groups, as the rail and the menu list them. */
 import type { PlaceName } from "./places";
 import type { StepKey, Survey } from "./types";
 
 export interface WorkEntry {
   name: PlaceName;
-  path: string;
+  address: (surveyId: number) => string;
   step: StepKey | null;
 }
 
-export const WORK = [
-  { name: "survey", path: "", step: null },
-  { name: "planning", path: "/planning", step: null },
-  { name: "camera", path: "/camera", step: "camera" },
-  { name: "recordings", path: "/recordings", step: "recordings" },
-  { name: "pose", path: "/pose", step: "pose" },
-  { name: "measure", path: "/measure", step: "vehicles" },
-  { name: "checks", path: "/checks", step: null },
-  { name: "review", path: "/review", step: "review" },
-  { name: "repeats", path: "/repeats", step: null },
-  { name: "scans", path: "/scans", step: null },
-  { name: "export", path: "/export", step: "results" },
-] as const satisfies readonly WorkEntry[];
+const within = (path: string) => (surveyId: number) => `/surveys/${surveyId}${path}`;
+const about = (page: string, query: string) => (surveyId: number) => `/${page}?${query}=${surveyId}`;
 
-/** What comes of the work: pages that may be of several surveys. */
-export const RESULTS = [
-  { name: "statistics", query: "survey" },
-  { name: "sight-distance", query: "survey" },
-  { name: "studies", query: null },
-  { name: "catalogue", query: null },
-  { name: "audit", query: "survey_id" },
-] as const satisfies readonly { name: PlaceName; query: string | null }[];
+export const GROUPS = [
+  {
+    key: "setup",
+    entries: [
+      { name: "survey", address: within(""), step: null },
+      { name: "planning", address: within("/planning"), step: null },
+      { name: "camera", address: within("/camera"), step: "camera" },
+      { name: "recordings", address: within("/recordings"), step: "recordings" },
+      { name: "pose", address: within("/pose"), step: "pose" },
+    ],
+  },
+  {
+    key: "measure",
+    entries: [
+      { name: "measure", address: within("/measure"), step: "vehicles" },
+      { name: "scans", address: within("/scans"), step: null },
+      { name: "review", address: within("/review"), step: "review" },
+    ],
+  },
+  {
+    key: "quality",
+    entries: [
+      { name: "checks", address: within("/checks"), step: null },
+      { name: "repeats", address: within("/repeats"), step: null },
+    ],
+  },
+  {
+    key: "results",
+    entries: [
+      { name: "statistics", address: about("statistics", "survey"), step: null },
+      { name: "sight-distance", address: about("sight-distance", "survey"), step: null },
+      { name: "studies", address: () => "/studies", step: null },
+      { name: "catalogue", address: () => "/catalogue", step: null },
+      { name: "export", address: within("/export"), step: "results" },
+      { name: "audit", address: about("audit", "survey_id"), step: null },
+    ],
+  },
+] as const satisfies readonly { key: string; entries: readonly WorkEntry[] }[];
 
-export function resultAddress({ name, query }: (typeof RESULTS)[number], surveyId: number): string {
-  return query ? `/${name}?${query}=${surveyId}` : `/${name}`;
-}
+export type EntryName = (typeof GROUPS)[number]["entries"][number]["name"];
 
 /** Where a step of the survey is done. */
 export function entryOfStep(key: StepKey): WorkEntry | undefined {
-  return WORK.find((entry) => entry.step === key);
+  return GROUPS.flatMap((group): readonly WorkEntry[] => group.entries).find((entry) => entry.step === key);
 }
 
 export function stepState(survey: Survey | null, key: StepKey | null) {

@@ -54,7 +54,7 @@ export function Measurements({ found }: { found: Opened }) {
             </button>
           </div>
           <div class="opened__split">
-            <List rows={shown} chosen={one?.["id"] ?? null} choose={setChosen} />
+            <List rows={shown} outside={found.outside} chosen={one?.["id"] ?? null} choose={setChosen} />
             {one && <Detail row={one} found={found} />}
           </div>
         </>
@@ -93,11 +93,12 @@ function verdictWord(row: Row): string {
 
 interface ListProps {
   rows: readonly Row[];
+  outside: ReadonlySet<string>;
   chosen: string | null;
   choose: (id: string) => void;
 }
 
-function List({ rows, chosen, choose }: ListProps) {
+function List({ rows, outside, chosen, choose }: ListProps) {
   return (
     <div class="opened__scroll opened__list">
       <table class="opened__rows">
@@ -112,7 +113,13 @@ function List({ rows, chosen, choose }: ListProps) {
         </thead>
         <tbody>
           {rows.map((row) => (
-            <Line key={row["id"]} row={row} isChosen={row["id"] === chosen} choose={choose} />
+            <Line
+              key={row["id"]}
+              row={row}
+              isOutside={outside.has(row["id"] ?? "")}
+              isChosen={row["id"] === chosen}
+              choose={choose}
+            />
           ))}
         </tbody>
       </table>
@@ -120,7 +127,14 @@ function List({ rows, chosen, choose }: ListProps) {
   );
 }
 
-function Line({ row, isChosen, choose }: { row: Row; isChosen: boolean; choose: (id: string) => void }) {
+interface LineProps {
+  row: Row;
+  isOutside: boolean;
+  isChosen: boolean;
+  choose: (id: string) => void;
+}
+
+function Line({ row, isOutside, isChosen, choose }: LineProps) {
   const id = row["id"] ?? "";
   const found = again.value.get(id);
   const height = found?.lengths.height_m;
@@ -149,7 +163,7 @@ function Line({ row, isChosen, choose }: { row: Row; isChosen: boolean; choose: 
       >
         {hereWords(found)}
       </td>
-      <td>{verdictWord(row)}</td>
+      <td>{isOutside ? say("opened-outside", { verdict: verdictWord(row) }) : verdictWord(row)}</td>
     </tr>
   );
 }
@@ -172,7 +186,13 @@ function Detail({ row, found }: { row: Row; found: Opened }) {
   return (
     <div class="opened__detail">
       <h3 class="opened__name">{say("opened-one", { id, target: targetWord(row["target"] ?? "") })}</h3>
-      {crops.length === 0 && <p class="opened__quiet">{say("opened-crops-none")}</p>}
+      {found.outside.has(id) ? (
+        <p class="opened__quiet" data-outside>
+          {say("opened-crops-outside", { only: found.about.only ?? "" })}
+        </p>
+      ) : (
+        crops.length === 0 && <p class="opened__quiet">{say("opened-crops-none")}</p>
+      )}
       <div class="opened__crops">
         {crops.map((crop) => (
           <Crop key={crop["k"]} crop={crop} />

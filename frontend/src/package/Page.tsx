@@ -1,7 +1,9 @@
-import { useState } from "preact/hooks";
+import { useEffect, useState } from "preact/hooks";
+import { Checked } from "./Checked";
 import { type Row, unsafe } from "./csv";
 import { Measurements } from "./Measurements";
-import { again, audited, checkFolder, done, failed, folder, type Opened, opened, progress } from "./opened";
+import { again, audited, checkPieces, done, failed, folder, type Opened, opened, progress } from "./opened";
+import { ofChosen, ofDropped, ofZip } from "./pieces";
 import { say } from "./say";
 import { type Check, ofChain, ofFolder, ofHeights } from "./verdict";
 
@@ -22,6 +24,11 @@ export function Page() {
         <p class="opened__quiet">
           {[unsafe(survey?.["site"] ?? ""), unsafe(survey?.["description"] ?? "")].filter(Boolean).join(". ")}
         </p>
+        {found.about.only !== null && (
+          <p class="opened__only" data-only>
+            {say("opened-only", { only: found.about.only })}
+          </p>
+        )}
         <p class="opened__quiet">{say("opened-made-with", { version: found.about.made_with })}</p>
         <nav class="opened__links">
           <a href="report.pdf">{say("opened-report")}</a>
@@ -54,34 +61,21 @@ function checksSoFar(): Check[] {
 }
 
 function Checks() {
-  const checks = checksSoFar();
-  const wrong = checks.some((one) => one.state === "wrong");
-  const state = wrong ? "wrong" : done.value ? "fine" : "open";
-  const verdict = {
-    wrong: say("opened-is-wrong"),
-    fine: say("opened-is-fine"),
-    open: say("opened-checking"),
-  }[state];
   return (
-    <section class="opened__section" aria-live="polite">
-      <p class={`opened__verdict opened__verdict--${state}`} data-verdict={state}>
-        {verdict}
-      </p>
-      {!done.value && (
-        <progress class="opened__progress" value={progress.value} aria-label={say("opened-checking")} />
-      )}
-      <ul class="opened__checks">
-        {checks.map((one) => (
-          <li
-            key={one.name}
-            class={`opened__check opened__check--${one.state}`}
-            data-check={one.name}
-            data-state={one.state}
-          >
-            {one.words}
-          </li>
-        ))}
-      </ul>
+    <Checked
+      checks={checksSoFar()}
+      ended={done.value}
+      verdicts={{
+        wrong: say("opened-is-wrong"),
+        fine: say("opened-is-fine"),
+        open: say("opened-checking"),
+      }}
+      underWay={
+        !done.value && (
+          <progress class="opened__progress" value={progress.value} aria-label={say("opened-checking")} />
+        )
+      }
+    >
       <FolderChoice />
       <details class="opened__about">
         <summary>{say("opened-what-title")}</summary>
@@ -90,29 +84,71 @@ function Checks() {
         <p>{say("opened-what-verify")}</p>
         <p>{say("opened-what-page")}</p>
       </details>
-    </section>
+    </Checked>
   );
 }
 
 function FolderChoice() {
   const known = audited.value;
-  const usable = known !== null && known !== "absent" && known.chain.seal !== null;
+  const usable = known === "absent" || (known !== null && known.chain.seal !== null);
+  useEffect(() => (usable ? dropsTaken() : undefined), [usable]);
   if (!usable) return null;
+  const busy = folder.value === "checking";
   return (
-    <label class="opened__choice">
-      <span>{folder.value === "checking" ? say("opened-folder-checking") : say("opened-folder-choose")}</span>
-      <input
-        type="file"
-        multiple
-        ref={(input) => input?.setAttribute("webkitdirectory", "")}
-        disabled={folder.value === "checking"}
-        onClick={(event) => {
-          event.currentTarget.value = ""; // the same folder once more
-        }}
-        onChange={(event) => checkFolder([...(event.currentTarget.files ?? [])])}
-      />
-    </label>
+    <div class="opened__choices">
+      <p>{busy ? say("opened-folder-checking") : say("opened-folder-choose")}</p>
+      <label class="opened__choice">
+        <span>{say("opened-folder-folder")}</span>
+        <input
+          type="file"
+          multiple
+          data-choice="folder"
+          ref={(input) => input?.setAttribute("webkitdirectory", "")}
+          disabled={busy}
+          onClick={afresh}
+          onChange={(event) => {
+            const chosen = [...(event.currentTarget.files ?? [])];
+            return checkPieces(async () => ofChosen(chosen));
+          }}
+        />
+      </label>
+      <label class="opened__choice">
+        <span>{say("opened-folder-zip")}</span>
+        <input
+          type="file"
+          accept=".zip"
+          data-choice="zip"
+          disabled={busy}
+          onClick={afresh}
+          onChange={(event) => {
+            const [zip] = event.currentTarget.files ?? [];
+            return zip && checkPieces(() => ofZip(zip));
+          }}
+        />
+      </label>
+    </div>
   );
+}
+
+/** The same file or folder may be chosen once more. */
+function afresh(event: { currentTarget: HTMLInputElement }): void {
+  event.currentTarget.value = "";
+}
+
+/** What is dropped anywhere on the page is checked, and not opened in its place. Returns what ends it. */
+function dropsTaken(): () => void {
+  const over = (event: DragEvent) => event.preventDefault();
+  const drop = (event: DragEvent) => {
+    event.preventDefault();
+    const { dataTransfer } = event;
+    if (dataTransfer) void checkPieces(() => ofDropped(dataTransfer));
+  };
+  addEventListener("dragover", over);
+  addEventListener("drop", drop);
+  return () => {
+    removeEventListener("dragover", over);
+    removeEventListener("drop", drop);
+  };
 }
 
 function Figures({ found }: { found: Opened }) {

@@ -27,8 +27,13 @@ export async function heldFiles(): Promise<Map<string, Held>> {
   return found;
 }
 
+export interface AuditFiles {
+  readonly audit: Held;
+  readonly checkpoint: Held;
+}
+
 /** audit.csv and checkpoint.json from audit.js, null where that is not beside the page. */
-export async function auditFiles(): Promise<{ audit: Held; checkpoint: Held } | null> {
+export async function auditFiles(): Promise<AuditFiles | null> {
   const packed = globalThis.sightlineAudit;
   const [audit, checkpoint] = [packed?.["audit.csv"], packed?.["checkpoint.json"]];
   if (audit === undefined || checkpoint === undefined) return null;

@@ -100,8 +100,11 @@ interface Checkpoint extends Record<string, Json> {
   place: number;
   path: string[];
   leaf: { chain: string; count: number; hash: string };
-  keys: { key: string; after: string | null; signature: string }[];
+  keys: Handing[];
 }
+
+/** How a key followed from the one before, which signed it; the first signed itself. */
+export type Handing = { key: string; after: string | null; signature: string };
 
 /** Whether the installation's key signed the end of this chain, and each key was handed on by the one before. */
 export async function signed(checkpoint: Held, chain: Chain): Promise<Signed> {
@@ -111,23 +114,31 @@ export async function signed(checkpoint: Held, chain: Chain): Promise<Signed> {
   const ends = leaf.count === chain.events && leaf.hash === chain.head && rootOf(told) === told.root;
   if (!ends) return { key, at, state: "wrong" };
   try {
-    const statements = [
-      holds(told, ["format", "at", "chains", "root", "key"], told.key, told.signature),
-      ...told.keys.map((one, n) => {
-        const before = told.keys[n - 1]?.key ?? null;
-        const by = before ?? one.key;
-        return one.after === before && holds(one, ["format", "at", "key", "after"], by, one.signature);
-      }),
-    ];
-    const all = (await Promise.all(statements)).every((one) => one) && told.keys.at(-1)?.key === key;
-    return { key, at, state: all ? "holds" : "wrong" };
+    const names = ["format", "at", "chains", "root", "key"];
+    const own = await holds(told, names, told.key, told.signature);
+    return { key, at, state: own && (await handedOn(told.keys, key)) ? "holds" : "wrong" };
   } catch {
     return { key, at, state: "unknown" };
   }
 }
 
-/** Throws where the browser has no Ed25519. */
-async function holds(told: Values, names: string[], key: string, signature: string): Promise<boolean> {
+/** Whether each key was signed by the one before, and the last is this one. Throws where the browser has no Ed25519. */
+export async function handedOn(keys: readonly Handing[], last: string): Promise<boolean> {
+  const each = keys.map((one, n) => {
+    const before = keys[n - 1]?.key ?? null;
+    const by = before ?? one.key;
+    return one.after === before && holds(one, ["format", "at", "key", "after"], by, one.signature);
+  });
+  return (await Promise.all(each)).every((one) => one) && keys.at(-1)?.key === last;
+}
+
+/** Whether a key signed these parts of a statement. Throws where the browser has no Ed25519. */
+export async function holds(
+  told: Values,
+  names: readonly string[],
+  key: string,
+  signature: string,
+): Promise<boolean> {
   const statement = Object.fromEntries(names.map((name) => [name, told[name] ?? null]));
   const held = await crypto.subtle.importKey("raw", fromHex(key), "Ed25519", false, ["verify"]);
   return crypto.subtle.verify("Ed25519", held, fromHex(signature), encoder.encode(canonical(statement)));

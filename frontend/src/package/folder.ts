@@ -1,7 +1,8 @@
-/** The files of the package themselves, where a person chooses its folder: each held against the seal. */
+/** The files of the package themselves, where a person chooses its folder or drops its ZIP: each held against the seal. */
 
 import type { Held } from "./blocks";
 import type { Seal } from "./chain";
+import type { Piece } from "./pieces";
 import { hex, sha256 } from "./sha256";
 
 export interface FolderCheck {
@@ -18,17 +19,17 @@ const AFTER = ["audit.csv", "audit.js", "checkpoint.json", SUMS];
 
 /** Holds every file against the seal; `beside`: audit.csv and checkpoint.json as audit.js told them. */
 export async function checkedFolder(
-  chosen: readonly File[],
+  pieces: readonly Piece[],
   seal: Seal,
   beside: readonly Held[],
   rest: (done: number) => Promise<void>,
 ): Promise<FolderCheck> {
   const sums = new Map<string, string>();
   let bytes = 0;
-  for (const [n, file] of chosen.entries()) {
-    sums.set(file.webkitRelativePath.split("/").slice(1).join("/") || file.name, await sumOf(file));
-    bytes += file.size;
-    await rest(n / chosen.length);
+  for (const [n, piece] of pieces.entries()) {
+    sums.set(piece.path, await sumOf(await piece.bytes()));
+    bytes += piece.size;
+    await rest(n / pieces.length);
   }
   const expected = new Map(
     Object.entries(seal.files).filter(([path]) => path !== "crops/" && path !== "audit.csv"),
@@ -46,7 +47,7 @@ export async function checkedFolder(
   if (sums.get(SUMS) !== sha256(listed)) changed.push(SUMS);
   const known = new Set([...expected.keys(), ...crops, ...AFTER]);
   return {
-    files: chosen.length,
+    files: pieces.length,
     bytes,
     changed,
     missing: [...expected.keys(), ...AFTER].filter(
@@ -63,8 +64,7 @@ function linesOf(sums: ReadonlyMap<string, string>, paths: readonly string[]): s
     .join("");
 }
 
-async function sumOf(file: File): Promise<string> {
-  const content = await file.arrayBuffer();
+async function sumOf(content: Uint8Array<ArrayBuffer>): Promise<string> {
   if (globalThis.crypto?.subtle) return hex(new Uint8Array(await crypto.subtle.digest("SHA-256", content)));
-  return sha256(new Uint8Array(content));
+  return sha256(content);
 }

@@ -1,16 +1,20 @@
 /** What the page found, as signals: tables at once, then heights, chain and signature while somebody reads. */
 
 import { signal } from "@preact/signals";
-import { auditFiles, type Held, heldFiles, textOf } from "./blocks";
+import { type AuditFiles, auditFiles, type Held, heldFiles, textOf } from "./blocks";
 import { type Chain, type Signed, signed, walked } from "./chain";
 import { type Row, rowsOf } from "./csv";
 import { type Pose, poseOf } from "./documents";
 import { checkedFolder, type FolderCheck } from "./folder";
 import { type Again, computedAgain } from "./measured";
+import type { Piece } from "./pieces";
+import { sha256 } from "./sha256";
 import { notVouched, posesNotVouched } from "./vouched";
 
 /** What the package says of itself for this page: sizes of its folders, figures, tables with their columns. */
 interface About {
+  /** the vehicles that figures and report are limited to, in words; null for the whole survey */
+  readonly only: string | null;
   readonly made_with: string;
   readonly folders: readonly { folder: string; files: number; bytes: number }[];
   readonly figures: readonly string[];
@@ -26,6 +30,8 @@ export interface Opened {
   readonly measurements: readonly Row[];
   readonly budget: ReadonlyMap<string, readonly Row[]>;
   readonly crops: ReadonlyMap<string, readonly Row[]>;
+  /** measurements of vehicles that the package is not of */
+  readonly outside: ReadonlySet<string>;
   readonly poses: ReadonlyMap<string, Pose>;
   readonly records: ReadonlyMap<string, unknown>;
 }
@@ -46,7 +52,7 @@ export const opened = signal<Opened | null>(null);
 export const again = signal<ReadonlyMap<string, Again>>(new Map());
 export const audited = signal<Audited | "absent" | null>(null);
 export const progress = signal<number>(0);
-export const folder = signal<FolderCheck | "checking" | null>(null);
+export const folder = signal<FolderCheck | "checking" | "unreadable" | null>(null);
 export const failed = signal<string | null>(null);
 export const done = signal(false);
 
@@ -56,7 +62,7 @@ export async function open(): Promise<void> {
     const found = await read();
     opened.value = found;
     await computeAll(found);
-    await auditAll(found);
+    await auditAll(found, await auditFiles());
   } catch (error) {
     failed.value = String(error instanceof Error ? error.message : error);
   }
@@ -81,16 +87,34 @@ async function read(): Promise<Opened> {
     poses.set(id, poseOf(record.document));
   }
   const about = JSON.parse(document.getElementById("about")?.textContent ?? "{}") as About;
+  const measurements = rows("measurements.csv");
+  const crops = grouped(rows("crops.csv"));
   return {
     about,
     held,
     rows,
-    measurements: rows("measurements.csv"),
+    measurements,
     budget: grouped(rows("budget.csv")),
-    crops: grouped(rows("crops.csv")),
+    crops,
+    outside: about.only === null ? new Set() : outside(measurements, crops, rows("exclusions.csv")),
     poses,
     records,
   };
+}
+
+/** Of a limited package: what exclusions.csv calls not selected, and what was not pictured though others were (those
+ *  have another reason there first). */
+function outside(
+  measurements: readonly Row[],
+  crops: ReadonlyMap<string, readonly Row[]>,
+  exclusions: readonly Row[],
+): ReadonlySet<string> {
+  const unpictured = (row: Row) =>
+    crops.size > 0 && row["withdrawn"] !== "true" && !crops.has(row["id"] ?? "");
+  return new Set([
+    ...exclusions.filter((row) => row["state"] === "not_selected").map((row) => row["measurement_id"] ?? ""),
+    ...measurements.filter(unpictured).map((row) => row["id"] ?? ""),
+  ]);
 }
 
 function grouped(rows: readonly Row[]): Map<string, Row[]> {
@@ -115,8 +139,7 @@ async function computeAll(found: Opened): Promise<void> {
   again.value = results;
 }
 
-async function auditAll(found: Opened): Promise<void> {
-  const beside = await auditFiles();
+async function auditAll(found: Opened, beside: AuditFiles | null): Promise<void> {
   if (beside === null) {
     audited.value = "absent";
     return;
@@ -136,12 +159,39 @@ async function auditAll(found: Opened): Promise<void> {
   };
 }
 
-/** Holds the files of a folder that somebody chose against the seal. */
-export async function checkFolder(chosen: readonly File[]): Promise<void> {
-  const known = audited.value;
-  if (known === null || known === "absent" || known.chain.seal === null || chosen.length === 0) return;
+/** Holds the files of a folder or ZIP against the seal; without audit.js beside the page the chain comes from there. */
+export async function checkPieces(read: () => Promise<readonly Piece[]>): Promise<void> {
+  if (audited.value === null || folder.value === "checking") return;
   folder.value = "checking";
-  folder.value = await checkedFolder(chosen, known.chain.seal, known.beside, breathing());
+  try {
+    folder.value = await checked(await read());
+  } catch {
+    folder.value = "unreadable";
+  }
+}
+
+async function checked(pieces: readonly Piece[]): Promise<FolderCheck | "unreadable" | null> {
+  if (pieces.length === 0) return null;
+  if (audited.value === "absent" && opened.value !== null)
+    await auditAll(opened.value, await auditAmong(pieces));
+  const known = audited.value;
+  if (known === null || known === "absent" || known.chain.seal === null) return "unreadable";
+  return checkedFolder(pieces, known.chain.seal, known.beside, breathing());
+}
+
+const MOST_AUDIT = 128e6; // bytes: what audit.js too holds at most
+
+async function auditAmong(pieces: readonly Piece[]): Promise<AuditFiles | null> {
+  const [audit, checkpoint] = ["audit.csv", "checkpoint.json"].map((path) =>
+    pieces.find((one) => one.path === path && one.size <= MOST_AUDIT),
+  );
+  if (audit === undefined || checkpoint === undefined) return null;
+  return { audit: await heldOf(audit), checkpoint: await heldOf(checkpoint) };
+}
+
+async function heldOf(piece: Piece): Promise<Held> {
+  const bytes = await piece.bytes();
+  return { path: piece.path, bytes, sha256: sha256(bytes) };
 }
 
 const BREATH_MS = 16;

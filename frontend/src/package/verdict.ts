@@ -85,9 +85,10 @@ function ofSignature({ signed: { state, key, at } }: Audited): Check {
   };
 }
 
-export function ofFolder(check: FolderCheck): Check {
-  const { changed, missing, strange } = check;
+export function ofFolder(check: FolderCheck | "unreadable"): Check {
   const name = "folder";
+  if (check === "unreadable") return { name, state: "open", words: say("opened-folder-unreadable") };
+  const { changed, missing, strange } = check;
   if (changed.length > 0)
     return { name, state: "wrong", words: say("opened-folder-changed", { named: named(changed) }) };
   if (missing.length > 0)

@@ -23,6 +23,8 @@ export class FakeServer {
   readonly stored = new Map<number, Measurement>();
   /** Writes in order: "POST /vehicles/7/measurements". */
   readonly writes: string[] = [];
+  /** What each of them said. */
+  readonly bodies: Body[] = [];
   /** Bodies of the questions for a height. */
   readonly heights: Body[] = [];
   /** No connection. */
@@ -38,6 +40,7 @@ export class FakeServer {
     outbox.open(1);
     this.on("GET", /\/frames\?/, () => ({ first: 0, time_s: [], crc: [] }));
     this.on("GET", /\/frames\/ready$/, () => ({ runs: [] }));
+    this.on("POST", /\/snap$/, () => ({ contact: null, expected_px: null, reason: "snap-no-tyre" }));
     this.on("POST", /\/geometry\//, () => HEIGHT);
     this.on("POST", /\/geometry\/height$/, (_match, body) => {
       this.heights.push(body);
@@ -75,6 +78,7 @@ export class FakeServer {
       vehicle_id: 7,
       recording_id: 1,
       ...facts,
+      followed: facts["follow"] ? '{"points":[]}' : null,
       id,
     } as unknown as Measurement;
     this.stored.set(id, made);
@@ -95,7 +99,10 @@ export class FakeServer {
     const method = init.method ?? "GET";
     const body = init.body ? (JSON.parse(String(init.body)) as Body) : {};
     const known = this.answers.find((one) => one.method === method && one.path.test(path));
-    if (method !== "GET" && !path.includes("/geometry/")) this.writes.push(`${method} ${path.split("?")[0]}`);
+    if (method !== "GET" && !/\/geometry\/|\/snap$/.test(path)) {
+      this.writes.push(`${method} ${path.split("?")[0]}`);
+      this.bodies.push(body);
+    }
     try {
       const match = known && path.match(known.path);
       return new Response(JSON.stringify(match ? known.answer(match, body) : []), { status: 200 });

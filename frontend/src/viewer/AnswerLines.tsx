@@ -11,7 +11,13 @@ export function AnswerLines({ geometry, stage }: { geometry: Geometry; stage: Fr
   const awaited = geometry.awaited.value;
   if (!linesShown.value) return null;
   // lines of another contact would say something of this one
-  if (awaited) return <Word stage={stage} at={awaited} text={say("measure-axes-awaited")} dx={18} dy={18} />;
+  if (awaited) {
+    return (
+      <g data-testid="axes-awaited">
+        <Word stage={stage} at={awaited} text={say("measure-axes-awaited")} dx={18} dy={18} />
+      </g>
+    );
+  }
   if (!answer?.axes) return null;
   const rungs = answer.ladder.map((rung) => ({ ...rung, words: formatLength(rung.height_m, 1) }));
   return (

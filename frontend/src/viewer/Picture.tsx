@@ -59,6 +59,7 @@ export function Picture<P, V extends View<P, V>>(props: PictureProps<P, V>) {
       gestures.fingerDown(event.pointerId, placeOf(event));
       return;
     }
+    stage.exact = event.shiftKey;
     gestures.down(placeOf(event), event.button, space.current);
     if (gestures.pressed) event.currentTarget.setPointerCapture(event.pointerId);
   };

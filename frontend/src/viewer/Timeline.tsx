@@ -1,21 +1,13 @@
 /** The recording as a strip: thumbnails, spans (passes, the board), what is loaded, where we are. Click or drag to go. */
 import { useSignal } from "@preact/signals";
-import { useEffect, useRef } from "preact/hooks";
+import { useEffect, useMemo, useRef } from "preact/hooks";
 import { say } from "../core/messages";
 import { formatFrameTime } from "../core/times";
 import type { Recording } from "../core/types";
 import { nearestThumb } from "./ahead";
 import type { Player } from "./player";
+import { drawnSpans, type Span } from "./spans";
 import { clamp } from "./view";
-
-export interface Span {
-  readonly id: string;
-  readonly first: number;
-  readonly last: number;
-  readonly label: string;
-  readonly title: string;
-  readonly kind: "todo" | "done" | "current" | "board";
-}
 
 const THUMB_PX = 72;
 
@@ -25,6 +17,8 @@ export function Timeline({ player, spans }: { player: Player; spans: readonly Sp
   const ghost = useSignal<number | null>(null);
   const recording = player.recording.value;
   const count = recording?.frame_count ?? 0;
+  // the strip is drawn at every frame that is gone to; its bars change with the passes alone
+  const drawn = useMemo(() => drawnSpans(spans, count, width.value), [spans, count, width.value]);
 
   useEffect(() => {
     const element = host.current;
@@ -74,7 +68,7 @@ export function Timeline({ player, spans }: { player: Player; spans: readonly Sp
     >
       {recording && <Thumbs recording={recording} count={Math.max(1, Math.ceil(width.value / THUMB_PX))} />}
       <div class="timeline__spans">
-        {spans.map((span) => (
+        {drawn.map((span) => (
           <div
             key={span.id}
             class={`timeline__span timeline__span--${span.kind}`}

@@ -5,7 +5,14 @@
 import { signal } from "@preact/signals";
 import { api, explain } from "../core/api";
 import { Latest } from "../core/latest";
-import type { AxesAnswer, DriverSide, HeightAnswer, SecondFrameAnswer, Target } from "../core/types";
+import type {
+  AxesAnswer,
+  DriverSide,
+  FollowedAnswer,
+  HeightAnswer,
+  SecondFrameAnswer,
+  Target,
+} from "../core/types";
 import { type ImagePoint, pair, samePoint } from "./points";
 import { clickBody, type FramePoints, frameBody, type Inset, type Values } from "./values";
 
@@ -175,6 +182,19 @@ export function askSecondFrame(
     { recording_id: recordingId },
     { body, retry: true },
   );
+}
+
+/** The points of a measurement followed through the vehicle's pass; nothing is stored. */
+export function askFollow(
+  vehicle_id: number,
+  values: Values,
+  second: ImagePoint | null,
+): Promise<FollowedAnswer> {
+  const { frame, contact, point, target, inset, sigma_px } = values;
+  const sigma = sigma_px === null ? {} : { sigma_px };
+  const first = { target, ...frameBody({ frame, contact, point }), ...(inset ?? {}), ...sigma };
+  const body = { ...first, second_contact: second ? pair(second) : null };
+  return api.ask("POST /vehicles/{vehicle_id}/follow", { vehicle_id }, { body, retry: true });
 }
 
 function sameAxes(a: AxesWish, b: AxesWish | null): boolean {

@@ -79,7 +79,7 @@ describe("a click on a picture", () => {
     frame = 41;
     gestures.up(at(200, 150));
     expect(tool.placed).toEqual([]);
-    expect(toasts.value[0]?.text).toContain("another picture came");
+    expect(toasts.value[0]?.text).toContain("the image changed");
   });
 
   it("keeps its place when the picture or its window moves before the button is up", () => {

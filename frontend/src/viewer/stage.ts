@@ -24,6 +24,8 @@ export class PictureStage<P, V extends View<P, V>> {
   readonly tools: ReadonlySignal<readonly Tool<P>[]>;
   readonly hint = computed(() => this.first((tool) => tool.hint?.value ?? null));
   readonly placing = computed(() => this.tools.value.some((tool) => tool.placing?.value === true));
+  /** Shift was held at the last press: what is placed stays exactly there. */
+  exact = false;
   /** Set when Space was held to pan, so that letting it go does not play. */
   panned = false;
   /** Ends the drag under way without its doing anything; set by who follows the pointer. */

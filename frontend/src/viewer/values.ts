@@ -1,7 +1,7 @@
 /** What the operator decides about a measurement; everything else in it is the server's. */
 import type { BodyOf } from "../core/routes";
 import type { Made, Measurement, Target } from "../core/types";
-import { fromServer, type ImagePoint, pair, samePoint } from "./points";
+import { fromServer, type ImagePoint, imagePoint, pair, samePoint } from "./points";
 
 export interface Inset {
   readonly inset_m: number;
@@ -15,6 +15,12 @@ export interface FramePoints {
   readonly point: ImagePoint;
 }
 
+/** A contact that went from a click to the tyre found there. */
+export interface Snapped {
+  readonly from: ImagePoint;
+  readonly to: ImagePoint;
+}
+
 export interface Values extends FramePoints {
   readonly target: Target;
   /** The same two points on further frames; with any, the server solves for the inset. */
@@ -26,6 +32,10 @@ export interface Values extends FramePoints {
   readonly withdrawn: boolean;
   /** Where Sightline proposed the points that these began from; left out: they were clicked. */
   readonly proposed?: FramePoints;
+  /** Of a whole pass: followed from these points, and from the other tyre where that is known. Left out: it is none. */
+  readonly follow?: { readonly second: ImagePoint | null } | undefined;
+  /** Left out: the contact stands where it was clicked. It counts only while the contact is at its `to`. */
+  readonly snapped?: Snapped | undefined;
 }
 
 /** Null for an eye of which nobody knows on which side the driver sits. */
@@ -47,7 +57,31 @@ export function valuesOf(m: Measurement): Values {
     inset: insetOf(m),
     sigma_px: m.sigma_px,
     withdrawn: m.withdrawn,
+    snapped: snappedOf(m),
+    follow: followOf(m),
   };
+}
+
+/** The other tyre is what was followed of it on the first frame. */
+function followOf({ followed, frame }: Measurement): Values["follow"] {
+  if (!followed) return undefined;
+  const { points } = JSON.parse(followed) as { points: [number, number, string, number, number][] };
+  const other = points.find(([n, , point]) => n === frame && point === "second_contact");
+  return { second: other ? imagePoint(other[3], other[4]) : null };
+}
+
+function snappedOf({
+  snapped_from_x_px: x,
+  snapped_from_y_px: y,
+  contact,
+}: Measurement): Snapped | undefined {
+  if (typeof x !== "number" || typeof y !== "number") return undefined;
+  return { from: imagePoint(x, y), to: fromServer(contact) };
+}
+
+/** Where the contact was clicked, for the server to hold against where it takes such a click. */
+export function snappedFrom({ snapped, contact }: Values): { snapped_from?: [number, number] } {
+  return snapped && samePoint(snapped.to, contact) ? { snapped_from: pair(snapped.from) } : {};
 }
 
 /** Every frame of a measurement, the first one first. */
@@ -94,7 +128,8 @@ function sameInset(a: Inset | null, b: Inset | null): boolean {
 
 /** True if both say the same about target, frames, points and inset (withdrawal aside). */
 function sameClick(a: Values, b: Values): boolean {
-  return a.target === b.target && sameFrames(framesOf(a), framesOf(b)) && sameInset(a.inset, b.inset);
+  const alike = a.target === b.target && sameFrames(framesOf(a), framesOf(b));
+  return alike && sameInset(a.inset, b.inset) && !a.follow === !b.follow;
 }
 
 export function sameValues(a: Values, b: Values): boolean {
@@ -102,7 +137,7 @@ export function sameValues(a: Values, b: Values): boolean {
 }
 
 /** How the points came about: by hand, as proposed, or begun from a proposal and put elsewhere. */
-export function madeOf({ proposed, frame, contact, point }: Values): Made {
+export function madeOf({ proposed, frame, contact, point }: Values): Exclude<Made, "snapped"> {
   if (!proposed || proposed.frame !== frame) return "clicked";
   const same = samePoint(proposed.contact, contact) && samePoint(proposed.point, point);
   return same ? "confirmed" : "moved";
@@ -111,9 +146,18 @@ export function madeOf({ proposed, frame, contact, point }: Values): Made {
 export type ClickBody = Omit<BodyOf<"PUT /measurements/{measurement_id}">, "revision"> & { target: Target };
 
 /** The body of a POST or PUT. */
-export function clickBody({ target, inset, sigma_px, more, ...first }: Omit<Values, "proposed">): ClickBody {
+export function clickBody({
+  target,
+  inset,
+  sigma_px,
+  more,
+  follow,
+  ...first
+}: Omit<Values, "proposed" | "snapped">): ClickBody {
   const sigma = sigma_px === null ? {} : { sigma_px };
-  return { target, ...frameBody(first), ...(inset ?? {}), ...sigma, more_frames: more.map(frameBody) };
+  const clicks = { target, ...frameBody(first), ...(inset ?? {}), ...sigma };
+  const pass = follow ? { follow: { second_contact: follow.second ? pair(follow.second) : null } } : {};
+  return { ...clicks, ...pass, more_frames: more.map(frameBody) };
 }
 
 export function frameBody({ frame, contact, point }: FramePoints): FrameBody {

@@ -6,7 +6,11 @@ import re
 import zlib
 
 _OBJECT = re.compile(rb"(?:^|\n)(\d+) 0 obj\s(.*?)\nendobj", re.DOTALL)
-_STRING = rb"\(((?:\\.|[^\\()]|\((?:\\.|[^\\()])*\))*)\)"
+_PLAIN_SIGNS = rb"\\.|[^\\()]"
+_INNER = rb"(?!)"
+for _ in range(6):  # brackets within brackets stand as they are: numbers of glyphs may be any bytes
+    _INNER = rb"\((?:" + _PLAIN_SIGNS + rb"|" + _INNER + rb")*\)"
+_STRING = rb"\(((?:" + _PLAIN_SIGNS + rb"|" + _INNER + rb")*)\)"
 _PIECE = re.compile(
     rb"/(f\d+) [\d.]+ Tf|/Span<</ActualText"
     + _STRING

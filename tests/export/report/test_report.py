@@ -77,16 +77,16 @@ def test_the_report_says_what_was_found(example: ReportFacts, pdf: bytes) -> Non
         f"50 % {true} {median.value:.3f} {median.low:.3f} to {median.high:.3f}",
         total.words,
         f"P10 of {rule.standard.vehicle_class} {rule.standard.height_m:.3f} {rule.value_m:.3f}",
-        f"{rule.verdict}; wrong with a probability of",
+        f"{rule.verdict} (risk of error",
         "fx px",
         "lane-1-dusk.mkv",
         "The driver leans forward.",
         "sightline verify PACKAGE",
         example.audit_head,
         example.checksums[0].sha256,
-        "Where the paper is misprinted",
+        "Misprints of the paper",
         "1.96",
-        "No photograph of the set-up was given.",
+        "There is no photograph of the set-up.",
         "is within the 95 % interval: the survey gives no reason to build crests differently.",
         "100 185 52.0 ",
     ):
@@ -163,10 +163,10 @@ def test_signs_that_no_font_has_are_no_boxes_but_a_mark_that_is_explained() -> N
 def test_an_empty_survey_has_a_report_that_says_so() -> None:
     said = flat(words(report(ReportFacts("", "", statistics(0), StatisticsOptions()))))
     for expected in (
-        "No height of an eye, a taillight or a headlight counts yet.",
-        "No measurement rests on a calibration yet.",
-        "No roof of a vehicle with a reference height counts here",
-        "Nothing was left out",
+        "No accepted eye, taillight or headlight heights yet.",
+        "No measurement uses a calibration yet.",
+        "No accepted roof height has a reference height",
+        "No measurements were excluded",
         "The audit trail is empty.",
     ):
         assert flat(expected) in said, expected
@@ -177,8 +177,8 @@ def test_what_is_missing_is_said(example: ReportFacts) -> None:
         example, statistics=statistics(60, low_light=0.0, absent=("taillight", "headlight", "roof"))
     )
     said = flat(words(report(day)))
-    assert flat("No low light vehicle with a reference height counts here.") in said
-    assert flat("nothing of it counts here: taillight, lower limit, headlight, roof.") in said
+    assert flat("There are no accepted low light vehicles with a reference height.") in said
+    assert flat("No accepted heights: taillight, lower edge, headlight, roof.") in said
     assert (
         flat("2 %, 98 %: an interval of this percentile needs at least 183 vehicles; there are 60.") in said
     )
@@ -192,7 +192,7 @@ def test_a_long_table_repeats_its_head_and_no_word_leaves_the_page() -> None:
     long = replace(few, exclusions_total=900)
     said = words(report(long))
     assert said.count("\nReason\n") >= 3
-    assert flat("900 measurements count for no result. The first 70 of them stand here.") in flat(said)
+    assert flat("900 measurements are excluded from the results. The first 70 are listed here.") in flat(said)
     fonts = os.path.join(matplotlib.get_data_path(), "fonts", "ttf")
     pages = typst.compile(sources(long), font_paths=[fonts], ignore_system_fonts=True, format="png", ppi=36)
     assert len(pages) > 3

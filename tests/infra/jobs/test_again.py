@@ -15,7 +15,7 @@ def test_only_what_failed_or_was_stopped_begins_once_more(services: Services) ->
     with services.writing() as session:
         actor = create_person(session, name="A", email="a@x.org", role="operator", actor=None).id
         made = registry.enqueue(session, "test_make_survey", {"name": "B"}, survey_id=None, actor=actor)
-        with pytest.raises(Conflict, match="queued"):
+        with pytest.raises(Conflict, match="still queued"):
             registry.again(session, made, actor)
         stopped = registry.cancel(session, made, actor)
         again = registry.again(session, stopped, actor)

@@ -4,17 +4,19 @@ import threading
 import time
 from collections.abc import Callable, Iterator
 from pathlib import Path
+from typing import Any
 
 import pytest
 from sqlalchemy import text
 
-from sightline.errors import Conflict
+from sightline.errors import Conflict, SightlineError
 from sightline.infra.audit.verification import verify_records
-from sightline.infra.database.engine import SessionFactory, reading, writing
+from sightline.infra.database.engine import DatabaseAway, SessionFactory, reading, writing
 from sightline.infra.jobs import registry
+from sightline.infra.jobs import runner as runner_module
 from sightline.infra.jobs.records import Job
 from sightline.infra.jobs.recovery import take_back
-from sightline.infra.jobs.runner import Runner
+from sightline.infra.jobs.runner import Runner, Watch
 from sightline.infra.jobs.store import (
     JobLost,
     check_hold,
@@ -161,7 +163,10 @@ def test_a_worker_that_comes_back_from_the_dead_changes_nothing(
     assert runner.run(job.id)
     with reading(factory) as session:
         assert not check_hold(session, old).held
-    for end in (lambda s: finish_job(s, old, {}), lambda s: fail_job(s, old, "x")):
+    for end in (
+        lambda s: finish_job(s, old, {}),
+        lambda s: fail_job(s, old, SightlineError("said", sentence="x")),
+    ):
         with pytest.raises(JobLost), writing(factory) as session:
             create_survey(session, name="ghost", actor=None)
             end(session)
@@ -246,3 +251,31 @@ def test_two_claims_of_one_job_give_it_to_one(factory: SessionFactory) -> None:
     for thread in threads:
         thread.join()
     assert sum(one is not None for one in got) == 1 and len(got) == 4
+
+
+def test_progress_that_found_the_database_busy_is_stored_with_the_next_look(
+    services: Services, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
+) -> None:
+    job = queued(services.sessions, "make_survey", name="A")
+    with writing(services.sessions) as session:
+        claimed = claim_job(session, job.id, worker="this process")
+    assert claimed is not None
+    busy, store = (
+        [DatabaseAway("database-database-busy-another-writer-try-again")],
+        runner_module.note_progress,
+    )
+
+    def note(*given: Any) -> Any:
+        if busy:
+            raise busy.pop()
+        return store(*given)
+
+    monkeypatch.setattr(runner_module, "note_progress", note)
+    monkeypatch.setattr(runner_module, "PROGRESS_S", 0.01)
+    with Watch(services.sessions, claimed, threading.Event()) as watch:
+        watch.report(0.5, "Half.")
+        until = time.monotonic() + 10
+        while job_now(services.sessions, job).progress != 0.5 and time.monotonic() < until:
+            time.sleep(0.02)
+    assert job_now(services.sessions, job).progress == 0.5 and not busy
+    assert [one for one in caplog.records if one.levelname == "WARNING"] == []

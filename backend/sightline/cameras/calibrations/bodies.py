@@ -12,7 +12,8 @@ from sightline.cameras.calibrations.records import Calibration
 from sightline.enums import CalibrationSource, LensModel, Point
 from sightline.geometry.reshoot import places_missing
 from sightline.infra.audit.records import Who
-from sightline.infra.web.bodies import FrameNumber, Id, Out
+from sightline.infra.web.bodies import FrameNumber, Out
+from sightline.infra.web.named import RecordingId
 
 
 class CalibrationSummaryBody(Out):
@@ -49,7 +50,7 @@ class HeightDifferenceBody(Out):
 
 
 class CrossValidationBody(Out):
-    """Two halves of the pictures, calibrated apart. Where that could not be done, `reason` says why."""
+    """Two halves of the pictures, calibrated separately. Where that could not be done, `reason` says why."""
 
     reason: str | None
     views: list[int] | None = Field(description="How many are in each half.")
@@ -114,7 +115,7 @@ class CalibrationWish(Markers):
     rows: int = Field(ge=2, le=100)
     square_m: float = Field(gt=0, le=10, allow_inf_nan=False)
     model: LensModel = "brown"
-    recording_id: Id | None = None
+    recording_id: RecordingId | None = None
     every: int | None = Field(default=None, ge=1, le=2**31 - 1)
     first_frame: FrameNumber | None = None
     last_frame: FrameNumber | None = None

@@ -200,5 +200,6 @@ def import_calibration(
 
 
 NO_COVARIANCE = (
-    "The file states no uncertainty of the lens, so that part is left out of every height's uncertainty."
+    "The file states no uncertainty of the lens, so that component is missing from the "
+    "uncertainty of every height."
 )

@@ -5,6 +5,8 @@ from pydantic import Field
 from sightline.enums import MeasurementStatus
 from sightline.infra.web.bodies import Out
 from sightline.infra.web.quantities import BudgetEntryBody
+from sightline.linescan.exposure import ExposurePlan
+from sightline.linescan.planner import PlannedValue
 
 
 class PlannedCamera(Out):
@@ -72,6 +74,18 @@ class PlannedBoard(Out):
     top_m: float
 
 
+class PassingBody(Out):
+    """A vehicle on the planned wheel track, at one speed."""
+
+    speed_mps: float
+    blur_px: float = Field(description="Its motion in the picture during 1/1000 s.")
+    longest_exposure_s: float = Field(description="Until the motion is 2 px.")
+    shutter: int = Field(description="n of the 1/n s to set, on the safe side.")
+    frames: list[int] = Field(
+        description="With road and a driver's eye in view, at 30 and 60 frames a second."
+    )
+
+
 class PlanBody(Out):
     camera: PlannedCamera
     site: PlannedSite
@@ -83,6 +97,7 @@ class PlanBody(Out):
     outlook: OutlookBody
     tilt_rad: float
     track_shown_m: float
+    passing: list[PassingBody]
 
 
 class LineFormBody(Out):
@@ -94,7 +109,7 @@ class LineFormBody(Out):
 
 
 class LinePlanBody(Out):
-    """What a line rate and a baseline are worth for a vehicle's speed; `u_` are standard uncertainties."""
+    """What a line rate and a baseline are worth for a vehicle; `u_` are standard uncertainties."""
 
     speed_mps: float
     baseline_m: float
@@ -110,4 +125,6 @@ class LinePlanBody(Out):
     u_baseline_mps: float
     u_speed_mps: float
     U95_speed_mps: float
+    values: list[PlannedValue] = Field(description="Speed, length, time gap, distance gap: m/s, m, s, m.")
+    exposure: ExposurePlan | None = Field(description="null: pixels, lens or distance were not given.")
     advice: list[str]

@@ -12,6 +12,9 @@ import matplotlib
 from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
+from matplotlib.ticker import ScalarFormatter
+
+from sightline.export.report.units import decimal
 
 INK, MUTED, FAINT, RULE = "#111111", "#666666", "#8c8c8c", "#dcdcdc"
 TEXT_PT, NOTE_PT = 7.0, 6.3
@@ -90,6 +93,14 @@ class Sheet:
         return (self.left / self.width, self.bottom / self.height, width / self.width, height / self.height)
 
 
+class _Ticks(ScalarFormatter):
+    """Numbers along an axis, with the decimal sign of the language."""
+
+    def __call__(self, x: float, pos: int | None = None) -> str:
+        """One tick's number."""
+        return decimal(super().__call__(x, pos))
+
+
 HALF = Sheet(84.0, 60.0)  # a column of an A4 page
 FULL = Sheet(174.0, 78.0, right=23.0)  # its width, with words on the right
 
@@ -101,7 +112,10 @@ def svg(draw: Callable[[Axes], None], title: str, sheet: Sheet) -> bytes:
         matplotlib.rcParams.update(_LOOK)
         figure = Figure(figsize=(sheet.width * _MM, sheet.height * _MM), dpi=_DPI)
         FigureCanvasAgg(figure)  # measures texts
-        draw(figure.add_axes(sheet.frame()))
+        axes = figure.add_axes(sheet.frame())
+        for axis in (axes.xaxis, axes.yaxis):
+            axis.set_major_formatter(_Ticks())
+        draw(axes)
         out = io.BytesIO()
         figure.savefig(out, format="svg", metadata={"Title": title, "Date": None, "Creator": "Sightline"})
     return out.getvalue()

@@ -12,8 +12,9 @@ from sightline.enums import LengthUnit
 from sightline.export.report import labels, marks
 from sightline.export.report.canvas import HALF, INK, MUTED, Drawing, svg
 from sightline.export.report.marks import MAIN, SECOND, THIRD, LineStyle
-from sightline.export.report.units import HEIGHT, SMALL, count, fixed
-from sightline.export.report.words import GROUPS, heading
+from sightline.export.report.said import said, told
+from sightline.export.report.units import HEIGHT, SMALL, Scale, count, fixed
+from sightline.export.report.words import GROUPS, LIGHTING, heading
 from sightline.statistics.agreement import Trend
 from sightline.statistics.distributions import Ecdf
 from sightline.statistics.errors import WHOLE_CM
@@ -22,10 +23,9 @@ from sightline.statistics.summary import Errors
 _PENS: dict[str, LineStyle] = {"daytime": MAIN, "low_light": SECOND, "overall": THIRD}
 _DOTS: tuple[tuple[str, dict[str, Any]], ...] = (
     ("daytime", {"marker": "o", "facecolors": "none", "edgecolors": INK}),
-    ("low light", {"marker": "^", "facecolors": MUTED, "edgecolors": "none"}),
-    ("lighting unknown", {"marker": "s", "facecolors": "none", "edgecolors": MUTED}),
+    ("low_light", {"marker": "^", "facecolors": MUTED, "edgecolors": "none"}),
+    ("", {"marker": "s", "facecolors": "none", "edgecolors": MUTED}),
 )
-_SHARES = "Share of vehicles (%)"
 _MANY = 300  # points
 
 
@@ -63,7 +63,7 @@ def _drawn(parts: Mapping[str, Part | str | None]) -> list[tuple[str, Part, Line
 
 
 def _word(name: str, part: SampleCounts) -> str:
-    return f"{GROUPS[name]}, n = {count(part.n)}"
+    return said("report-fig-group", group=GROUPS[name], n=count(part.n))
 
 
 def _cumulative(
@@ -71,12 +71,12 @@ def _cumulative(
 ) -> Drawing | str:
     drawn = _drawn(parts)
     if not drawn:
-        return "No vehicle has a reference height, so there is no error to draw."
+        return said("report-fig-no-error")
 
     def draw(axes: Axes) -> None:
         for name, part, style in drawn:
             marks.steps(axes, part, style, factor, _word(name, part))
-        axes.set(xlabel=axis, ylabel=_SHARES, ylim=(0, 100.8))
+        axes.set(xlabel=axis, ylabel=said("report-fig-share"), ylim=(0, 100.8))
         axes.set_xlim(0, None)
         axes.legend(loc="lower right")
 
@@ -88,9 +88,9 @@ def _absolute(errors: Errors, unit: LengthUnit) -> Drawing | str:
     return _cumulative(
         errors.absolute,
         small.factor,
-        f"Absolute error ({small.sign})",
-        "Absolute error, cumulative",
-        "Share of vehicles whose absolute error is at most so much. Bands: 95 %, everywhere at once.",
+        said("report-fig-absolute-axis", unit=small.sign),
+        said("report-fig-absolute"),
+        said("report-fig-absolute-caption"),
     )
 
 
@@ -98,19 +98,19 @@ def _relative(errors: Errors) -> Drawing | str:
     return _cumulative(
         errors.relative,
         100.0,
-        "Absolute error over reference height (%)",
-        "Relative error, cumulative",
-        "The absolute error as a share of the reference height. Bands: 95 %, everywhere at once.",
+        said("report-fig-relative-axis"),
+        said("report-fig-relative"),
+        said("report-fig-relative-caption"),
     )
 
 
 def _density(errors: Errors, unit: LengthUnit) -> Drawing | str:
     drawn = _drawn(errors.density)
     drawn = [one for one in drawn if one[0] != "overall"] or drawn  # which lies between the two
-    small, title = SMALL[unit], "Signed error, density"
+    small, title = SMALL[unit], said("report-fig-signed")
     if not drawn:
         overall = errors.density.get("overall")
-        return overall if isinstance(overall, str) else "There is no error to draw."
+        return told(overall) if isinstance(overall, str) else said("report-fig-no-errors")
 
     def draw(axes: Axes) -> None:
         axes.axvline(0.0, color=MUTED, linewidth=0.6)
@@ -118,7 +118,10 @@ def _density(errors: Errors, unit: LengthUnit) -> Drawing | str:
             marks.density_curve(axes, part, style, small.factor, _word(name, part))
             for name, part, style in drawn
         ]
-        axes.set(xlabel=f"Measured minus reference ({small.sign})", ylabel=f"Density (per {small.sign})")
+        axes.set(
+            xlabel=said("report-fig-signed-axis", unit=small.sign),
+            ylabel=said("report-fig-density-axis", unit=small.sign),
+        )
         axes.set_ylim(0, None)
         axes.margins(x=0.01)
         wished = [replace(one, at=at) for one, at in zip(named, (0.38, 0.62), strict=False)]
@@ -126,35 +129,42 @@ def _density(errors: Errors, unit: LengthUnit) -> Drawing | str:
             axes.set_ylim(0, 1.35 * axes.get_ylim()[1])
             axes.legend(loc="upper left")
 
-    widths = ", ".join(f"{small.length(part.bandwidth)} {GROUPS[name]}" for name, part, _ in drawn)
-    least = f", at least half of the {small.length(WHOLE_CM)} of rounding" if errors.rounding == "cm" else ""
-    caption = f"Gaussian kernel, bandwidth {widths}{least}. Bands: 95 %, pointwise."
-    return Drawing(svg(draw, title, HALF), title, caption)
+    widths = ", ".join(
+        said("report-fig-signed-width", width=small.length(part.bandwidth), group=GROUPS[name])
+        for name, part, _ in drawn
+    )
+    return Drawing(svg(draw, title, HALF), title, _density_caption(errors, widths, small))
+
+
+def _density_caption(errors: Errors, widths: str, small: Scale) -> str:
+    if errors.rounding != "cm":
+        return said("report-fig-signed-caption", widths=widths)
+    return said("report-fig-signed-caption-cm", widths=widths, rounding=small.length(WHOLE_CM))
 
 
 def _trend(errors: Errors, unit: LengthUnit) -> Drawing | str:
     points, line = errors.points, errors.trend
-    long, small, title = HEIGHT[unit], SMALL[unit], "Signed error against true height"
+    long, small, title = HEIGHT[unit], SMALL[unit], said("report-fig-trend")
     if len(points) == 0:
-        return "No vehicle has a reference height, so there is no error to draw."
+        return said("report-fig-no-error")
 
     def draw(axes: Axes) -> None:
         axes.axhline(0.0, color=MUTED, linewidth=0.6)
         many = len(points) > _MANY
-        for code, (word, look) in enumerate(_DOTS):
+        for code, (light, look) in enumerate(_DOTS):
             rows = points[points[:, 2] == code]
             if len(rows):
                 x, y = long.factor * rows[:, 0], small.factor * rows[:, 1]
                 size, alpha = (4.0, 0.45) if many else (11.0, 0.8)
-                axes.scatter(x, y, s=size, alpha=alpha, linewidths=0.5, label=word, **look)
+                axes.scatter(x, y, s=size, alpha=alpha, linewidths=0.5, label=LIGHTING[light], **look)
         if isinstance(line, Trend):
             at = long.factor * line.at
             low, high = small.factor * line.low, small.factor * line.high
             axes.fill_between(at, low, high, color=INK, alpha=0.16, linewidth=0)
-            axes.plot(at, small.factor * line.value, label="regression", **MAIN.line())
+            axes.plot(at, small.factor * line.value, label=said("report-fig-regression"), **MAIN.line())
         axes.set(
-            xlabel=f"Manufacturer’s height ({long.sign})",
-            ylabel=f"Measured minus reference ({small.sign})",
+            xlabel=said("report-fig-maker-height", unit=long.sign),
+            ylabel=said("report-fig-signed-axis", unit=small.sign),
         )
         key = axes.legend(
             loc="lower left",
@@ -173,20 +183,23 @@ def _trend(errors: Errors, unit: LengthUnit) -> Drawing | str:
 def _trend_caption(errors: Errors, unit: LengthUnit) -> str:
     line, absolute = errors.trend, errors.absolute_trend
     if not isinstance(line, Trend):
-        return f"One mark a vehicle. {line}"
+        return said("report-fig-one-mark", reason=told(line))
     per = SMALL[unit].factor / HEIGHT[unit].factor
-    sign = f"{SMALL[unit].sign} per {HEIGHT[unit].sign}"
+    sign = said("report-fig-per", small=SMALL[unit].sign, height=HEIGHT[unit].sign)
     low, high = line.slope_ci95.low, line.slope_ci95.high
     shown = len(errors.points)
     seen = (
-        "One mark a vehicle"
+        said("report-fig-seen")
         if shown >= line.n
-        else f"One mark for {count(shown)} of {count(line.n)} vehicles"
+        else said("report-fig-seen-some", shown=count(shown), n=count(line.n))
     )
-    words = (
-        f"{seen}; regression with its 95 % band: slope {fixed(per * line.slope, 1)} {sign} "
-        f"({fixed(per * low, 1)} to {fixed(per * high, 1)}), r = {fixed(line.correlation, 2)}"
-    )
-    if isinstance(absolute, Trend):
-        words += f"; absolute error: r = {fixed(absolute.correlation, 2)}"
-    return heading(words) + "."
+    values = {
+        "seen": seen,
+        "slope": f"{fixed(per * line.slope, 1)} {sign}",
+        "interval": said("report-between", low=fixed(per * low, 1), high=fixed(per * high, 1)),
+        "r": fixed(line.correlation, 2),
+    }
+    if not isinstance(absolute, Trend):
+        return heading(said("report-fig-trend-caption", **values))
+    of_absolute = fixed(absolute.correlation, 2)
+    return heading(said("report-fig-trend-caption-absolute", **values, r_absolute=of_absolute))

@@ -160,7 +160,8 @@ class ReportFacts:
     `as_of`: when the last event of the audit chain happened; a report holds no date of the clock, so that the
     same state gives the same bytes. `counts`: words and numbers for the title block. `exclusions_total`: how
     many there are, where `exclusions` holds only the first; None: all are there. `checksums`: files of the
-    package other than the report. `selection`: the vehicles it is of, in words; None: all.
+    package other than the report. `selection`: the vehicles it is of, in words; None: all. `language`: that
+    of the report, in which its words are already.
     """
 
     survey: str
@@ -172,7 +173,6 @@ class ReportFacts:
     first_day: date | None = None
     last_day: date | None = None
     place: Place = field(default_factory=Place)
-    filter_words: str = "Accepted measurements only."
     selection: str | None = None
     counts: tuple[tuple[str, int], ...] = ()
     photos: tuple[PhotographFile, ...] = ()
@@ -191,3 +191,4 @@ class ReportFacts:
     audit_head: str = ""
     checksums: tuple[Checksum, ...] = ()
     unit: LengthUnit = "m"
+    language: str = "en"

@@ -9,12 +9,11 @@ from __future__ import annotations
 
 import unicodedata
 from functools import cache
-from pathlib import Path
 
-import matplotlib
 from matplotlib.ft2font import FT2Font
 
-FOLDER = Path(matplotlib.get_data_path()) / "fonts" / "ttf"
+from sightline.infra.typesetting.pdf import FONTS
+
 LACKING = "[…]†"
 _READ = ("DejaVuSans.ttf", "STIXGeneral.ttf")
 
@@ -22,7 +21,7 @@ _READ = ("DejaVuSans.ttf", "STIXGeneral.ttf")
 @cache
 def signs() -> frozenset[int]:
     """The code points that the fonts have between them."""
-    return frozenset(code for name in _READ for code in FT2Font(str(FOLDER / name)).get_charmap())
+    return frozenset(code for name in _READ for code in FT2Font(str(FONTS / name)).get_charmap())
 
 
 def without_lacking(words: str) -> str:

@@ -12,6 +12,7 @@ from sightline.enums import LengthUnit, StatisticsTarget
 from sightline.export.report import labels, marks
 from sightline.export.report.canvas import FULL, HALF, INK, MUTED, NOTE_PT, Drawing, Sheet, svg
 from sightline.export.report.marks import MAIN, RAW, Limit
+from sightline.export.report.said import said, told
 from sightline.export.report.units import HEIGHT, Scale, count, fixed, limit, percent
 from sightline.export.report.words import GROUPINGS, TARGETS, group_word, heading
 from sightline.statistics.distributions import Density, Percentile
@@ -49,7 +50,7 @@ def _limits(target: Target, standards: Sequence[Standard], unit: LengthUnit) -> 
     by_height: dict[float, list[str]] = {}
     for one in standards:
         if low - reach <= one.height_m <= high + reach:
-            by_height.setdefault(one.height_m, []).append(_short(one.name))
+            by_height.setdefault(one.height_m, []).append(_short(told(one.name)))
     return [_limit(at, names, shares.get(at), unit) for at, names in sorted(by_height.items())]
 
 
@@ -59,7 +60,11 @@ def _limit(at_m: float, names: Sequence[str], share: float | None, unit: LengthU
 
 def _with_share(one: Limit) -> Limit:
     """Its words with the share of vehicles below it."""
-    return one if one.share is None else replace(one, word=f"{one.word}, {percent(one.share)} below")
+    return (
+        one
+        if one.share is None
+        else replace(one, word=said("report-fig-share-below", standard=one.word, share=percent(one.share)))
+    )
 
 
 def _short(word: str) -> str:
@@ -71,21 +76,22 @@ def _cumulative(
 ) -> Drawing | str:
     scale, word = HEIGHT[unit], TARGETS[name]
     raw, corrected = target.raw.ecdf, target.corrected.ecdf
-    title = f"Heights of the {word}, cumulative"
+    title = said("report-fig-cumulative", target=word)
     if raw is None and corrected is None:
-        return f"No height of the {word} counts here, so there is no distribution to draw."
+        return said("report-fig-no-height", target=word)
 
     def draw(axes: Axes) -> None:
         named = []
         if raw is not None:
-            named.append(marks.steps(axes, raw, RAW, scale.factor, f"raw (inset 0), n = {count(raw.n)}"))
+            done = said("report-fig-raw", n=count(raw.n))
+            named.append(marks.steps(axes, raw, RAW, scale.factor, done))
         if corrected is not None:
-            done = f"corrected, n = {count(corrected.n)}"
+            done = said("report-fig-corrected", n=count(corrected.n))
             named.insert(0, marks.steps(axes, corrected, MAIN, scale.factor, done))
             _whiskers(axes, target.corrected, scale)
         axes.set(
-            xlabel=f"Height of the {word} above the road ({scale.sign})",
-            ylabel="Share of vehicles (%)",
+            xlabel=said("report-fig-height-above", target=word, unit=scale.sign),
+            ylabel=said("report-fig-share"),
             ylim=(0, 100.8),
         )
         axes.margins(x=0.02)
@@ -95,10 +101,7 @@ def _cumulative(
         if not labels.label(axes, wished, busy):
             axes.legend(loc="lower right")
 
-    caption = (
-        "Solid: corrected, with its 95 % band (everywhere at once) and five percentiles with their 95 % "
-        "intervals. Dashed: raw, as the paper measures (inset 0)."
-    )
+    caption = said("report-fig-cumulative-caption")
     return Drawing(svg(draw, title, FULL), title, caption)
 
 
@@ -132,22 +135,22 @@ def _density(
     name: StatisticsTarget, target: Target, limits: Sequence[Limit], unit: LengthUnit
 ) -> Drawing | str:
     found, scale, word = target.density, HEIGHT[unit], TARGETS[name]
-    title = f"Heights of the {word}, density"
+    title = said("report-fig-density", target=word)
     if not isinstance(found, Density):
-        return found
+        return told(found)
 
     def draw(axes: Axes) -> None:
         marks.density_curve(axes, found, MAIN, scale.factor)
-        axes.set(xlabel=f"Height of the {word} ({scale.sign})", ylabel=f"Density (per {scale.sign})")
+        axes.set(
+            xlabel=said("report-fig-height", target=word, unit=scale.sign),
+            ylabel=said("report-fig-density-axis", unit=scale.sign),
+        )
         axes.margins(x=0.01)
         axes.set_ylim(0, 1.04 * float(found.high.max()) / scale.factor)
         low, high = axes.get_xlim()
         marks.limits(axes, [replace(one, share=0.0) for one in limits if low < one.at < high])
 
-    caption = (
-        f"Corrected heights, n = {count(found.n)}; Gaussian kernel, bandwidth "
-        f"{scale.length(found.bandwidth)}; pointwise 95 % band."
-    )
+    caption = said("report-fig-density-caption", n=count(found.n), width=scale.length(found.bandwidth))
     return Drawing(svg(draw, title, HALF), title, caption)
 
 
@@ -156,7 +159,7 @@ def _side_by_side(
 ) -> Drawing:
     """Groups as rows: median, middle 70 % and middle 90 %; no colours, and room for many groups."""
     scale, word = HEIGHT[unit], TARGETS[name]
-    title = f"Heights of the {word} by {GROUPINGS.get(grouping, grouping)}"
+    title = said("report-fig-by", target=word, grouping=GROUPINGS.get(grouping, grouping))
     rows = list(groups.of.items())
 
     def draw(axes: Axes) -> None:
@@ -174,16 +177,15 @@ def _side_by_side(
         axes.tick_params(axis="y", length=0)
         axes.grid(axis="y", visible=False)
         axes.spines["left"].set_visible(False)
-        axes.set_xlabel(f"Height of the {word} above the road ({scale.sign})")
+        axes.set_xlabel(said("report-fig-height-above", target=word, unit=scale.sign))
         for one in limits:
             axes.axvline(one.at, color=MUTED, linewidth=0.7, dashes=(7, 1.5, 1, 1.5), zorder=0.5)
 
     rules = "; ".join(one.word for one in limits)
-    more = f" {count(groups.left_out)} smaller groups are left out." if groups.left_out else ""
-    caption = (
-        "Corrected heights by group (number of vehicles): median (ring), 15th to 85th percentile (thick), "
-        f"5th to 95th (thin).{f' Upright rules: {rules}.' if rules else ''}{more}"
-    )
+    sentences = [said("report-fig-by-caption")]
+    sentences += [said("report-fig-by-rules", rules=rules)] if rules else []
+    sentences += [said("report-fig-by-left-out", n=count(groups.left_out))] if groups.left_out else []
+    caption = " ".join(sentences)
     sheet = Sheet(FULL.width, 12.0 + _ROW_MM * len(rows), left=40.0, right=3.0)
     return Drawing(svg(draw, title, sheet), title, caption)
 

@@ -8,6 +8,7 @@ from sightline.enums import LengthUnit
 from sightline.export.report.canvas import FULL, INK, Drawing, Sheet, svg
 from sightline.export.report.facts import ReportFacts
 from sightline.export.report.pictures import Pictures
+from sightline.export.report.said import said
 from sightline.export.report.settable import Json, Values
 from sightline.export.report.units import HEIGHT, count
 from sightline.export.report.words import group_word, heading
@@ -25,7 +26,7 @@ def lateral_figure(result: Statistics, unit: LengthUnit) -> dict[str, Drawing | 
     found = result.lateral
     if found is None or not found.lanes.of:
         return {}
-    scale, title = HEIGHT[unit], "Lateral position by lane and class"
+    scale, title = HEIGHT[unit], said("report-fig-lateral")
     rows = _rows(found)
 
     def draw(axes: Axes) -> None:
@@ -41,12 +42,9 @@ def lateral_figure(result: Statistics, unit: LengthUnit) -> dict[str, Drawing | 
         axes.tick_params(axis="y", length=0)
         axes.grid(axis="y", visible=False)
         axes.spines["left"].set_visible(False)
-        axes.set_xlabel(f"Distance from the camera across the road ({scale.sign})")
+        axes.set_xlabel(said("report-fig-lateral-axis", unit=scale.sign))
 
-    caption = (
-        "Tyre's contact, one of each vehicle, by the way it goes in the picture and its class (number of "
-        "vehicles): median (ring), 15th to 85th percentile (thick), 5th to 95th (thin)."
-    )
+    caption = said("report-fig-lateral-caption")
     sheet = Sheet(FULL.width, 12.0 + _ROW_MM * len(rows), left=62.0, right=3.0)
     return {FIGURE: Drawing(svg(draw, title, sheet), title, caption)}
 
@@ -70,7 +68,7 @@ def lateral(facts: ReportFacts, pictures: Pictures) -> Values | None:
     found = facts.statistics.lateral
     if found is None or found.all.n == 0:
         return None
-    rows = [("All", found.all), *_rows(found)]
+    rows = [(said("report-lateral-all"), found.all), *_rows(found)]
     return {
         "percents": [f"{one:g}" for one in _SHOWN],
         "rows": [_row(word, one, facts.unit) for word, one in rows],

@@ -21,8 +21,10 @@ from sightline.export.report.facts import (
     RecordingFacts,
     ReportFacts,
 )
+from sightline.export.report.said import said, spoken
 from sightline.export.report.scan_facts import scan_facts
-from sightline.export.report.words import selection_words
+from sightline.export.report.units import decimal
+from sightline.export.report.words import STATES, selection_words
 from sightline.export.response import response_in
 from sightline.export.seal import ENTITY
 from sightline.export.verdicts import verdicts_in
@@ -68,12 +70,12 @@ def report_facts(files: Files, made: PackageStatistics, written: Mapping[str, Wr
         first_day=used.first_day,
         last_day=used.last_day,
         counts=(
-            ("recordings", len(recordings)),
-            ("vehicles", sum(1 for _ in read_columns(files, "vehicles.csv", ("id",)))),
-            ("measurements", used.count),
-            ("targets not visible", _not_visible(files)),
-            ("counted in the results", found.counted.measurements),
-            ("left out", exclusions),
+            (said("report-count-recordings"), len(recordings)),
+            (said("report-count-vehicles"), sum(1 for _ in read_columns(files, "vehicles.csv", ("id",)))),
+            (said("report-count-measurements"), used.count),
+            (said("report-count-not-visible"), _not_visible(files)),
+            (said("report-count-used"), found.counted.measurements),
+            (said("report-count-left-out"), exclusions),
             *_scanned(made),
         ),
         place=place_in(files),
@@ -100,6 +102,7 @@ def report_facts(files: Files, made: PackageStatistics, written: Mapping[str, Wr
         code_versions=tuple(sorted(used.code_versions)),
         audit_events=head.count,
         audit_head=head.hash,
+        language=spoken(),
         checksums=tuple(Checksum(path, written[path].sha256) for path in sorted(written)),
     )
 
@@ -115,7 +118,10 @@ def _scanned(made: PackageStatistics) -> tuple[tuple[str, int], ...]:
     """Scanned vehicles, where there are any."""
     counted = made.scans.counted
     return (
-        (("scanned vehicles", counted["vehicles"]), ("accepted of them", counted["used"]))
+        (
+            (said("report-count-scanned"), counted["vehicles"]),
+            (said("report-count-scanned-used"), counted["used"]),
+        )
         if counted["vehicles"]
         else ()
     )
@@ -230,7 +236,8 @@ def _pose(
     board = None
     if row["board_columns"] and row["square_m"]:
         millimetres = 1000 * float(row["square_m"])
-        board = f"{row['board_columns']} × {row['board_rows']} inner corners, squares of {millimetres:g} mm"
+        square = decimal(f"{millimetres:g}")
+        board = said("report-board-of", columns=row["board_columns"], rows=row["board_rows"], square=square)
     return PoseFacts(
         number=int(row["id"]),
         recording=unsafe(recordings.get(row["recording_id"], {}).get("name", "")),
@@ -259,6 +266,6 @@ def _exclusions(files: Files) -> Iterator[Exclusion]:
             measurement=int(row["measurement_id"]),
             vehicle=row["vehicle_number"],
             target=row["target"],
-            state=row["state"].replace("_", " "),
+            state=STATES.get(row["state"], row["state"].replace("_", " ")),
             reason=unsafe(row["reason"]),
         )

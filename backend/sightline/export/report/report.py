@@ -1,7 +1,8 @@
 """The report of a survey as PDF: a few pages that say what was measured, how, how well, and how to check it.
 
-Typst sets it from the templates beside this file (`report.typ` first), which hold sentences and layout, and
-from fonts that come along, so that the same facts give the same bytes on every machine.
+Typst sets it from the templates beside this file (`report.typ` first), which hold the layout, from the
+sentences of the catalogue (`said.py`), and from fonts that come along, so that the same facts in the same
+language give the same bytes on every machine.
 """
 
 from __future__ import annotations
@@ -11,27 +12,24 @@ from collections.abc import Mapping
 from datetime import datetime
 from functools import cache
 from pathlib import Path
-from typing import Any
-
-import typst
 
 from sightline.export.report.canvas import Drawing
 from sightline.export.report.facts import ReportFacts
 from sightline.export.report.figures import drawings
-from sightline.export.report.fonts import FOLDER, LACKING
+from sightline.export.report.fonts import LACKING
 from sightline.export.report.lateral import lateral
 from sightline.export.report.pictures import Pictures
 from sightline.export.report.response import response
-from sightline.export.report.results import errors, glance, heights
+from sightline.export.report.results import errors, glance, heights, known_errors
+from sightline.export.report.said import catalogue_json, speaking, spoken
 from sightline.export.report.scans import line_scans
 from sightline.export.report.settable import Values, settable
 from sightline.export.report.setup import calibration, exclusions, insets, moment, setup, title, verification
 from sightline.export.report.sight import sight
 from sightline.export.report.units import unit_words
+from sightline.infra.typesetting import pdf
 
 Drawn = Mapping[str, Drawing | str]
-# Archives keep PDF/A; screen readers want the tags and alternative texts of PDF/UA.
-_STANDARDS = ["a-2a", "ua-1"]
 _TEMPLATES = Path(__file__).parent
 _FIRST = "report.typ"
 #: What reports of other things are laid out from too.
@@ -48,20 +46,16 @@ def report(facts: ReportFacts, drawn: Drawn | None = None) -> bytes:
 
 def set_pdf(files: dict[str, bytes], as_of: datetime | None) -> bytes:
     """What Typst makes of templates, values and pictures; it begins at main.typ."""
-    stamp = _stamp(as_of)
-    try:
-        return _compiled(files, stamp, _STANDARDS)
-    except typst.TypstError:
-        # A sign in a name that no font at hand can show: not for the archive, but still to be read.
-        return _compiled(files, stamp, [])
+    return pdf.set_pdf(files, 0 if as_of is None else int(as_of.timestamp()))
 
 
 def sources(facts: ReportFacts, drawn: Drawn | None = None) -> dict[str, bytes]:
     """The files that Typst compiles: templates, values, pictures."""
     scans = None if facts.scans is None else facts.scans.statistics
-    pictures = Pictures(drawings(facts.statistics, facts.unit, scans) if drawn is None else drawn)
-    values = _values(facts, pictures)
-    return {**templates(_TEMPLATES, _FIRST), "values.json": values, **pictures.files}
+    with speaking(facts.language):
+        pictures = Pictures(drawings(facts.statistics, facts.unit, scans) if drawn is None else drawn)
+        values = _values(facts, pictures)
+        return {**templates(_TEMPLATES, _FIRST), "values.json": values, **pictures.files}
 
 
 def _values(facts: ReportFacts, pictures: Pictures) -> bytes:
@@ -77,6 +71,7 @@ def _values(facts: ReportFacts, pictures: Pictures) -> bytes:
         "calibration": calibration(facts),
         "insets": insets(facts),
         "errors": errors(facts, pictures),
+        "known_errors": known_errors(facts),
         "heights": heights(facts, pictures),
         "lateral": lateral(facts, pictures),
         "sight": sight(facts, pictures),
@@ -95,25 +90,14 @@ def values_json(values: Values) -> bytes:
     return json.dumps({**fit, "lacking": LACKING if lacking else None}, ensure_ascii=False).encode("utf-8")
 
 
-@cache
 def templates(folder: Path, first: str) -> dict[str, bytes]:
-    """The templates of a folder and those that every report shares, by name; `first` is main.typ."""
+    """The templates of a folder and those that every report shares, by name, and what they say in the
+    language that is spoken; `first` is main.typ.
+    """
+    return {**_templates(folder, first), "messages.json": catalogue_json(spoken())}
+
+
+@cache
+def _templates(folder: Path, first: str) -> dict[str, bytes]:
     files = sorted({*(_TEMPLATES / name for name in SHARED), *folder.glob("*.typ")})
     return {"main.typ" if file.name == first else file.name: file.read_bytes() for file in files}
-
-
-def _compiled(files: dict[str, bytes], stamp: int, standards: list[Any]) -> bytes:
-    compiler: Any = typst.compile  # its types leave out the dictionary of files
-    made: bytes = compiler(
-        files,
-        font_paths=[str(FOLDER)],
-        ignore_system_fonts=True,
-        format="pdf",
-        pdf_standards=standards,
-        timestamp=stamp,
-    )
-    return made
-
-
-def _stamp(as_of: datetime | None) -> int:
-    return 0 if as_of is None else int(as_of.timestamp())

@@ -2,29 +2,36 @@
 
 from __future__ import annotations
 
-from sightline.enums import SamplingMethod
 from sightline.export.report.facts import ReportFacts
+from sightline.export.report.said import Called, said
 from sightline.export.report.settable import Values
-from sightline.export.report.units import fixed
+from sightline.export.report.units import decimal, fixed
 from sightline.export.report.words import CLASS_SETS, LIGHTING, TARGETS, heading
 from sightline.statistics.sampling import Response, Sampling
 
-_GROUPS: dict[str, str] = {"all": "all", "none": "no set", "unknown": "unknown"}
-_GROUPS.update(LIGHTING)
-_GROUPS.update({str(name): words for name, words in CLASS_SETS.items()})
+_GROUPS = Called({"all": "report-all", "none": "report-no-set", "unknown": "report-unknown"})
 
 
 def rule_words(rule: Sampling) -> str:
     """The rule as a sentence."""
-    what: dict[SamplingMethod, str] = {
-        "every": "Every pass was to be measured",
-        "nth": f"One pass in {rule.step} was to be measured, from number {rule.start} on",
-        "share": (
-            f"A random share of {rule.share_percent:g} % of the passes (seed {rule.seed}) was to be measured"
-        ),
-    }
-    said, free = what[rule.method], rule.free_flowing_s
-    return f"{said}." if free is None else f"{said}, of vehicles at least {free:g} s behind the one before."
+    words, free = _drawn(rule), rule.free_flowing_s
+    if free is None:
+        return said("report-rule", rule=words)
+    return said("report-rule-free", rule=words, seconds=decimal(f"{free:g}"))
+
+
+def _drawn(rule: Sampling) -> str:
+    if rule.method == "nth":
+        return said("report-nth", step=rule.step, start=rule.start)
+    if rule.method == "share":
+        return said("report-share-drawn", share=decimal(f"{rule.share_percent:g}"), seed=rule.seed)
+    return said("report-every")
+
+
+def _group(name: str) -> str:
+    return next(
+        words for known in (_GROUPS, LIGHTING, CLASS_SETS) for of, words in known.items() if of == name
+    )
 
 
 def response(facts: ReportFacts) -> Values:
@@ -42,9 +49,9 @@ def _is_shown(one: Response) -> bool:
 def _row(one: Response) -> Values:
     has = one.rate is not None and one.low is not None and one.high is not None
     return {
-        "lighting": heading(_GROUPS[one.lighting]),
-        "class_set": _GROUPS[one.class_set],
-        "target": "vehicle" if one.target is None else TARGETS[one.target],
+        "lighting": heading(_group(one.lighting)),
+        "class_set": _group(one.class_set),
+        "target": said("report-vehicle") if one.target is None else TARGETS[one.target],
         "passes": one.passes,
         "discarded": one.discarded,
         "out_of_sample": one.out_of_sample,

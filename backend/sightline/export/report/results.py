@@ -8,6 +8,7 @@ from sightline.enums import LengthUnit, StatisticsTarget
 from sightline.export.report import words
 from sightline.export.report.facts import ReportFacts
 from sightline.export.report.pictures import Pictures
+from sightline.export.report.said import said, told
 from sightline.export.report.settable import Json, Values
 from sightline.export.report.sight import consequence
 from sightline.export.report.units import (
@@ -16,6 +17,7 @@ from sightline.export.report.units import (
     SMALL,
     SQUARE,
     Scale,
+    decimal,
     fixed,
     limit,
     percent,
@@ -24,6 +26,7 @@ from sightline.results.survey_statistics import standards_of
 from sightline.statistics.agreement import BlandAltman, ReferencePart
 from sightline.statistics.distributions import Percentile, Share
 from sightline.statistics.errors import ALL_FIGURES, GROUPS, ErrorGroup, Interval
+from sightline.statistics.known_errors import KnownErrors
 from sightline.statistics.paper import PAPER
 from sightline.statistics.rules import RuleToday
 from sightline.statistics.standards import Standard
@@ -33,6 +36,8 @@ from sightline.statistics.total_uncertainty import TotalFigure, TotalFigures, To
 _GLANCE = (5.0, 15.0, 50.0, 85.0, 95.0)
 _SURE = (10.0, 50.0)
 _PLAIN = Scale(1.0, "", 2)
+_WITHIN_MM = (10, 15, 20, 30, 40)
+_KNOWN_FIGURES = ("bias_m", "mae_m", "rmse_m", "sd_m")
 _ERROR_FIGURES = (
     "absolute-error-ecdf",
     "relative-error-ecdf",
@@ -82,10 +87,10 @@ def _sure(name: StatisticsTarget, total: TotalFigures, scale: Scale) -> Values:
     at = {one.percent: one for one in total.percentiles}
     return {
         "name": words.TARGETS[name],
-        "holds": total.words,
+        "holds": told(total.words),
         "percentiles": [
             {
-                "percent": f"{percent:g}",
+                "percent": decimal(f"{percent:g}"),
                 "value": scale.number(at[percent].value),
                 "ci95": total_interval(at[percent], scale),
             }
@@ -99,9 +104,9 @@ def rule_values(one: RuleToday, scale: Scale, small: Scale) -> Values:
     standard = one.standard
     ends = [scale.number(end) for end in (one.U95_low_m, one.U95_high_m)]
     return {
-        "name": standard.name,
-        "of": standard.vehicle_class if one.by_class else "all vehicles (no class is known)",
-        "percent": f"{standard.percent:g}",
+        "name": told(standard.name),
+        "of": told(standard.vehicle_class) if one.by_class else said("report-all-vehicles"),
+        "percent": decimal(f"{standard.percent:g}"),
         "standard": scale.number(standard.height_m),
         "value": scale.number(one.value_m),
         "ci95": None if one.U95_low_m is None else {"low": ends[0], "high": ends[1]},
@@ -112,15 +117,18 @@ def rule_values(one: RuleToday, scale: Scale, small: Scale) -> Values:
 
 def _verdict(one: RuleToday) -> str:
     if one.verdict == "unknown" or one.lower is None:
-        return f"no verdict: {one.reason}"
+        return said("report-no-verdict", reason=told(one.reason or ""))
     if one.verdict == "alike":
-        return f"not told apart; lower with a probability of {100 * one.lower:.0f} %"
-    return f"{one.verdict}; wrong with a probability of {_risk(one.risk)}"
+        return said("report-alike", percent=f"{100 * one.lower:.0f} %")
+    key = "report-lower" if one.verdict == "lower" else "report-higher"
+    return said(key, risk=_risk(one.risk))
 
 
 def _risk(risk: float | None) -> str:
     """A risk in per cent; none is said to be smaller than draws can tell."""
-    return "less than 0.1 %" if risk is None or risk < 0.001 else f"{100 * risk:.1f} %"
+    if risk is None or risk < 0.001:
+        return said("report-less-than", percent=decimal("0.1 %"))
+    return decimal(f"{100 * risk:.1f} %")
 
 
 def _errors_in_short(overall: ErrorGroup, small: Scale) -> Values | None:
@@ -140,6 +148,33 @@ def _interval(found: Interval | None, scale: Scale) -> Values | None:
     return None if found is None else {"low": scale.number(found.low), "high": scale.number(found.high)}
 
 
+def known_errors(facts: ReportFacts) -> list[Values]:
+    """The errors of each target with known heights, of the traffic and of check targets."""
+    small = SMALL[facts.unit]
+    return [
+        {
+            "name": _known_target(one),
+            "n": one.groups["overall"].n,
+            "figures": [
+                _with_interval(value, one.groups["overall"].ci95[key], small)
+                if (value := one.groups["overall"].figures[key]) is not None
+                else None
+                for key in _KNOWN_FIGURES
+            ],
+            "bias": total_interval(one.bias, small),
+            "inside": told(one.inside)
+            if isinstance(one.inside, str)
+            else said("report-of-all", part=one.inside.inside, all=one.inside.n),
+        }
+        for one in facts.statistics.known_errors
+    ]
+
+
+def _known_target(one: KnownErrors) -> str:
+    word = words.TARGETS[one.target]
+    return said("report-check-targets", target=word) if one.check_target else word
+
+
 def errors(facts: ReportFacts, pictures: Pictures) -> Values | None:
     """The error table and its figures; None where no vehicle has a reference height."""
     found, unit = facts.statistics.errors, facts.unit
@@ -149,11 +184,13 @@ def errors(facts: ReportFacts, pictures: Pictures) -> Values | None:
         "inset": facts.choices.correction == "inset",
         "whole_cm": found.rounding == "cm",
         "groups": [_error_group(name, found.groups[name], unit) for name in GROUPS],
-        "reasons": sorted({one.reason for one in found.groups.values() if one.reason and one.n}),
+        "within": [[mm, fixed(mm / 10, 1 if mm % 10 else 0)] for mm in _WITHIN_MM],
+        "reasons": sorted({told(one.reason) for one in found.groups.values() if one.reason and one.n}),
         "reference_part": _reference_part(found.reference_part, unit),
         "limits": _limits(found.bland_altman, unit),
         "figures": pictures.figures(_ERROR_FIGURES),
         "paper": _paper(unit),
+        "holds": told(found.groups["overall"].words),
     }
 
 
@@ -180,9 +217,9 @@ def _with_interval(value: float, interval: Interval | None, scale: Scale) -> Val
 
 def _reference_part(part: ReferencePart | str, unit: LengthUnit) -> Json:
     if isinstance(part, str):
-        return part
+        return told(part)
     return {
-        "words": part.words,
+        "words": told(part.words),
         "correlation": fixed(part.correlation_alone, 2),
         "u_reference": SMALL[unit].number(part.u_reference_m),
     }
@@ -190,7 +227,7 @@ def _reference_part(part: ReferencePart | str, unit: LengthUnit) -> Json:
 
 def _limits(found: BlandAltman | str, unit: LengthUnit) -> Json:
     if isinstance(found, str):
-        return found
+        return told(found)
     small = SMALL[unit]
     return {
         "lower": small.number(found.lower_m),
@@ -210,7 +247,7 @@ def _paper(unit: LengthUnit) -> list[Json]:
             "rmse": small.number(column.rmse_m),
             "mse": square.number(column.mse_m2),
             "sd": small.number(column.sd_m),
-            "note": column.note.replace("+-", "±"),
+            "note": told(column.note),
         }
         for column in PAPER
     ]
@@ -236,9 +273,9 @@ def _target(facts: ReportFacts, name: StatisticsTarget, target: Target, pictures
     return {
         "name": words.TARGETS[name],
         "many": words.MANY[name],
-        "correction": done
+        "correction": told(done)
         if isinstance(done, str)
-        else {"words": done.words, "warning": done.warning or None},
+        else {"words": told(done.words), "warning": told(done.warning or "") or None},
         "ecdf": ecdf,
         "n_corrected": target.corrected.n,
         "n_raw": target.raw.n,
@@ -246,7 +283,7 @@ def _target(facts: ReportFacts, name: StatisticsTarget, target: Target, pictures
             _percentile(at, total.get(at), corrected.get(at), raw.get(at), mine, other)
             for at in raw | corrected
         ],
-        "holds": None if target.total is None else target.total.words,
+        "holds": None if target.total is None else told(target.total.words),
         "without_interval": without_interval(list((raw | corrected).values())),
         "standards": _standards(facts, name, target),
         "groupings": [] if name == "roof" else pictures.figures(f"{name}-by-{word}" for word in _GROUPINGS),
@@ -262,7 +299,7 @@ def _percentile(
     other: Scale,
 ) -> Values:
     return {
-        "percent": f"{at:g}",
+        "percent": decimal(f"{at:g}"),
         "total": None if total is None else mine.number(total.value),
         "total_ci95": total_interval(total, mine),
         "total_other": None if total is None else other.number(total.value),
@@ -291,9 +328,10 @@ def without_interval(found: Sequence[Percentile]) -> list[Json]:
     alike: dict[str, list[str]] = {}
     for one in found:
         if one.reason:
-            alike.setdefault(one.reason, []).append(f"{one.percent:g}")
+            alike.setdefault(one.reason, []).append(decimal(f"{one.percent:g}"))
     return [
-        {"reason": reason, "percents": list(dict.fromkeys(percents))} for reason, percents in alike.items()
+        {"reason": told(reason), "percents": list(dict.fromkeys(percents))}
+        for reason, percents in alike.items()
     ]
 
 
@@ -310,14 +348,16 @@ def _standards(facts: ReportFacts, name: StatisticsTarget, target: Target) -> li
 def _source(standard: Standard) -> str:
     """Where a value comes from, by what rule, and who cites it."""
     edition = standard.edition or (str(standard.year) if standard.year else "")
-    rule = standard.vehicle_class
+    rule = told(standard.vehicle_class)
     if standard.percent is not None:
-        rule = f"P{standard.percent:g}{f' of {rule}' if rule else ''}"
-    cited = f"as cited by {standard.cited_by}" if standard.cited_by else ""
+        percentile = decimal(f"{standard.percent:g}")
+        rule = said("report-percentile-of", percent=percentile, of=rule) if rule else f"P{percentile}"
+    cited = said("report-cited-by", who=told(standard.cited_by)) if standard.cited_by else ""
+    source, edition = told(standard.source), told(edition)
     return "; ".join(
         one
         for one in (
-            f"{standard.source}{f', {edition}' if edition and edition not in standard.source else ''}",
+            f"{source}{f', {edition}' if edition and edition not in source else ''}",
             rule,
             cited,
         )
@@ -331,7 +371,7 @@ def _standard(standard: Standard, share: Share, total: TotalFigure | None, unit:
     if total is not None and total.U95_low is not None and total.U95_high is not None:
         value, low, high = total.value, total.U95_low, total.U95_high
     return {
-        "name": standard.name,
+        "name": told(standard.name),
         "height": limit(standard.height_m, unit),
         "below": share.below,
         "n": share.n,

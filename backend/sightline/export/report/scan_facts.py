@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import json
 from collections import Counter
 from collections.abc import Mapping
+from dataclasses import replace
 
 from sightline.export.chosen import chosen_scanned
 from sightline.export.report.facts import RigFacts, ScanFacts
@@ -14,7 +16,7 @@ from sightline.scans.statistics.service import ScanStatistics
 
 def scan_facts(files: Files, found: ScanStatistics) -> ScanFacts | None:
     """Rigs and statistics of the line scans; None where the survey has none."""
-    rigs = tuple(_rig(row) for row in read_rows(files, "line_scans.csv"))
+    rigs = tuple(one for row in read_rows(files, "line_scans.csv") for one in _lanes_of(_rig(row), row))
     if not rigs:
         return None
     names, chosen = ("id", "method", "status", "verdict"), chosen_scanned(files)
@@ -25,6 +27,14 @@ def scan_facts(files: Files, found: ScanStatistics) -> ScanFacts | None:
     }
     methods = tuple(sorted(Counter(used.values()).items()))
     return ScanFacts(rigs, found, methods, scan_heights_in(files))
+
+
+def _lanes_of(rig: RigFacts, row: Mapping[str, str]) -> tuple[RigFacts, ...]:
+    """A rig that has lanes is one line for each."""
+    lanes = json.loads(unsafe(row["lanes"])) if row["lanes"] else []
+    return tuple(
+        replace(rig, name=f"{rig.name}, {one['name']}", distance_m=one["distance_m"]) for one in lanes
+    ) or (rig,)
 
 
 def _rig(row: Mapping[str, str]) -> RigFacts:

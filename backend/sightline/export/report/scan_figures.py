@@ -8,16 +8,19 @@ from sightline.enums import LengthUnit
 from sightline.export.report import marks
 from sightline.export.report.canvas import HALF, INK, Drawing, svg
 from sightline.export.report.marks import MAIN
+from sightline.export.report.said import Called, said
 from sightline.export.report.units import SPEED, WAY, Scale, count, fixed
 from sightline.scans.statistics.service import ScanStatistics, Spread
 
-NAMES: dict[str, str] = {
-    "speed": "speed",
-    "length": "length",
-    "time_gap": "time gap",
-    "distance_gap": "distance gap",
-    "headway": "headway",
-}
+NAMES: Called[str] = Called(
+    {
+        "speed": "report-speed",
+        "length": "report-length",
+        "time_gap": "report-time-gap",
+        "distance_gap": "report-distance-gap",
+        "headway": "report-headway",
+    }
+)
 _SECONDS = Scale(1.0, "s", 2)
 _MARKED = (15.0, 50.0, 85.0)
 
@@ -39,7 +42,7 @@ def scan_drawings(found: ScanStatistics, unit: LengthUnit = "m") -> dict[str, Dr
 def _cumulative(one: Spread, scale: Scale) -> Drawing:
     name, curve = NAMES[one.quantity], one.ecdf
     assert curve is not None
-    title = f"Scanned vehicles: {name}, cumulative"
+    title = said("report-fig-scanned", quantity=name)
     chosen = [each for each in one.percentiles if each.percent in _MARKED]
 
     def draw(axes: Axes) -> None:
@@ -51,11 +54,11 @@ def _cumulative(one: Spread, scale: Scale) -> Drawing:
                 axes.plot(ends, [each.percent] * 2, "|-", color=INK, linewidth=0.8, markersize=4.5, zorder=4)
         axes.set(
             xlabel=f"{name[:1].upper()}{name[1:]} ({scale.sign})",
-            ylabel="Share of vehicles (%)",
+            ylabel=said("report-fig-share"),
             ylim=(0, 100.8),
         )
         axes.margins(x=0.02)
 
-    said = ", ".join(f"P{fixed(each.percent, 0)} {scale.length(each.value)}" for each in chosen)
-    caption = f"n = {count(one.n)}; {said}; 95 % intervals where n allows them, and the curve’s 95 % band."
+    listed = ", ".join(f"P{fixed(each.percent, 0)} {scale.length(each.value)}" for each in chosen)
+    caption = said("report-fig-scanned-caption", n=count(one.n), percentiles=listed)
     return Drawing(svg(draw, title, HALF), title, caption)

@@ -4,23 +4,32 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from sightline.enums import LengthUnit
+from sightline.enums import KnownLength, LengthUnit, ReferenceQuantity
 from sightline.export.report.facts import ReportFacts, RigFacts
 from sightline.export.report.pictures import Pictures
 from sightline.export.report.results import percentile_interval, without_interval
+from sightline.export.report.said import Called, said, told
 from sightline.export.report.scan_figures import NAMES, scale_of
 from sightline.export.report.settable import Json, Values
-from sightline.export.report.units import HEIGHT, SMALL, Scale, fixed
-from sightline.export.report.words import GROUPS, LIGHTING, target_words
+from sightline.export.report.units import HEIGHT, SMALL, SPEED, Scale, fixed, percent
+from sightline.export.report.words import GROUPS, LIGHTING, SOURCES, target_words
 from sightline.linescan.rig import RigEstimate
 from sightline.scans.statistics.heights import ScannedHeights
-from sightline.scans.statistics.service import Row, ScanStatistics, Spread
+from sightline.scans.statistics.service import ReferenceGroup, Row, ScanStatistics, Spread
 from sightline.statistics.distributions import Percentile
 from sightline.statistics.errors import ErrorGroup
 
 MOST_VEHICLES = 60
 # The headway's figure is in the package alone: four fill two rows.
 _DRAWN = ("scan-speed", "scan-length", "scan-time-gap", "scan-distance-gap")
+_SIZES_KEYS: dict[KnownLength, str] = {"length": "report-length", "wheelbase": "report-wheelbase"}
+_SIZES = Called(_SIZES_KEYS)
+_QUANTITIES_KEYS: dict[ReferenceQuantity, str] = {
+    "speed": "report-speed",
+    "length": "report-length",
+    "wheelbase": "report-wheelbase",
+}
+_QUANTITIES = Called(_QUANTITIES_KEYS)
 _PERCENTS = (15.0, 50.0, 85.0)
 _ERROR_FIGURES = ("bias_m", "mae_m", "rmse_m", "sd_m")
 
@@ -39,6 +48,7 @@ def line_scans(facts: ReportFacts, pictures: Pictures) -> Values | None:
         "quantities": _quantities(found.spreads, unit),
         "figures": pictures.figures(_DRAWN) if found.counted["used"] else [],
         "sizes": _sizes(found, SMALL[unit]),
+        "references": [_reference(one, unit) for one in found.references],
         "heights": [_height(heights, HEIGHT[unit]) for heights in scans.heights],
         "vehicles": {
             "total": len(found.table),
@@ -78,7 +88,7 @@ def _speed_in_short(found: ScanStatistics, unit: LengthUnit) -> Values | None:
         "mean": scale.number(speed.mean),
         "p85": scale.number(at.value),
         "ci95": percentile_interval(at, scale),
-        "reason": at.reason,
+        "reason": told(at.reason or "") or None,
     }
 
 
@@ -114,17 +124,18 @@ def _with_interval(found: Percentile | None, scale: Scale) -> Values | None:
 
 def _sizes(found: ScanStatistics, small: Scale) -> list[Json]:
     """Errors of lengths and wheelbases against the makers', and what they say of the baseline."""
-    kinds = (
+    kinds: tuple[tuple[KnownLength, Mapping[str, ErrorGroup], RigEstimate], ...] = (
         ("length", found.length_errors, found.length_ratio),
         ("wheelbase", found.wheelbase_errors, found.wheelbase_ratio),
     )
-    return [_size(name, groups, ratio, small) for name, groups, ratio in kinds if groups["overall"].n]
+    return [_size(kind, groups, ratio, small) for kind, groups, ratio in kinds if groups["overall"].n]
 
 
-def _size(name: str, groups: Mapping[str, ErrorGroup], ratio: RigEstimate, small: Scale) -> Values:
+def _size(kind: KnownLength, groups: Mapping[str, ErrorGroup], ratio: RigEstimate, small: Scale) -> Values:
     known = ratio.value is not None and ratio.u is not None
     return {
-        "name": name,
+        "kind": kind,
+        "name": _SIZES[kind],
         "groups": [
             {
                 "name": None if group == "overall" else GROUPS.get(group, group),
@@ -137,8 +148,28 @@ def _size(name: str, groups: Mapping[str, ErrorGroup], ratio: RigEstimate, small
         "n": ratio.n,
         "ratio": fixed(ratio.value, 4) if known and ratio.value is not None else None,
         "u_ratio": fixed(ratio.u, 4) if known and ratio.u is not None else None,
-        "reason": ratio.reason,
-        "warning": ratio.warning or None,
+        "reason": told(ratio.reason or "") or None,
+        "warning": told(ratio.warning or "") or None,
+    }
+
+
+def _reference(group: ReferenceGroup, unit: LengthUnit) -> Values:
+    """What a quantity of ours is apart from what one source says (None: from all)."""
+    errors = group.errors
+    speed = SPEED[unit]
+    scale = Scale(speed.factor, speed.sign, 2) if group.quantity == "speed" else SMALL[unit]
+    return {
+        "name": _QUANTITIES[group.quantity],
+        "source": said("report-all-sources") if group.source is None else SOURCES[group.source],
+        "unit": scale.sign,
+        "n": errors.n,
+        "bias": scale.number(errors.mean, signed=True),
+        "sd": scale.number(errors.sd),
+        "rmse": scale.number(errors.rmse),
+        "within": errors.within,
+        "share": percent(errors.share_within),
+        "low": fixed(100 * errors.share_low, 1),
+        "high": percent(errors.share_high),
     }
 
 

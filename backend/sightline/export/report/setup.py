@@ -15,9 +15,10 @@ from sightline.export.report.facts import (
     ReportFacts,
 )
 from sightline.export.report.pictures import Pictures
+from sightline.export.report.said import said, told
 from sightline.export.report.settable import Json, Values
-from sightline.export.report.units import HEIGHT, SMALL, Scale, fixed
-from sightline.export.report.words import LIGHTING, target_words
+from sightline.export.report.units import HEIGHT, SMALL, Scale, decimal, fixed
+from sightline.export.report.words import LIGHTING, date_words, day_parts, target_words
 from sightline.export.verdicts import VerdictCounts
 from sightline.infra.local_time import zone_of
 
@@ -27,13 +28,21 @@ _MOST_IN_HEAD = 70  # characters of a name in the running head
 
 def moment(at: datetime | None) -> str | None:
     """A moment in UTC to the second."""
-    return None if at is None else f"{at.astimezone(UTC):%Y-%m-%d %H:%M:%S} UTC"
+    if at is None:
+        return None
+    utc = at.astimezone(UTC)
+    return said("report-moment", **day_parts(utc), time=f"{utc:%H:%M:%S}")
+
+
+def _minute(at: datetime) -> str:
+    """A moment by its own clock."""
+    return said("report-minute", **day_parts(at), time=f"{at:%H:%M}")
 
 
 def title(facts: ReportFacts) -> Values:
     """Survey, site, dates, counts."""
     counted = facts.statistics.counted
-    name = facts.survey.strip() or "Survey"
+    name = facts.survey.strip() or said("report-survey")
     return {
         "survey": name,
         "short": name if len(name) <= _MOST_IN_HEAD else f"{name[:_MOST_IN_HEAD]}…",
@@ -47,7 +56,6 @@ def title(facts: ReportFacts) -> Values:
         "measurements": counted.measurements,
         "vehicles": counted.vehicles,
         "with_reference": counted.with_reference,
-        "filter": facts.filter_words,
         "verdicts": _verdicts(facts.verdicts),
         "selection": facts.selection,
         "versions": facts.code_versions[:_MOST_VERSIONS],
@@ -81,32 +89,32 @@ def filmed_words(recordings: Sequence[RecordingFacts]) -> str | None:
     words = [_span(min(times), max(times), zone) for zone, times in sorted(spans.items())]
     unsaid = sum(not one.started_at for one in recordings)
     if words and unsaid:
-        words.append(f"{unsaid} recording{'s' if unsaid > 1 else ''} without a confirmed start")
+        words.append(said("report-unconfirmed", n=unsaid))
     return "; ".join(words) or None
 
 
 def _span(first: datetime, last: datetime, zone: str) -> str:
-    end = f"{last:%H:%M}" if last.date() == first.date() else f"{last:%Y-%m-%d %H:%M}"
-    return f"{first:%Y-%m-%d %H:%M} to {end} ({zone})"
+    end = f"{last:%H:%M}" if last.date() == first.date() else _minute(last)
+    return said("report-span", day=date_words(first), first=f"{first:%H:%M}", last=end, zone=zone)
 
 
 def _place(facts: ReportFacts) -> str | None:
-    """Coordinates, class of the road, speed limit and street lamps, as far as they were said."""
+    """Coordinates, class of the road, lane, travel direction, limit and lamps, as far as said."""
     place, words = facts.place, []
     if place.latitude_deg is not None and place.longitude_deg is not None:
-        words.append(f"{place.latitude_deg:.5f}, {place.longitude_deg:.5f} (WGS84)")
-    if place.road_class is not None:
-        words.append(place.road_class)
+        latitude, longitude = (decimal(f"{at:.5f}") for at in (place.latitude_deg, place.longitude_deg))
+        words.append(said("report-coordinates", latitude=latitude, longitude=longitude))
+    words += [one for one in (place.road_class, place.lane, place.travel_direction) if one is not None]
     if place.speed_limit_mps is not None:
         factor, unit = (3.6, "km/h") if facts.unit == "m" else (3600 / 1609.344, "mph")
-        words.append(f"limit {place.speed_limit_mps * factor:.0f} {unit}")
+        words.append(said("report-limit", speed=f"{place.speed_limit_mps * factor:.0f} {unit}"))
     if place.street_lamps is not None:
-        words.append("street lamps" if place.street_lamps == "present" else "no street lamps")
+        words.append(said("report-lamps" if place.street_lamps == "present" else "report-no-lamps"))
     return "; ".join(words) or None
 
 
 def _day(day: date | None) -> str | None:
-    return None if day is None else day.isoformat()
+    return None if day is None else date_words(day)
 
 
 def setup(facts: ReportFacts, pictures: Pictures) -> Values:
@@ -123,7 +131,7 @@ def _recording(recording: RecordingFacts) -> Values:
         "name": recording.name,
         "camera": recording.camera or None,
         "lighting": LIGHTING.get(recording.lighting, recording.lighting),
-        "start": recording.started_at[:16].replace("T", " ") or None,
+        "start": _minute(datetime.fromisoformat(recording.started_at)) if recording.started_at else None,
         "weather": recording.weather or None,
         "width_px": recording.width_px if sized else None,
         "height_px": recording.height_px if sized else None,
@@ -139,7 +147,7 @@ def calibration(facts: ReportFacts) -> Values:
     distances = sorted({one.distance_m for pose in facts.poses for one in pose.expected})
     return {
         "lenses": [_lens(lens) for lens in facts.calibrations],
-        "distances": [f"{height.factor * distance:.3g}" for distance in distances],
+        "distances": [decimal(f"{height.factor * distance:.3g}") for distance in distances],
         "poses": [_pose(pose, distances, height, small) for pose in facts.poses],
         "boards": _boards(facts.poses, height, small),
     }
@@ -149,7 +157,7 @@ def _lens(lens: CalibrationFacts) -> Values:
     return {
         "camera": lens.camera,
         "number": lens.number,
-        "made_on": lens.made_on.isoformat(),
+        "made_on": date_words(lens.made_on),
         "source": lens.source,
         "model": lens.model,
         "width_px": lens.width_px,
@@ -159,7 +167,7 @@ def _lens(lens: CalibrationFacts) -> Values:
         "rms_px": None if lens.rms_px is None else fixed(lens.rms_px, 3),
         "trusted": lens.trusted,
         "parameters": [_parameter(parameter) for parameter in lens.parameters],
-        "warnings": lens.warnings,
+        "warnings": [told(one) for one in lens.warnings],
     }
 
 
@@ -194,7 +202,7 @@ def _pose(pose: PoseFacts, distances: Sequence[float], height: Scale, small: Sca
         "distance": height.number(pose.distance_m),
         "rms_px": None if pose.rms_px is None else fixed(pose.rms_px, 3),
         "expected": [small.number(expected.get(distance)) for distance in distances],
-        "warnings": pose.warnings,
+        "warnings": [told(one) for one in pose.warnings],
     }
 
 
@@ -229,7 +237,7 @@ def insets(facts: ReportFacts) -> list[Json]:
             "target": target_words(inset.target),
             "inset": small.number(inset.inset_m),
             "u": small.number(inset.u_inset_m),
-            "note": inset.note.replace("+-", "±") or None,
+            "note": told(inset.note) or None,
         }
         for inset in facts.insets
     ]
@@ -246,7 +254,7 @@ def exclusions(facts: ReportFacts) -> Values:
                 "vehicle": row.vehicle,
                 "target": target_words(row.target),
                 "state": row.state,
-                "reason": row.reason or None,
+                "reason": told(row.reason) or None,
             }
             for row in rows
         ],

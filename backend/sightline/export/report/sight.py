@@ -11,17 +11,18 @@ from sightline.export.report import marks
 from sightline.export.report.canvas import FULL, INK, MUTED, Drawing, svg
 from sightline.export.report.facts import ReportFacts
 from sightline.export.report.pictures import Pictures
+from sightline.export.report.said import said, told
 from sightline.export.report.settable import Json, Values
-from sightline.export.report.units import HEIGHT, SPEED, Scale, count, limit, percent
+from sightline.export.report.units import HEIGHT, SPEED, Scale, count, decimal, limit, percent
 from sightline.export.report.words import TARGETS
-from sightline.messages import say
 from sightline.results.sightdistance.records import CaseOfHeights, SightQuestion
 from sightline.results.sightdistance.service import bounded_of, case_of, design_speeds, distance_of
 from sightline.results.survey_statistics import Filter, Statistics, standards_of
 from sightline.sightdistance.distances import GREEN_BOOK
 from sightline.sightdistance.workbench import Bounded
-from sightline.statistics.distributions import PERCENTILES, Percentile
+from sightline.statistics.distributions import PERCENTILES
 from sightline.statistics.standards import Standard
+from sightline.statistics.total_uncertainty import TotalFigure
 
 FIGURE = "crest-k"
 # Where the standard states no rule that the survey has a percentile of: that of AASHTO's heights.
@@ -43,13 +44,13 @@ def sight(facts: ReportFacts, pictures: Pictures) -> Values | None:
     eye, thing, question, standard, survey = found
     scale = HEIGHT[facts.unit]
     values: Values = {
-        "standard": eye.name if eye.name == thing.name else f"{eye.name}, {thing.name}",
+        "standard": ", ".join(dict.fromkeys(told(one.name) for one in (eye, thing))),
         "eye": limit(eye.height_m, facts.unit),
         "object": limit(thing.height_m, facts.unit),
-        "eye_percent": f"{question.eye_percent:g}",
-        "object_percent": f"{question.object_percent:g}",
+        "eye_percent": decimal(f"{question.eye_percent:g}"),
+        "object_percent": decimal(f"{question.object_percent:g}"),
         "own_rule": None not in (eye.percent, thing.percent),
-        "source": GREEN_BOOK,
+        "source": told(GREEN_BOOK),
         "missing": [TARGETS[target] for target in survey.missing],
         "sentence": crest_sentence(question, standard, survey),
         "rows": _rows(question, standard, survey, facts.unit),
@@ -72,7 +73,7 @@ def sight_figure(result: Statistics, unit: LengthUnit) -> dict[str, Drawing | st
         return {}
     *_, standard, survey = found
     scale, speed = HEIGHT[unit], SPEED[unit]
-    title = "K of a crest against design speed"
+    title = said("report-fig-crest")
     speeds = [speed.factor * one for one in design_speeds(unit)]
 
     def draw(axes: Axes) -> None:
@@ -82,15 +83,16 @@ def sight_figure(result: Statistics, unit: LengthUnit) -> dict[str, Drawing | st
             high = [scale.factor * (one.high or 0.0) for one in survey.k_m]
             axes.fill_between(speeds, low, high, color=INK, alpha=0.14, linewidth=0)
         by_standard = [scale.factor * one.value for one in standard.k_m]
-        axes.plot(speeds, by_standard, label="by the standard’s heights", **marks.SECOND.line())
-        axes.plot(speeds, k, label="by the survey’s heights", **marks.MAIN.line())
-        axes.set(xlabel=f"Design speed ({speed.sign})", ylabel=f"K ({scale.sign} per %)", ylim=(0, None))
+        axes.plot(speeds, by_standard, label=said("report-fig-by-standard"), **marks.SECOND.line())
+        axes.plot(speeds, k, label=said("report-fig-by-survey"), **marks.MAIN.line())
+        axes.set(
+            xlabel=said("report-fig-design-speed", unit=speed.sign),
+            ylabel=said("report-fig-k", unit=scale.sign),
+            ylim=(0, None),
+        )
         axes.legend(loc="upper left", edgecolor=MUTED)
 
-    caption = (
-        "K = S²/C at each speed’s stopping sight distance, rounded up as in design tables. Solid: by the "
-        "survey’s heights, with its 95 % band; dashed: by the standard’s."
-    )
+    caption = said("report-fig-crest-caption")
     return {FIGURE: Drawing(svg(draw, title, FULL), title, caption)}
 
 
@@ -110,6 +112,10 @@ def _cases(result: Statistics, unit: LengthUnit) -> _Cases | None:
         "survey",
         bounded_of(_percentile(result, "driver_eye", question.eye_percent)),
         bounded_of(_percentile(result, "taillight", question.object_percent)),
+        (
+            _by_pose_m(result, "driver_eye", question.eye_percent),
+            _by_pose_m(result, "taillight", question.object_percent),
+        ),
     )
     return eye, thing, question, standard, survey
 
@@ -147,9 +153,16 @@ def _rule(standard: Standard, usual: float) -> float:
     return standard.percent if standard.percent in PERCENTILES else usual
 
 
-def _percentile(result: Statistics, target: StatisticsTarget, at: float) -> Percentile | None:
+def _percentile(result: Statistics, target: StatisticsTarget, at: float) -> TotalFigure | None:
     found = result.targets.get(target)
-    return None if found is None else next((p for p in found.corrected.percentiles if p.percent == at), None)
+    if found is None or found.total is None:
+        return None
+    return next((one for one in found.total.percentiles if one.percent == at), None)
+
+
+def _by_pose_m(result: Statistics, target: StatisticsTarget, at: float) -> Mapping[int, float]:
+    found = result.targets.get(target)
+    return {} if found is None else found.by_pose_m.get(at, {})
 
 
 def crest_sentence(
@@ -174,9 +187,9 @@ def crest_sentence(
         "k_standard": plain.number(before.k_m.value),
         "distance": far.length(distance_of(question, question.speed_mps).design_m),
         "seen": far.length(crest.seen_m.value),
-        "reason": crest.constant_m.reason or "",
+        "reason": told(crest.constant_m.reason or ""),
     }
-    return say(_SENTENCES[survey.comparison.verdict], dict(values))
+    return said(_SENTENCES[survey.comparison.verdict], **values)
 
 
 def _rows(

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from sightline.enums import LengthUnit
+from sightline.export.report.said import Called, said
 
 NONE = "–"
 _FOOT_M = 0.3048
@@ -36,14 +37,16 @@ SQUARE: dict[LengthUnit, Scale] = {
     "ft": Scale((12.0 / _FOOT_M) ** 2, "in²", 3),
 }
 OTHER: dict[LengthUnit, LengthUnit] = {"m": "ft", "ft": "m"}
-_WORDS = {
-    "m": "metres",
-    "ft": "feet",
-    "mm": "millimetres",
-    "in": "inches",
-    "cm²": "square centimetres",
-    "in²": "square inches",
-}
+_WORDS = Called(
+    {
+        "m": "report-unit-m",
+        "ft": "report-unit-ft",
+        "mm": "report-unit-mm",
+        "in": "report-unit-in",
+        "cm²": "report-unit-cm2",
+        "in²": "report-unit-in2",
+    }
+)
 
 
 def unit_words(unit: LengthUnit) -> dict[str, str]:
@@ -70,11 +73,16 @@ def limit(height_m: float, unit: LengthUnit) -> str:
 
 
 def fixed(value: float, digits: int, *, signed: bool = False) -> str:
-    """Fixed decimals with a true minus sign; what rounds to zero has none."""
+    """Fixed decimals with a true minus sign and the language's decimal sign; what rounds to zero has none."""
     text = f"{value:+.{digits}f}" if signed else f"{value:.{digits}f}"
     if float(text) == 0.0:
         text = text.lstrip("+-")
-    return text.replace("-", "−")
+    return decimal(text).replace("-", "−")
+
+
+def decimal(text: str) -> str:
+    """A number's text with the decimal sign of the language."""
+    return text.replace(".", said("report-decimal-sign"))
 
 
 def count(number: int) -> str:

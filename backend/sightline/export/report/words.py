@@ -3,60 +3,113 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from datetime import date
 from typing import Any
 
-from sightline.enums import Category, ClassSet, Correction, Direction, StatisticsTarget, Target
+from sightline.enums import (
+    Category,
+    ClassSet,
+    Correction,
+    Direction,
+    ReferenceSource,
+    StatisticsTarget,
+    Target,
+)
+from sightline.export.report.said import Called, said
 from sightline.results.selection import Selection
 
-TARGETS: dict[Target, str] = {
-    "driver_eye": "driver’s eye",
-    "taillight": "taillight, lower limit",
-    "headlight": "headlight",
-    "roof": "roof",
-    "other": "other",
+_TARGETS_KEYS: dict[Target, str] = {
+    "driver_eye": "report-driver-eye",
+    "taillight": "report-taillight",
+    "headlight": "report-headlight",
+    "roof": "report-roof",
+    "other": "report-other",
 }
-EYES = {
-    "driver_eye_near": "driver’s eye, driver on the near side",
-    "driver_eye_far": "driver’s eye, driver on the far side",
+TARGETS = Called(_TARGETS_KEYS)
+EYES = Called(
+    {
+        "driver_eye_near": "report-eye-near",
+        "driver_eye_far": "report-eye-far",
+    }
+)
+_MANY_KEYS: dict[StatisticsTarget, str] = {
+    "driver_eye": "report-driver-eyes",
+    "taillight": "report-taillights",
+    "headlight": "report-headlights",
+    "roof": "report-roofs",
 }
-MANY: dict[StatisticsTarget, str] = {
-    "driver_eye": "drivers’ eyes",
-    "taillight": "taillights’ lower limits",
-    "headlight": "headlights",
-    "roof": "roofs",
+MANY = Called(_MANY_KEYS)
+_GROUPS_KEYS: dict[str, str] = {
+    "daytime": "report-daytime",
+    "low_light": "report-low-light",
+    "overall": "report-overall",
 }
-GROUPS: dict[str, str] = {"daytime": "daytime", "low_light": "low light", "overall": "overall"}
-LIGHTING: dict[str, str] = {"daytime": "daytime", "low_light": "low light", "": "lighting unknown"}
-CATEGORIES: dict[Category, str] = {
-    "hatchback": "hatchback",
-    "saloon": "saloon",
-    "estate": "estate",
-    "suv": "SUV",
-    "multi_purpose": "multi-purpose vehicle",
-    "pickup": "pick-up",
-    "van": "van",
-    "lorry": "lorry",
-    "tractor_unit": "tractor unit",
-    "bus": "bus",
-    "recreational_vehicle": "recreational vehicle",
-    "trailer": "trailer or caravan",
-    "motorcycle": "motorcycle",
-    "other": "other",
+GROUPS = Called(_GROUPS_KEYS)
+_LIGHTING_KEYS: dict[str, str] = {
+    "daytime": "report-daytime",
+    "low_light": "report-low-light",
+    "": "report-lighting-unknown",
 }
-LANES: dict[Direction, str] = {"right": "to the right", "left": "to the left"}
-CLASS_SETS: dict[ClassSet, str] = {
-    "passenger_cars": "passenger cars",
-    "light_trucks": "light trucks and multi-purpose",
-    "heavy": "heavy vehicles",
+LIGHTING = Called(_LIGHTING_KEYS)
+_SOURCES_KEYS: dict[ReferenceSource, str] = {
+    "counter": "report-by-speedometer",
+    "radar": "report-by-radar",
+    "laser": "report-by-laser",
+    "gps": "report-by-gps",
+    "loop": "report-by-loop",
+    "tape": "report-by-tape",
+    "other": "report-other",
 }
-GROUPINGS: dict[str, str] = {"class_set": "set of classes"}
-CORRECTIONS: dict[Correction, str] = {
-    "inset": "corrected by inset",
-    "shift": "corrected by shift",
-    "none": "not corrected",
-    "regression": "corrected by regression",
-    "deconvolution": "corrected by deconvolution",
+SOURCES = Called(_SOURCES_KEYS)
+_CATEGORIES_KEYS: dict[Category, str] = {
+    "hatchback": "report-hatchback",
+    "saloon": "report-saloon",
+    "estate": "report-estate",
+    "suv": "report-suv",
+    "multi_purpose": "report-multi-purpose",
+    "pickup": "report-pickup",
+    "van": "report-van",
+    "lorry": "report-lorry",
+    "tractor_unit": "report-tractor-unit",
+    "bus": "report-bus",
+    "recreational_vehicle": "report-recreational",
+    "trailer": "report-trailer",
+    "motorcycle": "report-motorcycle",
+    "other": "report-other",
 }
+CATEGORIES = Called(_CATEGORIES_KEYS)
+_LANES_KEYS: dict[Direction, str] = {"right": "report-to-the-right", "left": "report-to-the-left"}
+LANES = Called(_LANES_KEYS)
+_CLASS_SETS_KEYS: dict[ClassSet, str] = {
+    "passenger_cars": "report-passenger-cars",
+    "light_trucks": "report-light-trucks",
+    "heavy": "report-heavy",
+}
+CLASS_SETS = Called(_CLASS_SETS_KEYS)
+_GROUPINGS_KEYS: dict[str, str] = {
+    "class_set": "report-by-class-set",
+    "category": "report-by-category",
+    "site": "report-by-site",
+    "operator": "report-by-operator",
+}
+GROUPINGS = Called(_GROUPINGS_KEYS)
+_STATES_KEYS: dict[str, str] = {
+    "rejected": "report-rejected",
+    "withdrawn": "report-withdrawn",
+    "not_measurable": "report-not-measurable",
+    "to_review": "report-to-review",
+    "not_selected": "report-not-selected",
+    "check_target": "report-check-target",
+}
+STATES = Called(_STATES_KEYS)
+_CORRECTIONS_KEYS: dict[Correction, str] = {
+    "inset": "report-by-inset",
+    "shift": "report-by-shift",
+    "none": "report-not-corrected",
+    "regression": "report-by-regression",
+    "deconvolution": "report-by-deconvolution",
+}
+CORRECTIONS = Called(_CORRECTIONS_KEYS)
 
 
 def heading(word: str) -> str:
@@ -81,6 +134,16 @@ def group_word(grouping: str, word: str) -> str:
     return known.get(grouping, {}).get(word, word)
 
 
+def date_words(day: date) -> str:
+    """A day as the language writes it."""
+    return said("report-date", **day_parts(day))
+
+
+def day_parts(day: date) -> dict[str, str]:
+    """Year, month and day, as sentences take them."""
+    return {"year": f"{day.year:04d}", "month": f"{day.month:02d}", "day": f"{day.day:02d}"}
+
+
 def selection_words(selection: Selection) -> str | None:
     """What a package or report is of: "low light; passenger cars, SUV"; None for the whole survey."""
     if selection.is_all:
@@ -90,6 +153,6 @@ def selection_words(selection: Selection) -> str | None:
         *(CATEGORIES[one] for one in selection.categories),
     ]
     lighting = [] if selection.lighting is None else [LIGHTING[selection.lighting]]
-    days = (("filmed from", selection.filmed_from), ("filmed up to", selection.filmed_to))
-    filmed = [f"{words} {day.isoformat()}" for words, day in days if day is not None]
+    days = (("report-filmed-since", selection.filmed_from), ("report-filmed-until", selection.filmed_to))
+    filmed = [said(key, day=date_words(day)) for key, day in days if day is not None]
     return "; ".join([*lighting, *([", ".join(classes)] if classes else []), *filmed])

@@ -80,6 +80,8 @@ def _gather(told: ReplayedState, event: Event, after: dict[str, Any]) -> None:
     entity, action, number = event["entity"], event["action"], int(event["entity_id"] or 0)
     if entity == "measurement":
         told.measurements.add(number, {**after, "by": event["actor_id"]})
+        count_revisions(told.revisions_of_computings, after["row"])
+    elif entity == "line_height":
         count_revisions(told.revisions_of_computings, after)
     elif entity == "survey":
         told.survey |= after

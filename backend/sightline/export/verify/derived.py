@@ -36,6 +36,7 @@ from sightline.infra.csv_package.schema import (
     cell_text,
     json_bytes,
 )
+from sightline.messages import languages
 from sightline.results.csv import selection_in
 
 _FRAME = re.compile(r"frame(\d+)")
@@ -56,12 +57,12 @@ def check_description(
     """
     try:
         found = read_json(files, DESCRIPTION)
-        made_with = dict(found["made_with"])
+        made_with, language = dict(found["made_with"]), str(found["language"])
     except (KeyError, TypeError) as error:
         raise Damaged("export-cannot-read-take-whole-export-again", description=DESCRIPTION) from error
     words = {name: str(told.survey.get(name, "")) for name in ("name", "site", "description")}
     about = about_of(**words, created=told.moment, only=selection_words(selection_in(files)))
-    expected = described(about, described_tables(files), written)
+    expected = described(about, language, described_tables(files), written)
     other = {
         name for name in {*made_with, *about.made_with} if made_with.get(name) != about.made_with.get(name)
     }
@@ -84,6 +85,8 @@ def check_description(
             raise Damaged("export-describes-otherwise-program-changed", description=DESCRIPTION, named=named)
         notes.append(f"{mine['path']} is described otherwise by this version.")
     drawn_alike = not other - {"sightline", "page"}
+    if drawn_alike and language not in languages():
+        raise Damaged("export-another-files-chain-changed", description=DESCRIPTION, name="language")
     if not drawn_alike:
         notes.append("Figures and report were made by another version: not drawn again, but sealed.")
     if notes:
@@ -173,7 +176,7 @@ class AsOf:
 
 def check_drawn(files: Files, as_of: int, found: PackageStatistics, written: dict[str, Written]) -> int:
     """Figures and report drawn again, byte for byte; how many. `as_of`: the last event that they tell of."""
-    made = drawn(AsOf(files, as_of), found, written)
+    made = drawn(AsOf(files, as_of), found, written, read_json(files, DESCRIPTION)["language"])
     for path, content in made:
         if path not in files.paths or read_whole(files, path) != content:
             raise Damaged("export-not-one-these-rows-statistics-give", path=path)

@@ -11,10 +11,10 @@ from sqlalchemy import select
 from sqlalchemy.orm import Session
 
 from sightline.enums import JsonObject
-from sightline.errors import Damaged
+from sightline.errors import Damaged, NotFound
 from sightline.infra.audit import trail
 from sightline.infra.audit.merkle import path_of, root_by_path, root_of
-from sightline.infra.audit.records import AuditHead
+from sightline.infra.audit.records import AuditEvent, AuditHead, Checkpoint, Checkpoints
 from sightline.infra.audit.signing import SigningKey, holds
 from sightline.infra.audit.tables import audit_events
 from sightline.infra.database.types import now
@@ -24,11 +24,13 @@ KEY, TAKE = "signing_key", "take"
 FORMAT, KEY_FORMAT = "sightline-checkpoint-1", "sightline-key-1"
 _STATEMENT = ("format", "at", "chains", "root", "key")
 _KEY_STATEMENT = ("format", "at", "key", "after")
+#: The parts of how a key was handed on, in their order.
+KEY_PARTS = (*_KEY_STATEMENT, "signature")
 
 
 def sign_checkpoint(session: Session, key: SigningKey, *, actor: int | None) -> JsonObject:
     """Sign the ends of all chains as this transaction sees them; noted in the settings' chain."""
-    _take(session, key, actor)
+    take_key(session, key, actor=actor)
     ends = trail.heads(session)
     moment = now().isoformat(timespec="microseconds")
     statement = {"format": FORMAT, "at": moment, "chains": len(ends), "root": root_of(ends)}
@@ -37,6 +39,43 @@ def sign_checkpoint(session: Session, key: SigningKey, *, actor: int | None) -> 
     listed = [[name, end.count, end.hash] for name, end in ends.items()]
     trail.record(session, actor, SIGN, CHECKPOINT, None, None, None, {**signed, "ends": listed})
     return {**signed, "ends": listed}
+
+
+def listed_checkpoints(session: Session, limit: int) -> Checkpoints:
+    """The newest checkpoints, those of exports among them, and the key that signs now."""
+    keys = known_keys(session)
+    found = trail.listing(session, entity=CHECKPOINT, limit=limit)
+    return Checkpoints(
+        key=keys[-1]["key"] if keys else None,
+        keys_before=max(0, len(keys) - 1),
+        newest=tuple(_checkpoint_of(event) for event in found),
+    )
+
+
+def checkpoint_document(session: Session, event_id: int) -> JsonObject:
+    """A checkpoint whole, with every key and how each was handed on, as `sightline checkpoint` writes it.
+
+    Raises:
+        NotFound: no checkpoint has this number.
+    """
+    event = trail.one_event(session, CHECKPOINT, event_id)
+    if event is None:
+        raise NotFound("audit-checkpoint-none")
+    return {**(event.after or {}), "keys": known_keys(session)}
+
+
+def _checkpoint_of(event: AuditEvent) -> Checkpoint:
+    signed = event.after or {}
+    return Checkpoint(
+        id=event.id,
+        at=event.at,
+        by=event.actor,
+        chains=signed["chains"],
+        events=sum(count for _, count, _ in signed["ends"]),
+        root=signed["root"],
+        key=signed["key"],
+        signature=signed["signature"],
+    )
 
 
 def is_signed(checkpoint: Mapping[str, Any]) -> bool:
@@ -65,7 +104,7 @@ def checkpoint_problem(document: Mapping[str, Any], chain: str, end: AuditHead) 
         found = root_by_path(chain, end, document["place"], document["chains"], document["path"])
         if document["leaf"] != leaf or found != document["root"] or not _is_lower(document["path"]):
             return Damaged("export-checkpoint-other-chain")
-        return None if _handed_on(document["keys"], document["key"]) else Damaged("export-checkpoint-keys")
+        return None if are_handed_on(document["keys"], document["key"]) else Damaged("export-checkpoint-keys")
     except (KeyError, TypeError, ValueError):
         return Damaged("export-checkpoint-form")
 
@@ -74,11 +113,11 @@ def _is_lower(path: Sequence[str]) -> bool:
     return all(step == step.lower() for step in path)
 
 
-def _handed_on(keys: Sequence[Mapping[str, Any]], last: str) -> bool:
+def are_handed_on(keys: Sequence[Mapping[str, Any]], last: str) -> bool:
     """Whether each key was signed by the one before, the first by itself, and the last is this one."""
     before: str | None = None
     for one in keys:
-        if list(one) != [*_KEY_STATEMENT, "signature"] or one["format"] != KEY_FORMAT:
+        if list(one) != [*KEY_PARTS] or one["format"] != KEY_FORMAT:
             return False
         statement = {name: one[name] for name in _KEY_STATEMENT}
         by = one["key"] if before is None else before
@@ -93,16 +132,16 @@ def known_keys(session: Session) -> list[JsonObject]:
     e = audit_events.c
     query = select(e.after).where(e.entity == KEY).order_by(e.id)
     found = [trail.object_of(text) or {} for text in session.execute(query).scalars()]
-    return [{name: one[name] for name in (*_KEY_STATEMENT, "signature")} for one in found]
+    return [{name: one[name] for name in KEY_PARTS} for one in found]
 
 
 def hand_on(session: Session, old: SigningKey, new: SigningKey, *, actor: int | None) -> None:
     """From now on another key signs; the old one says so."""
-    _take(session, old, actor)
+    take_key(session, old, actor=actor)
     _append_key(session, new.public, old.public, old, actor)
 
 
-def _take(session: Session, key: SigningKey, actor: int | None) -> None:
+def take_key(session: Session, key: SigningKey, *, actor: int | None) -> None:
     """The first key is noted. Raises Damaged for one that no key before it handed on to."""
     known = known_keys(session)
     if not known:

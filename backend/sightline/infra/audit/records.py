@@ -63,3 +63,26 @@ class Verification:
     checked: int
     head_hash: str
     problem: str | None
+
+
+@dataclass(frozen=True, slots=True)
+class Checkpoint:
+    """The ends of all chains at one moment, as signed (`by`: who asked, None on the command line)."""
+
+    id: int
+    at: datetime
+    by: Who | None
+    chains: int
+    events: int
+    root: str
+    key: str
+    signature: str
+
+
+@dataclass(frozen=True, slots=True)
+class Checkpoints:
+    """What an installation signed, newest first, and the key that signs now (None before the first)."""
+
+    key: str | None
+    keys_before: int
+    newest: tuple[Checkpoint, ...]

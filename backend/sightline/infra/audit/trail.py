@@ -10,9 +10,10 @@ changed, missing and cut-off events are all found (`verify`).
 import json
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from datetime import date, datetime
+from functools import cache
 from typing import Any
 
-from sqlalchemy import ColumnElement, Row, Select, and_, insert, or_, select, update
+from sqlalchemy import ColumnElement, Row, Select, Update, and_, bindparam, insert, or_, select, update
 from sqlalchemy.orm import Session
 
 from sightline.enums import JsonObject
@@ -85,7 +86,7 @@ def record_many(
         return 0
     ids = add_rows(session, audit_events, rows)
     end = {"count": rows[-1]["number"], "hash": rows[-1]["hash"]}
-    session.execute(update(audit_chains).where(audit_chains.c.name == chain).values(end))
+    session.execute(_move_last(), {"of_chain": chain, **end})
     return ids[-1]
 
 
@@ -98,15 +99,28 @@ def chain_of(entity: str, survey_id: int | None) -> str:
 
 def held(session: Session, chain: str) -> AuditHead:
     """The end of a chain, which nobody else adds to before this transaction ends; begun where it is new."""
-    row = session.execute(_end_of(chain).with_for_update()).one_or_none()
+    row = session.execute(_last_held(), {"of_chain": chain}).one_or_none()
     if row is None:
         session.execute(insert(audit_chains), {"name": chain, "count": 0, "hash": GENESIS})
         return AuditHead(0, GENESIS)
     return AuditHead(row[0], row[1])
 
 
-def _end_of(chain: str) -> Select[int, str]:
-    return select(audit_chains.c.count, audit_chains.c.hash).where(audit_chains.c.name == chain)
+@cache
+def _last() -> Select[int, str]:
+    return select(audit_chains.c.count, audit_chains.c.hash).where(
+        audit_chains.c.name == bindparam("of_chain")
+    )
+
+
+@cache
+def _last_held() -> Select[int, str]:
+    return _last().with_for_update()
+
+
+@cache
+def _move_last() -> Update:
+    return update(audit_chains).where(audit_chains.c.name == bindparam("of_chain"))
 
 
 def heads(session: Session) -> dict[str, AuditHead]:
@@ -119,7 +133,7 @@ def heads(session: Session) -> dict[str, AuditHead]:
 def head(session: Session, survey_id: int | None = None) -> AuditHead:
     """The end of a survey's chain; of all chains together, how many events they have and their root."""
     if survey_id is not None:
-        row = session.execute(_end_of(survey_chain(survey_id))).one_or_none()
+        row = session.execute(_last(), {"of_chain": survey_chain(survey_id)}).one_or_none()
         return AuditHead(0, GENESIS) if row is None else AuditHead(row[0], row[1])
     ends = heads(session)
     return AuditHead(sum(one.count for one in ends.values()), root_of(ends))
@@ -157,6 +171,13 @@ def listing(
     if before_id is not None:
         query = query.where(audit_events.c.id < before_id)
     return tuple(_event(row) for row in session.execute(query))
+
+
+def one_event(session: Session, entity: str, event_id: int) -> AuditEvent | None:
+    """One event of this kind; None where there is none."""
+    c = audit_events.c
+    row = session.execute(_events().where(c.entity == entity, c.id == event_id)).one_or_none()
+    return None if row is None else _event(row)
 
 
 def in_sight(seen: Collection[int]) -> ColumnElement[bool]:

@@ -4,19 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from datetime import datetime
-from typing import get_args
 
 from typing_extensions import TypeVar
 
-from sightline.enums import MeasurementStatus
 from sightline.infra.audit.records import Who
 from sightline.infra.csv_package.schema import Cell, Column, Row, when
 
 R = TypeVar("R", default=Row)
 Part = TypeVar("Part")
 Getter = Callable[[R], Cell]
-
-STATUS = get_args(MeasurementStatus)
 
 
 def integer(

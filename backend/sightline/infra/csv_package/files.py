@@ -182,11 +182,16 @@ def zip_folder(staging: Staging, target: Path, tick: Tick = no_tick) -> None:
 def fresh_folder(target: Path) -> Iterator[Path]:
     """A new folder that takes the place of `target`, an earlier export or nothing, when the block ends well.
 
-    Raises BadInput where the place is taken by something else; whatever goes wrong, nothing is left behind.
+    Raises BadInput where the place is taken by something else or cannot be written; whatever goes wrong,
+    nothing is left behind.
     """
-    _refuse_strangers(target)
-    target.parent.mkdir(parents=True, exist_ok=True)
-    fresh = Path(tempfile.mkdtemp(prefix=f".{target.name}-", dir=target.parent))
+    try:
+        _refuse_strangers(target)
+        target.parent.mkdir(parents=True, exist_ok=True)
+        fresh = Path(tempfile.mkdtemp(prefix=f".{target.name}-", dir=target.parent))
+    except OSError as error:
+        why = error.strerror or str(error)
+        raise BadInput("commands-cannot-written-choose-another-place", path=target, strerror=why) from error
     try:
         yield fresh
         fresh.chmod(0o755)

@@ -3,10 +3,15 @@
 SQLite runs in WAL mode with foreign keys and a busy timeout; a writing transaction begins IMMEDIATE under
 one process-wide lock, so writers queue up in order instead of failing. PostgreSQL takes an advisory lock
 instead: one for all writers, or one for the writers of a survey (`writing`).
+
+A transaction is on the disk when `writing` ends. Of `unsynced` ones that holds only once `sync` has returned:
+several, each whole, then share one wait for the disk, and nobody may be told of one before.
 """
 
+import errno
 import os
 import re
+import sys
 import threading
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -22,11 +27,15 @@ from sightline.errors import BadInput, NoRoom, SightlineError
 # Advisory locks are the database's; an installation's are those of its schema.
 _TURN = "pg_advisory_xact_lock{kind}(hashtextextended(current_schema() || :turn, 7419))"
 _EXCLUSIVE, _SHARED = text(f"SELECT {_TURN.format(kind='')}"), text(f"SELECT {_TURN.format(kind='_shared')}")
+_LATER = "set_config('synchronous_commit', 'off', true)"
+_SHARED_LATER = text(f"SELECT {_TURN.format(kind='_shared')}, {_LATER}")
+_EXCLUSIVE_LATER = text(f"SELECT {_TURN.format(kind='')}, {_LATER}")
+# A commit that writes to the log is waited for, with all that stands in the log before it.
+_FLUSH = text("SELECT pg_logical_emit_message(true, 'sightline', '')")
 _EVERYTHING = {"turn": "/everything"}
 # More connections than requests may read at once (infra/web/turns.py), for there are short questions beside.
 _POOL: dict[str, Any] = {"pool_size": 10, "max_overflow": 30, "pool_timeout": 10}
-_USE = "use sqlite:///FILE or postgresql+psycopg://USER@HOST/NAME."
-_WRITING = "sightline_writing"
+_WRITING, _UNSYNCED = "sightline_writing", "sightline_unsynced"
 _sqlite_writer = threading.RLock()
 _REVISION = re.compile(r'^revision\b[^=\n]*= *"([^"]+)"', re.MULTILINE)
 _FOLLOWS = re.compile(r'^down_revision\b[^=\n]*= *"([^"]+)"', re.MULTILINE)
@@ -87,8 +96,15 @@ def _prepare_sqlite(connection: Any, _record: Any) -> None:
 
 
 def _begin_sqlite(connection: Any) -> None:
-    writing = connection.get_execution_options().get(_WRITING, False)
-    connection.exec_driver_sql("BEGIN IMMEDIATE" if writing else "BEGIN")
+    options = connection.get_execution_options()
+    if not options.get(_WRITING, False):
+        connection.exec_driver_sql("BEGIN")
+        return
+    level = "NORMAL" if options.get(_UNSYNCED, False) else "FULL"
+    if connection.info.get("synchronous", "FULL") != level:
+        connection.exec_driver_sql(f"PRAGMA synchronous={level}")
+        connection.info["synchronous"] = level
+    connection.exec_driver_sql("BEGIN IMMEDIATE")
 
 
 def migrations_folder() -> Path:
@@ -161,28 +177,62 @@ InSurvey = int | Callable[[Session], int]
 
 
 @contextmanager
-def writing(factory: SessionFactory, survey: InSurvey | None = None) -> Iterator[Session]:
+def writing(
+    factory: SessionFactory, survey: InSurvey | None = None, *, unsynced: bool = False
+) -> Iterator[Session]:
     """A session that may write; commits at the end, rolls back on any error.
 
     It is the only one that does. With `survey` (whose rows, chain and nothing else it changes) it is on
-    PostgreSQL the only one of that survey, and others are written meanwhile.
+    PostgreSQL the only one of that survey, and others are written meanwhile. An `unsynced` one is not yet
+    sure to outlast a power cut: call `sync` before anybody is told.
     """
     if engine_of(factory).dialect.name == "sqlite":
-        with _sqlite_writer, _write(factory, survey) as session:
+        with _sqlite_writer, _write(factory, survey, unsynced) as session:
             yield session
     else:
-        with _write(factory, survey) as session:
+        with _write(factory, survey, unsynced) as session:
             yield session
+
+
+def sync(factory: SessionFactory) -> None:
+    """Returns when all transactions that were committed before are on the disk.
+
+    Raises DatabaseAway or NoRoom where the disk does not take them.
+    """
+    engine = engine_of(factory)
+    if engine.dialect.name == "postgresql":
+        with explained(), engine.begin() as connection:
+            connection.execute(_FLUSH)
+    else:
+        _sync_log(Path(f"{engine.url.database}-wal"))
+
+
+def _sync_log(log: Path) -> None:
+    """SQLite's log, in which a commit is a frame at the end; a checkpoint syncs what it takes out of it.
+
+    A file of its own beside the database's: closing it gives none of SQLite's locks back (those are on the
+    database and on its shared memory), and it stays while the pool holds a connection.
+    """
+    try:
+        file = os.open(log, os.O_RDONLY)
+        try:
+            os.fsync(file) if sys.platform == "darwin" else os.fdatasync(file)
+        finally:
+            os.close(file)
+    except OSError as error:
+        if error.errno in (errno.ENOSPC, errno.EDQUOT):
+            raise NoRoom("database-disk-full-nothing-saved-make-room") from error
+        raise DatabaseAway("database-database-file-cannot-opened-writing-check") from error
 
 
 @contextmanager
-def _write(factory: SessionFactory, survey: InSurvey | None) -> Iterator[Session]:
+def _write(factory: SessionFactory, survey: InSurvey | None, unsynced: bool) -> Iterator[Session]:
     session = factory()
     try:
         with explained():
-            session.connection(execution_options={_WRITING: True})
+            session.connection(execution_options={_WRITING: True, _UNSYNCED: unsynced})
             if session.get_bind().dialect.name == "postgresql":
-                _await_turn(session, survey)
+                _await_turn(session, survey, unsynced)
             yield session
             session.commit()
     except BaseException:
@@ -192,12 +242,12 @@ def _write(factory: SessionFactory, survey: InSurvey | None) -> Iterator[Session
         session.close()
 
 
-def _await_turn(session: Session, survey: InSurvey | None) -> None:
+def _await_turn(session: Session, survey: InSurvey | None, unsynced: bool) -> None:
     """Wait for the turn to write; SQLite's BEGIN IMMEDIATE has done it already."""
     if survey is None:
-        session.execute(_EXCLUSIVE, _EVERYTHING)
+        session.execute(_EXCLUSIVE_LATER if unsynced else _EXCLUSIVE, _EVERYTHING)
         return
-    session.execute(_SHARED, _EVERYTHING)
+    session.execute(_SHARED_LATER if unsynced else _SHARED, _EVERYTHING)
     number = survey if isinstance(survey, int) else survey(session)
     session.execute(_EXCLUSIVE, {"turn": f"/survey {number}"})
 

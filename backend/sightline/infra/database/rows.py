@@ -1,11 +1,12 @@
 """Small helpers that every aggregate uses."""
 
 from collections.abc import Iterable, Mapping, Sequence
-from functools import lru_cache
+from functools import cache, lru_cache
 from typing import Any
 
 from sqlalchemy import Column, ColumnElement, Table, insert, select, update
 from sqlalchemy.orm import Session
+from sqlalchemy.sql.dml import ReturningInsert
 
 from sightline.errors import NotFound
 from sightline.infra.audit.hashing import content_hash
@@ -17,15 +18,26 @@ from sightline.infra.slices import load_tables
 
 def add_row(session: Session, table: Table, values: Mapping[str, Any]) -> int:
     """Insert one row and return its id."""
-    return int(session.execute(insert(table).returning(table.c.id), dict(values)).scalar_one())
+    return int(session.execute(_insert(table), dict(values)).scalar_one())
+
+
+@cache
+def _insert(table: Table) -> ReturningInsert[Any]:
+    """Made once: making a statement anew takes longer than the database does to answer it."""
+    return insert(table).returning(table.c.id)
+
+
+@cache
+def _insert_some(table: Table) -> ReturningInsert[Any]:
+    return insert(table).returning(table.c.id, sort_by_parameter_order=True)
 
 
 def add_rows(session: Session, table: Table, rows: Sequence[Mapping[str, Any]]) -> list[int]:
     """Insert rows that have the same columns and return their ids, in their order; a few statements."""
     if not rows:
         return []
-    made = insert(table).returning(table.c.id, sort_by_parameter_order=True)
-    return [int(row_id) for row_id in session.execute(made, [dict(row) for row in rows]).scalars()]
+    made = session.execute(_insert_some(table), [dict(row) for row in rows])
+    return [int(row_id) for row_id in made.scalars()]
 
 
 def change_row(session: Session, table: Table, row_id: int, values: Mapping[str, Any]) -> None:

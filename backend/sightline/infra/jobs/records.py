@@ -8,7 +8,10 @@ from sightline.enums import JobState, JsonObject
 
 @dataclass(frozen=True, slots=True)
 class Job:
-    """A piece of long work; the job table owns the truth about it."""
+    """A piece of long work; the job table owns the truth about it.
+
+    `error`: why it failed, in English; `said`: the code and the values of that sentence.
+    """
 
     id: int
     kind: str
@@ -17,6 +20,7 @@ class Job:
     progress: float
     message: str
     error: str | None
+    said: JsonObject | None
     result: JsonObject | None
     survey_id: int | None
     recording_id: int | None
@@ -28,3 +32,4 @@ class Job:
     worker: str | None
     cancel_requested: bool
     scan_id: int | None = None
+    study_id: int | None = None

@@ -4,6 +4,7 @@ import logging
 
 from sqlalchemy.orm import Session
 
+from sightline.errors import SightlineError
 from sightline.infra.database.engine import SessionFactory, reading, writing
 from sightline.infra.jobs.engine import engine_of_session
 from sightline.infra.jobs.records import Job
@@ -21,7 +22,6 @@ from sightline.infra.jobs.store import (
 log = logging.getLogger("sightline.jobs")
 
 STOPPED = "Cancelled."
-GAVE_UP = "The worker died {attempts} times in the middle of this; look at the input and at the memory."
 
 
 def clean_up(session: Session, job: Job, sentence: str) -> None:
@@ -45,9 +45,9 @@ def put_back(session: Session, job: Job, *, counted: bool = True) -> None:
         release_job(session, job)
         engine.deliver(session, job.id)
     elif job.attempts >= MAX_ATTEMPTS:
-        sentence = GAVE_UP.format(attempts=job.attempts)
-        fail_job(session, job, sentence)
-        clean_up(session, job, sentence)
+        error = SightlineError("told-jobs-gave-up", attempts=job.attempts)
+        fail_job(session, job, error)
+        clean_up(session, job, error.message)
     else:
         requeue_job(session, job)
         engine.deliver(session, job.id)

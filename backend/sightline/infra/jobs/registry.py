@@ -122,7 +122,8 @@ def again(session: Session, job: Job, actor: int) -> Job:
     kind = registered(job.kind)
     if kind is None or kind.failed is not None:
         raise BadInput("jobs-again-on-its-page", kind=job.kind)
-    place = {"survey_id": job.survey_id, "recording_id": job.recording_id, "scan_id": job.scan_id}
+    place = {"survey_id": job.survey_id, "recording_id": job.recording_id}
+    place |= {"scan_id": job.scan_id, "study_id": job.study_id}
     return enqueue(session, job.kind, job.payload, **place, actor=actor)
 
 
@@ -134,10 +135,11 @@ def enqueue(
     survey_id: int | None,
     recording_id: int | None = None,
     scan_id: int | None = None,
+    study_id: int | None = None,
     actor: int | None,
 ) -> Job:
     """A new job in the caller's transaction; a worker gets it once that commits."""
-    place = {"survey_id": survey_id, "recording_id": recording_id, "scan_id": scan_id}
+    place = {"survey_id": survey_id, "recording_id": recording_id, "scan_id": scan_id, "study_id": study_id}
     job = create_job(session, kind, payload, **place, actor=actor)
     engine_of_session(session).deliver(session, job.id)
     return job

@@ -8,8 +8,19 @@ from sightline.enums import JobState
 from sightline.errors import NotAllowed
 from sightline.infra.jobs import registry, store
 from sightline.infra.web.access import RANK
-from sightline.infra.web.bodies import Id, JobBody
-from sightline.infra.web.deps import ActingAs, Operator, PathId, Reading, SurveysSeen, Viewer, Wired
+from sightline.infra.web.bodies import JobBody
+from sightline.infra.web.deps import (
+    ActingAs,
+    Operator,
+    PathId,
+    Reading,
+    Stopper,
+    StudiesSeen,
+    SurveysSeen,
+    Viewer,
+    Wired,
+)
+from sightline.infra.web.named import SurveyId
 
 router = APIRouter()
 
@@ -19,11 +30,12 @@ def list_jobs(
     who: Viewer,
     session: Reading,
     seen: SurveysSeen,
-    survey_id: Annotated[Id | None, Query()] = None,
+    seen_studies: StudiesSeen,
+    survey_id: Annotated[SurveyId | None, Query()] = None,
     state: Annotated[JobState | None, Query()] = None,
 ) -> list[JobBody]:
-    """The newest hundred jobs of surveys that the person sees, and of none."""
-    found = store.list_jobs(session, survey_id=survey_id, state=state, seen=seen)
+    """The newest hundred jobs of surveys and studies that the person sees, and of none."""
+    found = store.list_jobs(session, survey_id=survey_id, state=state, seen=seen, seen_studies=seen_studies)
     return [JobBody.model_validate(one) for one in found]
 
 
@@ -41,7 +53,7 @@ def again(job_id: PathId, who: Operator, services: Wired) -> JobBody:
 
 
 @router.post("/jobs/{job_id}/cancel")
-def cancel(job_id: PathId, who: Viewer, role: ActingAs, services: Wired) -> JobBody:
+def cancel(job_id: PathId, who: Stopper, role: ActingAs, services: Wired) -> JobBody:
     """Stop a queued job at once, a running one when it next looks. A viewer may stop only their own."""
     with services.writing() as session:
         job = store.get_job(session, job_id)

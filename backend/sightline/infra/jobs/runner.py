@@ -26,7 +26,6 @@ from sightline.infra.services import Services
 
 log = logging.getLogger("sightline.jobs")
 
-BROKE = "An error in the program stopped this ({name}); try again, and report it if it comes back."
 PROGRESS_S = 1.0
 
 
@@ -65,12 +64,12 @@ class Runner:
         except Cancelled as stopped:
             if self._stopping.is_set():
                 return False
-            self._end(job, stopped.message, lambda session: job_cancelled(session, job))
+            self._end(job, stopped, lambda session: job_cancelled(session, job))
         except SightlineError as error:
-            self._fail(job, error.message)
+            self._fail(job, error)
         except Exception as error:
             log.exception("job %s (%s) broke", job.id, job.kind)
-            self._fail(job, BROKE.format(name=type(error).__name__))
+            self._fail(job, SightlineError("told-jobs-broke", name=type(error).__name__))
         return True
 
     def _handle(self, job: Job, watch: "Watch") -> Outcome:
@@ -84,13 +83,13 @@ class Runner:
         with self.services.writing() as session:
             finish_job(session, job, outcome(session) if callable(outcome) else outcome)
 
-    def _fail(self, job: Job, sentence: str) -> None:
-        self._end(job, sentence, lambda session: fail_job(session, job, sentence))
+    def _fail(self, job: Job, error: SightlineError) -> None:
+        self._end(job, error, lambda session: fail_job(session, job, error))
 
-    def _end(self, job: Job, sentence: str, write: Callable[[Session], Any]) -> None:
+    def _end(self, job: Job, error: SightlineError, write: Callable[[Session], Any]) -> None:
         with self.services.writing() as session:
             write(session)
-            clean_up(session, job, sentence)
+            clean_up(session, job, error.message)
 
 
 class Watch:
@@ -124,9 +123,16 @@ class Watch:
         return self._hold.cancel_requested or not self._hold.held or self._stopping.is_set()
 
     def _keep(self) -> None:
+        missed = 0
         while self._hold.held and not self._ended.wait(PROGRESS_S):
             try:
                 self._hold = self._look()
+                missed = 0
+            except DatabaseAway as away:
+                # nothing is lost: what was reported last is stored with the next look, a second from now
+                missed += 1
+                level = logging.INFO if missed == 1 else logging.WARNING
+                log.log(level, "progress of job %s waits for the next look: %s", self._job.id, away.message)
             except SightlineError as error:
                 log.warning("progress of job %s not stored: %s", self._job.id, error.message)
 

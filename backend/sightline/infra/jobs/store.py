@@ -43,12 +43,18 @@ def create_job(
     survey_id: int | None,
     recording_id: int | None = None,
     scan_id: int | None = None,
+    study_id: int | None = None,
     actor: int | None,
 ) -> Job:
     """A queued job. Use `sightline.infra.jobs.registry.enqueue`, which also has it delivered."""
-    content = {"kind": kind, "payload": dict(payload), "survey_id": survey_id, "recording_id": recording_id}
-    if scan_id is not None:
-        content["scan_id"] = scan_id
+    content: dict[str, Any] = {
+        "kind": kind,
+        "payload": dict(payload),
+        "survey_id": survey_id,
+        "recording_id": recording_id,
+    }
+    of = {"scan_id": scan_id, "study_id": study_id}
+    content |= {name: id_ for name, id_ in of.items() if id_ is not None}
     stamps = {"state": "queued", "progress": 0.0, "message": "", "attempts": 0}
     job_id = add_row(session, jobs, {**content, **stamps, "created_at": now(), "created_by": actor})
     trail.record(session, actor, "create", "job", job_id, survey_id, None, content)
@@ -66,12 +72,15 @@ def list_jobs(
     survey_id: int | None = None,
     state: JobState | None = None,
     seen: Collection[int] | None = None,
+    seen_studies: Collection[int] | None = None,
     limit: int = 100,
 ) -> tuple[Job, ...]:
-    """Jobs, newest first; `seen`: only those of these surveys and of none."""
+    """Jobs, newest first; `seen`, `seen_studies`: only those of these surveys and studies, and of none."""
     query = select(jobs).order_by(jobs.c.id.desc()).limit(limit)
     if seen is not None:
         query = query.where(or_(jobs.c.survey_id.in_(seen), jobs.c.survey_id.is_(None)))
+    if seen_studies is not None:
+        query = query.where(or_(jobs.c.study_id.in_(seen_studies), jobs.c.study_id.is_(None)))
     if survey_id is not None:
         query = query.where(jobs.c.survey_id == survey_id)
     if state is not None:
@@ -152,9 +161,10 @@ def finish_job(session: Session, job: Job, result: Mapping[str, Any]) -> Job:
     return _end(session, job, "done", {"result": dict(result), "progress": 1.0})
 
 
-def fail_job(session: Session, job: Job, error: str) -> Job:
-    """The job cannot be done; `error` is the sentence that says why. Raises JobLost."""
-    return _end(session, job, "failed", {"error": error})
+def fail_job(session: Session, job: Job, error: SightlineError) -> Job:
+    """The job cannot be done; `error` says why. Raises JobLost."""
+    said = {"code": error.code, "values": error.values}
+    return _end(session, job, "failed", {"error": error.message, "said": said})
 
 
 def job_cancelled(session: Session, job: Job) -> Job:
@@ -180,14 +190,14 @@ def queued_jobs(session: Session) -> tuple[int, ...]:
 def requeue_job(session: Session, job: Job) -> Job:
     """Give the job of a dead worker to the next one. Raises JobLost if it moved on meanwhile."""
     change: dict[str, Any] = {"state": "queued", "worker": None, "progress": 0.0}
-    change["message"] = "A worker stopped in the middle; this is tried again."
+    change["message"] = "The job was interrupted and is started again."
     return _back(session, job, change, "requeue")
 
 
 def release_job(session: Session, job: Job) -> Job:
     """Put a job back because its worker shuts down; that attempt does not count. Raises JobLost."""
     change: dict[str, Any] = {"state": "queued", "worker": None, "progress": 0.0}
-    change |= {"attempts": job.attempts - 1, "message": "Waits for the next worker."}
+    change |= {"attempts": job.attempts - 1, "message": "Waiting to be started again."}
     return _back(session, job, change, "release")
 
 
@@ -210,7 +220,7 @@ def _end(session: Session, job: Job, state: JobState, change: Mapping[str, Any])
     done = session.execute(update(jobs).where(*_held(job)).values(values).returning(jobs.c.id))
     if done.first() is None:
         raise JobLost("jobs-job-given-another-worker-one-stops", id=job.id)
-    told = {key: change[key] for key in ("result", "error") if key in change}
+    told = {key: change[key] for key in ("result", "error", "said") if key in change}
     after = {"state": state, "attempts": job.attempts, **told}
     trail.record(session, job.created_by, state, "job", job.id, job.survey_id, {"state": "running"}, after)
     return get_job(session, job.id)

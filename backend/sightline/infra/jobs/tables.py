@@ -26,11 +26,15 @@ jobs = Table(
     Column("payload", CanonicalJson, nullable=False),
     Column("progress", Float, nullable=False),
     Column("message", Text, nullable=False),
+    # why it failed, in English, and the key and the values of that sentence
     Column("error", Text),
+    Column("said", CanonicalJson),
     Column("result", CanonicalJson),
     Column("survey_id", ForeignKey("surveys.id"), index=True),
     Column("recording_id", ForeignKey("recordings.id"), index=True),
     Column("scan_id", Integer, ForeignKey("scans.id", use_alter=True), index=True),
+    # work of a study, which has members of its own
+    Column("study_id", Integer, ForeignKey("studies.id", use_alter=True), index=True),
     Column("attempts", Integer, nullable=False),
     Column("worker", String(200)),
     Column("cancel_requested", Boolean, nullable=False, server_default=false()),

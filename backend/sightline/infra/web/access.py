@@ -1,15 +1,16 @@
 """What the person who asks may do to what a request names: found once, before any route runs.
 
-A route's path names things by their kind and number (`/vehicles/{vehicle_id}/join`), its query names surveys,
-calibrations and recordings. Each belongs to a survey, and the person has a role there or does not see it:
-then the answer is the one for what does not exist. A path may name no kind that is not listed here; a test
-goes through every route.
+A route's path names things by their kind and number (`/vehicles/{vehicle_id}/join`), its query and its body
+by the types of their fields (`named`). Each belongs to a survey, and the person has a role there or does not
+see it: then the answer is the one for what does not exist. The role that counts is the least in what path and
+query name; what a body names is read from, so it must be seen and no more. A path may name no kind that is
+not listed here, and no number in a query or body may be without its type; tests go through every route.
 """
 
 import re
 import threading
 import time
-from collections.abc import Callable, Collection, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from typing import Protocol
 
 from cachetools import TTLCache
@@ -19,6 +20,7 @@ from sqlalchemy.orm import Session
 from sightline.enums import ActingRole
 from sightline.infra.database.rows import missing
 from sightline.infra.services import Services
+from sightline.infra.web.named import Thing, naming_of, thing
 from sightline.infra.web.person import Person, Seen
 
 RANK: dict[ActingRole, int] = {"viewer": 0, "operator": 1, "reviewer": 2, "manager": 3, "admin": 4}
@@ -45,27 +47,19 @@ THINGS: Mapping[str, str] = {
     "jobs": "jobs",
 }
 #: Kinds that are of no survey (a study has members of its own), or that the path finds within another.
-APART = frozenset({"people", "catalogue", "members", "studies", "results"})
-#: Names of a query's values that number a thing, and its table.
-ASKED_FOR: Mapping[str, str] = {
-    "survey": "surveys",
-    "survey_id": "surveys",
-    "calibration_id": "calibrations",
-    "recording_id": "recordings",
-}
+APART = frozenset({"people", "catalogue", "members", "studies", "results", "tokens", "checkpoints"})
 # How long another process may still believe what it read; in this one, changes count at once.
 BELIEVED_S = 2.0
 MOST_BELIEVED = 65536
-_MOST_ID = 2**31 - 1
 _NAMED = re.compile(r"/([a-z-]+)/\{(\w+_id)\}")
-
-Thing = tuple[str, int]
 
 
 class Members(Protocol):
-    """The two questions, as the room of surveys answers them."""
+    """The three questions, as the room of surveys answers them."""
 
     def seen_surveys(self, session: Session, person: Person) -> Seen: ...
+
+    def seen_studies(self, session: Session, person: Person) -> Seen: ...
 
     def roles_by_thing(
         self, session: Session, person: Person, table: str, ids: Collection[int]
@@ -84,18 +78,33 @@ class Access:
         self._age = 0
         self._lock = threading.Lock()
 
-    def role(self, request: Request, person: Person) -> ActingRole:
+    def known_role(self, request: Request, person: Person, in_body: Collection[Thing]) -> ActingRole | None:
+        """`role` where all that it needs was found within the last moments; None where it was not."""
+        asked = dict.fromkeys(things_of(request))
+        with self._lock:
+            known = {one: self._known.get((person.id, one)) for one in (*asked, *in_body)}
+        roles = [role for role in known.values() if role is not None]
+        if len(roles) < len(known):
+            return None
+        return min((known[one] or person.role for one in asked), key=RANK.__getitem__, default=person.role)
+
+    def role(self, request: Request, person: Person, in_body: Collection[Thing]) -> ActingRole:
         """The least that the person is in the surveys that the request is about; of none: the account's role.
 
         Raises:
             NotFound: something named is not there, or the person does not see it; the answer is the same.
         """
-        roles = [self._role_at(person, thing) for thing in things_of(request)]
-        return min(roles, key=RANK.__getitem__, default=person.role)
+        asked = dict.fromkeys(things_of(request))
+        roles = self._roles_at(person, dict.fromkeys((*asked, *in_body)))
+        return min((roles[one] for one in asked), key=RANK.__getitem__, default=person.role)
 
     def seen(self, session: Session, person: Person) -> Seen:
         """The surveys that a person sees, for lists; None for all."""
         return self._members.seen_surveys(session, person)
+
+    def seen_studies(self, session: Session, person: Person) -> Seen:
+        """The studies that a person sees, for lists; None for all."""
+        return self._members.seen_studies(session, person)
 
     def forget(self) -> None:
         """Read afresh; called after every change of an account or of a survey's members."""
@@ -103,42 +112,36 @@ class Access:
             self._known.clear()
             self._age += 1
 
-    def _role_at(self, person: Person, thing: Thing) -> ActingRole:
-        key = (person.id, thing)
+    def _roles_at(self, person: Person, things: Iterable[Thing]) -> dict[Thing, ActingRole]:
         with self._lock:
-            known, age = self._known.get(key), self._age
-        if known is not None:
-            return known
-        table, id_ = thing
+            age = self._age
+            known = {one: self._known.get((person.id, one)) for one in things}
+        roles = {one: role for one, role in known.items() if role is not None}
+        unknown = [one for one, role in known.items() if role is None]
+        if not unknown:
+            return roles
         with self._services.reading() as session:
-            role = self._members.roles_by_thing(session, person, table, [id_]).get(id_)
-        if role is None:
-            raise missing(_word(table), id_)
+            for table in dict.fromkeys(table for table, _ in unknown):
+                ids = [id_ for its, id_ in unknown if its == table]
+                found = self._members.roles_by_thing(session, person, table, ids)
+                roles |= {(table, id_): role for id_, role in found.items()}
+        for table, id_ in unknown:
+            if (table, id_) not in roles:
+                raise missing(_word(table), id_)
         with self._lock:
             # What was read before a change must not be believed after it.
             if age == self._age:
-                self._known[key] = role
-        return role
+                self._known.update({(person.id, one): roles[one] for one in unknown})
+        return roles
 
 
 def things_of(request: Request) -> Iterator[Thing]:
-    """What a request names that belongs to a survey; malformed numbers are left to the route's own check."""
-    for kind, name in _NAMED.findall(request.scope["route"].path):
-        if kind in APART:
-            continue
-        yield from _thing(THINGS[kind], str(request.path_params[name]))
-    for name, table in ASKED_FOR.items():
-        for value in dict.fromkeys(request.query_params.getlist(name)):
-            yield from _thing(table, value)
-
-
-def _thing(table: str, value: str) -> Iterator[Thing]:
-    try:
-        id_ = int(value)
-    except ValueError:
-        return
-    if 1 <= id_ <= _MOST_ID:
-        yield table, id_
+    """What path and query name that belongs to a survey; what is no number is left to the route."""
+    route = request.scope["route"]
+    for kind, name in _NAMED.findall(route.path):
+        if kind not in APART:
+            yield from thing(THINGS[kind], str(request.path_params[name]))
+    yield from naming_of(route).in_query(request)
 
 
 def _word(table: str) -> str:

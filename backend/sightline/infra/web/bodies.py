@@ -30,6 +30,11 @@ class In(BaseModel):
         return value
 
 
+def example(**body: Any) -> ConfigDict:
+    """The configuration of a body that comes in, with an example of it; a test sends each to the app."""
+    return ConfigDict(json_schema_extra={"examples": [body]})
+
+
 class Out(BaseModel):
     """A body that goes out; built straight from the storage room's frozen records."""
 
@@ -54,13 +59,21 @@ class ErrorBody(Out):
     current: Any | None = None
 
 
+class SaidBody(Out):
+    code: str = Field(description="The sentence's name in the catalogue of messages.")
+    values: dict[str, str | int | float] = Field(description="What the sentence holds.")
+
+
 class JobBody(Out):
     id: int
     kind: str
     state: JobState
     progress: float
     message: str
-    error: str | None
+    error: Annotated[
+        str | None, Field(description="Why it failed, in the language of the request where that has it.")
+    ]
+    said: SaidBody | None
     result: dict[str, Any] | None
     survey_id: int | None
     recording_id: int | None

@@ -3,8 +3,9 @@
 import threading
 import time
 from collections.abc import Callable
+from datetime import UTC, datetime, timedelta
 
-from cachetools import TTLCache
+from cachetools import LRUCache, TTLCache
 from fastapi import Request, Response
 from itsdangerous import BadSignature, URLSafeTimedSerializer
 
@@ -29,6 +30,7 @@ class SignIn:
         self._secure = secure
         self._lookup = lookup
         self._known: TTLCache[int, Person] = TTLCache(MOST_PEOPLE, BELIEVED_S, timer)
+        self._cookies: LRUCache[str, tuple[tuple[int, int, int], datetime]] = LRUCache(MOST_PEOPLE)
         self._age = 0
         self._lock = threading.Lock()
 
@@ -37,10 +39,17 @@ class SignIn:
         content = self._content(request)
         if content is None:
             return None
-        person = self._person(content[0])
-        if person is None or not person.active or person.session_key != content[1]:
+        person = self.person(content[0])
+        return person if person is not None and person.session_key == content[1] else None
+
+    def known_person_of(self, request: Request) -> Person | None:
+        """`person_of` where the account was read within the last moments; None says nothing."""
+        content = self._content(request)
+        if content is None:
             return None
-        return person
+        with self._lock:
+            person = self._known.get(content[0])
+        return person if person is not None and person.active and person.session_key == content[1] else None
 
     def by_link(self, request: Request) -> bool:
         """Whether the person came by a one-time link, so that no current password is asked for."""
@@ -53,10 +62,27 @@ class SignIn:
         if cookie is None:
             return None
         try:
-            person_id, session_key, by_link = self._signer.loads(cookie, max_age=MAX_AGE_S)
-            return int(person_id), int(session_key), int(by_link)
+            content, signed_at = self._signed(cookie)
         except (BadSignature, ValueError, TypeError):
             return None
+        # a clock that was set back makes no cookie false: one of the last hour then is of the future
+        return content if abs(datetime.now(UTC) - signed_at) <= timedelta(seconds=MAX_AGE_S) else None
+
+    def _signed(self, cookie: str) -> tuple[tuple[int, int, int], datetime]:
+        """What we signed, and when. One and the same text is looked at once: what is in it stays so."""
+        with self._lock:
+            known = self._cookies.get(cookie)
+        if known is None:
+            (person_id, session_key, by_link), at = self._signer.loads(cookie, return_timestamp=True)
+            known = (int(person_id), int(session_key), int(by_link)), at
+            with self._lock:
+                self._cookies[cookie] = known
+        return known
+
+    def person(self, person_id: int) -> Person | None:
+        """The person with this number, if the account is in use."""
+        person = self._person(person_id)
+        return person if person is not None and person.active else None
 
     def _person(self, person_id: int) -> Person | None:
         with self._lock:

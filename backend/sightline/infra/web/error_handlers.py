@@ -68,6 +68,8 @@ def complaint_of(error: RequestValidationError) -> BadInput:
 def plain_http(request: Request, error: Exception) -> JSONResponse:
     """Starlette's own refusals: unknown routes, wrong methods, bodies that cannot be read."""
     assert isinstance(error, HTTPException)
+    if _is_full(error.__cause__):
+        return answer(FULL)  # a form is put on disk as it arrives; the body itself has no fault
     refused = {
         404: NotFound("request-nothing-there", path=request.url.path),
         405: BadMethod("request-bad-method", method=request.method, path=request.url.path),
@@ -87,10 +89,14 @@ def unexpected(request: Request, error: Exception) -> JSONResponse:
     if isinstance(error, DataError):
         # Out of a query string, a file name or an imported table: the bodies are checked before.
         return answer(BadInput("request-value-not-storable"))
-    if isinstance(error, OSError) and error.errno in (errno.ENOSPC, errno.EDQUOT):
+    if _is_full(error):
         return answer(FULL)
     log.error("%s %s failed", request.method, request.url.path, exc_info=error)
     return answer(SightlineError("server-something-went-wrong"))
+
+
+def _is_full(error: BaseException | None) -> bool:
+    return isinstance(error, OSError) and error.errno in (errno.ENOSPC, errno.EDQUOT)
 
 
 def install(app: FastAPI) -> None:

@@ -2,6 +2,7 @@
 
 from pydantic import Field
 
+from sightline.enums import IntervalPart
 from sightline.infra.web.bodies import Out
 from sightline.statistics.errors import Interval
 
@@ -14,6 +15,7 @@ class FigureBody(Out):
     value: float | None
     ci95: Interval | None
     reason: str | None = Field(description="Why the interval alone is missing.")
+    holds: list[IntervalPart] = Field(default=[], description="What the interval holds.")
 
 
 class EcdfBody(Out):

@@ -10,6 +10,7 @@ from sqlalchemy import text
 from sightline.enums import JobState
 from sightline.errors import SightlineError
 from sightline.infra.jobs.store import count_jobs
+from sightline.infra.licences import Library, libraries
 from sightline.infra.services import Services
 from sightline.infra.version import code_version
 from sightline.infra.web.bodies import Out
@@ -75,11 +76,17 @@ def system(who: Admin, services: Wired, request: Request) -> SystemState:
         media=services.settings.media_url.partition("?")[0],
         free_bytes=shutil.disk_usage(services.settings.data_dir).free,
         readers_waiting=readers.waiting,
-        writers_waiting=request.app.state.write_gate.turns.waiting,
+        writers_waiting=request.app.state.write_gate.waiting,
         decoder=services.frames.process_id,
         memory_bytes=_memory_bytes(),
         jobs=jobs,
     )
+
+
+@router.get("/system/licences")
+def licences(who: Admin) -> tuple[Library, ...]:
+    """The libraries that the server runs on, with the licences that they state."""
+    return libraries()
 
 
 def _database(services: Services) -> str | None:

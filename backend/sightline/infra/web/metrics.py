@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
+from typing import Protocol
 from wsgiref.simple_server import WSGIServer
 
 from prometheus_client import CollectorRegistry, start_http_server
@@ -13,13 +14,19 @@ from sightline.errors import BadInput, SightlineError
 from sightline.infra.jobs.store import count_jobs
 from sightline.infra.services import Services
 from sightline.infra.version import code_version
-from sightline.infra.web.turns import Turns
+
+
+class Queue(Protocol):
+    """Where requests wait for their turn."""
+
+    @property
+    def waiting(self) -> int: ...
 
 
 class InstallationMetrics(Collector):
     """Read when it is asked for; what cannot be read just then is left out."""
 
-    def __init__(self, services: Services, turns: dict[str, Turns]) -> None:
+    def __init__(self, services: Services, turns: Mapping[str, Queue]) -> None:
         self._services, self._turns = services, turns
 
     def collect(self) -> Iterator[Metric]:

@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 from datetime import datetime
 
-from sightline.enums import Role
+from sightline.enums import Role, Scope
 
 #: The numbers of the surveys that a person sees; None: every one.
 Seen = frozenset[int] | None
@@ -22,3 +22,11 @@ class Person:
     last_seen_at: datetime | None
     has_password: bool
     session_key: int
+
+
+@dataclass(frozen=True, slots=True)
+class Asking:
+    """Who asks: a person, or a program with a token of theirs and its scopes."""
+
+    person: Person
+    scopes: tuple[Scope, ...] | None = None

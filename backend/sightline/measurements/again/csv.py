@@ -10,7 +10,7 @@ from sightline.infra.csv_package.schema import Column, Table
 from sightline.measurements.again.records import Computing
 
 _CAUSES: tuple[tuple[ComputingCause, str], ...] = (
-    ("pose", "heights that followed from another road pose"),
+    ("pose", "heights that followed from another road pose, or another calibration of a line camera"),
     ("inset", "heights that followed from another inset"),
     ("side", "heights that followed from another side of the driver"),
     ("program", "heights that another version of the program came to"),
@@ -25,7 +25,7 @@ def _of_cause(cause: ComputingCause, meaning: str) -> Column[Computing]:
 COMPUTINGS: Table[Computing] = Table(
     "computings",
     "Each time that heights of the survey were computed again together; the revisions that this made name it "
-    "in revisions.csv, and the height before stands in the revision before.",
+    "in revisions.csv and in line_heights.csv, and the height before stands in the revision before.",
     (
         key("id", "the computing", lambda c: c.id),
         text(

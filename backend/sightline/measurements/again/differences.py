@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass, fields
 
 from sightline.enums import ComputingCause, DriverSide, InsetSource, SideBasis
@@ -51,7 +50,7 @@ def causes_of_facts(then: Facts, now: Facts) -> tuple[ComputingCause, ...]:
     by_place = (then.side_from == "place") != (now.side_from == "place")  # which a flag says
     if then.side != now.side or by_place:
         found.append("side")
-    elif not (_same(then.inset_m, now.inset_m) and _same(then.u_inset_m, now.u_inset_m)):
+    elif not (same_length(then.inset_m, now.inset_m) and same_length(then.u_inset_m, now.u_inset_m)):
         found.append("inset")
     return tuple(found)
 
@@ -63,11 +62,11 @@ def causes_of(then: MeasurementValues, now: MeasurementValues) -> tuple[Computin
         return found
     free = then.more_frames or then.inset_from == "own"
     names = [name for name in _LENGTHS if not (free and name in _ASSUMED)]
-    alike = all(_same(getattr(then, name), getattr(now, name)) for name in names)
+    alike = all(same_length(getattr(then, name), getattr(now, name)) for name in names)
     return () if alike and (then.status, then.flags) == (now.status, now.flags) else ("program",)
 
 
-def _same(one: float | None, other: float | None) -> bool:
+def same_length(one: float | None, other: float | None) -> bool:
     if one is None or other is None:
         return one is other
     return abs(one - other) <= _SAME_M
@@ -94,11 +93,23 @@ def verdict_still_holding(before: Measurement, now: MeasurementValues) -> int | 
     return before.judged_revision
 
 
-def largest_change_m(changes: Sequence[tuple[MeasurementValues, MeasurementValues]]) -> float | None:
-    """The largest change of a height between pairs of contents; None where no height stands in both."""
-    found = [
-        abs(now.height_m - then.height_m)
-        for then, now in changes
-        if then.height_m is not None and now.height_m is not None
-    ]
-    return max(found, default=None)
+@dataclass(frozen=True, slots=True, kw_only=True)
+class HeightChange:
+    """What a computing counts of one height: as it was, as it is, why it is another, and whether its verdict
+    goes over.
+    """
+
+    then_m: float | None
+    u_then_m: float | None
+    now_m: float | None
+    causes: tuple[ComputingCause, ...]
+    verdict_goes_over: bool
+
+    @property
+    def to_review(self) -> bool:
+        return not self.verdict_goes_over and moved_beyond_u(self.then_m, self.u_then_m, self.now_m)
+
+    @property
+    def size_m(self) -> float | None:
+        """By how much; None where one of the two is no height."""
+        return None if self.then_m is None or self.now_m is None else abs(self.now_m - self.then_m)

@@ -186,10 +186,6 @@ def computed_heights(session: Session, computing_id: int) -> tuple[ComputedHeigh
 
 
 def _computed(row: Any) -> ComputedHeight:
-    both = row.height_m is not None and row.height_before_m is not None
-    change = row.height_m - row.height_before_m if both else None
-    by_u = abs(change) / row.u_before_m if change is not None and row.u_before_m else None
-    moved = moved_beyond_u(row.height_before_m, row.u_before_m, row.height_m)
     return ComputedHeight(
         measurement_id=row.series_id,
         revision=row.revision,
@@ -199,19 +195,29 @@ def _computed(row: Any) -> ComputedHeight:
         repeat=row.repeat_of is not None,
         status_before=row.status_before,
         status=row.status,
-        height_before_m=row.height_before_m,
-        u_before_m=row.u_before_m,
         U95_before_m=row.U95_before_m,
-        height_m=row.height_m,
-        u_height_m=row.u_height_m,
         U95_height_m=row.U95_height_m,
         x_m=row.x_m,
         y_m=row.y_m,
-        change_m=change,
-        moved_by_u=by_u,
-        to_review=moved and row.verdict_of_revision is None and row.kind != "undo",
         reason=row.reason,
+        **changed_height(row, verdict_goes_over=row.verdict_of_revision is not None),
     )
+
+
+def changed_height(row: Any, *, verdict_goes_over: bool) -> dict[str, Any]:
+    """What a row says of a height's change, by the names of ComputedHeight; `kind` is its computing's."""
+    then, u_then, now = row.height_before_m, row.u_before_m, row.height_m
+    change = None if now is None or then is None else now - then
+    moved = moved_beyond_u(then, u_then, now)
+    return {
+        "height_before_m": then,
+        "u_before_m": u_then,
+        "height_m": now,
+        "u_height_m": row.u_height_m,
+        "change_m": change,
+        "moved_by_u": abs(change) / u_then if change is not None and u_then else None,
+        "to_review": moved and not verdict_goes_over and row.kind != "undo",
+    }
 
 
 @dataclass(frozen=True, slots=True)

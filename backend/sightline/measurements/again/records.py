@@ -33,11 +33,13 @@ class Computing:
 class OutOfDate:
     """Standing heights that follow from other facts than those that hold now.
 
-    `heights`: how many in all, by cause in `causes` (one height may have two); `waiting`: those of them that
-    have no height yet. `other_program`: heights of another version of the program, which may come out alike.
+    `heights`: how many in all, by cause in `causes` (one height may have two); `in_line_scans`: those of them
+    that were clicked in line scans; `waiting`: those that have no height yet. `other_program`: heights of
+    another version of the program, which may come out alike.
     """
 
     heights: int
+    in_line_scans: int
     waiting: int
     other_program: int
     causes: dict[ComputingCause, int]
@@ -45,9 +47,16 @@ class OutOfDate:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ComputedHeight:
-    """One height as it was and as it is. `moved_by_u`: the change by the u that it had."""
+    """One height as it was and as it is, of a recording or of a line scan (`scan_id`).
 
-    measurement_id: int
+    `moved_by_u`: the change by the u that it had.
+    """
+
+    measurement_id: Annotated[int | None, Field(description="Null for a height in a line scan.")] = None
+    line_height_id: Annotated[
+        int | None, Field(description="Of a line scan: the revision that was made.")
+    ] = None
+    scan_id: int | None = None
     revision: int
     vehicle_id: int
     vehicle_number: int
@@ -61,8 +70,11 @@ class ComputedHeight:
     height_m: float | None
     u_height_m: float | None
     U95_height_m: float | None
-    x_m: float | None
-    y_m: float | None
+    x_m: float | None = None
+    y_m: float | None = None
+    distance_m: Annotated[
+        float | None, Field(description="Of a line scan: from the camera to the contact.")
+    ] = None
     change_m: float | None
     moved_by_u: float | None
     to_review: Annotated[bool, Field(description="Its verdict no longer holds: it moved by more than its u.")]

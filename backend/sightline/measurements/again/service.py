@@ -1,4 +1,8 @@
-"""Computing a survey's heights again with the facts that hold now, and putting the old ones back."""
+"""Which of a survey's measurements come out as other heights with the facts that hold now, and which were
+others before; and asking a worker to compute again, or to undo.
+
+The work itself is done in `scans/again`, which knows the heights in line scans too.
+"""
 
 from __future__ import annotations
 
@@ -7,7 +11,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from sightline.enums import ComputingCause, ComputingKind
-from sightline.errors import Conflict, NotFound
+from sightline.errors import Conflict
 from sightline.geometry.road_pose import RoadPose
 from sightline.infra.by_name import filled_from
 from sightline.infra.database import Session
@@ -25,14 +29,13 @@ from sightline.measurements.again.query import (
     Alike,
     Made,
     alike,
-    computed_heights,
     contexts_of_survey,
     get_computing,
     list_computings,
     made_by,
 )
-from sightline.measurements.again.records import ComputedHeights, Computing, OutOfDate
-from sightline.measurements.again.store import Changed, add_computing
+from sightline.measurements.again.records import Computing, OutOfDate
+from sightline.measurements.again.store import Changed
 from sightline.measurements.click_context_query import ClickContext
 from sightline.measurements.height_of_clicks import Answer
 from sightline.measurements.height_of_clicks import answers as all_answers
@@ -41,12 +44,11 @@ from sightline.measurements.service import clicks_in_context, clicks_to_compute_
 from sightline.measurements.store import list_measurements
 
 KIND = "compute_again"
-_MOST_LISTED = 2000
 _EVERY = 200  # heights between two reports of progress
 Tell = Callable[[float], None]
 
 
-def _untold(_fraction: float) -> None:
+def untold(_fraction: float) -> None:
     """Progress that nobody follows."""
 
 
@@ -62,10 +64,10 @@ class Answers:
         self.known |= {(pose_id, one): found for one, found in zip(new, all_answers(pose, new), strict=True)}
 
 
-def out_of_date(session: Session, survey_id: int) -> OutOfDate:
-    """How many standing heights follow from other facts than hold now; from facts alone, nothing is computed.
+def measurements_out_of_date(session: Session, survey_id: int) -> OutOfDate:
+    """How many standing measurements follow from other facts than hold now; nothing is computed for it.
 
-    Raises NotFound.
+    Heights in line scans are not among them. Raises NotFound.
     """
     causes: Counter[ComputingCause] = Counter()
     heights = waiting = other_program = 0
@@ -77,7 +79,13 @@ def out_of_date(session: Session, survey_id: int) -> OutOfDate:
             causes.update(dict.fromkeys(found, group.count))
         elif group.code_version != code_version():
             other_program += group.count
-    return OutOfDate(heights=heights, waiting=waiting, other_program=other_program, causes=dict(causes))
+    return OutOfDate(
+        heights=heights,
+        in_line_scans=0,
+        waiting=waiting,
+        other_program=other_program,
+        causes=dict(causes),
+    )
 
 
 def _facts_now(group: Alike) -> Facts:
@@ -96,13 +104,13 @@ def _facts_now(group: Alike) -> Facts:
     )
 
 
-def changes_to_come(
+def measurement_changes_to_come(
     session: Session,
     survey_id: int,
     answers: Answers,
     *,
     only_waiting: bool = False,
-    tell: Tell = _untold,
+    tell: Tell = untold,
 ) -> list[Changed]:
     """The standing heights and repeats that come out as others with the facts that hold now.
 
@@ -162,33 +170,14 @@ def _content(
     )
 
 
-def compute_again(
-    session: Session,
-    survey_id: int,
-    *,
-    kind: ComputingKind = "asked",
-    only_waiting: bool = False,
-    answers: Answers | None = None,
-    actor: int | None,
-) -> Computing | None:
-    """Store every height that comes out as another one as a new revision; None where there is none."""
-    changed = changes_to_come(session, survey_id, answers or Answers(), only_waiting=only_waiting)
-    return add_computing(session, survey_id, changed, kind=kind, actor=actor) if changed else None
+def measurement_changes_back(session: Session, computing_id: int) -> tuple[list[Changed], int]:
+    """The heights as they were before a computing, and how many were changed since and stay as they are.
 
-
-def undo_computing(session: Session, computing_id: int, *, actor: int | None) -> Computing:
-    """Put back the height that each measurement had before, as a new revision.
-
-    What was changed since stays as it is and is counted in `kept`; what was rejected since stays rejected.
-    Raises Conflict where a later computing stands, or this one cannot be undone.
+    What was rejected since stays rejected.
     """
-    one = require_undoable(session, computing_id)
     made = made_by(session, computing_id)
     changed = [_back(this) for this in made if this.standing.values == this.made.values]
-    kept = len(made) - len(changed)
-    return add_computing(
-        session, one.survey_id, changed, kind="undo", undoes=computing_id, kept=kept, actor=actor
-    )
+    return changed, len(made) - len(changed)
 
 
 def _back(one: Made) -> Changed:
@@ -214,25 +203,6 @@ def require_undoable(session: Session, computing_id: int) -> Computing:
     return one
 
 
-def heights_of(session: Session, computing_id: int) -> ComputedHeights:
-    """A computing with its heights, old beside new. Raises NotFound."""
-    one = get_computing(session, computing_id)
-    found = computed_heights(session, computing_id)
-    changes = [row.change_m for row in found if row.change_m is not None and not row.repeat]
-    try:
-        require_undoable(session, computing_id)
-        why_not = None
-    except (Conflict, NotFound) as refused:
-        why_not = refused.message
-    ordered = sorted(found, key=lambda row: (not row.to_review, -(row.moved_by_u or 0.0)))
-    return ComputedHeights(
-        computing=one,
-        listed=tuple(ordered[:_MOST_LISTED]),
-        mean_change_m=sum(changes) / len(changes) if changes else None,
-        undoable=why_not,
-    )
-
-
 def ask_to_compute(
     session: Session,
     survey_id: int,
@@ -248,7 +218,7 @@ def ask_to_compute(
 
 def ask_for_waiting(session: Session, survey_id: int, *, actor: int) -> Job | None:
     """Have the eyes computed that waited for the driver's side and know it now, no other height."""
-    if out_of_date(session, survey_id).waiting == 0:
+    if measurements_out_of_date(session, survey_id).waiting == 0:
         return None
     return ask_to_compute(session, survey_id, kind="sides", only_waiting=True, actor=actor)
 

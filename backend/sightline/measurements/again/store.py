@@ -1,4 +1,4 @@
-"""The record of heights computed again in one go, and its revisions; rows are only added."""
+"""The record of heights computed again in one go; rows are only added. Its revisions name it."""
 
 from __future__ import annotations
 
@@ -14,10 +14,10 @@ from sightline.infra.audit import trail
 from sightline.infra.database.rows import add_row, stored_hash
 from sightline.infra.database.types import now
 from sightline.infra.version import code_version
-from sightline.measurements.again.differences import goes_to_review, largest_change_m
+from sightline.measurements.again.differences import HeightChange
 from sightline.measurements.again.query import get_computing
 from sightline.measurements.again.records import Computing
-from sightline.measurements.store import ComputedAgain, append_computed_again
+from sightline.measurements.store import ComputedAgain
 from sightline.measurements.tables import computings
 
 
@@ -27,42 +27,42 @@ class Changed(ComputedAgain):
 
     causes: tuple[ComputingCause, ...] = ()
 
+    @property
+    def change(self) -> HeightChange:
+        then, now_ = self.before.values, self.values
+        return HeightChange(
+            then_m=then.height_m,
+            u_then_m=then.u_height_m,
+            now_m=now_.height_m,
+            causes=self.causes,
+            verdict_goes_over=self.verdict_of_revision is not None,
+        )
+
 
 def add_computing(
     session: Session,
     survey_id: int,
-    changed: Sequence[Changed],
+    changes: Sequence[HeightChange],
     *,
     kind: ComputingKind,
     undoes: int | None = None,
     kept: int = 0,
     actor: int | None,
 ) -> Computing:
-    """Store the revisions and the record that holds them together."""
-    pairs = [(one.before.values, one.values) for one in changed]
-    sent = [
-        one
-        for one in changed
-        if kind != "undo"
-        and one.verdict_of_revision is None
-        and goes_to_review(one.before.values, one.values)
-    ]
-    moment = now()
+    """Store the record that holds revisions together; these are written after it, in the same transaction."""
     content: dict[str, Any] = {
         "survey_id": survey_id,
         "kind": kind,
         "undoes": undoes,
-        "heights": len(changed),
-        "to_review": len(sent),
+        "heights": len(changes),
+        "to_review": 0 if kind == "undo" else sum(one.to_review for one in changes),
         "kept": kept,
-        "largest_m": largest_change_m(pairs),
-        "causes": dict(Counter(cause for one in changed for cause in one.causes)),
+        "largest_m": max((one.size_m for one in changes if one.size_m is not None), default=None),
+        "causes": dict(Counter(cause for one in changes for cause in one.causes)),
         "code_version": code_version(),
-        "created_at": moment,
+        "created_at": now(),
     }
     computing_id = add_row(session, computings, {**content, "created_by": actor})
     after = {**content, "content_sha256": stored_hash(session, computings, computing_id)}
     trail.record(session, actor, "create", "computing", computing_id, survey_id, None, after)
-    action = "undo" if kind == "undo" else "compute_again"
-    append_computed_again(session, survey_id, computing_id, changed, action=action, actor=actor)
     return get_computing(session, computing_id)

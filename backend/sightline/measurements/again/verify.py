@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence, Set
 from itertools import groupby
 from typing import Any
 
@@ -21,9 +21,10 @@ Row = Mapping[str, str]
 
 def check_computings(
     files: Files, events: Mapping[int, Mapping[str, Any]], revisions: Mapping[int, int]
-) -> None:
+) -> dict[str, str]:
     """Computings are those of their events, by number, made as many `revisions` as they say, and a verdict
-    went over only to a height that hardly moved, to one put back, or was a rejection. Raises Damaged.
+    went over only to a measurement that hardly moved, to one put back, or was a rejection; the kind of each
+    by its number, for what else they computed. Raises Damaged.
     """
     kinds: dict[str, str] = {}
     for row in read_rows(files, COMPUTINGS.path):
@@ -38,7 +39,12 @@ def check_computings(
         raise Damaged("computing-computing-missing", id=min(missing))
     rejected = _rejections(files)
     for name, group in groupby(read_rows(files, "revisions.csv"), key=lambda row: row["measurement_id"]):
-        _check_verdicts(name, list(group), kinds, rejected)
+        of_one = list(group)
+        judged = [int(row["verdict_of_revision"] or 0) for row in of_one]
+        bad = verdict_gone_over(of_one, judged, kinds, {int(n) for one, n in rejected if one == name})
+        if bad is not None:
+            raise Damaged("computing-verdict-went-over", name=name, revision=bad["revision"])
+    return kinds
 
 
 def _of_event(event: Mapping[str, Any]) -> dict[str, Any]:
@@ -59,21 +65,27 @@ def _rejections(files: Files) -> set[tuple[str, str]]:
     return {key for key, verdict in newest.items() if verdict == "rejected"}
 
 
-def _check_verdicts(
-    name: str, rows: list[Row], kinds: Mapping[str, str], rejected: set[tuple[str, str]]
-) -> None:
-    for before, row in zip([None, *rows], rows, strict=False):
-        if not row["verdict_of_revision"]:
+def verdict_gone_over(
+    rows: Sequence[Row], judged: Sequence[int], kinds: Mapping[str, str], rejected: Set[int]
+) -> Row | None:
+    """The first of one height's revisions, oldest first, whose verdict was given to another height.
+
+    `judged`: of each the revision whose verdict holds for it too, 0 for none; `kinds`: of each computing by
+    its number; `rejected`: the revisions whose last verdict is a rejection.
+    """
+    for before, row, of in zip([None, *rows], rows, judged, strict=False):
+        if not of:
             continue
-        computing, judged = row["computing_id"], row["verdict_of_revision"]
+        computing = row["computing_id"]
         holds = (
             before is not None
             and computing in kinds
-            and int(judged) < int(row["revision"])
-            and (kinds[computing] == "undo" or (name, judged) in rejected or _hardly_moved(before, row))
+            and of < int(row["revision"])
+            and (kinds[computing] == "undo" or of in rejected or _hardly_moved(before, row))
         )
         if not holds:
-            raise Damaged("computing-verdict-went-over", name=name, revision=row["revision"])
+            return row
+    return None
 
 
 def _hardly_moved(before: Row, row: Row) -> bool:
@@ -83,7 +95,7 @@ def _hardly_moved(before: Row, row: Row) -> bool:
     return abs(now - then) <= (figure_of(before["u_height_m"]) or 0.0) + _ROUNDING_M
 
 
-def count_revisions(counted: Counter[int], after: Mapping[str, Any]) -> None:
-    """Note a measurement's event that was made by a computing."""
-    if after["row"]["computing_id"] is not None:
-        counted[int(after["row"]["computing_id"])] += 1
+def count_revisions(counted: Counter[int], content: Mapping[str, Any]) -> None:
+    """Note the event of a revision, with this content, that was made by a computing."""
+    if content["computing_id"] is not None:
+        counted[int(content["computing_id"])] += 1

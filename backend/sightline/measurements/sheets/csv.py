@@ -2,18 +2,41 @@
 
 from __future__ import annotations
 
+from operator import attrgetter
 from typing import get_args
 
-from sightline.enums import AskedTarget, Category, Direction, Discarded, DriverSide, Lighting, NotVisible
+from sightline.enums import (
+    AskedTarget,
+    Category,
+    Direction,
+    Discarded,
+    DriverSide,
+    KnownTarget,
+    Lighting,
+    NotVisible,
+)
 from sightline.infra.csv_package.columns import flag, integer, key, metres, text
 from sightline.infra.csv_package.schema import Column, Table
 from sightline.measurements.records import VehicleSheet
-from sightline.vehicles.records import NOT_VISIBLE
+from sightline.vehicles.records import KNOWN, NOT_VISIBLE
 
 
 def _not_visible(target: AskedTarget) -> Column[VehicleSheet]:
     words = f"why the {target.replace('_', ' ')} cannot be measured of this vehicle; empty where it can"
     return text(NOT_VISIBLE[target], words, lambda v: v.not_visible.get(target), enum=get_args(NotVisible))
+
+
+def _known(target: KnownTarget) -> tuple[Column[VehicleSheet], ...]:
+    names, what = KNOWN[target], "mark" if target == "other" else target.replace("_", " ")
+    return (
+        metres(
+            names.height,
+            f"height of its {what} that was known before it was measured",
+            attrgetter(names.height),
+        ),
+        metres(names.u, "standard uncertainty of that height (k = 1)", attrgetter(names.u)),
+        text(names.source, "where that height comes from", attrgetter(names.source)),
+    )
 
 
 VEHICLES: Table[VehicleSheet] = Table(
@@ -37,6 +60,13 @@ VEHICLES: Table[VehicleSheet] = Table(
             lambda v: v.u_manufacturer_height_m,
         ),
         text("height_source", "where that height comes from", lambda v: v.height_source),
+        *(column for target in get_args(KnownTarget) for column in _known(target)),
+        flag(
+            "check_target",
+            "there to check the measuring: rows of its own in known_errors.csv, no vehicle of the traffic",
+            lambda v: v.check_target,
+            required=True,
+        ),
         text("lighting", "light at the time of the pass", lambda v: v.lighting, enum=get_args(Lighting)),
         text(
             "direction", "which way it goes in the picture", lambda v: v.direction, enum=get_args(Direction)

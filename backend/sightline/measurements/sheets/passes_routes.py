@@ -5,8 +5,9 @@ from typing import Annotated
 from fastapi import APIRouter
 from pydantic import Field
 
-from sightline.infra.web.bodies import FrameNumber, Id, In, Out
+from sightline.infra.web.bodies import FrameNumber, In, Out
 from sightline.infra.web.deps import Operator, PathId, Writing
+from sightline.infra.web.named import VehicleId
 from sightline.measurements.bodies import VehicleBody, vehicle_body
 from sightline.measurements.sheets import split_join
 from sightline.measurements.sheets.query import get_sheet
@@ -26,7 +27,7 @@ class SplitBody(Out):
 
 
 class JoinWanted(In):
-    other_id: Id
+    other_id: VehicleId
     version: Version
     other_version: Version
 

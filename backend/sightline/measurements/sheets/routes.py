@@ -6,8 +6,8 @@ from fastapi import APIRouter, Query
 
 from sightline.errors import Conflict
 from sightline.infra.database import Session
-from sightline.infra.web.bodies import Id
 from sightline.infra.web.deps import Operator, PathId, Reading, Viewer, Writing
+from sightline.infra.web.named import RecordingId
 from sightline.measurements.bodies import VehicleBody, vehicle_body
 from sightline.measurements.sheets import query, service
 from sightline.surveys.store import get_survey
@@ -37,7 +37,7 @@ def list_vehicles(
     survey_id: PathId,
     who: Viewer,
     session: Reading,
-    recording_id: Annotated[Id | None, Query(description="Only the passes of this recording.")] = None,
+    recording_id: Annotated[RecordingId | None, Query(description="Only passes of this recording.")] = None,
 ) -> list[VehicleBody]:
     """The vehicles of a survey by number, with their standing measurements."""
     get_survey(session, survey_id)

@@ -102,7 +102,7 @@ def no_room_told(what: str = "this file") -> Iterator[None]:
 
 
 def _mb(size: int) -> str:
-    return f"{size / 1e6:.0f} MB"
+    return f"{size / 1e6:.0f} MB" if size >= 10e6 else f"{size / 1e6:.1f} MB"
 
 
 class LocalStore:

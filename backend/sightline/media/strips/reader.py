@@ -28,7 +28,6 @@ CHUNK_BYTES = 4 << 20
 LEAST_ROWS = 8
 MOST_ROWS = 16_384
 MOST_LINES = 1_000_000_000
-_CHOOSE = "give a PNG or TIFF of the line-scan camera"
 
 
 class Strip(Protocol):
@@ -126,7 +125,7 @@ def _sheet(path: Path, name: str) -> tuple[Sheet, str]:
         return tiff.tiff_sheet(path, name)
     if head.startswith(b"\xff\xd8\xff"):
         raise BadInput("strips-jpeg-which-changes-pixels-save-png", name=name)
-    what = (why_not_video(path) or "is not a picture that is read here").removesuffix(", not a video")
+    what = (why_not_video(path) or "is not an image format that is supported").removesuffix(", not a video")
     raise BadInput("strips-give-png-tiff-line-scan-camera", name=name, what=what)
 
 

@@ -39,7 +39,6 @@ _UNPACK: dict[int, Any] = {
     50000: imagecodecs.zstd_decode,
 }
 _PACKED = (imagecodecs.ZstdError, imagecodecs.DeflateError, imagecodecs.LzwError)
-_HOW = "save it with zstd, deflate or LZW compression, or with none"
 
 
 class PieceError(Exception):

@@ -1,4 +1,4 @@
-"""Two strips cut from an ordinary video: one column of pixels each, a line a frame.
+"""Two strips cut from an ordinary video: one column or row of pixels each, a line a frame.
 
 A line scan needs a steady clock, so only a recording of constant frame rate will do: its line rate is its
 frame rate. Frames are counted as everywhere (the n-th that a sequential decode puts out), pixels are upright.
@@ -14,6 +14,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
+from sightline.enums import CutAlong
 from sightline.errors import BadInput
 from sightline.media.cancelling import Cancelled, check_cancelled
 from sightline.media.store.local import check_room, no_room_told
@@ -21,6 +22,7 @@ from sightline.media.strips.notes import StripNotes
 from sightline.media.strips.reader import Strip, strip_of
 from sightline.media.strips.sheet import RawSheet
 from sightline.media.video.decode import frames_of
+from sightline.media.video.picture import Gray
 from sightline.media.video.report import JITTER, ROUNDING
 
 LEAST_FRAMES = 20
@@ -46,19 +48,21 @@ def line_rate(time_s: NDArray[np.float64], name: str, tick_s: float = 0.001) -> 
 
 def cut_strips(
     path: Path,
-    columns_px: tuple[int, int],
+    cuts_px: tuple[int, int],
     time_s: NDArray[np.float64],
     *,
+    along: CutAlong = "columns",
     tick_s: float = 0.001,
     work_dir: Path | None = None,
     name: str | None = None,
     on_progress: Callable[[float], None] = lambda _: None,
     is_cancelled: Cancelled = lambda: False,
 ) -> tuple[Strip, Strip]:
-    """The strips of two pixel columns, column 1 the one that vehicles reach first; the video is decoded once.
+    """The strips of two pixel columns or rows, the first one being what vehicles reach first; the video is
+    decoded once.
 
     `time_s` (n,) are the times of its frame table. The pixels lie in two nameless temporary files in
-    `work_dir` until the strips are closed. Raises BadInput (uneven frames, columns outside the picture or the
+    `work_dir` until the strips are closed. Raises BadInput (uneven frames, cuts outside the picture or the
     same twice, another number of frames than the table has), NoRoom, IngestCancelled.
     """
     name = name or path.name
@@ -70,15 +74,16 @@ def cut_strips(
         no_room_told(f"what is cut from {name}"),
     ):
         rows = count = 0
-        for n, _, gray in frames_of(path, name):
+        for n, _, upright in frames_of(path, name):
+            gray = _turned(upright, along)
             if n == 0:
                 rows = gray.shape[0]
-                _check_columns(columns_px, gray.shape[1], name)
+                _check_cuts(cuts_px, gray.shape[1], along, name)
                 check_room(folder, 2 * rows * len(time_s), f"what is cut from {name}")
             if n % _AT_ONCE == 0:
                 check_cancelled(is_cancelled, name)
                 on_progress(min(0.99, n / len(time_s)))
-            for file, column in zip((first, second), columns_px, strict=True):
+            for file, column in zip((first, second), cuts_px, strict=True):
                 file.write(gray[:, column].tobytes())
             count = n + 1
         if count != len(time_s):
@@ -100,12 +105,20 @@ def cut_strips(
     return strips[0], strips[1]
 
 
-def _check_columns(columns_px: tuple[int, int], width: int, name: str) -> None:
-    if not all(0 <= column < width for column in columns_px) or columns_px[0] == columns_px[1]:
+def _turned(gray: Gray, along: CutAlong) -> Gray:
+    """The picture (rows, columns) turned so that traffic runs to the left or right, roofs up."""
+    if along == "columns":
+        return gray
+    return gray.T if along == "rows_left_up" else gray[:, ::-1].T
+
+
+def _check_cuts(cuts_px: tuple[int, int], size_px: int, along: CutAlong, name: str) -> None:
+    if not all(0 <= cut < size_px for cut in cuts_px) or cuts_px[0] == cuts_px[1]:
         raise BadInput(
-            "strips-columns-cannot-cut-choose-two-different",
-            columns_px=columns_px[0],
-            columns_px_2=columns_px[1],
+            "strips-cuts-cannot-cut-choose-two-different",
+            what="columns" if along == "columns" else "rows",
+            cut_1=cuts_px[0],
+            cut_2=cuts_px[1],
             name=name,
-            width=width - 1,
+            last_px=size_px - 1,
         )

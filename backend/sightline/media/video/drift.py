@@ -58,9 +58,12 @@ def register(ours: Background, picture: NDArray[np.generic]) -> Motion | str:
     """How `picture` (h, w) moved against the background, or why it cannot be told."""
     flat = _flattened(picture, ours.scale)
     if flat.shape != ours.picture.shape:
-        return "The picture has another size than the one of the road pose."
+        return "The frame size differs from that of the camera pose."
     if len(ours.corners) == 0:
-        return "The picture of the road pose shows nothing that could be followed; it is too dark or flat."
+        return (
+            "The frame of the camera pose has nothing that can be followed; it is too dark or has too "
+            "little contrast."
+        )
     before, after = _followed(ours.picture, flat, ours.corners)
     # the centre of the first pixel is (0, 0) at every scale
     return fit_motion(_unscaled(before, ours.scale), _unscaled(after, ours.scale), ours.size_px)

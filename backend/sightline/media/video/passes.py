@@ -122,11 +122,12 @@ def _notes(wander: Wander, width_px: int) -> tuple[str, ...]:
     far = f"{max(1.0, wander.usual * width_px):.0f} px"
     if wander.hopeless:
         return (
-            f"The camera moves (by {far} and more), so nothing tells the road from vehicles; "
-            "mark the passes by hand.",
+            f"The camera moves (by {far} and more), so road and vehicles cannot be separated; mark "
+            "the passes by hand.",
         )
     if wander.still:
         return ()
     return (
-        f"The camera moves by up to {far}; the search follows it. A road pose holds only where it stands.",
+        f"The camera moves by up to {far}; the search compensates for it. A camera pose is valid "
+        "only while the camera is at rest.",
     )

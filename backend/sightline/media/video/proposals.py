@@ -16,6 +16,7 @@ from sightline.detection.classify import FoundPass
 from sightline.errors import BadInput
 from sightline.geometry.road_pose import RoadPose
 from sightline.media.cancelling import Cancelled
+from sightline.media.networks import proposal_networks
 from sightline.media.video.decode import Damage, decoded, open_container, same_size, video_stream
 from sightline.media.video.picture import Bgr, Gray, Layout, layout_of, upright, upright_gray
 from sightline.proposals.frames import frame_seen, frames_to_look_at
@@ -52,7 +53,7 @@ class _Collector:
             _Waiting(i, one, frames_to_look_at(one.boxes, one.best_frame, width))
             for i, one in enumerate(passes)
         ]
-        self._pose = pose
+        self._pose, self._networks = pose, proposal_networks()
         self._ahead = WINDOW_S * rate_hz
         self._every = max(1, round(2 * WINDOW_S * rate_hz / ROAD_SAMPLES))
         self._road: deque[tuple[int, Gray]] = deque()
@@ -92,7 +93,7 @@ class _Collector:
             frame_seen(n, picture, gray, road, found.boxes)
             for n, (picture, gray) in sorted(one.pictures.items())
         ]
-        return propose_points(seen, self._pose, found.direction, found.best_frame)
+        return propose_points(self._networks, seen, self._pose, found.direction, found.best_frame)
 
 
 def propose_in_video(

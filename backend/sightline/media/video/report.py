@@ -81,7 +81,7 @@ def _rate_hz(time_s: NDArray[np.float64]) -> float | None:
 def _shape_notes(facts: VideoFacts) -> list[str]:
     notes = []
     if facts.layout_note:
-        notes.append(f"The picture was {facts.layout_note}, as its header asks.")
+        notes.append(f"The frames were {facts.layout_note}, as their header states.")
     if facts.interlaced:
         notes.append("The recording is interlaced: moving edges are combed, prefer a progressive recording.")
     return notes
@@ -96,7 +96,9 @@ def _time_notes(
 ) -> list[str]:
     notes = []
     if copy is not None and copy.assumed_rate_hz is None:
-        notes.append("Frames are served from a working copy with an index; its pictures are the original's.")
+        notes.append(
+            "Frames are served from a working copy with an index; they are identical to the original's."
+        )
     if copy is not None and copy.assumed_rate_hz is not None:
         notes.append(
             "The stream holds no usable time stamps: "
@@ -110,8 +112,8 @@ def _time_notes(
         )
     if rate and facts.rate_hz and not vfr and abs(facts.rate_hz / rate - 1) > RATE_TOLERANCE:
         notes.append(
-            f"The header says {facts.rate_hz:.4g} frames per second, the time stamps say {rate:.4g}; "
-            "the time stamps are used."
+            f"The header states {facts.rate_hz:.4g} frames per second, the time stamps give "
+            f"{rate:.4g}; the time stamps are used."
         )
     return notes
 
@@ -147,10 +149,10 @@ def _damage_notes(facts: VideoFacts, count: int, damage: Damage) -> list[str]:
             f"{damage.patched[0]}; do not measure there."
         )
     if damage.other_size:
-        notes.append(f"{damage.other_size} frames of another picture size were left out.")
+        notes.append(f"{damage.other_size} frames of another size were skipped.")
     if claimed is not None and claimed != count:
         notes.append(
-            f"The header speaks of {claimed} frames, {count} could be decoded; frame numbers follow these."
+            f"The header states {claimed} frames, {count} could be decoded; frame numbers refer to these."
         )
     return notes
 
@@ -161,8 +163,8 @@ def _duration_notes(facts: VideoFacts, pts: NDArray[np.int64], time_s: NDArray[n
         return []
     end_s = _end_s(facts, pts, time_s)
     return [
-        f"The header speaks of {facts.duration_s:.1f} s, the pictures end after {end_s:.1f} s; the file may "
-        "have been cut off."
+        f"The header states {facts.duration_s:.1f} s, the frames end after {end_s:.1f} s; the file "
+        "may be truncated."
     ]
 
 

@@ -16,9 +16,9 @@ from sightline.infra.database import Session
 from sightline.infra.jobs.records import Job
 from sightline.measurements.again.query import list_computings
 from sightline.measurements.again.service import ask_to_compute, ask_to_undo
-from sightline.measurements.height_of_clicks import measured_frames
-from sightline.measurements.records import Measurement
-from sightline.measurements.service import clicks_to_compute_again, road_pose
+from sightline.measurements.height_of_clicks import measured_frames, measured_pass
+from sightline.measurements.records import Measurement, MeasurementValues
+from sightline.measurements.service import clicked_again, road_pose
 from sightline.measurements.store import list_measurements
 from sightline.poses.records import Pose
 from sightline.poses.service import Solved, described
@@ -68,10 +68,10 @@ def _checked(
     )
     if stored.adjusted_from is not None:
         # the traffic is in its covariance already; used twice it would count as twice as much
-        return replace(empty, reason="This pose was adjusted by the traffic already."), None
+        return replace(empty, reason="This pose is already adjusted to the traffic."), None
     if not seen.seen:
         reason = (
-            "Nothing is known yet: click both tyres of vehicles of a known model, or measure their roofs."
+            "No lengths are known yet: click both tyres of vehicles of a known model, or measure their roofs."
         )
         return replace(empty, reason=reason), None
     pose = road_pose(session, pose_id)
@@ -159,7 +159,7 @@ def _heights(
 ) -> list[AdjustedHeight]:
     """Stored heights of vehicles (numbers by id) under both poses, with the same clicks and insets."""
     made = [one for one in list_measurements(session, survey_id) if one.vehicle_id in numbers]
-    made = [one for one in made if one.values.inset_m is not None or one.values.more_frames]
+    made = [one for one in made if one.values.inset_m is not None or _is_solved(one.values)]
     out = []
     for one, old, new in zip(made, _under(before, made), _under(after, made), strict=True):
         if old.height_m is None or new.height_m is None:
@@ -190,13 +190,18 @@ def _under(pose: RoadPose, made: list[Measurement]) -> list[Height]:
         [one.values.u_inset_m or 0.0 for one in made],
     )
     return [
-        measured_frames(
-            pose, replace(clicks_to_compute_again(one.values), sigma_px=one.values.sigma_px)
-        ).height
-        if one.values.more_frames
-        else height
+        _solved(pose, one.values) if _is_solved(one.values) else height
         for one, height in zip(made, single, strict=True)
     ]
+
+
+def _is_solved(values: MeasurementValues) -> bool:
+    return bool(values.more_frames) or values.followed is not None
+
+
+def _solved(pose: RoadPose, values: MeasurementValues) -> Height:
+    clicks = clicked_again(values, *values.first_clicks)
+    return measured_frames(pose, clicks).height if values.more_frames else measured_pass(pose, clicks).height
 
 
 def put_in_force(
@@ -234,7 +239,7 @@ def _adjusted_pose(before: Pose, found: Adjustment) -> Solved:
         solved,
         summary=f"{told} {solved.summary}",
         document={**solved.document, "adjustment": adjustment_to_dict(found)},
-        warnings=[*before.warnings, f"{told} The pose before it was number {before.id}.", *found.notes],
+        warnings=[*before.warnings, f"{told} The previous pose is number {before.id}.", *found.notes],
     )
 
 

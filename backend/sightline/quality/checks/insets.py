@@ -10,7 +10,7 @@ from typing import Annotated, get_args
 import numpy as np
 from pydantic import Field
 
-from sightline.enums import InsetMethod, InsetName, Target
+from sightline.enums import InsetMethod, InsetName, InsetPlace, Target
 from sightline.geometry.inset_trend import (
     InsetEstimate,
     Sightings,
@@ -116,7 +116,7 @@ class InsetCase:
     """How much too high a target would read without its inset, at `CASES_AT_M`."""
 
     target: Target
-    words: str
+    place: InsetPlace | None
     height_m: float
     inset_m: float
     bias_m: tuple[float, ...]
@@ -164,18 +164,18 @@ def _is_of(name: InsetName, one: Measurement) -> bool:
 
 def cases(survey: Survey, camera_height_m: float) -> tuple[InsetCase, ...]:
     """Typical heights with the survey's insets: eyes of both sides, roofs' edges and crowns."""
-    rows: list[tuple[Target, str, float, float]] = []
+    rows: list[tuple[Target, InsetPlace | None, float, float]] = []
     for name, height_m in _CASES:
         target, side = target_of(name)
         choices = INSET_CHOICES.get(target, ())
-        words = f"{side} side" if side else choices[0][0] if choices else ""
-        rows.append((target, words, height_m, survey.insets[name].inset_m))
-        rows += [(target, words, height_m, inset_m) for words, inset_m, _ in choices[1:]]
+        place = side or (choices[0][0] if choices else None)
+        rows.append((target, place, height_m, survey.insets[name].inset_m))
+        rows += [(target, other, height_m, inset_m) for other, inset_m, _ in choices[1:]]
     return tuple(
         InsetCase(
-            target, words, height, inset, tuple(bias_m(camera_height_m, height, inset, CASES_AT_M).tolist())
+            target, place, height, inset, tuple(bias_m(camera_height_m, height, inset, CASES_AT_M).tolist())
         )
-        for target, words, height, inset in rows
+        for target, place, height, inset in rows
     )
 
 
@@ -241,9 +241,7 @@ def _from_known(rows: _Rows, known: dict[int, VehicleSheet]) -> Estimate:
     u = [known[one.vehicle_id].u_manufacturer_height_m for one in rows.made]
     has = np.array([height is not None for height in heights], dtype=np.bool_)
     if rows.seen is None or not has.any():
-        return Estimate(
-            "known_heights", "No roof is measured of a vehicle whose manufacturer's height is filled in."
-        )
+        return Estimate("known_heights", "No vehicle with a manufacturer's height has a measured roof.")
     found = inset_from_known_heights(
         rows.seen.only(has),
         [height for height in heights if height is not None],
@@ -255,7 +253,7 @@ def _from_known(rows: _Rows, known: dict[int, VehicleSheet]) -> Estimate:
 
 def _from_trend(rows: _Rows, known: dict[int, VehicleSheet]) -> Estimate:
     if rows.seen is None:
-        return Estimate("trend", "Nothing is measured of this target.")
+        return Estimate("trend", "No measurements of this target.")
     return _estimate("trend", inset_from_trend(rows.seen), rows.made, known)
 
 

@@ -230,7 +230,7 @@ def _shown(one: _Told, used: bool) -> VehicleHeading:
         heading_rad=one.found.heading_rad,
         u_heading_rad=one.found.u_heading_rad,
         base_m=one.found.base_m,
-        reason=None if used else "Left out: it strays far from the other vehicles; look at its clicks.",
+        reason=None if used else "Excluded as an outlier; check its clicks.",
     )
 
 
@@ -240,14 +240,14 @@ def _verdict(found: Headings, changes: Changes) -> str:
     count = int(found.used.sum())
     figures = f"{abs(mean):.2f}° (u {u:.2f}°, {count} vehicles)"
     if found.proposed:
-        said = f"The road's X axis is turned by {figures} against the traffic."
+        said = f"The road's X axis is rotated by {figures} against the traffic."
     else:
-        said = f"The road's X axis agrees with the traffic: it is turned by {figures}, which may be 0."
+        said = f"The road's X axis agrees with the traffic: rotated by {figures}, not significant."
     if not changes.count:
         return said
     if not found.proposed:
-        return f"{said} Turning it would move stored heights by up to {1000 * changes.largest_m:.1f} mm."
-    return f"{said} That moves {changes.count} stored heights by up to {1000 * changes.largest_m:.1f} mm."
+        return f"{said} Rotating it would change stored heights by up to {1000 * changes.largest_m:.1f} mm."
+    return f"{said} This changes {changes.count} stored heights by up to {1000 * changes.largest_m:.1f} mm."
 
 
 def store_pair(

@@ -14,8 +14,9 @@ from sightline.geometry.multiframe import measure_frames
 from sightline.geometry.road_pose import RoadPose
 from sightline.geometry.traffic import turned
 from sightline.infra.database import Session
+from sightline.measurements.height_of_clicks import measured_pass
 from sightline.measurements.records import Measurement
-from sightline.measurements.service import road_pose
+from sightline.measurements.service import clicked_again, road_pose
 from sightline.poses.records import Pose
 from sightline.poses.service import Solved, described
 from sightline.poses.store import get_pose
@@ -87,6 +88,9 @@ def _heights(pose: RoadPose, standing: Sequence[Measurement]) -> Floats:
             values = one.values
             found = measure_frames(pose, values.contacts, values.target_points, values.sigma_px).height
             out[i] = np.nan if found.height_m is None else found.height_m
+        elif one.values.followed is not None:
+            found = measured_pass(pose, clicked_again(one.values, *one.values.first_clicks)).height
+            out[i] = np.nan if found.height_m is None else found.height_m
     return out
 
 
@@ -95,9 +99,9 @@ def turned_pose(session: Session, pose_id: int, turn_rad: float, u_turn_rad: flo
     stored = get_pose(session, pose_id)
     pose = turned(road_pose(session, pose_id), turn_rad, u_turn_rad)
     corners = np.asarray(stored.overlay.get("corners_px") or [], dtype=np.float64).reshape(-1, 2)
-    told = f"Turned by {np.rad2deg(turn_rad):+.2f}° to the direction of {vehicles} vehicles."
+    told = f"Rotated by {np.rad2deg(turn_rad):+.2f}° to the direction of {vehicles} vehicles."
     solved = described(pose, corners)
-    warnings = [*stored.warnings, f"{told} The pose before it was number {pose_id}."]
+    warnings = [*stored.warnings, f"{told} The previous pose is number {pose_id}."]
     return replace(solved, summary=f"{told} {solved.summary}", warnings=warnings)
 
 

@@ -57,12 +57,12 @@ def look_for_drift(context: registry.JobContext) -> registry.Outcome:
     looks = []
     frames = frames_to_look_at(recording.frame_count or 0, recording.duration_s or 0.0)
     for index, n in enumerate(frames):
-        context.progress(0.9 * index / len(frames), f"Looking for the background in frame {n}.")
+        context.progress(0.9 * index / len(frames), f"Searching for the background in frame {n}.")
         looks.append(Look(n, register(ours, stills_of(services).gray(recording_id, n))))
-    context.progress(0.92, "Looking for the frames on which the camera moved.")
+    context.progress(0.92, "Searching for camera movement.")
 
     def look_at(n: int) -> Motion | str:
-        context.progress(0.95, f"Looking for the background in frame {n}.")
+        context.progress(0.95, f"Searching for the background in frame {n}.")
         if not 0 <= n < (recording.frame_count or 0):
             return "The recording has no such frame."
         return register(ours, stills_of(services).gray(recording_id, n))
@@ -184,13 +184,13 @@ def _floor(check: _Check) -> float | None:
 def words_of(document: DriftCheck, time_s: Callable[[int], float]) -> str:
     """The verdict in one or two sentences."""
     if document["state"] == "unknown":
-        return f"Whether the camera moved cannot be told: {document['reason']}"
+        return f"Camera movement cannot be determined: {document['reason']}"
     if document["state"] == "still":
         worth = "" if document["floor_m"] is None else f" ({document['floor_m'] * 1000:.1f} mm of height)"
-        return f"The camera stands still within {document['floor_px']:.2f} px{worth}."
+        return f"No camera movement detected, within {document['floor_px']:.2f} px{worth}."
     moved = [one for one in document["spans"] if one["moved"]]
     return " ".join(_told(one, document["bumps"], time_s) for one in moved[:3]) + (
-        f" And {len(moved) - 3} more times." if len(moved) > 3 else ""
+        f" {len(moved) - 3} more movements." if len(moved) > 3 else ""
     )
 
 
@@ -198,14 +198,14 @@ def _told(span: DriftSpan, bumps: list[DriftStep], time_s: Callable[[int], float
     first, last = span["first_frame"], span["last_frame"]
     bumped = any(bump["after"] < first <= bump["frame"] for bump in bumps)
     how = (
-        "The camera moved" if bumped else "The camera had moved already" if first == 0 else "The camera crept"
+        "The camera moved"
+        if bumped
+        else "The camera had already moved"
+        if first == 0
+        else "The camera drifted"
     )
-    off = (
-        ""
-        if span["change_m"] is None
-        else f": heights are off by up to {abs(span['change_m']) * 1000:.0f} mm"
-    )
-    by = f"by {span['moved_px']:.1f} px{off} on frames {first} to {last}."
+    off = "" if span["change_m"] is None else f" (height error up to {abs(span['change_m']) * 1000:.0f} mm)"
+    by = f"by {span['moved_px']:.1f} px{off}, frames {first} to {last}."
     return f"{how} at {clock(time_s(first))} (frame {first}) {by}"
 
 

@@ -1,4 +1,4 @@
-"""Did the camera move since its road pose: what was found, looking again, and what people decide."""
+"""Did the camera move since its camera pose: what was found, looking again, and what people decide."""
 
 from fastapi import APIRouter
 from pydantic import Field
@@ -76,7 +76,7 @@ class DriftBody(Out):
 
 
 class Decision(In):
-    reason: Text = Field(min_length=1, description="Why the road pose is still good.")
+    reason: Text = Field(min_length=1, description="Why the camera pose is still good.")
 
 
 def drift_body(recording: Recording) -> DriftBody:
@@ -95,7 +95,7 @@ def drift_body(recording: Recording) -> DriftBody:
 
 @router.get("/recordings/{recording_id}/drift")
 def get_drift(recording_id: PathId, who: Viewer, session: Reading) -> DriftBody:
-    """What was found of the camera since the road pose in force, and whether it is being looked at."""
+    """What was found of the camera since the camera pose in force, and whether it is being looked at."""
     recording = get_recording(session, recording_id)
     job = under_way(session, recording)
     return drift_body(recording).model_copy(
@@ -105,13 +105,13 @@ def get_drift(recording_id: PathId, who: Viewer, session: Reading) -> DriftBody:
 
 @router.post("/recordings/{recording_id}/drift", status_code=202)
 def look_again(recording_id: PathId, who: Operator, session: Writing) -> JobBody:
-    """Look at the whole recording, in the background. A conflict without a road pose."""
+    """Look at the whole recording, in the background. A conflict without a camera pose."""
     return JobBody.model_validate(request_drift(session, recording_id, actor=who.id))
 
 
 @router.put("/recordings/{recording_id}/drift/decision")
 def decide(recording_id: PathId, body: Decision, who: Operator, session: Writing) -> DriftBody:
-    """The road pose is still good although the camera moved: its measurements are flagged no more."""
+    """The camera pose is still good although the camera moved: its measurements are flagged no more."""
     return drift_body(decide_drift(session, recording_id, body.reason, actor=who.id))
 
 

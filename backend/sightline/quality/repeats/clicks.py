@@ -84,9 +84,10 @@ def author(revisions: Iterable[Measurement], standing: Measurement) -> Who | Non
 def alone(session: Session, one: Measurement) -> tuple[float | None, float | None]:
     """(height, its part from the clicks) in metres of the first frame's clicks alone; None without a height.
 
-    Of a measurement on several frames too: a repeat is on one, and only like can be compared with like.
+    Of a measurement on several frames or a whole pass too: a repeat is on one, and only like can be compared
+    with like.
     """
-    if not one.values.more_frames:
+    if not one.values.more_frames and one.values.followed is None:
         return one.values.height_m, _u_clicks(one.values.height_m, one.values.budget)
     values = one.values
     clicks = Clicks(

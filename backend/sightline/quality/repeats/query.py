@@ -1,8 +1,9 @@
 """Repeats: what was clicked again, what it repeats, and what somebody could click again."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
-from sqlalchemy import ColumnElement, exists, or_, select
+from sqlalchemy import ColumnElement, select, union
 from sqlalchemy.orm import Session
 
 from sightline.enums import Target
@@ -32,6 +33,17 @@ def repeats_of_survey(session: Session, survey_id: int) -> tuple[Measurement, ..
     return _repeated(session, measurement_series.c.survey_id == survey_id)
 
 
+def measurements_with_proposals(session: Session, survey_id: int) -> tuple[Measurement, ...]:
+    """The standing heights of a survey of which the points were proposed on their frame, shown or not."""
+    query = (
+        measurement_revision_rows()
+        .join(vehicles, vehicles.c.id == measurement_series.c.vehicle_id)
+        .where(measurement_series.c.survey_id == survey_id, vehicles.c.deleted_at.is_(None))
+        .where(is_current, ~measurements.c.withdrawn, is_first, measurements.c.proposal.is_not(None))
+    )
+    return fetch_measurements(session, query.order_by(measurements.c.series_id))
+
+
 def repeats_of_measurement(session: Session, series_id: int) -> tuple[Measurement, ...]:
     """The repeats of one measurement that stand, oldest first."""
     query = measurement_revision_rows().where(
@@ -42,23 +54,12 @@ def repeats_of_measurement(session: Session, series_id: int) -> tuple[Measuremen
 
 def measurements_to_click_again(
     session: Session, survey_id: int, *, person_id: int, only_own: bool
-) -> tuple[tuple[Blind, ...], tuple[Blind, ...]]:
-    """The standing measurements of a survey: (those that the person never repeated, those that they did)."""
-    mine = exists().where(
-        _again.c.repeat_of == measurements.c.series_id,
-        _of_again.c.series_id == _again.c.id,
-        _of_again.c.created_by == person_id,
-    )
+) -> tuple[list[int], list[int]]:
+    """The standing measurements of a survey by number: (those that the person never repeated, those that
+    they did).
+    """
     query = (
-        select(
-            measurements.c.series_id.label("measurement_id"),
-            vehicles.c.id.label("vehicle_id"),
-            vehicles.c.number.label("vehicle_number"),
-            measurement_series.c.recording_id,
-            measurements.c.frame,
-            measurements.c.target,
-            mine.label("repeated"),
-        )
+        select(measurements.c.series_id)
         .join(measurement_series, measurement_series.c.id == measurements.c.series_id)
         .join(vehicles, vehicles.c.id == measurement_series.c.vehicle_id)
         .where(measurement_series.c.survey_id == survey_id, vehicles.c.deleted_at.is_(None))
@@ -67,20 +68,49 @@ def measurements_to_click_again(
     )
     if only_own:
         query = query.where(measurements.c.created_by == person_id)
-    fresh: list[Blind] = []
-    known: list[Blind] = []
-    for row in session.execute(query).mappings():
-        of = known if row["repeated"] else fresh
-        of.append(Blind(**{name: row[name] for name in Blind.__slots__}))
-    return tuple(fresh), tuple(known)
+    mine = _repeated_by(session, survey_id, person_id)
+    found = session.execute(query).scalars().all()
+    return [one for one in found if one not in mine], [one for one in found if one in mine]
+
+
+def blind(session: Session, series_ids: Sequence[int]) -> tuple[Blind, ...]:
+    """What may be told of these measurements, in their order."""
+    query = (
+        select(
+            measurements.c.series_id.label("measurement_id"),
+            vehicles.c.id.label("vehicle_id"),
+            vehicles.c.number.label("vehicle_number"),
+            measurement_series.c.recording_id,
+            measurements.c.frame,
+            measurements.c.target,
+        )
+        .join(measurement_series, measurement_series.c.id == measurements.c.series_id)
+        .join(vehicles, vehicles.c.id == measurement_series.c.vehicle_id)
+        .where(measurements.c.series_id.in_(series_ids), is_current)
+    )
+    found = {row["measurement_id"]: Blind(**row) for row in session.execute(query).mappings()}
+    return tuple(found[one] for one in series_ids)
+
+
+def _repeated_by(session: Session, survey_id: int, person_id: int) -> set[int]:
+    """The measurements of a survey that a person clicked again, by number."""
+    query = (
+        select(_again.c.repeat_of)
+        .join(_of_again, _of_again.c.series_id == _again.c.id)
+        .where(_again.c.survey_id == survey_id, _again.c.repeat_of.is_not(None))
+        .where(_of_again.c.created_by == person_id)
+    )
+    return set(session.execute(query).scalars())
 
 
 def _repeated(session: Session, condition: ColumnElement[bool]) -> tuple[Measurement, ...]:
-    repeats_it = exists().where(_again.c.repeat_of == measurement_series.c.id)
+    # asked once: of each series, whether it is repeated would be a look at all of them
+    known = _again.c.repeat_of.is_not(None)
+    concerned = union(select(_again.c.repeat_of).where(known), select(_again.c.id).where(known))
     query = (
         measurement_revision_rows()
         .join(vehicles, vehicles.c.id == measurement_series.c.vehicle_id)
         .where(condition, vehicles.c.deleted_at.is_(None))
-        .where(or_(measurement_series.c.repeat_of.is_not(None), repeats_it))
+        .where(measurement_series.c.id.in_(concerned))
     )
     return fetch_measurements(session, query.order_by(measurements.c.series_id, measurements.c.revision))

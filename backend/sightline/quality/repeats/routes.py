@@ -12,6 +12,7 @@ from sightline.infra.web.deps import Operator, PathId, Reading, Reviewer, Viewer
 from sightline.measurements.bodies import MeasurementBody, measurement_body
 from sightline.measurements.records import ClickSigma
 from sightline.quality.repeats import service
+from sightline.quality.repeats.anchoring import Anchoring, anchoring
 from sightline.quality.repeats.query import Blind
 from sightline.surveys.store import get_survey
 
@@ -41,6 +42,13 @@ def repeats_of_survey(survey_id: PathId, who: Viewer, session: Reading) -> servi
     return service.findings(session, survey_id)
 
 
+@router.get("/surveys/{survey_id}/anchoring")
+def anchoring_of_survey(survey_id: PathId, who: Viewer, session: Reading) -> Anchoring:
+    """How far showing proposals moves heights: those of vehicles shown against those measured free."""
+    get_survey(session, survey_id)
+    return anchoring(session, survey_id)
+
+
 @router.get("/surveys/{survey_id}/repeats/sample")
 def sample_to_click_again(
     survey_id: PathId,
@@ -56,7 +64,7 @@ def sample_to_click_again(
 
 @router.get("/measurements/{measurement_id}/repeats")
 def repeats_of_measurement(measurement_id: PathId, who: Viewer, session: Reading) -> list[ComparisonBody]:
-    """The repeats of a measurement, each with its difference and what the clicks let one expect (k = 2)."""
+    """The repeats of a measurement, each with its difference and the U95 of that."""
     found = service.comparisons(session, measurement_id)
     return [filled_from(ComparisonBody, one, repeat=measurement_body(one.repeat)) for one in found]
 

@@ -5,13 +5,14 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import groupby
-from math import dist, sqrt
+from math import dist, hypot
 from random import Random
 from statistics import fmean
 from typing import Annotated
 
 from pydantic import Field
 
+from sightline.coverage import expanded
 from sightline.enums import Point, Target
 from sightline.errors import BadInput
 from sightline.infra.audit.records import Who
@@ -21,7 +22,7 @@ from sightline.measurements.records import ClickSigma, Measurement
 from sightline.measurements.store import get_measurement
 from sightline.people.store import get_person
 from sightline.quality.repeats.clicks import Click, alone, clicks_of_survey
-from sightline.quality.repeats.query import Blind, measurements_to_click_again, repeats_of_measurement
+from sightline.quality.repeats.query import Blind, blind, measurements_to_click_again, repeats_of_measurement
 from sightline.statistics.repeatability import (
     LEAST_FREEDOM,
     Gauge,
@@ -36,7 +37,6 @@ from sightline.statistics.repeatability import (
 )
 
 LEAST_PAIRS = 10
-COVERAGE = 2.0
 # A wheelbase is 60 px and more on any vehicle that can be measured; a click is off by a few.
 SAME_WHEEL_PX = 25.0
 
@@ -46,7 +46,7 @@ class OfTarget:
     """Figures of one target in metres; `target` None: of all (a person may lean otherwise at each target).
 
     `another_frame`: the same person on another frame of the pass, which adds to the clicks what the place in
-    the picture does to lens, road pose and inset, and how the vehicle sways.
+    the picture does to lens, camera pose and inset, and how the vehicle sways.
     """
 
     target: Annotated[Target | None, Field(description="None: all targets together.")]
@@ -101,7 +101,7 @@ class Findings:
     people: tuple[OfPerson, ...]
     differences: tuple[Difference, ...]
     not_compared: Annotated[
-        int, Field(description="Repeats with another road pose or inset, or without height.")
+        int, Field(description="Repeats with another camera pose or inset, or without height.")
     ]
 
 
@@ -150,7 +150,7 @@ def sample(
     fresh, known = measurements_to_click_again(session, survey_id, person_id=person_id, only_own=only_own)
     draw = Random(f"{person_id} {len(known)} {len(fresh)}")  # the same until something is clicked
     chosen = draw.sample(fresh, min(count, len(fresh)))
-    return tuple(chosen + draw.sample(known, min(count - len(chosen), len(known))))
+    return blind(session, chosen + draw.sample(known, min(count - len(chosen), len(known))))
 
 
 def use_own_sigma(session: Session, survey_id: int, person_id: int, *, own: bool, actor: int) -> ClickSigma:
@@ -199,7 +199,7 @@ def _another_frame(clicks: Sequence[Click]) -> Spread:
         heights.append(fmean(_floats([one.height_m for one in found])))
     sums = within_cells(heights, codes_of(cells))
     return spread_of(
-        *sums, f"{sums[1]} were clicked by one person on two frames; {LEAST_FREEDOM} are needed."
+        *sums, f"{sums[1]} repeated on another frame by one operator; {LEAST_FREEDOM} are needed."
     )
 
 
@@ -231,7 +231,7 @@ def _of_person(clicks: Sequence[Click], person: Who, chosen: ClickSigma | None) 
         _floats([one.height_m for one in measured]), codes_of([one.item for one in measured])
     )
     pairs = points[1] // 2
-    few = f"{person.name} clicked {pairs} of their own again; {LEAST_FREEDOM} are needed for a figure."
+    few = f"{person.name} has {pairs} own repeats; {LEAST_FREEDOM} are needed."
     enough = pairs >= LEAST_FREEDOM
     both = (points[0] + contacts[0], points[1] + contacts[1])
     contact, target, sigma = (
@@ -306,7 +306,7 @@ def _differences(clicks: Sequence[Click]) -> Iterator[Difference]:
             person=one.person,
             mean_m=(a + b) / 2,
             difference_m=b - a,
-            expected_m=COVERAGE * sqrt(u_a**2 + u_b**2),
+            expected_m=expanded(hypot(u_a, u_b)),
         )
 
 
@@ -324,7 +324,7 @@ def _comparison(
             agrees=None,
             reason=reason or "A height has no uncertainty.",
         )
-    difference, expected = again_m - height_m, COVERAGE * sqrt(u_m**2 + u_again_m**2)
+    difference, expected = again_m - height_m, expanded(hypot(u_m, u_again_m))
     return Comparison(
         repeat=one,
         first_height_m=height_m,
@@ -343,9 +343,9 @@ def _not_alike(
     if again_m is None:
         return f"The second clicks give no height: {one.values.reason}"
     if first.values.frame != one.values.frame:
-        return "They were clicked on different frames, so more than the clicks differs."
+        return "They were clicked on different frames, so not only the clicks differ."
     if first.values.pose_id != one.values.pose_id:
-        return "The road pose is another one since, so more than the clicks differs."
+        return "The camera pose changed since, so not only the clicks differ."
     if first.values.inset_m != one.values.inset_m:
-        return "The inset is another one, so more than the clicks differs."
+        return "The insets differ, so not only the clicks differ."
     return None

@@ -78,7 +78,7 @@ def _wheelbase(session: Session, vehicle_id: int) -> MeasuredSize:
     """The distance of both tyre contacts (Checks, Road direction)."""
     pair = of_vehicle(session, vehicle_id)
     if pair is None or pair.pose_id is None:
-        return MeasuredSize(size="wheelbase", reason="Both tyres are not clicked on one frame.")
+        return MeasuredSize(size="wheelbase", reason="No frame has both tyres clicked.")
     found = heading_of_pair(road_pose(session, pair.pose_id), pair.first, pair.second, DEFAULT_SIGMA_PX)
     if isinstance(found, str) or found.u_base_m is None:
         return MeasuredSize(size="wheelbase", reason=str(found))

@@ -15,7 +15,7 @@ from sightline.enums import UploadPurpose
 from sightline.errors import BadInput, SightlineError
 from sightline.infra.services import Services
 from sightline.infra.web.bodies import Out
-from sightline.infra.web.deps import OPEN, Operator, PathId, Viewer, Wired
+from sightline.infra.web.deps import OPEN, PathId, Uploader, Viewer, Wired
 from sightline.infra.web.uploaded import clean_name
 from sightline.recordings.uploads import service, store
 from sightline.recordings.uploads.records import Upload
@@ -85,7 +85,7 @@ def list_uploads(survey_id: PathId, who: Viewer, services: Wired) -> list[Upload
 @router.post("/surveys/{survey_id}/uploads", status_code=201, response_class=Response, dependencies=[SPEAKS])
 def create_upload(
     survey_id: PathId,
-    who: Operator,
+    who: Uploader,
     services: Wired,
     upload_length: Annotated[int | None, Header(ge=0, le=MAX_BYTES)] = None,
     upload_metadata: Annotated[str | None, Header(max_length=4000)] = None,
@@ -103,7 +103,7 @@ def create_upload(
 
 
 @router.head("/uploads/{upload_id}", response_class=Response, dependencies=[SPEAKS])
-def upload_offset(upload_id: PathId, who: Operator, services: Wired) -> Response:
+def upload_offset(upload_id: PathId, who: Uploader, services: Wired) -> Response:
     """How far the upload has come; `Sightline-Finished: 1` once it is a recording or a waiting strip.
 
     One whose bytes are all here but that is not finished is finished by an empty PATCH behind its last byte.
@@ -119,7 +119,7 @@ def upload_offset(upload_id: PathId, who: Operator, services: Wired) -> Response
 @router.patch("/uploads/{upload_id}", status_code=204, dependencies=[SPEAKS])
 async def continue_upload(
     upload_id: PathId,
-    who: Operator,
+    who: Uploader,
     services: Wired,
     request: Request,
     upload_offset: Annotated[int, Header(ge=0, le=MAX_BYTES)],
@@ -143,7 +143,7 @@ async def continue_upload(
 
 
 @router.delete("/uploads/{upload_id}", status_code=204, dependencies=[SPEAKS])
-def give_up_upload(upload_id: PathId, who: Operator, services: Wired) -> Response:
+def give_up_upload(upload_id: PathId, who: Uploader, services: Wired) -> Response:
     """Forget an unfinished upload and what has arrived of it."""
     service.abandon_upload(services, upload_id, who.id)
     return Response(status_code=204, headers={"Tus-Resumable": VERSION})

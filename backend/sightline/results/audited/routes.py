@@ -8,6 +8,7 @@ from fastapi import APIRouter, Query
 from sightline.infra.audit.records import Who
 from sightline.infra.web.bodies import Id
 from sightline.infra.web.deps import Reading, SurveysSeen, Viewer
+from sightline.infra.web.named import SurveyId
 from sightline.results.audited import query
 from sightline.results.audited.records import NamedEvent
 
@@ -19,7 +20,7 @@ def list_named_events(
     who: Viewer,
     session: Reading,
     seen: SurveysSeen,
-    survey_id: Annotated[Id | None, Query()] = None,
+    survey_id: Annotated[SurveyId | None, Query()] = None,
     entity: Annotated[str | None, Query(max_length=40)] = None,
     person_id: Annotated[Id | None, Query(description="Who did it.")] = None,
     day: Annotated[date | None, Query(description="In UTC.")] = None,

@@ -30,6 +30,7 @@ class _Facts:
     cameras: int
     ready: int
     failed: int
+    confirmed: int
     posed: int
     exports: int
 
@@ -77,7 +78,8 @@ def _overview(survey: Survey, facts: dict[str, int], scans: ScanProgress) -> Sur
     rest = _Facts(**{name: facts.get(name, 0) for name in _Facts.__slots__})
     # with line scans alone nobody need calibrate a camera: no step is the next one
     only_scans = scans.scans > 0 and rest.cameras == 0 and counts.recordings == 0
-    return SurveyOverview(survey, counts, _steps(counts, rest, only_scans), scans)
+    steps = _steps(counts, rest, only_scans, scans.heights_to_review)
+    return SurveyOverview(survey, counts, steps, scans)
 
 
 def _sum(condition: ColumnElement[bool]) -> ColumnElement[Any]:
@@ -106,6 +108,7 @@ def _recording_facts(survey_ids: Sequence[int]) -> Select[Any]:
         recordings=func.count(),
         ready=_sum(ready),
         failed=_sum(recordings.c.state == "failed"),
+        confirmed=_sum(and_(ready, recordings.c.lighting.is_not(None), recordings.c.started_at.is_not(None))),
         posed=_sum(and_(ready, recordings.c.pose_id.is_not(None))),
     )
 
@@ -181,20 +184,38 @@ def _by_survey(session: Session, query: Select[Any]) -> dict[int, dict[str, int]
     }
 
 
-def _steps(counts: SurveyCounts, facts: _Facts, only_scans: bool) -> tuple[Step, ...]:
-    """The order of the work: what is done, the one that is next, and those that wait for it."""
-    told: list[tuple[StepKey, bool, str]] = [
-        ("camera", facts.calibrated_cameras > 0, _camera_words(facts)),
-        ("recordings", facts.ready > 0, _recording_words(counts, facts)),
-        ("pose", 0 < facts.ready == facts.posed, _pose_words(facts)),
-        ("vehicles", 0 < counts.vehicles == counts.vehicles_measured, _vehicle_words(counts)),
-        ("review", _reviewed(counts), _review_words(counts)),
-        ("results", facts.exports > 0, _result_words(facts)),
+def _steps(counts: SurveyCounts, facts: _Facts, only_scans: bool, line_heights: int) -> tuple[Step, ...]:
+    """The order of the work: what is done, the one that is next, those begun and those that wait for it.
+
+    `line_heights`: heights of line scans that wait for review.
+    """
+    told: list[tuple[StepKey, bool, bool, str]] = [
+        ("camera", facts.calibrated_cameras > 0, facts.cameras > 0, _camera_words(facts)),
+        (
+            "recordings",
+            0 < facts.ready == facts.confirmed,
+            counts.recordings > 0,
+            _recording_words(counts, facts),
+        ),
+        ("pose", 0 < facts.ready == facts.posed, facts.posed > 0, _pose_words(facts)),
+        (
+            "vehicles",
+            0 < counts.vehicles == counts.vehicles_measured,
+            counts.vehicles > 0,
+            _vehicle_words(counts),
+        ),
+        (
+            "review",
+            _reviewed(counts) and line_heights == 0,
+            counts.measurements + line_heights > 0,
+            _review_words(counts, line_heights),
+        ),
+        ("results", facts.exports > 0, False, _result_words(facts)),
     ]
-    following = None if only_scans else next((key for key, done, _ in told if not done), None)
+    following = None if only_scans else next((key for key, done, *_ in told if not done), None)
     return tuple(
-        Step(key, "done" if done else "next" if key == following else "waiting", words)
-        for key, done, words in told
+        Step(key, "done" if done else "next" if key == following else "begun" if begun else "waiting", words)
+        for key, done, begun, words in told
     )
 
 
@@ -212,25 +233,27 @@ def _camera_words(facts: _Facts) -> str:
 
 def _recording_words(counts: SurveyCounts, facts: _Facts) -> str:
     if facts.ready:
-        return f"{_number(facts.ready, 'recording')} ready of {counts.recordings}."
+        said = f"{facts.ready} of {_number(counts.recordings, 'recording')} ready."
+        left = facts.ready - facts.confirmed
+        return f"{said} Confirm lighting and start of {_number(left, 'recording')}." if left else said
     if facts.failed:
-        return "A recording could not be read; look at its reason and upload another."
+        return "A recording could not be imported; see its reason and upload another."
     if counts.recordings:
-        return "Wait until the recording has been read in."
+        return "Wait until the recording has been imported."
     return "Drop the day's video here."
 
 
 def _pose_words(facts: _Facts) -> str:
     if facts.ready and facts.ready == facts.posed:
-        return "Every recording has its road pose."
+        return "Every recording has its camera pose."
     if facts.ready:
-        return f"Mark where the board stands still in {_number(facts.ready - facts.posed, 'recording')}."
-    return "Mark where the board stands still, once a recording is ready."
+        return f"Mark the frames with the board at rest in {_number(facts.ready - facts.posed, 'recording')}."
+    return "Mark the frames with the board at rest, once a recording is ready."
 
 
 def _vehicle_words(counts: SurveyCounts) -> str:
     if counts.vehicles == 0:
-        return "Add the vehicles that pass and measure of each what the survey asks for."
+        return "Find the vehicles and measure the targets of the survey on each."
     unseen = f" {_number(counts.not_visible, 'target')} not visible." if counts.not_visible else ""
     if counts.vehicles == counts.vehicles_measured:
         return f"All {_number(counts.vehicles, 'vehicle')} measured.{unseen}"
@@ -238,12 +261,14 @@ def _vehicle_words(counts: SurveyCounts) -> str:
     return f"Measure {left} of {_number(counts.vehicles, 'vehicle')}.{unseen}"
 
 
-def _review_words(counts: SurveyCounts) -> str:
+def _review_words(counts: SurveyCounts, line_heights: int) -> str:
     open_work = []
     if counts.to_review:
         open_work.append(f"Review {_number(counts.to_review, 'measurement')}.")
+    if line_heights:
+        open_work.append(f"Review {_number(line_heights, 'height')} of line scans.")
     if counts.rejected:
-        open_work.append(f"Measure {_number(counts.rejected, 'rejected one')} again.")
+        open_work.append(f"Remeasure {_number(counts.rejected, 'rejected measurement')}.")
     if open_work:
         return " ".join(open_work)
     if counts.measurements:

@@ -16,7 +16,7 @@ from sightline.vehicles.tables import vehicles
 
 
 def pass_answers(session: Session, survey: Survey) -> list[PassAnswers]:
-    """Every pass of a survey that was not deleted."""
+    """Every pass of a survey that was not deleted, but those of check targets."""
     light = func.coalesce(vehicles.c.lighting, recordings.c.lighting).label("light")
     has = [
         func.max(case((measurements.c.target == target, 1), else_=0)).label(target) for target in NOT_VISIBLE
@@ -32,7 +32,7 @@ def pass_answers(session: Session, survey: Survey) -> list[PassAnswers]:
         .join(recordings, recordings.c.id == v.recording_id)
         .outerjoin(measurement_series, and_(measurement_series.c.vehicle_id == v.id, is_first))
         .outerjoin(measurements, standing)
-        .where(v.survey_id == survey.id, v.deleted_at.is_(None))
+        .where(v.survey_id == survey.id, v.deleted_at.is_(None), ~v.check_target)
         .group_by(*own, *unseen)
         .order_by(v.number)
     )

@@ -15,13 +15,13 @@ from sightline.enums import (
 )
 from sightline.errors import BadInput
 from sightline.infra.web.deps import Reading, SurveysSeen, Viewer
+from sightline.infra.web.named import SurveyId
 from sightline.results.sightdistance.records import SightDistances, SightQuestion
 from sightline.results.sightdistance.service import sight_distances
 from sightline.results.survey_statistics import Filter
 
 router = APIRouter()
 
-Id = Annotated[int, Query(ge=1, le=2**31 - 1)]
 Number = Annotated[float, Query(allow_inf_nan=False)]
 Percent = Annotated[float, Query(gt=0, lt=100, allow_inf_nan=False)]
 
@@ -31,7 +31,7 @@ def sight_distances_of_measurements(
     who: Viewer,
     session: Reading,
     seen: SurveysSeen,
-    survey: Annotated[list[Id], Query(max_length=200)] = [],  # noqa: B006 (FastAPI copies it)
+    survey: Annotated[list[SurveyId], Query(max_length=200)] = [],  # noqa: B006 (FastAPI copies it)
     lighting: Lighting | None = None,
     category: Annotated[list[Category], Query(max_length=len(get_args(Category)))] = [],  # noqa: B006
     class_set: Annotated[list[ClassSet], Query(max_length=len(get_args(ClassSet)))] = [],  # noqa: B006

@@ -1,7 +1,8 @@
 """From a survey's heights to sight distances: percentiles by a standard's rule, crests, and what they change.
 
 The page asks with a session (`sight_distances`); the report has the statistics of its package at hand and
-takes `case_of` with their percentiles. Both give the same figures.
+takes `case_of` with their percentiles. Both give the same figures: those of true heights, with total
+uncertainty.
 """
 
 from __future__ import annotations
@@ -12,6 +13,7 @@ from typing import get_args
 
 import numpy as np
 
+from sightline.coverage import COVERAGE_95
 from sightline.enums import Category, LengthUnit, SightCase, StatisticsTarget
 from sightline.errors import BadInput
 from sightline.infra.database import Session
@@ -22,7 +24,7 @@ from sightline.results.sightdistance.records import (
     SightDistances,
     SightQuestion,
 )
-from sightline.results.survey_statistics import measured_columns
+from sightline.results.survey_statistics import height_sample, measured_columns
 from sightline.sightdistance.curves import crest_constant, sag_k_m, sag_length, sightline_offset_m
 from sightline.sightdistance.distances import METRIC, US_CUSTOMARY, SightDistance, UnitSystem
 from sightline.sightdistance.workbench import (
@@ -33,8 +35,9 @@ from sightline.sightdistance.workbench import (
     shares_of_fleet,
     sight_distance,
 )
-from sightline.statistics.distributions import Percentile, percentiles, sorted_values
 from sightline.statistics.fleet import mixed_percentile
+from sightline.statistics.shared_errors import correlation_of
+from sightline.statistics.total_uncertainty import TotalFigure, TotalUncertainty
 
 _UNITS: dict[LengthUnit, UnitSystem] = {"m": METRIC, "ft": US_CUSTOMARY}
 # Design speeds as tables print them: 30 to 130 km/h, 20 to 80 mph.
@@ -48,26 +51,32 @@ def sight_distances(session: Session, question: SightQuestion) -> SightDistances
     eyes = measured_columns(session, replace(question.chosen, target="driver_eye"))
     target = question.object_target
     objects = None if target is None else measured_columns(session, replace(question.chosen, target=target))
+    eye = _plain(eyes, question.eye_percent)
+    thing = None if objects is None else _plain(objects, question.object_percent)
+    by_pose = _by_pose_m(eyes, question.eye_percent), _by_pose_m(objects, question.object_percent)
     cases = [
         case_of(question, "standard", Bounded(question.eye_m), Bounded(question.object_m)),
-        case_of(
-            question,
-            "survey",
-            _plain(eyes, question.eye_percent),
-            None if objects is None else _plain(objects, question.object_percent),
-        ),
+        case_of(question, "survey", eye, thing, by_pose),
     ]
     if question.shares:
         eye = _mixed(eyes, question.shares, question.eye_percent)
         thing = None if objects is None else _mixed(objects, question.shares, question.object_percent)
-        cases.append(case_of(question, "mix", eye, thing))
+        cases.append(case_of(question, "mix", eye, thing, by_pose))
     return _road(question, tuple(cases), eyes, objects)
 
 
 def case_of(
-    question: SightQuestion, name: SightCase, eye: Bounded | None, thing: Bounded | None
+    question: SightQuestion,
+    name: SightCase,
+    eye: Bounded | None,
+    thing: Bounded | None,
+    by_pose_m: tuple[Mapping[int, float], Mapping[int, float]] = ({}, {}),
 ) -> CaseOfHeights:
-    """One pair of heights as a crest; None: nobody measured it (of an object: the standard's is taken)."""
+    """One pair of heights as a crest; None: nobody measured it (of an object: the standard's is taken).
+
+    by_pose_m: what one standard uncertainty of each road pose moves eye and object by: errors of both that
+    come from the same pose and board are the same errors, and count together in the interval.
+    """
     target = question.object_target
     if thing is None and target is None:
         thing = Bounded(question.object_m)
@@ -78,7 +87,8 @@ def case_of(
         return CaseOfHeights(name=name, crest=None, comparison=None, k_m=(), missing=tuple(missing))
     standard = crest_constant(question.eye_m, question.object_m).constant_m
     seen_m = distance_of(question, question.speed_mps).design_m
-    crest = crest_of(eye, thing, seen_m, question.difference_percent, standard)
+    together = correlation_of(*by_pose_m, _u_m(eye), _u_m(thing))
+    crest = crest_of(eye, thing, seen_m, question.difference_percent, standard, together)
     return CaseOfHeights(
         name=name,
         crest=crest,
@@ -103,12 +113,9 @@ def distance_of(question: SightQuestion, speed_mps: float) -> SightDistance:
     return sight_distance(question.kind, speed_mps, units)
 
 
-def bounded_of(found: Percentile | None) -> Bounded | None:
-    """A percentile as a height with its interval, or with the reason why it has none."""
-    if found is None:
-        return None
-    reason = None if found.low is not None else found.reason or "no interval"
-    return Bounded(found.value, found.low, found.high, reason)
+def bounded_of(found: TotalFigure | None) -> Bounded | None:
+    """A percentile as a height with its total interval, or with the reason why it has none."""
+    return None if found is None else Bounded(found.value, found.U95_low, found.U95_high, found.reason)
 
 
 def _road(
@@ -131,9 +138,23 @@ def _road(
     )
 
 
+def _u_m(found: Bounded) -> float:
+    """The standard uncertainty that an interval states; 0 without one."""
+    if found.low is None or found.high is None:
+        return 0.0
+    return (found.high - found.low) / (2.0 * COVERAGE_95)
+
+
+def _by_pose_m(measured: Measured | None, percent: float) -> dict[int, float]:
+    if measured is None or not len(measured):
+        return {}
+    return TotalUncertainty(height_sample(measured)).named_effects_m(percent)
+
+
 def _plain(measured: Measured, percent: float) -> Bounded | None:
-    found = percentiles(sorted_values(measured.height_m), [percent])
-    return bounded_of(found[0] if found else None)
+    if not len(measured):
+        return None
+    return bounded_of(TotalUncertainty(height_sample(measured)).percentile(percent))
 
 
 def _mixed(measured: Measured, shares: Mapping[Category, float], percent: float) -> Bounded | None:
@@ -147,7 +168,7 @@ def _mixed(measured: Measured, shares: Mapping[Category, float], percent: float)
     unseen = [word for word, share, n in zip(CATEGORIES, asked, counts, strict=True) if share > 0 and not n]
     if unseen:
         raise BadInput("sightdistance-class-unseen", category=unseen[0])
-    return bounded_of(mixed_percentile(known.height_m, known.category, asked, percent))
+    return bounded_of(mixed_percentile(height_sample(known), known.category, asked, percent))
 
 
 def _classes(eyes: Measured, objects: Measured | None) -> tuple[ClassOfFleet, ...]:

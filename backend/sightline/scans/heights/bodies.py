@@ -5,7 +5,14 @@ from typing import Annotated
 
 from pydantic import Field
 
-from sightline.enums import LineClicksStatus, MeasurementStatus, ScanPoseStatus, Target
+from sightline.enums import (
+    DriverSide,
+    InsetSource,
+    LineClicksStatus,
+    MeasurementStatus,
+    ScanPoseStatus,
+    Target,
+)
 from sightline.infra.audit.records import Who
 from sightline.infra.web.bodies import Finite, In, Out
 from sightline.infra.web.quantities import BudgetEntryBody, InsetM, SigmaPx, UInsetM
@@ -83,7 +90,7 @@ class LinePosesBody(Out):
 
 
 class LineClicks(In):
-    """Two clicks in strip 1; what is left out is 1 px and the survey's inset. An eye needs its inset."""
+    """Two clicks in strip 1; what is left out is 1 px and the survey's inset. An eye needs inset or side."""
 
     target: Target
     contact_line: Line
@@ -91,6 +98,10 @@ class LineClicks(In):
     sigma_px: SigmaPx | None = None
     inset_m: InsetM | None = None
     u_inset_m: UInsetM | None = None
+    side: Annotated[
+        DriverSide | None,
+        Field(description="Of an eye: where the driver sits; its inset is the survey's."),
+    ] = None
 
 
 class LineHeightWanted(LineClicks):
@@ -140,7 +151,7 @@ class LineHeightBody(Out):
     target: Target
     revision: int
     pose_id: int
-    older: bool = Field(description="Computed with a calibration that was superseded since.")
+    older: bool = Field(description="Computed with a calibration or an inset that was changed since.")
     contact_line: float
     contact_row_px: float
     target_line: float
@@ -148,6 +159,8 @@ class LineHeightBody(Out):
     sigma_px: float
     inset_m: float
     u_inset_m: float
+    inset_from: InsetSource
+    side: DriverSide | None
     distance_m: float | None
     u_distance_m: float | None
     U95_distance_m: float | None
@@ -159,6 +172,7 @@ class LineHeightBody(Out):
     budget: list[BudgetEntryBody]
     warnings: list[str]
     withdrawn: bool
+    computing_id: int | None = Field(description="What computed it again, with the clicks of the one before.")
     created_by: Who | None
     created_at: datetime
     review: ReviewState

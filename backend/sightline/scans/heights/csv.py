@@ -7,10 +7,11 @@ from dataclasses import dataclass, field
 from typing import Any, get_args
 
 from sightline.coverage import expanded
-from sightline.enums import JsonObject, MeasurementStatus, ScanVerdict, Target
+from sightline.enums import DriverSide, InsetSource, JsonObject, MeasurementStatus, ScanVerdict, Target
 from sightline.infra.audit.records import Who
 from sightline.infra.csv_package.columns import (
     flag,
+    integer,
     joined,
     key,
     metres,
@@ -185,6 +186,19 @@ _MEASURED: tuple[Column[LineHeightValues], ...] = (
         required=True,
     ),
     metres("u_inset_m", "standard uncertainty of the inset (k = 1)", lambda v: v.u_inset_m, required=True),
+    text(
+        "inset_from",
+        "the survey's usual inset, or one of its own",
+        lambda v: v.inset_from,
+        required=True,
+        enum=get_args(InsetSource),
+    ),
+    text(
+        "side",
+        "of a driver's eye: the side of the vehicle that a person said the driver sits on",
+        lambda v: v.side,
+        enum=get_args(DriverSide),
+    ),
     metres("distance_m", "horizontal, from the camera to the contact", lambda v: v.distance_m),
     metres("u_distance_m", "standard uncertainty of distance_m (k = 1)", lambda v: v.u_distance_m),
     metres("height_m", "height of the target above the road", lambda v: v.height_m),
@@ -227,7 +241,17 @@ LINE_HEIGHTS: Table[ListedHeight] = Table(
         flag("current", "true for the newest revision", lambda h: h.current, required=True),
         *of_part(_WITHDRAWN, _values),
         *of_part(_MEASURED, _values),
-        person("created_by_id", _MAKER, lambda h: h.height.created_by),
+        integer(
+            "computing_id",
+            "what computed it again, in computings; its clicks are those of the revision before",
+            lambda h: h.height.computing_id,
+        ),
+        integer(
+            "verdict_of_id",
+            "of what was computed again: the revision before it whose verdict holds for it too",
+            lambda h: h.height.verdict_of_id,
+        ),
+        person("created_by_id", "who clicked; empty for the program itself", lambda h: h.height.created_by),
         moment("created_at", _MADE_AT, lambda h: h.height.created_at),
         text(
             "verdict",
@@ -244,6 +268,8 @@ LINE_HEIGHTS: Table[ListedHeight] = Table(
     foreign=(
         (("vehicle_id",), "scan_vehicles", ("id",)),
         (("pose_id",), "line_poses", ("id",)),
+        (("computing_id",), "computings", ("id",)),
+        (("verdict_of_id",), "line_heights", ("id",)),
         _MAKER_KEY,
         _REVIEWER_KEY,
     ),

@@ -163,8 +163,9 @@ def _told(pose: LinePose, rod: Rod) -> SolvedRod:
     warnings = []
     if rod.sigma_px is not None and pose.rms_px > _WIDE_RESIDUALS * rod.sigma_px:
         warnings.append(
-            f"The marks miss the model by {pose.rms_px:.1f} px, more than clicks of {rod.sigma_px:g} px "
-            "explain; check the distances and the mark with the largest residual."
+            f"The marks fit the model to {pose.rms_px:.1f} px only, worse than clicks of "
+            f"{rod.sigma_px:g} px explain; check the distances and the mark with the largest "
+            "residual."
         )
     if u_height > _WIDE_HEIGHT_M:
         warnings.append(

@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 from datetime import datetime
 
-from sightline.enums import JsonObject, MeasurementStatus, ScanVerdict, Target
+from sightline.enums import DriverSide, InsetSource, JsonObject, MeasurementStatus, ScanVerdict, Target
 from sightline.infra.audit.records import Who
 from sightline.measurements.records import ReviewState
 
@@ -44,6 +44,7 @@ class StoredLinePose:
 class LineHeightValues:
     """One height of a scanned vehicle: the two clicks in strip 1, the inset, the result or why there is none.
 
+    `inset_from`: "usual" where it is the survey's, which `side` chose for an eye.
     `budget`: {source, u_m} each.
     """
 
@@ -56,6 +57,8 @@ class LineHeightValues:
     sigma_px: float
     inset_m: float
     u_inset_m: float
+    inset_from: InsetSource
+    side: DriverSide | None
     distance_m: float | None
     u_distance_m: float | None
     height_m: float | None
@@ -70,7 +73,11 @@ class LineHeightValues:
 
 @dataclass(frozen=True, slots=True)
 class StoredLineHeight:
-    """One revision of a target's height; the newest of a vehicle's target counts, unless it is withdrawn."""
+    """One revision of a target's height; the newest of a vehicle's target counts, unless it is withdrawn.
+
+    `computing_id`: what computed it again, with the clicks of the revision before; `verdict_of_id`: the
+    revision whose verdict holds for it too; `judged_id`: the one that its verdict was given on.
+    """
 
     id: int
     survey_id: int
@@ -81,6 +88,9 @@ class StoredLineHeight:
     created_by: Who | None
     created_at: datetime
     review: ReviewState
+    computing_id: int | None = None
+    verdict_of_id: int | None = None
+    judged_id: int | None = None
 
 
 @dataclass(frozen=True, slots=True)

@@ -138,7 +138,7 @@ def list_waiting_line_heights(survey_id: PathId, who: Viewer, session: Reading) 
 
 _OF_FOUND = ("reason", "distance_m", "height_m", "u_height_m", "U95_height_m", "warnings")
 _MADE = ("id", "revision", "created_by", "created_at")
-_OF_HEIGHT = (*_MADE, "vehicle_id", "review")
+_OF_HEIGHT = (*_MADE, "vehicle_id", "computing_id", "review")
 
 
 def _rod(body: RodIn) -> Rod:
@@ -154,6 +154,7 @@ def _clicked(body: LineClicks, point: tuple[float, float] | None) -> service.Cli
         sigma_px=body.sigma_px,
         inset_m=body.inset_m,
         u_inset_m=body.u_inset_m,
+        side=body.side,
     )
 
 
@@ -175,11 +176,21 @@ def _height_bodies(
     session: Session, scan_id: int, found: tuple[StoredLineHeight, ...], asker: int
 ) -> list[LineHeightBody]:
     pose = pose_store.current_line_poses(session, scan_id)
+    insets = get_survey(session, get_scan(session, scan_id).survey_id).insets
     own = store.heights_of_own_clicks(session, scan_id, asker)
-    return [_height_body(one, pose.id if pose else None, one.id in own) for one in found]
+    return [
+        _height_body(
+            one,
+            older=pose is None
+            or one.values.pose_id != pose.id
+            or service.has_another_inset(one.values, insets),
+            mine=one.id in own,
+        )
+        for one in found
+    ]
 
 
-def _height_body(one: StoredLineHeight, pose_id: int | None, mine: bool) -> LineHeightBody:
+def _height_body(one: StoredLineHeight, *, older: bool, mine: bool) -> LineHeightBody:
     values = one.values
     derived = ("older", "mine", "U95_distance_m", "U95_height_m")
     names = [name for name in LineHeightBody.model_fields if name not in (*_OF_HEIGHT, *derived)]
@@ -187,4 +198,4 @@ def _height_body(one: StoredLineHeight, pose_id: int | None, mine: bool) -> Line
     body |= {name: getattr(one, name) for name in _OF_HEIGHT}
     for name in ("distance_m", "height_m"):
         body[f"U95_{name}"] = expanded(getattr(values, f"u_{name}"))
-    return LineHeightBody.model_validate({**body, "older": values.pose_id != pose_id, "mine": mine})
+    return LineHeightBody.model_validate({**body, "older": older, "mine": mine})

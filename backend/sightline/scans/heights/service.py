@@ -5,16 +5,19 @@ What is shown while the pointer moves, what is stored and what a check recompute
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import asdict, dataclass
+from typing import Protocol
 
 from sightline.coverage import expanded
-from sightline.enums import Target
+from sightline.enums import DriverSide, InsetSource, Target
 from sightline.errors import BadInput
 from sightline.geometry.insets import SIDE_UNKNOWN
 from sightline.infra.database import Session
 from sightline.infra.version import code_version
 from sightline.linescan.line_height import LineHeight, contact_distance, ladder, line_height
 from sightline.linescan.line_pose import LinePose
+from sightline.measurements.again.differences import same_length
 from sightline.measurements.height_of_clicks import DEFAULT_SIGMA_PX, inset_for
 from sightline.scans.heights.pose_store import current_line_poses
 from sightline.scans.heights.poses import LENGTH_DECIMALS, pose_of
@@ -24,16 +27,20 @@ from sightline.scans.records import ScanVehicle
 from sightline.scans.service import shows
 from sightline.scans.store import get_scan
 from sightline.scans.vehicles.store import get_scan_vehicle
+from sightline.surveys.records import Inset
 from sightline.surveys.store import get_survey
 
-_BESIDE = "A click lies outside the vehicle's front and rear, so it may be another vehicle's."
+_BESIDE = "A click lies outside the vehicle's front and rear; it may belong to another vehicle."
 # Bumpers' boundaries are found to some lines; a mirror or an aerial stands out no further than this share.
 _MARGIN = 0.05
 
 
 @dataclass(frozen=True)
 class RowClicks:
-    """(line, row) of the tyre's contact and of the target in strip 1, their sigma, and the target's inset."""
+    """(line, row) of the tyre's contact and of the target in strip 1, their sigma, and the target's inset.
+
+    `inset_from`: "usual" where it is the survey's, for an eye that of the driver's `side`.
+    """
 
     target: Target
     contact: tuple[float, float]
@@ -41,13 +48,15 @@ class RowClicks:
     sigma_px: float
     inset_m: float
     u_inset_m: float
+    inset_from: InsetSource = "own"
+    side: DriverSide | None = None
 
 
 @dataclass(frozen=True)
 class Clicked:
     """What a person clicked; None is filled in: 1 px, the survey's inset. `point` None: only the contact.
 
-    An eye needs its inset: strips do not tell on which side of a vehicle the driver sits.
+    An eye needs its inset or the driver's `side`: strips do not tell on which side of a vehicle that is.
     """
 
     target: Target
@@ -56,6 +65,7 @@ class Clicked:
     sigma_px: float | None = None
     inset_m: float | None = None
     u_inset_m: float | None = None
+    side: DriverSide | None = None
 
 
 @dataclass(frozen=True)
@@ -106,7 +116,9 @@ def store_line_height(
     for line, row in (clicks.contact, clicks.target_point):
         if not shows(scan, line, row):
             raise BadInput("scans-click-line-row-lies-outside-strip", line=line, row=row)
-    values = height_values(_pose(session, scan.id), clicks, _beside(vehicle, clicks))
+    pose = _pose(session, scan.id)
+    found = answer(pose_of(pose.values), clicks)
+    values = height_values(pose.id, clicks, found, _beside(vehicle, clicks))
     return append_line_height(session, vehicle_id, values, seen_revision=seen_revision, actor=actor)
 
 
@@ -122,12 +134,13 @@ def answer(pose: LinePose, clicks: RowClicks) -> LineHeight:
     )
 
 
-def height_values(pose: StoredLinePose, clicks: RowClicks, warnings: list[str]) -> LineHeightValues:
-    """A height as it is stored."""
-    found = answer(pose_of(pose.values), clicks)
+def height_values(
+    pose_id: int, clicks: RowClicks, found: LineHeight, warnings: list[str]
+) -> LineHeightValues:
+    """What was found as it is stored; `warnings`: what is to be said beside what it says itself."""
     return LineHeightValues(
         target=clicks.target,
-        pose_id=pose.id,
+        pose_id=pose_id,
         contact_line=clicks.contact[0],
         contact_row_px=clicks.contact[1],
         target_line=clicks.target_point[0],
@@ -135,6 +148,8 @@ def height_values(pose: StoredLinePose, clicks: RowClicks, warnings: list[str]) 
         sigma_px=clicks.sigma_px,
         inset_m=clicks.inset_m,
         u_inset_m=clicks.u_inset_m,
+        inset_from=clicks.inset_from,
+        side=clicks.side,
         distance_m=found.distance_m,
         u_distance_m=found.u_distance_m,
         height_m=found.height_m,
@@ -157,19 +172,76 @@ def _pose(session: Session, scan_id: int) -> StoredLinePose:
 
 def _filled(session: Session, survey_id: int, clicked: Clicked) -> RowClicks | None:
     """The clicks with what was left out; None for an eye without its inset."""
-    usual = inset_for(clicked.target, None, get_survey(session, survey_id).insets)
+    return filled_in(clicked, get_survey(session, survey_id).insets)
+
+
+def filled_in(clicked: Clicked, insets: Mapping[str, Inset]) -> RowClicks | None:
+    """The clicks with 1 px and the survey's inset where these were left out; None for an eye that has neither
+    an inset nor a side. An inset that is the survey's is the usual one, whoever said it.
+    """
+    side = clicked.side if clicked.target == "driver_eye" else None
+    usual = inset_for(clicked.target, side, insets)
     inset_m = usual.inset_m if clicked.inset_m is None and usual else clicked.inset_m
     u_inset_m = usual.u_inset_m if clicked.u_inset_m is None and usual else clicked.u_inset_m
     if inset_m is None or u_inset_m is None:
         return None
+    told = round(inset_m, LENGTH_DECIMALS), round(u_inset_m, LENGTH_DECIMALS)
+    is_usual = usual is not None and told == (
+        round(usual.inset_m, LENGTH_DECIMALS),
+        round(usual.u_inset_m, LENGTH_DECIMALS),
+    )
     return RowClicks(
         target=clicked.target,
         contact=clicked.contact,
         target_point=clicked.target_point or clicked.contact,
         sigma_px=DEFAULT_SIGMA_PX if clicked.sigma_px is None else clicked.sigma_px,
-        inset_m=round(inset_m, LENGTH_DECIMALS),
-        u_inset_m=round(u_inset_m, LENGTH_DECIMALS),
+        inset_m=told[0],
+        u_inset_m=told[1],
+        inset_from="usual" if is_usual else "own",
+        side=side,
     )
+
+
+def clicks_to_compute_again(values: LineHeightValues) -> Clicked:
+    """What a person clicked and said for a stored revision, without what followed from the survey."""
+    own = values.inset_from == "own"
+    return Clicked(
+        target=values.target,
+        contact=(values.contact_line, values.contact_row_px),
+        target_point=(values.target_line, values.target_row_px),
+        sigma_px=values.sigma_px,
+        inset_m=values.inset_m if own else None,
+        u_inset_m=values.u_inset_m if own else None,
+        side=values.side,
+    )
+
+
+class WithInset(Protocol):
+    """What is kept of a stored height's inset."""
+
+    @property
+    def target(self) -> Target: ...
+    @property
+    def side(self) -> DriverSide | None: ...
+    @property
+    def inset_from(self) -> InsetSource: ...
+    @property
+    def inset_m(self) -> float: ...
+    @property
+    def u_inset_m(self) -> float: ...
+
+
+def has_another_inset(stored: WithInset, insets: Mapping[str, Inset]) -> bool:
+    """Whether the survey's inset that a height was computed with is another by now; its own never is."""
+    usual = None if stored.inset_from == "own" else inset_for(stored.target, stored.side, insets)
+    return usual is not None and not (
+        same_length(stored.inset_m, usual.inset_m) and same_length(stored.u_inset_m, usual.u_inset_m)
+    )
+
+
+def remarks_on_clicks(values: LineHeightValues) -> list[str]:
+    """What was said of a stored revision's clicks beside what their height says itself."""
+    return [one for one in values.warnings if one == _BESIDE]
 
 
 def _beside(vehicle: ScanVehicle, clicks: RowClicks) -> list[str]:

@@ -14,7 +14,7 @@ from sqlalchemy import (
     UniqueConstraint,
 )
 
-from sightline.enums import MeasurementStatus, ScanVerdict, Target
+from sightline.enums import DriverSide, InsetSource, MeasurementStatus, ScanVerdict, Target
 from sightline.infra.audit.vouched import WrittenOnce, vouched
 from sightline.infra.database.types import CanonicalJson, UtcDateTime, enum_check, identity, metadata
 
@@ -62,6 +62,9 @@ line_heights = Table(
     Column("sigma_px", Float, nullable=False),
     Column("inset_m", Float, nullable=False),
     Column("u_inset_m", Float, nullable=False),
+    Column("inset_from", String(20), nullable=False),
+    # of an eye with a usual inset: the side of the driver that a person said
+    Column("side", String(20)),
     Column("distance_m", Float),
     Column("u_distance_m", Float),
     Column("height_m", Float),
@@ -71,12 +74,19 @@ line_heights = Table(
     Column("budget", CanonicalJson, nullable=False),
     Column("warnings", CanonicalJson, nullable=False),
     Column("withdrawn", Boolean, nullable=False),
+    # what computed it again, the clicks being those of the revision before; `created_by` is who clicked
+    Column("computing_id", ForeignKey("computings.id"), index=True),
+    # the revision before it whose verdict holds for this one too
+    Column("verdict_of_id", ForeignKey("line_heights.id")),
     Column("code_version", String(60), nullable=False),
     Column("created_at", UtcDateTime, nullable=False),
     Column("created_by", ForeignKey("people.id")),
     UniqueConstraint("vehicle_id", "target", "revision"),
     enum_check("target", Target),
+    enum_check("inset_from", InsetSource),
+    enum_check("side", DriverSide),
     enum_check("status", MeasurementStatus),
+    CheckConstraint("target <> 'driver_eye' OR side IS NOT NULL OR inset_from = 'own'", name="eye_has_side"),
     CheckConstraint("revision >= 1", name="revision_counts"),
     CheckConstraint(
         "(status = 'ok' AND height_m IS NOT NULL) OR (status <> 'ok' AND reason IS NOT NULL)",

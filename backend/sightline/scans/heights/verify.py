@@ -13,6 +13,7 @@ from sightline.errors import Damaged
 from sightline.infra.csv_package.files import Files, read_rows
 from sightline.linescan.line_height import LineHeight
 from sightline.linescan.line_pose import LinePose, LinePoseError
+from sightline.measurements.again.verify import verdict_gone_over
 from sightline.scans.heights.csv import LINE_BUDGET, LINE_HEIGHTS, LINE_MARKS, LINE_POSES
 from sightline.scans.heights.poses import Mark, Rod, solve
 from sightline.scans.heights.service import RowClicks, answer
@@ -40,6 +41,28 @@ def check_line_heights(files: Files, told_poses: Mapping[int, Mapping[str, Any]]
             "scans-calibration-no-row", path=LINE_MARKS.path, marks=min(marks), path_2=LINE_POSES.path
         )
     return len(poses) + _heights(files, poses)
+
+
+def check_verdicts_gone_over(
+    rows: Mapping[int, Row], reviews: Mapping[int, Row], computings: Mapping[str, str]
+) -> None:
+    """A verdict went over only to a height of the same target that hardly moved, to one put back, or was a
+    rejection; `computings`: the kind of each, by its number. Raises Damaged.
+    """
+    newest = {one["height_id"]: one["verdict"] for _, one in sorted(reviews.items())}
+    of_target: dict[tuple[str, str], list[Row]] = defaultdict(list)
+    for row in rows.values():
+        of_target[row["vehicle_id"], row["target"]].append(row)
+    for revisions in of_target.values():
+        revisions.sort(key=lambda row: int(row["revision"]))
+        number = {row["id"]: int(row["revision"]) for row in revisions}
+        # what no revision of this target is comes after all of them, where no verdict can come from
+        later = len(revisions) + 1
+        judged = [number.get(row["verdict_of_id"], later if row["verdict_of_id"] else 0) for row in revisions]
+        rejected = {number[row["id"]] for row in revisions if newest.get(row["id"]) == "rejected"}
+        bad = verdict_gone_over(revisions, judged, computings, rejected)
+        if bad is not None:
+            raise Damaged("scans-verdict-went-over", path=LINE_HEIGHTS.path, id=bad["id"])
 
 
 def _pose(row: Row, marks: list[Row], told: Mapping[str, Any]) -> LinePose:

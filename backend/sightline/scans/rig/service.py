@@ -8,16 +8,26 @@ from typing import Annotated, get_args
 
 from pydantic import Field
 
-from sightline.enums import JsonObject, KnownLength
+from sightline.coverage import expanded
+from sightline.enums import KnownLength
 from sightline.infra.database import Session
-from sightline.linescan.rig import RigEstimate, alone, baseline_ratio, gain, misalignment
+from sightline.linescan.rig import (
+    RigEstimate,
+    alone,
+    at_lane,
+    baseline_of,
+    baseline_ratio,
+    gain,
+    misalignment,
+)
 from sightline.scans.records import Scan, ScanValues, ScanVehicle
-from sightline.scans.store import get_scan, rig_columns
+from sightline.scans.store import get_scan
+from sightline.scans.vehicles.motion import rig_of
 from sightline.scans.vehicles.store import list_scan_vehicles
 
 _GIVEN = (
-    "The misalignment was given, so what the vehicles find leans on it; leave it to the traffic and measure "
-    "again to have it estimated."
+    "The misalignment was entered, so the estimates of the vehicles depend on it; leave it empty "
+    "and measure again to have it estimated."
 )
 
 
@@ -75,7 +85,7 @@ def _misalignment(values: Sequence[ScanValues]) -> RigEstimate:
 
 def _implied(scan: Scan, vehicles: Sequence[ScanVehicle], of: KnownLength) -> ImpliedBaseline:
     """Sizes go with the baseline at the vehicle that they were measured with; each is brought to today's."""
-    in_force = _at_vehicle(rig_columns(scan.rig))
+    in_force = baseline_of(at_lane(scan.rig, None))[0]
     rows = []
     for one in vehicles:
         assert one.measurement is not None
@@ -83,9 +93,9 @@ def _implied(scan: Scan, vehicles: Sequence[ScanVehicle], of: KnownLength) -> Im
         size, true = getattr(values, f"{of}_m"), getattr(one, f"true_{of}_m")
         if size is None or true is None:
             continue
-        rig = values.rig
-        u = alone(size, getattr(values, f"u_{of}_m"), rig["baseline_m"], rig["u_baseline_m"])
-        scale = in_force / _at_vehicle(rig)
+        baseline_m, u_baseline_m = baseline_of(rig_of(values.rig))
+        u = alone(size, getattr(values, f"u_{of}_m"), baseline_m, u_baseline_m)
+        scale = baseline_of(at_lane(scan.rig, values.lane, values.direction))[0] / baseline_m
         rows.append((scale * size, scale * u, true, getattr(one, f"u_true_{of}_m") or 0.0))
     ratio = baseline_ratio(*([row[k] for row in rows] for k in range(4)))
     if ratio.value is None or ratio.u is None:
@@ -104,24 +114,19 @@ def _implied(scan: Scan, vehicles: Sequence[ScanVehicle], of: KnownLength) -> Im
     )
 
 
-def _at_vehicle(rig: JsonObject) -> float:
-    """The baseline at the vehicles, the planes' divergence included, m."""
-    return float(rig["baseline_m"] + rig["divergence_rad"] * (rig["distance_m"] or 0.0))
-
-
 def _words(of: str, ratio: RigEstimate) -> str:
     assert ratio.value is not None and ratio.u is not None
     off, u = 100 * abs(ratio.value - 1), 100 * ratio.u
     which = f"{ratio.n} {of}s"
     if ratio.warning is None:
-        return f"{which} of known vehicles agree with the baseline entered to {2 * u:.2f} % (95 %)."
+        return f"{which} of known vehicles agree with the baseline entered to {expanded(u):.2f} % (U95)."
     longer = ratio.value > 1
     said = (
-        f"{which} of known vehicles come out {off:.2f} % {'longer' if longer else 'shorter'} than they are "
-        f"(u {u:.2f} %): a {'shorter' if longer else 'longer'} baseline would fit them. Measure it again."
+        f"{which} of known vehicles measure {off:.2f} % {'longer' if longer else 'shorter'} than they are "
+        f"(u {u:.2f} %): a {'shorter' if longer else 'longer'} baseline would fit. Check the baseline."
     )
     if of == "length":
-        said += " A shadow lengthens a vehicle too; wheelbases carry none."
+        said += " Shadows can also add length; wheelbases are free of them."
     return said
 
 

@@ -4,23 +4,36 @@ from __future__ import annotations
 
 from sightline.coverage import expanded
 from sightline.infra.database import Session
+from sightline.linescan.clock import since_start_s
+from sightline.linescan.rig import baseline_of
 from sightline.scans.heights.store import list_line_heights
-from sightline.scans.records import Scan
+from sightline.scans.records import Scan, ScanValues
 from sightline.scans.statistics.heights import HeightSeen, ScannedHeights, scanned_heights
 from sightline.scans.statistics.service import GAPS, MOTION, ScanStatistics, VehicleMotion, statistics_of_seen
+from sightline.scans.statistics.traffic import ScanTraffic, Watched, rig_ratio, traffic_of_seen
 from sightline.scans.store import list_scans
-from sightline.scans.vehicles.listing import ShownVehicle, shown
-from sightline.scans.vehicles.store import list_scan_vehicles
+from sightline.scans.vehicles.listing import ShownVehicle, vehicles_of
+from sightline.scans.vehicles.motion import rig_of
 
 
 def scan_statistics(session: Session, survey_id: int, *, accepted_only: bool) -> ScanStatistics:
     """Statistics of a survey's line scans; rejected vehicles never count, unreviewed ones where asked for."""
     found = [
-        _seen(scan, one)
-        for scan in list_scans(session, survey_id)
-        for one in shown(scan, list_scan_vehicles(session, scan.id))
+        _seen(scan, one) for scan in list_scans(session, survey_id) for one in vehicles_of(session, scan.id)
     ]
     return statistics_of_seen(found, accepted_only=accepted_only)
+
+
+def scan_traffic(
+    session: Session, survey_id: int, minutes: int, *, accepted_only: bool
+) -> tuple[ScanTraffic, ...]:
+    """The traffic of a survey's line scans; speeds of unreviewed vehicles count where asked for."""
+    found, watched = [], []
+    for scan in list_scans(session, survey_id):
+        found += [_seen(scan, one) for one in vehicles_of(session, scan.id)]
+        watched_s = scan.lines and scan.lines / scan.rig.line_rate_hz
+        watched.append(Watched(scan.id, scan.name, scan.clock, watched_s))
+    return traffic_of_seen(watched, found, minutes, accepted_only=accepted_only)
 
 
 def scan_height_statistics(
@@ -39,8 +52,9 @@ def scan_height_statistics(
 def _seen(scan: Scan, one: ShownVehicle) -> VehicleMotion:
     vehicle = one.vehicle
     values = None if vehicle.measurement is None else vehicle.measurement.values
-    rig = values.rig if values else {"baseline_m": 1.0, "u_baseline_m": 0.0}
+    baseline_m, u_baseline_m = baseline_of(rig_of(values.rig)) if values else (1.0, 0.0)
     gap = {name: getattr(one.gap, name) for name in GAPS} if one.gap else {}
+    where = {} if values is None else _where(values)
     return VehicleMotion(
         vehicle_id=vehicle.id,
         scan_id=vehicle.scan_id,
@@ -55,8 +69,25 @@ def _seen(scan: Scan, one: ShownVehicle) -> VehicleMotion:
             "wheelbase_m": vehicle.true_wheelbase_m,
             "u_wheelbase_m": vehicle.u_true_wheelbase_m,
         },
-        rig_baseline_m=rig["baseline_m"],
-        rig_u_baseline_m=rig["u_baseline_m"],
+        rig_baseline_m=baseline_m,
+        rig_u_baseline_m=u_baseline_m,
         status=values.status if values else "not_measurable",
         reason=values.reason if values else None,
+        u_filmed_at_s=None if one.passing is None else one.passing.u_filmed_at_s,
+        run_of=vehicle.run_of,
+        references=tuple(given.values for given in one.references),
+        direction=None if values is None else values.direction,
+        lane=None if values is None else values.lane,
+        axles=None if values is None else values.axles,
+        **where,
     )
+
+
+def _where(values: ScanValues) -> dict[str, float]:
+    """When a vehicle passed, and what its rig gives to every speed."""
+    rate_hz = values.rig["line_rate_hz"]
+    return {
+        "since_s": since_start_s(values.front_line_1, rate_hz),
+        "occupied_s": (values.rear_line_1 - values.front_line_1) / rate_hz,
+        "rig_ratio": rig_ratio(rig_of(values.rig)),
+    }

@@ -5,6 +5,7 @@ from typing import Annotated
 from fastapi import APIRouter, Query
 from pydantic import Field
 
+from sightline.enums import KnownLength, ReferenceQuantity, ReferenceSource
 from sightline.infra.web.bodies import Out
 from sightline.infra.web.deps import PathId, Reading, Viewer
 from sightline.infra.web.figures import DensityBody, EcdfBody, FigureBody, ReasonBody
@@ -15,6 +16,8 @@ from sightline.scans.statistics.paper import NOTE, TABLE_I
 from sightline.scans.statistics.service import ScanStatistics, Spread
 from sightline.statistics.distributions import Density, Ecdf, Percentile
 from sightline.statistics.errors import ErrorGroup
+from sightline.statistics.references import ReferenceErrors
+from sightline.statistics.runs import RunsTogether
 from sightline.surveys.store import get_survey
 
 router = APIRouter()
@@ -44,6 +47,15 @@ class ScanSpreadBody(Out):
     percentiles: list[Percentile]
 
 
+class RowReferenceBody(Out):
+    """A reference value of a vehicle in the table: m/s or m, u at k = 1."""
+
+    quantity: ReferenceQuantity
+    source: ReferenceSource
+    value: float
+    u: float
+
+
 class ScanRowBody(Out):
     """A vehicle in the layout of the paper's Table I."""
 
@@ -55,6 +67,26 @@ class ScanRowBody(Out):
     length_m: float | None
     true_length_m: float | None
     fit_error_percent: float | None
+    references: list[RowReferenceBody]
+
+
+class ReferenceGroupBody(Out):
+    """Ours minus the references of one source (null: of all), in `unit`."""
+
+    quantity: ReferenceQuantity
+    source: ReferenceSource | None
+    unit: str
+    errors: ReferenceErrors
+
+
+class CarRunsBody(Out):
+    """The runs of one car; the chi-square holds each size against what the runs state (k = 1)."""
+
+    car: str
+    runs: list[ScanRowBody]
+    speed_mean_mps: float
+    speed_sd_mps: float | None
+    sizes: dict[KnownLength, RunsTogether]
 
 
 class PaperCarBody(Out):
@@ -79,6 +111,8 @@ class ScanStatisticsBody(Out):
     wheelbase_ratio: RigEstimate = Field(description=_RATIO)
     spreads: list[ScanSpreadBody] = Field(description="Speed, length, time gap, distance gap, headway.")
     table: list[ScanRowBody]
+    references: list[ReferenceGroupBody]
+    cars: list[CarRunsBody]
     heights: list[ScannedHeights]
     paper: list[PaperCarBody]
     paper_note: str
@@ -107,6 +141,8 @@ def _body(found: ScanStatistics, heights: tuple[ScannedHeights, ...]) -> ScanSta
         wheelbase_ratio=found.wheelbase_ratio,
         spreads=[_spread(one) for one in found.spreads],
         table=[ScanRowBody.model_validate(one) for one in found.table],
+        references=[ReferenceGroupBody.model_validate(one) for one in found.references],
+        cars=[CarRunsBody.model_validate(one) for one in found.cars],
         heights=list(heights),
         paper=[PaperCarBody.model_validate(one) for one in TABLE_I],
         paper_note=NOTE,

@@ -6,14 +6,22 @@ speeds, lengths and gaps, the layout of the paper's Table I.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from typing import get_args
 
 import numpy as np
 
-from sightline.enums import ScanVehicleState
+from sightline.enums import (
+    KnownLength,
+    ReferenceQuantity,
+    ReferenceSource,
+    ScanDirection,
+    ScanVehicleState,
+)
 from sightline.linescan.rig import RigEstimate, alone, baseline_ratio
+from sightline.scans.references.records import MEASURED, UNITS, ReferenceValues
+from sightline.scans.references.service import LOOKED_AT, beside
 from sightline.statistics.distributions import (
     Density,
     Ecdf,
@@ -25,10 +33,13 @@ from sightline.statistics.distributions import (
     sorted_values,
 )
 from sightline.statistics.errors import ErrorGroup, error_table
+from sightline.statistics.references import ReferenceErrors, reference_errors
+from sightline.statistics.runs import Run, RunsTogether, runs_together
 
 #: Of a motion and of the gap before it, what the statistics use.
 MOTION = (
     "speed_mps",
+    "u_speed_mps",
     "acceleration_mps2",
     "length_m",
     "u_length_m",
@@ -46,7 +57,10 @@ class VehicleMotion:
     """A vehicle as the statistics see it: its standing motion, the gap before it, what is known of it.
 
     `state`: to_review, accepted, rejected, not_measurable; `measured`: it has a motion. `rig_*`: the baseline
-    that this motion was computed with. None where there is no value. `known`: the maker's sizes.
+    that this motion was computed with. None where there is no value. `known`: the maker's sizes. `since_s`,
+    `occupied_s`: when it reached camera 1 after line 0, and how long it stood before it; `rig_ratio`: what
+    the rig gives to every speed alike, a share of it (k = 1). `run_of`: the car of which it is one run;
+    `references`: what stands of what something else measured. `direction`: which camera it reached first.
     """
 
     vehicle_id: int
@@ -61,6 +75,40 @@ class VehicleMotion:
     rig_u_baseline_m: float = 0.0
     status: str = "ok"
     reason: str | None = None
+    since_s: float | None = None
+    occupied_s: float | None = None
+    u_filmed_at_s: float | None = None
+    rig_ratio: float = 0.0
+    run_of: str | None = None
+    references: tuple[ReferenceValues, ...] = ()
+    direction: ScanDirection | None = None
+    lane: str | None = None
+    axles: int | None = None
+
+
+@dataclass(frozen=True)
+class ReferenceGroup:
+    """The differences of a quantity from what one source says (None: from all sources), in `unit`."""
+
+    quantity: ReferenceQuantity
+    source: ReferenceSource | None
+    unit: str
+    errors: ReferenceErrors
+
+
+@dataclass(frozen=True)
+class CarRuns:
+    """The runs of one car in the order in which they stand in the survey, and what each size says together.
+
+    `speed_mean_mps`, `speed_sd_mps`: runs differ in speed, so that is told and not tested. `sizes` has no
+    wheelbase where none was clicked.
+    """
+
+    car: str
+    runs: tuple[Row, ...]
+    speed_mean_mps: float
+    speed_sd_mps: float | None
+    sizes: dict[KnownLength, RunsTogether]
 
 
 @dataclass(frozen=True, eq=False)
@@ -91,6 +139,7 @@ class Row:
     fit_error_percent: float | None
     status: str
     reason: str | None
+    references: tuple[ReferenceValues, ...] = ()
 
 
 @dataclass(frozen=True, eq=False)
@@ -105,6 +154,8 @@ class ScanStatistics:
     wheelbase_ratio: RigEstimate
     spreads: tuple[Spread, ...]
     table: tuple[Row, ...]
+    references: tuple[ReferenceGroup, ...]
+    cars: tuple[CarRuns, ...]
 
 
 def statistics_of_seen(found: Sequence[VehicleMotion], *, accepted_only: bool) -> ScanStatistics:
@@ -112,7 +163,7 @@ def statistics_of_seen(found: Sequence[VehicleMotion], *, accepted_only: bool) -
 
     A gap counts where the vehicle behind it does.
     """
-    chosen = [one for one in found if _counts(one, accepted_only)]
+    chosen = [one for one in found if counts(one, accepted_only)]
     states = [one.state for one in found]
     counted = {
         "vehicles": len(found),
@@ -131,6 +182,8 @@ def statistics_of_seen(found: Sequence[VehicleMotion], *, accepted_only: bool) -
             for name, unit in QUANTITIES.items()
         ),
         table=tuple(_row(one) for one in chosen),
+        references=tuple(_references(chosen)),
+        cars=tuple(_cars(chosen)),
     )
 
 
@@ -143,7 +196,8 @@ _NAMED = {
 }
 
 
-def _counts(one: VehicleMotion, accepted_only: bool) -> bool:
+def counts(one: VehicleMotion, accepted_only: bool) -> bool:
+    """Whether a vehicle's motion counts."""
     return one.measured and one.state in (("accepted",) if accepted_only else ("accepted", "to_review"))
 
 
@@ -211,5 +265,54 @@ def _row(one: VehicleMotion) -> Row:
         true_length_m=one.known.get("length_m"),
         status=one.status,
         reason=one.reason,
+        references=one.references,
         **{name: one.values.get(name) for name in motion},
     )
+
+
+def _references(chosen: Sequence[VehicleMotion]) -> Iterator[ReferenceGroup]:
+    """Quantity by quantity: each source that says something of it, then all together."""
+    for quantity in get_args(ReferenceQuantity):
+        found = [
+            (given.source, apart)
+            for one in chosen
+            for given in one.references
+            if given.quantity == quantity and (apart := beside(_compared(one), given)) is not None
+        ]
+        for source in (*get_args(ReferenceSource), None):
+            errors = reference_errors([apart for by, apart in found if source in (by, None)])
+            if errors is not None:
+                yield ReferenceGroup(quantity, source, UNITS[quantity], errors)
+
+
+def _compared(one: VehicleMotion) -> dict[str, float | str | None]:
+    return {**{name: one.values.get(name) for name in LOOKED_AT}, "status": one.status}
+
+
+def _cars(chosen: Sequence[VehicleMotion]) -> Iterator[CarRuns]:
+    """Every car of which there are runs, by name."""
+    by_name: dict[str, list[VehicleMotion]] = {}
+    for one in chosen:
+        if one.run_of:
+            by_name.setdefault(one.run_of, []).append(one)
+    for car, runs in sorted(by_name.items()):
+        speeds = np.array([one.values["speed_mps"] for one in runs], dtype=np.float64)
+        sizes = {size: runs_together(_runs(runs, MEASURED[size])) for size in get_args(KnownLength)}
+        yield CarRuns(
+            car=car,
+            runs=tuple(_row(one) for one in runs),
+            speed_mean_mps=float(speeds.mean()),
+            speed_sd_mps=float(speeds.std(ddof=1)) if len(runs) > 1 else None,
+            sizes={size: found for size, found in sizes.items() if found is not None},
+        )
+
+
+def _runs(found: Sequence[VehicleMotion], name: str) -> list[Run]:
+    """A size of each run; the baseline's part is one error for all runs with this baseline."""
+    out = []
+    for one in found:
+        value, u = one.values.get(name), one.values.get(f"u_{name}")
+        if value is not None and u is not None:
+            rig = one.rig_baseline_m, one.rig_u_baseline_m
+            out.append(Run(value, alone(value, u, *rig), value * rig[1] / rig[0], rig))
+    return out

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 
 from sightline.enums import ScanMethod
@@ -10,13 +11,21 @@ from sightline.infra.database import Session
 from sightline.infra.services import Services
 from sightline.infra.version import code_version
 from sightline.linescan.by_hand import seen_by_camera_2
-from sightline.linescan.parts import Crossings
+from sightline.linescan.parts import Crossings, Rig
+from sightline.linescan.rig import lane_named
 from sightline.scans.records import Scan, ScanValues, ScanVehicle, ScanVehicleChanges
 from sightline.scans.service import open_strips
-from sightline.scans.store import get_scan
-from sightline.scans.vehicles.measure import Readers, measured_at
-from sightline.scans.vehicles.measurement_store import append_scan_measurement
-from sightline.scans.vehicles.motion import values_of, wheels_of, with_wheels
+from sightline.scans.store import get_scan, rig_for
+from sightline.scans.vehicles.measure import Readers, measured_again, measured_at
+from sightline.scans.vehicles.measurement_store import append_scan_measurement, scan_measurement_history
+from sightline.scans.vehicles.motion import (
+    brought_back,
+    crossings_of,
+    lane_by_person,
+    values_of,
+    with_people,
+    with_wheels,
+)
 from sightline.scans.vehicles.store import (
     change_scan_vehicle,
     create_scan_vehicle,
@@ -40,6 +49,9 @@ def place_boundaries(
 ) -> None:
     """Measure a vehicle from boundaries that a person placed, as a new revision; its wheels stay.
 
+    The very boundaries of an earlier revision are that one's again: who found or placed them, their doubt,
+    and the motion itself where the rig, method and lane are the same.
+
     Raises NotFound, Conflict for another version, BadInput for boundaries that cannot be.
     """
     vehicle, scan = _seen(services, vehicle_id, version)
@@ -47,10 +59,19 @@ def place_boundaries(
     readers = open_strips(services, scan)
     _check(crossings, readers)
     chosen = method or (before.values.method if before else "direct")
-    motion = measured_at(crossings, scan.rig, chosen, readers)
-    values = values_of(motion, scan.rig, "boundaries", placed_by=actor)
+    with services.reading() as session:
+        back = brought_back(scan_measurement_history(session, vehicle_id, profile=True), crossings)
+    lane = lane_by_person(before)
+    if back is None:
+        motion = measured_at(crossings, scan.rig, chosen, readers, lane)
+        values = values_of(motion, scan.rig, "boundaries", placed_by=actor)
+    elif back.method == chosen and _as_now(back, scan.rig, lane):
+        values = replace(_own(back), cause="back", run_id=None)
+    else:
+        motion = measured_at(crossings, scan.rig, chosen, readers, lane, back.u_boundaries_m)
+        values = values_of(motion, scan.rig, "back", placed_by=back.placed_by)
     if before is not None:
-        values = with_wheels(values, wheels_of(before.values))
+        values = with_people(values, before.values)
     with services.writing() as session:
         append_scan_measurement(session, vehicle_id, values, version=version, actor=actor)
 
@@ -74,6 +95,63 @@ def place_wheels(
     made = replace(values, cause="wheels", placed_by=actor, run_id=None, code_version=code_version())
     with services.writing() as session:
         append_scan_measurement(session, vehicle_id, made, version=version, actor=actor)
+
+
+def place_axles(
+    services: Services, vehicle_id: int, lines: Sequence[float] | None, version: int, actor: int
+) -> None:
+    """The lines of all wheels' hubs in strip 1 as a person says, as a new revision; None: the machine's own.
+
+    Raises NotFound, Conflict for another version, BadInput for lines outside the vehicle or too many.
+    """
+    vehicle, scan = _seen(services, vehicle_id, version)
+    before = vehicle.measurement
+    if before is None or before.values.status != "ok":
+        raise BadInput("scans-axles-need-a-motion")
+    values = before.values
+    if lines is None:
+        readers = open_strips(services, scan)
+        motion = measured_again(before, scan.rig, values.method, readers)
+        found = None if motion.axle_lines is None else list(motion.axle_lines)
+        made = replace(values, axle_lines=found, axles_by=None if found is None else "machine")
+    else:
+        if not all(values.front_line_1 <= line <= values.rear_line_1 for line in lines):
+            raise BadInput("scans-axle-outside-vehicle")
+        made = replace(values, axle_lines=sorted(set(lines)), axles_by="person")
+    made = replace(made, cause="wheels", placed_by=actor, run_id=None, code_version=code_version())
+    with services.writing() as session:
+        append_scan_measurement(session, vehicle_id, made, version=version, actor=actor)
+
+
+def place_lane(services: Services, vehicle_id: int, lane: str | None, version: int, actor: int) -> None:
+    """Measure a vehicle in the lane that a person chose, as a new revision; None: the one the machine tells.
+
+    Boundaries, rig and lane of an earlier revision are that one's again.
+
+    Raises NotFound, Conflict for another version, BadInput for a lane that the rig does not have.
+    """
+    vehicle, scan = _seen(services, vehicle_id, version)
+    before = vehicle.measurement
+    if before is None:
+        raise BadInput("scans-lane-needs-boundaries")
+    if lane is not None and lane_named(scan.rig, lane) is None:
+        raise BadInput("scans-no-such-lane", lane=lane)
+    then, crossings = before.values, crossings_of(before.values)
+    with services.reading() as session:
+        history = scan_measurement_history(session, vehicle_id, profile=True)
+    same = [
+        one for one in history if _as_now(one.values, scan.rig, lane) and one.values.method == then.method
+    ]
+    back = brought_back(same, crossings)
+    if back is None:
+        readers = open_strips(services, scan)
+        motion = measured_at(crossings, scan.rig, then.method, readers, lane, then.u_boundaries_m)
+        values = values_of(motion, scan.rig, "lane", placed_by=actor)
+    else:
+        values = replace(_own(back), cause="back", run_id=None)
+    values = with_people(values, then)
+    with services.writing() as session:
+        append_scan_measurement(session, vehicle_id, values, version=version, actor=actor)
 
 
 def add_vehicle(
@@ -137,6 +215,14 @@ def fill_in(
         )
         changes = {**known, **changes}
     return change_scan_vehicle(session, vehicle_id, changes, version=version, actor=actor)
+
+
+def _as_now(values: ScanValues, rig: Rig, lane: str | None) -> bool:
+    """Whether a revision was measured with the rig as it is, in the lane that a person chose, or the
+    machine's where nobody did.
+    """
+    told = values.lane if values.lane_by == "person" else None
+    return values.rig == rig_for(rig, values.lane, values.direction) and told == lane
 
 
 def _seen(services: Services, vehicle_id: int, version: int) -> tuple[ScanVehicle, Scan]:

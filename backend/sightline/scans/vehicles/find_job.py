@@ -19,9 +19,9 @@ from sightline.linescan.rig import gain, misalignment
 from sightline.scans.records import Scan, ScanRunValues, ScanValues, ScanVehicle
 from sightline.scans.service import FIND, open_strips
 from sightline.scans.store import get_scan, rig_columns
-from sightline.scans.vehicles.measure import Readers, measured, measured_at
+from sightline.scans.vehicles.measure import Readers, measured, measured_again, measured_at
 from sightline.scans.vehicles.measurement_store import append_scan_measurements
-from sightline.scans.vehicles.motion import crossings_of, values_of, wheels_of, with_wheels
+from sightline.scans.vehicles.motion import lane_by_person, values_of, with_people
 from sightline.scans.vehicles.run_store import add_scan_run
 from sightline.scans.vehicles.store import (
     create_scan_vehicles,
@@ -32,7 +32,7 @@ from sightline.scans.vehicles.store import (
 SAME_SHARE = 0.5
 NEIGHBOURS = 4
 Report = Callable[[float, str], None]
-_LOOKING = "Looking for vehicles."
+_LOOKING = "Searching for vehicles."
 _AGAIN = "Measuring the known vehicles again."
 _NOT_COMPARED = ("cause", "run_id", "code_version", "placed_by")
 
@@ -119,12 +119,16 @@ def plan(
             discarded += 1
         elif there.id not in by_hand and there.id not in matched:
             matched.add(there.id)
+            chosen = lane_by_person(there.measurement)
+            if chosen is not None:
+                doubt = motion.u_boundaries_m
+                motion = measured_at(motion.crossings, rig, method, readers, chosen, doubt)
             plans.append(Planned(there, motion, "again"))
     again = [one for one in known if not one.deleted and one.id not in matched and one.measurement]
     for count, one in enumerate(again):
         report(0.9 + 0.09 * count / len(again), _AGAIN)
         assert one.measurement is not None
-        motion = measured_at(crossings_of(one.measurement.values), rig, method, readers)
+        motion = measured_again(one.measurement, rig, method, readers)
         plans.append(Planned(one, motion, "again"))
     return plans, discarded
 
@@ -151,7 +155,7 @@ def store(
             rig=rig_columns(rig),
             found=len(found.motions),
             measured=sum(one.status == "ok" for one in motions),
-            summary=_of_rig(motions),
+            summary=summary_of(motions),
             warnings=list(found.notes),
             code_version=code_version(),
         ),
@@ -176,7 +180,7 @@ def store(
         if current is None or current.version != one.vehicle.version or before is None:
             overtaken += 1
             continue
-        values = with_wheels(replace(values, placed_by=before.values.placed_by), wheels_of(before.values))
+        values = with_people(replace(values, placed_by=before.values.placed_by), before.values)
         if not _alike(values, before.values):
             again.append((one.vehicle.id, values))
     # all at once: whoever else writes waits for the end of this
@@ -226,7 +230,7 @@ def _alike(one: ScanValues, other: ScanValues) -> bool:
     return all(getattr(one, name) == getattr(other, name) for name in names)
 
 
-def _of_rig(motions: Sequence[Motion]) -> JsonObject:
+def summary_of(motions: Sequence[Motion]) -> JsonObject:
     """What the traffic says of the cameras."""
     shift, light = misalignment(motions), gain(motions)
     return {

@@ -2,27 +2,41 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
 
-from sightline.enums import JsonObject
 from sightline.infra.database import Session
-from sightline.linescan.parts import Gap
+from sightline.linescan.parts import Gap, Rig
+from sightline.scans.clock import Passing, ScanClock, passing_of
 from sightline.scans.records import Scan, ScanMeasurement, ScanReview, ScanVehicle
-from sightline.scans.store import get_scan, rig_columns
+from sightline.scans.references.records import StoredReference
+from sightline.scans.references.service import beside_ours
+from sightline.scans.references.store import standing_references, standing_references_of
+from sightline.scans.store import get_scan
 from sightline.scans.vehicles.measurement_store import scan_measurement_history
 from sightline.scans.vehicles.motion import gaps_of
 from sightline.scans.vehicles.review_store import scan_reviews_of_vehicle
 from sightline.scans.vehicles.store import get_scan_vehicle, list_scan_vehicles
+from sightline.statistics.references import Agreement
 
 
 @dataclass(frozen=True)
 class ShownVehicle:
-    """A vehicle with the gap before it (None: it is the first, or taken out)."""
+    """A vehicle with the gap before it (None: it is the first, or taken out) and when it passed (None: the
+    recording's start is not confirmed, or the vehicle was never measured). `references`: what stands of what
+    something else measured of it.
+    """
 
     vehicle: ScanVehicle
-    rig: JsonObject
+    rig: Rig
     gap: Gap | None
+    passing: Passing | None
+    references: tuple[StoredReference, ...] = ()
+
+    def agreement(self, one: StoredReference) -> Agreement | None:
+        """Our value against a reference; None where there is none."""
+        measured = self.vehicle.measurement
+        return beside_ours(None if measured is None else measured.values, one.values)
 
     @property
     def length_error_m(self) -> float | None:
@@ -49,14 +63,22 @@ class ShownDetail:
 
 def vehicles_of(session: Session, scan_id: int) -> list[ShownVehicle]:
     """The vehicles of a scan in the order in which they passed, each with the gap before it."""
-    return shown(get_scan(session, scan_id), list_scan_vehicles(session, scan_id))
+    return shown(
+        get_scan(session, scan_id),
+        list_scan_vehicles(session, scan_id),
+        standing_references(session, scan_id),
+    )
 
 
-def shown(scan: Scan, found: Sequence[ScanVehicle]) -> list[ShownVehicle]:
-    """The same for vehicles that are at hand, in the order in which they passed."""
-    rig = rig_columns(scan.rig)
+def shown(
+    scan: Scan, found: Sequence[ScanVehicle], references: Mapping[int, tuple[StoredReference, ...]]
+) -> list[ShownVehicle]:
+    """The same for vehicles that are at hand, in the order in which they passed; `references` by vehicle."""
     gaps = gaps_of(scan.rig, found)
-    return [ShownVehicle(vehicle, rig, gap) for vehicle, gap in zip(found, gaps, strict=True)]
+    return [
+        ShownVehicle(vehicle, scan.rig, gap, _passing(scan.clock, vehicle), references.get(vehicle.id, ()))
+        for vehicle, gap in zip(found, gaps, strict=True)
+    ]
 
 
 def one_of(session: Session, vehicle_id: int) -> ShownVehicle:
@@ -64,10 +86,10 @@ def one_of(session: Session, vehicle_id: int) -> ShownVehicle:
     vehicle = get_scan_vehicle(session, vehicle_id, deleted=True)
     scan = get_scan(session, vehicle.scan_id)
     if vehicle.deleted:
-        return ShownVehicle(vehicle, rig_columns(scan.rig), None)
-    neighbours = list_scan_vehicles(session, vehicle.scan_id)
-    by_id = {one.vehicle.id: one for one in shown(scan, neighbours)}
-    return ShownVehicle(vehicle, rig_columns(scan.rig), by_id[vehicle_id].gap)
+        passing, given = _passing(scan.clock, vehicle), standing_references_of(session, vehicle_id)
+        return ShownVehicle(vehicle, scan.rig, None, passing, given)
+    by_id = {one.vehicle.id: one for one in vehicles_of(session, vehicle.scan_id)}
+    return replace(by_id[vehicle_id], vehicle=vehicle)
 
 
 def detail_of(session: Session, vehicle_id: int) -> ShownDetail:
@@ -79,6 +101,13 @@ def detail_of(session: Session, vehicle_id: int) -> ShownDetail:
         scan_measurement_history(session, vehicle_id),
         scan_reviews_of_vehicle(session, vehicle_id),
     )
+
+
+def _passing(clock: ScanClock | None, vehicle: ScanVehicle) -> Passing | None:
+    if clock is None or vehicle.measurement is None:
+        return None
+    values = vehicle.measurement.values
+    return passing_of(clock, values.front_line_1, values.speed_mps, values.u_length_m, values.rig)
 
 
 def _difference(measured: float | None, true: float | None) -> float | None:

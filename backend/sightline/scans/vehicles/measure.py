@@ -2,36 +2,61 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 
 from sightline.enums import ScanMethod
 from sightline.linescan.by_hand import passage_at
 from sightline.linescan.methods import MEASURE
 from sightline.linescan.parts import Crossings, Motion, Passage, Rig
-from sightline.media.strips.notes import lost_lines
+from sightline.linescan.rig import at_lane, lane_named
+from sightline.media.strips.notes import Dropped, lost_lines
 from sightline.media.strips.stored_reader import StripReader
+from sightline.scans.records import ScanMeasurement
+from sightline.scans.vehicles.motion import crossings_of, lane_by_person
 
 Readers = tuple[StripReader, StripReader]
 
 
 def measured(passage: Passage, rig: Rig, method: ScanMethod, readers: Readers) -> Motion:
     """The motion of a vehicle; one during which lines were lost has its reason."""
-    return MEASURE[method](without_losses(passage, readers), rig)
+    return MEASURE[method](without_losses(passage, (readers[0].notes.dropped, readers[1].notes.dropped)), rig)
 
 
-def measured_at(crossings: Crossings, rig: Rig, method: ScanMethod, readers: Readers) -> Motion:
-    """The motion of the vehicle between these crossings, its pictures read from the strips."""
+def measured_at(
+    crossings: Crossings,
+    rig: Rig,
+    method: ScanMethod,
+    readers: Readers,
+    lane: str | None = None,
+    u_boundaries_m: float = 0.0,
+) -> Motion:
+    """The motion of the vehicle between these crossings, its pictures read from the strips.
+
+    `lane`: what a person said; a lane that the rig does not have is not believed. `u_boundaries_m`: of
+    boundaries that the machine found.
+    """
     first, second = readers
     passage = passage_at(crossings, rig, first.rows, (first.read, second.read))
-    return measured(passage, rig, method, readers)
+    passage = replace(passage, u_boundaries_m=u_boundaries_m)
+    if lane_named(rig, lane) is None:
+        return measured(passage, rig, method, readers)
+    motion = measured(passage, replace(at_lane(rig, lane), lanes=()), method, readers)
+    return replace(motion, lane=lane, lane_by="person")
 
 
-def without_losses(passage: Passage, readers: Readers) -> Passage:
-    """The passage, with a reason where the recorder lost lines while the vehicle passed."""
+def measured_again(before: ScanMeasurement, rig: Rig, method: ScanMethod, readers: Readers) -> Motion:
+    """The motion between boundaries that stand, in the lane that a person chose, if one did."""
+    values, lane = before.values, lane_by_person(before)
+    return measured_at(crossings_of(values), rig, method, readers, lane, values.u_boundaries_m)
+
+
+def without_losses(passage: Passage, dropped: Sequence[Sequence[Dropped]]) -> Passage:
+    """The passage, with a reason where the recorder lost lines of either camera while the vehicle passed."""
     windows = ((passage.start_1, passage.first), (passage.start_2, passage.second))
     lost = [
-        (camera, lost_lines(reader.notes.dropped, start, start + len(picture)))
-        for camera, (reader, (start, picture)) in enumerate(zip(readers, windows, strict=True), 1)
+        (camera, lost_lines(gaps, start, start + len(picture)))
+        for camera, (gaps, (start, picture)) in enumerate(zip(dropped, windows, strict=True), 1)
     ]
     said = [f"{count} lines of camera {camera}" for camera, count in lost if count]
     if not said or passage.reason:

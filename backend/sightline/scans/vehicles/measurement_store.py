@@ -21,6 +21,7 @@ _AT_ONCE = 500
 _TOLD = (
     "cause",
     "method",
+    "direction",
     "front_line_1",
     "rear_line_1",
     "front_line_2",
@@ -36,6 +37,12 @@ _TOLD = (
     "rear_wheel_line",
     "wheelbase_m",
     "u_wheelbase_m",
+    "axle_lines",
+    "axles_by",
+    "lane",
+    "lane_by",
+    "tyres_px",
+    "u_boundaries_m",
     "status",
     "reason",
 )
@@ -127,9 +134,11 @@ def get_scan_measurement(session: Session, measurement_id: int) -> ScanMeasureme
     return scan_measurement_of_row(row)
 
 
-def scan_measurement_history(session: Session, vehicle_id: int) -> tuple[ScanMeasurement, ...]:
-    """Every revision of a vehicle, oldest first, without profiles."""
-    query = scan_revision_rows(profile=False).where(scan_measurements.c.vehicle_id == vehicle_id)
+def scan_measurement_history(
+    session: Session, vehicle_id: int, *, profile: bool = False
+) -> tuple[ScanMeasurement, ...]:
+    """Every revision of a vehicle, oldest first, without profiles unless asked for."""
+    query = scan_revision_rows(profile=profile).where(scan_measurements.c.vehicle_id == vehicle_id)
     rows = session.execute(query.order_by(scan_measurements.c.revision)).mappings()
     return tuple(scan_measurement_of_row(row) for row in rows)
 

@@ -7,11 +7,11 @@ from dataclasses import asdict, replace
 
 from sightline.enums import Cause, JsonObject
 from sightline.infra.version import code_version
-from sightline.linescan.gaps import gaps
+from sightline.linescan.gaps import NONE_BEFORE, gaps
 from sightline.linescan.parts import Crossings, Entry, Gap, Motion, Rig
-from sightline.linescan.rig import wheelbase
-from sightline.scans.records import ScanValues, ScanVehicle
-from sightline.scans.store import rig_columns
+from sightline.linescan.rig import rig_from, wheelbase
+from sightline.scans.records import ScanMeasurement, ScanValues, ScanVehicle
+from sightline.scans.store import rig_for
 
 _NUMBERS = (
     "speed_mps",
@@ -36,13 +36,14 @@ def values_of(
     placed_by: int | None = None,
     run_id: int | None = None,
 ) -> ScanValues:
-    """A motion as it is stored, with the rig that it was computed with; no wheels yet."""
+    """A motion as it is stored, with the scan's rig as it is at its lane; no wheels yet."""
     return ScanValues(
         cause=cause,
         placed_by=placed_by,
         run_id=run_id,
         method=motion.method,
-        rig=rig_columns(rig),
+        rig=rig_for(rig, motion.lane, motion.crossings.direction),
+        direction=motion.crossings.direction,
         front_line_1=float(motion.crossings.front_line_1),
         rear_line_1=float(motion.crossings.rear_line_1),
         front_line_2=float(motion.crossings.front_line_2),
@@ -52,6 +53,12 @@ def values_of(
         rear_wheel_line=None,
         wheelbase_m=None,
         u_wheelbase_m=None,
+        axle_lines=None if motion.axle_lines is None else [float(line) for line in motion.axle_lines],
+        axles_by=None if motion.axle_lines is None else "machine",
+        lane=motion.lane,
+        lane_by=motion.lane_by,
+        tyres_px=_number(motion.tyres_px),
+        u_boundaries_m=float(motion.u_boundaries_m),
         status=motion.status,
         reason=motion.reason,
         budget=[asdict(entry) for entry in motion.budget],
@@ -68,6 +75,10 @@ def motion_of(values: ScanValues) -> Motion:
         crossings=crossings_of(values),
         status=values.status,
         reason=values.reason,
+        lane=values.lane,
+        lane_by=values.lane_by,
+        tyres_px=values.tyres_px,
+        u_boundaries_m=values.u_boundaries_m,
         budget=tuple(Entry(**entry) for entry in values.budget),
         **{name: getattr(values, name) for name in _NUMBERS},
     )
@@ -100,6 +111,24 @@ def with_wheels(values: ScanValues, lines: tuple[float, float] | None) -> ScanVa
     )
 
 
+def with_people(values: ScanValues, before: ScanValues) -> ScanValues:
+    """A new revision with what people had clicked of the one before: both wheels, and corrected axles."""
+    kept = with_wheels(values, wheels_of(before))
+    if before.axles_by != "person":
+        return kept
+    return replace(kept, axle_lines=before.axle_lines, axles_by="person")
+
+
+def brought_back(history: Sequence[ScanMeasurement], crossings: Crossings) -> ScanValues | None:
+    """The newest revision with these very boundaries, `history` oldest first; None where none had them."""
+    return next((one.values for one in reversed(history) if crossings_of(one.values) == crossings), None)
+
+
+def lane_by_person(measured: ScanMeasurement | None) -> str | None:
+    """The lane that a person chose of a vehicle; None where the machine is to tell."""
+    return measured.values.lane if measured is not None and measured.values.lane_by == "person" else None
+
+
 def wheels_of(values: ScanValues) -> tuple[float, float] | None:
     """The lines of both wheels, where a person clicked them."""
     if values.front_wheel_line is None or values.rear_wheel_line is None:
@@ -109,15 +138,16 @@ def wheels_of(values: ScanValues) -> tuple[float, float] | None:
 
 def rig_of(document: JsonObject) -> Rig:
     """The rig of a stored revision."""
-    return Rig(**document)
+    return rig_from(document)
 
 
 def gaps_of(rig: Rig, found: Sequence[ScanVehicle]) -> list[Gap | None]:
-    """The gap before each vehicle, in the order of the vehicles; None for the first and the unmeasured."""
+    """The gap before each vehicle, in the order of the vehicles; None for the first of its direction and
+    lane, and for the unmeasured.
+    """
     measured = [one.measurement.values for one in found if one.measurement is not None]
     told = gaps([(crossings_of(values), motion_of(values)) for values in measured], rig)
-    before: list[Gap | None] = [None, *told[1:]]
-    after = iter(before)
+    after = iter(None if one.reason == NONE_BEFORE else one for one in told)
     return [None if one.measurement is None else next(after) for one in found]
 
 

@@ -11,7 +11,9 @@ from sightline.infra.web.deps import Operator, PathId, Reading, Reviewer, Viewer
 from sightline.infra.web.pictures import JPEG, jpeg_once
 from sightline.linescan.parts import Crossings
 from sightline.scans.bodies import (
+    AxlesIn,
     BoundariesIn,
+    LaneIn,
     NewScanReview,
     NewScanVehicle,
     ScanFacts,
@@ -79,6 +81,20 @@ def place_wheels(vehicle_id: PathId, body: WheelsIn, who: Operator, services: Wi
     elif body.front_wheel_line is not None or body.rear_wheel_line is not None:
         raise BadInput("scans-wheelbase-needs-both-wheels-send-both")
     edits.place_wheels(services, vehicle_id, lines, body.version, who.id)
+    return _answer(services, vehicle_id, who.id)
+
+
+@router.put("/scan-vehicles/{vehicle_id}/axles")
+def place_axles(vehicle_id: PathId, body: AxlesIn, who: Operator, services: Wired) -> ScanVehicleBody:
+    """All wheels' hubs in strip 1 as a person sees them: a new revision; null looks for them again."""
+    edits.place_axles(services, vehicle_id, body.axle_lines, body.version, who.id)
+    return _answer(services, vehicle_id, who.id)
+
+
+@router.put("/scan-vehicles/{vehicle_id}/lane")
+def place_lane(vehicle_id: PathId, body: LaneIn, who: Operator, services: Wired) -> ScanVehicleBody:
+    """Measure again in the lane that a person chose: a new revision; null leaves it to the program."""
+    edits.place_lane(services, vehicle_id, body.lane, body.version, who.id)
     return _answer(services, vehicle_id, who.id)
 
 

@@ -28,11 +28,6 @@ def add_scan_run(
     return list_where(session, scan_runs.c.id == row_id)[0]
 
 
-def list_for_scan(session: Session, scan_id: int) -> tuple[ScanRun, ...]:
-    """The runs over a scan, oldest first."""
-    return list_where(session, scan_runs.c.scan_id == scan_id)
-
-
 def latest_scan_runs(session: Session, scan_ids: Sequence[int]) -> dict[int, ScanRun]:
     """The newest run over each scan, by scan."""
     if not scan_ids:

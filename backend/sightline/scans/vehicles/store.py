@@ -1,13 +1,14 @@
 """Vehicles of a scan. Their state follows from their measurements and is never stored."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import replace
+from functools import cache
 from typing import Any
 
 from sqlalchemy import ColumnElement, func, select
 from sqlalchemy.orm import Session
 
-from sightline.enums import JsonObject, VehicleOrigin
+from sightline.enums import JsonObject, ScanDirection, VehicleOrigin
 from sightline.errors import BadInput, Conflict
 from sightline.infra.audit import trail
 from sightline.infra.database.rows import add_rows, change_row, get_row, last_change, missing
@@ -19,6 +20,7 @@ from sightline.scans.tables import scan_measurements, scan_vehicles, scans
 _ALIVE: ColumnElement[bool] = scan_vehicles.c.deleted_at.is_(None)
 _FIELDS = frozenset(ScanVehicleChanges.__annotations__)
 _LENGTHS = ("true_length_m", "u_true_length_m", "true_wheelbase_m", "u_true_wheelbase_m")
+RigFor = Callable[[str | None, ScanDirection], JsonObject]
 
 
 def create_scan_vehicle(
@@ -73,34 +75,54 @@ def list_scan_vehicles(session: Session, scan_id: int, *, deleted: bool = False)
     return _fetch(session, scan_vehicles.c.scan_id == scan_id, deleted=deleted)
 
 
+def last_scan_vehicles(session: Session, scan_id: int, count: int) -> tuple[ScanVehicle, ...]:
+    """Those of a scan that came last, in the order in which they passed."""
+    newest = select(func.max(scan_vehicles.c.number)).where(scan_vehicles.c.scan_id == scan_id)
+    late = scan_vehicles.c.number > newest.scalar_subquery() - count
+    return _fetch(session, (scan_vehicles.c.scan_id == scan_id) & late)
+
+
 def list_survey_scan_vehicles(session: Session, survey_id: int) -> tuple[ScanVehicle, ...]:
     """The vehicles of all scans of a survey, scan by scan in the order in which they passed."""
     return _fetch(session, scan_vehicles.c.survey_id == survey_id)
 
 
-def counts_of_scans(session: Session, rigs: Mapping[int, JsonObject]) -> dict[int, ScanCounts]:
-    """How many vehicles each scan has by state, and how many were measured with another rig than its own."""
+def counts_of_scans(session: Session, rigs: Mapping[int, RigFor]) -> dict[int, ScanCounts]:
+    """How many vehicles each scan has by state, and how many were measured with another rig than its own.
+
+    `rigs`: what tells a scan's rig, as it is stored, for a lane and direction.
+    """
     if not rigs:
         return {}
     counted: dict[int, dict[str, int]] = {}
+
     # As text: a stored document is compared as it stands, thousands of them at a time.
-    own = {scan_id: document_text(rig) for scan_id, rig in rigs.items()}
-    for scan_id, status, verdict, rig in session.execute(
+    @cache
+    def own(scan_id: int, lane: str | None, way: ScanDirection) -> str:
+        return document_text(rigs[scan_id](lane, way))
+
+    for scan_id, status, verdict, rig, lane, way in session.execute(
         scan_vehicle_states(scan_vehicles.c.scan_id.in_(rigs))
     ):
         counts = counted.setdefault(scan_id, dict.fromkeys(ScanCounts.__slots__, 0))
         counts["vehicles"] += 1
         counts[state_of(status, verdict)] += 1
-        counts["older"] += status is not None and rig != own[scan_id]
+        counts["older"] += status is not None and rig != own(scan_id, lane, way)
     return {scan_id: replace(ScanCounts(), **counts) for scan_id, counts in counted.items()}
 
 
 def scan_vehicles_placed_by_hand(session: Session, scan_id: int) -> frozenset[int]:
-    """The vehicles whose boundaries a person placed; no search moves those."""
-    query = select(scan_measurements.c.vehicle_id).where(
-        scan_measurements.c.scan_id == scan_id, scan_measurements.c.cause.in_(("boundaries", "added"))
+    """The vehicles whose boundaries a person placed; no search moves those, but boundaries that were found
+    and brought back.
+    """
+    query = (
+        select(scan_measurements.c.vehicle_id, scan_measurements.c.cause, scan_measurements.c.placed_by)
+        .where(scan_measurements.c.scan_id == scan_id)
+        .where(scan_measurements.c.cause.in_(("boundaries", "added", "back")))
+        .order_by(scan_measurements.c.revision)
     )
-    return frozenset(session.execute(query).scalars())
+    last = {vehicle_id: (cause, by) for vehicle_id, cause, by in session.execute(query)}
+    return frozenset(id_ for id_, (cause, by) in last.items() if cause != "back" or by is not None)
 
 
 def scan_vehicle_added_at(
@@ -187,6 +209,8 @@ def _checked(fields: Mapping[str, Any]) -> dict[str, Any]:
         least = 0.0 if name.startswith("u_") else 1e-3
         if value is not None and not least <= value <= 100:
             raise BadInput("scans-m-cannot-used-give-metres-4", name=name, value=format(value, "g"))
+    if "run_of" in values:
+        values["run_of"] = (values["run_of"] or "").strip() or None
     return values
 
 

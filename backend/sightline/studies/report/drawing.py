@@ -11,6 +11,7 @@ from sightline.enums import LengthUnit
 from sightline.export.report import marks
 from sightline.export.report.canvas import FULL, INK, Drawing, svg
 from sightline.export.report.marks import MAIN, RAW, Limit
+from sightline.export.report.said import said, told
 from sightline.export.report.units import HEIGHT, limit
 from sightline.export.report.words import TARGETS
 from sightline.statistics.standards import Standard
@@ -22,7 +23,7 @@ _REACH_M = 0.15  # so far beyond the heights a standard is still drawn
 def curve_drawing(curve: Curve, standards: Sequence[Standard], unit: LengthUnit) -> Drawing:
     """Percentiles of true heights with their total intervals; dashed: with random error left in."""
     scale, word = HEIGHT[unit], TARGETS[curve.target]
-    title = f"True heights of the {word}, cumulative"
+    title = said("report-fig-true", target=word)
     share = [one.percent for one in curve.points]
     value = scale.factor * np.array([one.value for one in curve.points])
     raw = scale.factor * np.array([one.raw for one in curve.points])
@@ -34,11 +35,11 @@ def curve_drawing(curve: Curve, standards: Sequence[Standard], unit: LengthUnit)
             high = scale.factor * np.array([one.U95_high for one in known])
             at = [one.percent for one in known]
             axes.fill_betweenx(at, low, high, color=INK, alpha=0.13, linewidth=0)
-        axes.plot(raw, share, label="random error left in", **RAW.line())
-        axes.plot(value, share, label="true heights", **MAIN.line())
+        axes.plot(raw, share, label=said("report-fig-error-left-in"), **RAW.line())
+        axes.plot(value, share, label=said("report-fig-true-curve"), **MAIN.line())
         axes.set(
-            xlabel=f"Height of the {word} above the road ({scale.sign})",
-            ylabel="Share of vehicles (%)",
+            xlabel=said("report-fig-height-above", target=word, unit=scale.sign),
+            ylabel=said("report-fig-share"),
             ylim=(0, 100),
         )
         axes.margins(x=0.02)
@@ -49,11 +50,7 @@ def curve_drawing(curve: Curve, standards: Sequence[Standard], unit: LengthUnit)
         marks.limits(axes, limits)
         axes.legend(loc="lower right")
 
-    caption = (
-        "Solid: true heights, weighted to the fleet where one was given; the band joins the total 95 % "
-        "intervals of the percentiles. Dashed: random error left in."
-    )
-    return Drawing(svg(draw, title, FULL), title, caption)
+    return Drawing(svg(draw, title, FULL), title, said("report-fig-true-caption"))
 
 
 def _limits(curve: Curve, standards: Sequence[Standard], unit: LengthUnit) -> list[Limit]:
@@ -62,7 +59,7 @@ def _limits(curve: Curve, standards: Sequence[Standard], unit: LengthUnit) -> li
     names: dict[float, list[str]] = {}
     for one in standards:
         if low <= one.height_m <= high:
-            names.setdefault(one.height_m, []).append(one.name)
+            names.setdefault(one.height_m, []).append(told(one.name))
     return [
         Limit(HEIGHT[unit].factor * at, f"{', '.join(of)} {limit(at, unit)}")
         for at, of in sorted(names.items())

@@ -9,13 +9,15 @@ from collections.abc import Mapping, Sequence
 from datetime import datetime
 from pathlib import Path
 
+from sightline import messages
 from sightline.enums import ComparisonVerdict, LengthUnit, StatisticsTarget
 from sightline.export.report.pictures import Pictures
 from sightline.export.report.report import set_pdf, templates, values_json
 from sightline.export.report.results import rule_values
+from sightline.export.report.said import Called, said, speaking, told
 from sightline.export.report.settable import Json, Values
 from sightline.export.report.setup import moment
-from sightline.export.report.units import HEIGHT, SMALL, Scale, fixed, unit_words
+from sightline.export.report.units import HEIGHT, SMALL, Scale, decimal, fixed, unit_words
 from sightline.export.report.words import GROUPS, TARGETS, group_word
 from sightline.results.standards_store import joined_standards
 from sightline.results.survey_statistics import standards_of
@@ -40,16 +42,32 @@ _GLANCE = (5.0, 10.0, 50.0, 85.0, 95.0)
 _COMPARED = (10.0, 50.0)  # of years, on the first pages; all stand in the package
 _SHORT = 60
 _PER_CENT = Scale(100.0, "%", 1)
-_VERDICTS: dict[ComparisonVerdict | None, str] = {
-    "higher": "higher: more than noise",
-    "lower": "lower: more than noise",
-    "not_told_apart": "not told apart",
-    None: "no interval",
+_MARGINS = Called(
+    {
+        "category": "report-by-category",
+        "lighting": "report-by-lighting",
+        "stratum": "report-by-stratum",
+        "site": "report-by-site",
+    }
+)
+_VERDICTS_KEYS: dict[ComparisonVerdict, str] = {
+    "higher": "report-more-higher",
+    "lower": "report-more-lower",
+    "not_told_apart": "report-not-told-apart",
 }
+_VERDICTS = Called(_VERDICTS_KEYS)
 
 
-def study_report(stored: StoredStudy, found: Computed, sha256: str, as_of: datetime) -> bytes:
-    """The report as PDF; the same figures give the same bytes. sha256: of the study's package."""
+def study_report(
+    stored: StoredStudy, found: Computed, sha256: str, as_of: datetime, language: str = messages.SOURCE
+) -> bytes:
+    """The report as PDF in a language; the same figures give the same bytes. sha256: of the package."""
+    with speaking(language):
+        return set_pdf(_sources(stored, found, sha256, as_of), as_of)
+
+
+def _sources(stored: StoredStudy, found: Computed, sha256: str, as_of: datetime) -> dict[str, bytes]:
+    """The files that Typst compiles."""
     pictures = Pictures(
         {
             curve.target: curve_drawing(curve, standards_of(_standards(found.study), curve.target), _UNIT)
@@ -57,7 +75,7 @@ def study_report(stored: StoredStudy, found: Computed, sha256: str, as_of: datet
         }
     )
     values = values_json(_values(stored, found, sha256, as_of, pictures))
-    return set_pdf({**templates(_FOLDER, _FIRST), "values.json": values, **pictures.files}, as_of)
+    return {**templates(_FOLDER, _FIRST), "values.json": values, **pictures.files}
 
 
 def _standards(study: Study) -> tuple[Standard, ...]:
@@ -84,11 +102,11 @@ def _values(stored: StoredStudy, found: Computed, sha256: str, as_of: datetime, 
         "glance": [fixed(at, 0) for at in _GLANCE],
         "targets": [_target(one, pictures) for one in study.targets if one.n],
         "rules": [rule_values(one.rule, HEIGHT[_UNIT], SMALL[_UNIT]) for one in study.rules if one.rule.n],
-        "consequence": consequence([one.rule for one in study.rules], _UNIT),
+        "consequence": consequence(study.rules, _UNIT),
         "years": [_year(one) for one in study.years if one.percent in (None, *_COMPARED)],
         "errors": _errors(study.errors),
         "surveys": _surveys(stored, study),
-        "notes": study.notes,
+        "notes": [told(one) for one in study.notes],
         "classes": [
             {
                 "category": group_word("category", one.category),
@@ -110,7 +128,7 @@ def _fleet(stored: StoredStudy) -> str | None:
     fleet = plan_of(stored.facts).fleet
     if fleet is None:
         return None
-    return f"to the fleet’s shares by {', '.join(fleet.margins)}, as its table gives them"
+    return said("report-fleet-by", margins=", ".join(_MARGINS[one] for one in fleet.margins))
 
 
 def _surveys(stored: StoredStudy, study: Study) -> list[Json]:
@@ -147,11 +165,11 @@ def _target(one: TargetFigures, pictures: Pictures) -> Values:
         "name": TARGETS[one.target],
         "n": one.n,
         "sites": str(one.sites),
-        "reason": one.reason,
+        "reason": told(one.reason or "") or None,
         "glance": [_figure(at.get(percent), scale) for percent in _GLANCE],
         "mean": _figure(one.mean, scale),
         "rows": _rows(one),
-        "figure": next(iter(pictures.figures([one.target])), "No distribution can be drawn."),
+        "figure": next(iter(pictures.figures([one.target])), said("report-no-distribution")),
     }
 
 
@@ -161,10 +179,14 @@ def _rows(one: TargetFigures) -> list[Json]:
         return []
     scale = HEIGHT[_UNIT]
     named: list[tuple[str, StudyFigure | StudyPercentile, str | None]] = [
-        (f"P{found.percent:g}", found, scale.number(found.raw)) for found in one.percentiles
+        (decimal(f"P{found.percent:g}"), found, scale.number(found.raw)) for found in one.percentiles
     ]
     rows: list[Json] = []
-    for name, figure, raw in [*named, ("Mean", one.mean, None), ("SD", one.sd, None)]:
+    for name, figure, raw in [
+        *named,
+        (said("report-mean"), one.mean, None),
+        (said("report-sd"), one.sd, None),
+    ]:
         effect = figure.effect
         effective = one.n / effect if effect else None
         rows.append(
@@ -187,16 +209,22 @@ def _year(one: YearDifference) -> Values:
             "low": small.number(one.U95_low, signed=True),
             "high": small.number(one.U95_high, signed=True),
         }
-    figure = "mean" if one.percent is None else f"P{one.percent:g}"
-    reason = one.reason if one.verdict is None else None
+    figure = said("report-figure-mean") if one.percent is None else decimal(f"P{one.percent:g}")
     return {
-        "figure": f"{TARGETS[one.target]}, {figure}",
-        "years": f"{one.first_year} to {one.second_year}",
+        "figure": said("report-year-figure", target=TARGETS[one.target], figure=figure),
+        "years": said("report-between", low=str(one.first_year), high=str(one.second_year)),
         "n": f"{one.n_first}, {one.n_second}",
         "value": small.number(one.value, signed=True),
         "ci95": ends,
-        "verdict": _VERDICTS[one.verdict] + (f" ({reason})" if reason else ""),
+        "verdict": _year_verdict(one),
     }
+
+
+def _year_verdict(one: YearDifference) -> str:
+    if one.verdict is not None:
+        return _VERDICTS[one.verdict]
+    none = said("report-year-no-interval")
+    return said("report-verdict-why", verdict=none, reason=told(one.reason)) if one.reason else none
 
 
 def _errors(errors: Sequence[ErrorFigure]) -> list[Json]:
@@ -215,7 +243,7 @@ def _plan(plans: Sequence[PlannedStudy], targets: Sequence[StatisticsTarget]) ->
         {
             "sites": sites,
             "vehicles": [
-                "no number" if (needed := by.get((sites, target))) is None else fixed(needed, 0)
+                said("report-no-number") if (needed := by.get((sites, target))) is None else fixed(needed, 0)
                 for target in targets
             ],
         }

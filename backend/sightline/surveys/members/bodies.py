@@ -1,7 +1,11 @@
 """Members of a survey as they come in and go out."""
 
-from sightline.enums import SurveyRole
-from sightline.infra.web.bodies import In, Out
+from typing import Annotated
+
+from pydantic import Field
+
+from sightline.enums import Role, SurveyRole
+from sightline.infra.web.bodies import In, Out, example
 
 
 class MemberBody(Out):
@@ -9,6 +13,9 @@ class MemberBody(Out):
     name: str
     role: SurveyRole
     active: bool
+    account_role: Annotated[
+        Role, Field(description="An administrator's role in a survey changes nothing: they do everything.")
+    ]
 
 
 class MembersBody(Out):
@@ -17,6 +24,8 @@ class MembersBody(Out):
 
 
 class MemberRole(In):
+    model_config = example(role="operator")
+
     role: SurveyRole
 
 

@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from sightline.enums import SurveyRole
+from sightline.enums import Role, SurveyRole
 
 
 @dataclass(frozen=True, slots=True)
@@ -13,3 +13,13 @@ class Member:
     name: str
     role: SurveyRole
     active: bool
+    account_role: Role
+
+
+@dataclass(frozen=True, slots=True)
+class Candidate:
+    """A person who may be made a member, and the role of their account."""
+
+    id: int
+    name: str
+    account_role: Role

@@ -2,11 +2,11 @@
 
 from fastapi import APIRouter, Request
 
-from sightline.infra.audit.records import Who
 from sightline.infra.database import Session
 from sightline.infra.web.deps import Manager, PathId, Reading, Viewer, Wired, access_of
 from sightline.surveys.members import store
 from sightline.surveys.members.bodies import MemberBody, MemberRole, MembersBody, Openness
+from sightline.surveys.members.records import Candidate
 from sightline.surveys.store import get_survey
 
 router = APIRouter()
@@ -26,7 +26,7 @@ def list_members(survey_id: PathId, who: Viewer, session: Reading) -> MembersBod
 
 
 @router.get("/surveys/{survey_id}/members/others")
-def list_others(survey_id: PathId, who: Manager, session: Reading) -> tuple[Who, ...]:
+def list_others(survey_id: PathId, who: Manager, session: Reading) -> tuple[Candidate, ...]:
     """Whom a manager may add."""
     return store.list_others(session, survey_id)
 

@@ -3,20 +3,19 @@
 from collections.abc import Collection
 from typing import Any, get_args
 
-from sqlalchemy import ColumnElement, FromClause, and_, delete, or_, select
+from sqlalchemy import ColumnElement, FromClause, and_, delete, null, or_, select
 from sqlalchemy import update as sql_update
 from sqlalchemy.orm import Session
 
 from sightline.enums import ActingRole, SurveyRole
 from sightline.errors import BadInput, Conflict
 from sightline.infra.audit import trail
-from sightline.infra.audit.records import Who
 from sightline.infra.database.people import people
 from sightline.infra.database.rows import add_row, change_row, get_row, missing
 from sightline.infra.database.types import metadata
 from sightline.infra.slices import load_tables
 from sightline.infra.web.person import Person, Seen
-from sightline.surveys.members.records import Member
+from sightline.surveys.members.records import Candidate, Member
 from sightline.surveys.members.tables import survey_members
 from sightline.surveys.tables import surveys
 
@@ -32,6 +31,17 @@ def seen_surveys(session: Session, person: Person) -> Seen:
     return frozenset(session.execute(query).scalars())
 
 
+def seen_studies(session: Session, person: Person) -> Seen:
+    """The studies that a person sees, by the same rule; None for all (an admin)."""
+    if person.role == "admin":
+        return None
+    load_tables()
+    studies, belongs = metadata.tables["studies"].c, metadata.tables["study_members"].c
+    mine = select(belongs.study_id).where(belongs.person_id == person.id)
+    query = select(studies.id).where(or_(studies.open_to_all, studies.id.in_(mine)))
+    return frozenset(session.execute(query).scalars())
+
+
 def role_in_survey(session: Session, person: Person, survey_id: int) -> ActingRole | None:
     """What a person is in a survey; None where they do not see it, or where there is none."""
     return roles_by_thing(session, person, "surveys", [survey_id]).get(survey_id)
@@ -42,25 +52,36 @@ def roles_by_thing(
 ) -> dict[int, ActingRole]:
     """What a person is in the survey of each row of a table, by the row's id; left out: what they do not see.
 
-    A row of no survey (a job of the installation) is met with the role of the account. One statement.
+    A row of no survey (a job of the installation) is met with the role of the account, one of a study (its
+    job) so by who sees the study. One statement, two where there are rows of studies.
     """
     load_tables()
     row = metadata.tables[table]
     belongs = _survey_of(row)
     mine = and_(_m.survey_id == surveys.c.id, _m.person_id == person.id)
     query = (
-        select(row.c.id, belongs.label("survey_id"), surveys.c.open_to_all, _m.role)
+        select(row.c.id, belongs.label("survey_id"), surveys.c.open_to_all, _m.role, _study_of(row))
         .select_from(row if row is surveys else row.outerjoin(surveys, surveys.c.id == belongs))
         .outerjoin(survey_members, mine)
         .where(row.c.id.in_(ids))
     )
     found: dict[int, ActingRole] = {}
-    for id_, survey_id, open_to_all, role in session.execute(query):
+    rows = session.execute(query).all()
+    studies = seen_studies(session, person) if any(row.study_id is not None for row in rows) else None
+    for id_, survey_id, open_to_all, role, study_id in rows:
+        if studies is not None and study_id is not None and study_id not in studies:
+            continue
         if survey_id is None or person.role == "admin" or (role is None and open_to_all):
             found[id_] = person.role
         elif role is not None:
             found[id_] = role
     return found
+
+
+def _study_of(row: FromClause) -> ColumnElement[int | None]:
+    """The study of a table's rows, for those that may be of one."""
+    own: ColumnElement[Any] = row.c.get("study_id", null())
+    return own.label("study_id")
 
 
 def _survey_of(row: FromClause) -> ColumnElement[int]:
@@ -77,7 +98,7 @@ def _survey_of(row: FromClause) -> ColumnElement[int]:
 def list_members(session: Session, survey_id: int) -> tuple[Member, ...]:
     """Who belongs to a survey, by name."""
     query = (
-        select(people.c.id, people.c.name, _m.role, people.c.active)
+        select(people.c.id, people.c.name, _m.role, people.c.active, people.c.role)
         .join(people, people.c.id == _m.person_id)
         .where(_m.survey_id == survey_id)
         .order_by(people.c.name, people.c.id)
@@ -85,11 +106,12 @@ def list_members(session: Session, survey_id: int) -> tuple[Member, ...]:
     return tuple(Member(*row) for row in session.execute(query))
 
 
-def list_others(session: Session, survey_id: int) -> tuple[Who, ...]:
+def list_others(session: Session, survey_id: int) -> tuple[Candidate, ...]:
     """Whom a manager may add: people with an account in use who do not belong to the survey, by name."""
     inside = select(_m.person_id).where(_m.survey_id == survey_id)
-    query = select(people.c.id, people.c.name).where(people.c.active, people.c.id.not_in(inside))
-    return tuple(Who(*row) for row in session.execute(query.order_by(people.c.name, people.c.id)))
+    query = select(people.c.id, people.c.name, people.c.role)
+    query = query.where(people.c.active, people.c.id.not_in(inside))
+    return tuple(Candidate(*row) for row in session.execute(query.order_by(people.c.name, people.c.id)))
 
 
 def put_member(

@@ -7,8 +7,9 @@ from fastapi import APIRouter, Form, Query, Request, Response, UploadFile
 from pydantic import Field
 
 from sightline.infra.audit.records import Who
-from sightline.infra.web.bodies import Id, In, Out
+from sightline.infra.web.bodies import In, Out
 from sightline.infra.web.deps import Operator, PathId, Reading, Viewer, Wired, Writing
+from sightline.infra.web.named import PhotographId
 from sightline.infra.web.pictures import JPEG, jpeg_once
 from sightline.infra.web.uploaded import clean_name, whole_file
 from sightline.surveys.photographs import service, store
@@ -44,7 +45,9 @@ class CaptionIn(In):
 
 
 class OrderIn(In):
-    ids: list[Id] = Field(max_length=MOST_PHOTOGRAPHS, description="Every photograph once, first one first.")
+    ids: list[PhotographId] = Field(
+        max_length=MOST_PHOTOGRAPHS, description="Every photograph once, first one first."
+    )
 
 
 def body_of(one: Photograph) -> PhotographBody:

@@ -6,12 +6,10 @@ unit is doubtful: lengths in feet that pass for metres are wrong numbers that lo
 
 from __future__ import annotations
 
-import csv
-import io
 import re
 from collections import Counter
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, replace
 from functools import partial
 from statistics import median
 from typing import Any, cast, get_args
@@ -19,6 +17,7 @@ from typing import Any, cast, get_args
 from sightline.enums import CatalogueChange, Category, ModelSize, OnConflict, SizeUnit
 from sightline.errors import BadInput
 from sightline.infra.database import Session
+from sightline.infra.given_csv import Lines, given_number, read_given_csv, undefused
 from sightline.messages import Value, say
 from sightline.vehicles.catalogue.records import (
     SIZES,
@@ -33,6 +32,7 @@ from sightline.vehicles.catalogue.store import (
     METRES,
     UNIT_WORDS,
     Key,
+    changes,
     import_catalogue_rows,
     key_of,
     known_models,
@@ -121,13 +121,16 @@ def import_csv(
 
 
 def _planned(session: Session, data: bytes, name: str, choices: Choices) -> _Planned:
-    header, lines = _table(data, name)
-    columns = _columns(header, lines, name, choices)
+    header, lines = read_given_csv(data, name, MOST_BYTES)
+    columns = _columns(header, lines, choices)
     known = known_models(session)
     sorter = _Sorter(known, choices.on_conflict)
-    for line, cells in lines:
+    missing = _missing(columns, name)
+    for line, cells in () if missing else lines:
         sorter.sort(line, cells, columns)
-    doubtful = next((one.problem for one in columns if one.problem), None)
+    doubtful = missing or next((one.problem for one in columns if one.problem), None)
+    if doubtful is None and not lines:
+        doubtful = say("catalogue-no-rows", {"name": name})
     refused = sorter.counts["refused"]
     if doubtful is None and refused and refused == len(lines):
         first = next(one for one in sorter.rows if one.change == "refused")
@@ -137,6 +140,7 @@ def _planned(session: Session, data: bytes, name: str, choices: Choices) -> _Pla
         columns=tuple(columns),
         counts={word: sorter.counts[word] for word in get_args(CatalogueChange)},
         rows=tuple(rows),
+        stored=len(sorter.to_store),
         problem=doubtful,
     )
     return _Planned(plan, sorter.to_store, known)
@@ -194,9 +198,11 @@ class _Sorter:
             self.to_store.append(row)
             return "new", str
         if differs(before, row):
-            replace = self._on_conflict == "replace"
-            self.to_store.append(row if replace else merge(row, before))
-            said = "catalogue-conflict-replace" if replace else "catalogue-conflict-keep"
+            theirs = self._on_conflict == "replace"
+            kept = row if theirs else merge(row, before)
+            if changes(before, kept):
+                self.to_store.append(kept)
+            said = "catalogue-conflict-replace" if theirs else "catalogue-conflict-keep"
             return "conflict", partial(_of_two, said, before, row)
         gained = [
             name for name in _GAINED if _empty(getattr(before, name)) and not _empty(getattr(row, name))
@@ -267,42 +273,7 @@ def _empty(value: object) -> bool:
     return value is None or value == ""
 
 
-Lines = list[tuple[int, list[str]]]
-
-
-def _table(data: bytes, name: str) -> tuple[list[str], Lines]:
-    """The header, and (line number, cells) of every row that is not blank."""
-    text = _text(data, name)
-    first = text.partition("\n")[0]
-    semicolons = first.count(";") > first.count(",")
-    reader = csv.reader(io.StringIO(text, newline=""), delimiter=";" if semicolons else ",", strict=True)
-    try:
-        header = [cell.strip() for cell in next(reader, [])]
-        return header, list(_rows(reader))
-    except csv.Error as error:
-        raise BadInput(
-            "vehicles-cannot-read-csv-near-line-save", name=name, line_num=reader.line_num, problem=error
-        ) from error
-
-
-def _rows(reader: Any) -> Iterator[tuple[int, list[str]]]:
-    for cells in reader:
-        if any(cell.strip() for cell in cells):
-            yield reader.line_num, cells
-
-
-def _text(data: bytes, name: str) -> str:
-    if len(data) > MOST_BYTES:
-        raise BadInput(
-            "vehicles-larger-mb-split-into-several-files", name=name, most_bytes=MOST_BYTES // 1000000
-        )
-    try:
-        return data.decode("utf-8-sig")
-    except UnicodeDecodeError:
-        raise BadInput("vehicles-not-utf-8-text-save-csv", name=name) from None
-
-
-def _columns(header: Sequence[str], lines: Lines, name: str, choices: Choices) -> list[ImportColumn]:
+def _columns(header: Sequence[str], lines: Lines, choices: Choices) -> list[ImportColumn]:
     """What each column is taken for, by choice or by its name; each field once."""
     taken: set[str] = set()
     found: list[ImportColumn] = []
@@ -313,16 +284,26 @@ def _columns(header: Sequence[str], lines: Lines, name: str, choices: Choices) -
         if field is not None:
             taken.add(field)
         cells = (row[at] for _, row in lines if at < len(row))
-        found.append(_column(title, field, unit, cells, choices.unit))
-    missing = [column for column in _NEEDED if column not in taken]
-    if missing:
-        raise BadInput(
-            "vehicles-no-column-first-line-names-columns",
-            name=name,
-            missing=" and no column ".join(missing),
-            known=", ".join(FIELDS),
-        )
+        column = _column(title, field, unit, cells, choices.unit)
+        if field is not None and header.count(title) > 1:
+            column = replace(column, problem=say("catalogue-column-twice", {"column": title}))
+        found.append(column)
     return found
+
+
+def _missing(columns: Sequence[ImportColumn], name: str) -> str | None:
+    """Which column is needed that none is taken for, in words. Raises BadInput where that is of no use, for
+    the file has no columns.
+    """
+    taken = {one.field for one in columns}
+    missing = " and no column ".join(column for column in _NEEDED if column not in taken)
+    if not missing:
+        return None
+    if len(columns) < len(_NEEDED):
+        raise BadInput(
+            "vehicles-no-column-first-line-names-columns", name=name, missing=missing, known=", ".join(FIELDS)
+        )
+    return say("catalogue-say-the-columns", {"name": name, "missing": missing})
 
 
 def _field(title: str, choices: Choices) -> tuple[str | None, SizeUnit | None]:
@@ -353,7 +334,7 @@ def _column(
     problem = None
     if chosen is None and size in _USUAL_M:
         problem = _doubt(
-            title, size, unit, [number for cell in cells if (number := _maybe(cell)) is not None]
+            title, size, unit, [number for cell in cells if (number := given_number(cell)) is not None]
         )
     return ImportColumn(header=title, field=field, unit=unit, problem=problem)
 
@@ -384,30 +365,17 @@ def _row(cells: Mapping[str, str], columns: Sequence[ImportColumn]) -> Catalogue
         elif field == "category":
             values[field] = cell.lower() or None
         else:
-            values[field] = _undefused(cell) or (None if field.endswith("_source") else "")
+            values[field] = undefused(cell) or (None if field.endswith("_source") else "")
     values["category"] = cast(Category | None, values.get("category"))
     row = CatalogueRow(**{"make": "", "model": "", **values})
     require_possible(row)
     return row
 
 
-def _undefused(cell: str) -> str:
-    """Take back the apostrophe that our own export puts before what a spreadsheet would run."""
-    return cell[1:] if cell[:1] == "'" and cell[1:2] in ("=", "+", "-", "@") else cell
-
-
-def _maybe(cell: str) -> float | None:
-    """A number with a point or a comma."""
-    try:
-        return float(cell.strip().replace(",", "."))
-    except ValueError:
-        return None
-
-
 def _number(cell: str, column: str, unit: SizeUnit) -> float | None:
     if not cell:
         return None
-    value = _maybe(cell)
+    value = given_number(cell)
     if value is None:
         raise BadInput("vehicles-which-not-number-give-metres", column=column, cell=cell[:40])
     return value if unit == "m" else round(value * METRES[unit], 6)

@@ -108,6 +108,7 @@ class ImportPlan:
     columns: tuple[ImportColumn, ...]
     counts: dict[CatalogueChange, int]
     rows: tuple[ImportRow, ...]
+    stored: Annotated[int, Field(description="How many models would be added or changed.")]
     problem: Annotated[str | None, Field(description="Why nothing of the file can be stored as it is.")]
 
 

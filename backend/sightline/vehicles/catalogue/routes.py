@@ -30,6 +30,7 @@ Column = Annotated[
     list[str],
     Query(max_length=100, description="field=header: what a column is taken for; =header leaves it out."),
 ]
+Conflicting = Annotated[OnConflict, Query(description="What becomes of sizes that differ.")]
 Unit = Annotated[SizeUnit | None, Query(description="Of sizes whose column names none, or metres.")]
 
 
@@ -127,12 +128,13 @@ def preview_catalogue_import(
     file: Sent,
     column: Column = [],  # noqa: B006
     unit: Unit = None,
+    on_conflict: Conflicting = "keep",
 ) -> ImportPlan:
     """What an import of this file would do; nothing is stored."""
     name = file.filename or "The file"
     data = whole_file(file, MOST_BYTES, name)
     with services.reading() as session:
-        return plan_import(session, data, name, Choices(_columns(column), unit))
+        return plan_import(session, data, name, Choices(_columns(column), unit, on_conflict))
 
 
 @router.post("/catalogue/import")
@@ -142,7 +144,7 @@ def import_catalogue(
     file: Sent,
     column: Column = [],  # noqa: B006
     unit: Unit = None,
-    on_conflict: Annotated[OnConflict, Query(description="What becomes of sizes that differ.")] = "keep",
+    on_conflict: Conflicting = "keep",
 ) -> Imported:
     """The rows of a CSV; those that cannot be used are named with their reason, the others are stored."""
     name = file.filename or "The file"

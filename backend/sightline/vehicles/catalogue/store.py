@@ -1,5 +1,6 @@
 """The catalogue of models with the manufacturers' dimensions."""
 
+import re
 import unicodedata
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import asdict, fields
@@ -43,6 +44,8 @@ UNIT_WORDS: dict[SizeUnit, str] = {
 MOST_U_M = 1.0
 MOST_MAKE, MOST_MODEL = 100, 200  # signs
 _FIELDS = tuple(one.name for one in fields(CatalogueRow))
+# Nothing that is shown; PostgreSQL's texts hold no NUL. Sources may have lines.
+_CONTROL = re.compile(r"[\x00-\x08\x0b\x0c\x0e-\x1f\x7f]")
 _LIVING: ColumnElement[bool] = catalogue.c.retired_at.is_(None)
 Key = tuple[str, str, int | None]
 
@@ -123,6 +126,8 @@ def require_possible(row: CatalogueRow) -> None:
     """Raise BadInput for a row that cannot be true."""
     if not row.make.strip() or not row.model.strip():
         raise BadInput("catalogue-make-and-model")
+    if _CONTROL.search(f"{row.make}{row.model}{row.source}{''.join(map(row.source_of, SIZES))}"):
+        raise BadInput("catalogue-control-characters")
     if len(row.make) > MOST_MAKE or len(row.model) > MOST_MODEL:
         raise BadInput("catalogue-too-long", most_make=MOST_MAKE, most_model=MOST_MODEL)
     if row.category is not None and row.category not in get_args(Category):
@@ -134,8 +139,27 @@ def require_possible(row: CatalogueRow) -> None:
         u = getattr(row, f"u_{name}_m")
         if u is not None and not 0.0 <= u <= MOST_U_M:
             raise BadInput("catalogue-u-impossible", column=f"u_{name}_m", value=f"{u:g}")
+    _require_together(row)
     if row.year_from is not None and row.year_to is not None and row.year_to < row.year_from:
         raise BadInput("catalogue-years-reversed")
+
+
+#: Of every vehicle a size is smaller than the other one.
+_SMALLER: dict[ModelSize, ModelSize] = {"taillight": "height", "headlight": "height", "wheelbase": "length"}
+
+
+def _require_together(row: CatalogueRow) -> None:
+    """Raise BadInput where two sizes, each possible by itself, cannot be of one vehicle."""
+    for small, large in _SMALLER.items():
+        one, other = row.size(small), row.size(large)
+        if one is not None and other is not None and one >= other:
+            raise BadInput(
+                "catalogue-sizes-contradict",
+                column=f"{small}_m",
+                value=f"{one:g}",
+                other=f"{large}_m",
+                large=f"{other:g}",
+            )
 
 
 def _require_size(name: ModelSize, value: float | None) -> None:
@@ -189,7 +213,7 @@ def import_catalogue_rows(
     changed = [
         {**content, "row_id": known[key].id, "version": known[key].version + 1}
         for key, content in contents.items()
-        if key in known
+        if key in known and changes(known[key], merged[key])
     ]
     if new:
         session.execute(insert(catalogue), new)
@@ -219,6 +243,19 @@ def merge(before: CatalogueRow, given: CatalogueRow) -> CatalogueRow:
             values[f"{name}_source"] = before.source_of(name) or None
     values["make"], values["model"] = before.make, before.model
     return CatalogueRow(**values)
+
+
+def changes(before: CatalogueRow, after: CatalogueRow) -> bool:
+    """Whether anything is told of a model otherwise than before, wherever a size's source stands."""
+    return _told(before) != _told(after)
+
+
+def _told(row: CatalogueRow) -> dict[str, Any]:
+    told: dict[str, Any] = {name: getattr(row, name) for name in _FIELDS}
+    sources = {
+        f"{name}_source": row.source_of(name) if row.size(name) is not None else None for name in SIZES
+    }
+    return {name: None if value == "" else value for name, value in {**told, **sources}.items()}
 
 
 def _seen(session: Session, entry_id: int, version: int) -> CatalogueEntry:

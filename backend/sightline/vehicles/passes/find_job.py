@@ -28,7 +28,7 @@ from sightline.vehicles.records import VehicleChanges
 from sightline.vehicles.store import PassSpan, create_vehicle, pass_spans
 
 KIND = PASSES
-STOPPED = "The search for passes was cancelled; start it again when you like."
+STOPPED = "The search for passes was cancelled; you can start it again."
 SAME_SHARE = 0.5
 UNDER_WAY: tuple[JobState, ...] = ("queued", "running")
 
@@ -56,13 +56,13 @@ def look_for_passes(context: JobContext) -> Finish:
     opened = stills_of(services).open(recording_id)
     recording = opened.recording
     board, square_at = _posed(services, recording)
-    context.progress(0.0, "Looking for passes.")
+    context.progress(0.0, "Searching for passes.")
     try:
         search = find_passes(
             opened.media.path,
             rate_hz=_rate_hz(opened.time_s),
             square_at=square_at,
-            on_progress=lambda fraction: context.progress(0.98 * fraction, "Looking for passes."),
+            on_progress=lambda fraction: context.progress(0.98 * fraction, "Searching for passes."),
             is_cancelled=context.is_cancelled,
             name=recording.name,
         )
@@ -156,7 +156,7 @@ def _posed(services: Services, recording: Recording) -> tuple[tuple[int, int] | 
     with services.reading() as session:
         pose = get_pose(session, recording.pose_id)
     board = (pose.first_frame, pose.last_frame) if pose.recording_id == recording.id else None
-    return board, square_at(pose_from_dict(pose.document, "the road pose"))
+    return board, square_at(pose_from_dict(pose.document, "the camera pose"))
 
 
 def square_at(pose: RoadPose) -> float:

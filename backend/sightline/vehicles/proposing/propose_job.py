@@ -29,8 +29,8 @@ KIND = "proposals"
 
 
 def request_proposals(session: Session, recording_id: int, *, actor: int) -> Job:
-    """Queue the work. Raises NotFound, BadInput without frames or found passes, Conflict without a road pose
-    or while it waits or runs.
+    """Queue the work. Raises NotFound, BadInput without frames or found passes, Conflict without a camera
+    pose or while it waits or runs.
     """
     recording = get_recording(session, recording_id)
     if recording.state != "ready":
@@ -60,7 +60,7 @@ def make_proposals(context: JobContext) -> Finish:
         if recording.pose_id is None:
             raise Conflict("measurements-no-road-pose-yet-make-choose", name=recording.name)
         pose_id = recording.pose_id
-        pose = pose_from_dict(get_pose(session, pose_id).document, "the road pose")
+        pose = pose_from_dict(get_pose(session, pose_id).document, "the camera pose")
     times = opened.time_s
     span_s = float(times[-1] - times[0]) if len(times) > 1 else 0.0
     context.progress(0.0, say("proposals-looking", {}))

@@ -10,6 +10,7 @@ from sightline.infra.database.rows import add_rows, get_row
 from sightline.infra.database.types import now
 from sightline.infra.version import code_version
 from sightline.recordings.tables import recordings
+from sightline.vehicles.proposing.plan_store import drawn_free
 from sightline.vehicles.proposing.records import PointProposal
 from sightline.vehicles.proposing.tables import proposals
 from sightline.vehicles.tables import vehicles
@@ -18,12 +19,15 @@ from sightline.vehicles.tables import vehicles
 def replace_proposals(
     session: Session, recording_id: int, pose_id: int, fresh: Sequence[PointProposal], *, actor: int | None
 ) -> None:
-    """Put these in the place of all that were proposed in the recording, with one audit event."""
+    """Put these in the place of all that were proposed in the recording, with one audit event; the vehicles
+    that are measured free are drawn here.
+    """
     recording = get_row(session, recordings, recording_id, "recording")
+    free, seed = drawn_free(session, recording["survey_id"], {one.vehicle_id for one in fresh})
     session.execute(delete(proposals).where(proposals.c.recording_id == recording_id))
     version, moment = code_version(), now()
     shared = {"recording_id": recording_id, "pose_id": pose_id, "code_version": version, "created_at": moment}
-    rows = [{**shared, **_row_of(one)} for one in fresh]
+    rows = [{**shared, **_row_of(one), "withheld": one.vehicle_id in free} for one in fresh]
     if rows:
         add_rows(session, proposals, rows)
     after = {
@@ -31,6 +35,8 @@ def replace_proposals(
         "points": sum(one.point_px is not None for one in fresh),
         "pose_id": pose_id,
         "code_version": version,
+        "free": sorted(free),
+        "seed": seed,
     }
     trail.record(session, actor, "propose", "proposals", recording_id, recording["survey_id"], None, after)
 
@@ -69,6 +75,7 @@ def _fetch(session: Session, query: Select[tuple[object, ...]]) -> tuple[PointPr
             point_px=None if row["x_px"] is None else (row["x_px"], row["y_px"]),
             expected_px=row["expected_px"],
             reason=row["reason"],
+            withheld=row["withheld"],
         )
         for row in session.execute(query).mappings()
     )

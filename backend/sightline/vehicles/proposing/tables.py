@@ -1,6 +1,16 @@
 """What Sightline proposes to click of found passes: replaced as a whole, and never a measurement."""
 
-from sqlalchemy import CheckConstraint, Column, Float, ForeignKey, Integer, String, Table, UniqueConstraint
+from sqlalchemy import (
+    Boolean,
+    CheckConstraint,
+    Column,
+    Float,
+    ForeignKey,
+    Integer,
+    String,
+    Table,
+    UniqueConstraint,
+)
 
 from sightline.enums import ProposedPoint
 from sightline.infra.database.types import UtcDateTime, enum_check, identity, metadata
@@ -22,6 +32,8 @@ proposals = Table(
     # a key of the catalogue of messages
     Column("reason", String(60)),
     Column("code_version", String(60), nullable=False),
+    # drawn to be measured free: kept, and shown to nobody
+    Column("withheld", Boolean, nullable=False),
     Column("created_at", UtcDateTime, nullable=False),
     UniqueConstraint("vehicle_id", "point"),
     enum_check("point", ProposedPoint),

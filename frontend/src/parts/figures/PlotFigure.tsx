@@ -7,6 +7,8 @@ import { type LengthUnit, lengthUnit } from "../../core/units";
 import { type Cell, csvOf, download } from "./csv";
 import "./figures.css";
 import { type Hue, hueOf } from "./hues";
+import { type Drawn, drawnOf, Reader } from "./Reader";
+import { readablesOf } from "./reading";
 import { inOneStyle, type PlotOptions } from "./style";
 import { svgFile } from "./svg";
 
@@ -33,6 +35,8 @@ interface Props {
   table: () => Table;
   /** Why there is nothing to draw. */
   reason?: string | null;
+  /** A place of the axis across in words, where it is no plain number. */
+  place?: (x: number) => string;
 }
 
 export interface LegendEntry {
@@ -70,10 +74,11 @@ function inView(box: HTMLElement | null): boolean {
 }
 
 /** One figure with its legend, its words and its two downloads. */
-export function PlotFigure({ name, title, says, note, legend, data, options, table, reason }: Props) {
+export function PlotFigure({ name, title, says, note, legend, data, options, table, reason, place }: Props) {
   const [plot, setPlot] = useState<Plot | null>(null);
   const [problem, setProblem] = useState<unknown>(null);
   const [width, setWidth] = useState(0);
+  const [read, setRead] = useState<Drawn | null>(null);
   const box = useRef<HTMLDivElement>(null);
   const unit = lengthUnit.value;
   useEffect(() => {
@@ -87,10 +92,13 @@ export function PlotFigure({ name, title, says, note, legend, data, options, tab
   }, [reason]);
   const draw = (wide: number, height: number) => {
     if (!plot || !box.current || wide < 200) return;
-    const drawn = plot.plot(inOneStyle({ ...options(plot, unit), width: wide, ariaLabel: says }, height));
+    const chosen = options(plot, unit);
+    const drawn = plot.plot(inOneStyle({ ...chosen, width: wide, ariaLabel: says }, height));
     drawn.setAttribute("role", "img");
     for (const part of drawn.querySelectorAll("g[aria-label]")) part.removeAttribute("aria-label"); // one picture
     box.current.replaceChildren(drawn);
+    const labels = { x: chosen.x?.label, y: chosen.y?.label };
+    setRead(drawnOf(drawn, readablesOf(chosen.marks), labels));
   };
   useEffect(() => {
     if (inView(box.current)) return draw(width, HEIGHT);
@@ -130,7 +138,10 @@ export function PlotFigure({ name, title, says, note, legend, data, options, tab
         <>
           {legend && <Legend entries={legend} />}
           <Problem error={problem} />
-          <div ref={box} class="stat-figure__box" data-testid={`figure-${name}`} />
+          <div class="figure-read">
+            <div ref={box} class="stat-figure__box" data-testid={`figure-${name}`} />
+            {read && <Reader title={title} drawn={read} place={place} />}
+          </div>
         </>
       )}
       {note && <figcaption class="field__hint">{note}</figcaption>}

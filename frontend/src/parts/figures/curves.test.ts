@@ -1,5 +1,13 @@
 import { describe, expect, it } from "vitest";
-import { densityMarks, ecdfMarks, marginOf, shareStep, standardMarks, standardTiers } from "./curves";
+import {
+  densityMarks,
+  ecdfMarks,
+  marginOf,
+  noBandWords,
+  shareStep,
+  standardMarks,
+  standardTiers,
+} from "./curves";
 import type { Plot } from "./PlotFigure";
 import { inOneStyle } from "./style";
 import type { Density, Ecdf, Standard } from "./types";
@@ -18,7 +26,7 @@ const drawn: { kind: string; data: unknown; options: Record<string, unknown> }[]
 const plot = new Proxy({} as Plot, {
   get: (_, kind: string) => (data: unknown, options: Record<string, unknown>) => {
     drawn.push({ kind, data, options });
-    return kind;
+    return {};
   },
 });
 
@@ -49,10 +57,11 @@ describe("curves", () => {
   });
 
   it("have no band where there are too few for one", () => {
+    expect([noBandWords(29), noBandWords(30)]).toEqual([expect.stringContaining("29"), null]);
     const ecdf = (n: number) => ({ value: [1], share: [1], low: [0], high: [1], n }) as Ecdf;
     for (const [n, kinds] of [
-      [4, ["line"]],
-      [5, ["areaY", "line"]],
+      [29, ["line"]],
+      [30, ["areaY", "line"]],
     ] as const) {
       drawn.length = 0;
       ecdfMarks(plot, ecdf(n), { word: "", band: true }, 1);

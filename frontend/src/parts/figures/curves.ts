@@ -6,6 +6,7 @@ import { fixed, type LengthUnit } from "../../core/units";
 import type { Cell } from "./csv";
 import { type Hue, hueOf } from "./hues";
 import type { Plot } from "./PlotFigure";
+import { readable } from "./reading";
 import type { Density, Ecdf, Standard } from "./types";
 
 export interface Curve {
@@ -19,8 +20,8 @@ export interface Curve {
 
 type Mark = ReturnType<Plot["line"]>;
 
-/** A band of fewer says nothing and hides the others. */
-const LEAST_FOR_A_BAND = 5;
+/** A simultaneous band of fewer covers more than half of the axis and hides the curves; it is read all the same. */
+const LEAST_FOR_A_BAND = 30;
 
 const lineStyle = (curve: Curve) => ({
   stroke: hueOf(curve),
@@ -53,7 +54,18 @@ export function ecdfMarks(plot: Plot, ecdf: Ecdf, curve: Curve, perX: number): M
       }),
     );
   }
-  marks.push(plot.line(steps, { x: "x", y: "y", curve: "step-after", ...lineStyle(curve) }));
+  const line = plot.line(steps, { x: "x", y: "y", curve: "step-after", ...lineStyle(curve) });
+  const percents = (of: readonly (number | null)[]) => of.map((one) => (one === null ? null : 100 * one));
+  const banded = curve.band ? { low: percents(ecdf.low), high: percents(ecdf.high) } : {};
+  marks.push(
+    readable(line, {
+      word: curve.word,
+      x: ecdf.value.map((one) => one * perX),
+      y: percents(ecdf.share),
+      ...banded,
+      way: "steps",
+    }),
+  );
   return marks;
 }
 
@@ -82,7 +94,17 @@ export function densityMarks(
   if (curve.band) {
     marks.push(plot.areaY(rows, { x: "x", y1: "low", y2: "high", fill: "var(--ink)", fillOpacity: 0.09 }));
   }
-  marks.push(plot.line(rows, { x: "x", y: "y", ...lineStyle(curve) }));
+  const of = (what: "x" | "y" | "low" | "high") => rows.map((row) => row[what]);
+  const banded = curve.band ? { low: of("low"), high: of("high") } : {};
+  marks.push(
+    readable(plot.line(rows, { x: "x", y: "y", ...lineStyle(curve) }), {
+      word: curve.word,
+      x: of("x"),
+      y: of("y"),
+      ...banded,
+      way: "line",
+    }),
+  );
   return marks;
 }
 
@@ -118,6 +140,11 @@ export function standardTiers(
   const left = tiers.filter((one) => one.way === "start").sort((a, b) => a.x - b.x);
   const right = tiers.filter((one) => one.way === "end").sort((a, b) => b.x - a.x);
   return [...left, ...right];
+}
+
+/** Says n in the place of a band that is not drawn. */
+export function noBandWords(n: number): string | null {
+  return n < LEAST_FOR_A_BAND ? say("figure-no-band", { n, least: LEAST_FOR_A_BAND }) : null;
 }
 
 /** The margin above the frame that so many names take. */

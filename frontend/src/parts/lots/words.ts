@@ -1,7 +1,7 @@
 /** What accepted heights rest on, and what lots that were accepted by a sample let through at most. */
 import { say } from "../../core/messages";
 import type { LotSummary } from "../../core/types";
-import { formatCount } from "../../core/units";
+import { fixed, formatCount } from "../../core/units";
 import { percent } from "../figures/numbers";
 
 export function lotWords({ individual, by_lot, waiting, outgoing }: LotSummary): string {
@@ -10,7 +10,7 @@ export function lotWords({ individual, by_lot, waiting, outgoing }: LotSummary):
     words.push(
       say("lots-outgoing", {
         count: outgoing.count,
-        estimate: outgoing.estimate.toFixed(1),
+        estimate: fixed(outgoing.estimate, 1),
         most: formatCount(outgoing.at_most),
         share: percent(outgoing.at_most / outgoing.count),
       }),

@@ -54,7 +54,6 @@ describe("a field completed from the catalogue", () => {
   it("is left when a row is taken by Enter: the next key is a command, not a letter", async () => {
     await type("hald");
     await vi.waitFor(() => expect(document.querySelector("[role=option]")).not.toBeNull());
-    await press("ArrowDown");
     await press("Enter");
     expect(onChoose).toHaveBeenCalledWith(row());
     expect(onCommit).not.toHaveBeenCalled();
@@ -70,11 +69,31 @@ describe("a field completed from the catalogue", () => {
     expect(onCommit).not.toHaveBeenCalled();
   });
 
-  it("takes what is typed by Enter, once, and is left", async () => {
+  it("keeps what is typed where no row is marked: Up from the first, or none found", async () => {
     await type("Haldman");
+    await vi.waitFor(() => expect(document.querySelector("[aria-selected=true]")).not.toBeNull());
+    await press("ArrowUp");
     await press("Enter");
     expect(onCommit.mock.calls).toEqual([["Haldman"]]);
     expect(document.activeElement).not.toBe(input());
+    vi.stubGlobal("fetch", async () => new Response("[]"));
+    await type("Own make");
+    await press("Enter");
+    await vi.waitFor(() => expect(onCommit.mock.calls).toEqual([["Haldman"], ["Own make"]]));
+    expect(onChoose).not.toHaveBeenCalled();
+  });
+
+  it("waits with Enter for the row of what is typed, not of fewer letters", async () => {
+    const asked: [string, (found: Response) => void][] = [];
+    vi.stubGlobal("fetch", (url: string) => new Promise((answer) => asked.push([url, answer])));
+    await type("h");
+    await type("haldm");
+    await press("Enter");
+    asked[0]?.[1](new Response(JSON.stringify([row({ id: 2, make: "Hother" })])));
+    await vi.waitFor(() => expect(asked).toHaveLength(2));
+    expect([onChoose.mock.calls, onCommit.mock.calls]).toEqual([[], []]);
+    asked[1]?.[1](new Response(JSON.stringify([row()])));
+    await vi.waitFor(() => expect(onChoose.mock.calls).toEqual([[row()]]));
   });
 });
 

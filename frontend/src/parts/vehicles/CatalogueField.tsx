@@ -1,4 +1,7 @@
-/** Make or model, completed from the catalogue: type a few letters, arrows and Enter take a row with its dimensions. */
+/**
+ * Make or model, completed from the catalogue: type a few letters, Enter takes the row that is marked, at first the best
+ * one, with its dimensions. Up from the first row marks none: Enter then keeps what was typed.
+ */
 import { useContext, useId, useMemo, useRef, useState } from "preact/hooks";
 import { Field } from "../../components";
 import { TypingHold, useTyping } from "../../components/typing";
@@ -16,6 +19,8 @@ interface CatalogueFieldProps {
   /** What to look for when this is typed. */
   query(text: string): string;
   disabled?: boolean;
+  /** Where the hand goes by a key. */
+  field?: { current: HTMLInputElement | null };
   onChoose(row: CatalogueRow): void;
   onCommit(text: string): void;
 }
@@ -27,23 +32,32 @@ export function CatalogueField(props: CatalogueFieldProps) {
   const [rows, setRows] = useState<readonly CatalogueRow[] | null>(null);
   const [active, setActive] = useState(-1);
   const searching = useRef(false);
-  const input = useRef<HTMLInputElement>(null);
+  const arrived = useRef<(first: CatalogueRow | undefined) => void>(() => {});
+  /** Enter was pressed before the catalogue had answered. */
+  const awaited = useRef(false);
+  /** What is looked for now: an answer to fewer letters is not taken for its own. */
+  const latest = useRef("");
+  const own = useRef<HTMLInputElement>(null);
+  const input = props.field ?? own;
   const listId = useId();
   const asker = useMemo(
     () =>
       new Latest<string, CatalogueRow[]>(
         (q) => api.ask("GET /catalogue", { q }),
-        (found) => {
-          if (!searching.current) return;
+        (found, q) => {
+          if (!searching.current || q !== latest.current) return;
           setRows(found);
-          setActive(-1);
+          setActive(found.length > 0 ? 0 : -1);
+          if (awaited.current) arrived.current(found[0]);
         },
+        () => awaited.current && arrived.current(undefined),
       ),
     [],
   );
 
   const close = (): void => {
     searching.current = false;
+    awaited.current = false;
     asker.cancel();
     setRows(null);
     setActive(-1);
@@ -65,19 +79,31 @@ export function CatalogueField(props: CatalogueFieldProps) {
   const search = (typed: string): void => {
     searching.current = true;
     const q = props.query(typed).trim();
+    // what was found for other letters is not what Enter takes
+    setRows(null);
+    setActive(-1);
+    awaited.current = false;
+    latest.current = q;
     if (q.length > 0) asker.want(q);
-    else setRows(null);
+    else searching.current = false;
   };
+  /** Through the rows, and through none of them. */
   const turn = (by: 1 | -1): boolean => {
     const count = rows?.length ?? 0;
-    if (count > 0) setActive((active + by + count) % count);
+    if (count > 0) setActive(((active + 1 + by + count + 1) % (count + 1)) - 1);
     return count > 0;
+  };
+  arrived.current = (first) => (first ? choose(first) : leave());
+  const enter = (): void => {
+    if (searching.current && rows === null) awaited.current = true;
+    else if (chosen) choose(chosen);
+    else leave();
   };
   const chosen = rows?.[active];
   const keys: Record<string, () => unknown> = {
     ArrowDown: () => (rows ? turn(1) : search(text)),
     ArrowUp: () => turn(-1),
-    Enter: () => (chosen ? choose(chosen) : leave()),
+    Enter: enter,
     Escape: () => {
       close();
       typing.undo();

@@ -13,12 +13,23 @@ export interface TypedPlace {
   latitude: string;
   longitude: string;
   road: string;
+  lane: string;
+  travel: string;
   limit: string;
   lamps: NonNullable<Place["street_lamps"]> | "";
   zone: string;
 }
 
-export const NO_PLACE: TypedPlace = { latitude: "", longitude: "", road: "", limit: "", lamps: "", zone: "" };
+export const NO_PLACE: TypedPlace = {
+  latitude: "",
+  longitude: "",
+  road: "",
+  lane: "",
+  travel: "",
+  limit: "",
+  lamps: "",
+  zone: "",
+};
 
 export function typedPlace(place: Place): TypedPlace {
   const limit = place.speed_limit_mps;
@@ -26,6 +37,8 @@ export function typedPlace(place: Place): TypedPlace {
     latitude: place.latitude_deg === null ? "" : String(place.latitude_deg),
     longitude: place.longitude_deg === null ? "" : String(place.longitude_deg),
     road: place.road_class ?? "",
+    lane: place.lane ?? "",
+    travel: place.travel_direction ?? "",
     limit: limit === null ? "" : String(Number((limit * speedScale()[0]).toFixed(1))),
     lamps: place.street_lamps ?? "",
     zone: place.time_zone ?? "",
@@ -45,6 +58,8 @@ export function readPlace(typed: TypedPlace, before: Place | null): Place | stri
     latitude_deg,
     longitude_deg,
     road_class: typed.road.trim() || null,
+    lane: typed.lane.trim() || null,
+    travel_direction: typed.travel.trim() || null,
     speed_limit_mps: kept ? before.speed_limit_mps : limit === null ? null : limit / speedScale()[0],
     street_lamps: typed.lamps || null,
     time_zone: typed.zone.trim() || null,
@@ -89,6 +104,18 @@ export function PlaceFields({ place, onChange }: Props) {
             { value: "none", label: LAMPS.none },
           ]}
           onChange={(lamps) => onChange({ ...place, lamps })}
+        />
+      </div>
+      <div class="row row--wrap">
+        <TextField
+          label={say("place-lane")}
+          {...field("lane")}
+          suggestions={say("place-lanes").split("; ")}
+        />
+        <TextField
+          label={say("place-travel")}
+          {...field("travel")}
+          placeholder={say("place-travel-example")}
         />
       </div>
       <TextField

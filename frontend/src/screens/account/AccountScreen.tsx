@@ -1,15 +1,16 @@
 import { useState } from "preact/hooks";
-import { Button, Notice, Problem, TextField } from "../../components";
+import { Button, LanguageChoice, Notice, Problem, TextField } from "../../components";
 import { api } from "../../core/api";
 import { say } from "../../core/messages";
 import { me } from "../../core/session";
 import { toast } from "../../core/toasts";
 import { ROLE_NAMES } from "../../core/types";
 import "./account.css";
+import { Tokens } from "./Tokens";
 
 const LEAST = 10;
 
-/** Who you are, and your password. */
+/** Who you are, your password, and the tokens of your programs. */
 export default function AccountScreen() {
   const person = me.value?.person;
   if (!person) return null;
@@ -28,7 +29,11 @@ export default function AccountScreen() {
           <dd>{ROLE_NAMES[person.role]}</dd>
         </dl>
       </section>
+      <section class="panel panel__body">
+        <LanguageChoice class="field" />
+      </section>
       <PasswordForm hasPassword={person.has_password} />
+      <Tokens />
     </div>
   );
 }

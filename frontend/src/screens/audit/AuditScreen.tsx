@@ -53,7 +53,7 @@ export default function AuditScreen() {
     <div class="page page--alone">
       <header class="page__head">
         <div>
-          <h1>{say("audit-title")}</h1>
+          <h1>{say("page-audit")}</h1>
           <p class="page__lead">{say("audit-lead")}</p>
         </div>
         <Verify />
@@ -186,12 +186,14 @@ function EventRow({ named }: { named: NamedEvent }) {
         {changes.length > 0 && (
           <details>
             <summary>
-              <span class="clip">{changes.map((change) => change.name).join(", ")}</span>
+              <span class="clip" translate={false} title={changes.map((change) => change.name).join(", ")}>
+                {changes.map((change) => change.name).join(", ")}
+              </span>
             </summary>
             <dl>
               {changes.map((change) => (
                 <div key={change.name}>
-                  <dt>{change.name}</dt>
+                  <dt translate={false}>{change.name}</dt>
                   <dd>
                     {change.before !== null && (
                       <>

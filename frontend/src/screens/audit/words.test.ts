@@ -20,14 +20,14 @@ describe("an audit event in words", () => {
   it("names vehicle and target, not a row of the database, and leads to it", () => {
     const on = { vehicle_id: 9, vehicle: 9, target: "roof", measurement_id: 31 };
     const one = named({ after: { verdict: "rejected" } }, on);
-    expect(`${actionWords(one.event)} ${subjectWords(one)}`).toBe("judged rejected: vehicle 09, roof");
+    expect(`${actionWords(one.event)} ${subjectWords(one)}`).toBe("reviewed rejected: vehicle 09, roof");
     expect(pageOf(one)).toBe("/surveys/5/review?measurement=31");
     expect(rowWords(one.event)).toContain("25");
   });
 
   it("names what has a name, and says the kind of what has none", () => {
     expect(subjectWords(named({ entity: "camera" }, { name: "left" }))).toBe("camera “left”");
-    expect(subjectWords(named({ entity: "click_sigma" }))).toBe("click sigma");
+    expect(subjectWords(named({ entity: "click_sigma" }))).toBe("click uncertainty");
     expect(pageOf(named({ entity: "person", survey_id: null }))).toBeNull();
     expect(pageOf(named({ entity: "vehicle", entity_id: 7 }, { vehicle: 7 }))).toBe(
       "/surveys/5/measure?vehicle=7",

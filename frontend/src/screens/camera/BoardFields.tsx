@@ -7,7 +7,7 @@ import { lengthUnit, parseNumber, parseSmall, smallScale, smallText } from "../.
 import { KindField, MarkerFields } from "../../parts/boards/MarkerFields";
 import { PLAIN } from "../../parts/boards/markers";
 import { BoardDrawing } from "./BoardDrawing";
-import { boardText, inUnit, problemsOf, type TypedBoard } from "./board";
+import { boardText, inUnit, problemsOf, readBoard, type TypedBoard } from "./board";
 
 /** The board as it was for this camera's images; the square as it was typed last on this machine. */
 function firstBoard(camera: CameraDetail): TypedBoard {
@@ -98,6 +98,7 @@ export function BoardFields({ board, change }: { board: TypedBoard; change: (boa
         </div>
         <MarkerFields value={board} unit={unit} problem={problems.marker} change={set} />
         <p class="field__hint">{say("camera-square-hint")}</p>
+        <PrintBoard board={board} />
       </div>
       <BoardDrawing
         columns={Number(board.columns) || 9}
@@ -107,6 +108,22 @@ export function BoardFields({ board, change }: { board: TypedBoard; change: (boa
         share={markerShare(board)}
       />
     </div>
+  );
+}
+
+/** The board that is typed, as a PDF at true size; nothing to press while a field is wrong. */
+function PrintBoard({ board }: { board: TypedBoard }) {
+  const told = readBoard(board);
+  if (!told) return null;
+  const asked = new URLSearchParams(Object.entries(told).map(([name, value]) => [name, `${value}`]));
+  return (
+    <p class="field__hint">
+      <a href={`/api/boards.pdf?${asked}`} target="_blank" rel="noopener">
+        {say("camera-print")}
+      </a>
+      {" – "}
+      {say("camera-print-hint")}
+    </p>
   );
 }
 

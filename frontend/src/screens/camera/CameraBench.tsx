@@ -5,6 +5,7 @@ import { cancelJob } from "../../core/jobs";
 import { say } from "../../core/messages";
 import { may } from "../../core/session";
 import type { CalibrationImage, CameraDetail } from "../../core/types";
+import { SampleLink } from "../../parts/samples/SampleLink";
 import { EditCamera } from "./AddCamera";
 import { BoardFields, useTypedBoard } from "./BoardFields";
 import { type Board, readBoard } from "./board";
@@ -97,6 +98,7 @@ function Images({ camera, board, stale, work }: ImagesProps) {
         disabled={!board || work.waiting > 0}
         add={(files) => void work.addImages(files)}
       />
+      {camera.images.length === 0 && <SampleLink kind="pictures" />}
       <SendingState work={work} />
       {camera.images.length > 0 && (
         <>

@@ -89,6 +89,7 @@ export default function CameraScreen({ surveyId }: ScreenProps) {
           ))}
         </nav>
       )}
+      {list.length === 1 && open && <h2 data-testid="camera-name">{open.name}</h2>}
       {open && <OpenCamera key={open.id} id={open.id} surveyId={surveyId} />}
       {adding && (
         <AddCamera surveyId={surveyId} count={list.length} close={() => setAdding(false)} added={added} />

@@ -3,7 +3,7 @@ import type { Calibration } from "../../core/types";
 import { formatLength } from "../../core/units";
 import { apart, away, boardInWords, halvesInWords, heldOutInWords } from "./checks";
 
-/** What speaks for or against a calibration: two halves calibrated apart, and how flat the board was. */
+/** What speaks for or against a calibration: two halves calibrated separately, and how flat the board was. */
 export function Checks({ calibration }: { calibration: Calibration }) {
   const { cross_validation: halves, board_shape: shape } = calibration;
   if (!halves && !shape) return null;

@@ -182,9 +182,9 @@ describe("checks in words", () => {
 
   it("the halves differ by so much in a height, whatever the sign", () => {
     expect(halvesInWords(halves).replaceAll("\u00a0", " ")).toBe(
-      "Two halves of the pictures, calibrated apart, differ by 0.2 mm at 3 m and 16 mm at 5 m in a height.",
+      "Heights from the two halves differ by 0.2 mm at 3 m and 16 mm at 5 m.",
     );
-    expect(heldOutInWords(halves)).toContain("0.171 px; of those that did: 0.160 px");
+    expect(heldOutInWords(halves)).toContain("0.171 px; fitted images: 0.160 px");
   });
 
   it("are in feet and inches where lengths are in feet", () => {
@@ -213,7 +213,7 @@ describe("checks in words", () => {
       bent_rms_px: 0.2,
       height_differences: [],
     };
-    expect(boardInWords(shape).replaceAll("\u00a0", " ")).toMatch(/^Taken as flat\. .* bends by 1\.2 mm;/);
-    expect(boardInWords({ ...shape, solved: true })).toMatch(/^Solved for/);
+    expect(boardInWords(shape).replaceAll("\u00a0", " ")).toMatch(/^Taken as flat\. .* a bend of 1\.2 mm\./);
+    expect(boardInWords({ ...shape, solved: true })).toMatch(/^Board shape modelled: it bends by 1/);
   });
 });

@@ -27,7 +27,7 @@ export function px(value: number | null): string {
   return value === null ? "–" : say("value-px", { value: fixed(value, 3) });
 }
 
-/** "Two halves of the pictures, calibrated apart, differ by ... in a height", or why that is not known. */
+/** "Two halves of the pictures, calibrated separately, differ by ... in a height", or why that is not known. */
 export function halvesInWords(halves: Halves): string {
   if (halves.reason !== null) return say("camera-halves-not-done", { reason: halves.reason });
   const told = halves.height_differences.flatMap((d) =>

@@ -10,8 +10,9 @@ import {
   TableScroll,
 } from "../../components";
 import { api } from "../../core/api";
-import { say } from "../../core/messages";
+import { allOf, say } from "../../core/messages";
 import { formatCount } from "../../core/units";
+import { SampleLink } from "../../parts/samples/SampleLink";
 import { CHANGE_WORDS, FIELDS, type Plan, UNIT_WORDS, type Unit } from "./model";
 
 interface Choices {
@@ -49,8 +50,7 @@ export function ImportDialog({ close, imported }: { close: () => void; imported:
     setBusy(true);
     setProblem(null);
     try {
-      const params = { ...asked(choices), on_conflict: choices.on_conflict };
-      setDone(await api.write("POST /catalogue/import", params, { body: file }));
+      setDone(await api.write("POST /catalogue/import", asked(choices), { body: file }));
       imported();
     } catch (error) {
       setProblem(error);
@@ -70,10 +70,10 @@ export function ImportDialog({ close, imported }: { close: () => void; imported:
             <Button
               kind="primary"
               busy={busy}
-              disabled={!plan || plan.problem !== null || stored(plan) === 0}
+              disabled={!plan || plan.problem !== null || plan.stored === 0}
               onClick={() => void store()}
             >
-              {say("catalogue-import-store", { count: plan ? stored(plan) : 0 })}
+              {say("catalogue-import-store", { count: plan?.stored ?? 0 })}
             </Button>
           )}
         </>
@@ -91,6 +91,7 @@ export function ImportDialog({ close, imported }: { close: () => void; imported:
             add={(files) => files[0] && void look(files[0], NO_CHOICES)}
           />
         )}
+        {!file && !done && <SampleLink kind="catalogue" />}
         <Problem error={problem} />
         {busy && !plan && <Loading what={say("catalogue-import-looking")} />}
         {plan && !done && <Preview plan={plan} choices={choices} change={change} />}
@@ -101,12 +102,7 @@ export function ImportDialog({ close, imported }: { close: () => void; imported:
 
 function asked(choices: Choices) {
   const column = Object.entries(choices.columns).map(([header, field]) => `${field}=${header}`);
-  return { column, unit: choices.unit || undefined };
-}
-
-function stored(plan: Plan): number {
-  const count = (name: "new" | "update" | "conflict") => plan.counts[name] ?? 0;
-  return count("new") + count("update") + count("conflict");
+  return { column, unit: choices.unit || undefined, on_conflict: choices.on_conflict };
 }
 
 interface PreviewProps {
@@ -153,24 +149,32 @@ function Preview({ plan, choices, change }: PreviewProps) {
 }
 
 function Columns({ plan, choices, change }: PreviewProps) {
+  const skipped = plan.columns.filter((one) => !one.field).map((one) => `“${one.header}”`);
   return (
-    <fieldset class="catalogue-columns">
-      <legend>{say("catalogue-import-columns")}</legend>
-      {plan.columns.map((one) => (
-        <SelectField
-          key={one.header}
-          label={one.header}
-          value={one.field ?? ""}
-          problem={one.problem}
-          hint={one.unit ? say("catalogue-import-in", { unit: UNIT_WORDS[one.unit] }) : undefined}
-          options={[
-            { value: "", label: say("catalogue-import-left-out") },
-            ...FIELDS.map((field) => ({ value: field, label: field })),
-          ]}
-          onChange={(field) => change({ columns: { ...choices.columns, [one.header]: field } })}
-        />
-      ))}
-    </fieldset>
+    <>
+      <fieldset class="catalogue-columns">
+        <legend>{say("catalogue-import-columns")}</legend>
+        {plan.columns.map((one, at) => (
+          <SelectField
+            key={`${at} ${one.header}`}
+            label={one.header}
+            value={one.field ?? ""}
+            problem={one.problem}
+            hint={one.unit ? say("catalogue-import-in", { unit: UNIT_WORDS[one.unit] }) : undefined}
+            options={[
+              { value: "", label: say("catalogue-import-left-out") },
+              ...FIELDS.map((field) => ({ value: field, label: field })),
+            ]}
+            onChange={(field) => change({ columns: { ...choices.columns, [one.header]: field } })}
+          />
+        ))}
+      </fieldset>
+      {skipped.length > 0 && (
+        <Notice>
+          {say("catalogue-import-some-left-out", { count: skipped.length, columns: allOf(skipped) })}
+        </Notice>
+      )}
+    </>
   );
 }
 

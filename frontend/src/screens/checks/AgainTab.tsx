@@ -105,6 +105,7 @@ function Stale({ found, busy, start }: { found: Computings; busy: boolean; start
       {stale.heights > 0
         ? say("computing-stale", { count: stale.heights, causes: causesInWords(stale.causes) })
         : say("computing-fine")}{" "}
+      {stale.in_line_scans > 0 && say("computing-in-line-scans", { count: stale.in_line_scans })}{" "}
       {stale.waiting > 0 && say("computing-waiting", { count: stale.waiting })}{" "}
       {stale.other_program > 0 && say("computing-other-program", { count: stale.other_program })}
     </Notice>

@@ -9,6 +9,7 @@ import { fixed, formatCount, formatHeight, formatSmall, lengthScale, smallScale 
 import { TARGET_WORDS } from "../../core/words";
 import { causesInWords } from "../../parts/again/words";
 import { PlotFigure } from "../../parts/figures/PlotFigure";
+import { readable } from "../../parts/figures/reading";
 
 interface Props {
   surveyId: number;
@@ -64,22 +65,50 @@ function inWords({ computing, mean_change_m }: ComputedHeights): string {
   return `${say("computing-summary", values)} ${say("computing-sent", { count: computing.to_review })}`;
 }
 
+/** Where each height lies: of a recording across the road, of a line scan away from the camera. */
+const PLACES = {
+  frames: {
+    at_m: (one: ComputedHeight) => (one.scan_id === null ? one.y_m : null),
+    axis: "computing-figure-x",
+    says: "computing-figure-says",
+    column: "y_m",
+  },
+  lines: {
+    at_m: (one: ComputedHeight) => (one.scan_id === null ? null : one.distance_m),
+    axis: "computing-figure-x-lines",
+    says: "computing-figure-says-lines",
+    column: "distance_m",
+  },
+} as const;
+
 function Changes({ found }: { found: ComputedHeights }) {
-  const rows = found.listed.filter((one) => one.change_m !== null && one.y_m !== null);
+  const inLines = found.listed.some((one) => one.scan_id !== null);
+  const inFrames = found.listed.some((one) => one.scan_id === null);
+  return (
+    <>
+      {(inFrames || !inLines) && <ChangesOf found={found} of="frames" />}
+      {inLines && <ChangesOf found={found} of="lines" />}
+    </>
+  );
+}
+
+function ChangesOf({ found, of }: { found: ComputedHeights; of: keyof typeof PLACES }) {
+  const { at_m, axis, says, column } = PLACES[of];
+  const rows = found.listed.filter((one) => one.change_m !== null && at_m(one) !== null);
   return (
     <PlotFigure
-      name={`computing-${found.computing.id}`}
-      title={say("computing-figure")}
-      says={say("computing-figure-says", { count: rows.length, small: smallScale()[1] })}
+      name={`computing-${found.computing.id}${of === "lines" ? "-lines" : ""}`}
+      title={say(of === "lines" ? "computing-figure-lines" : "computing-figure")}
+      says={say(says, { count: rows.length, small: smallScale()[1] })}
       note={say("computing-figure-note")}
       data={found}
       reason={rows.length === 0 ? say("computing-figure-none") : null}
       options={(plot, unit) => {
         const [perX, long] = lengthScale(unit);
         const [perY, small] = smallScale(unit);
-        const at = { x: (one: ComputedHeight) => (one.y_m ?? 0) * perX, y: changeIn(perY) };
+        const at = { x: (one: ComputedHeight) => (at_m(one) ?? 0) * perX, y: changeIn(perY) };
         return {
-          x: { label: say("computing-figure-x", { unit: long }) },
+          x: { label: say(axis, { unit: long }) },
           y: {
             label: say("computing-figure-y", { small }),
             nice: true,
@@ -87,9 +116,12 @@ function Changes({ found }: { found: ComputedHeights }) {
           },
           marks: [
             plot.ruleY([0], { stroke: "var(--line-strong)" }),
-            plot.dot(
-              rows.filter((one) => !one.to_review),
-              { ...at, r: 3, stroke: "var(--ink)", strokeWidth: 1.2, fill: "var(--surface)" },
+            readable(
+              plot.dot(
+                rows.filter((one) => !one.to_review),
+                { ...at, r: 3, stroke: "var(--ink)", strokeWidth: 1.2, fill: "var(--surface)" },
+              ),
+              { word: "", x: rows.map(at.x), y: rows.map(at.y), way: "points" },
             ),
             plot.dot(
               rows.filter((one) => one.to_review),
@@ -99,7 +131,7 @@ function Changes({ found }: { found: ComputedHeights }) {
         };
       }}
       table={() => ({
-        columns: ["vehicle", "target", "height_before_m", "u_before_m", "height_m", "u_height_m", "y_m"],
+        columns: ["vehicle", "target", "height_before_m", "u_before_m", "height_m", "u_height_m", column],
         rows: rows.map((one) => [
           one.vehicle_number,
           one.target,
@@ -107,7 +139,7 @@ function Changes({ found }: { found: ComputedHeights }) {
           one.u_before_m,
           one.height_m,
           one.u_height_m,
-          one.y_m,
+          at_m(one),
         ]),
       })}
     />
@@ -116,6 +148,13 @@ function Changes({ found }: { found: ComputedHeights }) {
 
 function changeIn(factor: number): (one: ComputedHeight) => number {
   return (one) => (one.change_m ?? 0) * factor;
+}
+
+/** Where a height is looked at. */
+function addressOf(surveyId: number, one: ComputedHeight): string {
+  return one.scan_id === null
+    ? `/surveys/${surveyId}/measure?vehicle=${one.vehicle_id}`
+    : `/surveys/${surveyId}/scan?scan=${one.scan_id}&vehicle=${one.vehicle_id}`;
 }
 
 function Heights({ surveyId, found }: { surveyId: number; found: ComputedHeights }) {
@@ -138,12 +177,13 @@ function Heights({ surveyId, found }: { surveyId: number; found: ComputedHeights
           </thead>
           <tbody>
             {found.listed.map((one) => (
-              <tr key={one.measurement_id}>
+              <tr key={one.measurement_id ?? `line ${one.line_height_id}`}>
                 <td>
-                  <a href={`/surveys/${surveyId}/measure?vehicle=${one.vehicle_id}`}>#{one.vehicle_number}</a>
+                  <a href={addressOf(surveyId, one)}>#{one.vehicle_number}</a>
                 </td>
                 <td>
                   {TARGET_WORDS[one.target]}{" "}
+                  {one.scan_id !== null && <span class="badge">{say("computing-line-scan")}</span>}{" "}
                   {one.repeat && <span class="badge">{say("computing-repeat")}</span>}
                 </td>
                 <td class="num">{formatHeight(one.height_before_m, one.U95_before_m)}</td>

@@ -10,7 +10,7 @@ import { refreshSurvey } from "../../core/survey";
 import { toast } from "../../core/toasts";
 import type { InsetName, Survey } from "../../core/types";
 import { formatLength, formatSmall } from "../../core/units";
-import { INSET_WORDS } from "../../core/words";
+import { INSET_PLACE_WORDS, INSET_WORDS } from "../../core/words";
 import { InsetDrawing } from "./InsetDrawing";
 import { type Estimate, type InsetCheck, TARGET_NAMES, type TargetInsets } from "./types";
 
@@ -208,10 +208,10 @@ function Explanation({ check }: { check: InsetCheck }) {
           </thead>
           <tbody>
             {check.cases.map((one) => (
-              <tr key={`${one.target} ${one.words} ${one.height_m}`}>
+              <tr key={`${one.target} ${one.place} ${one.height_m}`}>
                 <td>
                   {TARGET_NAMES[one.target]}
-                  {one.words && <span class="muted">, {one.words}</span>}
+                  {one.place && <span class="muted">, {INSET_PLACE_WORDS[one.place]}</span>}
                 </td>
                 <td class="num">{formatLength(one.height_m, 2)}</td>
                 <td class="num">{formatLength(one.inset_m, 2)}</td>

@@ -6,9 +6,10 @@ import { say } from "../../core/messages";
 import { may } from "../../core/session";
 import { formatMoment } from "../../core/times";
 import type { ShownLot } from "../../core/types";
-import { formatCount } from "../../core/units";
+import { fixed, formatCount } from "../../core/units";
 import { percent } from "../../parts/figures/numbers";
 import { PlotFigure } from "../../parts/figures/PlotFigure";
+import { readable } from "../../parts/figures/reading";
 import { commonInWords, leftInWords } from "./lots";
 
 interface Props {
@@ -68,7 +69,7 @@ function inWords({ lot, progress, state, outgoing }: ShownLot): string {
     const values = {
       count: progress.rest,
       bad: formatCount(progress.nonconforming),
-      estimate: outgoing.estimate.toFixed(1),
+      estimate: fixed(outgoing.estimate, 1),
       most: formatCount(outgoing.at_most),
       share: percent(outgoing.count > 0 ? outgoing.at_most / outgoing.count : 0),
     };
@@ -172,12 +173,20 @@ function Curve({ shown }: { shown: ShownLot }) {
         x: { label: say("lots-curve-x"), zero: true },
         y: { label: say("lots-curve-y"), domain: [0, 100] },
         marks: [
-          plot.line(curve, {
-            x: (one) => one.fraction * 100,
-            y: (one) => one.accepted * 100,
-            stroke: "var(--ink)",
-            strokeWidth: 1.6,
-          }),
+          readable(
+            plot.line(curve, {
+              x: (one) => one.fraction * 100,
+              y: (one) => one.accepted * 100,
+              stroke: "var(--ink)",
+              strokeWidth: 1.6,
+            }),
+            {
+              word: "",
+              x: curve.map((one) => one.fraction * 100),
+              y: curve.map((one) => one.accepted * 100),
+              way: "line",
+            },
+          ),
           plot.dot(points, {
             x: (one) => one.fraction * 100,
             y: (one) => one.accepted * 100,

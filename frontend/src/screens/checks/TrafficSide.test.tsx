@@ -38,8 +38,8 @@ function shown(proposed: boolean): string {
 
 describe("the verdict on the road's direction", () => {
   it("offers no turn where it says that none is needed, and one where it proposes it", () => {
-    expect(shown(false)).not.toContain("Turn");
+    expect(shown(false)).not.toContain("Rotate");
     render(null, document.body);
-    expect(shown(true)).toContain("Turn");
+    expect(shown(true)).toContain("Rotate");
   });
 });

@@ -10,6 +10,7 @@ import {
   SelectField,
   TableScroll,
 } from "../../components";
+import { nameOfLanguage } from "../../components/LanguageChoice";
 import { Said } from "../../components/Said";
 import { api } from "../../core/api";
 import { cancelJob, isOver, useJob } from "../../core/jobs";
@@ -251,6 +252,7 @@ function Packages({ list }: { list: ExportPackage[] }) {
             <th>{say("export-made")}</th>
             <th>{say("export-by")}</th>
             <th>{say("export-of")}</th>
+            <th>{say("export-language")}</th>
             <th class="num">{say("export-size")}</th>
             <th>{say("export-sha256")}</th>
             <th>{say("export-audit-head")}</th>
@@ -265,6 +267,7 @@ function Packages({ list }: { list: ExportPackage[] }) {
               <td class="nowrap">{formatMoment(entry.created_at)}</td>
               <td class="nowrap">{entry.created_by?.name ?? "–"}</td>
               <td>{wantedWords(entry.selection) || say("export-of-all")}</td>
+              <td class="nowrap">{nameOfLanguage(entry.language)}</td>
               <td class="num nowrap">{formatBytes(entry.size_bytes)}</td>
               <Hash text={entry.sha256} which="sha256" />
               <Hash text={entry.audit_head} which="audit-head" />

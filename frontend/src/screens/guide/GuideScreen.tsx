@@ -1,7 +1,7 @@
 import { useEffect, useRef } from "preact/hooks";
 import { Button, Loading, Problem } from "../../components";
 import { query } from "../../core/address";
-import { say } from "../../core/messages";
+import { language, say } from "../../core/messages";
 import { useResource } from "../../core/resource";
 import { GUIDE_PAGES, type GuidePageName, isGuidePage, readPage } from "./pages";
 import "./guide.css";
@@ -11,7 +11,8 @@ export default function GuideScreen() {
   const asked = query.value.get("page") ?? GUIDE_PAGES[0];
   const section = query.value.get("section");
   const name: GuidePageName = isGuidePage(asked) ? asked : GUIDE_PAGES[0];
-  const page = useResource(() => readPage(name), [name], { keep: true });
+  const spoken = language.value;
+  const page = useResource(() => readPage(name, spoken), [name, spoken], { keep: true });
   const text = useRef<HTMLElement>(null);
   useEffect(() => {
     const place = section ? text.current?.querySelector(`#guide-${CSS.escape(section)}`) : null;
@@ -39,7 +40,12 @@ export default function GuideScreen() {
         {page.error !== null && <Problem error={page.error} again={page.reload} />}
         {page.data ? (
           // made from our own files when the pages are built, so nothing foreign can be in it
-          <article class="guide__text" ref={text} dangerouslySetInnerHTML={{ __html: page.data.html }} />
+          <article
+            class="guide__text"
+            lang={page.data.language}
+            ref={text}
+            dangerouslySetInnerHTML={{ __html: page.data.html }}
+          />
         ) : (
           page.error === null && <Loading what={say("guide-loading")} />
         )}

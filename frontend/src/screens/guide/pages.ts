@@ -7,13 +7,14 @@ export interface GuidePage {
 
 type Loader = () => Promise<{ default: GuidePage }>;
 
-// beside those written for the guide, some that stand in the repository for everybody
+const SOURCE = "en";
+// beside those written for the guide, some that stand in the repository for everybody, in English
 const OTHERS: Record<string, Loader> = {
   formats: () => import("../../../../docs/formats.md"),
   studies: () => import("../../../../docs/studies.md"),
   CONVENTIONS: () => import("../../../../CONVENTIONS.md"),
 };
-const WRITTEN = import.meta.glob<{ default: GuidePage }>("../../../../docs/guide/en/*.md");
+const WRITTEN = import.meta.glob<{ default: GuidePage }>("../../../../docs/guide/*/*.md");
 
 export const GUIDE_PAGES = [
   "first-survey",
@@ -34,9 +35,14 @@ export type GuidePageName = (typeof GUIDE_PAGES)[number];
 export const isGuidePage = (name: string): name is GuidePageName =>
   (GUIDE_PAGES as readonly string[]).includes(name);
 
-/** A page of the guide; its code is in the app, so only a broken connection fails. */
-export async function readPage(name: GuidePageName): Promise<GuidePage> {
-  const load = OTHERS[name] ?? WRITTEN[`../../../../docs/guide/en/${name}.md`];
+/** A page in the language asked for, else in English; its code is in the app, so only a broken connection fails. */
+export async function readPage(
+  name: GuidePageName,
+  language: string,
+): Promise<GuidePage & { language: string }> {
+  const written = (one: string) => WRITTEN[`../../../../docs/guide/${one}/${name}.md`];
+  const translated = written(language);
+  const load = translated ?? OTHERS[name] ?? written(SOURCE);
   if (!load) throw new Error(`the guide has no ${name}`);
-  return (await load()).default;
+  return { ...(await load()).default, language: translated ? language : SOURCE };
 }

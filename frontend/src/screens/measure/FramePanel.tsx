@@ -14,11 +14,13 @@ import type { Player } from "../../viewer/player";
 import { pair, samePoint } from "../../viewer/points";
 import { AssistLayer, AssistNote } from "./assist/AssistLayer";
 import { DriftLine } from "./assist/DriftLine";
+import { SnapLayer } from "./assist/SnapLayer";
 import type { Selection } from "./flow";
 import type { MeasureModel } from "./model";
 import { idOf } from "./points";
 import { ProposalLayer } from "./proposals/ProposalLayer";
 import { SecondMarks } from "./SecondFrameParts";
+import { FollowedMarks } from "./WholePassParts";
 
 export function FramePanel({ model, player }: { model: MeasureModel; player: Player }) {
   const { stage, points, assist } = model;
@@ -44,6 +46,7 @@ export function FramePanel({ model, player }: { model: MeasureModel; player: Pla
       >
         <AnswerLines geometry={model.geometry} stage={stage} />
         <Marks model={model} selections={points.selectable()} />
+        <SnapLayer snapping={model.snapping} stage={stage} />
         <AssistLayer assist={assist} stage={stage} />
         <ProposalLayer proposals={model.proposals} stage={stage} />
       </FrameView>
@@ -91,6 +94,7 @@ function Marks({ model, selections }: { model: MeasureModel; selections: readonl
         );
       })}
       <SecondMarks model={model} />
+      <FollowedMarks model={model} />
     </>
   );
 }
@@ -198,14 +202,20 @@ function LiveHeight({ model }: { model: MeasureModel }) {
   if (!live || !at || model.awaiting.value !== "point") return null;
   const view = model.stage.view.value;
   const [x, y] = view.toScreen(at);
-  const flip = x > view.screen.width - 190;
-  const above = y > view.screen.height - 60 || loupeBelow(model.stage, at);
+  const refused = live.answer?.status !== "ok"; // a sentence: several lines
+  const { width, height } = view.screen;
+  const flip = x > width - (refused ? 350 : 190);
+  const above = y > height - (refused ? 130 : 60) || loupeBelow(model.stage, at);
+  const classes = ["live-height", flip && "live-height--left", refused && "live-height--refused"];
   return (
     <output
-      class={`live-height${flip ? " live-height--left" : ""}`}
+      class={classes.filter(Boolean).join(" ")}
       data-testid="live-height"
       aria-hidden="true"
-      style={{ left: `${x + (flip ? -16 : 16)}px`, top: `${y + (above ? -44 : 14)}px` }}
+      style={{
+        left: `${x + (flip ? -16 : 16)}px`,
+        ...(above ? { bottom: `${height - y + 14}px` } : { top: `${y + 14}px` }),
+      }}
     >
       {words(live.answer, live.problem)}
     </output>

@@ -1,11 +1,12 @@
 /** What only a look at the vehicle can tell: where the driver sits, which spot of the roof was clicked. */
 import { Segments } from "../../components";
+import { Said } from "../../components/Said";
 import { say } from "../../core/messages";
 import { canWork } from "../../core/session";
 import { survey } from "../../core/survey";
 import type { DriverSide, Target, Vehicle } from "../../core/types";
 import { formatLength } from "../../core/units";
-import { SIDE_WORDS } from "../../core/words";
+import { INSET_PLACE_WORDS, SIDE_WORDS } from "../../core/words";
 import type { MeasureModel } from "./model";
 import type { Entry } from "./records";
 
@@ -46,7 +47,13 @@ function DriverSideChoice({ model, vehicle }: { model: MeasureModel; vehicle: Ve
       ) : (
         <span class="small">{side ? SIDE_WORDS[side] : say("measure-side-unknown")}</span>
       )}
-      <span class="small muted">{say("measure-side-from", { from, ...values })}</span>
+      <span class="small muted">
+        <Said
+          what="measure-side-from"
+          values={{ from, ...values }}
+          parts={{ link: (text) => <a href={`/surveys/${model.surveyId}`}>{text}</a> }}
+        />
+      </span>
       {from === "said" && canWork.value && (
         <button type="button" class="link small" onClick={() => model.chooseSide(null)}>
           {say("measure-side-as-survey")}
@@ -72,7 +79,7 @@ function RoofChoice({ model, target, entry }: Props) {
         value={String(value)}
         options={choices.map((choice, i) => ({
           value: String(i),
-          label: choice.words,
+          label: INSET_PLACE_WORDS[choice.place],
         }))}
         onChange={(picked) => {
           const choice = choices[Number(picked)];

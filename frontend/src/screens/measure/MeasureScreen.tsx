@@ -93,6 +93,7 @@ function measureCommands(model: MeasureModel): ButtonCommand[] {
     { id: "selectNext", run: () => model.points.selectNext() },
     { id: "driverSide", run: () => model.turnSide(), enabled: mayWork },
     { id: "secondFrame", run: () => void model.second.start(), enabled: mayWork },
+    { id: "followPass", run: () => void model.whole.start(), enabled: mayWork },
     { id: "confirmNext", run: () => confirmNext(model) },
     { id: "remove", run: () => model.points.removeSelected() },
   ];

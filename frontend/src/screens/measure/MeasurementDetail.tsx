@@ -9,12 +9,14 @@ import type { Inset } from "../../viewer/values";
 import type { MeasureModel } from "./model";
 import type { Entry } from "./records";
 import { Frames } from "./SecondFrameParts";
+import { FollowButton } from "./WholePassParts";
 
 export function MeasurementDetail({ model, entry }: { model: MeasureModel; entry: Entry }) {
   const source = entry.preview ?? entry.saved;
   return (
     <div class="height-detail">
       <Frames model={model} entry={entry} />
+      {canWork.value && entry.state === "saved" && <FollowButton model={model} entryKey={entry.key} />}
       <InsetEditor model={model} entry={entry} />
       {source && source.budget.length > 0 && <Budget entries={source.budget} total_m={source.u_height_m} />}
       <dl class="facts small">
@@ -67,7 +69,11 @@ function InsetEditor({ model, entry }: { model: MeasureModel; entry: Entry }) {
       <p class="small">
         <strong>{say("measure-inset")}</strong> <span class="badge">{say("measure-estimate")}</span>{" "}
         <span class="muted">
-          {say(entry.values.more.length > 0 ? "measure-inset-solved" : "measure-inset-what")}
+          {say(
+            entry.values.more.length > 0 || entry.values.follow
+              ? "measure-inset-solved"
+              : "measure-inset-what",
+          )}
         </span>
       </p>
       <div class="height-detail__inset">

@@ -15,6 +15,7 @@ import type { MeasureModel } from "./model";
 import type { Entry } from "./records";
 import { FramesSaid } from "./SecondFrameParts";
 import { Unseen } from "./Unseen";
+import { PassSaid } from "./WholePassParts";
 import { heightWords } from "./words";
 
 export function MeasurementList({ model }: { model: MeasureModel }) {
@@ -186,6 +187,7 @@ function Said({ entry }: { entry: Entry }) {
   return (
     <>
       <FramesSaid m={m} />
+      <PassSaid m={m} />
       {m.status !== "ok" && (
         <p class="height-row__said">
           <Icon name="warning" size={14} />

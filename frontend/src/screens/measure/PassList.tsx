@@ -126,7 +126,8 @@ function Row({ model, vehicle }: { model: MeasureModel; vehicle: Vehicle }) {
   const word = useComputed(() => progress(model, vehicle)).value;
   const name = useComputed(() => {
     const shown = model.vehicles.shown(vehicle.id) ?? vehicle;
-    return [shown.make, shown.model].filter(Boolean).join(" ");
+    const car = [shown.make, shown.model].filter(Boolean).join(" ");
+    return shown.check_target ? [say("measure-check-target-mark"), car].join(" ").trim() : car;
   }).value;
   return (
     <div role="listitem">
@@ -164,7 +165,11 @@ function Row({ model, vehicle }: { model: MeasureModel; vehicle: Vehicle }) {
                 {formatPlaceClock(vehicle.filmed_at)}
               </time>
             )}
-            {name && <span class="pass__name clip">{name}</span>}
+            {name && (
+              <span class="pass__name clip" title={name}>
+                {name}
+              </span>
+            )}
           </span>
         )}
       </button>

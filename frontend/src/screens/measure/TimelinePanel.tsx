@@ -7,11 +7,13 @@ import { vehicleName } from "../../core/words";
 import { bestFrame, isOpen, nextOpen } from "../../parts/vehicles/passes";
 import { around } from "../../viewer/ahead";
 import type { Player } from "../../viewer/player";
+import type { Span } from "../../viewer/spans";
 import { brightSwitch, fitCommand, linesSwitch, loupeSwitch } from "../../viewer/stageCommands";
-import { type Span, Timeline } from "../../viewer/Timeline";
+import { Timeline } from "../../viewer/Timeline";
 import { Transport } from "../../viewer/Transport";
 import type { MeasureModel } from "./model";
 import { passWords, spanLabel } from "./passes/marks";
+import { followedSpans } from "./WholePassParts";
 
 export function TimelinePanel({ model, player }: { model: MeasureModel; player: Player }) {
   const spans = model.vehicles.list.value
@@ -43,7 +45,7 @@ export function TimelinePanel({ model, player }: { model: MeasureModel; player: 
         <CommandButton command={brightSwitch}>{say("stage-bright")}</CommandButton>
         <CommandButton command={loupeSwitch(model.stage)}>{say("stage-loupe")}</CommandButton>
       </div>
-      <Timeline player={player} spans={spans} />
+      <Timeline player={player} spans={[...spans, ...followedSpans(model)]} />
     </section>
   );
 }

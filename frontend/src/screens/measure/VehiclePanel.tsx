@@ -1,5 +1,5 @@
 /** The right side: the vehicle record, saved by itself, and its measurements. */
-import { useMemo } from "preact/hooks";
+import { useMemo, useRef } from "preact/hooks";
 import { Button, SelectField, StateMark } from "../../components";
 import { CommitField } from "../../components/CommitField";
 import { TypingHold } from "../../components/typing";
@@ -18,11 +18,15 @@ import { CatalogueField } from "../../parts/vehicles/CatalogueField";
 import { ModelYears } from "../../parts/vehicles/ModelYears";
 import { VehicleConflict } from "./Conflicts";
 import { FIELD_WORDS } from "./fields";
+import { fromCatalogue } from "./fromCatalogue";
+import { KnownHeights } from "./KnownHeights";
 import { MeasurementList } from "./MeasurementList";
 import type { MeasureModel } from "./model";
 import { ProposalPanel } from "./proposals/ProposalPanel";
+import { noteModel, RecentModels } from "./RecentModels";
 import { SpanEditor } from "./SpanEditor";
 import { CannotFit, useModelFits, WhichModel } from "./WhichModel";
+import { WholePassPanel } from "./WholePassParts";
 
 /** What can be chosen, or nothing. */
 function choices<W extends string>(words: Readonly<Record<W, string>>): { value: W | ""; label: string }[] {
@@ -58,6 +62,7 @@ export function VehiclePanel({ model }: { model: MeasureModel }) {
       </header>
       <VehicleConflict model={model} id={vehicle.id} />
       <ProposalPanel model={model} />
+      <WholePassPanel model={model} />
       <MeasurementList model={model} />
       <SpanEditor model={model} vehicle={vehicle} />
       <Facts model={model} vehicle={vehicle} />
@@ -92,7 +97,19 @@ function Facts({ model, vehicle }: { model: MeasureModel; vehicle: Vehicle }) {
     [model, vehicle.id],
   );
   const fits = useModelFits(vehicle);
-  const take = (row: CatalogueRow): void => model.edit(fromCatalogue(row));
+  const make = useRef<HTMLInputElement>(null);
+  const take = (row: CatalogueRow): void => {
+    noteModel(row);
+    model.edit(fromCatalogue(row, vehicle), vehicle);
+  };
+  const takeLast = (row: CatalogueRow): void => {
+    take(row);
+    model.named(vehicle);
+  };
+  const toMake = (): void => {
+    make.current?.focus();
+    make.current?.select();
+  };
   return (
     <section class="facts-form" aria-label={say("measure-record")}>
       <h3>{say("measure-record")}</h3>
@@ -103,8 +120,12 @@ function Facts({ model, vehicle }: { model: MeasureModel; vehicle: Vehicle }) {
       )}
       <TypingHold.Provider value={hold}>
         <div class="facts-form__grid">
+          <div class="facts-form__wide">
+            <RecentModels locked={locked} onChoose={takeLast} toMake={toMake} />
+          </div>
           <CatalogueField
             label={FIELD_WORDS.make}
+            field={make}
             value={vehicle.make ?? ""}
             query={(text) => text}
             disabled={locked}
@@ -169,6 +190,9 @@ function Facts({ model, vehicle }: { model: MeasureModel; vehicle: Vehicle }) {
               onCommit={(text) => model.edit({ height_source: text || null })}
             />
           </div>
+          <div class="facts-form__wide">
+            <KnownHeights vehicle={vehicle} locked={locked} edit={(changes) => model.edit(changes)} />
+          </div>
           <SelectField
             label={FIELD_WORDS.lighting}
             value={vehicle.lighting ?? ""}
@@ -212,14 +236,4 @@ function Facts({ model, vehicle }: { model: MeasureModel; vehicle: Vehicle }) {
       </TypingHold.Provider>
     </section>
   );
-}
-
-function fromCatalogue(row: CatalogueRow) {
-  return {
-    make: row.make,
-    model: row.model,
-    ...(row.category ? { category: row.category } : {}),
-    ...(row.height_m === null ? {} : { manufacturer_height_m: row.height_m, height_source: row.source }),
-    ...(row.year_from !== null && row.year_from === row.year_to ? { year: row.year_from } : {}),
-  };
 }

@@ -8,6 +8,7 @@ import type { Reel } from "../../viewer/reel";
 import type { FrameStage } from "../../viewer/stage";
 import type { Tool } from "../../viewer/tool";
 import type { Inset } from "../../viewer/values";
+import type { Snapping } from "./assist/snapping";
 import type { Effect, Flow, FlowEvent, Role } from "./flow";
 import type { Entry, Records } from "./records";
 
@@ -15,6 +16,9 @@ export interface Desk {
   readonly reel: Reel;
   readonly stage: FrameStage;
   readonly history: History;
+  readonly snapping: Snapping;
+  /** Whether contact clicks go to the tyre now. */
+  readonly snaps: ReadonlySignal<boolean>;
   readonly geometry: Geometry;
   readonly records: Records;
   readonly flow: ReadonlySignal<Flow>;

@@ -22,7 +22,7 @@ import {
   SIDE_WORDS,
   STATE_WORDS,
 } from "../../core/words";
-import { clickBody, madeOf, sameValues, type Values, valuesOf } from "../../viewer/values";
+import { clickBody, madeOf, sameValues, snappedFrom, type Values, valuesOf } from "../../viewer/values";
 import { type Changes, disputedFields, FIELD_WORDS, type Field } from "./fields";
 
 export const MEASUREMENT = "measurement";
@@ -92,6 +92,7 @@ export function showFact(field: Field, value: unknown): string {
   if (field === "direction") return DIRECTION_WORDS[value as Direction];
   if (field === "driver_side") return SIDE_WORDS[value as DriverSide];
   if (field === "discarded") return DISCARDED_WORDS[value as Discarded];
+  if (field === "check_target") return say(value ? "measure-check-target-yes" : "measure-check-target-no");
   if (field.endsWith("_not_visible")) return NOT_VISIBLE_WORDS[value as NotVisible];
   return field.endsWith("_m") ? formatLength(Number(value)) : String(value);
 }
@@ -106,13 +107,17 @@ const recordsPort: RecordsPort = {
     api.write(
       "POST /vehicles/{vehicle_id}/measurements",
       { vehicle_id },
-      { body: { client_key, made: madeOf(values), ...clickBody(values) }, retry: true, signal },
+      {
+        body: { client_key, made: madeOf(values), ...snappedFrom(values), ...clickBody(values) },
+        retry: true,
+        signal,
+      },
     ),
   revise: (measurement_id, revision, values, signal) =>
     api.write(
       "PUT /measurements/{measurement_id}",
       { measurement_id },
-      { body: { revision, ...clickBody(values) }, signal },
+      { body: { revision, ...snappedFrom(values), ...clickBody(values) }, signal },
     ),
   withdraw: (measurement_id, revision, signal) =>
     api.write("DELETE /measurements/{measurement_id}", { measurement_id, revision }, { signal }),

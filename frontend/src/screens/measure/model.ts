@@ -30,6 +30,7 @@ import { Reel } from "../../viewer/reel";
 import { FrameStage } from "../../viewer/stage";
 import type { Inset } from "../../viewer/values";
 import { Assist } from "./assist/assist";
+import { Snapping } from "./assist/snapping";
 import type { ClickTool, Desk } from "./desk";
 import type { Changes } from "./fields";
 import { type Effect, type Flow, type FlowEvent, firstMissing, START, step } from "./flow";
@@ -48,6 +49,7 @@ import { Proposals } from "./proposals/proposals";
 import { Records } from "./records";
 import { SecondFrame } from "./secondFrame";
 import { Vehicles } from "./vehicles";
+import { WholePass } from "./wholePass";
 
 export const filter = stored<Filter>("passes.filter", "all");
 export const order = stored<Order>("passes.order", "number");
@@ -59,6 +61,7 @@ export class MeasureModel implements Desk {
     this.assist,
     this.stage.keyboard,
     this.second,
+    this.whole,
     this.span,
     this.proposals,
     this.points,
@@ -69,6 +72,16 @@ export class MeasureModel implements Desk {
   readonly vehicles: Vehicles;
   readonly second: SecondFrame = new SecondFrame(this, () => this.points);
   readonly points: Points = new Points(this, this.second);
+  readonly whole: WholePass = new WholePass(this, () => ({
+    clicks: this.points.clicks,
+    rest: (key) => this.points.rest(key),
+    last: () => this.second.last,
+  }));
+  readonly snapping: Snapping = new Snapping(this);
+  /** Where the proposed contact was turned down, a click means another place. */
+  readonly snaps = computed(
+    () => canWork.value && this.hasPose.value && !this.proposals.turnedDown("contact"),
+  );
   readonly assist: Assist;
   readonly proposals: Proposals;
   readonly flow = signal<Flow>(START);
@@ -360,9 +373,14 @@ export class MeasureModel implements Desk {
     if (this.proposals.wasConfirmed(this.vehicleId.value)) this.confirmNext();
   }
 
+  /** Make and model were the last thing asked for of a vehicle that had none: on to the next one. */
+  named(before: Vehicle): void {
+    const done = this.asked().length > 0 && this.points.missing().length === 0;
+    if (done && before.id === this.vehicleId.value && !before.make && !before.model) this.confirmNext();
+  }
+
   /** Edits vehicle facts, as a step that can be undone. */
-  edit(changes: Changes): void {
-    const vehicle = this.vehicle.value;
+  edit(changes: Changes, vehicle = this.vehicle.value): void {
     if (!vehicle) return;
     this.history.run(say("measure-step-vehicle", { vehicle: String(vehicle.number) }), (step) => {
       for (const field of Object.keys(changes) as (keyof Changes)[])
@@ -544,6 +562,7 @@ export class MeasureModel implements Desk {
     this.points.endBurst();
     this.stage.keyboard.off();
     this.second.forget();
+    this.whole.forget();
     this.geometry.forgetHeight();
     const id = this.vehicleId.value;
     if (id !== null && this.vehicles.drafts.value.has(id)) void this.vehicles.flush(id);

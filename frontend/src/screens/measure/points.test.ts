@@ -42,6 +42,91 @@ describe("measuring with clicks", () => {
     expect([...server.stored.values()].every((m) => m.contact[0] === 100 && m.contact[1] === 400)).toBe(true);
   });
 
+  describe("a contact click that snaps to the tyre", () => {
+    beforeEach(() =>
+      server.on("POST", /^\/vehicles\/7\/frames\/40\/snap$/, () => ({
+        contact: [103.25, 412.5],
+        expected_px: 0.4,
+        reason: null,
+      })),
+    );
+
+    it("goes to where the server says, and says where it was clicked when it is stored", async () => {
+      model.points.place(at(100, 400));
+      expect(model.contact.value).toEqual([100, 400]);
+      await quiet();
+      expect(model.contact.value).toEqual([103.25, 412.5]);
+      expect(model.snapping.shown()?.from).toEqual([100, 400]);
+      for (const point of [at(101, 250), at(90, 300)]) {
+        model.points.place(point);
+        await quiet();
+      }
+      for (const body of server.stored.values())
+        expect(body).toMatchObject({ contact: [103.25, 412.5], snapped_from: [100, 400], made: "clicked" });
+    });
+
+    it("is put back by one undo, and then stored as clicked", async () => {
+      model.points.place(at(100, 400));
+      await quiet();
+      await model.history.undo();
+      expect([model.contact.value, model.snapping.shown()]).toEqual([at(100, 400), null]);
+      model.points.place(at(101, 250));
+      await quiet();
+      expect(server.stored.get(1)).toMatchObject({ contact: [100, 400], made: "clicked" });
+      expect(server.stored.get(1)).not.toHaveProperty("snapped_from");
+    });
+
+    it("stays where it is with Shift held, and where something was measured on it first", async () => {
+      model.stage.exact = true;
+      model.points.place(at(100, 400));
+      await quiet();
+      expect(model.contact.value).toEqual([100, 400]);
+      model.dispatch({ type: "new-contact" });
+      model.points.place(at(110, 400));
+      model.points.place(at(101, 250));
+      await quiet();
+      expect(model.contact.value).toEqual([110, 400]);
+      expect(server.stored.get(1)).toMatchObject({ contact: [110, 400] });
+    });
+
+    it("is no longer said of a contact that was dragged away", async () => {
+      model.points.place(at(100, 400));
+      await quiet();
+      model.points.place(at(101, 250));
+      await quiet();
+      const key = model.entries.value[0]?.key ?? "";
+      model.points.drag(idOf({ key, role: "contact" }), at(120, 410), "move");
+      model.points.drag(idOf({ key, role: "contact" }), at(120, 410), "end");
+      await quiet();
+      expect(server.bodies.at(-1)).toMatchObject({ contact: [120, 410] });
+      expect(server.bodies.at(-1)).not.toHaveProperty("snapped_from");
+    });
+  });
+
+  it("asks for all three on a second frame by one key, in order, with the contact clicked once", async () => {
+    const spot = { frame: 52, contact: [140, 400], target_point: [141, 250], assumed_kmh: null, travel_m: 1 };
+    server.on("POST", /second-frame$/, () => ({ ok: true, frame: 52, source: "followed", spots: [spot] }));
+    for (const point of [at(100, 400), at(101, 250), at(90, 300), at(20, 330)]) {
+      model.points.place(point);
+      await quiet();
+    }
+    await model.second.start();
+    await quiet();
+    model.second.place(at(140, 400));
+    for (const target of ["roof", "driver_eye", "taillight"]) {
+      expect([model.second.now.value?.target, model.second.awaiting.value]).toEqual([target, "point"]);
+      expect(model.second.spots.value).toEqual([spot]);
+      model.second.place(at(141, 250));
+      await quiet();
+    }
+    expect(model.second.now.value).toBeNull();
+    expect(model.entries.value.map(({ values }) => values.more.map((one) => one.frame))).toEqual([
+      [52],
+      [52],
+      [52],
+    ]);
+  });
+
   it("goes on to the next target when one is not visible, and comes back to it when it is", async () => {
     let facts = vehicle([]);
     server.on("PUT", /^\/vehicles\/7$/, (_match, body) => {
@@ -134,7 +219,7 @@ describe("measuring with clicks", () => {
     expect(model.reel.player.value?.frame.value).toBe(44);
     expect(model.second.awaiting.value).toBe("contact");
     model.stage.place(at(140, 400));
-    for (const point of [at(60, 330), at(141, 250), at(130, 300)]) {
+    for (const point of [at(141, 250), at(130, 300), at(60, 330)]) {
       expect(model.second.awaiting.value).toBe("point");
       model.stage.place(point);
     }

@@ -86,8 +86,20 @@ export class Points implements ClickTool {
         changes.touch(this.contacts, this.contactKey(frame));
         const effect = desk.dispatch({ type: "click", frame, point });
         if (effect?.type === "store") this.store(effect, changes);
+        else if (effect?.type === "contact") this.snap(frame, point);
       });
     return true;
+  }
+
+  /** The contact goes to the tyre as a step of its own: one undo puts it back to the click. */
+  private snap(frame: number, point: ImagePoint): void {
+    const { desk } = this;
+    if (!desk.snaps.value) return;
+    void desk.snapping.ask(frame, point, (to) =>
+      desk.history.run(desk.stepName(say("measure-step-snap")), (changes) => {
+        changes.write(this.contacts, this.contactKey(frame), to);
+      }),
+    );
   }
 
   cursorStart(): ImagePoint | null {
@@ -288,14 +300,25 @@ export class Points implements ClickTool {
     const inset = this.desk.insetOf(target);
     const more = this.moreKept(target, frame);
     const preview = geometry.answerFor(contact, point, target, inset, more);
+    const snapped = this.desk.snapping.of(frame, contact);
     const old = this.revised(target);
     const key = old?.key ?? newKey();
     changes.touch(this.clicks, key);
     if (old) {
-      records.change(key, { frame, contact, point, more, ...(inset ? { inset } : {}) }, { preview });
+      records.change(key, { frame, contact, point, more, snapped, ...(inset ? { inset } : {}) }, { preview });
       toast(say("measure-afresh", { target }));
     } else {
-      const values = { target, frame, contact, point, more, inset, sigma_px: null, withdrawn: false };
+      const values = {
+        target,
+        frame,
+        contact,
+        point,
+        more,
+        inset,
+        sigma_px: null,
+        withdrawn: false,
+        snapped,
+      };
       records.create(vehicleId, values, preview, key);
       this.second.last = key;
     }
@@ -315,7 +338,9 @@ export class Points implements ClickTool {
       for (const one of proposed) {
         const key = newKey();
         changes.touch(this.clicks, key);
-        const click = { target: one.target, frame, contact, point: one.point, proposed: one.proposed };
+        const { point, proposed } = one;
+        const snapped = this.desk.snapping.of(frame, contact);
+        const click = { target: one.target, frame, contact, point, proposed, snapped };
         const rest = { more: [], inset: this.desk.insetOf(one.target), sigma_px: null, withdrawn: false };
         this.desk.records.create(vehicleId, { ...click, ...rest }, one.preview, key);
         this.second.last = key;

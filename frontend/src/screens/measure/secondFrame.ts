@@ -186,29 +186,55 @@ export class SecondFrame implements ClickTool {
     this.desk.geometry.forgetHeight();
     this.change(
       entry,
-      { more },
+      // a further frame is clicked on its own: what was followed goes
+      { more, follow: undefined },
       say("measure-step-frame", { nth: more.length + 1 }),
       fits ? (live.answer ?? null) : null,
     );
     this.last = entry.key;
     const next = this.alike(entry, frame);
     // once for all of a vehicle: the contact stands, so that each of the others is one click
-    if (next && answer)
+    if (next && answer) {
       this.now.value = { key: next.key, target: next.values.target, answer: { ...answer, spots: [] } };
-    else this.clicked.value = null;
+      void this.expect(next);
+    } else this.clicked.value = null;
   }
 
-  /** Another target that stands on the same tyre contact and has no points on this frame yet. */
+  /** Where the next target is expected on the frame that is gone on with; without an answer it is clicked all the same. */
+  private async expect(entry: Entry): Promise<void> {
+    const recordingId = this.desk.reel.player.value?.recordingId;
+    if (recordingId === undefined) return;
+    try {
+      const { spots } = await askSecondFrame(recordingId, entry.vehicleId, entry.values);
+      const going = this.now.value;
+      if (going?.key === entry.key) this.now.value = { ...going, answer: { ...going.answer, spots } };
+    } catch {
+      // the rings are a help only: what cannot be stored is said by the outbox
+    }
+  }
+
+  /** The next target in order that stands on the same tyre contact and has no points on this frame yet. */
   private alike(entry: Entry, frame: number): Entry | undefined {
-    return this.desk.entries.value.find(
-      ({ key, values, state }) =>
-        key !== entry.key &&
-        state !== "conflict" &&
-        !values.withdrawn &&
-        values.frame === entry.values.frame &&
-        samePoint(values.contact, entry.values.contact) &&
-        !pointsOn(values, frame),
-    );
+    return this.together(entry).find(({ key, values }) => key !== entry.key && !pointsOn(values, frame));
+  }
+
+  /** The measurements on the same frame and tyre contact, itself among them, in the order in which they are asked for. */
+  private together(entry: Entry): Entry[] {
+    const asked = this.desk.asked();
+    const place = ({ values }: Entry) => {
+      const at = asked.indexOf(values.target);
+      return at < 0 ? asked.length : at;
+    };
+    return this.desk.entries.value
+      .filter(
+        ({ key, values, state }) =>
+          key === entry.key ||
+          (state !== "conflict" &&
+            !values.withdrawn &&
+            values.frame === entry.values.frame &&
+            samePoint(values.contact, entry.values.contact)),
+      )
+      .sort((a, b) => place(a) - place(b));
   }
 
   /** Takes one frame away from a measurement; the next one becomes its first where that goes. */
@@ -241,15 +267,18 @@ export class SecondFrame implements ClickTool {
     void this.storing().rest(entry.key);
   }
 
-  /** The selected measurement, else the last one, else the last of this vehicle that has a height. */
+  /** The selected measurement, else the first with fewest frames of those that go with the last one. */
   private meant(): string | null {
     const { flow, entries } = this.desk;
     const standing = entries.value.filter((entry) => !entry.values.withdrawn);
     const known = (key: string | null | undefined): boolean => standing.some((entry) => entry.key === key);
     const selected = flow.value.selection?.key ?? null;
     if (known(selected)) return selected;
-    if (known(this.last)) return this.last;
-    return standing.at(-1)?.key ?? null;
+    const last = standing.find((entry) => entry.key === this.last) ?? standing.at(-1);
+    if (!last) return null;
+    const all = this.together(last);
+    const fewest = Math.min(...all.map((entry) => framesOf(entry.values).length));
+    return all.find((entry) => framesOf(entry.values).length === fewest)?.key ?? last.key;
   }
 
   /** A contact on this frame of a measurement that stands on the same tyre contact in the first frame. */

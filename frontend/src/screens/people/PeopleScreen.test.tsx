@@ -41,7 +41,7 @@ async function choose(role: string, answer: string): Promise<void> {
 }
 
 it("asks before a role becomes another, and changes nothing where it is not confirmed", async () => {
-  await choose("admin", "Keep it");
+  await choose("admin", "Cancel");
   expect(server.writes).toEqual([]);
   await choose("operator", "Change the role");
   await vi.waitFor(() => expect(server.writes).toEqual(["PUT /people/2"]));

@@ -3,6 +3,8 @@ import { Problem } from "../../components";
 import { say } from "../../core/messages";
 import { theme } from "../../core/theme";
 import { lengthScale, lengthUnit, smallScale } from "../../core/units";
+import { type Drawn, drawnOf, Reader } from "../../parts/figures/Reader";
+import { readable, readablesOf } from "../../parts/figures/reading";
 import { inOneStyle } from "../../parts/figures/style";
 import { type Curve, type Plan, wordOf } from "./model";
 
@@ -81,6 +83,7 @@ function Figure({ title, note, curves, words, marker, fromZero }: FigureProps) {
   const [problem, setProblem] = useState<unknown>(null);
   const box = useRef<HTMLDivElement>(null);
   const [width, setWidth] = useState(0);
+  const [read, setRead] = useState<Drawn | null>(null);
   const unit = lengthUnit.value;
   useEffect(() => {
     import("../../parts/figures/plot").then(setPlot, setProblem);
@@ -103,6 +106,35 @@ function Figure({ title, note, curves, words, marker, fromZero }: FigureProps) {
     );
     const targets = curves.map((curve) => curve.target);
     const { label, x, y } = words(unit, small);
+    const marks = [
+      plot.ruleX([marker * perX], { stroke: "var(--accent)", strokeWidth: 3 }),
+      plot.ruleY([0], { stroke: "var(--line-strong)" }),
+      ...targets.map((target) => {
+        const own = points.filter((point) => point.target === target);
+        return readable(
+          plot.line(own, {
+            x: "x",
+            y: "y",
+            stroke: "var(--ink)",
+            strokeWidth: 1.5,
+            strokeDasharray: DASHES[target],
+          }),
+          { word: wordOf(target), x: own.map((one) => one.x), y: own.map((one) => one.y), way: "line" },
+        );
+      }),
+      plot.dot(
+        points.filter((_, i) => i % 6 === 3),
+        {
+          x: "x",
+          y: "y",
+          symbol: "target",
+          r: 4,
+          fill: "var(--surface)",
+          stroke: "var(--ink)",
+          strokeWidth: 1.5,
+        },
+      ),
+    ];
     const drawn = plot.plot(
       inOneStyle(
         {
@@ -111,28 +143,7 @@ function Figure({ title, note, curves, words, marker, fromZero }: FigureProps) {
           x: { label: x },
           y: { label: y, zero: fromZero, nice: true },
           symbol: { domain: targets, range: targets.map((one) => SYMBOLS[one] ?? "circle"), legend: false },
-          marks: [
-            plot.ruleX([marker * perX], { stroke: "var(--accent)", strokeWidth: 3 }),
-            plot.ruleY([0], { stroke: "var(--line-strong)" }),
-            ...targets.map((target) =>
-              plot.line(
-                points.filter((point) => point.target === target),
-                { x: "x", y: "y", stroke: "var(--ink)", strokeWidth: 1.5, strokeDasharray: DASHES[target] },
-              ),
-            ),
-            plot.dot(
-              points.filter((_, i) => i % 6 === 3),
-              {
-                x: "x",
-                y: "y",
-                symbol: "target",
-                r: 4,
-                fill: "var(--surface)",
-                stroke: "var(--ink)",
-                strokeWidth: 1.5,
-              },
-            ),
-          ],
+          marks,
         },
         300,
       ),
@@ -140,13 +151,17 @@ function Figure({ title, note, curves, words, marker, fromZero }: FigureProps) {
     drawn.setAttribute("role", "img");
     for (const part of drawn.querySelectorAll("g[aria-label]")) part.removeAttribute("aria-label"); // one picture
     box.current.replaceChildren(drawn);
+    setRead(drawnOf(drawn, readablesOf(marks), { x, y }));
   }, [plot, width, curves, marker, unit, theme.value]);
   return (
     <figure class="panel plan-figure">
       <h2>{title}</h2>
       <Legend targets={curves.map((curve) => curve.target)} />
       <Problem error={problem} />
-      <div ref={box} class="plan-figure__box" data-testid="plan-figure" />
+      <div class="figure-read">
+        <div ref={box} class="plan-figure__box" data-testid="plan-figure" />
+        {read && <Reader title={title} drawn={read} />}
+      </div>
       <figcaption class="field__hint">
         {note} {say("planning-figure-bar")}
       </figcaption>

@@ -6,9 +6,17 @@ import { Loading, Problem, TableScroll } from "../../components";
 import { Said } from "../../components/Said";
 import { current, query, setQuery } from "../../core/address";
 import { api } from "../../core/api";
-import { region, say } from "../../core/messages";
+import { region, say, wordsOf } from "../../core/messages";
 import { useResource } from "../../core/resource";
-import { fixed, formatCount, formatSmall, formatSpeed, lengthUnit, speedScale } from "../../core/units";
+import {
+  fixed,
+  formatCount,
+  formatHeight,
+  formatSmall,
+  formatSpeed,
+  lengthUnit,
+  speedScale,
+} from "../../core/units";
 import { Advice } from "./Advice";
 import type { LinePlan } from "./model";
 import { Value } from "./PlanForm";
@@ -53,6 +61,29 @@ function Form({ values }: { values: Values }) {
           unit={say("unit-hz")}
           values={values}
           placeholder={say("planning-line-rate-usual")}
+        />
+        <Value name="length_m" label={say("planning-length")} unit={length} values={values} />
+        <Value name="time_gap_s" label={say("planning-time-gap")} unit="s" values={values} />
+        <Value
+          name="pixel_width_um"
+          label={say("planning-pixel-width")}
+          unit={say("planning-um")}
+          values={values}
+        />
+        <Value
+          name="pixel_height_um"
+          label={say("planning-pixel-height")}
+          unit={say("planning-um")}
+          values={values}
+        />
+        <Value name="focal_mm" label={say("planning-focal")} unit={say("planning-mm")} values={values} />
+        <Value name="distance_m" label={say("planning-line-distance")} unit={length} values={values} />
+        <Value
+          name="exposure_us"
+          label={say("planning-exposure")}
+          unit={say("planning-us")}
+          values={values}
+          placeholder={say("planning-exposure-usual")}
         />
       </div>
     </form>
@@ -111,6 +142,8 @@ function Result({ plan }: { plan: LinePlan }) {
           />
         </p>
       </section>
+      <ExpectedValues plan={plan} />
+      {plan.exposure && <Exposure plan={plan} exposure={plan.exposure} />}
       <section class="panel" aria-labelledby="plan-lines">
         <div class="panel__head">
           <h2 id="plan-lines">{say("planning-forms-title")}</h2>
@@ -150,6 +183,101 @@ function Result({ plan }: { plan: LinePlan }) {
     </div>
   );
 }
+
+const QUANTITIES = wordsOf({
+  speed: "planning-values-speed",
+  length: "planning-values-length",
+  time_gap: "planning-values-time_gap",
+  distance_gap: "planning-values-distance_gap",
+});
+
+/** Speed, length and gaps with what their uncertainty is made of. */
+function ExpectedValues({ plan }: { plan: LinePlan }) {
+  return (
+    <section class="panel" aria-labelledby="plan-values">
+      <div class="panel__head">
+        <h2 id="plan-values">{say("planning-values-title")}</h2>
+        <span class="muted small">{say("planning-values-note")}</span>
+      </div>
+      <TableScroll label={say("planning-values-title")}>
+        <table class="table" data-testid="line-plan-values">
+          <thead>
+            <tr>
+              <th>{say("planning-values-quantity")}</th>
+              <th class="num">{say("planning-values-value")}</th>
+              <th class="num">{say("planning-values-lines")}</th>
+              <th class="num">{say("planning-values-baseline")}</th>
+              <th class="num">{say("planning-values-edges")}</th>
+            </tr>
+          </thead>
+          <tbody>
+            {plan.values.map((one) => (
+              <tr key={one.quantity}>
+                <th scope="row">{QUANTITIES[one.quantity]}</th>
+                <td class="num">{valueWords(one)}</td>
+                <td class="num">{partWords(one.quantity, one.u_lines)}</td>
+                <td class="num">{partWords(one.quantity, one.u_baseline)}</td>
+                <td class="num">{partWords(one.quantity, one.u_edges)}</td>
+              </tr>
+            ))}
+          </tbody>
+        </table>
+      </TableScroll>
+    </section>
+  );
+}
+
+type PlannedValue = LinePlan["values"][number];
+
+function valueWords({ quantity, value, U95 }: PlannedValue): string {
+  if (quantity === "speed") return formatSpeed(value, U95, 2);
+  if (quantity !== "time_gap") return formatHeight(value, U95, quantity === "length" ? 3 : 2);
+  return say("planning-seconds", { value: fixed(value, 4), U95: fixed(U95, 4) });
+}
+
+function partWords(quantity: PlannedValue["quantity"], u: number): string {
+  if (quantity === "speed") return formatSpeed(u, null, 2);
+  return quantity === "time_gap" ? say("planning-ms", { value: fixed(1000 * u, 2) }) : formatSmall(u);
+}
+
+function Exposure({ plan, exposure }: { plan: LinePlan; exposure: NonNullable<LinePlan["exposure"]> }) {
+  return (
+    <section class="panel" aria-labelledby="plan-exposure">
+      <div class="panel__head">
+        <h2 id="plan-exposure">{say("planning-exposure-title")}</h2>
+      </div>
+      <div class="panel__body plan-line__words" data-testid="line-plan-exposure">
+        <p>
+          <Said
+            what="planning-exposure-blur"
+            values={{
+              exposure_us: fixed(exposure.exposure_us, 0),
+              blur: formatSmall(exposure.blur_m),
+              line: formatSmall(plan.one_line_m),
+              width: formatSmall(exposure.pixel_width_m),
+              height: formatSmall(exposure.pixel_height_m),
+              smear: formatSmall(exposure.smear_m),
+            }}
+          />{" "}
+          <Said
+            what="planning-exposure-shape"
+            values={{ shape: fixed(exposure.shape, 2), row_error: percent(exposure.row_error) }}
+          />{" "}
+          <Said what="planning-exposure-light" values={{ light: fixed(exposure.light, 2) }} />
+        </p>
+        {exposure.hints.map((hint) => (
+          <p key={hint}>{HINTS[hint]}</p>
+        ))}
+      </div>
+    </section>
+  );
+}
+
+const HINTS = wordsOf({
+  dark: "planning-exposure-dark",
+  wide: "planning-exposure-wide",
+  tall: "planning-exposure-tall",
+});
 
 interface RowProps {
   what: string;

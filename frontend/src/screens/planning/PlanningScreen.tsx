@@ -9,10 +9,11 @@ import { Advice } from "./Advice";
 import { BiasFigure, DistanceFigure } from "./Figures";
 import { LineRate } from "./LineRate";
 import type { Plan } from "./model";
+import { PassingTable } from "./PassingTable";
 import { PlanForm } from "./PlanForm";
 import { SiteAbove, SiteAlong } from "./SiteDrawing";
 import { TargetTable } from "./TargetTable";
-import { askPlan, completed, type Values, valuesOf } from "./values";
+import { askPlan, completed, sheetAddress, type Values, valuesOf } from "./values";
 import "./planning.css";
 
 type What = "heights" | "lines";
@@ -24,7 +25,7 @@ export default function PlanningScreen({ surveyId }: ScreenProps) {
     <div class="page">
       <header class="page__head">
         <div>
-          <h1>{say(what === "heights" ? "page-planning" : "planning-title-lines")}</h1>
+          <h1>{say("page-planning")}</h1>
           <p class="page__lead">
             {say(what === "heights" ? "planning-lead-heights" : "planning-lead-lines")}{" "}
             {say("planning-nothing-stored")}
@@ -63,6 +64,11 @@ function Heights({ surveyId }: { surveyId: number }) {
       {values ? (
         <>
           <PlanForm cameras={list} values={values} />
+          <p>
+            <a href={sheetAddress(surveyId, values)} target="_blank" rel="noopener">
+              {say("planning-sheet")}
+            </a>
+          </p>
           <Planned surveyId={surveyId} values={values} />
         </>
       ) : (
@@ -97,6 +103,7 @@ function Result({ plan }: { plan: Plan }) {
       )}
       <TargetTable targets={plan.targets} travelM={plan.site.travel_m} />
       <Advice sentences={plan.advice} />
+      <PassingTable passing={plan.passing} />
       <div class="plan-figures">
         <SiteAlong plan={plan} />
         <DistanceFigure plan={plan} />

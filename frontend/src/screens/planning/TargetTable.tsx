@@ -1,7 +1,7 @@
 import { useState } from "preact/hooks";
 import { TableScroll } from "../../components";
 import { say } from "../../core/messages";
-import { formatHeight, formatLength, formatSmall } from "../../core/units";
+import { formatLength, formatSmall } from "../../core/units";
 import { type PlannedTarget, wordOf } from "./model";
 
 interface Props {
@@ -54,7 +54,9 @@ function Row({ one }: { one: PlannedTarget }) {
         {!one.reason && two.reason && <div class="field__hint">{two.reason}</div>}
       </td>
       <td class="num">{formatLength(one.height_m, 2)}</td>
-      <td class="num">{formatHeight(one.inset_m, one.u_inset_m, 2)}</td>
+      <td class="num">
+        {say("with-u", { value: formatLength(one.inset_m, 2), u: formatLength(one.u_inset_m, 2) })}
+      </td>
       <td class="num">{formatSmall(one.u_height_m)}</td>
       <td class="num">
         <strong>{formatSmall(one.U95_height_m)}</strong>

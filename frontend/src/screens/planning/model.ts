@@ -4,6 +4,7 @@ import { wordsOf } from "../../core/messages";
 type Schemas = components["schemas"];
 export type Plan = Schemas["PlanBody"];
 export type PlannedTarget = Schemas["PlannedTargetBody"];
+export type Passing = Schemas["PassingBody"];
 export type LinePlan = Schemas["LinePlanBody"];
 export type Curve = Schemas["CurveBody"];
 

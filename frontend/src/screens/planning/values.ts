@@ -1,11 +1,12 @@
 /** What is planned with, as the address of the page holds it: the same names and units as the server's, so that a link tells all. */
 import { api, fromAddress } from "../../core/api";
+import { language } from "../../core/messages";
 import type { Camera, Scan } from "../../core/types";
 import { type LengthUnit, lengthScale, lengthUnit, parseNumber, speedScale } from "../../core/units";
 import type { LinePlan, Plan } from "./model";
 
 const SITE_LENGTHS = ["camera_height_m", "distance_m", "board_distance_m", "travel_m"] as const;
-const LENGTHS: readonly string[] = [...SITE_LENGTHS, "baseline_m", "u_baseline_m"];
+const LENGTHS: readonly string[] = [...SITE_LENGTHS, "baseline_m", "u_baseline_m", "length_m"];
 const NAMES = [
   "calibration_id",
   "width_px",
@@ -16,7 +17,20 @@ const NAMES = [
   "direction_deg",
 ] as const;
 /** What a line rate is planned with. */
-export const LINE_NAMES = ["speed_mps", "baseline_m", "u_baseline_m", "line_rate_hz", "error"] as const;
+export const LINE_NAMES = [
+  "speed_mps",
+  "baseline_m",
+  "u_baseline_m",
+  "line_rate_hz",
+  "error",
+  "length_m",
+  "time_gap_s",
+  "pixel_width_um",
+  "pixel_height_um",
+  "focal_mm",
+  "distance_m",
+  "exposure_us",
+] as const;
 export type Name = (typeof NAMES)[number] | (typeof LINE_NAMES)[number];
 export type Values = Partial<Record<Name, string>>;
 
@@ -64,6 +78,22 @@ export function askPlan(survey_id: number, values: Values, signal?: AbortSignal)
   return api.ask("GET /surveys/{survey_id}/plan", { ...query, survey_id }, { signal });
 }
 
+/** Where the set-up sheet of a plan is, in the language spoken. */
+export function sheetAddress(survey_id: number, values: Values): string {
+  return `/api/surveys/${survey_id}/plan.pdf?${new URLSearchParams({ ...values, language: language.value })}`;
+}
+
+/** A vehicle and a line camera as they often are. */
+const USUAL_LINES: Values = {
+  error: "0.01",
+  length_m: "4.5",
+  time_gap_s: "1.5",
+  pixel_width_um: "10",
+  pixel_height_um: "10",
+  focal_mm: "16",
+  distance_m: "3",
+};
+
 /** What the address leaves open of a line rate: the newest rig of the survey, else usual values. */
 export function completedLines(values: Values, scans: readonly Pick<Scan, "rig">[]): Values {
   const rig = scans.at(-1)?.rig;
@@ -72,11 +102,13 @@ export function completedLines(values: Values, scans: readonly Pick<Scan, "rig">
         baseline_m: String(rig.baseline_m),
         u_baseline_m: String(rig.u_baseline_m),
         line_rate_hz: String(rig.line_rate_hz),
+        ...(rig.distance_m === null ? {} : { distance_m: String(rig.distance_m) }),
       }
     : { baseline_m: "1", u_baseline_m: "0.002" };
   // a rig of the address is not mixed with another one's line rate
   const own = values.baseline_m !== undefined || values.speed_mps !== undefined;
-  return { speed_mps: String(120 / speedScale("m")[0]), error: "0.01", ...(own ? {} : known), ...values };
+  const usual = { ...USUAL_LINES, speed_mps: String(120 / speedScale("m")[0]) };
+  return { ...usual, ...(own ? {} : known), ...values };
 }
 
 export function askLinePlan(values: Values, signal?: AbortSignal): Promise<LinePlan> {

@@ -196,6 +196,7 @@ function HeightQuestions({ model }: { model: PoseModel }) {
         numeric
         unit={unit}
         value={form.referenceHeight}
+        hint={say("pose-reference-height-hint")}
         onInput={(referenceHeight) => model.set({ referenceHeight })}
         problem={shown(model, problems.referenceHeight)}
       />

@@ -11,6 +11,7 @@ import { linesShown } from "../../viewer/display";
 import { FrameView } from "../../viewer/FrameView";
 import { FoundBoard, RoadOverlay } from "../../viewer/PoseOverlay";
 import type { Player } from "../../viewer/player";
+import type { Span } from "../../viewer/spans";
 import {
   brightSwitch,
   fitCommand,
@@ -18,7 +19,7 @@ import {
   linesSwitch,
   loupeSwitch,
 } from "../../viewer/stageCommands";
-import { type Span, Timeline } from "../../viewer/Timeline";
+import { Timeline } from "../../viewer/Timeline";
 import { Transport } from "../../viewer/Transport";
 import { PoseModel } from "./model";
 import { PoseForm } from "./PoseForm";

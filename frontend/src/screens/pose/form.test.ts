@@ -85,5 +85,6 @@ describe("the board form", () => {
       first: 5,
     });
     expect(fromPose(pose, false)).not.toHaveProperty("first");
+    expect(fromPose(pose, false)).toMatchObject({ square: "120", referenceHeight: "", uReferenceHeight: "" });
   });
 });

@@ -132,7 +132,14 @@ export function boardOf(form: BoardForm): BoardSought | null {
   return { ...size, square_m, ...markersTold(form.kind, form.dictionary, parseSmall(form.marker)) };
 }
 
-/** What an earlier pose was made from; of another recording without its span. */
+/** What somebody measured where the board stood: true of that one setting up alone, so never carried to another. */
+export const NOT_MEASURED: Pick<BoardForm, "referenceHeight" | "uReferenceHeight" | "uLean"> = {
+  referenceHeight: EMPTY_FORM.referenceHeight,
+  uReferenceHeight: EMPTY_FORM.uReferenceHeight,
+  uLean: EMPTY_FORM.uLean,
+};
+
+/** What an earlier pose was made from; of another recording without its span and without what was measured there. */
 export function fromPose(
   pose: Pose,
   own: boolean,
@@ -144,13 +151,22 @@ export function fromPose(
     rows: board?.rows ?? EMPTY_FORM.rows,
     square: small(board?.square_m),
     reference: board?.reference ?? "bottom",
-    referenceHeight: lengthText(board?.reference_height_m),
-    uReferenceHeight: small(board?.u_reference_height_m),
-    uLean:
-      board === null ? EMPTY_FORM.uLean : String(Number((board.u_lean_rad / RADIANS_PER_DEGREE).toFixed(2))),
     uSquare: small(board?.u_square_m),
     uBow: small(board?.u_bow_m),
-    ...(own ? { first: pose.first_frame, last: pose.last_frame, calibrationId: pose.calibration_id } : {}),
+    ...(own ? ofSettingUp(pose) : NOT_MEASURED),
+  };
+}
+
+function ofSettingUp(pose: Pose): Partial<BoardForm> {
+  const board = pose.document.board;
+  return {
+    referenceHeight: lengthText(board?.reference_height_m),
+    uReferenceHeight: smallText(board?.u_reference_height_m, lengthUnit.value, 4),
+    uLean:
+      board === null ? EMPTY_FORM.uLean : String(Number((board.u_lean_rad / RADIANS_PER_DEGREE).toFixed(2))),
+    first: pose.first_frame,
+    last: pose.last_frame,
+    calibrationId: pose.calibration_id,
   };
 }
 

@@ -73,6 +73,16 @@ describe("the road pose page", () => {
     expect(model.offered.value).toBeNull();
   });
 
+  it("asks for the tape anew in the next recording, and keeps the board", async () => {
+    await model.load();
+    model.set({ square: "101.6", referenceHeight: "0.4572", uReferenceHeight: "5", uLean: "0.5", uBow: "1" });
+    server.on("GET", /\/recordings$/, () => [1, 2].map((id) => recording({ id, pose_id: null })));
+    await model.load();
+    await model.openRecording(1);
+    expect(model.form.value).toMatchObject({ referenceHeight: "", uReferenceHeight: "", uLean: "0.3" });
+    expect(model.form.value).toMatchObject({ square: "101.6", uBow: "1" });
+  });
+
   it("keeps what is typed when the unit becomes another: the length stays, its number changes", async () => {
     await model.load();
     model.set({ square: "101.6", referenceHeight: "0.4572", uBow: "" });

@@ -20,6 +20,7 @@ import {
   EMPTY_FORM,
   fromPose,
   inUnit,
+  NOT_MEASURED,
   problemsOf,
   requestOf,
 } from "./form";
@@ -154,7 +155,7 @@ export class PoseModel {
     });
     const calibrations = this.calibrations.value;
     const current = calibrations.find((one) => one.current) ?? calibrations.at(-1);
-    this.set({ calibrationId: current?.id ?? null, first: null, last: null });
+    this.set({ ...NOT_MEASURED, calibrationId: current?.id ?? null, first: null, last: null });
     const poseId = recording.pose_id ?? this.poses.value.find((one) => one.recording_id === id)?.id;
     if (poseId !== undefined && poseId !== null) await this.showPose(poseId);
     else if (this.poses.value[0]) await this.borrowBoard(this.poses.value[0].id);

@@ -15,12 +15,14 @@ import { CameraPick, LightPick } from "./pickers";
 
 interface Props {
   recording: Recording;
+  /** How many passes it has; undefined while that is read. */
+  passes: number | undefined;
   cameras: Camera[];
   changed: (recording: Recording) => void;
   reload: () => Promise<void>;
 }
 
-export function RecordingCard({ recording, cameras, changed, reload }: Props) {
+export function RecordingCard({ recording, passes, cameras, changed, reload }: Props) {
   const [problem, setProblem] = useState<unknown>(null);
   const canWork = may("operator");
   const run = async (work: () => Promise<unknown>) => {
@@ -69,6 +71,15 @@ export function RecordingCard({ recording, cameras, changed, reload }: Props) {
               </span>
             )}
             <StateMark state={recording.state} />
+            {recording.state !== "ingesting" && (
+              <Button
+                kind="quiet"
+                icon="download"
+                label={say("recordings-download-one", { recording: recording.name })}
+                href={`/api/recordings/${recording.id}/video`}
+                download
+              />
+            )}
             {canWork && recording.state !== "ingesting" && (
               <Button
                 kind="quiet"
@@ -79,7 +90,7 @@ export function RecordingCard({ recording, cameras, changed, reload }: Props) {
             )}
           </div>
         </header>
-        <Facts recording={recording} />
+        <Facts recording={recording} passes={passes} />
         <Filmed recording={recording} change={change} />
         {recording.misfits.map((misfit) => (
           <Notice key={misfit} kind="warning">
@@ -202,7 +213,7 @@ function Name({ recording, rename }: { recording: Recording; rename: (name: stri
   );
 }
 
-function Facts({ recording }: { recording: Recording }) {
+function Facts({ recording, passes }: Pick<Props, "recording" | "passes">) {
   const { width_px, height_px, frame_count, duration_s, codec, container } = recording;
   const rate = frame_count && duration_s ? frame_count / duration_s : null;
   const facts = [
@@ -217,6 +228,14 @@ function Facts({ recording }: { recording: Recording }) {
   ].filter(Boolean);
   return (
     <p class="recording__facts">
+      {recording.state === "ready" && passes !== undefined && (
+        <>
+          <strong data-testid={`passes-of-${recording.id}`}>
+            {say("recordings-passes", { count: passes })}
+          </strong>
+          {"  ·  "}
+        </>
+      )}
       {facts.join("  ·  ")}
       <span
         class="muted"

@@ -7,6 +7,7 @@ import { useEvery, useResource } from "../../core/resource";
 import { may } from "../../core/session";
 import { refreshSurvey } from "../../core/survey";
 import { toastProblem } from "../../core/toasts";
+import { SampleLink } from "../../parts/samples/SampleLink";
 import { RecordingCard } from "./RecordingCard";
 import "./recordings.css";
 import { UnfinishedRow, UploadRow } from "../../parts/uploads/UploadRow";
@@ -21,6 +22,11 @@ export default function RecordingsScreen({ surveyId }: ScreenProps) {
   const cameras = useResource(
     (signal) => api.ask("GET /surveys/{survey_id}/cameras", { survey_id: surveyId }, { signal }),
     [surveyId],
+  );
+  const counts = useResource(
+    (signal) => api.ask("GET /surveys/{survey_id}/pass-counts", { survey_id: surveyId }, { signal }),
+    [surveyId],
+    { keep: true },
   );
   const unfinished = useResource(
     (signal) => api.ask("GET /surveys/{survey_id}/uploads", { survey_id: surveyId }, { signal }),
@@ -85,12 +91,13 @@ export default function RecordingsScreen({ surveyId }: ScreenProps) {
           ))}
         </section>
       )}
-      <Problem error={recordings.error} again={recordings.reload} />
+      <Problem error={recordings.error ?? counts.error} again={recordings.reload} />
       {!recordings.data && recordings.loading && <Loading what={say("recordings-loading")} />}
       {recordings.data?.length === 0 && mine.length === 0 && (
         <div class="panel">
           <Empty title={say("recordings-none-title")}>
             <p>{say(canWork ? "recordings-none" : "recordings-none-look")}</p>
+            {canWork && <SampleLink kind="clip" />}
           </Empty>
         </div>
       )}
@@ -99,12 +106,13 @@ export default function RecordingsScreen({ surveyId }: ScreenProps) {
           <RecordingCard
             key={recording.id}
             recording={recording}
+            passes={counts.data?.find((one) => one.recording_id === recording.id)?.passes}
             cameras={cameras.data ?? []}
             changed={(next) =>
               recordings.set((recordings.data ?? []).map((old) => (old.id === next.id ? next : old)))
             }
             reload={async () => {
-              await recordings.reload();
+              await Promise.all([recordings.reload(), counts.reload()]);
               await refreshSurvey();
             }}
           />

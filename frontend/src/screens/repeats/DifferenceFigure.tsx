@@ -7,6 +7,8 @@ import { theme } from "../../core/theme";
 import type { RepeatDifference, Target } from "../../core/types";
 import { lengthScale, lengthUnit, smallScale } from "../../core/units";
 import { TARGET_WORDS } from "../../core/words";
+import { type Drawn, drawnOf, Reader } from "../../parts/figures/Reader";
+import type { Readable } from "../../parts/figures/reading";
 import { inOneStyle } from "../../parts/figures/style";
 
 type Plot = typeof import("../../parts/figures/plot");
@@ -24,6 +26,7 @@ export function DifferenceFigure({ differences }: { differences: readonly Repeat
   const [plot, setPlot] = useState<Plot | null>(null);
   const [problem, setProblem] = useState<unknown>(null);
   const [width, setWidth] = useState(0);
+  const [read, setRead] = useState<Drawn | null>(null);
   const box = useRef<HTMLDivElement>(null);
   const unit = lengthUnit.value;
   useEffect(() => {
@@ -39,6 +42,11 @@ export function DifferenceFigure({ differences }: { differences: readonly Repeat
     if (!plot || !box.current || width < 200) return;
     const drawn = draw(plot, differences, width, unit);
     box.current.replaceChildren(drawn);
+    const labels = {
+      x: say("repeats-differences-x", { unit }),
+      y: say("repeats-differences-y", { unit: smallScale(unit)[1] }),
+    };
+    setRead(drawnOf(drawn, readables(differences, unit), labels));
   }, [plot, width, differences, unit, theme.value]);
   const targets = [...new Set(differences.map((one) => one.target))];
   return (
@@ -52,7 +60,10 @@ export function DifferenceFigure({ differences }: { differences: readonly Repeat
         ))}
       </ul>
       <Problem error={problem} />
-      <div ref={box} class="repeats-figure__box" data-testid="repeats-figure" />
+      <div class="figure-read">
+        <div ref={box} class="repeats-figure__box" data-testid="repeats-figure" />
+        {read && <Reader title={say("repeats-differences-title")} drawn={read} />}
+      </div>
       <figcaption class="field__hint">{say("repeats-differences-note")}</figcaption>
     </figure>
   );
@@ -65,6 +76,22 @@ const GLYPHS: Record<Target, string> = {
   headlight: "✚",
   other: "◇",
 };
+
+/** One for each target: the difference with its bar. */
+function readables(differences: readonly RepeatDifference[], unit: "m" | "ft"): Readable[] {
+  const [[perX], [perY]] = [lengthScale(unit), smallScale(unit)];
+  return [...new Set(differences.map((one) => one.target))].map((target) => {
+    const of = differences.filter((one) => one.target === target);
+    return {
+      word: TARGET_WORDS[target],
+      x: of.map((one) => one.mean_m * perX),
+      y: of.map((one) => one.difference_m * perY),
+      low: of.map((one) => (one.difference_m - one.expected_m) * perY),
+      high: of.map((one) => (one.difference_m + one.expected_m) * perY),
+      way: "points",
+    };
+  });
+}
 
 function draw(plot: Plot, differences: readonly RepeatDifference[], width: number, unit: "m" | "ft") {
   const [perX] = lengthScale(unit);

@@ -8,6 +8,7 @@ import { useResource } from "../../core/resource";
 import { canWork } from "../../core/session";
 import { toastProblem } from "../../core/toasts";
 import type { PersonRepeats } from "../../core/types";
+import { AnchoringPanel } from "./AnchoringPanel";
 import { DifferenceFigure } from "./DifferenceFigure";
 import { PeopleTable } from "./PeopleTable";
 import { TargetTable } from "./TargetTable";
@@ -16,6 +17,10 @@ import "./repeats.css";
 export default function RepeatsScreen({ surveyId }: ScreenProps) {
   const found = useResource(
     (signal) => api.ask("GET /surveys/{survey_id}/repeats", { survey_id: surveyId }, { signal }),
+    [surveyId],
+  );
+  const plan = useResource(
+    (signal) => api.ask("GET /surveys/{survey_id}/review-plan", { survey_id: surveyId }, { signal }),
     [surveyId],
   );
   const [busy, setBusy] = useState(false);
@@ -40,13 +45,16 @@ export default function RepeatsScreen({ surveyId }: ScreenProps) {
       <header class="page__head">
         <div>
           <h1>{say("page-repeats")}</h1>
-          <p class="page__lead">{say("repeats-lead")}</p>
+          <p class="page__lead">{say("repeats-lead", { people: data?.people.length ?? 0 })}</p>
         </div>
         {canWork.value && data !== null && data.repeats > 0 && <Again surveyId={surveyId} />}
       </header>
       <Problem error={found.error} again={found.reload} />
+      <Problem error={plan.error} again={plan.reload} />
       {!data && found.loading && <Loading what={say("repeats-loading")} />}
-      {data && data.repeats === 0 && <Nothing surveyId={surveyId} />}
+      {data && data.repeats === 0 && plan.data && (
+        <Nothing surveyId={surveyId} oneIn={plan.data.blind_one_in} />
+      )}
       {data && data.repeats > 0 && (
         <>
           <TargetTable found={data} />
@@ -57,6 +65,7 @@ export default function RepeatsScreen({ surveyId }: ScreenProps) {
           )}
         </>
       )}
+      {data && <AnchoringPanel surveyId={surveyId} />}
     </div>
   );
 }
@@ -73,7 +82,7 @@ function Again({ surveyId }: { surveyId: number }) {
   );
 }
 
-function Nothing({ surveyId }: { surveyId: number }) {
+function Nothing({ surveyId, oneIn }: { surveyId: number; oneIn: number }) {
   return (
     <Empty
       title={say("repeats-none-title")}
@@ -84,7 +93,7 @@ function Nothing({ surveyId }: { surveyId: number }) {
         </>
       }
     >
-      <p>{say("repeats-none")}</p>
+      <p>{say("repeats-none", { one_in: oneIn })}</p>
       <p>{say("repeats-no-result")}</p>
     </Empty>
   );

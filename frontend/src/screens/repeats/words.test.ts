@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { claimVerdict, pixelWords, spreadWords } from "./words";
+import { claimVerdict, pixelWords, shiftWords, spreadWords } from "./words";
 
 const few = { sd: null, low: null, high: null, freedom: 2, reason: "Too few repeats." };
 
@@ -11,11 +11,17 @@ describe("figures of repeats in words", () => {
     expect(pixelWords({ ...spread, sd: 0.62, low: 0.54, high: 0.72 })?.interval).toBe("0.54 to 0.72 px");
   });
 
+  it("says a shift with its interval, and nothing where too few vehicles tell", () => {
+    const shift = { shown: 90, free: 10, shown_m: 0.001, free_m: 0.0021, reason: null };
+    expect(shiftWords({ ...shift, shift_m: -0.0011, U95_shift_m: 0.0024 })).toBe("−1.1 ± 2.4 mm");
+    expect(shiftWords({ ...shift, shift_m: null, U95_shift_m: null })).toBeNull();
+  });
+
   it("judges a claim by its interval, not by its value", () => {
     const claim = { claimed: 0.005, observed: 0.006, freedom: 24, reason: null };
-    expect(claimVerdict({ ...claim, ratio: 1.2, low: 0.9, high: 1.6 })).toBe("as claimed");
-    expect(claimVerdict({ ...claim, ratio: 1.5, low: 1.1, high: 2.0 })).toBe("more than claimed");
-    expect(claimVerdict({ ...claim, ratio: 0.5, low: 0.4, high: 0.7 })).toBe("less than claimed");
+    expect(claimVerdict({ ...claim, ratio: 1.2, low: 0.9, high: 1.6 })).toBe("as stated");
+    expect(claimVerdict({ ...claim, ratio: 1.5, low: 1.1, high: 2.0 })).toBe("more than stated");
+    expect(claimVerdict({ ...claim, ratio: 0.5, low: 0.4, high: 0.7 })).toBe("less than stated");
     const none = { ratio: null, low: null, high: null, claimed: null, observed: null, freedom: 1 };
     expect(claimVerdict({ ...none, reason: "Too few." })).toBe("Too few.");
   });

@@ -1,6 +1,6 @@
 /** Figures of repeats in words; every number is the server's. */
 import { say } from "../../core/messages";
-import type { RepeatSpread, TargetRepeats } from "../../core/types";
+import type { ProposedTarget, RepeatSpread, TargetRepeats } from "../../core/types";
 import { fixed, formatSmall } from "../../core/units";
 
 /** "4.1 mm" with "3.2 to 5.6 mm"; null where there is none. */
@@ -24,4 +24,10 @@ export function claimVerdict(claim: TargetRepeats["uncertainty_check"]): string 
   if (claim.low === null || claim.high === null) return claim.reason ?? "–";
   if (claim.low > 1) return say("repeats-more");
   return say(claim.high < 1 ? "repeats-less" : "repeats-as");
+}
+
+/** "-0.8 ± 1.4 mm"; null where too few vehicles tell. */
+export function shiftWords(shift: ProposedTarget["shift"]): string | null {
+  if (shift.shift_m === null) return null;
+  return `${formatSmall(shift.shift_m).replace(/\s(mm|in)$/, "")} ± ${formatSmall(shift.U95_shift_m)}`;
 }

@@ -1,6 +1,6 @@
 import { render } from "preact";
 import { afterEach, expect, it } from "vitest";
-import type { LineHeightQueue } from "../../core/types";
+import type { LineHeightQueue, ReviewItem, Verdict } from "../../core/types";
 import { ReviewModel } from "./model";
 import { Queue } from "./Queue";
 
@@ -15,6 +15,14 @@ const line = (id: number, mine: boolean): LineHeightQueue["items"][number] => ({
   U95_height_m: 0.03,
   mine,
 });
+
+const judged = (id: number, verdict: Verdict): ReviewItem =>
+  ({
+    measurement: { id, target: "roof", status: "ok", height_m: 1.5, U95_height_m: 0.02, review: { verdict } },
+    mine: false,
+    vehicle: { number: id },
+    judged: { blind: false, signs: [], lot: { number: 2 } },
+  }) as unknown as ReviewItem;
 
 afterEach(() => render(null, document.body));
 
@@ -31,6 +39,24 @@ it("counts the heights of line scans that wait and leads to each one's bench", (
   expect(rows[1]?.textContent).toContain("mine");
   const told = document.querySelector("[data-testid=review-lines]")?.textContent;
   expect(told).toContain("1 height of a line scan to review.");
-  expect(told).toContain("1 of your own waits");
+  expect(told).toContain("1 of your own measurements waits");
   model.close();
+});
+
+it("leads back to the lot, and to its decision once its sample is reviewed", () => {
+  history.replaceState(null, "", "/surveys/7/review?lot=3");
+  const model = new ReviewModel(7);
+  model.items.value = [judged(1, "accepted"), judged(2, "to_review")];
+  render(<Queue model={model} />, document.body);
+  const decide = () => document.querySelector("[data-testid=review-lot-judged]");
+  expect(decide()).toBeNull();
+  const address = "/surveys/7/checks?tab=lots&lot=3";
+  expect(document.querySelector("[data-testid=review-lot] a")?.getAttribute("href")).toBe(address);
+  model.items.value = [judged(1, "accepted"), judged(2, "rejected")];
+  render(<Queue model={model} />, document.body);
+  expect(decide()?.textContent).toContain("sample of this lot is reviewed");
+  const next = [...document.querySelectorAll("a")].find((one) => one.textContent === "Decide on the lot");
+  expect(next?.getAttribute("href")).toBe(address);
+  model.close();
+  history.replaceState(null, "", "/");
 });

@@ -131,24 +131,42 @@ function LineRow({ surveyId, one }: { surveyId: number; one: Line }) {
   );
 }
 
+/** The lot's own page, where it is decided upon. */
+export function lotAddress(surveyId: number, lot: number): string {
+  return `/surveys/${surveyId}/checks?tab=lots&lot=${lot}`;
+}
+
 export function benchOf(surveyId: number, one: Line): string {
   return `/surveys/${surveyId}/scan?scan=${one.scan_id}&vehicle=${one.vehicle_id}`;
 }
 
-/** While the sample of one lot is judged, how to come back to all; else how much waits for its lot's sample. */
+/** While the sample of one lot is judged, how to come back to the lot or to all; else how much waits for its lot's sample. */
 function LotLine({ model }: { model: ReviewModel }) {
   const held = model.work.value?.in_lots ?? 0;
   if (model.lot !== null) {
     const number = model.items.value?.[0]?.judged.lot?.number;
+    const toLot = lotAddress(model.surveyId, model.lot);
     return (
-      <p class="small row" data-testid="review-lot">
-        <span class="grow">
-          {number ? say("lots-sample-of", { number: String(number) }) : say("lots-sample-done")}
-        </span>
-        <Button small kind="quiet" onClick={() => void model.leaveLot()}>
-          {say("lots-show-all")}
-        </Button>
-      </p>
+      <>
+        {model.lotJudged.value && (
+          <div class="review__judged">
+            <p class="small" data-testid="review-lot-judged">
+              {say("lots-sample-done")}
+            </p>
+            <Button small kind="primary" href={toLot}>
+              {say("lots-decide")}
+            </Button>
+          </div>
+        )}
+        <p class="small row" data-testid="review-lot">
+          <a class="grow" href={toLot}>
+            {number ? say("lots-sample-of", { number: String(number) }) : say("lots-tab")}
+          </a>
+          <Button small kind="quiet" onClick={() => void model.leaveLot()}>
+            {say("lots-show-all")}
+          </Button>
+        </p>
+      </>
     );
   }
   if (held === 0) return null;

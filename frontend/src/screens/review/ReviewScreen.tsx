@@ -12,7 +12,7 @@ import { BlindFrame } from "../../viewer/BlindFrame";
 import { brightSwitch, frameCommands, loupeSwitch } from "../../viewer/stageCommands";
 import { Transport } from "../../viewer/Transport";
 import { ReviewModel } from "./model";
-import { benchOf, Queue } from "./Queue";
+import { benchOf, lotAddress, Queue } from "./Queue";
 import { ReviewFrame } from "./ReviewFrame";
 import { REASONS } from "./reasons";
 import { VerdictPanel } from "./VerdictPanel";
@@ -77,6 +77,20 @@ export default function ReviewScreen({ surveyId }: ScreenProps) {
 }
 
 function NothingHere({ surveyId, model }: { surveyId: number; model: ReviewModel }) {
+  if (model.lot !== null) {
+    return (
+      <Empty
+        title={say("lots-sample-done-title")}
+        actions={
+          <Button kind="primary" href={lotAddress(surveyId, model.lot)}>
+            {say("lots-decide")}
+          </Button>
+        }
+      >
+        <p>{say("lots-sample-done")}</p>
+      </Empty>
+    );
+  }
   if (model.shown.value !== "to_review") {
     return (
       <Empty title={say("review-none-in-state-title")}>
@@ -84,7 +98,7 @@ function NothingHere({ surveyId, model }: { surveyId: number; model: ReviewModel
       </Empty>
     );
   }
-  const line = model.lot === null && model.lineHeights.value?.items.find((one) => !one.mine);
+  const line = model.lineHeights.value?.items.find((one) => !one.mine);
   if (line) {
     return (
       <Empty

@@ -7,7 +7,14 @@ import { survey } from "../../core/survey";
 import { formatFrameTime, formatMoment, formatPlaceMoment } from "../../core/times";
 import type { Measurement, Px, Recording, ReviewItem, Target } from "../../core/types";
 import { formatHeight, formatLength, inUnits } from "../../core/units";
-import { LIGHTING_NOUNS, STATE_WORDS, TARGET_NOUNS, TARGET_WORDS, vehicleName } from "../../core/words";
+import {
+  INSET_PLACE_WORDS,
+  LIGHTING_NOUNS,
+  STATE_WORDS,
+  TARGET_NOUNS,
+  TARGET_WORDS,
+  vehicleName,
+} from "../../core/words";
 import { Budget } from "../../parts/vehicles/Budget";
 import { Revisions } from "../../parts/vehicles/Revisions";
 import { cropUrl } from "../../viewer/frames";
@@ -173,7 +180,8 @@ function Facts({ item }: { item: ReviewItem }) {
 /** Near or far, in the survey's words; null where the inset is neither. */
 function sideWords(m: Measurement): string | null {
   const choices = survey.value?.inset_choices?.[m.target] ?? [];
-  return choices.find((one) => one.inset_m === m.inset_m && one.u_inset_m === m.u_inset_m)?.words ?? null;
+  const chosen = choices.find((one) => one.inset_m === m.inset_m && one.u_inset_m === m.u_inset_m);
+  return chosen ? INSET_PLACE_WORDS[chosen.place] : null;
 }
 
 /** Why it may be wrong, as the server sees it beside the others of its survey. */

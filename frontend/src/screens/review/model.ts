@@ -185,6 +185,14 @@ export class ReviewModel {
     return asked("lot");
   }
 
+  /** The sample of the lot that is shown has its verdicts: what is next is to decide on the lot. */
+  readonly lotJudged = computed(
+    () =>
+      this.lot !== null &&
+      !this.more.value &&
+      this.items.value?.some((item) => isWaiting(item.measurement)) === false,
+  );
+
   async leaveLot(): Promise<void> {
     setQuery({ lot: null });
     await this.load();

@@ -1,4 +1,4 @@
-/** A new line scan: two uploaded strips, or two pixel columns of a recording; and the rig's values. */
+/** A new line scan: two uploaded strips, or two pixel columns or rows of a recording; and the rig's values. */
 import { useRef, useState } from "preact/hooks";
 import { Button, DropFiles, Problem, Segments, SelectField, TextField } from "../../components";
 import { api } from "../../core/api";
@@ -26,7 +26,7 @@ export function AddScan({ surveyId, onClose, added }: Props) {
   const [problems, setProblems] = useState<RigProblems>({});
   const [problem, setProblem] = useState<unknown>(null);
   const [busy, setBusy] = useState(false);
-  const [chosen, setChosen] = useState<ChosenStrips | ChosenColumns | null>(null);
+  const [chosen, setChosen] = useState<ChosenStrips | ChosenCuts | null>(null);
   const send = async (event: Event): Promise<void> => {
     event.preventDefault();
     const { baseline, uBaseline } = typed;
@@ -77,7 +77,7 @@ export function AddScan({ surveyId, onClose, added }: Props) {
       {source === "strips" ? (
         <Strips surveyId={surveyId} choose={setChosen} />
       ) : (
-        <Columns surveyId={surveyId} choose={setChosen} />
+        <Cuts surveyId={surveyId} choose={setChosen} />
       )}
       <RigFields
         typed={typed}
@@ -179,9 +179,9 @@ type ChosenStrips = Pick<
   BodyOf<"POST /surveys/{survey_id}/scans">,
   "first_upload" | "second_upload" | "time_axis"
 >;
-type ChosenColumns = Pick<
+type ChosenCuts = Pick<
   BodyOf<"POST /surveys/{survey_id}/scans/from-video">,
-  "recording_id" | "column_1_px" | "column_2_px"
+  "recording_id" | "cut_along" | "cut_1_px" | "cut_2_px"
 >;
 
 interface PickedStrips {
@@ -190,6 +190,23 @@ interface PickedStrips {
   readonly second: string;
   readonly axis: "width" | "height";
 }
+
+type CutAlong = NonNullable<ChosenCuts["cut_along"]>;
+
+interface TypedCuts {
+  /** The recording's id and both cuts, as the boxes hold them; empty while nothing is given. */
+  readonly recording: string;
+  readonly along: CutAlong;
+  readonly one: string;
+  readonly two: string;
+}
+
+const ALONG: readonly CutAlong[] = ["columns", "rows_left_up", "rows_right_up"];
+const ALONG_WORDS = {
+  columns: "scans-new-cut-along-columns",
+  rows_left_up: "scans-new-cut-along-left",
+  rows_right_up: "scans-new-cut-along-right",
+} as const;
 
 function sameStrip({ first, second }: PickedStrips): boolean {
   return first !== "" && first === second;
@@ -201,13 +218,13 @@ function requestOf(picked: PickedStrips): ChosenStrips | null {
   return { first_upload: Number(first), second_upload: Number(second), time_axis: axis };
 }
 
-function Columns({ surveyId, choose }: { surveyId: number; choose: (chosen: ChosenColumns | null) => void }) {
+function Cuts({ surveyId, choose }: { surveyId: number; choose: (chosen: ChosenCuts | null) => void }) {
   const recordings = useResource(
     (signal) => api.ask("GET /surveys/{survey_id}/recordings", { survey_id: surveyId }, { signal }),
     [surveyId],
   );
-  const [values, setValues] = useState({ recording: "", one: "", two: "" });
-  const change = (part: Partial<typeof values>): void => {
+  const [values, setValues] = useState<TypedCuts>({ recording: "", along: "columns", one: "", two: "" });
+  const change = (part: Partial<TypedCuts>): void => {
     const next = { ...values, ...part };
     setValues(next);
     const [one, two] = [parseNumber(next.one), parseNumber(next.two)];
@@ -215,12 +232,14 @@ function Columns({ surveyId, choose }: { surveyId: number; choose: (chosen: Chos
       one !== null && two !== null && Number.isInteger(one) && Number.isInteger(two) && one !== two;
     choose(
       whole && next.recording !== ""
-        ? { recording_id: Number(next.recording), column_1_px: one, column_2_px: two }
+        ? { recording_id: Number(next.recording), cut_along: next.along, cut_1_px: one, cut_2_px: two }
         : null,
     );
   };
   const ready = (recordings.data ?? []).filter((one) => one.state === "ready");
-  const width_px = ready.find((one) => String(one.id) === values.recording)?.width_px;
+  const recording = ready.find((one) => String(one.id) === values.recording);
+  const along = values.along === "columns" ? "columns" : "rows";
+  const size_px = along === "columns" ? recording?.width_px : recording?.height_px;
   return (
     <>
       <Problem error={recordings.error} again={recordings.reload} />
@@ -238,20 +257,26 @@ function Columns({ surveyId, choose }: { surveyId: number; choose: (chosen: Chos
           hint={say("scans-new-recording-hint")}
           onChange={(recording) => change({ recording })}
         />
+        <SelectField
+          label={say("scans-new-cut-along")}
+          value={values.along}
+          options={ALONG.map((value) => ({ value, label: say(ALONG_WORDS[value]) }))}
+          onChange={(along) => change({ along })}
+        />
         <TextField
-          label={say("scans-new-column-1")}
+          label={say("scans-new-cut-1", { along })}
           value={values.one}
           numeric
           unit={say("unit-px")}
           hint={
-            width_px
-              ? say("scans-new-column-1-hint-to", { last_px: String(width_px - 1) })
-              : say("scans-new-column-1-hint")
+            size_px
+              ? say("scans-new-cut-1-hint-to", { last_px: String(size_px - 1) })
+              : say("scans-new-cut-1-hint")
           }
           onInput={(one) => change({ one })}
         />
         <TextField
-          label={say("scans-new-column-2")}
+          label={say("scans-new-cut-2", { along })}
           value={values.two}
           numeric
           unit={say("unit-px")}

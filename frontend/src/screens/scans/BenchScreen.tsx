@@ -9,7 +9,7 @@ import { cancelJob } from "../../core/jobs";
 import { say } from "../../core/messages";
 import type { ScreenProps } from "../../core/places";
 import { canWork, may } from "../../core/session";
-import { formatDuration } from "../../core/times";
+import { formatDuration, formatMoment, formatPlaceMoment } from "../../core/times";
 import { toastProblem } from "../../core/toasts";
 import type { Scan, Target } from "../../core/types";
 import { formatCount, formatLength } from "../../core/units";
@@ -19,6 +19,7 @@ import { FindDialog } from "./FindDialog";
 import { ScanModel } from "./model";
 import { RigDialog } from "./RigDialog";
 import { RodPanel } from "./RodPanel";
+import { ScanStart } from "./ScanStart";
 import { StripView } from "./StripView";
 import { VehiclePanel } from "./VehiclePanel";
 import { VehicleTable } from "./VehicleTable";
@@ -71,7 +72,18 @@ function Head({ model, scan, surveyId }: { model: ScanModel; scan: Scan; surveyI
     <header class="scan__head">
       <div class="scan__title">
         <h1 class="clip">{scan.name}</h1>
-        <p class="small muted clip">{headWords(scan)}</p>
+        <p class="small muted clip" title={headWords(scan)}>
+          {headWords(scan)}
+        </p>
+        {!scan.started_at && (
+          <ScanStart
+            scan={scan}
+            changed={async (stored) => {
+              model.take(stored);
+              await model.refresh();
+            }}
+          />
+        )}
       </div>
       <span class="grow" />
       {job ? (
@@ -109,8 +121,9 @@ function Head({ model, scan, surveyId }: { model: ScanModel; scan: Scan; surveyI
   );
 }
 
-function headWords({ lines, rows_px, duration_s, rig, run }: Scan): string {
+function headWords({ lines, rows_px, duration_s, rig, run, started_local }: Scan): string {
   const words = [
+    started_local && formatPlaceMoment(started_local),
     say("scans-fact-lines", { lines: lines ?? 0, rows_px: String(rows_px) }),
     formatDuration(duration_s ?? 0),
     say("scans-fact-baseline", { baseline: formatLength(rig.baseline_m) }),
@@ -156,14 +169,23 @@ function NotReady({ scan, model, surveyId }: { scan: Scan; model: ScanModel; sur
       <h1>{scan.name}</h1>
       {scan.state === "failed" ? (
         <Notice kind="problem">{scan.error ?? say("scans-not-read")}</Notice>
+      ) : scan.state === "live" ? (
+        <Stream scan={scan} />
       ) : (
         job && <JobProgress job={job} />
       )}
-      <p>
+      <p class="row">
+        {scan.state === "live" && <Button href={`/surveys/${surveyId}/live`}>{say("page-live")}</Button>}
         <Button href={`/surveys/${surveyId}/scans`}>{say("scans-all")}</Button>
       </p>
     </div>
   );
+}
+
+/** Whether the lines of a live recording still come. */
+function Stream({ scan }: { scan: Scan }) {
+  if (scan.stream_state !== "stopped" || !scan.heard_at) return <Notice>{say("scan-live")}</Notice>;
+  return <Notice kind="warning">{say("live-stopped", { time: formatMoment(scan.heard_at) })}</Notice>;
 }
 
 function Nothing({ surveyId, elsewhere }: { surveyId: number; elsewhere?: boolean }) {

@@ -9,11 +9,12 @@ import { outbox } from "../../core/outbox";
 import { canWork } from "../../core/session";
 import { survey } from "../../core/survey";
 import { formatMoment } from "../../core/times";
-import type { LineHeight, LineHeightAnswer, Target } from "../../core/types";
+import type { InsetChoice, LineHeight, LineHeightAnswer, Target } from "../../core/types";
 import { fixed, formatHeight, formatLength } from "../../core/units";
-import { STATE_WORDS, TARGET_WORDS, TARGETS } from "../../core/words";
+import { INSET_PLACE_WORDS, STATE_WORDS, TARGET_WORDS, TARGETS } from "../../core/words";
 import { Budget } from "../../parts/vehicles/Budget";
 import { heightKey } from "./heights";
+import type { Inset } from "./kinds";
 import type { ScanModel } from "./model";
 import { HeightVerdict } from "./Verdict";
 
@@ -51,12 +52,12 @@ const KEYS = ["target1", "target2", "target3", "target4", "target5"] as const;
 
 function Older({ model }: { model: ScanModel }) {
   const count = model.heights.older.value.length;
-  if (count === 0 || !canWork.value) return null;
+  if (count === 0) return null;
   return (
     <div class="line-heights__older small">
       <span>{say("scan-heights-older", { count })}</span>
-      <Button small busy={model.busy.value} onClick={() => void model.heights.againAll()}>
-        {say("scan-heights-older-again")}
+      <Button small href={`/surveys/${survey.value?.id}/checks?tab=again`}>
+        {say("computing-look")}
       </Button>
     </div>
   );
@@ -171,24 +172,31 @@ function InsetOf({ model, target }: { model: ScanModel; target: Target }) {
   if (choices.length < 2 || !canWork.value) return null;
   const usual = target === "driver_eye" ? null : survey.value?.insets[target];
   const now = model.heights.insetOf(target) ?? usual;
-  const chosen = choices.findIndex((one) => one.inset_m === now?.inset_m && one.u_inset_m === now?.u_inset_m);
+  const chosen = choices.findIndex((one) => isChosen(one, now ?? null));
   return (
     <div class="line-heights__inset small">
       <span>{ASKED[target]}</span>
       <Segments
         label={ASKED[target] ?? TARGET_WORDS[target]}
         value={String(chosen)}
-        options={choices.map((choice, at) => ({ value: String(at), label: choice.words }))}
+        options={choices.map((choice, at) => ({ value: String(at), label: INSET_PLACE_WORDS[choice.place] }))}
         onChange={(picked) => {
           const choice = choices[Number(picked)];
-          if (choice) {
-            const { inset_m, u_inset_m } = choice;
-            void model.heights.setInset(target, { inset_m, u_inset_m });
-          }
+          if (choice) void model.heights.setInset(target, insetOfChoice(choice));
         }}
       />
     </div>
   );
+}
+
+function isChosen({ place, inset_m, u_inset_m }: InsetChoice, now: Inset | null): boolean {
+  if (now && "side" in now) return place === now.side;
+  return inset_m === now?.inset_m && u_inset_m === now.u_inset_m;
+}
+
+/** Of an eye the side, so that its inset stays the survey's. */
+function insetOfChoice({ place, inset_m, u_inset_m }: InsetChoice): Inset {
+  return place === "near" || place === "far" ? { side: place } : { inset_m, u_inset_m };
 }
 
 function Detail({ model, one }: { model: ScanModel; one: LineHeight }) {

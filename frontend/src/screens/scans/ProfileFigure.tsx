@@ -4,6 +4,7 @@ import { say } from "../../core/messages";
 import type { ScanVehicleDetail } from "../../core/types";
 import { speedScale } from "../../core/units";
 import { PlotFigure } from "../../parts/figures/PlotFigure";
+import { readable } from "../../parts/figures/reading";
 
 export function ProfileFigure({ detail }: { detail: ScanVehicleDetail }) {
   const profile = detail.profile;
@@ -41,10 +42,23 @@ export function ProfileFigure({ detail }: { detail: ScanVehicleDetail }) {
         x: { label: say("scan-profile-x") },
         y: { label: say("with-unit", { name: say("scan-head-speed"), unit }), domain: [low, high] },
         marks: [
-          plot.line(rows, { x: "time_s", y: "fitted", strokeWidth: 2 }),
-          plot.dot(
-            rows.filter((row) => row.used && row.speed >= low && row.speed <= high),
-            { x: "time_s", y: "speed", r: 2.4, stroke: "currentColor" },
+          readable(plot.line(rows, { x: "time_s", y: "fitted", strokeWidth: 2 }), {
+            word: say("scan-profile-fitted"),
+            x: rows.map((row) => row.time_s),
+            y: fitted,
+            way: "line",
+          }),
+          readable(
+            plot.dot(
+              rows.filter((row) => row.used && row.speed >= low && row.speed <= high),
+              { x: "time_s", y: "speed", r: 2.4, stroke: "currentColor" },
+            ),
+            {
+              word: say("scan-profile-used"),
+              x: rows.map((row) => row.time_s),
+              y: rows.map((row) => (row.used && row.speed >= low && row.speed <= high ? row.speed : null)),
+              way: "points",
+            },
           ),
           plot.dot(
             rows.filter((row) => !row.used && row.speed >= low && row.speed <= high),

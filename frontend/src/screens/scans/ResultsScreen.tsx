@@ -5,10 +5,12 @@ import { api } from "../../core/api";
 import { say } from "../../core/messages";
 import type { ScreenProps } from "../../core/places";
 import { useResource } from "../../core/resource";
+import { ReferenceErrors, RunsOfCars } from "./ReferenceErrors";
 import { ScannedHeights } from "./ScannedHeights";
 import { SizeErrors } from "./SizeErrors";
 import { SpreadFigure } from "./SpreadFigure";
 import { TableOne } from "./TableOne";
+import { Traffic } from "./Traffic";
 import "./scan.css";
 
 type Which = "accepted" | "all";
@@ -30,7 +32,7 @@ export default function ResultsScreen({ surveyId }: ScreenProps) {
     <div class="page">
       <header class="page__head">
         <div>
-          <h1>{say("motion-title")}</h1>
+          <h1>{say("page-scan-results")}</h1>
           <p class="page__lead">{say("motion-lead")}</p>
         </div>
         <div class="row row--wrap">
@@ -62,6 +64,8 @@ export default function ResultsScreen({ surveyId }: ScreenProps) {
             {say("motion-counted", { vehicles, scans: data.scans })}
           </p>
           <SizeErrors found={data} />
+          <ReferenceErrors found={data} />
+          <RunsOfCars found={data} />
           {[data.length_ratio, data.wheelbase_ratio].map(
             (one, n) =>
               one.warning && (
@@ -81,6 +85,9 @@ export default function ResultsScreen({ surveyId }: ScreenProps) {
           </div>
           <TableOne found={data} />
         </div>
+      )}
+      {data && data.counted["vehicles"] !== 0 && (
+        <Traffic surveyId={surveyId} acceptedOnly={which === "accepted"} />
       )}
     </div>
   );

@@ -1,11 +1,14 @@
 /** The rig's values can be corrected; results keep those that they were made with until they are measured again. */
 import { useState } from "preact/hooks";
-import { FormDialog, TextField } from "../../components";
+import { Button, FormDialog, TextField } from "../../components";
 import { api } from "../../core/api";
 import { say } from "../../core/messages";
 import { toast, toastProblem } from "../../core/toasts";
 import type { Scan } from "../../core/types";
+import { LaneFields } from "./LaneFields";
+import { type LaneProblems, type LaneTyped, lanesOf, sameLanes, typedLanes } from "./lanes";
 import type { ScanModel } from "./model";
+import { RigCalibration } from "./RigCalibration";
 import { RigFields } from "./RigFields";
 import { RigOfTraffic } from "./RigOfTraffic";
 import {
@@ -16,8 +19,10 @@ import {
   type RigTyped,
   type RigValues,
   rigValues,
+  sentOf,
   typedOf,
   valuesOf,
+  withoutCorrelation,
 } from "./rig";
 
 interface Props {
@@ -35,24 +40,34 @@ export function RigDialog({ model, scan, onClose, changed, offered }: Props) {
   const [typed, setTyped] = useState<RigTyped>(() => ({ ...typedOf(scan), ...offered }));
   const [name, setName] = useState(scan.name);
   const [problems, setProblems] = useState<RigProblems>({});
+  const [lanes, setLanes] = useState<readonly LaneTyped[]>(() => typedLanes(scan.rig.lanes));
+  const [ofLanes, setOfLanes] = useState<readonly LaneProblems[]>([]);
+  const [calibrating, setCalibrating] = useState(false);
   const change = (part: Partial<RigTyped>): void => {
-    setTyped({ ...typed, ...part });
+    setTyped({ ...typed, ...withoutCorrelation(part) });
     setProblems({});
   };
   const submit = (): Promise<void> | null => {
-    const values = valuesOf(typed);
-    if (isValues(values)) return store(changedOnly(values));
-    setProblems(values);
+    const values = valuesOf(typed, lanes.length > 0);
+    const found = lanesOf(lanes);
+    const sound = found.lanes.length === lanes.length;
+    if (isValues(values) && sound)
+      return store({
+        ...changedOnly(values),
+        ...(sameLanes(lanes, scan.rig.lanes) ? {} : { lanes: found.lanes }),
+      });
+    if (!isValues(values)) setProblems(values);
+    setOfLanes(found.problems);
     return null;
   };
   /** A field that nobody touched keeps all of its digits. */
   const changedOnly = (values: RigValues): Partial<RigValues> => {
-    const before = valuesOf(typedOf(scan));
+    const before = valuesOf(typedOf(scan), scan.rig.lanes.length > 0);
     const names = Object.keys(values) as (keyof RigValues)[];
     const moved = names.filter((key) => !isValues(before) || values[key] !== before[key]);
-    return Object.fromEntries(moved.map((key) => [key, values[key]]));
+    return sentOf(values, moved);
   };
-  const store = async (values: Partial<RigValues>): Promise<void> => {
+  const store = async (values: Partial<Scan["rig"]>): Promise<void> => {
     const words = name.trim() && name.trim() !== scan.name ? { name: name.trim() } : {};
     if (Object.keys({ ...values, ...words }).length === 0) return onClose();
     const all = { ...values, ...words };
@@ -67,6 +82,16 @@ export function RigDialog({ model, scan, onClose, changed, offered }: Props) {
     onClose();
     tell(scan, all, await stored, model, changed);
   };
+  if (calibrating) {
+    return (
+      <RigCalibration
+        scan={scan}
+        onClose={onClose}
+        put={(values, version) => put(scan.id, values, version, model, changed)}
+        take={(stored) => shown(stored, model, changed)}
+      />
+    );
+  }
   return (
     <FormDialog
       title={say("scans-rig-title")}
@@ -76,6 +101,21 @@ export function RigDialog({ model, scan, onClose, changed, offered }: Props) {
     >
       <TextField label={say("field-name")} value={name} onInput={setName} />
       <RigFields typed={typed} problems={problems} noRate={scan.source === "video"} change={change} />
+      <LaneFields
+        lanes={lanes}
+        problems={ofLanes}
+        change={(now) => {
+          setLanes(now);
+          setOfLanes([]);
+          setProblems({});
+        }}
+      />
+      <p class="row row--wrap">
+        <Button small onClick={() => setCalibrating(true)}>
+          {say("scans-calibrate")}
+        </Button>
+        <span class="small muted">{say("scans-calibrate-why")}</span>
+      </p>
       {scan.run && (
         <section class="stack stack--tight" aria-label={say("scans-rig-traffic")}>
           <h3>{say("scans-rig-traffic-title")}</h3>
@@ -103,10 +143,15 @@ async function put(
   changed?: () => Promise<void>,
 ): Promise<Scan> {
   const stored = await api.write("PATCH /scans/{scan_id}", { scan_id: id }, { body: { ...values, version } });
+  await shown(stored, model, changed);
+  return stored;
+}
+
+/** Whoever shows the scan shows it as it is stored. */
+async function shown(stored: Scan, model?: ScanModel, changed?: () => Promise<void>): Promise<void> {
   model?.take(stored);
   await model?.refresh();
   await changed?.();
-  return stored;
 }
 
 /** The change can be taken back: on the bench with Ctrl Z, elsewhere from the message. */

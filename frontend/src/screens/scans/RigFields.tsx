@@ -53,7 +53,15 @@ export function RigFields({ noRate, plain, ...of }: Props) {
   );
 }
 
-const ADVANCED = ["divergence", "uDivergence", "distance", "misalignment", "uMisalignment"] as const;
+const ADVANCED = [
+  "divergence",
+  "uDivergence",
+  "distance",
+  "uDistance",
+  "correlation",
+  "misalignment",
+  "uMisalignment",
+] as const;
 
 /** Folded until something stands in it or is wrong with it. */
 function Advanced({ of }: { of: Typing }) {
@@ -91,6 +99,28 @@ function Advanced({ of }: { of: Typing }) {
           label={say("scans-rig-distance")}
           unit={lengthUnit.value}
           hint={say("scans-rig-distance-hint")}
+        />
+        <Typed
+          name="uDistance"
+          of={of}
+          label={say("scans-rig-u")}
+          unit={lengthUnit.value}
+          hint={say("scans-rig-distance-u-hint")}
+        />
+        <Typed
+          name="correlation"
+          of={of}
+          label={say("scans-rig-correlation")}
+          unit=""
+          hint={say("scans-rig-correlation-hint")}
+        />
+        <Typed
+          name="shadow"
+          of={of}
+          label={say("scans-rig-shadow")}
+          unit="%"
+          placeholder="15"
+          hint={say("scans-rig-shadow-hint")}
         />
       </div>
     </details>

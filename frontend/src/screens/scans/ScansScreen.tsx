@@ -10,10 +10,12 @@ import { formatDuration } from "../../core/times";
 import { toast, toastProblem } from "../../core/toasts";
 import type { Scan } from "../../core/types";
 import { formatCount, formatLength } from "../../core/units";
+import { LIVE_WORDS } from "../../core/words";
 import { AddScan } from "./AddScan";
 import { RigDialog } from "./RigDialog";
 import { RigOfTraffic } from "./RigOfTraffic";
 import type { RigTyped } from "./rig";
+import { ScanStart } from "./ScanStart";
 import "./scan.css";
 
 export default function ScansScreen({ surveyId }: ScreenProps) {
@@ -33,10 +35,11 @@ export default function ScansScreen({ surveyId }: ScreenProps) {
           <p class="page__lead">{say("scans-lead")}</p>
         </div>
         <div class="row row--wrap">
-          <Button href={`/surveys/${surveyId}/planning?plan=lines`}>{say("scans-plan")}</Button>
+          <Button href={`/surveys/${surveyId}/planning?plan=lines`}>{say("page-planning")}</Button>
+          <Button href={`/surveys/${surveyId}/live`}>{say("page-live")}</Button>
           {!none && (
             <Button icon="chart" href={`/surveys/${surveyId}/scans/results`}>
-              {say("scans-results")}
+              {say("page-scan-results")}
             </Button>
           )}
           {!none && canWork.value && !adding && (
@@ -96,6 +99,11 @@ function Limits() {
   );
 }
 
+function stateOf(scan: Scan): "ingesting" | "running" | "not_measurable" | "ready" | "failed" {
+  if (scan.state === "live") return scan.stream_state === "running" ? "running" : "not_measurable";
+  return scan.state === "reading" ? "ingesting" : scan.state;
+}
+
 function isWorking(scan: Scan): boolean {
   return scan.job?.state === "running" || scan.job?.state === "queued";
 }
@@ -134,7 +142,10 @@ function ScanCard({ scan, reload }: { scan: Scan; reload: () => Promise<void> })
         <header class="row row--apart">
           <h2 class="clip">{scan.name}</h2>
           <div class="row">
-            <StateMark state={scan.state === "reading" ? "ingesting" : scan.state} />
+            <StateMark
+              state={stateOf(scan)}
+              word={scan.stream_state ? LIVE_WORDS[scan.stream_state] : undefined}
+            />
             {canWork.value && scan.state !== "reading" && (
               <Button
                 kind="quiet"
@@ -146,6 +157,7 @@ function ScanCard({ scan, reload }: { scan: Scan; reload: () => Promise<void> })
           </div>
         </header>
         <p class="small muted">{facts(scan)}</p>
+        {scan.state === "ready" && <ScanStart scan={scan} changed={reload} />}
         {isWorking(scan) && scan.job && <JobProgress job={scan.job} />}
         {scan.state === "failed" && (
           <Notice
@@ -238,8 +250,9 @@ function facts(scan: Scan): string {
     say("scans-fact-rate", { rate_hz: formatCount(scan.rig.line_rate_hz) }),
     scan.source === "video"
       ? say("scans-fact-video", {
-          column_1_px: String(scan.column_1_px),
-          column_2_px: String(scan.column_2_px),
+          along: scan.cut_along === "columns" ? "columns" : "rows",
+          cut_1_px: String(scan.cut_1_px),
+          cut_2_px: String(scan.cut_2_px),
         })
       : null,
   ]

@@ -3,7 +3,7 @@
 import { say, wordsOf } from "../../core/messages";
 import type { ScanSpread } from "../../core/types";
 import { fixed, lengthScale, type Scale, speedScale } from "../../core/units";
-import { ecdfMarks } from "../../parts/figures/curves";
+import { ecdfMarks, noBandWords } from "../../parts/figures/curves";
 import { PlotFigure } from "../../parts/figures/PlotFigure";
 
 const TITLES: Readonly<Record<string, string>> = wordsOf({
@@ -12,6 +12,14 @@ const TITLES: Readonly<Record<string, string>> = wordsOf({
   time_gap: "motion-time-gap",
   distance_gap: "motion-distance-gap",
   headway: "motion-headway",
+});
+/** On the axis, where the title stands above: in a word or two. */
+const SHORT: Readonly<Record<string, string>> = wordsOf({
+  speed: "scan-head-speed",
+  length: "scan-head-length",
+  time_gap: "scan-evidence-time-gap",
+  distance_gap: "scan-evidence-distance-gap",
+  headway: "scan-head-headway",
 });
 /** 85: the speed that limits are set by. */
 const ASKED = [15, 50, 85];
@@ -30,6 +38,10 @@ export function SpreadFigure({ spread }: { spread: ScanSpread }) {
   const there = "value" in ecdf;
   const asked = spread.percentiles.filter((one) => ASKED.includes(one.percent));
   const percentiles = asked.map((one) => percentileWords(one, by)).join("; ");
+  const notes = [
+    percentiles && say("motion-spread-note", { unit, percentiles }),
+    there ? noBandWords(ecdf.n) : null,
+  ];
   return (
     <PlotFigure
       name={`scan-${spread.quantity}`}
@@ -37,10 +49,10 @@ export function SpreadFigure({ spread }: { spread: ScanSpread }) {
       says={say("motion-spread-says", { count: spread.n, percentiles, unit })}
       data={spread}
       reason={there ? null : ecdf.reason}
-      note={there && percentiles ? say("motion-spread-note", { unit, percentiles }) : undefined}
+      note={there ? notes.filter(Boolean).join(" ") || undefined : undefined}
       options={(plot) => ({
         height: 240,
-        x: { label: say("with-unit", { name: title, unit }) },
+        x: { label: say("with-unit", { name: SHORT[spread.quantity] ?? title, unit }) },
         y: { label: say("figure-share-of-vehicles"), domain: [0, 100] },
         marks: there
           ? [
@@ -74,8 +86,8 @@ export function SpreadFigure({ spread }: { spread: ScanSpread }) {
 
 function percentileWords(one: ScanSpread["percentiles"][number], by: number): string {
   const percent = String(one.percent);
-  if (one.reason) return say("motion-percentile-none", { percent, reason: one.reason });
   const value = fixed(one.value * by, 2);
+  if (one.reason) return say("motion-percentile-none", { percent, value });
   if (one.low === null || one.high === null) return say("motion-percentile", { percent, value });
   const [low, high] = [fixed(one.low * by, 2), fixed(one.high * by, 2)];
   return say("motion-percentile-interval", { percent, value, low, high });

@@ -53,6 +53,7 @@ function drawStrips(canvas: HTMLCanvasElement, model: ScanModel, view: StripsVie
     crossings: model.crossings.value,
     edge: model.edge.value,
     wheels: model.wheels.value,
+    axles: model.axlesOfChosen.value,
   });
   drawHeights(canvas, model, view);
 }

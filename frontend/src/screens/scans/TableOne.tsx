@@ -4,6 +4,7 @@ import { say } from "../../core/messages";
 import type { ScanStatistics } from "../../core/types";
 import { fixed, heads, plainAcceleration, plainLength, plainSpeed, speedScale } from "../../core/units";
 import { vehicleName } from "../../core/words";
+import { SOURCE_WORDS } from "./referenceWords";
 
 export function TableOne({ found }: { found: ScanStatistics }) {
   return (
@@ -15,12 +16,12 @@ export function TableOne({ found }: { found: ScanStatistics }) {
         <Own found={found} />
         <Printed found={found} />
       </div>
-      <p class="small muted">{found.paper_note}</p>
+      <p class="small muted scan-traffic__note">{found.paper_note}</p>
     </section>
   );
 }
 
-function Head({ first, counter }: { first: string; counter?: boolean }) {
+function Head({ first, counter }: { first: string; counter: string }) {
   const units = heads();
   return (
     <thead>
@@ -31,7 +32,7 @@ function Head({ first, counter }: { first: string; counter?: boolean }) {
           {say("with-unit", { name: say("motion-head-acceleration"), unit: units.acceleration })}
         </th>
         <th class="num">{say("with-unit", { name: say("motion-head-size"), unit: units.length })}</th>
-        {counter && <th>{say("motion-head-counter")}</th>}
+        <th>{counter}</th>
         <th class="num">{say("with-unit", { name: say("motion-head-true"), unit: units.length })}</th>
         <th class="num">{say("motion-head-fit-error")}</th>
       </tr>
@@ -43,7 +44,7 @@ function Own({ found }: { found: ScanStatistics }) {
   return (
     <TableScroll label={say("motion-paper-own")}>
       <table class="table" data-testid="scan-table-own">
-        <Head first={say("motion-head-vehicle")} />
+        <Head first={say("motion-head-vehicle")} counter={say("motion-head-reference")} />
         <tbody>
           {found.table.map((row) => (
             <tr key={row.vehicle_id}>
@@ -51,6 +52,7 @@ function Own({ found }: { found: ScanStatistics }) {
               <td class="num">{plainSpeed(row.speed_mps)}</td>
               <td class="num">{plainAcceleration(row.acceleration_mps2)}</td>
               <td class="num">{plainLength(row.length_m)}</td>
+              <td>{speedsOf(row.references)}</td>
               <td class="num">{plainLength(row.true_length_m)}</td>
               <td class="num">{row.fit_error_percent === null ? "–" : fixed(row.fit_error_percent, 2)}</td>
             </tr>
@@ -61,11 +63,19 @@ function Own({ found }: { found: ScanStatistics }) {
   );
 }
 
+/** "70.2 radar, 72.0 counter" */
+function speedsOf(references: ScanStatistics["table"][number]["references"]): string {
+  return references
+    .filter((one) => one.quantity === "speed")
+    .map((one) => `${plainSpeed(one.value)} ${SOURCE_WORDS[one.source]}`)
+    .join(", ");
+}
+
 function Printed({ found }: { found: ScanStatistics }) {
   return (
     <TableScroll label={say("motion-paper-printed")}>
       <table class="table">
-        <Head first={say("motion-head-car")} counter />
+        <Head first={say("motion-head-car")} counter={say("motion-head-counter")} />
         <tbody>
           {found.paper.map((row) => (
             <tr key={row.car_id}>

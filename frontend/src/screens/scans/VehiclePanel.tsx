@@ -1,16 +1,21 @@
 /** The chosen vehicle: its numbers, what is known of it, profile, match, budget, history, and the verdict. */
-import { Button, Loading, Notice, StateMark } from "../../components";
+import { Button, Loading, Notice, SelectField, StateMark } from "../../components";
 import { Said } from "../../components/Said";
 import { hint } from "../../core/commands";
 import { say } from "../../core/messages";
 import { canWork } from "../../core/session";
+import { formatPlaceDay, formatPlaceTime } from "../../core/times";
 import type { ScanMotion, ScanVehicle } from "../../core/types";
-import { fixed, formatAcceleration, formatLength, formatSpeed } from "../../core/units";
+import { fixed, formatAcceleration, formatLength, formatSpeed, significant } from "../../core/units";
 import { vehicleName } from "../../core/words";
+import { EvidenceButton } from "./EvidenceDialog";
 import { HeightList } from "./HeightList";
+import { laneByPerson } from "./kinds";
+import type { RigLane } from "./lanes";
 import { MatchPictures } from "./MatchPictures";
 import type { ScanModel } from "./model";
 import { ProfileFigure } from "./ProfileFigure";
+import { References } from "./References";
 import { Budget, History, Known } from "./VehicleParts";
 import { Verdict } from "./Verdict";
 import { causeWords, formatMeasured, formatSeconds, stateOf } from "./words";
@@ -26,6 +31,7 @@ export function VehiclePanel({ model }: { model: ScanModel }) {
     );
   }
   const m = vehicle.measurement;
+  const lanes = model.scan.value?.rig.lanes ?? [];
   return (
     <aside class="scan__side" aria-label={say("scan-vehicle")} key={vehicle.id}>
       <header class="vehicle__head">
@@ -37,11 +43,14 @@ export function VehiclePanel({ model }: { model: ScanModel }) {
       </header>
       {/* biome-ignore lint/a11y/noNoninteractiveTabindex: it scrolls, so the keyboard must reach it */}
       <div class="scan__body stack" role="group" aria-label={say("scan-vehicle-body")} tabIndex={0}>
-        {m && <Numbers m={m} vehicle={vehicle} />}
+        {m && <Numbers m={m} vehicle={vehicle} lanes={lanes} />}
         {m && <Verdict model={model} m={m} />}
         {canWork.value && <Tools model={model} m={m} />}
+        {m && canWork.value && lanes.length > 0 && <ChooseLane model={model} m={m} lanes={lanes} />}
+        {m && <EvidenceButton vehicle={vehicle} />}
         <HeightList model={model} />
         <Known model={model} vehicle={vehicle} />
+        <References model={model} vehicle={vehicle} />
         {detail ? (
           <>
             {m?.status === "ok" && <ProfileFigure detail={detail} />}
@@ -57,7 +66,13 @@ export function VehiclePanel({ model }: { model: ScanModel }) {
   );
 }
 
-function Numbers({ m, vehicle }: { m: ScanMotion; vehicle: ScanVehicle }) {
+interface NumbersProps {
+  m: ScanMotion;
+  vehicle: ScanVehicle;
+  lanes: readonly RigLane[];
+}
+
+function Numbers({ m, vehicle, lanes }: NumbersProps) {
   const gap = vehicle.gap;
   return (
     <section class="stack stack--tight" aria-label={say("scan-motion")}>
@@ -88,6 +103,33 @@ function Numbers({ m, vehicle }: { m: ScanMotion; vehicle: ScanVehicle }) {
               {m.wheelbase_m === null
                 ? say("scan-wheelbase-none")
                 : formatMeasured(m.wheelbase_m, m.U95_wheelbase_m)}
+            </dd>
+          </>
+        )}
+        {m.axle_lines !== null && (
+          <>
+            <dt>{say("scan-axles")}</dt>
+            <dd data-testid="scan-axles">
+              {say("scan-axles-of", { count: m.axle_lines.length, by: m.axles_by ?? "machine" })}
+            </dd>
+          </>
+        )}
+        <dt>{say("scan-passed")}</dt>
+        <dd data-testid="scan-passed">
+          <Passed vehicle={vehicle} />
+        </dd>
+        <dt>{say("scan-direction")}</dt>
+        <dd data-testid="scan-direction">{say("scan-direction-of", { direction: m.direction })}</dd>
+        {lanes.length > 0 && (
+          <>
+            <dt>{say("scan-lane")}</dt>
+            <dd data-testid="scan-lane">
+              {m.lane === null
+                ? say("scan-lane-unknown")
+                : say("scan-lane-of", { lane: m.lane, by: m.lane_by ?? "machine" })}
+              {m.tyres_px !== null && (
+                <span class="muted"> {say("scan-lane-tyres", { row: fixed(m.tyres_px, 0) })}</span>
+              )}
             </dd>
           </>
         )}
@@ -124,6 +166,40 @@ function Numbers({ m, vehicle }: { m: ScanMotion; vehicle: ScanVehicle }) {
   );
 }
 
+interface ChooseLaneProps {
+  model: ScanModel;
+  m: ScanMotion;
+  lanes: readonly RigLane[];
+}
+
+/** The program proposes; what a person says stays. */
+function ChooseLane({ model, m, lanes }: ChooseLaneProps) {
+  const options = [
+    { value: "", label: say("scan-lane-by-program") },
+    ...lanes.map(({ name }) => ({ value: name, label: name })),
+  ];
+  return (
+    <SelectField
+      label={say("scan-lane-choose")}
+      value={laneByPerson(m) ?? ""}
+      options={options}
+      onChange={(name) => void model.storeLane(name || null)}
+    />
+  );
+}
+
+/** When its front reached camera 1, or that the recording's start is not known. */
+function Passed({ vehicle }: { vehicle: ScanVehicle }) {
+  const { filmed_at, U95_filmed_at_s, u_filmed_at_s } = vehicle;
+  if (!filmed_at) return <>{say("scan-passed-unknown")}</>;
+  const time = say("scan-passed-at", {
+    day: formatPlaceDay(filmed_at),
+    time: formatPlaceTime(filmed_at, u_filmed_at_s),
+  });
+  if (U95_filmed_at_s === null) return <>{time}</>;
+  return <>{say("scan-passed-within", { time, U95_s: significant(U95_filmed_at_s) })}</>;
+}
+
 function DistanceGap({ gap }: { gap: NonNullable<ScanVehicle["gap"]> }) {
   const words = gap.distance_gap_m === null ? gap.reason : formatLength(gap.distance_gap_m, 2);
   if (gap.paper_distance_gap_m === null) return <>{words}</>;
@@ -157,6 +233,21 @@ function Tools({ model, m }: { model: ScanModel; m: ScanMotion | null }) {
           onClick={() => model.start("wheels")}
         >
           {say(m.wheelbase_m === null ? "scan-wheels" : "scan-wheels-again")}
+        </Button>
+      )}
+      {m?.status === "ok" && (
+        <Button
+          small
+          pressed={model.mode.value === "axles"}
+          title={say("scan-axles-title")}
+          onClick={() => model.start("axles")}
+        >
+          {say("scan-axles-correct")}
+        </Button>
+      )}
+      {m?.axles_by === "person" && (
+        <Button small onClick={() => void model.storeAxles(null)}>
+          {say("scan-axles-again")}
         </Button>
       )}
       {model.heights.pose.value && (

@@ -6,11 +6,13 @@ import { bringInSight } from "../../components/inSight";
 import { useOneTabStop } from "../../components/oneTabStop";
 import { Said } from "../../components/Said";
 import { say } from "../../core/messages";
+import { formatPlaceClock, formatPlaceMoment } from "../../core/times";
 import type { ScanVehicle } from "../../core/types";
 import { fixed, heads, plainAcceleration, plainLength, plainSpeed } from "../../core/units";
 import { vehicleName } from "../../core/words";
+import { OtherWay } from "../../parts/OtherWay";
 import type { ScanModel } from "./model";
-import { stateOf } from "./words";
+import { formatSeconds, stateOf } from "./words";
 
 export function VehicleTable({ model }: { model: ScanModel }) {
   const units = heads();
@@ -21,13 +23,17 @@ export function VehicleTable({ model }: { model: ScanModel }) {
     requestAnimationFrame(() => bringInSight(box.current?.querySelector(`[data-vehicle="${id}"]`)));
   });
   const vehicles = model.vehicles.value;
+  const clock = model.scan.value?.started_at != null;
+  const lanes = (model.scan.value?.rig.lanes.length ?? 0) > 0;
   return (
     <TableScroll label={say("scan-vehicles")} class="scan__table">
       <table class="table table--dense">
         <thead>
           <tr>
             <th>{say("scan-head-number")}</th>
-            <th class="num">{say("with-unit", { name: say("scan-head-time"), unit: "s" })}</th>
+            <th class="num">
+              {clock ? say("scan-head-clock") : say("with-unit", { name: say("scan-head-time"), unit: "s" })}
+            </th>
             <th class="num">{say("with-unit", { name: say("scan-head-speed"), unit: units.speed })}</th>
             <th class="num">
               {say("with-unit", { name: say("scan-head-acceleration"), unit: units.acceleration })}
@@ -35,13 +41,18 @@ export function VehicleTable({ model }: { model: ScanModel }) {
             <th class="num">{say("with-unit", { name: say("scan-head-length"), unit: units.length })}</th>
             <th class="num">{say("with-unit", { name: say("scan-head-gap"), unit: "s" })}</th>
             <th class="num">{say("with-unit", { name: say("scan-head-gap"), unit: units.length })}</th>
-            <th class="num">{say("with-unit", { name: say("scan-head-headway"), unit: "s" })}</th>
+            {/* there is room for one of the two; the headway stands in the panel */}
+            {lanes ? (
+              <th>{say("scan-lane")}</th>
+            ) : (
+              <th class="num">{say("with-unit", { name: say("scan-head-headway"), unit: "s" })}</th>
+            )}
             <th>{say("scan-head-state")}</th>
           </tr>
         </thead>
         <tbody ref={box}>
           {vehicles.map((vehicle) => (
-            <Row key={vehicle.id} vehicle={vehicle} model={model} />
+            <Row key={vehicle.id} vehicle={vehicle} model={model} lanes={lanes} />
           ))}
         </tbody>
       </table>
@@ -49,7 +60,18 @@ export function VehicleTable({ model }: { model: ScanModel }) {
   );
 }
 
-function Row({ vehicle, model }: { vehicle: ScanVehicle; model: ScanModel }) {
+/** From the first line on. */
+function since(m: ScanVehicle["measurement"]): string {
+  return m ? fixed(m.time_s, 2) : "–";
+}
+
+function timeTitle({ filmed_at, measurement }: ScanVehicle): string | undefined {
+  if (!filmed_at || !measurement) return undefined;
+  const time = formatPlaceMoment(filmed_at);
+  return say("scan-time-title", { time, since: formatSeconds(measurement.time_s) });
+}
+
+function Row({ vehicle, model, lanes }: { vehicle: ScanVehicle; model: ScanModel; lanes: boolean }) {
   const here = model.chosenId.value === vehicle.id;
   const m = vehicle.measurement;
   const gap = vehicle.gap;
@@ -70,8 +92,11 @@ function Row({ vehicle, model }: { vehicle: ScanVehicle; model: ScanModel }) {
           />
         </button>
       </td>
-      <td class="num">{m ? fixed(m.time_s, 2) : "–"}</td>
-      <td class="num">
+      <td class="num" title={timeTitle(vehicle)}>
+        {vehicle.filmed_at ? formatPlaceClock(vehicle.filmed_at) : since(m)}
+      </td>
+      <td class="num nowrap">
+        {m?.direction === "camera_2_first" && <OtherWay />}
         <strong>{plainSpeed(m?.speed_mps ?? null)}</strong>
       </td>
       <td class="num">{plainAcceleration(m?.acceleration_mps2 ?? null)}</td>
@@ -82,7 +107,11 @@ function Row({ vehicle, model }: { vehicle: ScanVehicle; model: ScanModel }) {
       <td class="num" title={gap?.reason ?? undefined}>
         {plainLength(gap?.distance_gap_m ?? null, 1)}
       </td>
-      <td class="num">{gap?.headway_s == null ? "–" : fixed(gap.headway_s, 2)}</td>
+      {lanes ? (
+        <td>{m?.lane ?? "–"}</td>
+      ) : (
+        <td class="num">{gap?.headway_s == null ? "–" : fixed(gap.headway_s, 2)}</td>
+      )}
       <td>
         <StateMark state={stateOf(vehicle)} />
         {waiting > 0 && <div class="small muted">{say("scan-heights-waiting", { count: waiting })}</div>}

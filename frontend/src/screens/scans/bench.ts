@@ -6,7 +6,7 @@ import type { Crossings, Edge } from "./kinds";
 import type { StripsView } from "./view";
 
 /** The tool that is taken up; "look": none, boundaries are dragged and vehicles chosen. */
-export type Mode = "look" | "wheels" | "new" | "rod" | "height";
+export type Mode = "look" | "wheels" | "axles" | "new" | "rod" | "height";
 
 export interface Bench {
   readonly id: number;

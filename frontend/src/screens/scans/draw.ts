@@ -15,6 +15,8 @@ export interface Drawing {
   readonly crossings: Crossings | null;
   readonly edge: Edge | null;
   readonly wheels: readonly (number | null)[];
+  /** Every wheel's hub, of which axles are counted. */
+  readonly axles: readonly number[];
 }
 
 interface Colours {
@@ -51,6 +53,8 @@ export function draw(canvas: HTMLCanvasElement, what: Drawing): void {
     pen.rect(0, stripTop(view, camera), view.width, view.height);
     pen.clip();
     strip(pen, what, camera, ratio);
+    shadowZone(pen, what, camera, colours);
+    if (camera === 1) lanes(pen, what, colours);
     spans(pen, what, camera, colours);
     if (what.crossings) boundaries(pen, what, what.crossings, camera, colours);
     pen.restore();
@@ -75,6 +79,62 @@ function strip(pen: CanvasRenderingContext2D, what: Drawing, camera: 1 | 2, rati
       const wide = (bitmap.width * about.step) / view.perPx;
       pen.drawImage(bitmap, left, top, wide, view.strips.rows * view.rowPx);
     }
+  }
+}
+
+/** The share of the rows that the chosen vehicle's lane has as its shadow zone, or the rig. */
+function shadowShare({ scan, vehicles, chosen }: Drawing): number {
+  const lane = vehicles.find((one) => one.id === chosen)?.measurement?.lane;
+  return scan.rig.lanes.find((one) => one.name === lane)?.shadow_share ?? scan.rig.shadow_share;
+}
+
+/** The rows in which shadows fall and no vehicle is looked for: their upper edge, and a veil over them. */
+function shadowZone(pen: CanvasRenderingContext2D, what: Drawing, camera: 1 | 2, colours: Colours): void {
+  const { view } = what;
+  const share = shadowShare(what);
+  if (share <= 0) return;
+  const top = stripTop(view, camera);
+  const rows = view.strips.rows;
+  const edge = top + yOf(view, rows * (1 - share) - 0.5);
+  const bottom = top + yOf(view, rows - 0.5);
+  pen.fillStyle = "rgb(16 17 16 / 28%)";
+  pen.fillRect(0, edge, view.width, bottom - edge);
+  pen.strokeStyle = colours.line;
+  pen.lineWidth = 1;
+  pen.setLineDash([2, 6]);
+  pen.beginPath();
+  pen.moveTo(0, edge);
+  pen.lineTo(view.width, edge);
+  pen.stroke();
+  pen.setLineDash([]);
+  pen.font = "11px system-ui, sans-serif";
+  pen.textBaseline = "top";
+  pen.fillStyle = colours.ink;
+  const word = say("scan-shadow-zone");
+  if (bottom - edge > 14) pen.fillText(word, view.width - pen.measureText(word).width - 8, edge + 3);
+}
+
+/** Of each lane the rows of strip 1 between which its tyres meet the road, at the window's left edge. */
+function lanes(pen: CanvasRenderingContext2D, what: Drawing, colours: Colours): void {
+  const { view, scan } = what;
+  const top = stripTop(view, 1);
+  pen.font = "11px system-ui, sans-serif";
+  pen.textBaseline = "middle";
+  for (const { name, tyres_from_px, tyres_to_px } of scan.rig.lanes) {
+    if (tyres_from_px === null || tyres_to_px === null) continue;
+    const from = top + yOf(view, tyres_from_px - 0.5);
+    const to = top + yOf(view, tyres_to_px - 0.5);
+    pen.strokeStyle = colours.accent;
+    pen.lineWidth = 3;
+    pen.beginPath();
+    pen.moveTo(3, from + 2);
+    pen.lineTo(3, to - 2);
+    pen.stroke();
+    const wide = pen.measureText(name).width;
+    pen.fillStyle = "rgb(16 17 16 / 70%)";
+    pen.fillRect(8, (from + to) / 2 - 8, wide + 8, 16);
+    pen.fillStyle = colours.ink;
+    pen.fillText(name, 12, (from + to) / 2);
   }
 }
 
@@ -147,13 +207,19 @@ function boundaries(
     pen.lineTo(x, top + 14);
     pen.fill();
   }
-  if (camera === 2) return;
-  for (const line of what.wheels) {
-    if (line === null) continue;
-    pen.setLineDash([5, 4]);
-    upright(pen, xOf(view, line), top, view.height, colours.accent, 1.5);
-    pen.setLineDash([]);
-  }
+  if (camera === 1) hubs(pen, what, colours);
+}
+
+/** Both wheels that were clicked, over the whole strip; every axle from where bodies end downwards. */
+function hubs(pen: CanvasRenderingContext2D, what: Drawing, colours: Colours): void {
+  const { view } = what;
+  const top = stripTop(view, 1);
+  for (const line of what.axles)
+    upright(pen, xOf(view, line), top + 0.78 * view.height, 0.22 * view.height, colours.accent, 2);
+  pen.setLineDash([5, 4]);
+  for (const line of what.wheels)
+    if (line !== null) upright(pen, xOf(view, line), top, view.height, colours.accent, 1.5);
+  pen.setLineDash([]);
 }
 
 function upright(

@@ -23,6 +23,7 @@ import {
   type HeightVerdictAbout,
   type HeightWanted,
   type Inset,
+  insetSaid,
   LINE_HEIGHT,
   pointBody,
   type Verdict,
@@ -130,9 +131,7 @@ export class LineHeights {
   /** The inset that a click on this target would be stored with; null: the survey's. */
   insetOf(target: Target): Inset | null {
     const before = this.of(target);
-    return (
-      this.insets.get(target) ?? (before && { inset_m: before.inset_m, u_inset_m: before.u_inset_m }) ?? null
-    );
+    return this.insets.get(target) ?? (before && insetSaid(before));
   }
 
   /** Takes a target up; a contact that this vehicle has already is used again. */
@@ -217,13 +216,6 @@ export class LineHeights {
     const before = this.of(target);
     const vehicle = this.bench.chosen.value;
     if (before && vehicle) await this.store(vehicle.id, vehicle.number, target, clicks ?? clicksOf(before));
-  }
-
-  /** Every height of the scan that stands on a calibration before, with the one that counts now. */
-  async againAll(): Promise<void> {
-    await this.bench.tell(async () => {
-      await Promise.all(this.older.value.map((one) => this.want(one.vehicle_id, one.target, clicksOf(one))));
-    });
   }
 
   async withdraw(target: Target): Promise<void> {
@@ -471,6 +463,9 @@ const NOT_YET = {
   sigma_px: 1,
   inset_m: 0,
   u_inset_m: 0,
+  inset_from: "usual" as const,
+  side: null,
+  computing_id: null,
   contact_line: 0,
   contact_row_px: 0,
   target_line: 0,

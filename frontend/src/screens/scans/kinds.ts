@@ -3,7 +3,15 @@ import { api } from "../../core/api";
 import { say } from "../../core/messages";
 import { type Kind, outbox } from "../../core/outbox";
 import type { BodyOf } from "../../core/routes";
-import type { LineHeight, LineHeightAnswer, LinePose, RodMark, ScanVehicle, Target } from "../../core/types";
+import type {
+  DriverSide,
+  LineHeight,
+  LineHeightAnswer,
+  LinePose,
+  RodMark,
+  ScanVehicle,
+  Target,
+} from "../../core/types";
 import { fixed, formatHeight, formatLength } from "../../core/units";
 import { CATEGORY_WORDS, STATE_WORDS } from "../../core/words";
 import type { Place } from "./view";
@@ -19,10 +27,8 @@ export const EDGES = ["front_line_1", "rear_line_1", "front_line_2", "rear_line_
 export type Edge = (typeof EDGES)[number];
 export type Crossings = Record<Edge, number>;
 
-export interface Inset {
-  readonly inset_m: number;
-  readonly u_inset_m: number;
-}
+/** An inset of its own, or the side of the driver, whose inset the survey has. */
+export type Inset = { readonly inset_m: number; readonly u_inset_m: number } | { readonly side: DriverSide };
 
 export interface Clicks {
   readonly contact: Place;
@@ -87,15 +93,26 @@ export function clicksOf(one: LineHeight): Clicks {
   return {
     contact: { line: one.contact_line, row: one.contact_row_px },
     point: { line: one.target_line, row: one.target_row_px },
-    inset: { inset_m: one.inset_m, u_inset_m: one.u_inset_m },
+    inset: insetSaid(one),
   };
+}
+
+/** What was said of a height's inset; null: nothing, so it is the survey's, whatever that is by now. */
+export function insetSaid({ inset_from, inset_m, u_inset_m, side }: LineHeight): Inset | null {
+  if (inset_from === "own") return { inset_m, u_inset_m };
+  return side && { side };
 }
 
 function sameClicks(a: Clicks, b: Clicks): boolean {
   const samePlace = (one: Place, other: Place): boolean =>
     Math.max(one.line, 0) === Math.max(other.line, 0) && one.row === other.row;
-  const sameInset = !a.inset || !b.inset || same(a.inset, b.inset, ["inset_m", "u_inset_m"]);
+  const sameInset = !a.inset || !b.inset || sameSaid(a.inset, b.inset);
   return samePlace(a.contact, b.contact) && samePlace(a.point, b.point) && sameInset;
+}
+
+function sameSaid(a: Inset, b: Inset): boolean {
+  if ("side" in a) return "side" in b && a.side === b.side;
+  return !("side" in b) && a.inset_m === b.inset_m && a.u_inset_m === b.u_inset_m;
 }
 
 export function contactBody(target: Target, contact: Place, inset: Inset | null) {
@@ -144,14 +161,22 @@ export function rodWords(marks: readonly RodMark[]): string {
 }
 
 export type Facts = Partial<
-  Pick<ScanVehicle, "make" | "model" | "category" | "true_length_m" | "true_wheelbase_m" | "facts_source">
+  Pick<
+    ScanVehicle,
+    "make" | "model" | "category" | "true_length_m" | "true_wheelbase_m" | "facts_source" | "run_of"
+  >
 >;
+/** Lines of all hubs as a person says; null: as the program finds them. */
+export type Axles = readonly number[] | null;
 export type Hubs = readonly [front: number | null, rear: number | null];
 
 /** What a scanned vehicle is to become; what is left out stays. */
 export interface ScannedWanted {
   readonly boundaries?: Crossings;
   readonly hubs?: Hubs;
+  readonly axles?: Axles;
+  /** Null: as the program tells it. */
+  readonly lane?: string | null;
   readonly facts?: Facts;
   /** Whether it is in the list. */
   readonly there?: boolean;
@@ -176,6 +201,14 @@ const scannedKind: Kind<ScanVehicle, ScannedWanted, ScannedAbout> = {
       const body = { front_wheel_line, rear_wheel_line, version };
       return api.write("PUT /scan-vehicles/{vehicle_id}/wheels", at, { body, signal });
     }
+    if (want.axles !== undefined && !hasAxles(saved, want.axles)) {
+      const body = { axle_lines: want.axles && [...want.axles], version };
+      return api.write("PUT /scan-vehicles/{vehicle_id}/axles", at, { body, signal });
+    }
+    if (want.lane !== undefined && !hasLane(saved, want.lane)) {
+      const body = { lane: want.lane, version };
+      return api.write("PUT /scan-vehicles/{vehicle_id}/lane", at, { body, signal });
+    }
     if (want.facts && !hasFacts(saved, want.facts))
       return api.write("PUT /scan-vehicles/{vehicle_id}/facts", at, {
         body: { ...want.facts, version },
@@ -189,6 +222,8 @@ const scannedKind: Kind<ScanVehicle, ScannedWanted, ScannedAbout> = {
     (want.there === undefined || (saved !== null && saved.deleted !== want.there)) &&
     (!want.boundaries || hasBoundaries(saved, want.boundaries)) &&
     (!want.hubs || hasHubs(saved, want.hubs)) &&
+    (want.axles === undefined || hasAxles(saved, want.axles)) &&
+    (want.lane === undefined || hasLane(saved, want.lane)) &&
     (!want.facts || hasFacts(saved, want.facts)),
   version: (saved) => saved?.version ?? 0,
   words: (saved) => (!saved || saved.deleted ? say("scan-wish-taken-out") : scannedWords(wantedOf(saved))),
@@ -207,6 +242,21 @@ function hasHubs(saved: ScanVehicle | null, [front, rear]: Hubs): boolean {
   return (m?.front_wheel_line ?? null) === front && (m?.rear_wheel_line ?? null) === rear;
 }
 
+function hasAxles(saved: ScanVehicle | null, axles: Axles): boolean {
+  const m = saved?.measurement;
+  if (axles === null) return m?.axles_by !== "person";
+  return m?.axles_by === "person" && axles.join() === (m.axle_lines ?? []).join();
+}
+
+/** The lane that a person chose of a vehicle; null: none did. */
+export function laneByPerson(m: ScanVehicle["measurement"] | undefined): string | null {
+  return m?.lane_by === "person" ? m.lane : null;
+}
+
+function hasLane(saved: ScanVehicle | null, lane: string | null): boolean {
+  return laneByPerson(saved?.measurement) === lane;
+}
+
 function hasFacts(saved: ScanVehicle | null, facts: Facts): boolean {
   return same(facts, saved, Object.keys(facts) as (keyof Facts)[]);
 }
@@ -215,20 +265,30 @@ export function crossingsOf({ front_line_1, rear_line_1, front_line_2, rear_line
   return { front_line_1, rear_line_1, front_line_2, rear_line_2 };
 }
 
-function wantedOf({ measurement: m, make, model, category, true_length_m, true_wheelbase_m }: ScanVehicle) {
-  const facts = { make, model, category, true_length_m, true_wheelbase_m };
+function wantedOf({
+  measurement: m,
+  make,
+  model,
+  category,
+  true_length_m,
+  true_wheelbase_m,
+  run_of,
+}: ScanVehicle) {
+  const facts = { make, model, category, true_length_m, true_wheelbase_m, run_of };
   if (!m) return { facts };
   return { facts, boundaries: crossingsOf(m), hubs: [m.front_wheel_line, m.rear_wheel_line] as Hubs };
 }
 
 /** What is wanted of a vehicle, or stands, in words. */
-export function scannedWords({ there, boundaries, hubs, facts }: ScannedWanted): string {
+export function scannedWords({ there, boundaries, hubs, axles, lane, facts }: ScannedWanted): string {
   const told = [
     there === undefined ? "" : say(there ? "scan-wish-there" : "scan-wish-taken-out"),
     boundaries
       ? say("scan-wish-boundaries", { lines: linesWords(EDGES.map((edge) => boundaries[edge])) })
       : "",
     hubs ? say("scan-wish-hubs", { lines: linesWords(hubs) }) : "",
+    axles ? say("scan-wish-axles", { count: axles.length }) : "",
+    lane === undefined ? "" : say("scan-wish-lane", { lane: lane ?? say("scan-lane-by-program") }),
     facts ? factsWords(facts) : "",
   ];
   return told.filter(Boolean).join("; ");

@@ -246,7 +246,7 @@ describe("judging vehicles of a line scan", () => {
       expect(model.chosenId.value).toBe(expected);
     }
     expect(verdicts).toEqual(["102 accepted", "104 accepted", "105 accepted"]);
-    expect(toasts.value.at(-1)?.text).toContain("Nothing else");
+    expect(toasts.value.at(-1)?.text).toContain("No other vehicle");
   });
 
   it("writes one verdict where the key is pressed twice, and none on what is accepted", async () => {

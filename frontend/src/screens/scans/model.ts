@@ -16,6 +16,7 @@ import type { Mode, Strips } from "./bench";
 import { LineHeights, mayBeJudged } from "./heights";
 import {
   ADDED,
+  type Axles,
   type Crossings,
   crossingsOf,
   EDGES,
@@ -23,6 +24,7 @@ import {
   type Facts,
   HEIGHT_VERDICT,
   type Hubs,
+  laneByPerson,
   ROD,
   SCAN_VERDICT,
   SCANNED,
@@ -35,7 +37,7 @@ import { type RigChange, type RigName, rigValues } from "./rig";
 import { RodDraft } from "./rod";
 import { StripStage } from "./stage";
 import { Tiles } from "./tiles";
-import { Boundaries, HeightTool, RodTool, TwoLines } from "./tools";
+import { AxlesTool, Boundaries, HeightTool, RodTool, TwoLines } from "./tools";
 import { revealLines, type StripPoint, showLines } from "./view";
 
 type ScannedWish = Wish<ScanVehicle, ScannedWanted, { id: number; scanId: number }>;
@@ -70,6 +72,11 @@ export class ScanModel implements Strips {
   });
   readonly heights = new LineHeights(this);
   readonly rod = new RodDraft(this, this.heights);
+  private readonly axlesTool: AxlesTool = new AxlesTool(
+    this,
+    () => this.axlesOfChosen.value,
+    (lines) => void this.storeAxles(lines),
+  );
   readonly twoLines: TwoLines = new TwoLines(this, (low, high) => void this.storeTwo(low, high));
   private readonly boundaryTool: Boundaries = new Boundaries(this, this.heights);
   private readonly heightTool: HeightTool = new HeightTool(this, this.heights);
@@ -87,6 +94,9 @@ export class ScanModel implements Strips {
     const measured = this.chosen.value?.measurement;
     return measured ? [measured.front_wheel_line, measured.rear_wheel_line] : [];
   });
+  readonly axlesOfChosen = computed<readonly number[]>(
+    () => this.chosen.value?.measurement?.axle_lines ?? [],
+  );
 
   /** The height that the keys of the review judge: the one picked, or the next that waits; null: the motion. */
   readonly judged = computed<LineHeight | null>(() => {
@@ -272,7 +282,8 @@ export class ScanModel implements Strips {
   }
 
   start(mode: Mode): void {
-    if (!may("operator") || (mode === "wheels" && !this.chosen.value?.measurement)) return;
+    const ofVehicle = mode === "wheels" || mode === "axles";
+    if (!may("operator") || (ofVehicle && !this.chosen.value?.measurement)) return;
     const again = this.mode.value === mode;
     this.cancel();
     if (again) return;
@@ -287,6 +298,8 @@ export class ScanModel implements Strips {
         return [this.rodTool];
       case "height":
         return [this.heightTool];
+      case "axles":
+        return [this.axlesTool];
       case "look":
         return [];
       default:
@@ -306,6 +319,24 @@ export class ScanModel implements Strips {
     if (!vehicle?.measurement) return;
     await this.change(say("scan-step-wheels", { vehicle: String(vehicle.number) }), async (changes) => {
       await changes.write(this.hubs, vehicle.id, [front, rear]);
+    });
+  }
+
+  /** Null: as the program finds them. */
+  async storeAxles(lines: Axles): Promise<void> {
+    const vehicle = this.chosen.value;
+    if (!vehicle?.measurement) return;
+    await this.change(say("scan-step-axles", { vehicle: String(vehicle.number) }), async (changes) => {
+      await changes.write(this.axles, vehicle.id, lines);
+    });
+  }
+
+  /** Null: as the program tells it. */
+  async storeLane(lane: string | null): Promise<void> {
+    const vehicle = this.chosen.value;
+    if (!vehicle?.measurement) return;
+    await this.change(say("scan-step-lane", { vehicle: String(vehicle.number) }), async (changes) => {
+      await changes.write(this.lanes, vehicle.id, lane);
     });
   }
 
@@ -491,6 +522,19 @@ export class ScanModel implements Strips {
     write: (id, hubs) => this.want(id, { hubs }),
   };
 
+  private readonly axles: Ledger<number, Axles> = {
+    read: (id) => {
+      const measured = this.measurementOf(id);
+      return measured?.axles_by === "person" ? measured.axle_lines : null;
+    },
+    write: (id, axles) => this.want(id, { axles }),
+  };
+
+  private readonly lanes: Ledger<number, string | null> = {
+    read: (id) => laneByPerson(this.measurementOf(id)),
+    write: (id, lane) => this.want(id, { lane }),
+  };
+
   private measurementOf(id: number): ScanVehicle["measurement"] {
     return this.vehicles.value.find((one) => one.id === id)?.measurement ?? null;
   }
@@ -640,9 +684,20 @@ function withWishes(stored: readonly ScanVehicle[], wishes: readonly ScannedWish
   return [...all.values()];
 }
 
-function withWish(vehicle: ScanVehicle, { boundaries, hubs, facts }: ScannedWanted): ScanVehicle {
+function withWish(
+  vehicle: ScanVehicle,
+  { boundaries, hubs, axles, lane, facts }: ScannedWanted,
+): ScanVehicle {
   const lines = hubs ? { front_wheel_line: hubs[0], rear_wheel_line: hubs[1] } : {};
-  const measurement = vehicle.measurement && { ...vehicle.measurement, ...boundaries, ...lines };
+  const counted = axles ? { axle_lines: [...axles], axles_by: "person" as const } : {};
+  const where = lane ? { lane, lane_by: "person" as const } : lane === null ? { lane_by: null } : {};
+  const measurement = vehicle.measurement && {
+    ...vehicle.measurement,
+    ...boundaries,
+    ...lines,
+    ...counted,
+    ...where,
+  };
   return { ...vehicle, ...facts, measurement };
 }
 

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { isValues, NEW_RIG, type RigValues, typedOf, valuesOf } from "./rig";
+import { isValues, NEW_RIG, type RigValues, sentOf, typedOf, valuesOf, withoutCorrelation } from "./rig";
 
 const RIG: RigValues = {
   baseline_m: 0.593,
@@ -11,6 +11,9 @@ const RIG: RigValues = {
   distance_m: 3.5,
   misalignment_px: -0.6,
   u_misalignment_px: 0.01,
+  shadow_share: 0.22,
+  baseline_correlation: -0.91,
+  u_distance_m: 0.25,
 };
 
 describe("the rig as it is typed", () => {
@@ -28,7 +31,17 @@ describe("the rig as it is typed", () => {
       misalignment_px: null,
       distance_m: null,
       divergence_rad: 0,
+      shadow_share: 0.15,
     });
+  });
+
+  it("keeps the correlation beside the values that it is of, and no longer", () => {
+    expect(withoutCorrelation({ baseline: "0.6" })).toEqual({ baseline: "0.6", correlation: "" });
+    expect(withoutCorrelation({ distance: "4" })).toEqual({ distance: "4" });
+    expect(sentOf(RIG, ["baseline_m"])).toEqual({ baseline_m: 0.593, baseline_correlation: -0.91 });
+    expect(sentOf(RIG, ["distance_m"])).toEqual({ distance_m: 3.5 });
+    const wrong = valuesOf({ ...NEW_RIG, baseline: "1", rate: "9", correlation: "1,1" });
+    expect(Object.keys(wrong)).toEqual(["correlation"]);
   });
 
   it("says what is wrong at the field", () => {
@@ -37,5 +50,6 @@ describe("the rig as it is typed", () => {
     expect(Object.keys(wrong).sort()).toEqual(["distance", "misalignment", "rate"]);
     const steep = valuesOf({ ...NEW_RIG, baseline: "0.6", rate: "9", divergence: "300", distance: "3" });
     expect(Object.keys(steep)).toEqual(["divergence"]);
+    expect(Object.keys(valuesOf({ ...NEW_RIG, baseline: "1", rate: "9", shadow: "61" }))).toEqual(["shadow"]);
   });
 });

@@ -100,6 +100,31 @@ export class TwoLines implements Tool<StripPoint> {
   }
 }
 
+/** How near a click must be to an axle's line to take it away, px. */
+const NEAR_PX = 8;
+
+/** All wheels of a vehicle: a click adds a hub's line, a click on a line takes it away. */
+export class AxlesTool implements Tool<StripPoint> {
+  readonly placing = always;
+  readonly hint = computed(() => say("scan-click-axle"));
+
+  constructor(
+    private readonly model: Strips,
+    private readonly lines: () => readonly number[],
+    private readonly store: (lines: readonly number[]) => void,
+  ) {}
+
+  place(at: StripPoint): boolean {
+    const view = this.model.view.value;
+    return onCamera1(view, at, ({ line }) => {
+      const near = (one: number) => Math.abs(xOf(view, one) - xOf(view, line)) <= NEAR_PX;
+      const now = this.lines();
+      const kept = now.filter((one) => !near(one));
+      this.store(kept.length < now.length ? kept : [...now, line].sort((a, b) => a - b));
+    });
+  }
+}
+
 /** The vehicles: a click chooses one, its boundaries are dragged and nudged, and so are the points of its heights. */
 export class Boundaries implements Tool<StripPoint> {
   readonly handles = computed<readonly Handle<StripPoint>[]>(() => {

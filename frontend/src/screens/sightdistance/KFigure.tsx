@@ -1,6 +1,7 @@
 import { say } from "../../core/messages";
 import { lengthScale, speedScale } from "../../core/units";
 import { PlotFigure } from "../../parts/figures/PlotFigure";
+import { readable } from "../../parts/figures/reading";
 import { CASE_WORDS, type Case, type Sight } from "./model";
 
 const DASHES: Record<string, string | undefined> = { standard: "6 4", survey: undefined, mix: "2 3" };
@@ -34,7 +35,6 @@ export function KFigure({ sight }: { sight: Sight }) {
         return {
           x: {
             label: say("sight-figure-x", { unit: speedUnit }),
-            nice: true,
           },
           y: {
             label: say("sight-figure-y", { unit: long }),
@@ -52,12 +52,28 @@ export function KFigure({ sight }: { sight: Sight }) {
                 fill: "var(--ink)",
                 fillOpacity: 0.14,
               }),
-              plot.line(points, {
+              readable(
+                plot.line(points, {
+                  x: "speed",
+                  y: "k",
+                  stroke: one.name === "standard" ? "var(--ink-3)" : "var(--ink)",
+                  strokeWidth: one.name === "standard" ? 3 : 1.8,
+                  strokeDasharray: DASHES[one.name],
+                }),
+                {
+                  word: CASE_WORDS[one.name],
+                  x: points.map((point) => point.speed),
+                  y: points.map((point) => point.k),
+                  low: points.map((point) => point.low),
+                  high: points.map((point) => point.high),
+                  way: "line",
+                },
+              ),
+              plot.dot(points, {
                 x: "speed",
                 y: "k",
-                stroke: one.name === "standard" ? "var(--ink-3)" : "var(--ink)",
-                strokeWidth: one.name === "standard" ? 3 : 1.8,
-                strokeDasharray: DASHES[one.name],
+                r: 2.5,
+                fill: one.name === "standard" ? "var(--ink-3)" : "var(--ink)",
               }),
             ];
           }),
@@ -83,7 +99,7 @@ export function KFigure({ sight }: { sight: Sight }) {
 function rowsOf(one: Case, sight: Sight, perX: number, perY: number): Row[] {
   const scaled = (value: number | null) => (value === null ? null : value * perY);
   return one.k_m.map((k, i) => ({
-    speed: (sight.speeds_mps[i] ?? 0) * perX,
+    speed: Number(((sight.speeds_mps[i] ?? 0) * perX).toFixed(6)), // 30 km/h, not 30.000000000000004
     k: k.value * perY,
     low: scaled(k.low),
     high: scaled(k.high),

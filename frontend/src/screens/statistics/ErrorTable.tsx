@@ -85,6 +85,7 @@ export function ErrorTable({ errors }: { errors: Errors }) {
         <p>
           {errors.words} {say("statistics-errors-note")}
         </p>
+        <Holds errors={errors} />
         <Agreement errors={errors} />
         <Shares errors={errors} />
         <details>
@@ -100,6 +101,12 @@ export function ErrorTable({ errors }: { errors: Errors }) {
       </div>
     </section>
   );
+}
+
+/** What the intervals hold: of all vehicles, or of the first group that has any. */
+function Holds({ errors }: { errors: Errors }) {
+  const words = [...errors.groups].reverse().find((group) => group.words)?.words;
+  return words ? <p data-testid="error-holds">{say("statistics-errors-holds", { words })}</p> : null;
 }
 
 /** A figure without an interval is of too few vehicles to be stressed. */

@@ -14,6 +14,7 @@ import { ErrorTable } from "./ErrorTable";
 import { FilterBar } from "./FilterBar";
 import { narrowed, setFilter, statisticsQuery, WIDE } from "./filters";
 import { GroupSection } from "./GroupSection";
+import { KnownErrorsTable } from "./KnownErrors";
 import { LateralSection } from "./LateralSection";
 import { STANDARD_FOR, type Statistics } from "./model";
 import { SamplePlan } from "./SamplePlan";
@@ -94,6 +95,7 @@ function Figures({ found, surveyId, reload }: FiguresProps) {
   return (
     <>
       <ErrorTable errors={found.errors} />
+      <KnownErrorsTable found={found.known_errors} />
       <ErrorFigures errors={found.errors} />
       {shown.map((one) => (
         <TargetSection

@@ -13,6 +13,7 @@ import {
   marginOf,
   middleOf,
   nearby,
+  noBandWords,
   shareStep,
   standardMarks,
   standardTiers,
@@ -26,7 +27,6 @@ const rawCurve = (): Curve => ({
   word: say("statistics-curve-raw"),
   dash: "6 4",
   faint: true,
-  band: true,
 });
 const correctedCurve = (): Curve => ({ word: say("statistics-curve-corrected"), band: true });
 
@@ -77,7 +77,7 @@ function EcdfFigure({ target, standards, title }: Props & { title: string }) {
   const both = [raw, corrected].filter((one) => one !== null);
   const shown = nearby(standards, both);
   const away = standards.length - shown.length;
-  const note = [say("statistics-target-ecdf-note")];
+  const note = [noBandWords(target.corrected.n) ?? say("statistics-target-ecdf-note")];
   if (away > 0) note.push(say("statistics-target-ecdf-away", { count: away }));
   const { dash, faint } = rawCurve();
   return (

@@ -2,6 +2,7 @@ import { say } from "../../core/messages";
 import { lengthScale, smallScale } from "../../core/units";
 import { NONE, range, scaled } from "../../parts/figures/numbers";
 import { type LegendEntry, PlotFigure } from "../../parts/figures/PlotFigure";
+import { readable } from "../../parts/figures/reading";
 import { type Errors, GROUP_WORDS, isThere, type Trend } from "./model";
 
 const SYMBOLS = { daytime: "circle", low_light: "triangle", unknown: "square" } as const;
@@ -55,20 +56,35 @@ export function TrendFigure({ errors }: { errors: Errors }) {
             ...(fit
               ? [
                   plot.areaY(fit, { x: "x", y1: "low", y2: "high", fill: "var(--ink)", fillOpacity: 0.09 }),
-                  plot.line(fit, { x: "x", y: "y", stroke: "var(--ink)", strokeWidth: 2 }),
+                  readable(plot.line(fit, { x: "x", y: "y", stroke: "var(--ink)", strokeWidth: 2 }), {
+                    word: say("statistics-trend-legend"),
+                    x: fit.map((one) => one.x),
+                    y: fit.map((one) => one.y),
+                    low: fit.map((one) => one.low),
+                    high: fit.map((one) => one.high),
+                    way: "line",
+                  }),
                 ]
               : []),
-            plot.dot(rows, {
-              x: (row: (typeof rows)[number]) => row.height * perX,
-              y: (row: (typeof rows)[number]) => row.error * perY,
-              symbol: "lighting",
-              r: rows.length > 300 ? 2.5 : 4,
-              fill: "var(--surface)",
-              fillOpacity: rows.length > 300 ? 0 : 1,
-              stroke: "var(--ink)",
-              strokeOpacity: rows.length > 300 ? 0.6 : 1,
-              strokeWidth: 1.25,
-            }),
+            readable(
+              plot.dot(rows, {
+                x: (row: (typeof rows)[number]) => row.height * perX,
+                y: (row: (typeof rows)[number]) => row.error * perY,
+                symbol: "lighting",
+                r: rows.length > 300 ? 2.5 : 4,
+                fill: "var(--surface)",
+                fillOpacity: rows.length > 300 ? 0 : 1,
+                stroke: "var(--ink)",
+                strokeOpacity: rows.length > 300 ? 0.6 : 1,
+                strokeWidth: 1.25,
+              }),
+              ...present.map((lighting) => ({
+                word: GROUP_WORDS[lighting] ?? lighting,
+                x: rows.map((row) => row.height * perX),
+                y: rows.map((row) => (row.lighting === lighting ? row.error * perY : null)),
+                way: "points" as const,
+              })),
+            ),
           ],
         };
       }}

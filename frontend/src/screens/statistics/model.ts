@@ -9,6 +9,7 @@ type Schemas = components["schemas"];
 export type Statistics = Schemas["StatisticsBody"];
 export type Errors = Schemas["ErrorsBody"];
 export type ErrorGroup = Schemas["ErrorGroupBody"];
+export type KnownErrors = Schemas["KnownErrorsBody"];
 export type Trend = Schemas["TrendBody"];
 export type Reason = Schemas["ReasonBody"];
 export type OfTarget = Schemas["TargetBody"];

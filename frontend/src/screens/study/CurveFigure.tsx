@@ -5,6 +5,7 @@ import { TARGET_WORDS } from "../../core/words";
 import { marginOf, standardMarks, standardTiers } from "../../parts/figures/curves";
 import { hueOf } from "../../parts/figures/hues";
 import { PlotFigure } from "../../parts/figures/PlotFigure";
+import { readable } from "../../parts/figures/reading";
 import type { Standard } from "../../parts/figures/types";
 
 type Found = StudyResult["found"];
@@ -59,14 +60,27 @@ export function CurveFigure({ curve, rules }: { curve: Curve; rules: Found["rule
               fill: hueOf(TRUE_HEIGHTS),
               fillOpacity: 0.13,
             }),
-            plot.line(points, {
-              x: "raw",
-              y: "y",
-              stroke: hueOf(RAW),
-              strokeWidth: 1.5,
-              strokeDasharray: RAW.dash,
+            readable(
+              plot.line(points, {
+                x: "raw",
+                y: "y",
+                stroke: hueOf(RAW),
+                strokeWidth: 1.5,
+                strokeDasharray: RAW.dash,
+              }),
+              {
+                word: say("study-curve-raw"),
+                x: points.map((one) => one.raw),
+                y: points.map((one) => one.y),
+                way: "line",
+              },
+            ),
+            readable(plot.line(points, { x: "x", y: "y", stroke: hueOf(TRUE_HEIGHTS), strokeWidth: 2 }), {
+              word: say("study-curve-true"),
+              x: points.map((one) => one.x),
+              y: points.map((one) => one.y),
+              way: "line",
             }),
-            plot.line(points, { x: "x", y: "y", stroke: hueOf(TRUE_HEIGHTS), strokeWidth: 2 }),
           ],
         };
       }}

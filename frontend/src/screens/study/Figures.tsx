@@ -1,5 +1,3 @@
-import type { ComponentChildren } from "preact";
-import { TableScroll } from "../../components";
 import { say } from "../../core/messages";
 import type { Category, StudyResult } from "../../core/types";
 import { fixed, formatSmall, lengthScale } from "../../core/units";
@@ -7,6 +5,8 @@ import { CATEGORY_WORDS, LIGHTING_WORDS, TARGET_WORDS } from "../../core/words";
 import { NONE, percent, scaled } from "../../parts/figures/numbers";
 import { SameRule } from "../../parts/figures/SameRule";
 import { CurveFigure } from "./CurveFigure";
+import { Differences } from "./Differences";
+import { Bounded, Section } from "./Section";
 
 type Found = StudyResult["found"];
 type Row = Found["figures"][number];
@@ -50,37 +50,6 @@ function asRule(one: Found["rules"][number]) {
     U95_low_m: one.low_m,
     U95_high_m: one.high_m,
   };
-}
-
-interface SectionProps {
-  id: string;
-  title: string;
-  note?: string;
-  children: ComponentChildren;
-}
-
-function Section({ id, title, note, children }: SectionProps) {
-  return (
-    <section class="panel" aria-labelledby={id} data-testid={id}>
-      <header class="panel__head">
-        <h2 id={id}>{title}</h2>
-      </header>
-      <TableScroll label={title}>{children}</TableScroll>
-      {note && <p class="stat-notes small">{note}</p>}
-    </section>
-  );
-}
-
-/** A value with its interval below it. */
-function Bounded({ value, low, high }: { value: string; low: string | null; high: string | null }) {
-  return (
-    <td class="num">
-      <strong>{value}</strong>
-      {low !== null && high !== null && (
-        <div class="stat-ci">{say("statistics-rule-interval", { low, high })}</div>
-      )}
-    </td>
-  );
 }
 
 const nameOf = (one: Row) =>
@@ -180,49 +149,16 @@ function Effects({ rows, targets }: { rows: readonly Row[]; targets: readonly Ro
 }
 
 function Years({ years }: { years: readonly Year[] }) {
+  const between = (one: Year) =>
+    say("study-years-of", { first: String(one.first_year), second: String(one.second_year) });
   return (
     <Section id="study-years" title={say("study-years")} note={say("study-years-note")}>
-      <table class="table">
-        <thead>
-          <tr>
-            <th>{say("study-figure")}</th>
-            <th>{say("study-years-column")}</th>
-            <th class="num">{say("statistics-compared-heights")}</th>
-            <th class="num">{say("statistics-compared-difference")}</th>
-            <th>{say("statistics-compared-verdict")}</th>
-          </tr>
-        </thead>
-        <tbody>
-          {years.map((one) => (
-            <tr key={`${one.target}|${one.second_year}|${one.percent}`}>
-              <th scope="row">
-                {TARGET_WORDS[one.target]}, {one.percent === null ? say("study-mean") : `P${one.percent}`}
-              </th>
-              <td>
-                {say("study-years-of", { first: String(one.first_year), second: String(one.second_year) })}
-              </td>
-              <td class="num">
-                {say("statistics-compared-of", { first: one.n_first, second: one.n_second })}
-              </td>
-              <Bounded
-                value={one.value_m === null ? NONE : formatSmall(one.value_m)}
-                low={one.low_m === null ? null : formatSmall(one.low_m)}
-                high={one.high_m === null ? null : formatSmall(one.high_m)}
-              />
-              <td>{verdictOf(one)}</td>
-            </tr>
-          ))}
-        </tbody>
-      </table>
+      <Differences
+        rows={years.map((one) => ({ ...one, between: between(one) }))}
+        column={say("study-years-column")}
+      />
     </Section>
   );
-}
-
-function verdictOf({ verdict, reason }: Year): string {
-  if (verdict === "higher") return say("statistics-compared-higher");
-  if (verdict === "lower") return say("statistics-compared-lower");
-  if (verdict === "not_told_apart") return say("statistics-compared-alike");
-  return say("statistics-compared-unknown", { reason: reason ?? "" });
 }
 
 const ERRORS = ["bias_m", "mae_m", "rmse_m", "sd_m"] as const;

@@ -10,6 +10,7 @@ import { may } from "../../core/session";
 import { formatMoment } from "../../core/times";
 import { toast } from "../../core/toasts";
 import type { Job, Study, StudyPage, StudyResult } from "../../core/types";
+import { Beside } from "./Beside";
 import { Figures } from "./Figures";
 import { Joined } from "./Joined";
 import { Members } from "./Members";
@@ -95,6 +96,7 @@ function Page({ page, reload }: { page: StudyPage; reload: () => Promise<void> }
       {result && !running && isOld(result) && <Notice kind="warning">{oldWords(result)}</Notice>}
       {!result && !running && <NotComputed page={page} edit={edit} />}
       {result && <Figures found={result.found} sites={siteCount(page)} />}
+      {result && <Beside studyId={study.id} />}
       <Joined study={study} result={result} edit={edit} remove={edit && (() => setRemoving(true))} />
       <Members studyId={study.id} />
       {result && <Made result={result} />}

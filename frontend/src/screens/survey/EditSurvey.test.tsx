@@ -17,6 +17,8 @@ const survey = {
     latitude_deg: null,
     longitude_deg: null,
     road_class: null,
+    lane: null,
+    travel_direction: null,
     speed_limit_mps: null,
     street_lamps: null,
     time_zone: null,

@@ -6,7 +6,13 @@ import { say, wordsOf } from "../../core/messages";
 import { useResource } from "../../core/resource";
 import { may, me } from "../../core/session";
 import { refreshSurvey } from "../../core/survey";
-import { type Member, type Members, SURVEY_ROLE_NAMES, type SurveyRole } from "../../core/types";
+import {
+  type Candidate,
+  type Member,
+  type Members,
+  SURVEY_ROLE_NAMES,
+  type SurveyRole,
+} from "../../core/types";
 
 const DOES: Readonly<Record<SurveyRole, string>> = wordsOf({
   viewer: "members-does-viewer",
@@ -134,7 +140,8 @@ function MemberTable({ members, manages, put, remove }: TableProps) {
                   />
                 ) : (
                   SURVEY_ROLE_NAMES[one.role]
-                )}{" "}
+                )}
+                {one.account_role === "admin" && <p class="field__hint">{say("members-admin")}</p>}
               </td>
               <td class="num">
                 {manages && (
@@ -152,11 +159,11 @@ function MemberTable({ members, manages, put, remove }: TableProps) {
 }
 
 interface AddProps {
-  others: readonly { id: number; name: string }[];
+  others: readonly Candidate[];
   add(personId: number, role: SurveyRole): Promise<void>;
 }
 
-function AddMember({ others, add }: AddProps) {
+export function AddMember({ others, add }: AddProps) {
   const [person, setPerson] = useState("");
   const [role, setRole] = useState<SurveyRole>("operator");
   if (others.length === 0) return <p class="muted">{say("members-everybody")}</p>;
@@ -164,18 +171,25 @@ function AddMember({ others, add }: AddProps) {
     { value: "", label: say("members-choose") },
     ...others.map((one) => ({ value: String(one.id), label: one.name })),
   ];
+  const accountRole = others.find((one) => String(one.id) === person)?.account_role;
+  /** What they are elsewhere is what they most likely are here: no reviewer becomes an operator unawares. */
+  const choose = (id: string) => {
+    setPerson(id);
+    const chosen = others.find((one) => String(one.id) === id)?.account_role;
+    if (chosen) setRole(chosen === "admin" ? "manager" : chosen);
+  };
   const submit = async () => {
     await add(Number(person), role);
     setPerson("");
   };
   return (
     <div class="members__add">
-      <SelectField label={say("members-add-person")} value={person} options={people} onChange={setPerson} />
+      <SelectField label={say("members-add-person")} value={person} options={people} onChange={choose} />
       <SelectField
         label={say("members-add-role")}
         value={role}
         options={roleOptions()}
-        hint={DOES[role]}
+        hint={accountRole === "admin" ? say("members-admin") : DOES[role]}
         onChange={setRole}
       />
       <Button disabled={person === ""} onClick={() => void submit()}>

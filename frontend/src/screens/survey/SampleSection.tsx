@@ -3,7 +3,7 @@ import { Button, Notice, Problem, TableScroll } from "../../components";
 import { say } from "../../core/messages";
 import { may } from "../../core/session";
 import type { Response, Sampling, Survey } from "../../core/types";
-import { formatCount } from "../../core/units";
+import { fixed, formatCount } from "../../core/units";
 import { CLASS_SET_WORDS, LIGHTING_WORDS, TARGET_WORDS } from "../../core/words";
 import { SampleQuotas, useSample } from "../../parts/vehicles/SampleQuotas";
 
@@ -92,7 +92,7 @@ function setWord(set: Response["class_set"]): string {
 
 function rate({ rate: value, low, high }: Response): string {
   if (value === null || low === null || high === null) return "–";
-  const percent = (share: number) => (100 * share).toFixed(0);
+  const percent = (share: number) => fixed(100 * share, 0);
   return say("sample-rate-of", { rate: percent(value), low: percent(low), high: percent(high) });
 }
 

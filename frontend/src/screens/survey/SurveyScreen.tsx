@@ -8,6 +8,8 @@ import type { ScreenProps } from "../../core/places";
 import { useEvery, useResource } from "../../core/resource";
 import { may } from "../../core/session";
 import { survey as openSurvey, refreshSurvey } from "../../core/survey";
+import { toastProblem } from "../../core/toasts";
+import { beginTour, endTour, isTourNew, tour } from "../../core/tour";
 import type { Place, Step, Survey, Target } from "../../core/types";
 import { fixed, formatCount, formatSpeed } from "../../core/units";
 import { STATE_WORDS, TARGET_NOUNS } from "../../core/words";
@@ -53,6 +55,7 @@ export default function SurveyScreen({ surveyId }: ScreenProps) {
           {may("operator") && <Button onClick={() => setEditing(true)}>{say("survey-edit")}</Button>}
         </div>
       </header>
+      {survey.is_demo && !tour.value && isTourNew() && <TourOffer />}
       {running.map((job) => (
         <div class="panel panel__body" key={job.id}>
           <JobProgress job={job} />
@@ -78,12 +81,15 @@ export default function SurveyScreen({ surveyId }: ScreenProps) {
 
 /** Where the site lies and what road it is, as far as that was said. */
 function PlaceOf({ place }: { place: Place }) {
-  const { latitude_deg, longitude_deg, road_class, speed_limit_mps, street_lamps, time_zone } = place;
+  const { latitude_deg, longitude_deg, road_class, lane, travel_direction } = place;
+  const { speed_limit_mps, street_lamps, time_zone } = place;
   const words = [
     latitude_deg !== null &&
       longitude_deg !== null &&
       `${fixed(latitude_deg, 5)}, ${fixed(longitude_deg, 5)}`,
     road_class,
+    lane,
+    travel_direction,
     speed_limit_mps !== null && say("place-limit-is", { limit: formatSpeed(speed_limit_mps, null, 0) }),
     street_lamps && say("place-lamps-are", { lamps: street_lamps }),
     time_zone,
@@ -193,7 +199,7 @@ const VERBS: Readonly<Record<Step["key"], string>> = wordsOf({
 
 function StepRow({ step, index, survey }: { step: Step; index: number; survey: Survey }) {
   const entry = entryOfStep(step.key);
-  const href = `/surveys/${survey.id}${entry?.path ?? ""}`;
+  const href = entry?.address(survey.id) ?? `/surveys/${survey.id}`;
   return (
     <li class={`step step--${step.state}`}>
       <span class="step__number" aria-hidden="true">
@@ -252,5 +258,25 @@ function Figures({ figures }: { figures: readonly [number, string][] }) {
         </div>
       ))}
     </dl>
+  );
+}
+
+/** Once for each person: what the demonstration is for is told along its pages. */
+function TourOffer() {
+  return (
+    <Notice
+      actions={
+        <>
+          <Button small onClick={() => beginTour().catch(toastProblem)}>
+            {say("tour-take")}
+          </Button>
+          <Button small kind="quiet" onClick={endTour}>
+            {say("tour-not-now")}
+          </Button>
+        </>
+      }
+    >
+      {say("tour-offer")}
+    </Notice>
   );
 }

@@ -6,6 +6,8 @@ import { say } from "../../core/messages";
 import { useEvery, useResource } from "../../core/resource";
 import { formatBytes, formatCount } from "../../core/units";
 import { STATE_WORDS } from "../../core/words";
+import { Checkpoints } from "./Checkpoints";
+import { Licences } from "./Licences";
 
 const STATES = ["queued", "running", "failed", "cancelled", "done"] as const;
 const EVERY_MS = 5000;
@@ -72,6 +74,8 @@ export default function SystemScreen() {
               </dl>
             </div>
           </section>
+          <Checkpoints />
+          <Licences />
         </>
       )}
     </div>

@@ -17,6 +17,7 @@ interface Asked {
 }
 
 interface Answered extends Asked {
+  readonly pointer: ImagePoint;
   readonly answer: ContactProposal;
 }
 
@@ -86,6 +87,8 @@ export class Assist implements Tool<ImagePoint> {
   }
 
   private take(at: ImagePoint): boolean {
+    const asked = this.answered.value;
+    if (asked) this.desk.snapping.taken(asked.pointer, at);
     this.letGo();
     return this.desk.stage.place(at);
   }
@@ -104,9 +107,12 @@ export class Assist implements Tool<ImagePoint> {
       const answer = await api.ask(
         "POST /recordings/{recording_id}/frames/{n}/contact",
         { recording_id: asked.recordingId, n: asked.frame },
-        { body: { pointer: [pointer[0], pointer[1]] }, retry: true },
+        {
+          body: { pointer: [pointer[0], pointer[1]], vehicle_id: this.desk.vehicleId.value },
+          retry: true,
+        },
       );
-      this.answered.value = { ...asked, answer };
+      this.answered.value = { ...asked, pointer, answer };
     } catch (error) {
       this.problem.value = explain(error);
     } finally {

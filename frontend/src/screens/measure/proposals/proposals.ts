@@ -129,9 +129,14 @@ export class Proposals implements Tool<ImagePoint> {
 
   /** The frame on which something is proposed of a vehicle that is asked for; null where nothing is. */
   frameOf(vehicleId: number, missing: readonly Target[]): number | null {
-    const placed = placedOf(this.byVehicle.value.get(vehicleId) ?? []);
-    const some = placed.some(({ point }) => (missing as readonly string[]).includes(point));
-    return some ? (bestContact(placed)?.frame ?? null) : null;
+    const all = this.byVehicle.value.get(vehicleId) ?? [];
+    const wanted = ({ point }: PointProposal) => (missing as readonly string[]).includes(point);
+    // what is measured free is clicked on the same frame, so that the two can be compared
+    const free = all.find((one) => one.reason === "proposals-withheld" && wanted(one));
+    if (free) return free.frame;
+    const placed = placedOf(all);
+    const useful = placed.some(wanted) || (missing.length > 0 && !placed.some(isTarget));
+    return useful ? (bestContact(placed)?.frame ?? null) : null;
   }
 
   /** The height of a target with the points as they stand; null until the server has answered for them. */
@@ -143,6 +148,10 @@ export class Proposals implements Tool<ImagePoint> {
     return samePoint(answered.at, now.at) && samePoint(answered.contact, shown.contact)
       ? answered.answer
       : null;
+  }
+
+  turnedDown(role: Role): boolean {
+    return this.dropped.value.has(role);
   }
 
   /** Every point in hand, the contact first. */
@@ -164,11 +173,16 @@ export class Proposals implements Tool<ImagePoint> {
     return true;
   }
 
-  /** Enter: what is proposed of what is asked for becomes measurements, and on to the next vehicle. */
+  /**
+   * Enter: what is proposed of what is asked for becomes measurements, and on to the next vehicle; of one that has all of it
+   * already, on to the next.
+   */
   confirm(): boolean {
     const shown = this.shown.value;
-    if (!shown || !canWork.value) return false;
+    if (!shown) return this.goOn();
+    if (!canWork.value) return false;
     if (!this.armed || !this.ready.value) return true;
+    if (shown.targets.length === 0) return this.confirmContact(shown);
     const proposedOn = { frame: shown.frame, contact: shown.proposedContact };
     const confirmed = shown.targets.flatMap(({ role, at, proposed }) => {
       const preview = this.heightOf(role);
@@ -181,6 +195,23 @@ export class Proposals implements Tool<ImagePoint> {
     this.confirmedOf.add(shown.vehicleId);
     this.points().takeProposed(shown.frame, shown.contact, confirmed);
     if (this.points().missing().length === 0) this.next();
+    return true;
+  }
+
+  private goOn(): boolean {
+    const done = this.desk.asked().length > 0 && this.points().missing().length === 0;
+    if (!done || !canWork.value || this.busy()) return false;
+    if (this.armed) this.next();
+    this.armed = false;
+    return true;
+  }
+
+  /** Where no target is proposed the contact alone is taken, and the targets are clicked on it. */
+  private confirmContact({ vehicleId, frame, contact }: Shown): boolean {
+    this.armed = false;
+    this.selected.value = null;
+    this.confirmedOf.add(vehicleId);
+    this.points().takeProposed(frame, contact, []);
     return true;
   }
 
@@ -267,11 +298,12 @@ export class Proposals implements Tool<ImagePoint> {
     if (!best) return null;
     const clicked = desk.flow.value.contacts.get(frame) ?? null;
     if (!clicked && (this.dropped.value.has("contact") || desk.flow.value.renew)) return null;
-    const targets = this.missing().flatMap((target) => {
+    const missing = this.missing();
+    const targets = missing.flatMap((target) => {
       const found = placed.find(({ point }) => point === target);
       return found ? [{ ...this.handOf(target, found), role: target }] : [];
     });
-    if (targets.length === 0) return null;
+    if (targets.length === 0 && (clicked || missing.length === 0)) return null;
     const contactInHand = clicked ? null : this.handOf("contact", best);
     return {
       vehicleId,
@@ -317,8 +349,12 @@ function placedOf(some: readonly PointProposal[]): readonly Placed[] {
   );
 }
 
+function isTarget({ point }: PointProposal): boolean {
+  return point !== "contact_rear" && point !== "contact_front";
+}
+
 /** The contact that is surest. */
 function bestContact(placed: readonly Placed[]): Placed | null {
-  const contacts = placed.filter(({ point }) => point === "contact_rear" || point === "contact_front");
+  const contacts = placed.filter((one) => !isTarget(one));
   return contacts.sort((a, b) => a.expected_px - b.expected_px)[0] ?? null;
 }

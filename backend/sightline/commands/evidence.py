@@ -1,0 +1,91 @@
+"""`sightline evidence`: one line-scanned vehicle as one file that opens and checks itself."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from sightline.commands.files import write_whole
+from sightline.commands.options import data_dir_option, opened_services
+from sightline.errors import BadInput
+
+if TYPE_CHECKING:
+    from sightline.export.evidence.records import Rule
+    from sightline.infra.database import Session
+
+
+@click.command()
+@click.option("--survey", required=True, help="Name (or number) of the survey.")
+@click.option("--scan", required=True, help="Name (or number) of the line-scan recording.")
+@click.option("--vehicle", required=True, type=int, help="Number of the vehicle in the recording.")
+@click.option("-o", "--output", required=True, type=click.Path(path_type=Path), help="HTML file to write.")
+@click.option("--most-kmh", type=float, help="Maximum speed in km/h.")
+@click.option("--least-time-gap-s", type=float, help="Minimum time gap to the vehicle in front, seconds.")
+@click.option("--least-distance-gap-m", type=float, help="Minimum distance to the vehicle in front, metres.")
+@click.option("--risk", type=float, default=0.05, show_default=True, help="Maximum risk of a wrong decision.")
+@click.option("--limit-source", default="", help="Source of the limit: the sign, order or rule.")
+@data_dir_option
+def evidence(
+    survey: str,
+    scan: str,
+    vehicle: int,
+    output: Path,
+    most_kmh: float | None,
+    least_time_gap_s: float | None,
+    least_distance_gap_m: float | None,
+    risk: float,
+    limit_source: str,
+    data_dir: Path | None,
+) -> None:
+    """Write the evidence file of one vehicle: pictures, times, rig, motion, budget, decision, signature.
+
+    Without a limit, no decision is made. The file opens without a server; `sightline verify FILE` checks it.
+    """
+    from sightline.export.evidence.service import make_evidence
+    from sightline.export.export_job import find_survey
+
+    rule = _rule(most_kmh, least_time_gap_s, least_distance_gap_m, risk, limit_source)
+    with opened_services(data_dir) as services:
+        with services.reading() as session:
+            vehicle_id = _vehicle(session, find_survey(session, survey).id, scan, vehicle)
+        made = make_evidence(services, vehicle_id, rule, actor=None)
+    write_whole(output, made.content.decode("utf-8"))
+    click.echo(made.document["decision"]["words"])
+    click.echo(f"{output}: signed with key {made.document['key']}.")
+
+
+def _rule(
+    most_kmh: float | None,
+    least_time_gap_s: float | None,
+    least_distance_gap_m: float | None,
+    risk: float,
+    source: str,
+) -> Rule | None:
+    from sightline.export.evidence.decision import KMH_PER_MPS
+    from sightline.export.evidence.records import Rule
+
+    asked = {"time_gap": least_time_gap_s, "distance_gap": least_distance_gap_m}
+    asked["speed"] = None if most_kmh is None else most_kmh / KMH_PER_MPS
+    given = {name: limit for name, limit in asked.items() if limit is not None}
+    if not given:
+        return None
+    if len(given) > 1 or not 0 < min(given.values()) <= max(given.values()) < 1e4:
+        raise BadInput("evidence-one-limit")
+    ((name, limit),) = given.items()
+    return Rule(name, limit, risk, source)  # type: ignore[arg-type]
+
+
+def _vehicle(session: Session, survey_id: int, scan: str, number: int) -> int:
+    from sightline.scans.store import list_scans
+    from sightline.scans.vehicles.store import list_scan_vehicles
+
+    scans = list_scans(session, survey_id)
+    found = [one for one in scans if one.name == scan] or [one for one in scans if str(one.id) == scan]
+    if not found:
+        raise BadInput("evidence-no-scan", scan=scan, names=", ".join(one.name for one in scans))
+    for one in list_scan_vehicles(session, found[0].id):
+        if one.number == number:
+            return one.id
+    raise BadInput("evidence-no-vehicle", number=number, scan=found[0].name)

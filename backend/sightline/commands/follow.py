@@ -1,0 +1,92 @@
+"""The command follow: points confirmed on one frame, followed through a vehicle's pass (docs/formats.md)."""
+
+import csv
+import io
+from dataclasses import asdict
+from pathlib import Path
+from typing import get_args
+
+import click
+
+from sightline.commands.options import json_option
+from sightline.enums import DriverSide, Target
+from sightline.errors import BadInput
+
+_PATH = click.Path(path_type=Path)
+_MOST_FRAMES = 120  # to each side, where the pass is not given
+
+
+@click.command("follow")
+@click.argument("video", type=_PATH)
+@click.option("--pose", "pose_file", type=_PATH, required=True, help="pose.json of the recording.")
+@click.option("--frame", type=click.IntRange(0), required=True, help="Frame of the points.")
+@click.option("--contact", metavar="X,Y", required=True, help="Tyre contact point, pixels.")
+@click.option("--second", metavar="X,Y", help="Contact point of the other tyre on the same side, pixels.")
+@click.option("--target", metavar="X,Y", required=True, help="Target point, pixels.")
+@click.option("--kind", type=click.Choice(get_args(Target)), default="other", show_default=True,
+              help="Kind of target; sets the default inset.")  # fmt: skip
+@click.option("--side", type=click.Choice(get_args(DriverSide)), help="Driver's side, for an eye.")
+@click.option(
+    "--inset", type=float, help="Approximate inset: distance of the target behind the side plane, metres."
+)
+@click.option("--u-inset", type=float, help="u of the inset, metres.")
+@click.option("--sigma", type=float, default=1.0, show_default=True, help="u of the given points, pixels.")
+@click.option("--first", type=click.IntRange(0), help="First frame of the pass.")
+@click.option("--last", type=click.IntRange(0), help="Last frame of the pass.")
+@click.option("-o", "--output", type=_PATH, help="tracks.csv to write.")
+@json_option
+def follow_command(
+    video: Path,
+    pose_file: Path,
+    frame: int,
+    contact: str,
+    second: str | None,
+    target: str,
+    kind: Target,
+    side: str | None,
+    inset: float | None,
+    u_inset: float | None,
+    sigma: float,
+    first: int | None,
+    last: int | None,
+    output: Path | None,
+    as_json: bool,
+) -> None:
+    """Follow one vehicle through a VIDEO, starting from confirmed points, and measure it from its whole
+    pass.
+    """
+    from sightline.commands.clicks import assumed_inset
+    from sightline.commands.files import write_whole
+    from sightline.commands.geometry import parse_point, read_pose_file, tell_pass
+    from sightline.commands.tracks_csv import COLUMNS, track_rows
+    from sightline.geometry.follow_pass import follow_pass
+    from sightline.geometry.followed_tracks import CONTACT, SECOND, TARGET
+    from sightline.geometry.whole_pass import measure_pass
+    from sightline.media.video.passing import frames_between
+
+    pose = read_pose_file(pose_file)
+    points = {CONTACT: parse_point(contact, "--contact"), TARGET: parse_point(target, "--target")}
+    if second is not None:
+        points[SECOND] = parse_point(second, "--second")
+    assumed = assumed_inset(kind, side or "", inset, u_inset)
+    if isinstance(assumed, str):
+        raise BadInput("commands-follow-none", reason=assumed)
+    span = max(0, frame - _MOST_FRAMES) if first is None else first, last or frame + _MOST_FRAMES
+    frames = frames_between(video, *span, (pose.camera.width_px, pose.camera.height_px), str(video))
+    found = follow_pass(pose, frames, frame, points, kind, assumed.inset_m, sigma)
+    if isinstance(found, str):
+        raise BadInput("commands-follow-none", reason=found)
+    known = (assumed.inset_m, assumed.u_inset_m) if assumed.u_inset_m > 0 else None
+    rows = track_rows(found.tracks)
+    if output is not None:
+        table = io.StringIO(newline="")
+        writer = csv.DictWriter(table, COLUMNS, lineterminator="\n")
+        writer.writeheader()
+        writer.writerows(rows)
+        write_whole(output, table.getvalue())
+    lost = [asdict(one) for one in found.lost]
+    also = {"tracks": rows, "following": asdict(found.following), "lost": lost}
+    tell_pass(measure_pass(pose, found.tracks, found.following, assumed_inset=known), as_json, also)
+    if not as_json:
+        for one in found.lost:
+            click.echo(f"not followed: {one.point} on frame {one.frame}. {one.reason}")

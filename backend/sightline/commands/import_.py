@@ -1,0 +1,253 @@
+"""`sightline import`: videos into a survey of a running Sightline, without a browser."""
+
+from __future__ import annotations
+
+import hashlib
+import time
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from sightline.commands.options import json_option, print_json, progress_told, settings_of
+from sightline.errors import BadInput, Busy, TooMany
+
+if TYPE_CHECKING:
+    from sightline.commands.remote import Remote
+
+SUFFIXES = frozenset({".mp4", ".mov", ".m4v", ".mkv", ".avi", ".mts", ".m2ts", ".mpg", ".mpeg", ".webm"})
+_POLL_S = 0.5
+Tell = Callable[[float, str], None]
+
+
+@click.command("import")
+@click.argument("videos", nargs=-1, type=click.Path(path_type=Path))
+@click.option("--survey", required=True, help="Name (or number) of the survey.")
+@click.option("--server", help="Address of the running Sightline (default: this machine).")
+@click.option(
+    "--token",
+    envvar="SIGHTLINE_TOKEN",
+    help="API token with the scopes read and upload (or SIGHTLINE_TOKEN).",
+)
+@click.option(
+    "--watch",
+    "folder",
+    type=click.Path(path_type=Path),
+    help="Import the files in this folder and all new ones, until stopped.",
+)
+@click.option(
+    "--settle",
+    "settle_s",
+    type=click.FloatRange(0.1, 3600),
+    default=10.0,
+    show_default=True,
+    help="Time for which a file must not grow before it is imported, seconds.",
+)
+@json_option
+def import_command(
+    videos: tuple[Path, ...],
+    survey: str,
+    server: str | None,
+    token: str | None,
+    folder: Path | None,
+    settle_s: float,
+    as_json: bool,
+) -> None:
+    """Upload VIDEOS into a survey, import them and find their passes.
+
+    An interrupted upload is resumed; a video that is already there is not sent again.
+    """
+    from sightline.commands.remote import Remote
+
+    if bool(videos) == bool(folder):
+        raise BadInput("import-videos-or-folder")
+    if not token:
+        raise BadInput("import-no-token")
+    with Remote(server or _own_address(), token) as remote:
+        survey_id = _survey_id(remote, survey)
+        if folder is not None:
+            _watch(remote, survey_id, folder, settle_s, progress_told())
+        else:
+            _import_all(remote, survey_id, videos, settle_s, as_json)
+
+
+def _import_all(
+    remote: Remote, survey_id: int, videos: tuple[Path, ...], settle_s: float, as_json: bool
+) -> None:
+    for video in videos:
+        _require_video(video)
+    found = [_import(remote, survey_id, video, settle_s, progress_told()) for video in videos]
+    if as_json:
+        print_json({"recordings": found})
+    else:
+        for one in found:
+            click.echo(_sentence(one))
+
+
+def _own_address() -> str:
+    settings = settings_of()
+    return f"http://{settings.host}:{settings.port}"
+
+
+def _survey_id(remote: Remote, wanted: str) -> int:
+    """The survey of this name, or else number."""
+    surveys = remote.ask("/surveys")
+    named = [one for one in surveys if one["name"].casefold() == wanted.strip().casefold()]
+    named = named or [one for one in surveys if str(one["id"]) == wanted.strip()]
+    if len(named) > 1:
+        numbers = ", ".join(str(one["id"]) for one in named)
+        raise BadInput("import-survey-name-twice", survey=wanted, numbers=numbers)
+    if not named:
+        names = ", ".join(one["name"] for one in surveys) or "-"
+        raise BadInput("import-no-such-survey", survey=wanted, names=names)
+    return int(named[0]["id"])
+
+
+def _require_video(video: Path) -> None:
+    if not video.is_file():
+        raise BadInput("import-no-such-file", name=str(video))
+    if video.suffix.lower() not in SUFFIXES:
+        raise BadInput("import-not-a-video", name=video.name, suffixes=", ".join(sorted(SUFFIXES)))
+    if video.stat().st_size == 0:
+        raise BadInput("import-empty-file", name=video.name)
+
+
+def _import(remote: Remote, survey_id: int, video: Path, settle_s: float, tell: Tell) -> dict[str, Any]:
+    """One video, up to its passes; what became of it."""
+    _await_still(video, settle_s, tell)
+    sha256 = _sha256(video)
+    there = _there(remote, survey_id, sha256)
+    if there is None:
+        size = video.stat().st_size
+        recording_id = remote.upload(
+            survey_id, video, lambda sent: tell(0.5 * sent / size, f"{video.name}: uploading")
+        )
+        if remote.ask(f"/recordings/{recording_id}")["sha256"] != sha256:
+            raise BadInput("import-changed-meanwhile", name=video.name)
+    else:
+        recording_id = int(there["id"])
+    recording = _await_read(remote, recording_id, video.name, tell)
+    passes = _await_passes(remote, survey_id, recording_id, video.name, tell)
+    tell(1.0, f"{video.name}: done")
+    return {
+        "file": str(video),
+        "recording_id": recording_id,
+        "sent": there is None,
+        "frames": recording["frame_count"],
+        "duration_s": recording["duration_s"],
+        "vehicles": passes,
+    }
+
+
+def _sentence(one: dict[str, Any]) -> str:
+    what = "imported" if one["sent"] else "there already"
+    name = Path(one["file"]).name
+    counted = f"{one['frames']} frames, {one['vehicles']} vehicles"
+    return f"{name}: {what} as recording {one['recording_id']}, {counted}."
+
+
+def _there(remote: Remote, survey_id: int, sha256: str) -> dict[str, Any] | None:
+    """The survey's recording with the same content."""
+    recordings = remote.ask(f"/surveys/{survey_id}/recordings")
+    return next((one for one in recordings if one["sha256"] == sha256), None)
+
+
+def _await_read(remote: Remote, recording_id: int, name: str, tell: Tell) -> dict[str, Any]:
+    """Raises BadInput with the reader's reason where the file cannot be used."""
+    while True:
+        recording: dict[str, Any] = remote.ask(f"/recordings/{recording_id}")
+        if recording["state"] == "ready":
+            return recording
+        if recording["state"] == "failed":
+            reason = str(recording["error"] or "").rstrip(".")
+            raise BadInput("import-cannot-be-read", name=name, reason=reason)
+        job = recording["job"]
+        tell(0.5 + 0.25 * (job["progress"] if job else 0.0), f"{name}: reading its frames")
+        time.sleep(_POLL_S)
+
+
+def _await_passes(remote: Remote, survey_id: int, recording_id: int, name: str, tell: Tell) -> int:
+    """How many vehicles the recording has, once its passes were looked for (asked for, where nobody did)."""
+    job = _passes_job(remote, survey_id, recording_id)
+    if job is None:
+        job = remote.write(f"/recordings/{recording_id}/find-passes")
+    while job["state"] in ("queued", "running"):
+        tell(0.75 + 0.25 * job["progress"], f"{name}: finding passes")
+        time.sleep(_POLL_S)
+        job = remote.ask(f"/jobs/{job['id']}")
+    if job["state"] != "done":
+        raise BadInput(
+            "import-passes-not-found", name=name, reason=str(job["error"] or job["state"]).rstrip(".")
+        )
+    return len(remote.ask(f"/surveys/{survey_id}/vehicles?recording_id={recording_id}"))
+
+
+def _passes_job(remote: Remote, survey_id: int, recording_id: int) -> dict[str, Any] | None:
+    jobs = remote.ask(f"/jobs?survey_id={survey_id}")
+    of_it = (one for one in jobs if (one["kind"], one["recording_id"]) == ("passes", recording_id))
+    return next(of_it, None)
+
+
+def _sha256(video: Path) -> str:
+    with video.open("rb") as file:
+        return hashlib.file_digest(file, "sha256").hexdigest()
+
+
+State = tuple[int, int]
+
+
+def _state(video: Path) -> State:
+    found = video.stat()
+    return found.st_size, found.st_mtime_ns
+
+
+def _await_still(video: Path, settle_s: float, tell: Tell) -> None:
+    """Return when the file has not changed for so long: something may still be writing it."""
+    while _grows(video, settle_s):
+        tell(0.0, f"{video.name}: waits until it stops growing")
+        before = _state(video)
+        time.sleep(settle_s)
+        # By what was seen, not by the clock alone: that of a network drive may be ahead.
+        if _state(video) == before:
+            return
+
+
+def _watch(remote: Remote, survey_id: int, folder: Path, settle_s: float, tell: Tell) -> None:
+    """Import what comes, one after the other; what was refused is tried again when it changes.
+
+    Where the server is away the file waits; a token or survey that is no good ends it.
+    """
+    from sightline.commands.remote import Away
+
+    if not folder.is_dir():
+        raise BadInput("import-no-such-folder", name=str(folder))
+    click.echo(f"Watching {folder}; Ctrl+C stops.", err=True)
+    seen: dict[Path, State] = {}
+    done: dict[Path, State] = {}
+    while True:
+        now = dict(_videos_in(folder))
+        for video in [one for one in sorted(now) if done.get(one) != now[one]]:
+            if now[video] != seen.get(video) or _grows(video, settle_s):
+                continue
+            try:
+                click.echo(_sentence(_import(remote, survey_id, video, settle_s, tell)))
+            except (Away, Busy, TooMany, FileNotFoundError) as error:
+                click.echo(f"{video.name}: {error}", err=True)
+                continue
+            except BadInput as error:
+                click.echo(error.message, err=True)
+            done[video] = now[video]
+        seen = now
+        time.sleep(min(settle_s, 2.0))
+
+
+def _videos_in(folder: Path) -> Iterator[tuple[Path, State]]:
+    for path in folder.iterdir():
+        if path.suffix.lower() in SUFFIXES and path.is_file() and path.stat().st_size > 0:
+            yield path, _state(path)
+
+
+def _grows(video: Path, settle_s: float) -> bool:
+    """Whether it was written within the last seconds."""
+    return time.time() - video.stat().st_mtime < settle_s

@@ -1,0 +1,147 @@
+"""`sightline rig`: what a rig of two line-scan cameras is, found by measuring it (docs/formats.md)."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import asdict
+from pathlib import Path
+
+import click
+
+from sightline.commands.files import write_json
+from sightline.commands.options import json_option, print_json
+from sightline.coverage import expanded
+from sightline.errors import BadInput
+from sightline.linescan.rig_calibration import (
+    Common,
+    LaneBaseline,
+    RigCalibration,
+    calibrate_rig,
+    lane_baseline,
+)
+from sightline.scans.rig.passes_csv import MOST_BYTES, GivenPasses, read_rig_passes
+
+_PATH = click.Path(path_type=Path)
+
+
+@click.group()
+def rig() -> None:
+    """Calibrate the rig of two line-scan cameras."""
+
+
+@rig.command()
+@click.argument("passes_csv", type=_PATH)
+@click.option(
+    "--line-rate", type=float, help="Line rate of each camera, Hz; needed for passes of known speed."
+)
+@click.option("--u-line-rate", type=float, default=0.0, help="Relative u of the line rate (1e-4 is 0.01 %).")
+@click.option("--u-tape", type=float, default=0.0, help="Relative u of the scale of the tape.")
+@click.option("--u-speed", type=float, default=0.0, help="Relative u common to all known speeds.")
+@click.option(
+    "--distance",
+    "lanes",
+    multiple=True,
+    metavar="M[,U]",
+    help="Distance of a lane from the cameras and its u, metres. May be repeated.",
+)
+@click.option("-o", "--output", type=_PATH, help="Also write the JSON object to this file.")
+@json_option
+def calibrate(
+    passes_csv: Path,
+    line_rate: float | None,
+    u_line_rate: float,
+    u_tape: float,
+    u_speed: float,
+    lanes: tuple[str, ...],
+    output: Path | None,
+    as_json: bool,
+) -> None:
+    """Compute baseline and divergence from PASSES_CSV: passes of a staff or board at two distances or more.
+
+    Each row is one pass: its distance, and positions on a tape, lines at a known speed, or the lines of a
+    board of known width. Rows that cannot be used are skipped and listed.
+    """
+    if line_rate is not None and not (math.isfinite(line_rate) and line_rate > 0):
+        raise BadInput("commands-option-above-zero", option="--line-rate")
+    common = Common(
+        line_rate_hz=line_rate,
+        u_line_rate_ratio=u_line_rate,
+        u_tape_ratio=u_tape,
+        u_speed_ratio=u_speed,
+    )
+    asked = [_lane(one) for one in lanes]
+    given = read_rig_passes(_bytes(passes_csv), str(passes_csv), common)
+    try:
+        found = calibrate_rig(given.passes, common)
+    except BadInput as error:
+        left = "".join(f" Row {one.row} was left out: {one.reason}" for one in given.refused[:3])
+        raise BadInput("rig-passes-problem", path=passes_csv, message=error.message, left=left) from None
+    at = [lane_baseline(found, *one) for one in asked]
+    document = {
+        **asdict(found),
+        "U95_baseline_m": expanded(found.u_baseline_m),
+        "U95_divergence_rad": expanded(found.u_divergence_rad),
+        "lanes": [{**asdict(one), "U95_baseline_m": expanded(one.u_baseline_m)} for one in at],
+        "left_out": [asdict(one) for one in given.refused],
+    }
+    if output is not None:
+        write_json(output, document)
+    if as_json:
+        print_json(document)
+        return
+    click.echo(_text(found, at, given))
+
+
+def _bytes(path: Path) -> bytes:
+    try:
+        with path.open("rb") as file:
+            return file.read(MOST_BYTES + 1)
+    except OSError as error:
+        raise BadInput(
+            "commands-cannot-read-give", path=path, strerror=error.strerror, what="a CSV table"
+        ) from None
+
+
+def _lane(text: str) -> tuple[float, float]:
+    """A distance and its u, 0 where none is given."""
+    try:
+        numbers = [float(one) for one in text.split(",")]
+    except ValueError:
+        numbers = []
+    if len(numbers) not in (1, 2) or not all(math.isfinite(one) and one >= 0 for one in numbers):
+        raise BadInput("rig-no-lane", text=text)
+    return numbers[0], (numbers[1] if len(numbers) == 2 else 0.0)
+
+
+def _text(found: RigCalibration, lanes: list[LaneBaseline], given: GivenPasses) -> str:
+    divergence, U95_divergence = 1e3 * found.divergence_rad, 1e3 * expanded(found.u_divergence_rad)
+    lines = [
+        f"baseline at the cameras {_mm(found.baseline_m)} ± {_mm(expanded(found.u_baseline_m))} mm (95 %)",
+        f"divergence {divergence:.3f} ± {U95_divergence:.3f} mm per m (95 %)",
+        f"correlation of both {found.correlation:.3f}",
+        f"{len(found.passes)} passes from {found.nearest_m:.2f} to {found.farthest_m:.2f} m: chi-square "
+        f"{found.chi2:.1f} with {found.degrees_of_freedom} degrees of freedom, "
+        f"chance {100 * found.p_value:.1f} %",
+    ]
+    lines += [_lane_text(one) for one in lanes]
+    lines += [
+        f"pass {one.name} at {one.distance_m:.2f} m: {_mm(one.span_m)} mm, "
+        f"{1e3 * one.residual_m:+.2f} mm from the line"
+        for one in found.passes
+    ]
+    lines += [f"left out row {one.row} ({one.name}): {one.reason}" for one in given.refused]
+    notes = [*found.warnings, *(one.warning for one in lanes if one.warning)]
+    return "\n".join([*lines, *(f"note: {one}" for one in notes)])
+
+
+def _lane_text(one: LaneBaseline) -> str:
+    u95 = expanded(one.u_baseline_m)
+    share = 100 * u95 / one.baseline_m
+    return (
+        f"at {one.distance_m:.2f} m: baseline {_mm(one.baseline_m)} ± {_mm(u95)} mm (95 %), "
+        f"{share:.3f} % of every speed there"
+    )
+
+
+def _mm(metres: float) -> str:
+    return f"{1e3 * metres:.2f}"

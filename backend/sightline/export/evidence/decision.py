@@ -1,0 +1,109 @@
+"""The decision of an evidence file, from its own document: made and verified by the same function.
+
+A document holds what a decision rests on (`measurement`, `before`, `gap`, `review`, rigs). Where that does
+not carry one, there is no answer, and the reason is said.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import asdict
+from math import floor, log10
+from typing import Any
+
+from sightline.enums import JsonObject, JudgedQuantity
+from sightline.export.evidence.records import SIDES, UNITS, Rule
+from sightline.messages import say
+from sightline.statistics.conformity import decide, require_risk
+
+KMH_PER_MPS = 3.6
+#: What a reader is told in, and how many of them the document's unit is.
+_SHOWN: dict[JudgedQuantity, tuple[str, float]] = {
+    "speed": ("km/h", KMH_PER_MPS),
+    "time_gap": ("s", 1.0),
+    "distance_gap": ("m", 1.0),
+}
+_FEWEST_CHANCE = 1e-4
+
+Document = Mapping[str, Any]
+
+
+def decision_of(document: Document, rule: Rule | None) -> JsonObject:
+    """What an evidence file says of conformity: rule, value, answer or none, and the words for it.
+
+    Raises BadInput for a risk that no rule has.
+    """
+    if rule is None:
+        return {"rule": None, "answer": None, "words": say("evidence-no-rule", {})}
+    require_risk(rule.risk)
+    told: JsonObject = {"rule": {**asdict(rule), "side": SIDES[rule.quantity], "unit": UNITS[rule.quantity]}}
+    value, u = _judged(document, rule)
+    told |= {"value": value, "u": u}
+    why = _why_none(document, rule, value, u)
+    if why is not None or value is None or u is None:
+        return {**told, "answer": None, "words": why}
+    found = decide(value, u, rule.limit, SIDES[rule.quantity], rule.risk)
+    return {**told, **asdict(found), "words": _words(rule, value, u, found)}
+
+
+def rule_of(decision: Document) -> Rule | None:
+    """The rule that a document states."""
+    told = decision["rule"]
+    return None if told is None else Rule(told["quantity"], told["limit"], told["risk"], told["source"])
+
+
+def _judged(document: Document, rule: Rule) -> tuple[float | None, float | None]:
+    if rule.quantity == "speed":
+        return document["measurement"]["speed_mps"], document["measurement"]["u_speed_mps"]
+    gap = document["gap"] or {}
+    name = "time_gap_s" if rule.quantity == "time_gap" else "distance_gap_m"
+    return gap.get(name), gap.get(f"u_{name}")
+
+
+def _why_none(document: Document, rule: Rule, value: float | None, u: float | None) -> str | None:
+    """Why there is no decision; None where one can be made."""
+    measured, before, gap = document["measurement"], document["before"], document["gap"]
+    if measured["status"] != "ok":
+        return say("evidence-none-refused", {"reason": measured["reason"] or ""})
+    if measured["rig"] != document["rig_now"]:
+        return say("evidence-none-rig", {})
+    if document["review"]["verdict"] != "accepted":
+        return say("evidence-none-review", {"verdict": document["review"]["verdict"]})
+    if rule.quantity != "speed":
+        if before is None or gap is None:
+            return say("evidence-none-first", {})
+        if before["status"] != "ok" or before["rig"] != document["rig_now"]:
+            return say("evidence-none-before", {"number": before["number"]})
+        if before["review"]["verdict"] != "accepted":
+            said = {"number": before["number"], "verdict": before["review"]["verdict"]}
+            return say("evidence-none-before-review", said)
+    if value is None or u is None or not u > 0:
+        return say("evidence-none-value", {"reason": (gap or {}).get("reason") or ""})
+    return None
+
+
+def _words(rule: Rule, value: float, u: float, found: Any) -> str:
+    unit, factor = _SHOWN[rule.quantity]
+    decimals = max(0, 1 - floor(log10(u * factor)))
+    chance = found.chance_false
+
+    def number(of: float) -> str:
+        return f"{of * factor:.{decimals}f}"
+
+    return say(
+        "evidence-decided",
+        {
+            "answer": found.answer,
+            "quantity": rule.quantity,
+            "unit": unit,
+            "value": number(value),
+            "u": number(u),
+            "limit": f"{rule.limit * factor:.10g}",
+            "side": SIDES[rule.quantity],
+            "guard": number(found.guard_band),
+            "factor": f"{found.factor:.3g}",
+            "risk": f"{100 * rule.risk:.3g}",
+            "chance": f"{100 * chance:.2g}" if chance >= _FEWEST_CHANCE else f"{100 * _FEWEST_CHANCE:.2g}",
+            "least": "under" if chance < _FEWEST_CHANCE else "about",
+        },
+    )

@@ -1,0 +1,121 @@
+"""Evidence of one line-scanned vehicle: made of its stored measurement, both strips and the chain, signed."""
+
+from __future__ import annotations
+
+import re
+
+from sightline.enums import JsonObject
+from sightline.errors import BadInput, Conflict
+from sightline.export.evidence.decision import decision_of
+from sightline.export.evidence.document import audit_of, facts_of
+from sightline.export.evidence.page import program_of_page, written_page
+from sightline.export.evidence.pictures import pictures_of
+from sightline.export.evidence.records import Evidence, Rule
+from sightline.export.evidence.store import events_about, note_evidence
+from sightline.infra.audit import trail
+from sightline.infra.audit.checkpoints import known_keys, take_key
+from sightline.infra.audit.hashing import content_hash
+from sightline.infra.audit.records import Who
+from sightline.infra.audit.signing import SigningKey, signing_key
+from sightline.infra.database import Session
+from sightline.infra.database.types import now
+from sightline.infra.services import Services
+from sightline.people.store import get_person
+from sightline.scans.records import ScanMeasurement, ScanVehicle
+from sightline.scans.service import open_strips
+from sightline.scans.store import get_scan
+from sightline.scans.vehicles.review_store import scan_reviews_of_vehicle
+from sightline.scans.vehicles.store import get_scan_vehicle, list_scan_vehicles
+from sightline.surveys.store import get_survey
+
+
+def make_evidence(services: Services, vehicle_id: int, rule: Rule | None, *, actor: int | None) -> Evidence:
+    """The file of a vehicle as it is now, held against a rule (None: none), noted in the survey's chain.
+
+    Raises NotFound, BadInput (never measured, a rule that cannot be, pages not built), Conflict (measured
+    again meanwhile), Damaged (strips, key).
+    """
+    page = program_of_page()
+    with services.reading() as session:
+        vehicle = get_scan_vehicle(session, vehicle_id)
+        scan = get_scan(session, vehicle.scan_id)
+    seen = _measured(vehicle)
+    pictures = pictures_of(open_strips(services, scan), seen.values)
+    key = signing_key(services.settings)
+    with services.writing() as session:
+        vehicle = get_scan_vehicle(session, vehicle_id)
+        if _measured(vehicle).id != seen.id:
+            raise Conflict("scans-vehicle-measured-again-meanwhile-look-newer")
+        document = _stated(session, vehicle, page, actor)
+        document["pictures"] = [one.facts for one in pictures]
+        document["decision"] = decision_of(document, rule)
+        document |= _vouched(session, vehicle, document, key, actor)
+        sha256 = content_hash(document)
+        made = {"measurement_id": seen.id, "sha256": sha256, "key": key.public}
+        note_evidence(session, vehicle_id, made, actor=actor)
+        content = written_page(document, key.sign(document), pictures)
+    return Evidence(filename=_filename(document), content=content, document=document, sha256=sha256)
+
+
+def _measured(vehicle: ScanVehicle) -> ScanMeasurement:
+    if vehicle.measurement is None:
+        raise BadInput("evidence-not-measured", number=vehicle.number)
+    return vehicle.measurement
+
+
+def _stated(session: Session, vehicle: ScanVehicle, page: str, actor: int | None) -> JsonObject:
+    scan = get_scan(session, vehicle.scan_id)
+    return facts_of(
+        get_survey(session, vehicle.survey_id),
+        scan,
+        vehicle,
+        _measured(vehicle),
+        _before(session, vehicle),
+        made_at=now().isoformat(timespec="microseconds"),
+        made_by=None if actor is None else Who(actor, get_person(session, actor).name),
+        page=page,
+    )
+
+
+def _before(session: Session, vehicle: ScanVehicle) -> ScanVehicle | None:
+    """The vehicle that a gap is measured to: the one of its direction and lane measured before this, in the
+    order of their fronts. None where that may be one whose lane is not known.
+    """
+    this = _measured(vehicle).values
+    lanes = bool(this.rig.get("lanes"))
+    before = None
+    for one in list_scan_vehicles(session, vehicle.scan_id):
+        if one.id == vehicle.id:
+            break
+        seen = one.measurement and one.measurement.values
+        if seen and seen.direction == this.direction:
+            if seen.lane == this.lane:
+                before = one
+            elif lanes and seen.lane is None:
+                before = None
+    return before if this.lane is not None or not lanes else None
+
+
+def _vouched(
+    session: Session, vehicle: ScanVehicle, document: JsonObject, key: SigningKey, actor: int | None
+) -> JsonObject:
+    """Where the chain stood with its events about this vehicle, and the keys up to the one that signs."""
+    take_key(session, key, actor=actor)
+    before = document["before"]
+    vehicles = [vehicle.id, *([before["vehicle_id"]] if before else [])]
+    measurements = [document["measurement"]["id"], *([before["id"]] if before else [])]
+    reviews = {
+        one.id
+        for number in vehicles
+        for one in scan_reviews_of_vehicle(session, number)
+        if one.measurement_id in measurements
+    }
+    events = events_about(session, vehicle.survey_id, vehicle.scan_id, measurements, reviews)
+    audit = audit_of(vehicle.survey_id, trail.head(session, vehicle.survey_id), events)
+    return {"audit": audit, "keys": known_keys(session), "key": key.public}
+
+
+def _filename(document: JsonObject) -> str:
+    plain = re.sub(r"[^A-Za-z0-9]+", "-", document["scan"]["name"]).strip("-").lower() or "scan"
+    made = document["made_at"][:19].replace("-", "").replace(":", "").replace("T", "-")
+    return f"evidence-{plain}-vehicle-{document['vehicle']['number']}-{made}.html"

@@ -1,0 +1,279 @@
+"""`sightline verify` of an evidence file: signature, hashes, what its chain says, and its numbers made again.
+
+A motion comes from the registration of the two strips, which a file cannot hold whole; so what is made again
+is what the stored boundary lines and the rig give. The length follows exactly, and so do the entries of the
+budget that the rig brings. Of direct registration, speed and acceleration carry front and rear from camera 1
+to camera 2 over the baseline, and what is left over is in the budget's boundaries (`linescan.budget`).
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
+from math import hypot, isclose, isfinite, sqrt
+from typing import Any
+
+from sightline.errors import BadInput, Damaged
+from sightline.export.evidence.decision import decision_of, rule_of
+from sightline.export.evidence.document import FORMAT, derived, values_of_document
+from sightline.export.evidence.page import ReadPage, program_of_page, read_page
+from sightline.infra.audit.checkpoints import KEY_PARTS, are_handed_on
+from sightline.infra.audit.hashing import chain_hash, plain
+from sightline.infra.audit.records import survey_chain
+from sightline.infra.audit.signing import holds
+from sightline.infra.csv_package.schema import sha256_hex
+from sightline.linescan.either_way import exact_at_camera_1
+from sightline.linescan.equations import ExactMotion, travelled_m
+from sightline.media.images import image_size
+from sightline.messages import say
+from sightline.scans.vehicles.motion import crossings_of
+
+_LEAST_OF_KEY = 16
+#: Of what is made again from the same numbers; lines of a long recording have eight digits behind the point.
+_CLOSE = 1e-8
+_MOTION = ("speed_mps", "acceleration_mps2", "length_m")
+#: Entries that a rig brings: by which of its ratios speed, acceleration and length answer, and how often.
+_BY_RIG = {"baseline": (1, 1, 1), "clock": (1, 2, 0)}
+_BOUNDARIES = "boundaries"
+
+Document = Mapping[str, Any]
+Check = Callable[[ReadPage], Iterator[str]]
+
+
+@dataclass(frozen=True)
+class EvidenceCheck:
+    """What was found: `problems`, a sentence each, none where all is well; `lines`: what four lines give."""
+
+    ok: bool
+    problem: str | None
+    problems: tuple[str, ...]
+    notes: tuple[str, ...]
+    key: str
+    made_at: str
+    program: str
+    decision: str
+    lines: ExactMotion | None
+
+
+def verify_evidence(content: bytes, key: str | None = None) -> EvidenceCheck:
+    """Everything about a file; `key`: (the beginning of) a key of the installation, kept elsewhere.
+
+    Raises BadInput for a key that is too short, Damaged for what is no evidence file at all.
+    """
+    if key is not None and len(key) < _LEAST_OF_KEY:
+        raise BadInput("export-key-too-short", least=_LEAST_OF_KEY)
+    page = read_page(content)
+    if page.document.get("format") != FORMAT:
+        raise Damaged("evidence-not-one")
+    problems = [*_guarded(_sealed, page), *_guarded(_signature, page)]
+    for check in (_pictures, _events, _derived, _numbers, _decision):
+        problems += _guarded(check, page)
+    document = page.document
+    if key is not None and not _is_known(document, key):
+        problems.append(say("evidence-other-key", {"key": str(document.get("key"))[:16]}))
+    return EvidenceCheck(
+        ok=not problems,
+        problem=" ".join(problems) or None,
+        problems=tuple(problems),
+        notes=tuple(_notes(page, key)),
+        key=str(document.get("key")),
+        made_at=str(document.get("made_at")),
+        program=str(document.get("program")),
+        decision=_words_of(document),
+        lines=_by_lines(document),
+    )
+
+
+def _guarded(check: Check, page: ReadPage) -> list[str]:
+    """What a check finds; a document whose parts are not of their kind is a finding too."""
+    try:
+        return list(check(page))
+    except (KeyError, TypeError, ValueError, AttributeError, IndexError, ArithmeticError, BadInput) as error:
+        return [say("evidence-form", {"part": check.__name__.strip("_"), "words": str(error)})]
+
+
+def _sealed(page: ReadPage) -> Iterator[str]:
+    if page.program != page.document["page"]:
+        yield say("evidence-another-page", {})
+    if not page.is_canonical:
+        yield say("evidence-not-canonical", {})
+
+
+def _signature(page: ReadPage) -> Iterator[str]:
+    document = page.document
+    if not holds(document, str(document["key"]), page.signature):
+        yield say("evidence-signature", {})
+    keys = [{name: one[name] for name in KEY_PARTS} for one in document["keys"]]
+    if not are_handed_on(keys, document["key"]):
+        yield say("evidence-keys", {})
+
+
+def _is_known(document: Document, key: str) -> bool:
+    keys = document.get("keys")
+    known = [str(one.get("key")) for one in keys if isinstance(one, dict)] if isinstance(keys, list) else []
+    return any(one.startswith(key.lower()) for one in known)
+
+
+def _words_of(document: Document) -> str:
+    decision = document.get("decision")
+    return str(decision.get("words")) if isinstance(decision, dict) else ""
+
+
+def _pictures(page: ReadPage) -> Iterator[str]:
+    told = page.document["pictures"]
+    if [one["name"] for one in told] != list(page.pictures) or [one["camera"] for one in told] != [1, 2]:
+        yield say("evidence-pictures", {})
+        return
+    for one in told:
+        content = page.pictures[one["name"]]
+        if sha256_hex(content) != one["sha256"]:
+            yield say("evidence-picture", {"name": one["name"]})
+        elif image_size(content, one["name"]) != (one["columns"], one["rows_px"]):
+            yield say("evidence-picture-size", {"name": one["name"]})
+
+
+def _events(page: ReadPage) -> Iterator[str]:
+    """Each event is the one that was hashed, of this survey's chain, and says what the document says."""
+    document = page.document
+    audit = document["audit"]
+    chain = survey_chain(document["survey"]["id"])
+    for event in audit["events"]:
+        inside = event["chain"] == chain == audit["chain"] and event["number"] <= audit["count"]
+        last = event["number"] == audit["count"] and event["hash"] != audit["hash"]
+        if not inside or last or event["hash"] != chain_hash(event):
+            yield say("evidence-event", {"number": event["number"]})
+    yield from _said(audit["events"], "measurement", document["measurement"], document["review"])
+    if document["before"] is not None:
+        yield from _said(audit["events"], "before", document["before"], document["before"]["review"])
+
+
+def _said(events: list[Document], part: str, measured: Document, review: Document) -> Iterator[str]:
+    """A revision is what its event says, and its verdict the last that was given on it."""
+    own = [one for one in events if (one["entity"], one["entity_id"]) == ("scan_measurement", measured["id"])]
+    if len(own) != 1:
+        yield say("evidence-no-event", {"part": part})
+        return
+    told = json.loads(own[0]["after"])
+    other = sorted(name for name in told if name in measured and told[name] != measured[name])
+    if other:
+        yield say("evidence-not-as-event", {"part": part, "named": ", ".join(other)})
+    given = [
+        (one, after)
+        for one in events
+        if one["entity"] == "scan_review"
+        for after in [json.loads(one["after"])]
+        if after["measurement_id"] == measured["id"]
+    ]
+    last, after = given[-1] if given else (None, {"verdict": "to_review", "reason": None})
+    reviewer = None if review["reviewer"] is None else review["reviewer"]["id"]
+    by = None if last is None else last["actor_id"]
+    if (review["verdict"], review["reason"], reviewer) != (after["verdict"], after["reason"], by):
+        yield say("evidence-not-as-event", {"part": part, "named": "review"})
+
+
+def _derived(page: ReadPage) -> Iterator[str]:
+    for name, value in derived(page.document).items():
+        if plain(value) != page.document[name]:
+            yield say("evidence-made-again", {"named": name})
+
+
+def _decision(page: ReadPage) -> Iterator[str]:
+    told = page.document["decision"]
+    found = decision_of(page.document, rule_of(told))
+    other = sorted(name for name in {*told, *found} if told.get(name) != found.get(name))
+    if other:
+        yield say("evidence-made-again", {"named": ", ".join(f"decision: {name}" for name in other)})
+
+
+def _numbers(page: ReadPage) -> Iterator[str]:
+    """Length, budget and crossings of this vehicle and of the one before."""
+    for part in ("measurement", "before"):
+        told = page.document[part]
+        if told is None:
+            continue
+        other = _other_numbers(told)
+        if other:
+            yield say("evidence-numbers", {"part": part, "named": ", ".join(other)})
+
+
+def _other_numbers(told: Document) -> list[str]:
+    """The names of what does not follow from the lines, the rig and the budget of a motion."""
+    numbers = [*_MOTION, *(f"u_{name}" for name in _MOTION)]
+    if told["status"] != "ok":
+        return [name for name in numbers if told[name] is not None]
+    if not all(isinstance(told[name], float | int) and isfinite(told[name]) for name in numbers):
+        return numbers
+    return [*_budget(told), *_lines(told)]
+
+
+def _budget(told: Document) -> list[str]:
+    other = []
+    entries = {one["source"]: one for one in told["budget"]}
+    for name in _MOTION:
+        u = hypot(*(one[f"u_{name}"] for one in told["budget"]))
+        if not isclose(u, told[f"u_{name}"], rel_tol=_CLOSE):
+            other.append(f"u_{name}")
+    for source, times in _BY_RIG.items():
+        ratio = _ratio(told["rig"], source)
+        for name, factor in zip(_MOTION, times, strict=True):
+            due = factor * abs(told[name]) * ratio
+            if not isclose(entries[source][f"u_{name}"], due, rel_tol=_CLOSE, abs_tol=1e-15):
+                other.append(f"{name} ({source})")
+    return other
+
+
+def _ratio(rig: Document, source: str) -> float:
+    if source == "clock":
+        return float(rig["u_line_rate_ratio"])
+    away = rig["distance_m"] or 0.0
+    baseline = rig["baseline_m"] + rig["divergence_rad"] * away
+    by_angle = rig["u_divergence_rad"] * away
+    square = rig["u_baseline_m"] ** 2 + by_angle**2 + (rig["divergence_rad"] * rig["u_distance_m"]) ** 2
+    square += 2 * rig["baseline_correlation"] * rig["u_baseline_m"] * by_angle
+    return sqrt(max(square, 0.0)) / float(baseline)
+
+
+def _lines(told: Document) -> list[str]:
+    """The length as the method has it; front and rear carried over the baseline by the motion."""
+    rate, start = told["rig"]["line_rate_hz"], told["front_line_1"]
+    rear_1, front_2, rear_2 = (
+        (told[name] - start) / rate for name in ("rear_line_1", "front_line_2", "rear_line_2")
+    )
+    away = told["rig"]["distance_m"] or 0.0
+    baseline_m = told["rig"]["baseline_m"] + told["rig"]["divergence_rad"] * away
+
+    def gone(seconds: float) -> float:
+        return float(travelled_m(told["speed_mps"], told["acceleration_mps2"], seconds))
+
+    at_2 = gone(rear_2) - gone(front_2)
+    length_m = gone(rear_1) if told["method"] == "paper" else (gone(rear_1) + at_2) / 2
+    other = [] if isclose(length_m, told["length_m"], rel_tol=_CLOSE) else ["length_m"]
+    if told["method"] == "paper":  # its boundaries are not held against its regression
+        return other
+    u_m = {one["source"]: one["u_length_m"] for one in told["budget"]}[_BOUNDARIES]
+    if told["direction"] == "camera_2_first":
+        baseline_m = -baseline_m
+    apart_m = hypot(gone(front_2) - baseline_m, gone(rear_2) - gone(rear_1) - baseline_m) / 2
+    return other if apart_m <= u_m * (1 + _CLOSE) else [*other, "speed_mps (boundaries)"]
+
+
+def _by_lines(document: Document) -> ExactMotion | None:
+    """What the four lines give alone, to look at beside the fit; None where they give no motion."""
+    try:
+        told = document["measurement"]
+        crossings = crossings_of(values_of_document(told))
+        baseline_m = document["at_vehicle"]["baseline_m"]
+        return exact_at_camera_1(crossings, baseline_m, told["rig"]["line_rate_hz"])
+    except (KeyError, TypeError, ValueError, ArithmeticError):
+        return None
+
+
+def _notes(page: ReadPage, key: str | None) -> Iterator[str]:
+    try:
+        if page.program != program_of_page():
+            yield say("evidence-page-other-version", {})
+    except BadInput as error:
+        yield error.message
+    shown = str(page.document.get("key"))[:16]
+    yield say("evidence-key-given" if key is not None else "evidence-key-not-given", {"key": shown})

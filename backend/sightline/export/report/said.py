@@ -1,0 +1,72 @@
+"""What a report says, in the language that it is set in: `with speaking("fr"): ...`.
+
+The language is a context, as decimal's precision is: it says how everything below is written and nothing of
+what is found. Outside of any it is that of the source, in which tables and descriptions are.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from contextvars import ContextVar
+from functools import cache
+from typing import Generic, TypeVar
+
+from sightline import messages
+from sightline.messages.parts import parts_of, plurals
+from sightline.messages.recognised import translated
+
+_BEGINNING = "report-"
+_language: ContextVar[str] = ContextVar("language", default=messages.SOURCE)
+Named = TypeVar("Named", bound=str)
+
+
+@contextmanager
+def speaking(language: str) -> Iterator[None]:
+    """What is said within is said in that language."""
+    before = _language.set(language)
+    try:
+        yield
+    finally:
+        _language.reset(before)
+
+
+def spoken() -> str:
+    """The language that is spoken."""
+    return _language.get()
+
+
+def said(key: str, **values: str | int) -> str:
+    """The sentence of a key of the catalogue."""
+    return messages.say(key, values, spoken())
+
+
+def told(sentence: str) -> str:
+    """A sentence that a room below wrote in English, or that was stored so."""
+    return translated(sentence, spoken())
+
+
+class Called(Mapping[Named, str], Generic[Named]):
+    """What things are called: keys of the catalogue by name, read as words."""
+
+    def __init__(self, keys: Mapping[Named, str]) -> None:
+        self._keys = keys
+
+    def __getitem__(self, name: Named) -> str:
+        return said(self._keys[name])
+
+    def __iter__(self) -> Iterator[Named]:
+        return iter(self._keys)
+
+    def __len__(self) -> int:
+        return len(self._keys)
+
+
+@cache
+def catalogue_json(language: str) -> bytes:
+    """The messages that templates say, taken apart (`blocks.typ`)."""
+    said_in = parts_of(_BEGINNING, language)
+    return json.dumps(
+        {"language": language, "plurals": plurals(language), "messages": said_in}, ensure_ascii=False
+    ).encode("utf-8")

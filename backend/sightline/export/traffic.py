@@ -1,0 +1,183 @@
+"""Traffic of an export's line scans: from its own rows, as tables of their own."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import get_args, get_type_hints
+
+from sightline.enums import ScanDirection
+from sightline.export.scans import Cells, scanned_motions
+from sightline.infra.csv_package.columns import flag, integer, joined, key, metres, number, text
+from sightline.infra.csv_package.files import Files, read_rows, unsafe
+from sightline.infra.csv_package.files import number as figure_of
+from sightline.infra.csv_package.schema import Column, Table
+from sightline.linescan.traffic import MINUTES, Figure, Interval
+from sightline.scans.clock import clock_of
+from sightline.scans.statistics.traffic import PERCENTS, ScanTraffic, ShownInterval, Watched, traffic_of_seen
+
+FOLDER = "statistics/"
+_WAY = text(
+    "direction", "which camera its vehicles reached first", required=True, enum=get_args(ScanDirection)
+)
+_LANE = text("lane", "of the rig's lanes; empty: not known, or it has none")
+_BY_AXLES = {
+    "axles_2": "2 axles",
+    "axles_3": "3 axles",
+    "axles_4": "4 axles",
+    "axles_5_or_more": "5 axles or more",
+    "axles_unknown": "wheels that were not found",
+}
+_SCAN = key("scan_id", "line-scan recording")
+_MINUTES = integer("minutes", "length of an interval", unit="min", required=True)
+_BEGINS = Column(
+    "begins_at",
+    "datetime",
+    "when it begins, by the clocks of the place (ISO 8601 with offset)",
+    required=True,
+)
+
+
+def _measured(name: str, meaning: str, unit: str) -> tuple[Column, Column]:
+    return (
+        number(name, meaning, unit),
+        number(f"u_{name}", f"standard uncertainty of {name} (k = 1)", unit),
+    )
+
+
+def _percentile(percent: float) -> tuple[Column, ...]:
+    name = f"p{percent:g}_speed_mps"
+    return (
+        number(name, f"{percent:g}th percentile of the speeds that count", "m/s"),
+        number(f"{name}_low", "lower end of its distribution-free 95 % interval, where n allows one", "m/s"),
+        number(f"{name}_high", "upper end of the same", "m/s"),
+    )
+
+
+INTERVALS = Table(
+    "traffic_intervals",
+    "Traffic past camera 1 of each line scan with a confirmed start, by direction and lane, in intervals of "
+    "1, 5, 15 and 60 minutes by the clocks of the place. Every vehicle that was found counts for flow, "
+    "headways and occupancy, also one without a motion or with a rejected one; speeds are of the accepted "
+    "ones.",
+    (
+        _SCAN,
+        _MINUTES,
+        _BEGINS,
+        number("watched_s", "how much of it was recorded", "s", required=True),
+        flag("partial", "true where the recording covers only a part of it", required=True),
+        integer("vehicles", "fronts that passed camera 1", required=True),
+        integer(
+            "near_edge",
+            "those so near to an edge that the clock leaves it open on which side (95 %)",
+            required=True,
+        ),
+        integer("measured", "those with a speed that counts", required=True),
+        number("flow_per_hour", "vehicles an hour, over the time watched", "1/h", required=True),
+        number(
+            "flow_low",
+            "lower end of the exact 95 % interval, for vehicles that come independently of each other",
+            "1/h",
+        ),
+        number("flow_high", "upper end of the same", "1/h"),
+        number("mean_headway_s", "mean headway of those with a vehicle before", "s"),
+        *_measured("time_mean_speed_mps", "mean of the speeds", "m/s"),
+        *_measured("space_mean_speed_mps", "harmonic mean of the speeds", "m/s"),
+        *(column for percent in PERCENTS for column in _percentile(percent)),
+        *_measured("occupancy_percent", "share of the time in which a vehicle stood before camera 1", "%"),
+        *_measured("density_per_km", "flow over space mean speed", "1/km"),
+        integer("unclassed", "vehicles without a length that counts", required=True),
+        text("reasons", "why a figure is missing, separated by semicolons"),
+        _WAY,
+        _LANE,
+    ),
+    primary=("scan_id", "direction", "lane", "minutes", "begins_at"),
+    foreign=((("scan_id",), "line_scans", ("id",)),),
+    folder=FOLDER,
+)
+CLASSES = Table(
+    "traffic_classes",
+    "The vehicles of the same intervals by the length that was measured; an empty interval has no rows.",
+    (
+        _SCAN,
+        _MINUTES,
+        _BEGINS,
+        metres("above_m", "longer than this; empty for the shortest class"),
+        metres("up_to_m", "up to this long; empty for the longest class"),
+        integer("vehicles", "how many", required=True),
+        integer(
+            "near_limit",
+            "those of them whose 95 % interval holds a limit of the class: they may be of the next one",
+            required=True,
+        ),
+        _WAY,
+        *(integer(name, f"those of them with {words}", required=True) for name, words in _BY_AXLES.items()),
+        _LANE,
+    ),
+    folder=FOLDER,
+)
+TABLES = (INTERVALS, CLASSES)
+_PLAIN = [
+    name
+    for name, kind in get_type_hints(Interval).items()
+    if name in INTERVALS.header and kind is not Figure and name != "reasons"
+]
+_FIGURES = [name for name, kind in get_type_hints(Interval).items() if kind is Figure]
+
+
+def traffic_in(files: Files) -> tuple[ScanTraffic, ...]:
+    """The traffic of the vehicles that a package is of, from its tables; intervals of 1 minute first."""
+    watched = [
+        Watched(
+            int(row["id"]),
+            unsafe(row["name"]),
+            clock_of(
+                {
+                    "started_at": row["started_at"] or None,
+                    "time_zone": unsafe(row["time_zone"]),
+                    "u_start_s": figure_of(row["u_start_s"]),
+                }
+            ),
+            int(row["lines"]) / float(row["line_rate_hz"]) if row["lines"] else None,
+        )
+        for row in read_rows(files, "line_scans.csv")
+    ]
+    found = list(scanned_motions(files))
+    return tuple(
+        one for minutes in MINUTES for one in traffic_of_seen(watched, found, minutes, accepted_only=True)
+    )
+
+
+def traffic_rows(found: Sequence[ScanTraffic]) -> dict[str, Iterator[Cells]]:
+    """The rows of both tables by their paths."""
+    return {
+        INTERVALS.path: (_interval_row(scan, one) for scan in found for one in scan.intervals),
+        CLASSES.path: (row for scan in found for one in scan.intervals for row in _class_rows(scan, one)),
+    }
+
+
+def _key(scan: ScanTraffic, one: ShownInterval) -> Cells:
+    key: Cells = {"scan_id": scan.scan_id, "minutes": scan.minutes, "begins_at": one.begins_at}
+    return {**key, "direction": scan.direction, "lane": scan.lane}
+
+
+def _interval_row(scan: ScanTraffic, one: ShownInterval) -> Cells:
+    row: Cells = {**_key(scan, one), **{name: getattr(one.interval, name) for name in _PLAIN}}
+    for name in _FIGURES:
+        figure: Figure = getattr(one.interval, name)
+        row |= {name: figure.value, f"u_{name}": figure.u}
+    for each in one.percentiles:
+        name = f"p{each.percent:g}_speed_mps"
+        row |= {name: each.value, f"{name}_low": each.low, f"{name}_high": each.high}
+    return {**row, "reasons": joined(one.interval.reasons)}
+
+
+def _class_rows(scan: ScanTraffic, one: ShownInterval) -> Iterator[Cells]:
+    for kind in one.interval.classes if one.interval.vehicles else ():
+        yield {
+            **_key(scan, one),
+            "above_m": kind.above_m,
+            "up_to_m": kind.up_to_m,
+            "vehicles": kind.vehicles,
+            "near_limit": kind.near_limit,
+            **dict(zip(_BY_AXLES, kind.by_axles, strict=True)),
+        }

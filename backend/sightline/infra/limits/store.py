@@ -1,0 +1,48 @@
+"""So much of something within so long, over every process of the app: a moving window in the database."""
+
+import hashlib
+from dataclasses import dataclass
+from datetime import timedelta
+
+from sqlalchemy import delete, func, insert, select
+from sqlalchemy.orm import Session
+
+from sightline.infra.database.types import now
+from sightline.infra.limits.tables import counted
+
+#: No window is longer; what is older counts for none and goes.
+LONGEST_S = 3600
+
+
+@dataclass(frozen=True, slots=True)
+class Limit:
+    """`most` of `what` within `seconds`, for each key."""
+
+    what: str
+    most: int
+    seconds: int
+
+    def key(self, of: str) -> str:
+        return hashlib.sha256(f"{self.what}\n{of}".encode()).hexdigest()
+
+
+def has_room(session: Session, limit: Limit, of: str, amount: int = 1) -> bool:
+    """Whether so much more may be counted."""
+    since = now() - timedelta(seconds=limit.seconds)
+    c = counted.c
+    inside = select(func.coalesce(func.sum(c.amount), 0)).where(c.key == limit.key(of), c.at > since)
+    return int(session.execute(inside).scalar_one()) + amount <= limit.most
+
+
+def count_against(session: Session, limit: Limit, of: str, amount: int = 1) -> bool:
+    """Count so much, unless it is too much: then nothing is counted. In a write transaction, the only one."""
+    session.execute(delete(counted).where(counted.c.at <= now() - timedelta(seconds=LONGEST_S)))
+    if not has_room(session, limit, of, amount):
+        return False
+    session.execute(insert(counted), {"key": limit.key(of), "at": now(), "amount": amount})
+    return True
+
+
+def forget_counted(session: Session, limit: Limit, of: str) -> None:
+    """What was counted for this key counts no more."""
+    session.execute(delete(counted).where(counted.c.key == limit.key(of)))

@@ -1,0 +1,138 @@
+"""Sentences of answers in the language that the request asks for.
+
+The rooms below and what is stored speak English; here, at the edge, fields that hold sentences are said in
+the first language of `Accept-Language` that there is: by key where `said` beside an error names it, else
+found again by their text (`messages.recognised`). Names and notes of people are not looked at (that of an
+inset is the program's until somebody writes another), nor are documents (a pose, a package, a signed page),
+which are the same for everybody. Who asks for no language gets what is stored.
+"""
+
+from __future__ import annotations
+
+import json
+from typing import Any
+
+from starlette.datastructures import Headers, MutableHeaders
+from starlette.types import ASGIApp, Message, Receive, Scope, Send
+
+from sightline import messages
+from sightline.messages.recognised import translated
+
+_API = "/api/"
+#: The fields of answers that hold sentences of the program.
+SENTENCES = frozenset(
+    {
+        "advice", "caution", "cited_by", "consequence", "error", "flags", "message", "misalignment_words",
+        "misfits", "notes", "order", "order_note", "paper_note", "problem", "reason", "reasons", "reshoot",
+        "summary", "values", "vehicle_class", "verdict", "warning", "warnings", "words",
+    }
+)  # fmt: skip
+
+
+class Spoken:
+    def __init__(self, app: ASGIApp) -> None:
+        self.app = app
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        language = language_of(scope) if scope["type"] == "http" else messages.SOURCE
+        if language == messages.SOURCE:
+            await self.app(scope, receive, send)
+            return
+        await self.app(scope, receive, _Translating(send, language))
+
+
+class _Translating:
+    """Holds an answer in JSON back until it is whole; others go through as they come."""
+
+    def __init__(self, send: Send, language: str) -> None:
+        self._send, self._language = send, language
+        self._start: Message | None = None
+        self._body = b""
+
+    async def __call__(self, message: Message) -> None:
+        if message["type"] == "http.response.start" and _is_answer(Headers(raw=message["headers"])):
+            self._start = message
+        elif self._start is None:
+            await self._send(message)
+        else:
+            self._body += message.get("body", b"")
+            if not message.get("more_body", False):
+                await self._tell(self._start)
+
+    async def _tell(self, start: Message) -> None:
+        body = spoken(self._body, self._language)
+        headers = MutableHeaders(scope=start)
+        headers["Content-Length"] = str(len(body))
+        headers["Content-Language"] = self._language
+        headers.add_vary_header("Accept-Language")
+        await self._send(start)
+        await self._send({"type": "http.response.body", "body": body})
+
+
+def language_of(scope: Scope) -> str:
+    """The first language of the request that there is, by weight; English for documents and other paths."""
+    if not scope["path"].startswith(_API) or scope["path"].endswith(".json"):
+        return messages.SOURCE
+    wishes = Headers(scope=scope).get("accept-language", "")[:200].split(",")
+    for _, wish in sorted(((-_weight(one), one.split(";")[0].strip()) for one in wishes), key=lambda w: w[0]):
+        for name in (wish, wish.split("-")[0]):
+            if name in messages.languages():
+                return name
+    return messages.SOURCE
+
+
+def _weight(wish: str) -> float:
+    try:
+        return float(wish.partition(";q=")[2] or 1)
+    except ValueError:
+        return 0.0
+
+
+def _is_answer(headers: Headers) -> bool:
+    return headers.get("content-type") == "application/json" and "content-disposition" not in headers
+
+
+def spoken(body: bytes, language: str) -> bytes:
+    """JSON with its sentences in a language."""
+    if not body:
+        return body
+    said = _walked(json.loads(body), language)
+    return json.dumps(said, ensure_ascii=False, separators=(",", ":")).encode()
+
+
+def _walked(value: Any, language: str, sentence: bool = False) -> Any:
+    if isinstance(value, str):
+        return translated(value, language) if sentence else value
+    if isinstance(value, list):
+        return [_walked(one, language, sentence) for one in value]
+    if isinstance(value, dict):
+        of_error = sentence and "code" not in value
+        return {
+            key: _walked(one, language, key in SENTENCES or (of_error and isinstance(one, str)))
+            for key, one in value.items()
+        } | _said(value, language)
+    return value
+
+
+def _said(value: dict[str, Any], language: str) -> dict[str, Any]:
+    """What an object's other fields tell how to say; a recording failed as its last job did, with its key."""
+    error, job = value.get("error"), value.get("job")
+    of = value if value.get("said") else job if isinstance(job, dict) and job.get("error") == error else {}
+    if of.get("said") and isinstance(error, str):
+        return {"error": said_by_key(of["said"], error, language)}
+    if "inset_m" in value and isinstance(value.get("note"), str):
+        return {"note": translated(value["note"], language)}
+    return {}
+
+
+def said_by_key(said: dict[str, Any], english: str, language: str) -> str:
+    """The sentence of a key; the English where this program has no such key, as an older one's."""
+    values = {name: _value(one, language) for name, one in said["values"].items()}
+    try:
+        return messages.say(said["code"], values, language)
+    except (KeyError, ValueError):
+        return english
+
+
+def _value(one: str | float, language: str) -> str | float:
+    return translated(one, language) if isinstance(one, str) else one

@@ -1,0 +1,462 @@
+"""Baseline and divergence of a rig from a staff or board that passes both planes at several distances.
+
+What a pass tells. A scanning plane cuts the horizontal plane of the mark in a line, x_i = c_i + D tan(a_i)
+along the traffic at the distance D from the cameras. What lies between both, along the traffic, is
+
+    B(D) = x_2 - x_1 = b + q D,    b = c_2 - c_1 (baseline),    q = tan(a_2) - tan(a_1) (divergence),
+
+exact at any distance. So a pass at a known distance gives one number, the span B(D), and only b and q can be
+had: how far both planes are turned together, and where the pair stands along the road, shift x_1 and x_2
+alike and do not matter for a speed. One distance gives B there and nothing more; two give b and q; a third
+tests that the line is straight. A plane that leans along the traffic makes c_i depend on the height: the
+marks are to be as high as what is measured of vehicles, or the lean enters q unseen.
+
+How a pass gives a span:
+- positions: the staff is moved along a tape until each camera sees it; span = |position_2 - position_1|;
+- speed: the staff is carried at a known speed v; span = v |line_2 - line_1| / line rate;
+- board: a board of known width w, its edges as front and rear; speed and acceleration follow from the width,
+  seen twice, and the line rate cancels. With front and rear at f_1 = 0, r_1, f_2, r_2, in lines, and way p .
+  (t, t^2/2), way(r_1) = w and way(r_2) - way(f_2) = w are linear in p, and span = way(f_2). Exact for a
+  constant acceleration.
+
+What goes together. Each span errs by itself (lines, positions, a speed's own u). Errors shared: the taped
+distance of a stand (rows with one distance stand at one place), the width of one board, the scale of tape,
+speed and line rate. All stand in the covariance V of the spans; sensitivities to scales are taken at the
+fitted span, not the observed one, for weights made from observations pull a fit towards the small ones. b and
+q then follow from generalised least squares with covariance (A' V^-1 A)^-1 (JCGM 100:2008, 5.2.2; Aitken
+1936), and r' V^-1 r of the residuals is a chi-square with n - 2 degrees: what all passes share cannot show
+there.
+
+Douxchamps et al., section III, give only a result (593 mm; within 2 mm at 10 m) and leave the procedure to
+another report; nothing here is theirs.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from math import isfinite, sqrt
+
+import numpy as np
+import scipy
+from numpy.typing import NDArray
+
+from sightline.coverage import expanded
+from sightline.enums import RigPassKind
+from sightline.errors import BadInput
+from sightline.linescan.rig import BASELINE_M, DISTANCE_M, DIVERGENCE_RAD, baseline_at
+
+LEAST_PASSES = 3
+DEFAULT_U_LINE = 2.0  # standard uncertainty of a line that a person clicked, as of a wheel
+DEFAULT_U_DISTANCE_M = 0.01
+# Distances closer than this, as a share of their mean, are one distance.
+LEAST_SPREAD = 0.1
+# Less likely than this by chance: the passes contradict each other (refused), or are to be looked at (said).
+CONTRADICTION = 1e-4
+DOUBT = 0.025
+_ROUNDS = 4  # of the weights, which hang on the fitted spans; the second changes the last digits already
+_BEYOND = 0.5  # of the span of distances: a lane so far outside is told
+
+_NO_ORDER = (
+    "The board's lines are not in order: its front passes each camera before its rear, and both cameras "
+    "see the same edge first."
+)
+
+Floats = NDArray[np.float64]
+
+
+class RigPassError(ValueError):
+    """A pass tells nothing of the baseline; the message says why and what to do."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class RigPass:
+    """One pass of a staff or a board through both planes; of the three ways one has all its values.
+
+    Lines are those of `Crossings`; `u_line` of each. u_ are standard uncertainties (k = 1).
+    """
+
+    name: str
+    distance_m: float
+    u_distance_m: float = DEFAULT_U_DISTANCE_M
+    u_line: float = DEFAULT_U_LINE
+    position_1_m: float | None = None
+    position_2_m: float | None = None
+    u_position_m: float | None = None
+    speed_mps: float | None = None
+    u_speed_mps: float | None = None
+    line_1: float | None = None
+    line_2: float | None = None
+    width_m: float | None = None
+    u_width_m: float | None = None
+    front_line_1: float | None = None
+    rear_line_1: float | None = None
+    front_line_2: float | None = None
+    rear_line_2: float | None = None
+
+
+# What each way needs, in the order of the columns.
+VALUES: dict[RigPassKind, tuple[str, ...]] = {
+    "positions": ("position_1_m", "position_2_m", "u_position_m"),
+    "speed": ("speed_mps", "u_speed_mps", "line_1", "line_2"),
+    "board": ("width_m", "u_width_m", "front_line_1", "rear_line_1", "front_line_2", "rear_line_2"),
+}
+
+
+@dataclass(frozen=True, kw_only=True)
+class Common:
+    """What all passes share: the line rate (for passes of known speed), and scales of tape, speed, line rate.
+
+    `u_..._ratio` are shares (k = 1): 1e-4 is 0.01 %.
+    """
+
+    line_rate_hz: float | None = None
+    u_line_rate_ratio: float = 0.0
+    u_tape_ratio: float = 0.0
+    u_speed_ratio: float = 0.0
+
+
+@dataclass(frozen=True)
+class Span:
+    """What one pass says of B at its distance, m. `u_span_m`: by itself; `u_ratio`: by itself, a share of the
+    span; `shared`: what it shares with others by name, as shares of the span.
+    """
+
+    name: str
+    kind: RigPassKind
+    distance_m: float
+    u_distance_m: float
+    span_m: float
+    u_span_m: float
+    u_ratio: float = 0.0
+    shared: dict[str, float] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class FittedPass:
+    """A pass beside the fit: residual = span - fitted; its u holds all that is uncertain of the span."""
+
+    name: str
+    kind: RigPassKind
+    distance_m: float
+    span_m: float
+    u_span_m: float
+    fitted_m: float
+    residual_m: float
+    normalised: float
+
+
+@dataclass(frozen=True)
+class LaneBaseline:
+    """The baseline at a lane's distance, with the standard uncertainty that all speeds there share."""
+
+    distance_m: float
+    u_distance_m: float
+    baseline_m: float
+    u_baseline_m: float
+    warning: str | None = None
+
+
+@dataclass(frozen=True)
+class RigCalibration:
+    """Baseline at the cameras and divergence with their joint uncertainty; how well the passes agree.
+
+    `correlation` of both (nearly -1 where the passes are far away). `p_value`: the chance of a chi-square as
+    large. `nearest_m`, `farthest_m`: between these the straight line was seen.
+    """
+
+    baseline_m: float
+    u_baseline_m: float
+    divergence_rad: float
+    u_divergence_rad: float
+    correlation: float
+    chi2: float
+    degrees_of_freedom: int
+    p_value: float
+    nearest_m: float
+    farthest_m: float
+    passes: tuple[FittedPass, ...]
+    warnings: tuple[str, ...] = ()
+
+
+def kind_of(one: RigPass) -> RigPassKind:
+    """Which way a pass has the values of. Raises RigPassError where none is whole or two are begun."""
+    begun = [kind for kind, names in VALUES.items() if any(getattr(one, name) is not None for name in names)]
+    if not begun:
+        raise RigPassError("It has neither positions nor lines; give the values of one method.")
+    if len(begun) > 1:
+        raise RigPassError(
+            f"It has values of two methods ({begun[0]} and {begun[1]}); use a row of its own for each."
+        )
+    lacking = [name for name in VALUES[begun[0]] if getattr(one, name) is None]
+    if lacking:
+        raise RigPassError(f"The value {lacking[0]} is missing; fill it in.")
+    return begun[0]
+
+
+def span_of(one: RigPass, common: Common) -> Span:
+    """What a pass says of the baseline at its distance. Raises RigPassError saying what is wrong."""
+    kind = kind_of(one)
+    _require_values(one, kind)
+    if kind == "positions":
+        return _by_positions(one, common)
+    return _by_speed(one, common) if kind == "speed" else _by_board(one)
+
+
+def calibrate_rig(passes: Sequence[RigPass], common: Common | None = None) -> RigCalibration:
+    """Baseline and divergence from passes at two distances or more, by generalised least squares.
+
+    Raises BadInput in one sentence: a pass that cannot be, too few, distances too alike, passes that
+    contradict each other. The derivation stands above.
+    """
+    shared = common or Common()
+    _require_common(shared)
+    spans = [_span_by_name(one, shared) for one in passes]
+    _require_spread(spans)
+    distance, span = (np.array([getattr(one, name) for one in spans]) for name in ("distance_m", "span_m"))
+    # b and q by way of the middle of the distances, where they are hardly correlated: better conditioned
+    pivot = float(distance.mean())
+    design = np.column_stack([np.ones_like(distance), distance - pivot])
+    found = np.linalg.lstsq(design, span, rcond=None)[0]
+    for _ in range(_ROUNDS):
+        spread = _spread(spans, design @ found, float(found[1]), shared)
+        weighted = np.linalg.solve(spread, design)
+        covariance = np.linalg.inv(design.T @ weighted)
+        found = covariance @ (weighted.T @ span)
+    to_cameras = np.array([[1.0, -pivot], [0.0, 1.0]])
+    baseline, divergence = (float(one) for one in to_cameras @ found)
+    covariance = to_cameras @ covariance @ to_cameras.T
+    BASELINE_M.require(baseline)
+    DIVERGENCE_RAD.require(divergence)
+    fitted = _beside(
+        spans, design @ found, spread, spread - design @ np.linalg.solve(design.T @ weighted, design.T)
+    )
+    residual = span - design @ found
+    chi2, degrees = float(residual @ np.linalg.solve(spread, residual)), len(spans) - 2
+    p_value = float(scipy.stats.chi2.sf(chi2, degrees))
+    if p_value < CONTRADICTION:
+        _contradict(fitted, chi2, degrees)
+    u_baseline, u_divergence = (sqrt(one) for one in np.diag(covariance))
+    return RigCalibration(
+        baseline_m=baseline,
+        u_baseline_m=u_baseline,
+        divergence_rad=divergence,
+        u_divergence_rad=u_divergence,
+        correlation=float(np.clip(covariance[0, 1] / (u_baseline * u_divergence), -1.0, 1.0)),
+        chi2=chi2,
+        degrees_of_freedom=degrees,
+        p_value=p_value,
+        nearest_m=float(distance.min()),
+        farthest_m=float(distance.max()),
+        passes=fitted,
+        warnings=_warnings(p_value, fitted),
+    )
+
+
+def lane_baseline(found: RigCalibration, distance_m: float, u_distance_m: float = 0.0) -> LaneBaseline:
+    """The baseline at a lane's distance: B = b + q D, u by the joint covariance and the distance's own u.
+
+    Raises BadInput for a distance that cannot be. A warning where the lane lies far outside the passes.
+    """
+    DISTANCE_M.require(distance_m)
+    baseline, u = baseline_at(
+        (found.baseline_m, found.u_baseline_m),
+        (found.divergence_rad, found.u_divergence_rad),
+        found.correlation,
+        (distance_m, u_distance_m),
+    )
+    beyond = max(found.nearest_m - distance_m, distance_m - found.farthest_m)
+    warning = None
+    if beyond > _BEYOND * (found.farthest_m - found.nearest_m):
+        warning = (
+            f"{distance_m:.2f} m is far outside the passes ({found.nearest_m:.2f} to "
+            f"{found.farthest_m:.2f} m), so the baseline there is extrapolated; add a pass at this "
+            "distance."
+        )
+    return LaneBaseline(distance_m, u_distance_m, baseline, u, warning)
+
+
+def _span_by_name(one: RigPass, common: Common) -> Span:
+    try:
+        return span_of(one, common)
+    except RigPassError as error:
+        raise BadInput("linescan-rig-pass", name=one.name, sentence=error) from None
+
+
+def _by_positions(one: RigPass, common: Common) -> Span:
+    first, second, u = _numbers(one, "position_1_m", "position_2_m", "u_position_m")
+    return Span(
+        name=one.name,
+        kind="positions",
+        distance_m=one.distance_m,
+        u_distance_m=one.u_distance_m,
+        span_m=_span(one, abs(second - first)),
+        u_span_m=sqrt(2.0) * u,
+        shared={"tape": common.u_tape_ratio},
+    )
+
+
+def _by_speed(one: RigPass, common: Common) -> Span:
+    speed, u_speed, first, second = _numbers(one, *VALUES["speed"])
+    if common.line_rate_hz is None:
+        raise RigPassError("Its speed needs the line rate of the cameras; give it.")
+    return Span(
+        name=one.name,
+        kind="speed",
+        distance_m=one.distance_m,
+        u_distance_m=one.u_distance_m,
+        span_m=_span(one, speed * abs(second - first) / common.line_rate_hz),
+        u_span_m=sqrt(2.0) * one.u_line * speed / common.line_rate_hz,
+        u_ratio=u_speed / speed,
+        shared={"speed": common.u_speed_ratio, "line rate": common.u_line_rate_ratio},
+    )
+
+
+def _by_board(one: RigPass) -> Span:
+    """Way, speed and acceleration by lines: the line rate cancels.
+
+    An error of a crossing acts as the way gone in it, v(t) dt; one of f_1 shifts all the others back.
+    """
+    width, u_width, *lines = _numbers(one, *VALUES["board"])
+    if lines[2] < lines[0]:
+        lines = [*lines[2:], *lines[:2]]  # it went the other way: camera 2 saw it first
+    rear_1, front_2, rear_2 = (line - lines[0] for line in lines[1:])
+    if not (rear_1 > 0 and rear_2 > front_2 > 0):
+        raise RigPassError(_NO_ORDER)
+    ways = np.array([[rear_1, rear_1**2 / 2], [rear_2 - front_2, (rear_2**2 - front_2**2) / 2]])
+    if abs(np.linalg.det(ways)) < 1e-9 * rear_2**3:
+        raise RigPassError(_NO_ORDER)
+    reach = np.array([front_2, front_2**2 / 2])
+    motion = np.linalg.solve(ways, [width, width])
+    gone = np.array([motion[0] + motion[1] * t for t in (0.0, rear_1, front_2, rear_2)])
+    if gone.min() < 0.2 * gone.max():
+        raise RigPassError("The board stopped or nearly stopped between the planes; carry it through evenly.")
+    by_width = np.linalg.solve(ways.T, reach)
+    due = np.array([-by_width[0] * gone[1], gone[2] * (1 + by_width[1]), -by_width[1] * gone[3]])
+    span = _span(one, float(reach @ motion))
+    return Span(
+        name=one.name,
+        kind="board",
+        distance_m=one.distance_m,
+        u_distance_m=one.u_distance_m,
+        span_m=span,
+        u_span_m=one.u_line * float(np.sqrt(due @ due + due.sum() ** 2)),
+        shared={f"width {width!r}": u_width / width},
+    )
+
+
+def _numbers(one: RigPass, *names: str) -> list[float]:
+    return [float(getattr(one, name)) for name in names]
+
+
+def _span(one: RigPass, span_m: float) -> float:
+    if not BASELINE_M.least <= span_m <= BASELINE_M.most:
+        raise RigPassError(
+            f"It gives a baseline of {span_m:.4g} m, outside the range of {BASELINE_M.least:g} to "
+            f"{BASELINE_M.most:g} m; correct its values."
+        )
+    return span_m
+
+
+def _require_values(one: RigPass, kind: RigPassKind) -> None:
+    """All are numbers; what cannot be 0 or less is more (also the u of a line and of a position)."""
+    names = ("distance_m", "u_distance_m", "u_line", *VALUES[kind])
+    for name in names:
+        value = getattr(one, name)
+        positive = name in ("distance_m", "speed_mps", "width_m", "u_line", "u_position_m")
+        least = 0.0 if name.startswith("u_") or positive else -np.inf
+        if not isfinite(value) or value < least or (positive and value == 0):
+            raise RigPassError(f"The value {name} is out of range: {value:.6g}; correct it.")
+    if not DISTANCE_M.least <= one.distance_m <= DISTANCE_M.most:
+        raise RigPassError(f"The value distance_m cannot be {one.distance_m:.6g}; correct it.")
+
+
+def _require_common(common: Common) -> None:
+    shares = (common.u_line_rate_ratio, common.u_tape_ratio, common.u_speed_ratio)
+    if not all(isfinite(one) and 0 <= one <= 0.1 for one in shares):
+        raise BadInput("linescan-rig-common")
+
+
+def _require_spread(spans: Sequence[Span]) -> None:
+    if len(spans) < LEAST_PASSES:
+        raise BadInput("linescan-rig-few-passes", count=len(spans), least=LEAST_PASSES)
+    distances = [one.distance_m for one in spans]
+    wide = max(distances) - min(distances)
+    unsure = 4 * max(one.u_distance_m for one in spans)
+    if wide < max(LEAST_SPREAD * sum(distances) / len(distances), unsure):
+        raise BadInput(
+            "linescan-rig-distances-alike",
+            nearest_m=format(min(distances), ".3f"),
+            farthest_m=format(max(distances), ".3f"),
+        )
+    for name in sorted({name for one in spans for name in one.shared if name.startswith("width ")}):
+        if len({one.shared[name] for one in spans if name in one.shared}) > 1:
+            raise BadInput("linescan-rig-width-two-u", width_m=name.removeprefix("width "))
+    for distance in sorted(set(distances)):
+        if len({one.u_distance_m for one in spans if one.distance_m == distance}) > 1:
+            raise BadInput("linescan-rig-distance-two-u", distance_m=format(distance, ".3f"))
+
+
+def _spread(spans: Sequence[Span], fitted: Floats, divergence: float, common: Common) -> Floats:
+    """(n, n) covariance of the spans, m^2, with the sensitivities at the fitted spans."""
+    own = np.array([one.u_span_m for one in spans]) ** 2
+    own += (np.array([one.u_ratio for one in spans]) * fitted) ** 2
+    distance = np.array([one.distance_m for one in spans])
+    columns = {
+        name: np.array([one.shared.get(name, 0.0) for one in spans]) * fitted
+        for name in sorted({name for one in spans for name in one.shared})
+    }
+    # a tape that is too long makes spans too short that were taped, and every distance
+    columns["tape"] = columns.get("tape", 0.0) - divergence * distance * common.u_tape_ratio
+    for stand in np.unique(distance):
+        u_stand = max(one.u_distance_m for one in spans if one.distance_m == stand)
+        columns[f"stand {stand}"] = np.where(distance == stand, divergence * u_stand, 0.0)
+    together = np.column_stack(list(columns.values()))
+    return np.asarray(np.diag(own) + together @ together.T)
+
+
+def _beside(
+    spans: Sequence[Span], fitted: Floats, spread: Floats, of_residuals: Floats
+) -> tuple[FittedPass, ...]:
+    """`of_residuals` (n, n): the covariance that the residuals have, V - A (A' V^-1 A)^-1 A'."""
+    left = np.sqrt(np.maximum(np.diag(of_residuals), 1e-3 * np.diag(spread)))
+    return tuple(
+        FittedPass(
+            name=one.name,
+            kind=one.kind,
+            distance_m=one.distance_m,
+            span_m=one.span_m,
+            u_span_m=sqrt(spread[at, at]),
+            fitted_m=float(fitted[at]),
+            residual_m=float(one.span_m - fitted[at]),
+            normalised=float((one.span_m - fitted[at]) / left[at]),
+        )
+        for at, one in enumerate(spans)
+    )
+
+
+def _contradict(fitted: Sequence[FittedPass], chi2: float, degrees: int) -> None:
+    worst = max(fitted, key=lambda one: abs(one.normalised))
+    raise BadInput(
+        "linescan-rig-contradict",
+        chi2=format(chi2, ".1f"),
+        degrees=degrees,
+        name=worst.name,
+        residual_mm=format(1000 * abs(worst.residual_m), ".2f"),
+        expected_mm=format(1000 * expanded(abs(worst.residual_m / worst.normalised)), ".2f"),
+    )
+
+
+def _warnings(p_value: float, fitted: Sequence[FittedPass]) -> tuple[str, ...]:
+    worst = max(fitted, key=lambda one: abs(one.normalised))
+    said = []
+    if p_value < DOUBT:
+        said.append(
+            f"The passes differ by more than their uncertainties explain (p = {100 * p_value:.2g} "
+            f"%); check pass {worst.name} first."
+        )
+    if p_value > 1 - DOUBT:
+        said.append("The passes agree better than their stated uncertainties; these may be too large.")
+    if len({one.distance_m for one in fitted}) == 2:
+        said.append("Two distances cannot test whether the baseline changes linearly; add a third.")
+    return tuple(said)

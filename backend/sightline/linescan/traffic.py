@@ -1,0 +1,280 @@
+"""Traffic of one lane past camera 1, interval by interval: flow, speeds, occupancy, density, lengths.
+
+Intervals follow the clocks of the place: an interval of 5 minutes begins at a full hour or 5, 10, ... minutes
+after it. One that the recording only touches is partial, and its figures are of the time that was watched.
+
+Every vehicle that was found counts for flow and occupancy, also one that could not be measured or whose
+motion was rejected; speeds and lengths are of those whose motion counts. The mean of the speeds at camera 1
+is the time mean speed; their harmonic mean is the space mean speed, as a stretch of road shows it (Wardrop
+1952). Flow over space mean speed is the density. Occupancy is the share of the time that some vehicle stood
+before camera 1; vehicles beside each other are counted once.
+
+Uncertainties (k = 1) are those of measuring. A count has none of its own; `near_edge` says how many vehicles
+passed so near to an edge that the clock leaves it open on which side (95 %). `flow_low` and `flow_high` are
+the exact 95 % interval of the rate of a Poisson process that such a count comes from (Garwood 1936): what to
+expect of as long a time again, where vehicles come independently of each other.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import lru_cache
+from itertools import pairwise
+from math import hypot, sqrt
+
+import numpy as np
+import scipy
+from numpy.typing import NDArray
+
+from sightline.coverage import COVERAGE_95
+
+#: Lengths of an interval, minutes.
+MINUTES = (1, 5, 15, 60)
+#: Between the four length classes of England's trunk road counters (National Highways): up to 5.2 m, ...
+LENGTH_LIMITS_M = (5.2, 6.6, 11.6)
+#: From so many axles on they are counted together.
+MANY_AXLES = 5
+_HOUR_S = 3600.0
+_TAIL = 0.025
+_NO_SPEED = "No vehicle here has an accepted speed."
+_NO_OCCUPANCY_U = (
+    "The uncertainty of the occupancy is not known: {count} of the vehicles here have no motion."
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Passed:
+    """A vehicle that passed camera 1, `since_s` after line 0 and for `occupied_s`.
+
+    `u_since_s`: of its time of day, None where unknown. The rest is None where no motion of it counts.
+    `rig_ratio`: the share of `u_speed_mps` that the rig gives to all vehicles alike, over the speed.
+    """
+
+    since_s: float
+    occupied_s: float
+    u_since_s: float | None = None
+    speed_mps: float | None = None
+    u_speed_mps: float | None = None
+    length_m: float | None = None
+    u_length_m: float | None = None
+    rig_ratio: float = 0.0
+    axles: int | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Figure:
+    """A number with its standard uncertainty; both None where there is none."""
+
+    value: float | None = None
+    u: float | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class LengthClass:
+    """Vehicles of one length class: longer than `above_m`, None: any, and up to `up_to_m`, None: any.
+
+    `near_limit`: those of them that lie within their 95 % interval of a limit, and may be of the next class.
+    `by_axles`: of them with 2, 3, 4, and 5 or more axles, and those whose axles are not known (or only one).
+    """
+
+    above_m: float | None
+    up_to_m: float | None
+    vehicles: int
+    near_limit: int
+    by_axles: tuple[int, int, int, int, int] = (0, 0, 0, 0, 0)
+
+
+@dataclass(frozen=True, slots=True)
+class Interval:
+    """Traffic of `watched_s` seconds that begin `begin_s` after the first line's; see the module.
+
+    `vehicles`: how many fronts passed; `measured`: those with a speed that counts; `unclassed`: those without
+    a length that counts. `speeds_mps`: the speeds, rising. `reasons`: why a figure is missing.
+    """
+
+    begin_s: float
+    watched_s: float
+    partial: bool
+    vehicles: int
+    near_edge: int
+    measured: int
+    flow_per_hour: float
+    flow_low: float
+    flow_high: float
+    mean_headway_s: float | None
+    time_mean_speed_mps: Figure
+    space_mean_speed_mps: Figure
+    occupancy_percent: Figure
+    density_per_km: Figure
+    classes: tuple[LengthClass, ...]
+    unclassed: int
+    speeds_mps: tuple[float, ...]
+    reasons: tuple[str, ...]
+
+
+def intervals(
+    passed: Sequence[Passed],
+    watched_s: float,
+    into_hour_s: float,
+    minutes: int,
+    limits_m: Sequence[float] = LENGTH_LIMITS_M,
+) -> tuple[Interval, ...]:
+    """The intervals of `minutes` that a recording of `watched_s` touches, in order.
+
+    `passed`: rising by `since_s`. `into_hour_s`: what clocks of the place showed beyond an hour at line 0.
+    `limits_m`: rising. Raises ValueError for minutes that do not divide an hour.
+    """
+    if minutes < 1 or 60 % minutes:
+        raise ValueError("Minutes of an interval must divide an hour.")
+    long_s = 60.0 * minutes
+    end_s = max([watched_s, *(one.since_s + one.occupied_s for one in passed)])
+    headways = [None, *(behind.since_s - ahead.since_s for ahead, behind in pairwise(passed))]
+    covered, fronts_s = _covered(passed), np.array([one.since_s for one in passed])
+    out = []
+    first = int(into_hour_s // long_s)
+    at = first * long_s - into_hour_s
+    while at < end_s:
+        begin_s, stop_s = max(at, 0.0), min(at + long_s, end_s)
+        begin = int(np.searchsorted(fronts_s, begin_s))
+        stop = len(passed) if stop_s == end_s else int(np.searchsorted(fronts_s, stop_s))
+        out.append(
+            _interval(
+                passed[begin:stop],
+                [gap for gap in headways[begin:stop] if gap is not None],
+                _overlap(covered, begin_s, stop_s),
+                (begin_s, stop_s),
+                stop_s - begin_s < long_s,
+                limits_m,
+            )
+        )
+        first += 1
+        at = first * long_s - into_hour_s
+    return tuple(out)
+
+
+def _interval(
+    inside: Sequence[Passed],
+    headways: Sequence[float],
+    occupied_s: float,
+    span: tuple[float, float],
+    partial: bool,
+    limits_m: Sequence[float],
+) -> Interval:
+    watched_s = span[1] - span[0]
+    moving = [one for one in inside if one.speed_mps]
+    flow = _HOUR_S * len(inside) / watched_s
+    low, high = poisson_interval(len(inside))
+    time_mean, space_mean = mean_speeds(moving)
+    occupancy = Figure(100 * occupied_s / watched_s, _u_occupancy(inside, watched_s))
+    reasons = [] if moving else [_NO_SPEED]
+    if occupancy.u is None:
+        reasons.append(_NO_OCCUPANCY_U.format(count=len(inside) - len(moving)))
+    lengths = [one for one in inside if one.length_m is not None]
+    return Interval(
+        begin_s=span[0],
+        watched_s=watched_s,
+        partial=partial,
+        vehicles=len(inside),
+        near_edge=sum(_near_edge(one, span) for one in inside),
+        measured=len(moving),
+        flow_per_hour=flow,
+        flow_low=_HOUR_S * low / watched_s,
+        flow_high=_HOUR_S * high / watched_s,
+        mean_headway_s=sum(headways) / len(headways) if headways else None,
+        time_mean_speed_mps=time_mean,
+        space_mean_speed_mps=space_mean,
+        occupancy_percent=occupancy,
+        density_per_km=_density(flow, space_mean),
+        classes=length_classes(lengths, limits_m),
+        unclassed=len(inside) - len(lengths),
+        speeds_mps=tuple(sorted(one.speed_mps for one in moving if one.speed_mps)),
+        reasons=tuple(reasons),
+    )
+
+
+@lru_cache(maxsize=10_000)
+def poisson_interval(count: int) -> tuple[float, float]:
+    """The exact 95 % interval of a Poisson process's mean, of which so many came (Garwood 1936)."""
+    low = float(scipy.stats.chi2.ppf(_TAIL, 2 * count)) / 2 if count else 0.0
+    return low, float(scipy.stats.chi2.ppf(1 - _TAIL, 2 * count + 2)) / 2
+
+
+def mean_speeds(moving: Sequence[Passed]) -> tuple[Figure, Figure]:
+    """Time mean and space mean speed. What the rig gives to all alike does not shrink with their number."""
+    speeds = [one.speed_mps for one in moving if one.speed_mps]
+    if not speeds:
+        return Figure(), Figure()
+    n, ratio = len(speeds), max(one.rig_ratio for one in moving)
+    time_mean, space_mean = sum(speeds) / n, n / sum(1 / speed for speed in speeds)
+    own = [
+        sqrt(max((one.u_speed_mps or 0.0) ** 2 - (one.rig_ratio * speed) ** 2, 0.0))
+        for one, speed in zip(moving, speeds, strict=True)
+    ]
+    u_time = hypot(ratio * time_mean, hypot(*own) / n)
+    weighed = [space_mean**2 / (n * speed**2) * u for speed, u in zip(speeds, own, strict=True)]
+    return Figure(time_mean, u_time), Figure(space_mean, hypot(ratio * space_mean, *weighed))
+
+
+def length_classes(measured: Sequence[Passed], limits_m: Sequence[float]) -> tuple[LengthClass, ...]:
+    """How many vehicles lie between the limits; a length at a limit belongs to the shorter class."""
+    edges: list[float | None] = [None, *limits_m, None]
+    return tuple(_class_between(measured, above, up_to) for above, up_to in pairwise(edges))
+
+
+def _class_between(measured: Sequence[Passed], above: float | None, up_to: float | None) -> LengthClass:
+    inside = [
+        one
+        for one in measured
+        if one.length_m is not None
+        and (above is None or one.length_m > above)
+        and (up_to is None or one.length_m <= up_to)
+    ]
+    near = [
+        one
+        for one in inside
+        if one.length_m is not None
+        and any(
+            limit is not None and abs(one.length_m - limit) <= COVERAGE_95 * (one.u_length_m or 0.0)
+            for limit in (above, up_to)
+        )
+    ]
+    axles = [one.axles or 0 for one in inside]
+    known = (axles.count(2), axles.count(3), axles.count(4), sum(count >= MANY_AXLES for count in axles))
+    return LengthClass(above, up_to, len(inside), len(near), (*known, len(axles) - sum(known)))
+
+
+def _density(flow_per_hour: float, space_mean: Figure) -> Figure:
+    """Vehicles a kilometre: flow over space mean speed; its u is that of the speed."""
+    if space_mean.value is None or space_mean.u is None:
+        return Figure()
+    value = flow_per_hour / (3.6 * space_mean.value)
+    return Figure(value, value * space_mean.u / space_mean.value)
+
+
+def _near_edge(one: Passed, span: tuple[float, float]) -> bool:
+    reach_s = COVERAGE_95 * (one.u_since_s or 0.0)
+    return any(abs(one.since_s - edge) <= reach_s for edge in span)
+
+
+def _u_occupancy(inside: Sequence[Passed], watched_s: float) -> float | None:
+    """Each vehicle's time before the camera is known at least as well as its length over its speed."""
+    if any(not one.speed_mps or one.u_length_m is None for one in inside):
+        return None
+    each_s = [(one.u_length_m or 0.0) / (one.speed_mps or 1.0) for one in inside]
+    return 100 * hypot(*each_s) / watched_s if each_s else 0.0
+
+
+def _covered(passed: Sequence[Passed]) -> NDArray[np.float64]:
+    """Stretches (n, 2) of time in which some vehicle stood before camera 1, apart from each other."""
+    out: list[tuple[float, float]] = []
+    for one in passed:
+        begin, end = one.since_s, one.since_s + one.occupied_s
+        if out and begin <= out[-1][1]:
+            out[-1] = (out[-1][0], max(out[-1][1], end))
+        else:
+            out.append((begin, end))
+    return np.array(out, dtype=np.float64).reshape(-1, 2)
+
+
+def _overlap(covered: NDArray[np.float64], begin_s: float, stop_s: float) -> float:
+    within = np.minimum(covered[:, 1], stop_s) - np.maximum(covered[:, 0], begin_s)
+    return float(within[within > 0].sum())

@@ -1,0 +1,48 @@
+"""The frames of one pass of a video, in memory, with their times."""
+
+from contextlib import closing
+from pathlib import Path
+
+from sightline.errors import BadInput
+from sightline.geometry.follow_pass import PassFrame
+from sightline.media.video.decode import (
+    NO_PTS,
+    decoded,
+    frame_pts,
+    open_container,
+    same_size,
+    video_stream,
+)
+from sightline.media.video.picture import layout_of, upright_gray
+
+
+def frames_between(path: Path, first: int, last: int, size_px: tuple[int, int], name: str) -> list[PassFrame]:
+    """Frames `first` to `last`, upright, as far as the video has them; `size_px`: width and height.
+
+    Raises BadInput for what is no video, one of another size, or one without times.
+    """
+    out: list[PassFrame] = []
+    with closing(open_container(path, name)) as container:
+        stream = video_stream(container, name)
+        layout, n = None, -1
+        for frame in decoded(container, stream):
+            layout = layout or layout_of(frame, stream.sample_aspect_ratio)
+            if (layout.width_px, layout.height_px) != size_px:
+                raise BadInput(
+                    "measurements-road-pose-pictures-x-px-not",
+                    name=name,
+                    size_px=size_px[0],
+                    size_px_2=size_px[1],
+                )
+            if not same_size(frame, layout):
+                continue
+            n += 1
+            if n > last:
+                break
+            if n < first:
+                continue
+            pts, base = frame_pts(frame), frame.time_base
+            if pts == NO_PTS or base is None:
+                raise BadInput("video-no-times-follow", name=name)
+            out.append(PassFrame(n, float(pts * base), upright_gray(frame, layout)))
+    return out

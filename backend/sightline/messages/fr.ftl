@@ -1,0 +1,7165 @@
+# Ce que dit Sightline, en français : écrans, erreurs, notes, rapport et ligne de commande. La source est en.ftl, à côté,
+# dont ce fichier a les clés, les valeurs et les parties marquées, dans le même ordre.
+
+## Mots du domaine : les cibles, et où pointer chacune
+
+target-roof = Toit
+target-driver_eye = Œil du conducteur
+target-taillight = Feu arrière
+target-headlight = Projecteur
+target-other = Autre
+target-noun-roof = toit
+target-noun-driver_eye = œil du conducteur
+target-noun-taillight = feu arrière
+target-noun-headlight = projecteur
+target-noun-other = autre
+target-hint-roof = le bord proche du toit, là où il est le plus haut (pour le sommet du bombé, choisissez-le à côté du toit)
+target-hint-driver_eye = l’œil du conducteur
+target-hint-taillight = le bord inférieur de la plage éclairante du feu arrière
+target-hint-headlight = le bord inférieur du projecteur
+target-hint-other = le point dont vous voulez la hauteur
+
+not-visible-hidden = masqué par un autre véhicule
+not-visible-glare = éblouissement
+not-visible-too_dark = trop sombre
+not-visible-outside = hors de l’image
+not-visible-own_body = masqué par le véhicule lui-même
+not-visible-no_driver = aucun conducteur visible
+direction-right = vers la droite
+direction-left = vers la gauche
+side-near = côté proche
+side-far = côté éloigné
+inset-near-edge = bord proche
+inset-crown = sommet
+inset-driver_eye_near = Œil du conducteur, côté proche
+inset-driver_eye_far = Œil du conducteur, côté éloigné
+
+## Mots du domaine : comment on circule sur un site
+
+traffic-title = Circulation et caméra
+traffic-help = On en déduit, selon le sens de chaque véhicule, si le conducteur est assis du côté de la caméra (proche) ou du côté opposé (éloigné). Sans ces données, aucun œil de conducteur n’a de hauteur.
+traffic-not-said = Non indiqué
+traffic-side = Circulation
+traffic-right = à droite
+traffic-left = à gauche
+traffic-steering = Volant, en général
+wheel-left = à gauche
+wheel-right = à droite
+traffic-camera = Place de la caméra
+place-title = Lieu et route
+place-latitude = Latitude (WGS84)
+place-longitude = Longitude
+place-coordinates-problem = Les coordonnées sont en degrés décimaux, comme 49.44315 et 1.09932 ; sud et ouest sont négatifs.
+place-road = Type de route
+place-roads = autoroute; route à chaussées séparées; route bidirectionnelle, rase campagne; artère urbaine; rue; voie de desserte
+place-lane = Voie mesurée
+place-lanes = voie 1, près de l’accotement; voie 2; les deux voies; toutes les voies d’un sens
+place-travel = Sens de circulation
+place-travel-example = vers Rouen, direction nord
+place-limit = Vitesse limite
+place-limit-is = limitée à { $limit }
+place-limit-problem = Une vitesse limite est un nombre de { $unit }.
+place-lamps = Éclairage public
+place-lamps-present = présent
+place-lamps-none = absent
+place-lamps-are = { $lamps ->
+    [present] éclairage public
+   *[none] pas d’éclairage public
+}
+place-not-said = Non indiqué
+place-zone = Fuseau horaire
+place-zone-hint = Celui des horloges du lieu, comme Europe/Paris ; proposé pour chaque enregistrement.
+camera-verge = sur l’accotement
+camera-median = sur le terre-plein central
+
+asked-title = Cibles à mesurer
+asked-help = Un véhicule est mesuré quand chacune de ces cibles est mesurée ou déclarée non visible.
+asked-none = Choisissez au moins une cible de jour et une en faible luminosité.
+
+## Mots du domaine : états des véhicules, mesures, enregistrements, tâches, étalonnages, personnes
+
+state-to_do = à faire
+state-partial = mesuré en partie
+state-measured = mesuré
+state-not_visible = non visible
+state-out_of_sample = Hors échantillon
+state-discarded = Écarté
+state-to_review = à vérifier
+state-accepted = validé
+state-fixed = corrigé
+state-rejected = rejeté
+state-reopened = rouvert
+state-withdrawn = retiré
+state-not_measurable = non mesurable
+state-done = terminée
+state-next = à suivre
+state-begun = en cours
+state-waiting = en attente
+state-ingesting = import en cours
+state-ready = prêt
+state-failed = échec
+state-queued = en attente
+state-running = en cours
+state-cancelled = annulée
+state-trusted = fiable
+state-not_trusted = non fiable
+state-used = utilisée
+state-left_out = exclue
+state-active = actif
+state-inactive = désactivé
+
+## Mots du domaine : la luminosité et les types de véhicules
+
+lighting-daytime = De jour
+lighting-low_light = Faible luminosité
+lighting-noun-daytime = de jour
+lighting-noun-low_light = faible luminosité
+category-hatchback = Voiture à hayon
+category-saloon = Berline
+category-estate = Break
+category-suv = SUV
+category-multi_purpose = Monospace
+category-pickup = Pick-up
+category-van = Fourgon
+category-lorry = Camion
+category-tractor_unit = Tracteur routier
+category-bus = Bus ou autocar
+category-recreational_vehicle = Camping-car
+category-trailer = Remorque ou caravane
+category-motorcycle = Motocyclette
+category-other = Autre
+
+## Groupes de classes de véhicules
+
+class-set-passenger_cars = Voitures particulières
+class-set-light_trucks = Utilitaires légers et monospaces
+class-set-heavy = Poids lourds
+class-set-none = aucun groupe
+class-choice = Classes
+discarded-no_vehicle = écarté : pas un véhicule
+discarded-twice = écarté : trouvé deux fois
+discarded-cut_off = écarté : coupé par l’enregistrement
+discarded-stopped = écarté : à l’arrêt ou en train de tourner
+discarded-other = écarté : autre motif (voir les notes)
+sample-title = Échantillon
+sample-edit = Modifier l’échantillon
+sample-dialog = Passages à mesurer
+sample-method = Passages
+sample-method-help = La règle suit le numéro du passage : un passage trouvé plus tard ne change pas la sélection des autres. Les passages non retenus sont marqués « hors échantillon ».
+sample-every = tous les passages
+sample-nth = un passage sur n
+sample-share = une part aléatoire, tirée avec une graine
+sample-step = n
+sample-step-problem = Un nombre entier de 2 à 1000.
+sample-start = Premier numéro
+sample-start-problem = Un nombre entier de 1 à n.
+sample-share-percent = Part
+sample-share-problem = Plus de 0 et au plus 100 %.
+sample-seed = Graine
+sample-seed-problem = Un nombre entier.
+sample-free = Véhicules libres : temps intervéhiculaire minimal
+sample-free-help = Par sens, du début d’un passage au suivant ; vide : tous les véhicules. 5 s est usuel.
+sample-free-problem = En secondes, plus de 0 et au plus 60.
+sample-quotas = Quotas
+sample-quotas-help = Combien de véhicules vous voulez de chaque type ; vide : pas de quota. Leur avancement s’affiche à côté des passages pendant la mesure.
+sample-quota-problem = Un nombre entier à partir de 1.
+sample-quota = { NUMBER($measured) } sur { NUMBER($wanted) }
+sample-any-class = toutes classes
+sample-response = Bilan des passages
+sample-lighting = Luminosité
+sample-classes = Classes
+sample-of = cible
+sample-passes = Passages
+sample-discarded = Écartés
+sample-out = Hors éch.
+sample-measured = Mesurés
+sample-unseen = Non visibles
+sample-outside = { $count ->
+    [one] { $count } passage a été mesuré bien qu’il soit hors échantillon, et compte dans les résultats.
+   *[other] { $count } passages ont été mesurés bien qu’ils soient hors échantillon, et comptent dans les résultats.
+}
+sample-open = À faire
+sample-rate = Taux de réponse
+sample-rate-of = { $rate } % ({ $low } à { $high })
+sample-all = toutes
+sample-unknown = inconnue
+sample-vehicle = véhicule
+sample-help = Taux de réponse : passages mesurés sur passages de l’échantillon, avec son intervalle exact à 95 %. S’il diffère entre groupes, les véhicules mesurés peuvent ne pas représenter le trafic.
+sample-rule = { $method ->
+    [nth] Un passage sur { NUMBER($step) } est à mesurer, à partir du numéro { NUMBER($start) }.
+    [share] Une part aléatoire de { $share } % des passages est à mesurer (graine { $seed }).
+   *[every] Tous les passages sont à mesurer.
+}
+sample-rule-free = Seulement les véhicules dont le temps intervéhiculaire est d’au moins { $seconds } s.
+class-choice-any = toutes les classes
+class-choice-help = Groupes et classes de véhicules qui comptent ; sans choix : tous
+class-choice-sets = Groupes
+class-choice-classes = Classes
+checklist-all = Tout
+classes-open = Classes
+classes-title = Classes de véhicules
+classes-help = Les groupes qui peuvent limiter statistiques, quotas et archives, et les classes légales que nomme l’archive. Une modification vaut aussi pour tout ce qui est déjà mesuré : le groupe d’un véhicule découle de sa classe.
+classes-class = Classe
+classes-set = Groupe
+classes-set-of = Groupe de la classe { $category }
+classes-eu = UE
+classes-eu-of = Classes UE de la classe { $category }
+classes-eu-problem = Classes de l’UE : L, M1 à M3, N1 à N3, O1 à O4 ou T.
+classes-fhwa = FHWA
+classes-fhwa-of = Classes FHWA de la classe { $category }
+classes-fhwa-problem = Numéros de 1 à 13, comme « 5 6 7 » ou « 8-13 ».
+
+## Rôles des personnes
+
+role-viewer = Lecteur
+role-operator = Opérateur
+role-reviewer = Vérificateur
+role-admin = Administrateur
+role-manager = Gestionnaire
+
+## Pages : leurs noms dans le menu latéral, le titre de la fenêtre et les liens
+
+page-sign-in = Se connecter
+page-surveys = Relevés
+page-survey = Vue d’ensemble
+page-planning = Préparation du site
+page-camera = Étalonnage caméra
+page-recordings = Enregistrements
+page-pose = Pose de la caméra
+page-measure = Mesure
+page-checks = Contrôles
+page-review = Vérification
+page-repeats = Répétabilité
+page-click-again = Répétitions en aveugle
+page-scans = Balayages
+page-scan-results = Vitesses et intervalles
+page-scan = Balayage
+page-live = En direct
+page-export = Export
+page-statistics = Statistiques
+page-sight-distance = Distance de visibilité
+page-studies = Études
+page-study = Étude
+page-catalogue = Catalogue
+page-audit = Journal d’audit
+page-people = Utilisateurs
+page-jobs = Tâches
+page-system = Système
+page-account = Compte
+page-guide = Guide
+
+## Commandes : boutons, menus et liste des touches
+
+command-help = Afficher les raccourcis clavier
+command-frameNext = Image suivante
+command-framePrevious = Image précédente
+command-frameNextTen = Avancer de dix images
+command-framePreviousTen = Reculer de dix images
+command-secondNext = Avancer d’une seconde
+command-secondPrevious = Reculer d’une seconde
+command-frameFirst = Première image
+command-frameLast = Dernière image
+command-frameGo = Aller à une image
+command-play = Lire ou mettre en pause
+command-loupe = Loupe, touche tenue
+command-loupeToggle = Afficher ou masquer la loupe
+command-linesToggle = Masquer ou afficher les lignes
+command-brightToggle = Éclaircir l’image, à l’affichage seulement
+command-cursor = Curseur au clavier : afficher ou masquer
+command-place = Placer le point au curseur
+command-zoomIn = Agrandir
+command-zoomOut = Réduire
+command-zoomFit = Ajuster l’image
+command-passNext = Passage suivant
+command-passPrevious = Passage précédent
+command-target1 = Cible : toit
+command-target2 = Cible : œil du conducteur
+command-target3 = Cible : feu arrière
+command-target4 = Cible : projecteur
+command-target5 = Cible : autre
+command-notVisible = Déclarer la cible non visible, et pourquoi
+command-newContact = Nouveau point de contact
+command-secondFrame = Ajouter une deuxième image
+command-followPass = Suivre sur le passage
+command-proposeContact = Proposer le contact du pneu sous le pointeur
+command-driverSide = Conducteur de l’autre côté, proche ou éloigné
+command-selectNext = Point suivant
+command-bestFrame = Meilleure image du passage
+command-record = Aller à la marque et au modèle
+command-recentModel1 = Modèle récent 1
+command-recentModel2 = Modèle récent 2
+command-recentModel3 = Modèle récent 3
+command-recentModel4 = Modèle récent 4
+command-whichModel = Aller aux modèles qui conviennent
+command-passBegin = Marquer la première image d’un passage ou de la mire
+command-passEnd = Marquer la dernière image d’un passage ou de la mire
+command-passSplit = Couper le passage avant cette image
+command-passJoin = Joindre le passage au suivant
+command-passDiscard = Écarter le passage
+command-confirmNext = Passage inachevé suivant
+command-undo = Annuler
+command-redo = Rétablir
+command-remove = Retirer la mesure sélectionnée
+command-cancel = Désélectionner ou abandonner
+command-nudgeLeft = Déplacer le point de 1 px à gauche
+command-nudgeRight = Déplacer le point de 1 px à droite
+command-nudgeUp = Déplacer le point de 1 px vers le haut
+command-nudgeDown = Déplacer le point de 1 px vers le bas
+command-nudgeLeftFar = Déplacer le point de 10 px à gauche
+command-nudgeRightFar = Déplacer le point de 10 px à droite
+command-nudgeUpFar = Déplacer le point de 10 px vers le haut
+command-nudgeDownFar = Déplacer le point de 10 px vers le bas
+command-nudgeLeftFine = Déplacer le point de 0,1 px à gauche
+command-nudgeRightFine = Déplacer le point de 0,1 px à droite
+command-nudgeUpFine = Déplacer le point de 0,1 px vers le haut
+command-nudgeDownFine = Déplacer le point de 0,1 px vers le bas
+command-scanFit = Remplir la fenêtre avec le véhicule
+command-scanTaller = Étirer la hauteur
+command-scanFlatter = Aplatir la hauteur
+command-scanWheels = Pointer les deux roues pour l’empattement
+command-scanNew = Ajouter un véhicule par son avant et son arrière
+command-scanHeight = Mesurer des hauteurs par contact et cible
+command-scanRod = Étalonner la hauteur avec un jalon
+command-reviewAccept = Valider
+command-reviewReject = Rejeter
+command-reviewFix = Corriger
+command-reviewNext = Mesure suivante
+command-reviewPrevious = Mesure précédente
+command-reviewReason1 = Motif 1 de rejet
+command-reviewReason2 = Motif 2 de rejet
+command-reviewReason3 = Motif 3 de rejet
+command-reviewReason4 = Motif 4 de rejet
+command-reviewReason5 = Motif 5 de rejet
+command-reviewReason6 = Motif 6 de rejet
+
+## Touches, telles qu’elles sont dessinées
+
+key-Ctrl = Ctrl
+key-Alt = Alt
+key-Shift = Maj
+key-Space = Espace
+key-Enter = Entrée
+key-Tab = Tab
+key-Backspace = Retour arr.
+key-Home = Début
+key-End = Fin
+key-Delete = Suppr
+key-Escape = Échap
+key-PageUp = Pg préc.
+key-PageDown = Pg suiv.
+
+## Où les touches agissent
+
+scope-anywhere = Partout
+scope-frames = Images
+scope-measure = Mesure
+scope-point = Un point sélectionné
+scope-scan = Balayage
+scope-review = Vérification
+
+## Heures, longueurs, et ce qui a mal tourné
+
+time-just-now = à l’instant
+time-minutes-ago = il y a { $minutes } min
+time-today = aujourd’hui { $time }
+length-problem = Une longueur, par exemple { $example }.
+problem-server = Erreur du serveur (code { $status }). Réessayez. Si l’erreur persiste, prévenez votre administrateur.
+problem-refused = Le serveur a refusé (code { $status }).
+problem-stopped = L’opération a été arrêtée.
+problem-page = Un problème est survenu dans cette page. Rechargez-la ; s’il se reproduit, prévenez votre administrateur.
+problem-offline = Le serveur est injoignable.
+problem-unreachable = Le serveur était injoignable : ceci n’a pas été enregistré. Vérifiez la connexion et réessayez.
+keys-reserved = Le navigateur se réserve { $chord } ; choisissez une autre touche.
+
+## Adresses de ce qui n’existe pas
+
+address-elsewhere = { $what ->
+    [vehicle] Le véhicule de cette adresse n’est pas dans ce relevé, ou a été supprimé.
+    [measurement] La mesure de cette adresse n’est pas dans ce relevé, ou a été retirée.
+    [recording] L’enregistrement de cette adresse n’est pas dans ce relevé, ou ne peut pas être affiché.
+    [camera] La caméra de cette adresse n’est pas dans ce relevé ; une autre est affichée.
+   *[scan] Le balayage de cette adresse n’est pas dans ce relevé.
+}
+
+## Composants : avancement, annulation
+
+loading = Chargement : { $what }…
+job-queued = En attente
+job-working = En cours
+undo-step = Annuler : { $step }
+undo-nothing = Rien à annuler
+redo-step = Rétablir : { $step }
+redo-nothing = Rien à rétablir
+undo-done = Annulé : { $step }.
+redo-done = Rétabli : { $step }.
+
+## Guide
+
+guide-pages = Pages du guide
+guide-loading = guide
+guide-page-first-survey = Premier relevé
+guide-page-field-protocol = Protocole de terrain
+guide-page-operator = Opérateur
+guide-page-reviewer = Vérificateur
+guide-page-standards-engineer = Ingénieur de normalisation
+guide-page-administrator = Administrateur
+guide-page-access = Qui peut faire quoi
+guide-page-studies = Études
+guide-page-CONVENTIONS = Méthode
+guide-page-formats = Formats
+guide-page-glossary = Glossaire
+
+## Tâches du serveur, relancées
+
+jobs-only-failed-again = { $state ->
+    [queued] Cette tâche attend encore
+    [running] Cette tâche est en cours
+   *[done] Cette tâche est terminée
+ } ; seule une tâche échouée ou arrêtée peut être relancée.
+jobs-again-on-its-page = Une tâche de ce type ({ $kind }) se relance sur la page de son enregistrement, où ses fichiers sont aussi contrôlés.
+
+## Système : la page des administrateurs
+
+system-lead = L’état actuel de cette installation. Prometheus lit les mêmes valeurs sur un port à part.
+system-loading = état du système
+system-program = Programme et machine
+system-version = Version
+system-database = Base de données
+system-database-of = { $kind ->
+    [sqlite] SQLite
+   *[other] PostgreSQL
+  }, { $count ->
+    [one] { $count } connexion utilisée
+   *[other] { $count } connexions utilisées
+  }
+system-media = Vidéos et images
+system-free = Libre sur le disque
+system-memory = Mémoire du serveur
+system-unknown = non disponible
+system-decoder = Décodeur d’images
+system-decoder-none = inactif
+system-decoder-runs = processus { $process }
+system-waiting = En attente
+system-waiting-of = { $reading } en lecture, { $writing } en écriture
+system-jobs = Tâches
+system-checkpoints = Points de contrôle
+system-checkpoints-sign = Signer un point de contrôle
+system-checkpoints-lead = Un point de contrôle signe la fin de chaque chaîne d’audit. Conservez les fichiers hors de ce serveur : ils révèlent une chaîne coupée ou réécrite plus tard. Chaque export en signe un aussi.
+system-checkpoints-loading = les points de contrôle
+system-checkpoints-key = Clé en vigueur
+system-checkpoints-keys-before = { $count ->
+    [one] Elle remplace { $count } clé antérieure, qui l’a signée.
+   *[other] Elle remplace { $count } clés antérieures ; chacune a signé la suivante.
+  }
+system-checkpoints-none = Rien n’est encore signé.
+system-checkpoints-chains = Chaînes
+system-checkpoints-events = Événements
+system-checkpoints-root = Racine
+system-checkpoints-download = Télécharger
+system-checkpoints-download-of = Télécharger le point de contrôle du { $when }
+system-licences = Bibliothèques et licences
+system-licences-show = Afficher
+system-licences-hide = Masquer
+system-licences-loading = bibliothèques
+system-licences-server = bibliothèque du serveur
+system-licences-pages = bibliothèque des pages
+system-licences-version = version
+system-licences-licence = licence
+system-licences-none = non indiquée
+
+## Tâches : la page
+
+own-name-title = Quel est votre nom ?
+own-name-why = Il figure à côté de tout ce que vous mesurez, vérifiez et modifiez.
+own-name = Votre nom
+jobs-lead = Les travaux longs du serveur : ce qui attend, ce qui est en cours, ce qui en est résulté.
+jobs-loading = tâches
+jobs-show = Afficher
+jobs-all = Toutes
+jobs-none-title = Aucune tâche ici
+jobs-none = Lecture de vidéos, détection de passages, poses, étalonnages et archives apparaissent ici.
+jobs-kind = { $kind ->
+    [ingest] Lecture d’une vidéo
+    [passes] Détection des passages
+    [proposals] Proposition de points
+    [pose] Pose de la caméra
+    [calibrate] Étalonnage
+    [drift] Recherche de mouvement de la caméra
+    [export] Archive
+    [scan_read] Lecture de bandes
+    [scan_find] Détection de véhicules dans les bandes
+    [scan_tidy] Rangement après les bandes
+    [demonstration] Relevé de démonstration
+    [demonstration_study] Étude de démonstration (simulée)
+    [study] Étude
+   *[other] Autre travail
+}
+jobs-column-what = Tâche
+jobs-column-for = Pour
+jobs-column-state = État
+jobs-column-said = Message
+jobs-column-begun = Début
+jobs-again = Relancer
+jobs-begun-again = La tâche est relancée.
+
+## Application : titres, barre du haut, menu latéral, adresses qui ne mènent nulle part
+
+app-name = Sightline
+app-title = { $page } – Sightline
+app-title-in-survey = { $page } – { $survey } – Sightline
+app-not-found = Page introuvable
+app-skip = Aller à la page
+app-skip-picture = Aller à l’image
+app-to-surveys = Aller aux relevés
+app-nothing-here-title = Page introuvable
+app-nothing-here = Le lien est peut-être ancien, ou le relevé a été supprimé.
+app-not-loaded = Cette page n’a pas pu être chargée, peut-être parce qu’une nouvelle version a été installée ; rechargez-la.
+app-loading-page = { $page ->
+    [sign-in] connexion
+    [surveys] relevés
+    [survey] vue d’ensemble
+    [planning] préparation du site
+    [camera] étalonnage de la caméra
+    [recordings] enregistrements
+    [pose] pose de la caméra
+    [measure] mesure
+    [checks] contrôles
+    [review] vérification
+    [repeats] répétabilité
+    [click-again] répétitions en aveugle
+    [scans] balayages
+    [scan-results] vitesses et intervalles
+    [live] en direct
+    [scan] balayage
+    [export] export
+    [statistics] statistiques
+    [sight-distance] distance de visibilité
+    [studies] études
+    [study] étude
+    [catalogue] catalogue
+    [audit] journal d’audit
+    [people] utilisateurs
+    [jobs] tâches
+    [system] état du système
+    [guide] guide
+   *[account] compte
+}
+app-where = Page actuelle
+app-survey = Relevé
+app-other-step = { $page } : aller à une autre étape
+rail-setup = Préparer
+rail-measure = Mesurer
+rail-quality = Qualité
+rail-results = Résultats
+app-keys = Raccourcis clavier
+app-work = Étapes du relevé
+save-waiting = { $count } à enregistrer
+save-pending = enregistrement…
+save-failed = dernière modification non enregistrée
+save-done = enregistré { $time }
+menu-person = { $person } : compte
+menu-role = { $role } · Sightline { $version }
+menu-theme = Thème
+menu-theme-system = Système
+menu-theme-light = Clair
+menu-theme-dark = Sombre
+menu-lengths = Longueurs
+menu-lengths-metres = Mètres
+menu-lengths-feet = Pieds
+menu-sign-out = Se déconnecter
+
+## Application : tant que le serveur est injoignable
+
+offline-kept = { $count ->
+    [one] { $count } modification est gardée dans ce navigateur et sera enregistrée au retour du serveur.
+   *[other] { $count } modifications sont gardées dans ce navigateur et seront enregistrées au retour du serveur.
+}
+offline-changes = { $count ->
+    [one] { $count } modification sera enregistrée au retour du serveur ; gardez cette page ouverte.
+   *[other] { $count } modifications seront enregistrées au retour du serveur ; gardez cette page ouverte.
+}
+offline-next = Prochain essai dans { $seconds } s.
+offline-now = Nouvel essai…
+offline-try = Essayer maintenant
+
+## Application : ce qui a été refusé, ou modifié entre-temps par quelqu’un d’autre
+
+unsaved-refused = <link>{ $what }</link> : { $problem } Votre saisie : { $mine }.
+unsaved-conflict = <link>{ $what }</link> : { $problem } Votre saisie : { $mine }. L’autre saisie : { $theirs }.
+unsaved-take = Prendre l’autre
+unsaved-keep = Garder la mienne
+unsaved-again = Réessayer
+unsaved-drop = Abandonner
+unsaved-otherwise = Le serveur a enregistré une autre valeur ; vérifiez.
+
+## Application : la liste des touches
+
+keys-how = Pour changer une touche, cliquez dessus puis appuyez sur la nouvelle ; elle est gardée dans ce navigateur.
+keys-usual = Touches par défaut
+keys-clash = { $chord } désigne à la fois « { $one } » et « { $other } » ; la première l’emporte.
+keys-elsewhere = Sur les autres écrans
+keys-wheel = Molette : zoom sous le pointeur. Glisser avec le bouton du milieu, ou Espace tenue : déplacer l’image.
+keys-of = { $command } : { $keys }. Changer
+keys-change = Changer la touche
+keys-press = tapez une touche…
+
+## Mires : le type de mire et ses marqueurs
+
+board-kind = Type de mire
+board-checkerboard = Damier
+board-charuco = ChArUco
+board-dictionary = Dictionnaire
+board-marker = Côté du marqueur
+board-marker-problem = Indiquez le côté du marqueur noir, par exemple { $example }.
+board-marker-too-large = Un marqueur est plus petit que sa case.
+
+## La caméra a-t-elle bougé
+
+drift-title = Stabilité de la caméra
+drift-stopped = Le contrôle s’est arrêté.
+drift-under-way = Contrôle de la stabilité de la caméra…
+drift-not-yet = Stabilité de la caméra non contrôlée.
+drift-holds = Pose conservée par { $person } : { $reason }
+drift-over-time = Mouvement au cours du temps
+drift-again = Contrôler à nouveau
+drift-take-back = Annuler la décision
+drift-reason = Motif pour conserver la pose
+drift-decide = Conserver la pose
+drift-look = image { $frame } : { $moved_px } px, { $change }
+drift-figure = { $untold ->
+    [0] Images comparées à celle de la pose de la caméra : { $count } ; au pire { $worst } de hauteur pour une cible haute de { $target } à { $distance }. La bande : ce qui ne se distingue pas d’une caméra immobile.
+   *[other] Images comparées à celle de la pose de la caméra : { $count }, dont { $untold } sans résultat ; au pire { $worst } de hauteur pour une cible haute de { $target } à { $distance }. La bande : ce qui ne se distingue pas d’une caméra immobile.
+}
+
+## Figures : téléchargements et repères
+
+figure-as-svg = { $figure } en SVG
+figure-as-csv = { $figure } en CSV
+figure-read = Lire les valeurs : { $figure }
+figure-read-hint = Les flèches se déplacent le long de l’axe.
+figure-read-value = { $what } : { $value }
+figure-no-band = n = { $n }. Aucune bande n’est tracée sous { $least } véhicules : elle couvrirait plus de la moitié de l’axe.
+figure-standard = { $standards } { $height } { $unit }
+
+## Véhicules : bilan, historique, catalogue, passages
+
+budget-title = Bilan d’incertitude
+budget-note = incertitude-type
+budget-together = Composée
+revisions-computed-again = recalculée ; pointée par
+revisions-title = Historique
+revisions-who = { $person }, { $time }
+revisions-review = { $person } – { $reason }
+catalogue-list = { $field } dans le catalogue
+catalogue-other-years = Le catalogue n’a { $model } que pour { $years } ; l’année est-elle juste ?
+passes-find = Détecter les passages
+passes-find-title = Détecter les passages de véhicules dans cette vidéo. Les passages existants ou écartés ne changent pas.
+passes-failed = La détection a échoué ; relancez-la.
+passes-cancelled = La détection des passages dans { $recording } a été annulée.
+passes-found = { $recording } : { $message }
+passes-over = { $recording } : détection terminée.
+passes-all = Tous
+passes-to-do = À faire
+passes-rejected = Rejetés
+passes-measured = Mesurés
+passes-left-out = hors échantillon
+passes-by-number = par numéro
+passes-by-time = par heure
+passes-by-state = par état
+
+## L’image : vue, loupe, frise, lecture
+
+viewer-frame = image { $frame }
+viewer-frame-label = Image { $frame }
+viewer-frame-at = image { $frame }, { $time }
+viewer-stand-in = vignette de l’image { $thumbnail } ; l’image { $frame } arrive
+viewer-what = image
+viewer-layers = Axes et points sur l’image
+viewer-bright = affichage seulement : éclairci
+viewer-pointer = x { $x } y { $y }
+viewer-wrong-frame = Le serveur a envoyé l’image { $served } pour l’image { $frame } : elle n’est pas affichée ; importez à nouveau l’enregistrement.
+viewer-slid = Rien n’a été placé : le pointeur a bougé, bouton enfoncé. Pour déplacer l’image, glissez avec Espace.
+viewer-changed = Rien n’a été placé : l’image a changé, bouton enfoncé. Cliquez à nouveau.
+viewer-first-corner = premier
+timeline-passes = { $count } passages, images { $first_frame } à { $last_frame }
+timeline-label = Position dans l’enregistrement
+timeline-decoded = Décodé sur le serveur
+transport-play = Lire
+transport-stop = Pause
+transport-frame = image
+transport-of = sur { $last_frame }
+transport-vfr-title = La cadence d’images de cet enregistrement varie ; les temps viennent de l’horodatage de chaque image.
+blind-elsewhere = Ce n’est pas l’image où cliquer, qui est l’image { $frame }.
+blind-contact = cliquez là où le pneu touche la chaussée
+blind-target = { $target ->
+    [roof] cliquez sur { target-hint-roof }
+    [driver_eye] cliquez sur { target-hint-driver_eye }
+    [taillight] cliquez sur { target-hint-taillight }
+    [headlight] cliquez sur { target-hint-headlight }
+   *[other] cliquez sur { target-hint-other }
+}
+blind-wrong-frame = Cliquez sur l’image { $frame }, où sont les premiers pointés.
+
+## Caméra : la page
+
+camera-lead = Un boîtier et un objectif, à un réglage de zoom et de mise au point. L’étalonnage donne les paramètres de l’objectif et leur incertitude.
+camera-another = Autre caméra
+camera-loading-all = caméras
+camera-loading = caméra
+camera-none-title = Pas encore de caméra
+camera-none = Nommez la caméra qui a filmé ce site. Déposez ensuite une quinzaine de photos d’un damier, prises avec elle au même zoom et à la même mise au point, ou un fichier d’étalonnage issu d’un autre outil.
+camera-add-first = Ajouter la caméra
+camera-list = Caméras
+camera-take-open = Depuis un autre relevé
+camera-take-title = Copier une caméra d’un autre relevé
+camera-take = Copier
+camera-take-lead = Copie l’étalonnage en vigueur et ses photos. Les deux relevés sont ensuite indépendants : un nouvel étalonnage dans l’un ne change aucune hauteur dans l’autre.
+camera-take-survey = Relevé
+camera-take-camera = Caméra
+camera-take-none = Aucune caméra de ce relevé n’est étalonnée.
+camera-take-no-other = Il n’y a pas encore d’autre relevé.
+camera-taken-from = copiée de { $place }
+camera-add = Ajouter une caméra
+camera-name = Caméra { $number }
+camera-edit = Modifier
+camera-edit-title = { $camera }
+camera-words-none = Objectif, zoom et mise au point non indiqués.
+camera-zoomed = zoom { $zoom }
+camera-focused = mise au point { $focus }
+camera-lens-words = Objectif
+camera-lens-words-hint = Marque et plage, telles que gravées : 24-70 mm f/2.8.
+camera-zoom = Zoom
+camera-zoom-hint = Tel que réglé, et s’il est bloqué par un adhésif : 28 mm, bloqué.
+camera-focus = Mise au point
+camera-focus-hint = Manuelle, et à quelle distance. L’autofocus change l’objectif à chaque photo.
+camera-name-problem = Une caméra a besoin d’un nom.
+camera-notes-hint = Boîtier, taille d’image, stabilisation désactivée. Si l’un d’eux change, étalonnez à nouveau.
+
+## Caméra : l’étalonnage
+
+camera-calibrate = Étalonner
+camera-calibrate-again = Étalonner à nouveau
+camera-where-boards = Source des photos de la mire
+camera-from-pictures = Dans des photos
+camera-from-recording = Dans un enregistrement
+camera-choose-pictures = Choisir des photos du damier
+camera-drop-pictures = Déposez ici des photos du damier, ou cliquez pour choisir
+camera-drop-hint = Même caméra, même zoom, même mise au point. Inclinez la mire, amenez-la dans chaque coin, gardez-la nette.
+camera-found-in = { $count ->
+    [one] La mire a été trouvée dans <strong>{ $found }</strong> image sur { $count }.
+   *[other] La mire a été trouvée dans <strong>{ $found }</strong> des { $count } images.
+}
+camera-too-few = Il en faut au moins trois ; douze à vingt, prises sous divers angles, donnent un bon étalonnage.
+camera-more-better = Suffisant pour étalonner. Douze à vingt photos, la mire inclinée et dans chaque coin de l’image, donnent un meilleur résultat.
+camera-other-board = Une autre mire a été cherchée dans les images ; relancez la recherche pour { $columns } × { $rows } coins intérieurs.
+camera-other-board-markers = Une autre mire a été cherchée dans les images ; relancez la recherche pour { $columns } × { $rows } coins intérieurs et des marqueurs de { $dictionary }.
+camera-look-again = Relancer la recherche
+camera-to-go = { $count ->
+    [one] encore { $count } image
+   *[other] encore { $count } images
+}
+camera-import = Importer un fichier d’étalonnage
+camera-import-title = OpenCV YAML ou JSON, ROS camera_info, Kalibr, mrcal
+camera-imported = { $file } a été lu.
+camera-failed = L’étalonnage a échoué ; réessayez.
+camera-recording-frames = { $count ->
+    [one] { $recording } ({ $count } image)
+   *[other] { $recording } ({ $count } images)
+}
+camera-every = Une image sur n
+camera-first-frame = Première image
+camera-last-frame = Dernière image
+camera-no-recording = Aucun enregistrement n’est prêt ; <link>ajoutez la vidéo</link> où la mire est déplacée.
+camera-every-problem = Saisissez un nombre entier, 1 ou plus.
+camera-frames-problem = Donnez la première et la dernière image en nombres entiers.
+camera-frames-order = La dernière image est avant la première.
+camera-frames-end = L’enregistrement finit à l’image { $last_frame }.
+camera-lens = Objectif
+camera-lens-brown = Sténopé
+camera-lens-fisheye = Fisheye
+camera-lens-brown-hint = Sténopé avec distorsion de Brown-Conrady : jusqu’à environ 100° de champ.
+camera-lens-fisheye-hint = Équidistant à quatre termes : pour les objectifs de plus de 100° de champ environ.
+camera-board = Mire
+camera-board-flat = Mire plane
+camera-board-bent = Peut-être courbée
+camera-board-flat-hint = Sur une plaque rigide. Le résultat indique sa planéité.
+camera-board-bent-hint = Papier sur un mur ou feuille mince : la forme de la mire est aussi estimée. Il faut 6 vues, mieux 15.
+camera-three-images = Ajoutez au moins trois photos où l’on voit la mire.
+camera-corners-found = { $count ->
+    [one] { $count } coin trouvé dans { $image }
+   *[other] { $count } coins trouvés dans { $image }
+}
+camera-remove = Retirer { $image }
+camera-found-some = trouvés : { $found } sur { $all }
+camera-found-all = { $columns } × { $rows } trouvés
+
+## Caméra : la mire
+
+camera-inner-corners = Comptez les <strong>coins intérieurs</strong> : les points où quatre cases se touchent. Une mire de 10 sur 7 cases en a 9 sur 6.
+camera-charuco-corners = Les fabricants de mires ChArUco indiquent souvent les cases : un de moins dans chaque sens. Une partie de la mire dans l’image suffit.
+camera-columns = Colonnes
+camera-rows = Rangées
+camera-square = Côté d’une case
+camera-square-hint = Mesurez dix cases à la règle et divisez par dix : les imprimantes gardent rarement la taille.
+camera-square-problem = { $unit ->
+    [ft] Donnez le côté d’une case en pouces, par exemple { $example }.
+   *[m] Donnez le côté d’une case en millimètres, par exemple { $example }.
+}
+camera-count-problem = { $what ->
+    [rows] Donnez le nombre de rangées, entier.
+   *[columns] Donnez le nombre de colonnes, entier.
+}
+camera-count-range = { $what ->
+    [rows] De 3 à 50 rangées peuvent être trouvées ; recomptez les coins intérieurs.
+   *[columns] De 3 à 50 colonnes peuvent être trouvées ; recomptez les coins intérieurs.
+}
+camera-print = Imprimer cette mire (PDF)
+camera-print-hint = En vraie grandeur, sur la plus petite feuille qui la contient, avec une barre pour contrôler l’impression. Collez-la sur un support plan.
+camera-drawing = { $kind ->
+    [charuco] Une mire ChArUco, aux marqueurs dans les cases blanches, avec { $columns } coins intérieurs en largeur et { $rows } en hauteur : les points où quatre cases se touchent. Le bord extérieur ne compte pas.
+   *[checkerboard] Une mire avec { $columns } coins intérieurs en largeur et { $rows } en hauteur : les points où quatre cases se touchent. Le bord extérieur ne compte pas.
+}
+camera-drawing-columns = { $count ->
+    [one] { $count } colonne
+   *[other] { $count } colonnes
+}
+camera-drawing-rows = { $count ->
+    [one] { $count } rangée
+   *[other] { $count } rangées
+}
+camera-drawing-square = case { $side }
+
+## Caméra : un étalonnage
+
+camera-calibrations = Étalonnages
+camera-loading-calibration = étalonnage
+camera-trusted = Étalonnage fiable
+camera-not-trusted = Étalonnage non fiable
+camera-made = { $source ->
+    [import] Importé { $time }
+    [clip] D’un enregistrement, { $time }
+   *[images] De photos, { $time }
+}
+camera-made-by = { $source ->
+    [import] Importé { $time }, { $person }
+    [clip] D’un enregistrement, { $time }, { $person }
+   *[images] De photos, { $time }, { $person }
+}
+camera-use = Utiliser celui-ci
+camera-residual = Erreur de reprojection RMS
+camera-not-told = Non indiquée
+camera-download = camera.json
+camera-views-used = { $count ->
+    [one] { $used } vue utilisée sur { $count }
+   *[other] vues utilisées : { $used } sur { $count }
+}
+camera-picture = taille d’image
+camera-across = { $model ->
+    [fisheye] fisheye, champ horizontal d’environ { $angle }°
+   *[brown] sténopé, champ horizontal d’environ { $angle }°
+}
+camera-u = u = { $u }
+camera-u-note = u est l’incertitude-type (k = 1).
+camera-fx = focale fx
+camera-fy = focale fy
+camera-cx = point principal cx
+camera-cy = point principal cy
+camera-distortion = distorsion { $name }
+camera-coverage-unknown = La couverture de l’image n’est pas connue pour cet étalonnage.
+camera-coverage = Les coins couvrent { $percent } % de l’image.
+camera-coverage-label = Couverture de l’image : { $empty } parties sur { $all } sans aucun coin
+camera-coverage-cell = { $count ->
+    [one] { $count } coin
+   *[other] { $count } coins
+}
+camera-covered = Toutes les parties de l’image sont assez couvertes.
+camera-reshoot = Vues à ajouter
+camera-residuals = Résidu de chaque vue
+camera-left-out = { $count ->
+    [one] { $count } vue exclue
+   *[other] { $count } vues exclues
+}
+camera-no-reason = motif non indiqué
+camera-residuals-label = Résidus de { $file }, le plus long de { $longest_px } pixels
+camera-worst-view = Pire vue.
+camera-residuals-drawn = { $file } : résidus dessinés { $times } fois plus longs ; le plus long est de { $longest_px } px.
+camera-history-made = Fait
+camera-history-by = Par
+camera-history-from = Depuis
+camera-history-verdict = Conclusion
+camera-history-summary = Résumé
+camera-history-show = Afficher
+camera-history-shown = affiché
+camera-show = Afficher
+camera-source-images = photos
+camera-source-clip = un enregistrement
+camera-source-import = un fichier
+
+## Caméra : les contrôles d’un étalonnage
+
+camera-checks = Contrôles
+camera-halves = Validation croisée (deux moitiés)
+camera-halves-not-done = Non faite. { $reason }
+camera-halves-nothing = Le champ de vision est trop étroit pour comparer des hauteurs.
+camera-halves-differ = Les deux moitiés diffèrent de { $differences } sur une hauteur.
+camera-difference-at = { $difference } à { $distance }
+camera-held-out = Erreur de reprojection RMS, images hors ajustement : { $held_out } ; images ajustées : { $fit }.
+camera-under = moins de { $length }
+camera-vehicle-at = Véhicule à
+camera-heights-differ = Écart de hauteur
+camera-expected = u attendue (k = 1)
+camera-not-in-picture = hors de l’image
+camera-halves-note = Hauteur d’un œil à { $eye } calculée avec chaque moitié (caméra horizontale à { $camera }, mire à { $board }, mêmes pointés). « Attendue » : l’écart dû au seul bruit des coins.
+camera-flatness = Défaut de planéité de la mire
+camera-board-solved = Forme estimée : flèche de la mire { $bow } ; résidu { $flat } si elle est supposée plane, { $bent } avec sa forme estimée.
+camera-board-taken-flat = Supposée plane. D’après les photos, flèche de la mire { $bow } ; résidu { $flat } si elle est supposée plane, { $bent } avec sa forme estimée.
+
+## Pose de la caméra : la page
+
+pose-loading = pose de la caméra
+pose-no-recording-title = Pas encore d’enregistrement avec la mire
+pose-no-recording = Ajoutez la vidéo où le damier est posé sur la chaussée ; la pose de la caméra en est calculée.
+pose-add-recordings = Ajouter des enregistrements
+pose-mark-first = Marquer la première image de la mire
+pose-mark-last = Marquer la dernière image de la mire
+pose-side = Mire et résultat
+pose-board-span = Mire : images { $first_frame } à { $last_frame }
+pose-go-again = Cet enregistrement a une pose de la caméra. Pour la recalculer, allez à une image où la mire est immobile.
+pose-go = Allez à une image où la mire est immobile.
+pose-looking = Recherche de la mire…
+pose-found-part = Trouvée en partie
+pose-found = { $columns } × { $rows } trouvés
+pose-chosen = Cette pose est maintenant en vigueur pour l’enregistrement ; les nouvelles mesures l’utilisent.
+
+## Pose de la caméra : les questions
+
+pose-lens = Enregistrement et objectif
+pose-calibration-none = aucun
+pose-calibration = { $state ->
+    [current] { $camera }, { $calibration }, en vigueur
+    [current_not_trusted] { $camera }, { $calibration }, en vigueur, non fiable
+    [not_trusted] { $camera }, { $calibration }, non fiable
+   *[other] { $camera }, { $calibration }
+}
+pose-board = La mire
+pose-columns = Coins intérieurs en largeur
+pose-rows = et en hauteur
+pose-square = Case
+pose-corners-hint = Les coins intérieurs sont là où quatre cases se touchent : une mire de 10 sur 7 cases en a 9 sur 6.
+pose-charuco-hint = Une pose de la caméra exige que la mire soit visible en entier.
+pose-still = Images à mire immobile
+pose-begins = Première ici
+pose-begins-title = La première image
+pose-ends = Dernière ici
+pose-ends-title = La dernière image
+pose-span-offer = La mire est immobile de l’image { $first_frame } à { $last_frame }.
+pose-span-take = Utiliser ces images
+pose-not-marked = non marquées
+pose-end-not-marked = dès { $first_frame }, fin non marquée
+pose-marked = { $count ->
+    [one] { $first_frame } à { $last_frame }, { $count } image
+   *[other] { $first_frame } à { $last_frame }, { $count } images
+}
+pose-height = Hauteur de la mire
+pose-reference = Rangée de référence
+pose-reference-bottom = rangée de coins la plus basse
+pose-reference-top = rangée la plus haute
+pose-reference-height = { $reference ->
+    [top] De la chaussée à la rangée de coins intérieurs la plus haute
+   *[bottom] De la chaussée à la rangée de coins intérieurs la plus basse
+}
+pose-reference-height-hint = À mesurer de nouveau pour cet enregistrement : elle n’est jamais reprise d’un autre.
+pose-drawing = { $reference ->
+    [top] Le mètre ruban va de la chaussée à la rangée de coins intérieurs la plus haute.
+   *[bottom] Le mètre ruban va de la chaussée à la rangée de coins intérieurs la plus basse.
+}
+pose-drawing-tape = ruban
+pose-drawing-road = chaussée
+pose-sure = Incertitudes-types
+pose-u-tape = u(hauteur)
+pose-u-lean = u(inclinaison et roulis)
+pose-u-square = u(côté de case)
+pose-u-bow = u(planéité)
+pose-u-hint = Les valeurs par défaut sont des évaluations de type B : mètre ruban en acier sur enrobé 3 mm ; niveau à bulle 0,3° (inclinaison comme roulis) ; case imprimée 0,1 % ; planéité d’une mire rigide 0,5 mm. Chacune est une ligne du bilan d’incertitude.
+pose-find = Calculer la pose de la caméra
+pose-find-again = Recalculer la pose de la caméra
+pose-stopped = Arrêté ; rien n’a changé.
+pose-look-only = Lecture seule. Un opérateur calcule la pose.
+pose-problem-calibration = Étalonnez d’abord la caméra. La pose exige les paramètres de l’objectif.
+pose-problem-board = Une mire a au moins 2 sur 2 coins intérieurs.
+pose-problem-square = Mesurez plusieurs cases d’un coup et indiquez le côté d’une case.
+pose-problem-height = Indiquez la hauteur mesurée au mètre ruban.
+pose-problem-u = Chacune est un nombre positif ou nul.
+pose-problem-span = Marquez les images où la mire est immobile.
+
+## Pose de la caméra : le résultat
+
+pose-result = Pose de la caméra de l’enregistrement
+pose-download = pose.json
+pose-result-earlier = Pose antérieure de la caméra
+pose-use = Utiliser cette pose pour l’enregistrement
+pose-measure = Commencer à mesurer
+pose-expected = Incertitude attendue d’une hauteur
+pose-expected-distance = Distance
+pose-expected-good = U95 de la hauteur
+pose-expected-U95 = ± { $U95 }
+pose-expected-reason = À { $distance } : { $reason }
+pose-facts = Images { $first_frame } à { $last_frame } ; coins ajustés à { $fit } près ; mire à { $distance }.
+pose-other-recording = autre enregistrement
+pose-poses = { $count ->
+    [one] { $count } pose dans ce relevé
+   *[other] { $count } poses dans ce relevé
+}
+pose-made = { $time }, images { $first_frame } à { $last_frame }
+pose-use-short = Utiliser
+
+## Enregistrements
+
+recordings-lead = Les numéros d’images sont les mêmes pour tous. Les bandes de balayage linéaire s’ajoutent sous Balayages.
+recordings-loading = enregistrements
+recordings-choose = Choisir des vidéos à envoyer
+recordings-drop = Déposez des vidéos ici, ou cliquez pour choisir
+recordings-drop-hint = Un envoi interrompu reprend là où il s’est arrêté, même après la fermeture de cette page.
+recordings-uploads = Envois
+recordings-none-title = Pas encore d’enregistrements
+recordings-none = Ajoutez la vidéo du jour : MP4, MOV, AVI, MKV et autres. Ajoutez aussi celle du damier sur la chaussée : la pose de la caméra en est calculée.
+recordings-none-look = Un opérateur peut envoyer ici la vidéo du jour.
+recordings-delete-title = Supprimer { $recording } ?
+recordings-delete-body = La vidéo, sa table d’images et ses poses de la caméra seront supprimées. Un enregistrement avec des mesures ne peut pas être supprimé.
+recordings-delete = Supprimer l’enregistrement
+recordings-delete-one = Supprimer { $recording }
+recordings-download-one = Télécharger la vidéo de { $recording }
+recordings-deleted = { $recording } a été supprimé.
+recordings-vfr-title = Cadence d’images variable : les temps viennent de l’horodatage de chaque image
+recordings-find-road = Calculer la pose
+recordings-measure = Mesurer
+recordings-read-again = Importer à nouveau
+recordings-unreadable = Cet enregistrement n’a pas pu être lu.
+recordings-no-picture = pas d’image
+recordings-no-picture-yet = pas encore d’image
+recordings-rename = Renommer
+recordings-rename-one = Renommer { $recording }
+recordings-name = Nom de l’enregistrement
+recordings-frames = { $count ->
+    [one] { $count } image
+   *[other] { $count } images
+}
+recordings-rate = { $rate } images/s
+recordings-rate-average = { $rate } images/s en moyenne
+recordings-codec = { $codec } dans { $container }
+recordings-passes = { $count ->
+    [0] encore aucun passage
+    [one] { $count } passage
+   *[other] { NUMBER($count) } passages
+}
+recordings-sha256 = SHA-256 { $sha256 }
+recordings-no-camera = Pas encore de caméra : <link>étalonnez-en une</link>.
+recordings-camera = Caméra
+recordings-camera-unsaid = Non indiquée
+recordings-camera-uncalibrated = { $camera } (non étalonnée)
+recordings-lighting = Luminosité
+recordings-lighting-proposed = Luminosité <muted>(proposée)</muted>
+recordings-lighting-of = Luminosité de { $recording }
+recordings-lighting-of-proposed = Luminosité de { $recording }, proposée par Sightline
+recordings-lighting-guess = { $lighting } (proposée)
+
+filmed-start = Filmé à partir de { $time } ({ $zone })
+filmed-at = filmé { $time }
+filmed-proposed = Début non confirmé ; proposé d’après le fichier : { $time } ({ $zone })
+filmed-unknown = Début inconnu : le fichier n’en indique pas.
+filmed-edit = Modifier
+filmed-edit-of = Modifier le début et la météo de { $recording }
+filmed-confirm = Confirmer le début
+filmed-confirm-of = Confirmer le début de { $recording }
+filmed-confirm-action = Confirmer
+filmed-title = Début et météo de { $recording }
+filmed-started = Première image, à l’heure du lieu
+filmed-unsay = Inconnu
+filmed-from-file = Proposé d’après le fichier : { $time }. L’horloge d’une caméra est souvent fausse de quelques minutes, ou d’une heure (heure d’été) : comparez avec une montre filmée ou avec vos notes.
+filmed-from-file-none = Le fichier n’indique pas d’heure : prenez-la d’une montre filmée ou de vos notes.
+filmed-zone = Fuseau horaire
+filmed-which = Cette heure a eu lieu deux fois
+filmed-first = la première fois ({ $offset })
+filmed-second = la seconde fois ({ $offset })
+filmed-weather = Météo
+filmed-weathers = dégagé, quelques nuages, couvert, brouillard, pluie faible, pluie, neige
+filmed-lamps = Éclairage public
+filmed-lamps-on = allumé
+filmed-lamps-off = éteint
+filmed-lamps-are = { $state ->
+    [on] éclairage public allumé
+   *[off] éclairage public éteint
+}
+filmed-not-said = Non indiqué
+
+## Envois
+
+upload-state = { $state ->
+    [waiting] { $file } : démarrage
+    [paused] { $file } : en pause
+    [retrying] { $file } : connexion perdue, nouvel essai
+    [failed] { $file } : arrêté
+    [read] { $file } : envoyé, import en cours
+    [kept] { $file } : envoyé
+   *[sending] { $file } : envoi en cours
+}
+upload-resumed = { $file } : envoi, repris à { $arrived }
+upload-amount = { $arrived } sur { $size }
+upload-rate = { $arrived } sur { $size } · { $speed }/s · reste { $time }
+upload-pause = Pause
+upload-resume = Reprendre
+upload-cancel = Annuler l’envoi de { $file }
+upload-empty = { $file } est vide ; vérifiez la copie, puis choisissez à nouveau le fichier.
+upload-not-loaded = La page n’a pas été chargée en entier ; rechargez-la et choisissez à nouveau le fichier.
+upload-broken = La connexion a été coupée pendant l’envoi de { $file } ; ce qui est arrivé est gardé : appuyez sur « Reprendre » quand la connexion sera rétablie.
+upload-unfinished = { $file } : inachevé ; déposez à nouveau le même fichier et l’envoi continue
+upload-discard-title = Supprimer l’envoi partiel ?
+upload-discard-body = { $arrived } de { $file } sont sur le serveur.
+upload-discard = Supprimer
+upload-discard-one = Supprimer l’envoi partiel de { $file }
+
+## Mots utiles à beaucoup de pages
+
+interval = { $low } à { $high }
+person-system = Sightline
+person-unknown = inconnu
+menu-language = Langue
+stage-frame = Image
+stage-frames = Images
+stage-timeline = Frise
+stage-fit = Ajuster
+stage-lines = Lignes
+stage-bright = Clair
+stage-loupe = Loupe
+vfr = VFR
+field-name = Nom
+field-recording = Enregistrement
+field-calibration = Étalonnage
+in-use = en vigueur
+field-notes = Notes
+action-add = Ajouter
+action-cancel = Annuler
+action-close = Fermer
+action-dismiss = Fermer
+action-save = Enregistrer
+action-try-again = Réessayer
+action-clear-filter = Effacer les filtres
+action-print = Imprimer
+file-csv = CSV
+figure-share-of-vehicles = Part des véhicules (%)
+with-unit = { $name } ({ $unit })
+percent = { $percent } %
+with-u = { $value } (u = { $u })
+value-px = { $value } px
+value-s = { $value } s
+file-svg = SVG
+unit-px = px
+unit-hz = Hz
+unit-ppm = ppm
+unit-mrad = mrad
+
+## Contrôles : la page
+
+adjust-lead = Comparez la pose de la caméra à des véhicules d’empattement et de hauteur connus. Rien ne change tant que vous n’appliquez pas la pose ajustée ; les hauteurs sont alors recalculées, et le tout peut être annulé ensemble.
+adjust-tab = Ajustement
+adjust-loading = ajustement
+adjust-no-pose = Aucun enregistrement n’a encore de pose de la caméra.
+adjust-pose = Pose de la caméra { $pose } : { $recordings }
+adjust-seen = Véhicules avec les deux pneus et un empattement connu : { $tyres } ; avec un toit mesuré et une hauteur connue : { $roofs }.
+adjust-u-wheelbase = u par défaut d’un empattement ({ $unit })
+adjust-u-wheelbase-common = u commune à tous les empattements ({ $unit })
+adjust-u-roof-common = u commune à tous les toits ({ $unit })
+adjust-u-problem = Une longueur de 0 à 1 m, par exemple { $example }.
+adjust-used = Observations utilisées : { $used } sur { $passes }.
+adjust-global-holds = Le test global est satisfait : khi-deux { $chi2 } à { $freedom } degrés de liberté, sous la limite { $limit }.
+adjust-global-fails = Le test global échoue : khi-deux { $chi2 } à { $freedom } degrés de liberté, au-dessus de la limite { $limit } ; les incertitudes indiquées ne sont pas compatibles entre elles.
+adjust-largest = Plus grande variation d’une hauteur enregistrée : { $largest }.
+adjust-adjusted = Cette pose a été ajustée sur le trafic. La pose précédente est le numéro { $pose }.
+adjust-put = Appliquer
+adjust-put-done = La pose ajustée est en vigueur.
+adjust-take-back = Annuler
+adjust-taken-back = La pose précédente est à nouveau en vigueur.
+adjust-moved-title = Variation des paramètres
+adjust-what = Grandeur
+adjust-value = Variation
+adjust-by-u = Variation / u
+adjust-by-u-help = La variation divisée par l’incertitude-type d’avant
+adjust-u-before = u avant
+adjust-u-after = u après
+adjust-camera_height_m = hauteur de la caméra au-dessus de la chaussée
+adjust-road_lean_rad = rotation de la chaussée autour de son axe longitudinal (inclinaison)
+adjust-road_roll_rad = rotation de la chaussée autour de l’axe transversal (roulis)
+adjust-board_lean_rad = inclinaison de la mire
+adjust-board_roll_rad = roulis de la mire
+adjust-board_height_m = hauteur de la rangée de la mire
+adjust-square_m = case de la mire
+adjust-bow_along_rows_m = flèche de la mire le long des rangées
+adjust-bow_down_columns_m = flèche de la mire le long des colonnes
+adjust-wheelbase_common_m = erreur commune à tous les empattements
+adjust-roof_common_m = erreur commune à tous les toits
+adjust-left-title = Non utilisées
+adjust-left-none = Toutes les observations sont utilisées.
+adjust-of-tyres = pneus
+adjust-of-roof = toit
+adjust-models-title = Sans un modèle à la fois
+adjust-models-note = Variation de la hauteur de la caméra quand tous les véhicules d’un modèle sont exclus. Un modèle qui domine le résultat se voit ici.
+adjust-model = Modèle
+adjust-vehicles = Véhicules
+adjust-camera = Hauteur de la caméra
+adjust-heights-title = Effet sur chaque hauteur
+adjust-now = Actuelle
+adjust-then = Ajustée
+computing-lead = Les hauteurs dépendent de la pose de la caméra (dans les balayages : de l’étalonnage au jalon), du retrait, du côté du conducteur et de la version de Sightline. Quand l’un d’eux change, les hauteurs enregistrées restent inchangées jusqu’à leur recalcul ici : en nouvelles révisions, comparées aux anciennes, annulables ensemble.
+computing-loading = hauteurs périmées
+computing-fine = Toutes les hauteurs sont à jour.
+computing-stale = { $count ->
+    [one] { $count } hauteur est périmée : { $causes }.
+   *[other] { $count } hauteurs sont périmées : { $causes }.
+}
+computing-in-line-scans = { $count ->
+    [one] { $count } est dans un balayage.
+   *[other] { $count } sont dans des balayages.
+}
+computing-waiting = { $count ->
+    [one] { $count } de ces mesures n’a pas encore de hauteur et en aura une.
+   *[other] { $count } de ces mesures n’ont pas encore de hauteur et en auront une.
+}
+computing-other-program = { $count ->
+    [one] { $count } hauteur a été calculée par une autre version de Sightline. Le recalcul peut donner la même valeur.
+   *[other] { $count } hauteurs ont été calculées par une autre version de Sightline. Le recalcul peut donner les mêmes valeurs.
+}
+computing-cause-pose = { $count } par une autre pose ou un autre étalonnage de la caméra
+computing-cause-inset = { $count } par un autre retrait
+computing-cause-side = { $count } par un autre côté du conducteur
+computing-cause-program = { $count } par une autre version de Sightline
+computing-start = Recalculer
+computing-look = Vérifier et recalculer
+computing-nothing-changed = Aucune hauteur n’a changé : rien n’a été enregistré.
+computing-done = { $count ->
+    [one] { $count } hauteur recalculée.
+   *[other] { $count } hauteurs recalculées.
+}
+computing-runs = Calculs précédents
+computing-runs-none = Rien n’a été recalculé dans ce relevé.
+computing-when = Quand
+computing-who = Par
+computing-kind = Motif
+computing-kind-asked = demandé
+computing-kind-sides = côté du conducteur indiqué
+computing-kind-adjustment = pose ajustée mise en vigueur
+computing-kind-undo = annulation
+computing-heights = Hauteurs
+computing-to-review = À vérifier
+computing-largest = Plus grande variation
+computing-undone = annulé
+computing-show = Afficher
+computing-shown = affiché
+computing-old-new = Ancienne et nouvelle
+computing-summary = { $count ->
+    [one] { $count } hauteur : { $causes } ; variation moyenne { $mean }, la plus grande { $largest }.
+   *[other] { $count } hauteurs : { $causes } ; variation moyenne { $mean }, la plus grande { $largest }.
+}
+computing-summary-undo = { $count ->
+    [one] { $count } hauteur a été remise comme avant.
+   *[other] { $count } hauteurs ont été remises comme avant.
+}
+computing-kept = { $count ->
+    [one] { $count } a été modifiée depuis et reste inchangée.
+   *[other] { $count } ont été modifiées depuis et restent inchangées.
+}
+computing-sent = { $count ->
+    [0] Aucune hauteur n’a changé de plus que son incertitude-type : toutes les décisions restent valables.
+    [one] { $count } hauteur a changé de plus que son incertitude-type et retourne en vérification ; les autres décisions restent valables.
+   *[other] { $count } hauteurs ont changé de plus que leur incertitude-type et retournent en vérification ; les autres décisions restent valables.
+}
+computing-undo = Tout annuler
+computing-undo-text = Rétablit la valeur précédente de chaque hauteur de ce calcul, en nouvelle révision. Les hauteurs modifiées depuis restent inchangées.
+computing-figure = Variation de chaque hauteur
+computing-figure-says = Variation de { $count } hauteurs selon leur distance en travers de la route, en { $small }.
+computing-figure-lines = Variation de chaque hauteur dans les balayages
+computing-figure-says-lines = Variation de { $count } hauteurs dans les balayages selon la distance du contact à la caméra, en { $small }.
+computing-figure-x-lines = distance du contact à la caméra ({ $unit })
+computing-line-scan = balayage
+computing-figure-x = contact en travers de la route ({ $unit })
+computing-figure-y = nouvelle − ancienne ({ $small })
+computing-figure-note = Plein : variation supérieure à l’incertitude-type d’avant. Une variation qui croît avec la distance vient de la pose de la caméra ; une variation égale pour toute une cible, de son retrait.
+computing-figure-none = Aucune hauteur n’existe à la fois avant et après.
+computing-vehicle = Véhicule
+computing-target = Cible
+computing-before = Ancienne
+computing-after = Nouvelle
+computing-change = Variation
+computing-by-u = Variation / u
+computing-by-u-help = La variation divisée par l’incertitude-type qu’avait la hauteur
+computing-review-yes = à vérifier
+computing-repeat = répétition
+computing-listed = Les { $count } plus grandes variations rapportées à u sont affichées ; l’archive les contient toutes.
+computing-table = Anciennes et nouvelles hauteurs
+computing-job = tâche
+checks-again = Recalcul
+checks-lead = Comparez les retraits et les axes de la route aux véhicules mesurés.
+checks-loading = contrôles
+checks-which = Contrôle
+checks-insets = Retraits
+checks-direction = Axes de la route
+checks-eye = Œil du conducteur
+
+## Contrôles : les retraits
+
+checks-insets-title = Retraits : en vigueur, et estimés d’après ce relevé
+checks-insets-loading = estimations
+checks-insets-table = Retraits en vigueur
+checks-target = Cible
+checks-in-force = En vigueur
+checks-from = Source
+checks-inset-and-u = Retrait, u de la moyenne
+checks-moves = Effet sur la hauteur
+checks-insets-note = Un nouveau retrait ne vaut que pour les nouvelles mesures ; les mesures existantes gardent le leur jusqu’au recalcul. Son u vaut pour un seul véhicule : elle réunit celle de la moyenne et la dispersion entre véhicules.
+checks-by-known_heights = hauteurs du constructeur
+checks-by-trend = tendance avec la distance
+checks-by-two_frames = mesures sur deux images
+checks-measurements = { $count ->
+    [one] { $count } mesure
+   *[other] { $count } mesures
+}
+checks-other-insets = { NUMBER($count) } avec un autre retrait, hors calcul
+checks-estimate = estimation
+checks-vehicles = { $count ->
+    [one] { $count } véhicule
+   *[other] { $count } véhicules
+}
+checks-vehicles-without = { $count ->
+    [one] { $count } véhicule
+   *[other] { $count } véhicules
+} <without>sans { $left_out }</without>
+checks-left-out-help = Valeurs aberrantes : contrôlez leurs pointés et leurs hauteurs.
+checks-spread = { $spread } entre véhicules
+checks-use = { $target ->
+    [roof] Utiliser { $inset } (u = { $u_inset }) pour les toits
+    [driver_eye_near] Utiliser { $inset } (u = { $u_inset }) pour les yeux de conducteur côté proche
+    [driver_eye_far] Utiliser { $inset } (u = { $u_inset }) pour les yeux de conducteur côté éloigné
+    [taillight] Utiliser { $inset } (u = { $u_inset }) pour les feux arrière
+    [headlight] Utiliser { $inset } (u = { $u_inset }) pour les projecteurs
+   *[other] Utiliser { $inset } (u = { $u_inset }) pour les autres cibles
+}
+checks-used = { $target ->
+    [roof] Les nouvelles mesures de toits utilisent le nouveau retrait ; les mesures existantes gardent le leur.
+    [driver_eye_near] Les nouvelles mesures d’yeux de conducteur côté proche utilisent le nouveau retrait ; les mesures existantes gardent le leur.
+    [driver_eye_far] Les nouvelles mesures d’yeux de conducteur côté éloigné utilisent le nouveau retrait ; les mesures existantes gardent le leur.
+    [taillight] Les nouvelles mesures de feux arrière utilisent le nouveau retrait ; les mesures existantes gardent le leur.
+    [headlight] Les nouvelles mesures de projecteurs utilisent le nouveau retrait ; les mesures existantes gardent le leur.
+   *[other] Les nouvelles mesures d’autres cibles utilisent le nouveau retrait ; les mesures existantes gardent le leur.
+}
+
+## Contrôles : ce qu’est le retrait
+
+checks-inset-what = Ce qu’est le retrait
+checks-inset-title = Ce qu’est le retrait, et pourquoi il compte
+checks-inset-plane = Une hauteur se lit là où la ligne de visée coupe le <strong>plan latéral</strong> : le plan vertical qui passe par le contact du pneu avec la chaussée, parallèle au trafic. Un bord de toit ou un œil de conducteur est derrière ce plan, de son <strong>retrait</strong>. Lue sur le plan, une cible plus basse que la caméra semble trop haute, et une cible plus haute, trop basse.
+checks-inset-formula = lue − vraie = (H<sub>c</sub> − h) · retrait / (D + retrait)
+checks-inset-symbols = H<sub>c</sub> est la hauteur de la caméra, h celle de la cible, D la distance de la caméra au plan latéral. Si caméra et cible sont à la même hauteur, le retrait est sans effet. Chaque hauteur enregistrée en est corrigée ; la hauteur non corrigée est gardée à côté.
+checks-missing-inset = Erreur sans le retrait
+checks-missing-inset-caption = Erreur de hauteur sans correction du retrait, pour une caméra à { $camera_height }
+checks-height = Hauteur
+checks-inset = Retrait
+checks-at = À { $distance }
+checks-drawing = Coupe transversale de la route. La caméra vise vers le bas une cible située derrière le plan latéral passant par le pneu ; la ligne de visée coupe ce plan plus haut que la cible.
+checks-drawing-camera = caméra
+checks-drawing-side-plane = plan latéral
+checks-drawing-inset = retrait
+checks-drawing-read = lue ici
+checks-drawing-target = la cible
+checks-drawing-too-high =
+    trop
+    haut
+
+## Contrôles : le sens de circulation
+
+checks-vehicles-loading = véhicules
+checks-no-vehicles-title = Pas encore de véhicules
+checks-no-vehicles = La direction du trafic vient des pneus des véhicules dont les passages sont marqués.
+checks-mark-passes = Marquer les passages
+checks-withdraw = Retirer les pneus
+checks-previous = Précédent
+checks-next = Suivant
+checks-no-pose = Cet enregistrement n’a pas encore de pose de la caméra.
+checks-no-pose-link = Mesurer exige la pose de la caméra de cet enregistrement ; <link>calculez-la</link> d’abord.
+checks-turned-road = Aperçu de la pose pivotée.
+checks-replace = Cliquez à nouveau pour le remplacer.
+checks-choose-vehicle = Choisissez un véhicule.
+checks-first-tyre = Cliquez là où le premier pneu du côté proche touche la chaussée.
+checks-second-tyre = Maintenant l’autre pneu du même côté.
+checks-verdict = Conclusion
+checks-mean = Moyenne
+checks-spread-of-vehicles = Entre véhicules
+checks-used-vehicles = Utilisés
+checks-used-of = { $count ->
+    [one] { $count } véhicule sur { NUMBER($all) }
+   *[other] { $count } véhicules sur { NUMBER($all) }
+}
+checks-turned-from = Cette pose a été pivotée de { $turned } à partir de la pose { $pose }.
+value-u = { $value } (u = { $u })
+checks-turn-by = Pivoter les axes de la route de { $turn }…
+checks-use-before = Utiliser la pose précédente
+checks-turned-pose = Pose pivotée
+checks-turned-by = Pivotée de { $turn }
+checks-turn-no-heights = Aucune hauteur enregistrée n’est mesurée avec cette pose.
+checks-turn-heights = { $count ->
+    [one] { $count } hauteur enregistrée différerait d’au plus { $largest } si elle était repointée ; rien d’enregistré ne change.
+   *[other] { $count } hauteurs enregistrées différeraient d’au plus { $largest } si elles étaient repointées ; rien d’enregistré ne change.
+}
+checks-differences = Écarts de hauteur
+checks-vehicle = Véhicule
+checks-turned = Pivotée
+checks-turn = Pivoter
+checks-turn-done = La pose pivotée vaut pour les nouvelles mesures. Les mesures existantes ne changent pas.
+checks-turn-back-done = La pose précédente est à nouveau en vigueur.
+checks-heading = Cap
+checks-u = u
+checks-apart = Écartement
+checks-two-frames = sur deux images
+checks-tyres = pneus du véhicule { $vehicle }
+checks-withdrawal = pneus retirés, véhicule { $vehicle }
+checks-tyres-none = aucun
+checks-tyres-at = image { $frame }, à { $first } et { $second } px
+
+## Mesure : la page
+
+measure-loading = image
+measure-none-title = Pas encore d’enregistrement à mesurer
+measure-none = Les hauteurs se mesurent sur les images d’un enregistrement. Ajoutez d’abord les vidéos du jour ; elles sont mesurables dès qu’elles sont lues.
+measure-add-recordings = Ajouter des enregistrements
+measure-last-pass = C’est le dernier passage de la liste.
+measure-first-pass = C’est le premier passage de la liste.
+measure-all-passes-done = Tous les passages de ce relevé sont mesurés.
+measure-other-tab = Ouvert aussi dans un autre onglet. Si les deux le modifient, vous choisirez lequel garder.
+
+## Mesure : les passages
+
+measure-passes = Passages
+measure-passes-open = Passages <muted>{ NUMBER($count) } à faire</muted>
+measure-passes-show = Afficher
+measure-passes-order = Ordre
+measure-passes-none = Pas encore de véhicules. Détectez les passages, ou marquez la première image d’un véhicule.
+measure-passes-none-in-state = Aucun passage n’est dans cet état.
+measure-progress = { NUMBER($count) } sur { NUMBER($all) }
+measure-pass-begins = Le passage commence à cette image
+measure-pass-begin = Nouveau passage
+measure-pass-ends = Le passage finit à cette image
+measure-pass-end = …finit ici
+measure-pass-drop = Ne pas ajouter de passage
+measure-pass-frames = { $count ->
+    [one] { $count } image
+   *[other] { $count } images
+}
+measure-pass-marked = Le passage commence à l’image { $frame } ; allez à sa dernière image et marquez-la aussi.
+measure-pass-new = Nouveau passage
+measure-pass-new-short = nouveau
+measure-pass-found = trouvé
+measure-pass-title = Passage { $vehicle } : images { $first_frame } à { $last_frame }
+measure-pass-title-more = Passage { $vehicle } : images { $first_frame } à { $last_frame }, { $more }
+measure-way-right = vers la droite
+measure-way-left = vers la gauche
+measure-unconfirmed = trouvé par Sightline, non confirmé
+measure-unconfirmed-way = { $way ->
+    [right] vers la droite, trouvé par Sightline, non confirmé
+   *[left] vers la gauche, trouvé par Sightline, non confirmé
+}
+measure-pass-menu = Véhicule { $vehicle } : couper, joindre, écarter
+measure-pass-confirm = { $lighting ->
+    [daytime] Confirmer : de jour
+   *[low_light] Confirmer : faible luminosité
+}
+measure-pass-split = Couper avant cette image
+measure-pass-join = Joindre au passage suivant
+measure-pass-splitted = Le véhicule { $vehicle } a été coupé à l’image { $frame } ; l’autre partie est le véhicule { $other }.
+measure-pass-joined = Le véhicule { $gone } a été joint au véhicule { $kept }.
+measure-pass-no-next = Aucun passage de cet enregistrement ne commence après celui-ci : il n’y en a pas à joindre.
+measure-pass-delete-of = Supprimer le passage du véhicule { $vehicle }
+measure-pass-delete-title = Supprimer le véhicule { $vehicle } ?
+measure-pass-delete-body = { $count ->
+    [0] Le véhicule { $vehicle } sera supprimé. Vous pourrez l’annuler.
+    [one] Le véhicule { $vehicle } et sa mesure seront supprimés. Vous pourrez l’annuler.
+   *[other] Le véhicule { $vehicle } et ses { $count } mesures seront supprimés. Vous pourrez l’annuler.
+}
+measure-pass-delete = Supprimer le passage
+measure-pass-bring-back = Reprendre le passage
+measure-pass-kept = Gardé dans ce navigateur ; sera envoyé au retour de la connexion.
+measure-pass-new-frames = images { $first_frame } à { $last_frame }
+
+## Mesure : ce que nomment annuler et rétablir
+
+measure-step-of = { $step }, véhicule { $vehicle }
+measure-step-vehicle = données du véhicule { $vehicle }
+measure-step-new-pass = nouveau passage { $vehicle }
+measure-step-deletion = suppression du véhicule { $vehicle }
+measure-step-split = coupure du véhicule { $vehicle }
+measure-step-joining = jonction des véhicules { $vehicle } et { $next }
+measure-step-contact = point de contact
+measure-step-snap = accrochage au pneu
+measure-snapped = accroché au pneu, u = { $expected_px } px ; { $key } : revenir à votre pointé
+measure-step-proposals = propositions confirmées
+measure-step-contact-removal = contact retiré
+measure-step-move = déplacement d’un point
+measure-step-inset = retrait latéral
+measure-step-new = { $target ->
+    [roof] nouveau toit
+    [driver_eye] nouvel œil du conducteur
+    [taillight] nouveau feu arrière
+    [headlight] nouveau projecteur
+   *[other] nouvelle autre cible
+}
+measure-step-withdrawal = { $target ->
+    [roof] toit retiré
+    [driver_eye] œil du conducteur retiré
+    [taillight] feu arrière retiré
+    [headlight] projecteur retiré
+   *[other] autre cible retirée
+}
+measure-step-frame = { $nth ->
+    [2] deuxième image
+    [3] troisième image
+    [4] quatrième image
+    [5] cinquième image
+    [6] sixième image
+    [7] septième image
+    [8] huitième image
+   *[other] image supplémentaire
+}
+measure-step-frame-removal = image { $frame } retirée
+
+## Mesure : l’image
+
+viewer-place-here = Placer ici
+measure-driver = { $side ->
+    [near] conducteur côté proche
+    [far] conducteur côté éloigné
+   *[unknown] côté du conducteur inconnu
+}
+measure-find-pose = Calculer la pose de la caméra
+measure-no-pose = Pas de pose de la caméra. Calculez-la avant de mesurer.
+measure-choose-pass = Choisissez un passage à gauche, ou marquez-en un nouveau avec [ et ].
+measure-look-only = Lecture seule. Demandez le droit de mesurer à un opérateur.
+measure-vehicle-done = Terminé : plus rien à mesurer. 1 à 5 pour mesurer à nouveau.
+measure-next-pass = Passage suivant
+measure-choose-target = Choisissez une cible : 1 à 5.
+measure-drift = La caméra a bougé de { $moved_px } px après le calcul de la pose. <link>Calculez une nouvelle pose ou décidez</link>
+measure-drift-off = La caméra a bougé de { $moved_px } px après le calcul de la pose. Erreur de hauteur ici : jusqu’à { $off }. <link>Calculez une nouvelle pose ou décidez</link>
+measure-proposal-looking = Recherche de la roue…
+measure-proposal-take = { $proposal }. Entrée ou un clic pour l’accepter.
+measure-proposal-no-pass = Choisissez d’abord un passage ; un contact pourra alors être proposé.
+measure-axes-awaited = axes en cours de calcul…
+measure-proposal-no-contact = Commencez d’abord un nouveau point de contact.
+measure-proposal-no-pointer = Pointez là où le pneu touche la chaussée, puis demandez une proposition.
+
+## Mesure : ce que Sightline propose de pointer
+
+measure-propose = Proposer des points
+measure-propose-title = Propose des points sur chaque passage trouvé de cet enregistrement. Les propositions antérieures sont remplacées ; rien n’est mesuré.
+measure-propose-failed = Les propositions ont échoué ; réessayez.
+measure-propose-cancelled = Le calcul des propositions pour { $recording } a été annulé ; les antérieures restent.
+measure-propose-over = { $recording } : les propositions sont prêtes.
+measure-proposed = Proposé, non mesuré : Entrée confirme, la touche d’un point y mène.
+measure-proposed-awaited = Proposé, non mesuré : calcul des hauteurs…
+measure-proposed-selected = Glissez le point ou utilisez les flèches. Entrée confirme tout ; sa touche à nouveau le rejette.
+measure-proposed-mark = { $what }, proposé
+measure-proposed-title = Propositions
+measure-proposed-contact = Contact
+measure-proposed-accept = { $count ->
+    [0] Confirmer le contact
+    [one] Confirmer { $count } cible
+   *[other] Confirmer { $count } cibles
+}
+measure-proposed-accept-title = Enregistre les points proposés comme mesures, en votre nom
+measure-proposed-on-frame = Propositions sur l’image { $frame }
+measure-proposed-go = Aller à ce point, pour le voir et le déplacer
+measure-proposed-expected = u = { $expected_px } px
+measure-proposed-expected-title = Incertitude-type attendue de ce point
+measure-proposed-doubt = Véhicule { $vehicle } : une hauteur que vous avez confirmée est inhabituelle. Contrôlez-la.
+measure-proposed-moved = déplacé par vous
+measure-points-set = Points
+measure-made = { $made ->
+    [snapped] Contact accroché au pneu, cible à la main
+    [confirmed] Proposé par Sightline, confirmé
+    [moved] Proposé par Sightline, déplacé à la main
+   *[clicked] Pointé à la main
+}
+
+## Mesure : les mesures d’un véhicule
+
+measure-measurements = Mesures
+measure-target = Mesurer : { $target }
+measure-target-afresh = Mesurer à nouveau : { $target }
+measure-afresh = { $target ->
+    [roof] Toit mesuré à nouveau. La valeur précédente est dans l’historique.
+    [driver_eye] Œil du conducteur mesuré à nouveau. La valeur précédente est dans l’historique.
+    [taillight] Feu arrière mesuré à nouveau. La valeur précédente est dans l’historique.
+    [headlight] Projecteur mesuré à nouveau. La valeur précédente est dans l’historique.
+   *[other] Autre cible mesurée à nouveau. La valeur précédente est dans l’historique.
+}
+measure-show-point = Afficher et sélectionner le point
+measure-click = cliquez sur l’image
+measure-details-show = { $target ->
+    [roof] Afficher les détails du toit
+    [driver_eye] Afficher les détails de l’œil du conducteur
+    [taillight] Afficher les détails du feu arrière
+    [headlight] Afficher les détails du projecteur
+   *[other] Afficher les détails de l’autre cible
+}
+measure-details-hide = { $target ->
+    [roof] Masquer les détails du toit
+    [driver_eye] Masquer les détails de l’œil du conducteur
+    [taillight] Masquer les détails du feu arrière
+    [headlight] Masquer les détails du projecteur
+   *[other] Masquer les détails de l’autre cible
+}
+measure-discard = Abandonner
+measure-doubt = { $kind ->
+    [above_roof] C’est plus haut que le toit ({ $low }) : le point est-il au bon endroit de ce véhicule ?
+    [below_lamp] Le projecteur est plus haut ({ $low }) : le point est-il sur l’œil du conducteur ?
+    [far_from_maker] Le constructeur indique { $low } : les points, la marque et le modèle sont-ils ceux de ce véhicule ?
+   *[outside_class] Les véhicules de ce type sont entre { $low } et { $high } : les points et la catégorie sont-ils justes ?
+}
+measure-not-yet-saved = pas encore enregistré…
+measure-not-stored = non enregistré
+measure-click-again = Repointez-la.
+measure-click-again-key = Repointez-la ({ $key }).
+measure-no-way-back = Impossible de l’annuler.
+measure-clicked-on = pointé sur l’image { $frame }
+measure-contact = Contact
+measure-point = Cible
+measure-distance = Distance
+measure-lateral = Pneu en travers de la route, depuis la mire
+measure-along = Pneu le long de la route, depuis la mire
+measure-without-inset = Hauteur non corrigée (retrait = 0)
+measure-withdraw = Retirer
+measure-px = { $across_px }, { $down_px } px
+measure-inset = Retrait
+measure-inset-u = u
+measure-estimate = estimation
+measure-inset-solved = Non utilisé : résolu sur plusieurs images
+measure-inset-what = distance latérale du plan latéral du véhicule à la cible
+measure-inset-as-survey = Revenir à la valeur du relevé ({ $inset }, u = { $u_inset })
+measure-inset-side = Côté du conducteur
+measure-unseen = Non visible : { $why }.
+measure-unseen-back = Marquer comme visible
+measure-unseen-ask = Non visible…
+measure-unseen-why = { $target ->
+    [roof] Pourquoi le toit n’est-il pas visible ?
+    [driver_eye] Pourquoi l’œil du conducteur n’est-il pas visible ?
+    [taillight] Pourquoi le feu arrière n’est-il pas visible ?
+   *[headlight] Pourquoi le projecteur n’est-il pas visible ?
+}
+measure-side-unknown = inconnu
+measure-side-as-survey = valeur du relevé
+measure-side-from = { $from ->
+    [said] indiqué pour ce véhicule
+    [direction] { $direction ->
+        [right] va vers la droite
+       *[left] va vers la gauche
+    }, volant { $steering ->
+        [right] à droite
+       *[left] à gauche
+    }
+    [place] sens inconnu : vus du terre-plein central, tous vont dans le même sens
+    [undirected] sens inconnu, l’œil n’a donc pas de hauteur : indiquez ici le côté, proche ou éloigné, ou le sens du véhicule
+   *[unknown] pas encore connu, l’œil n’a donc pas de hauteur : indiquez-le ici pour ce véhicule, ou <link>sur la page du relevé</link> pour tous
+}
+measure-inset-roof = Point du toit
+measure-inset-now = retrait { $inset } (u = { $u_inset }), estimation
+
+## Mesure : plusieurs images
+
+measure-second-looking = Recherche de la meilleure deuxième image…
+measure-second-hint = { $nth ->
+    [2] Deuxième image
+    [3] Troisième image
+    [4] Quatrième image
+    [5] Cinquième image
+    [6] Sixième image
+    [7] Septième image
+    [8] Huitième image
+   *[other] Image supplémentaire
+} : { $what ->
+    [elsewhere] allez à une autre image du passage
+    [contact] cliquez sur le même contact du pneu
+    [roof] cliquez sur le même point du toit
+    [driver_eye] cliquez sur le même point de l’œil du conducteur
+    [taillight] cliquez sur le même point du feu arrière
+    [headlight] cliquez sur le même point du projecteur
+   *[other] cliquez sur le même point de l’autre cible
+}
+measure-second-hint-care = { $hint }. { $care }
+measure-second-nothing-yet = Mesurez d’abord une cible. Vous pourrez ensuite ajouter une deuxième image.
+measure-second-no-use = Une deuxième image n’apporte rien.
+measure-second-clicked-already = Vous avez déjà utilisé cette image. Choisissez-en une autre.
+measure-second-expected = Attendu ici
+measure-second-expected-at = à { $speed }
+measure-frames-said = { $count ->
+    [one] D’après { $count } image
+   *[other] D’après { $count } images
+}
+measure-frames-said-inset = { $count ->
+    [one] D’après { $count } image ; retrait { $inset } (u = { $u_inset })
+   *[other] D’après { $count } images ; retrait { $inset } (u = { $u_inset })
+}
+measure-whole-nothing-yet = Mesurez d’abord une cible. Elle peut ensuite être suivie sur le passage.
+measure-whole-looking = Suivi des points sur le passage …
+measure-whole-heading = Passage entier : pas encore enregistré
+measure-whole-height = Hauteur
+measure-whole-frames = Images
+measure-whole-frames-used = { $used } sur { $all } utilisées
+measure-whole-speed = Vitesse
+measure-whole-wheelbase = Empattement
+measure-whole-dropped = { $count ->
+    [one] { $count } point exclu : { $reason }
+   *[other] { $count } points exclus : { $reason }
+}
+measure-whole-look = { $count ->
+    [one] { $count } point suivi. Parcourez les images et regardez s’il reste en place.
+   *[other] { $count } points suivis. Parcourez les images et regardez s’ils restent en place.
+}
+measure-whole-keep = Enregistrer cette hauteur
+measure-whole-leave = Annuler
+measure-whole-said = D’après le passage entier ; retrait { $inset } (u = { $u_inset })
+measure-whole-follow = Suivre sur le passage
+measure-whole-go = Suit le contact et la cible sur les images du passage. Rien n’est enregistré avant que vous n’enregistriez la hauteur.
+measure-step-pass = passage entier
+measure-followed-mark = { $point ->
+    [contact] contact suivi
+    [second_contact] second pneu suivi
+   *[target] cible suivie
+}
+measure-followed-frame = { $used ->
+    [yes] Image { $frame } : contact et cible ont été suivis
+   *[no] Image { $frame } : contact ou cible a été exclu
+}
+measure-frame = Image { $frame }
+measure-frame-first = première
+measure-frame-remove = Retirer l’image { $frame }
+measure-frame-remove-this = Retirer cette image
+measure-frame-removed = { $count ->
+    [one] Image { $frame } retirée. Reste { $count } image.
+   *[other] Image { $frame } retirée. Restent { $count } images.
+}
+measure-one-frame = Une image
+measure-all-frames = { $count ->
+    [one] { $count } image
+   *[other] { $count } images
+}
+measure-gain-looking = { $which ->
+    [second] Recherche de la meilleure deuxième image…
+   *[another] Recherche de la meilleure image à ajouter…
+}
+measure-gain = { $which ->
+    [second] Deuxième image, U95 : { $U95_now } → { $U95_then }
+   *[another] Une image de plus, U95 : { $U95_now } → { $U95_then }
+}
+measure-gain-go = Aller à l’image { $frame } et cliquer sur les deux mêmes points
+
+## Mesure : le véhicule
+
+measure-vehicle = Véhicule
+measure-vehicle-number = Véhicule { $vehicle }
+measure-vehicle-none = Choisissez un passage à gauche. Son véhicule et ses mesures apparaissent ici.
+measure-save-again = Réenregistrer
+measure-record = Fiche du véhicule
+measure-facts-of = données du véhicule { $vehicle }
+recent-models-title = Modèles récents
+recent-models-taken = Marque et modèle : { $model }
+recent-models-gone = { $model } n’est plus dans le catalogue.
+which-model-title = Modèles qui conviennent
+which-model-cannot = { $model } ne peut convenir : { $differences } (mesuré moins catalogue). Le bon modèle différerait d’autant avec une probabilité de { $p } ; la limite est { $limit }.
+which-model-row-cannot = ne convient pas, p { $p }
+which-model-height = toit
+which-model-length = longueur
+which-model-width = largeur
+which-model-wheelbase = empattement
+which-model-taillight = feu arrière
+which-model-headlight = projecteur
+measure-makers-height = Hauteur du constructeur
+measure-makers-height-u = Incertitude-type
+measure-year-problem = Une année a quatre chiffres.
+measure-span = Images du passage
+measure-span-first = Première
+measure-span-best = Meilleure
+measure-span-last = Dernière
+measure-span-first-here = Première ici
+measure-span-best-here = Meilleure ici
+measure-span-last-here = Dernière ici
+measure-span-elsewhere = Un autre enregistrement est ouvert.
+measure-span-frame-problem = Donnez un numéro d’image.
+measure-span-order = { $first_frame } est après { $last_frame }.
+measure-span-choose = Choisissez de { $first_frame } à { $last_frame }.
+measure-span-move-best = Déplacez d’abord la meilleure ({ $best_frame }).
+
+## Mesure : données d’un véhicule, et deux personnes qui ont modifié la même
+
+measure-field-first_frame = Première image
+measure-field-best_frame = Meilleure image
+measure-field-last_frame = Dernière image
+measure-field-make = Marque
+measure-field-model = Modèle
+measure-field-year = Année
+measure-field-category = Catégorie
+measure-field-manufacturer_height_m = Hauteur du constructeur
+measure-field-u_manufacturer_height_m = u de la hauteur du constructeur
+measure-field-height_source = Source de la hauteur
+measure-field-known_driver_eye_m = Hauteur connue de l’œil du conducteur
+measure-field-u_known_driver_eye_m = u de la hauteur connue de l’œil du conducteur
+measure-field-known_driver_eye_source = Source de la hauteur connue de l’œil du conducteur
+measure-field-known_taillight_m = Hauteur connue du feu arrière
+measure-field-u_known_taillight_m = u de la hauteur connue du feu arrière
+measure-field-known_taillight_source = Source de la hauteur connue du feu arrière
+measure-field-known_headlight_m = Hauteur connue du projecteur
+measure-field-u_known_headlight_m = u de la hauteur connue du projecteur
+measure-field-known_headlight_source = Source de la hauteur connue du projecteur
+measure-field-known_other_m = Hauteur connue du repère
+measure-field-u_known_other_m = u de la hauteur connue du repère
+measure-field-known_other_source = Source de la hauteur connue du repère
+measure-field-check_target = Cible de contrôle
+measure-check-target-yes = oui
+measure-check-target-no = non
+measure-check-target-mark = cible de contrôle
+measure-known-title = Hauteurs connues
+measure-known-help = Hauteurs de l’œil, des feux ou d’un repère, mesurées au mètre ruban ou d’après une fiche technique. Les erreurs sont calculées par rapport à elles. La hauteur du toit se saisit au-dessus.
+measure-known-some = { $count ->
+    [one] 1 connue
+   *[other] { $count } connues
+}
+measure-known-u = u
+measure-known-source = Source
+measure-known-mark = Repère
+measure-check-target-help = Une mire graduée, ou une voiture aux hauteurs mesurées, qui passe pour contrôler la mesure. Elle a sa propre ligne dans les tableaux d’erreurs et est exclue des distributions, des quotas et du taux de réponse.
+measure-check-target-empty = Une cible de contrôle a besoin d’une hauteur connue : donnez celle du toit au-dessus, ou une autre ici.
+measure-field-lighting = Luminosité
+measure-field-direction = Sens
+measure-field-driver_side = Côté du conducteur
+measure-field-roof_not_visible = Toit non visible
+measure-field-driver_eye_not_visible = Œil du conducteur non visible
+measure-field-taillight_not_visible = Feu arrière non visible
+measure-field-headlight_not_visible = Projecteur non visible
+measure-field-discarded = Passage
+measure-in-sample = dans l’échantillon
+measure-out-of-sample = hors échantillon, selon la règle du relevé
+measure-discard-measured = Retirez ses mesures pour l’écarter.
+measure-fact = { $field ->
+    [first_frame] première image { $value }
+    [best_frame] meilleure image { $value }
+    [last_frame] dernière image { $value }
+    [make] marque { $value }
+    [model] modèle { $value }
+    [year] année { $value }
+    [category] catégorie { $value }
+    [manufacturer_height_m] hauteur du constructeur { $value }
+    [u_manufacturer_height_m] u de la hauteur du constructeur { $value }
+    [height_source] source de la hauteur { $value }
+    [known_driver_eye_m] hauteur connue de l’œil du conducteur { $value }
+    [u_known_driver_eye_m] u de la hauteur connue de l’œil du conducteur { $value }
+    [known_driver_eye_source] source de la hauteur connue de l’œil du conducteur { $value }
+    [known_taillight_m] hauteur connue du feu arrière { $value }
+    [u_known_taillight_m] u de la hauteur connue du feu arrière { $value }
+    [known_taillight_source] source de la hauteur connue du feu arrière { $value }
+    [known_headlight_m] hauteur connue du projecteur { $value }
+    [u_known_headlight_m] u de la hauteur connue du projecteur { $value }
+    [known_headlight_source] source de la hauteur connue du projecteur { $value }
+    [known_other_m] hauteur connue du repère { $value }
+    [u_known_other_m] u de la hauteur connue du repère { $value }
+    [known_other_source] source de la hauteur connue du repère { $value }
+    [check_target] cible de contrôle : { $value }
+    [lighting] luminosité : { $value }
+    [direction] va { $value }
+    [driver_side] conducteur { $value }
+    [roof_not_visible] toit non visible : { $value }
+    [driver_eye_not_visible] œil du conducteur non visible : { $value }
+    [taillight_not_visible] feu arrière non visible : { $value }
+    [headlight_not_visible] projecteur non visible : { $value }
+    [discarded] { $value }
+   *[notes] notes { $value }
+}
+measure-fact-empty = vide
+measure-deleted = supprimé
+measure-merged = { $problem } Vos modifications portent sur d’autres champs : les deux sont gardées.
+measure-conflict = Modifié par un autre utilisateur
+measure-conflict-kept = Les deux versions sont gardées jusqu’à votre choix.
+measure-conflict-mine = la vôtre : { $value }
+measure-conflict-theirs = l’autre : { $value }
+measure-conflict-save = Enregistrer celle-ci
+measure-conflict-both = L’autre saisie ({ $person }) : { $theirs }. La vôtre : { $mine }.
+measure-conflict-somebody = un autre utilisateur
+
+## Vérification : la page
+
+review-loading = file des mesures
+review-back-to-frame = Revenir à l’image { $frame }
+review-none-in-state-title = Rien dans cet état
+review-none-in-state = Choisissez un autre état dans la liste à gauche.
+review-all-done-title = Tout est vérifié
+review-all-done = Chaque mesure a une décision. Les mesures nouvelles ou corrigées apparaissent ici d’elles-mêmes.
+review-to-export = Aller à l’export
+review-none-title = Rien à vérifier pour l’instant
+review-none = Les mesures apparaissent ici dès qu’un opérateur les a pointées.
+review-to-measure = Aller à la mesure
+review-other-point = Choisir l’autre point
+review-other-frame = Ce n’est pas l’image mesurée
+review-fix-hint = Glissez un point, ou appuyez sur { $key } et déplacez-le avec les flèches. Entrée enregistre, Échap abandonne.
+
+## Vérification : la file
+
+review-queue = File
+review-queue-title = Vérification <muted>{ NUMBER($count) } à vérifier</muted>
+review-queue-end = C’est la fin de la file.
+review-queue-start = C’est le début de la file.
+review-queue-more = Afficher plus
+review-show = Afficher
+review-state-to_review = À vérifier
+review-state-rejected = Rejetées
+review-state-accepted = Validées
+review-state-fixed = Corrigées
+review-state-all = Toutes
+review-counts = validées : { NUMBER($accepted) }, rejetées : { NUMBER($rejected) }, sur { NUMBER($count) }
+review-mine = la mienne
+review-line = balayage
+review-lines = { $count ->
+    [one] { $count } hauteur d’un balayage à vérifier.
+   *[other] { NUMBER($count) } hauteurs de balayages à vérifier.
+}
+review-lines-left-title = Des hauteurs de balayages attendent
+review-lines-left = Vérifiez-les sous Balayages, qui passe de l’une à la suivante.
+review-lines-open = Ouvrir la suivante
+review-verdict-of = décision ({ $target }, véhicule { $vehicle })
+review-verdict-reason = { $verdict } : { $reason }
+review-verdict-by = { $verdict } par { $person }
+review-verdict-none = aucune décision
+review-verdict-kept = La décision est gardée dans ce navigateur et sera envoyée au retour de la connexion.
+
+## Vérification : repointer avant de voir les points
+
+review-plan = { $one_in ->
+    [0] Contrôle en aveugle : désactivé.
+    [1] Contrôle en aveugle : chaque mesure est pointée avant d’être montrée.
+   *[other] Contrôle en aveugle : 1 mesure sur { $one_in } est pointée avant d’être montrée.
+}
+review-plan-choose = Contrôle en aveugle, pour tous ceux qui vérifient ce relevé
+review-plan-choice = { $one_in ->
+    [0] Contrôle en aveugle : désactivé
+    [1] Contrôle en aveugle : chaque mesure
+   *[other] Contrôle en aveugle : 1 sur { $one_in }
+}
+review-blind-click = à repointer
+review-blind-title = Contrôle en aveugle : pointez d’abord vous-même
+review-blind-contact = Cliquez sur le contact du pneu, puis sur la cible. Les points et la hauteur s’affichent ensuite, à côté des vôtres.
+review-blind-target = Maintenant la cible. Échap retire le contact.
+review-blind-why = Des pointés indépendants, en aveugle, montrent la répétabilité des mesures. Ils sont tirés au sort. Si l’un est impossible, rejetez la mesure avec le motif.
+blind-kept = Votre second pointé est gardé dans ce navigateur et sera envoyé au retour de la connexion.
+review-again = Repointage
+review-again-you = <strong>Vous</strong> l’avez repointée : <height>{ $height }</height>
+review-again-person = <strong>{ $person }</strong> l’a repointée : <height>{ $height }</height>
+review-again-somebody = <strong>Un autre utilisateur</strong> l’a repointée : <height>{ $height }</height>
+review-again-take-back = Annuler
+review-again-agree = Concordent : écart { $apart }, limite { $expected }
+review-again-differ = Divergent : écart { $apart }, limite { $expected }
+review-again-not-compared = Non comparées
+
+## Vérification : ce que l’on sait d’une mesure
+
+review-measurement = Mesure
+review-facts = Données et historique
+review-contact = contact
+review-pixels = { $point ->
+    [contact] Pixels autour du point de contact
+    [roof] Pixels autour du point du toit
+    [driver_eye] Pixels autour du point de l’œil du conducteur
+    [taillight] Pixels autour du point du feu arrière
+    [headlight] Pixels autour du point du projecteur
+   *[other] Pixels autour du point de l’autre cible
+}
+review-vehicle = Véhicule
+review-vehicle-unknown = inconnu
+review-manufacturer-height = Hauteur du constructeur
+review-lighting = Luminosité
+review-frame-at = { $frame }, { $time }
+review-further-frames = Autres images
+review-distance = Distance
+review-inset = Retrait
+review-inset-estimate = { $inset } (u = { $u_inset }, estimation)
+review-clicked-by = Pointé par
+
+## Vérification : la décision
+
+review-look-only = Lecture seule. Les vérificateurs décident.
+review-own = Vous avez fait cette mesure : quelqu’un d’autre la vérifie.
+review-pose-changed = L’enregistrement a une autre pose de la caméra depuis cette mesure ; la correction est calculée avec la nouvelle.
+review-fix-save = Enregistrer la correction
+review-fix-nothing = Rien n’a changé. Déplacez d’abord un point, ou validez la mesure.
+review-fix-leave = Annuler
+review-fix-mine = Utiliser mes points
+review-reopen = Rouvrir
+review-reject-why = Pourquoi est-elle rejetée ?
+review-reject-words = En vos propres mots
+review-reason-contact = Le contact n’est pas là où le pneu touche la chaussée.
+review-reason-point = Le point de la cible est à côté de l’élément visé.
+review-reason-frame = Une autre image le montre mieux.
+review-reason-hidden = L’élément visé est masqué.
+review-reason-wrong = Mauvais véhicule ou mauvaise cible.
+review-reason-side = Le conducteur est assis de l’autre côté.
+review-step-verdict = décision ({ $target }, véhicule { $vehicle })
+review-error = Erreur de hauteur
+review-side = Côté du conducteur
+review-signs = À contrôler de près
+review-sign = { $sign ->
+    [large_u] incertitude élevée
+    [unusual] hauteur inhabituelle dans ce relevé
+    [far_from_maker] loin de la hauteur du constructeur
+   *[new_operator] opérateur ayant peu de mesures
+}
+review-own-waiting = { $count ->
+    [one] { $count } de vos mesures attend un autre vérificateur.
+   *[other] { $count } de vos mesures attendent un autre vérificateur.
+}
+review-neighbours = Images voisines
+review-neighbour = Image { $frame }
+
+## Répétitions : la page
+
+repeats-lead = { $people ->
+    [1] Mesures répétées en aveugle des mêmes cibles : variation chez un même opérateur (répétabilité). La variation entre opérateurs (reproductibilité) sera connue quand un second les répétera.
+   *[other] Mesures répétées en aveugle des mêmes cibles : variation chez un même opérateur (répétabilité) et entre opérateurs (reproductibilité).
+}
+repeats-loading = répétabilité
+repeats-not-compared = { $count ->
+    [one] { $count } répétition est exclue
+   *[other] { $count } répétitions sont exclues
+} : la pose de la caméra ou le retrait a changé, ou aucune hauteur n’a pu être calculée.
+repeats-click-mine = Répéter 10 de mes mesures
+repeats-click-anybodys = Répéter 10 mesures de tous
+repeats-none-title = Pas encore de mesures répétées
+repeats-none = { $one_in ->
+    [0] Répétez ici dix mesures tirées au hasard, ou activez les contrôles en aveugle sous Vérification.
+    [1] Les contrôles en aveugle sont actifs : chaque mesure est répétée sous Vérification. Dix mesures tirées au hasard peuvent aussi être répétées ici.
+   *[other] Les contrôles en aveugle sont actifs : 1 mesure sur { $one_in } est répétée sous Vérification. Dix mesures tirées au hasard peuvent aussi être répétées ici.
+} Après dix répétitions de vos propres mesures, votre propre incertitude de pointé peut remplacer la valeur par défaut de 1 px. Les répétitions des mesures d’autrui montrent la variation entre opérateurs.
+repeats-no-result = Les répétitions sont gardées à part et ne changent pas les résultats.
+repeats-to-review = Aller à la vérification
+repeats-target = Cible
+repeats-items = { $count ->
+    [one] { $count } mesure
+   *[other] { $count } mesures
+}
+
+## Répétitions : le tableau des cibles
+
+repeats-targets-title = Hauteurs, par cible
+repeats-targets-note = Écarts-types avec leurs intervalles à 95 %
+repeats-targets-help = Les valeurs regroupent toutes les distances ; la dispersion en millimètres croît avec la distance. Les répétitions sur la même image partagent les erreurs d’objectif, de pose, de mire et de retrait : seule la composante de pointé du bilan d’incertitude est comparée. Pour inclure les autres composantes, répétez sur une autre image.
+repeats-clicked-again = Mesures répétées
+repeats-same-person = Répétabilité (s)
+repeats-another-frame = Répétabilité, autre image
+repeats-another-person = Reproductibilité (entre opérateurs)
+repeats-claimed = Incertitude de pointé, indiquée
+repeats-seen = Incertitude de pointé, observée
+repeats-all-targets = Toutes les cibles
+repeats-people-differ = Interaction opérateur × véhicule significative (p < 0,05) ; elle est comprise dans la répétabilité.
+repeats-ratio = × { $ratio } ({ $low } à { $high })
+repeats-more = plus qu’indiqué
+repeats-less = moins qu’indiqué
+repeats-as = comme indiqué
+
+## Répétitions : le tableau des personnes
+
+repeats-people-title = Pointés, par opérateur
+repeats-people-note = Écart-type de chaque coordonnée d’un pointé, d’après ses propres répétitions
+repeats-person = Opérateur
+repeats-own = Ses répétitions
+repeats-contact = Contact
+repeats-height = Hauteur
+repeats-against-others = Écart moyen aux autres opérateurs
+repeats-sigma = Incertitude de pointé utilisée
+repeats-sigma-usual = 1 px (par défaut)
+repeats-sigma-own = { $sigma_px } px (d’après répétitions)
+repeats-sigma-from = { $count ->
+    [one] d’après { $count } répétition, choix de { $person }
+   *[other] d’après { $count } répétitions, choix de { $person }
+}
+repeats-sigma-use = Utiliser { $sigma_px } px
+repeats-sigma-use-title = { $count ->
+    [one] D’après { $count } répétition ; les mesures existantes gardent la valeur précédente
+   *[other] D’après { $count } répétitions ; les mesures existantes gardent la valeur précédente
+}
+repeats-sigma-needs = Il faut répéter 10 de ses mesures
+repeats-sigma-back = Revenir à 1 px
+
+## Répétitions : la figure des écarts
+
+anchoring-title = Effet de l’affichage des propositions
+anchoring-shown = Propositions affichées
+anchoring-free = Propositions masquées
+anchoring-shift = Décalage dû à l’affichage
+anchoring-goal = Objectif : moins de { $goal }
+anchoring-vehicles = { $count ->
+    [one] { $count } véhicule
+   *[other] { $count } véhicules
+}
+anchoring-verdict = { $verdict ->
+    [met] atteint : tout l’IC à 95 % est dans la limite
+    [missed] manqué : tout l’IC à 95 % est hors de la limite
+   *[undecided] indécis : mesurez plus de véhicules aux propositions masquées
+}
+anchoring-plan = { $one_in ->
+    [0] propositions toujours affichées
+   *[other] propositions masquées pour 1 véhicule sur { $one_in }
+}
+anchoring-plan-choose = Part des véhicules aux propositions masquées, tirés au sort par le serveur
+anchoring-help = Pour chaque véhicule : hauteur enregistrée moins hauteur des points proposés, sur la même image. Le serveur tire au sort les véhicules dont les propositions sont masquées : les deux groupes ne diffèrent que par l’affichage. Le décalage est l’écart moyen des hauteurs enregistrées quand les propositions sont affichées (IC à 95 %, Welch). Les hauteurs mesurées par une même personne ne sont pas indépendantes : le résultat vaut pour les opérateurs qui ont mesuré ici. Il ne dit pas si les propositions sont exactes.
+anchoring-counts = Propositions affichées : { $confirmed } hauteurs confirmées, { $moved } déplacées et { $afresh } pointées à la main ; toutes sont comprises.
+repeats-differences-title = Seconde hauteur moins la première, selon leur moyenne
+repeats-differences-note = Les barres sont l’incertitude élargie de l’écart (U95). Environ 95 % des barres devraient contenir zéro.
+repeats-differences-label = { $count ->
+    [one] Seconde hauteur moins la première en { $small } selon leur moyenne en { $unit }, { $count } répétition
+   *[other] Seconde hauteur moins la première en { $small } selon leur moyenne en { $unit }, { $count } répétitions
+}
+repeats-differences-x = moyenne des deux hauteurs ({ $unit })
+repeats-differences-y = écart ({ $unit })
+
+## Repointer : des mesures refaites, sans leurs points
+
+again-loading = répétitions en aveugle
+again-place = <strong>{ $at } sur { $of }</strong> <muted>véhicule { $vehicle }, { $target }</muted>
+again-stored = { $count ->
+    [one] { $count } répétition enregistrée
+   *[other] { $count } répétitions enregistrées
+}
+again-stop = Arrêter
+again-undo = Annuler la dernière répétition
+again-undo-clicks = seconds pointés
+again-undo-skip = saut
+again-skip = Passer
+again-results = Voir les résultats
+again-back-to-frame = Revenir à l’image { $frame }
+again-last-title = C’était la dernière
+again-last = Chacune est enregistrée comme répétition : les répétitions sont gardées à part et ne changent pas les résultats.
+again-none-own-title = Pas encore de mesures de vous
+again-none-title = Rien n’est encore mesuré
+again-none-own = Mesurez d’abord quelques véhicules de ce relevé. Vous pourrez ensuite répéter vos propres mesures.
+again-none = Mesurez d’abord quelques véhicules. Ils pourront ensuite être répétés.
+again-to-measure = Aller à la mesure
+scans-lane-needs-boundaries = Le véhicule n’a pas encore été mesuré, il n’a donc pas de voie ; placez d’abord ses limites.
+
+## Balayages : la page
+
+scans-lead = Deux caméras linéaires distantes d’une base connue : vitesse, longueur, accélération et intervalles entre véhicules, avec l’image pour contrôler chacun.
+scans-loading = balayages
+scan-live = Cette partie du flux est encore en cours d’enregistrement ; son image viendra à la fin.
+live-lead = Les véhicules tels que les caméras linéaires les voient, et l’état des caméras.
+live-loading = flux en direct
+live-none-title = Pas encore de flux
+live-none-pipe = Sur l’ordinateur des caméras, donnez les lignes de l’enregistreur à la commande :
+live-none-file = ou faites-lui suivre un fichier que l’enregistreur écrit :
+live-none-cameras = ou prenez-les de deux caméras GigE Vision (avec Aravis) :
+live-since = Depuis { $time }
+live-running = enregistre
+live-silent-state = sans signal
+live-ended = terminé
+live-stopped-state = interrompu
+live-stopped = Le flux s’est interrompu sans se terminer ; dernier signe de vie le { $time }. Les véhicules jusque-là sont enregistrés, ses lignes sont encore sur son ordinateur : la même commande y reprend le travail.
+live-silent = Dernier signe du flux : { $ago }. Voyez son ordinateur ; la même commande reprend ce qui a été gardé.
+live-earlier = Parties antérieures :
+live-time = Enregistré
+live-lines = Lignes
+live-lost = Lignes perdues (1 / 2)
+live-light = Luminosité de la chaussée
+live-saturated = Saturé
+live-clock = Retard
+live-waiting = En attente
+live-memory = Mémoire
+live-flow = Véhicules par minute
+live-flow-last = { $time } : { $vehicles }
+live-flow-none = pas encore de minute entière
+live-flow-minute = { $time } : { $vehicles ->
+    [one] { $vehicles } véhicule
+   *[other] { $vehicles } véhicules
+}
+live-flow-part = { $time } : { $vehicles ->
+    [one] { $vehicles } véhicule
+   *[other] { $vehicles } véhicules
+}, minute observée en partie
+live-vehicles = Les derniers véhicules
+live-no-vehicles = Pas encore de véhicule.
+live-picture-later = L’image d’un véhicule est visible quand cette partie du flux est finie et lue.
+scans-add = Ajouter un balayage
+scans-all = Tous les balayages
+scans-no-such-lane = Le dispositif n’a pas de voie { $lane } ; choisissez une de ses voies.
+scans-none-title = Pas encore de balayages
+scans-none = Un opérateur peut envoyer ici les bandes des deux caméras.
+scans-delete-title = Supprimer { $scan } ?
+scans-delete-what = Les deux bandes et les véhicules qui y ont été trouvés seront supprimés. Un balayage dont des véhicules ont été modifiés ou vérifiés ne peut pas être supprimé.
+scans-delete = Supprimer le balayage
+scans-delete-one = Supprimer { $scan }
+scans-deleted = { $scan } a été supprimé.
+scans-read-again = Importer à nouveau
+scans-not-read = Les bandes n’ont pas pu être lues.
+scans-rig = Dispositif, et estimations d’après le trafic
+scans-rig-change = Modifier le dispositif…
+scans-open = Ouvrir
+scans-fact-lines = { $lines ->
+    [one] { $lines } ligne de { $rows_px } pixels
+   *[other] { $lines } lignes de { $rows_px } pixels
+}
+scans-start-words = { $start } (u = { $u_s } s)
+scans-start-unknown = Début inconnu : aucun véhicule n’a d’heure.
+scans-start-edit-of = Modifier le début de { $recording }
+scans-start-line = Première ligne, à l’heure du lieu
+scans-start-hint = D’après l’horloge de l’enregistreur, ou une montre tenue devant la caméra 1 et vos notes.
+scans-start-from-video = La vidéo dont il est extrait commence { $time } : début confirmé, sinon celui qu’indique le fichier.
+scans-start-u = Incertitude-type u
+scans-start-u-hint = Incertitude-type du début, commune à tous les véhicules : environ 1 pour une montre lue à l’œil, 0,001 pour des lignes horodatées par GPS ou PTP.
+scans-start-u-problem = Donnez l’incertitude-type du début en secondes, plus de 0.
+scans-fact-baseline = base { $baseline }
+scans-fact-rate = { $rate_hz } lignes par seconde
+scans-fact-video = extrait d’une vidéo aux { $along ->
+    [columns] colonnes
+   *[rows] rangées
+} { $cut_1_px } et { $cut_2_px }
+scans-count-none = véhicules pas encore détectés
+scans-count-vehicles = { $count ->
+    [one] { $count } véhicule
+   *[other] { $count } véhicules
+}
+scans-count-to-review = { NUMBER($count) } à vérifier
+scans-count-accepted = validés : { NUMBER($count) }
+scans-count-rejected = rejetés : { NUMBER($count) }
+scans-count-not-measurable = non mesurables : { NUMBER($count) }
+scans-count-heights = { $count ->
+    [one] { $count } hauteur
+   *[other] { NUMBER($count) } hauteurs
+}
+scans-count-heights-to-review = { $count ->
+    [one] { $count } hauteur à vérifier
+   *[other] { NUMBER($count) } hauteurs à vérifier
+}
+
+## Balayages : ce qu’un balayage ne peut pas mesurer
+
+scans-limits = Ce qu’un balayage ne peut pas mesurer
+scans-limit-opposing = Sens opposé
+scans-limit-opposing-why = Un véhicule qui atteint d’abord la caméra 2 est mesuré en échangeant le rôle des caméras ; son sens est affiché et exporté, et sa vitesse, son heure et ses intervalles sont ceux devant la caméra 1, comme pour tous. Deux véhicules qui se croisent devant les caméras partagent leurs lignes et ne sont pas mesurés.
+scans-limit-abreast = Masquage par des véhicules côte à côte
+scans-limit-abreast-why = Deux véhicules qui se masquent partagent leurs lignes : aucun n’a un avant et un arrière à lui. Ils ne sont mesurables que s’ils passent séparément : choisissez une voie plus éloignée ou une vue plus plongeante.
+scans-limit-slow = À l’arrêt, en marche arrière ou très lents
+scans-limit-slow-why = Une bande enregistre le temps, pas la distance. Un véhicule arrêté répète la même ligne, et l’ajustement suppose une accélération constante : la circulation en accordéon n’est pas mesurable.
+scans-limit-cut = Coupés, ou lignes perdues
+scans-limit-cut-why = Un véhicule coupé par le début ou la fin de l’enregistrement n’a pas d’avant ou pas d’arrière. Là où l’enregistreur a perdu des lignes, l’axe du temps de la bande est faux.
+scans-limit-distance = Véhicules à une autre distance
+scans-limit-distance-why = Si les plans de balayage ne sont pas tout à fait parallèles, la base varie avec la distance, ce que le trafic seul ne peut révéler. Indiquez l’incertitude de la divergence et la distance à la voie sous Dispositif.
+
+## Balayages : en ajouter un
+
+scans-new = Nouveau balayage
+scans-new-from = Source
+scans-new-strips = Deux bandes
+scans-new-columns = Deux colonnes ou rangées d’une vidéo
+scans-new-name-hint = Laissé vide : le nom du fichier.
+scans-new-read = Lire et détecter les véhicules
+scans-new-no-strip = aucune bande ici
+scans-new-choose-strip = choisissez une bande
+scans-new-strip = { $file } ({ $size })
+scans-new-choose-both = Choisir les deux bandes
+scans-new-drop = Déposez les deux bandes ici, ou cliquez pour choisir
+scans-new-drop-hint = PNG, TIFF ou BigTIFF, niveaux de gris sur 8 ou 16 bits, de longueur quelconque.
+scans-new-camera-1 = Caméra 1, qu’un véhicule atteint d’abord
+scans-new-camera-2 = Caméra 2
+scans-new-same-strip = Les deux caméras ne peuvent pas avoir la même bande.
+scans-new-time-axis = Le temps court selon
+scans-new-time-width = la largeur, comme d’usage
+scans-new-time-height = la hauteur
+scans-new-no-recording = aucun enregistrement prêt
+scans-new-choose-recording = choisissez un enregistrement
+scans-new-recording-hint = Sa cadence d’images est la cadence de lignes : elle doit être stable et rapide.
+scans-new-cut-along = Sens de circulation dans la vidéo
+scans-new-cut-along-columns = Vers la gauche ou la droite : colonnes
+scans-new-cut-along-left = Vers le haut ou le bas, toits à gauche : rangées
+scans-new-cut-along-right = Vers le haut ou le bas, toits à droite : rangées
+scans-new-cut-1 = { $along ->
+    [columns] Colonne
+   *[rows] Rangée
+} de la caméra 1
+scans-new-cut-1-hint = Celle qu’un véhicule atteint d’abord.
+scans-new-cut-1-hint-to = Celle qu’un véhicule atteint d’abord, 0 à { $last_px }.
+scans-new-cut-2 = { $along ->
+    [columns] Colonne
+   *[rows] Rangée
+} de la caméra 2
+
+## Balayages : le dispositif
+
+scans-rig-title = Le dispositif
+scans-rig-store = Enregistrer
+scans-rig-traffic = Le dispositif d’après le trafic
+scans-rig-traffic-title = D’après le trafic
+scans-rig-note = Les résultats existants gardent les anciennes valeurs et sont marqués périmés jusqu’à une nouvelle mesure.
+scans-rig-undo = dispositif
+scans-rig-stored = Le dispositif est enregistré.
+scans-rig-stored-older = Le dispositif est enregistré. Relancez la détection des véhicules pour mettre à jour les résultats.
+scans-rig-baseline = Base
+scans-rig-baseline-hint = Entre les deux plans de balayage, au droit des véhicules.
+scans-rig-u = Incertitude-type
+scans-rig-baseline-u-hint = Limite l’exactitude de chaque vitesse.
+scans-rig-rate = Cadence de lignes
+scans-rig-clock = u relative de la cadence de lignes
+scans-rig-clock-hint = Un quartz tient environ 50 ppm.
+scans-rig-more = Plus : désalignement, divergence, distance à la voie
+scans-rig-misalignment = Désalignement
+scans-rig-from-traffic = d’après le trafic
+scans-rig-misalignment-hint = Rangée d’un point dans la bande 2 moins sa rangée dans la bande 1. Vide : estimé d’après le trafic, véhicule par véhicule.
+scans-rig-divergence = Angle de divergence des plans de balayage
+scans-rig-divergence-hint = Positif : ils s’ouvrent vers les véhicules. La base est alors celle aux caméras.
+scans-rig-divergence-u-hint = Plans réglés parallèles : l’incertitude du réglage.
+scans-rig-distance = Distance à la voie (côté proche des véhicules)
+scans-rig-distance-hint = Nécessaire pour la divergence seulement.
+scans-lanes = Voies à plusieurs distances
+scans-lanes-why = Chaque véhicule est mesuré avec la base à sa propre voie. Une voie se reconnaît à son sens et à la rangée où les pneus touchent la route (caméra 1, rangée 0 en haut) ; vous pouvez la choisir sur le véhicule. Sans voies, tous les véhicules sont à la distance ci-dessus.
+scans-lane-of = Voie { $number }
+scans-lane-name = Nom de la voie
+scans-lane-way = { $way ->
+    [camera_1_first] caméra 1 d’abord
+    [camera_2_first] caméra 2 d’abord
+   *[either] les deux
+}
+scans-lane-distance = Distance de ses véhicules (côté proche)
+scans-lane-from = Pneus de la rangée
+scans-lane-to = Pneus jusqu’à la rangée
+scans-lane-rows-hint = Laissez les deux vides si le sens suffit à reconnaître la voie.
+scans-lane-shadow-rig = celle du dispositif
+scans-lane-add = Ajouter une voie
+scans-lane-remove = Retirer cette voie
+scans-lane-problem-name = Entrez un nom de 40 caractères au plus.
+scans-lane-problem-twice = Une autre voie porte ce nom ; entrez-en un autre.
+scans-lane-problem-distance = Entrez une longueur supérieure à 0.
+scans-lane-problem-rows = Entrez les deux rangées, d’abord la plus haute (le plus petit numéro), ou laissez les deux vides.
+scans-rig-shadow = Zone d’ombre
+scans-rig-shadow-hint = Partie basse de l’image, où il n’y a que chaussée et ombres : aucun véhicule n’y est cherché. Une caméra haute près de la voie en demande plus.
+scans-rig-problem-shadow = Saisissez une part de 0 à 60 %.
+scans-rig-problem-number = Donnez un nombre de 0 ou plus, ou laissez vide.
+scans-rig-problem-length = Donnez une longueur, ou laissez vide.
+scans-rig-problem-angle = Donnez un angle d’au plus 200 mrad, ou laissez vide.
+scans-rig-problem-baseline = Donnez la distance entre les deux plans de balayage.
+scans-rig-problem-rate = Donnez le nombre de lignes par seconde des caméras.
+scans-rig-problem-misalignment = Donnez des pixels, ou laissez vide.
+scans-rig-problem-distance = Donnez la distance de la voie, ou laissez la divergence vide : elle agit sur cette distance.
+scans-rig-problem-misalignment-u = Donnez aussi le désalignement, ou laissez son incertitude vide.
+scans-rig-distance-u-hint = Dispersion latérale des véhicules ; compte si les plans divergent.
+scans-rig-correlation = Corrélation de la base et de la divergence
+scans-rig-correlation-hint = D’un étalonnage ; effacée dès que vous tapez une autre base ou divergence.
+scans-rig-problem-correlation = Indiquez un nombre de −1 à 1, ou laissez vide.
+scans-calibrate = Étalonner le dispositif…
+scans-calibrate-why = Base et divergence d’après un jalon ou un panneau qui passe devant les deux caméras à deux distances.
+scans-calibrate-title = Étalonner le dispositif
+scans-calibrate-how = Faites passer un jalon ou un panneau devant les deux caméras à deux distances ou plus, plusieurs fois à chacune : par exemple la voie proche et la voie éloignée. Tenez ses repères à la hauteur du milieu d’un véhicule.
+scans-calibrate-way = Méthode
+scans-calibrate-way-board = Panneau de largeur connue
+scans-calibrate-way-positions = Jalon le long d’un mètre ruban
+scans-calibrate-way-speed = Jalon à vitesse connue
+scans-calibrate-hint-board = Passez un panneau vertical d’un mouvement régulier, dans le sens du trafic. Indiquez les lignes de son premier et de son dernier bord dans les deux bandes : sa largeur donne sa vitesse.
+scans-calibrate-hint-positions = Déplacez un jalon vertical le long d’un mètre ruban posé dans le sens du trafic. Indiquez où chaque caméra le voit.
+scans-calibrate-hint-speed = Indiquez la vitesse du jalon et sa ligne dans chaque bande ; il faut la cadence de lignes des caméras.
+scans-calibrate-tape = Incertitude de l’échelle du mètre ruban
+scans-calibrate-tape-hint = Incertitude-type commune à toutes les longueurs mesurées au mètre ruban. Vide : aucune.
+scans-calibrate-tape-problem = Indiquez une part de 0 à 10 %.
+scans-calibrate-distance-problem = Indiquez à quelle distance sont les véhicules : une vitesse utilise la base à cette distance.
+scans-calibrate-compute = Calculer
+scans-calibrate-busy = étalonnage
+scans-calibrate-store = Appliquer
+scans-calibrate-answer = Résultat des passages
+scans-calibrate-lane = Base à la voie, { $distance }
+scans-calibrate-share = ({ $percent } % de chaque vitesse)
+scans-calibrate-baseline = Base aux caméras
+scans-calibrate-agree = Cohérence des passages
+scans-calibrate-chi2 = khi-deux { $chi2 }, { $degrees } degrés de liberté : p = { $percent } %
+scans-calibrate-mrad = { $value } ± { $U95 } mrad
+scans-calibrate-passes = Passages et résidus
+scans-calibrate-span = Base à cette distance
+scans-calibrate-residual = Résidu
+scans-calibrate-history = Étalonnages
+scans-calibrate-one = { $number }, par { $who }, { $passes } passages
+scans-calibrate-in-force = en vigueur
+scans-calibrate-use-one = Utiliser l’étalonnage { $number }
+scans-passes = Passages
+scans-passes-typed = passages saisis
+scans-passes-number = Passage
+scans-passes-cell = Passage { $number }, { $column }
+scans-passes-add = Ajouter un passage
+scans-passes-choose = CSV de passages
+scans-passes-drop = Ou déposez un CSV de passages
+scans-passes-drop-hint = Un passage par ligne ; les colonnes sont celles de « sightline rig calibrate ».
+scans-passes-refused = La ligne { $row } est laissée de côté.
+scans-passes-distance-shown = Distance
+scans-passes-distance = Distance, m
+scans-passes-u = u
+scans-passes-width = Largeur, m
+scans-passes-position-1 = À la caméra 1, m
+scans-passes-position-2 = À la caméra 2, m
+scans-passes-speed = Vitesse, m/s
+scans-passes-line-1 = Ligne, bande 1
+scans-passes-line-2 = Ligne, bande 2
+scans-passes-front-1 = Premier bord, bande 1
+scans-passes-rear-1 = Dernier bord, bande 1
+scans-passes-front-2 = Premier bord, bande 2
+scans-passes-rear-2 = Dernier bord, bande 2
+scans-passes-u-line = u d’une ligne
+
+## Balayages : le dispositif tel que le trafic l’indique
+
+scans-traffic-loading = estimations d’après le trafic
+scans-traffic-swapped = Les caméras ont été échangées ; les véhicules sont à nouveau recherchés.
+scans-traffic-swap = Échanger les caméras
+scans-traffic-table = Estimations d’après le trafic
+scans-traffic-says = Paramètre
+scans-traffic-value = Estimation (u)
+scans-traffic-from = Véhicules
+scans-traffic-in-force = En vigueur
+scans-traffic-take = Utiliser
+scans-traffic-gain = Lumière, caméra 2 sur 1
+scans-traffic-gain-own = par véhicule
+scans-traffic-baseline = { $of ->
+    [length] Base d’après les longueurs
+   *[wheelbase] Base d’après les empattements
+}
+scans-traffic-note = u est l’incertitude-type. Les estimations ne s’appliquent pas d’elles-mêmes. Choisissez Utiliser, puis enregistrez.
+scans-traffic-use = Utiliser…
+scans-traffic-use-for = Utiliser pour : { $what }
+
+## Balayage : le plan de travail
+
+scan-loading = balayage
+scan-vehicles = Véhicules
+scan-head-vehicle = Véhicule
+scan-calibrate = Étalonner la hauteur
+scan-rig = Dispositif…
+scan-find = Détecter les véhicules…
+scan-nothing-found-title = Aucun véhicule trouvé
+scan-nothing-yet-title = Pas encore de véhicules
+scan-nothing-found = Regardez les bandes. Là où vous voyez un véhicule, ajoutez-le en deux clics : son avant et son arrière.
+scan-nothing-yet = Détectez les véhicules pour mesurer automatiquement avant, arrière, vitesse, longueur et intervalles.
+scan-find-now = Détecter les véhicules
+scan-none-title = Aucun balayage choisi
+scan-none-choose = En choisir un
+scan-on = Avancer le long des bandes
+scan-back = Reculer le long des bandes
+scan-on-window = Avancer d’une fenêtre
+scan-back-window = Reculer d’une fenêtre
+scan-to-first = À la première ligne
+scan-to-last = À la dernière ligne
+scan-next-vehicle = Véhicule suivant
+scan-previous-vehicle = Véhicule précédent
+scan-take-out-vehicle = Retirer le véhicule
+scan-last-vehicle = C’est le dernier véhicule.
+scan-first-vehicle = C’est le premier véhicule.
+scan-search-stopped = La détection s’est arrêtée.
+
+## Balayage : détecter les véhicules
+
+scan-find-title = Détecter les véhicules
+scan-find-and-measure = Détecter et mesurer
+scan-find-again = Mesurer à nouveau
+scan-find-method = Méthode
+scan-find-direct = Recalage direct
+scan-find-paper = Appariement de blocs (Douxchamps et al.)
+scan-find-direct-what = Recale les deux bandes d’un véhicule dans leur ensemble : vitesse, accélération et désalignement des caméras en un seul ajustement. Par défaut.
+scan-find-paper-what = Appariement de blocs et régression linéaire, tels que publiés par Douxchamps, Macq et Chihara ; pour comparaison.
+scan-find-what = Quoi
+scan-find-all = Chercher dans tout l’enregistrement
+scan-find-known = Mesurer à nouveau les véhicules connus
+scan-find-note = Les bornes placées à la main et les véhicules retirés sont gardés. Les résultats validés qui changent retournent en vérification.
+
+## Balayage : les bandes, et ce que doit viser le prochain clic
+
+scan-strips = bandes du balayage
+scan-strips-label = Caméra 1 en haut, caméra 2 en bas, temps vers la droite
+scan-camera-1 = caméra 1
+scan-camera-2 = caméra 2
+scan-strips-missing = Une partie de l’image n’a pas pu être chargée.
+scan-asked = { $what } (Échap arrête)
+scan-asked-stretch = { $what } (R étire, Échap arrête)
+scan-click-camera-1 = Cliquez sur la caméra 1, la bande du haut.
+scan-click-rod-distance = Indiquez à droite la distance du jalon
+scan-click-rod = Cliquez sur le jalon à { $distance }, à { $height } au-dessus de la chaussée
+scan-click-tyre = Cliquez là où un pneu touche la chaussée, sur la caméra 1
+scan-click-target = { $target ->
+    [roof] Cliquez sur { target-hint-roof }
+    [driver_eye] Cliquez sur { target-hint-driver_eye }
+    [taillight] Cliquez sur { target-hint-taillight }
+    [headlight] Cliquez sur { target-hint-headlight }
+   *[other] Cliquez sur { target-hint-other }
+}
+scan-click-any-target = Cliquez sur la cible
+scan-click-front-wheel = Cliquez sur le moyeu de la roue avant, sur la caméra 1
+scan-click-rear-wheel = Cliquez sur le moyeu de la roue arrière, sur la caméra 1
+scan-click-front = Cliquez sur l’avant du véhicule, sur la caméra 1
+scan-click-rear = Cliquez sur l’arrière du véhicule, sur la caméra 1
+scan-drawn-height = { $target } { $height }
+scan-drawn-away = à { $distance }
+scan-drawn-mark-away = { $height }, à { $distance }
+
+## Balayage : le tableau des véhicules
+
+scan-head-number = N°
+scan-head-time = Temps
+scan-head-clock = Heure
+scan-time-title = { $time } ; { $since } après la première ligne
+scan-head-speed = Vitesse
+scan-head-acceleration = Acc.
+scan-head-length = Longueur
+scan-head-gap = Intervalle
+scan-head-headway = TIV
+scan-head-state = État
+scan-choose-vehicle = { $vehicle } <hidden>choisir</hidden>
+
+## Balayage : le véhicule choisi
+
+scan-vehicle = Véhicule
+scan-vehicle-none = Choisissez un véhicule dans la liste ou sur les bandes{ $key }. Son mouvement, l’ajustement et les intervalles s’affichent ici.
+scan-vehicle-body = Mouvement et historique
+scan-fit-loading = ajustement
+scan-motion = Mouvement
+scan-not-measurable = Non mesurable
+scan-older = Périmé : les valeurs du dispositif ont changé. Mesurez à nouveau.
+scan-length = Longueur
+scan-acceleration = Accélération
+scan-wheelbase = Empattement
+scan-wheelbase-none = non pointé
+scan-axles = Essieux
+scan-axles-of = { $count ->
+    [0] aucune roue trouvée
+   *[other] { $count }
+}, { $by ->
+    [person] corrigé à la main
+   *[machine] trouvé par Sightline
+}
+scan-axles-correct = Corriger les essieux
+scan-axles-title = Cliquez sur un moyeu pour ajouter un essieu, sur un trait pour le retirer
+scan-axles-again = Rechercher les essieux
+scan-click-axle = Cliquez sur le moyeu d’une roue pour ajouter son essieu, ou sur le trait d’un essieu pour le retirer ; Échap termine.
+scan-step-lane = voie du véhicule { $vehicle }
+scan-step-axles = essieux du véhicule { $vehicle }
+scan-passed = Passé
+scan-passed-at = { $day }, { $time }
+scan-passed-within = { $time } ± { $U95_s } s
+scan-passed-unknown = heure inconnue : le début de l’enregistrement n’est pas confirmé
+scan-lane = Voie
+scan-lane-unknown = voie inconnue
+scan-lane-of = { $lane }, { $by ->
+    [person] choisie par une personne
+   *[machine] trouvée
+}
+scan-lane-tyres = (pneus à la rangée { $row })
+scan-lane-choose = Choisir la voie
+scan-lane-by-program = telle que le programme la trouve
+scan-direction = Sens
+scan-direction-of = { $direction ->
+    [camera_2_first] caméra 2 d’abord
+   *[camera_1_first] caméra 1 d’abord
+}
+scan-time-gap = Intervalle temporel (arrière à avant)
+scan-time-gap-first = le premier véhicule
+scan-distance-gap = Distance intervéhiculaire (arrière à avant)
+scan-distance-gap-paper = { $gap } <muted>(par la vitesse moyenne { $paper_gap })</muted>
+scan-headway = Temps intervéhiculaire (avant à avant)
+scan-by = Par
+scan-cause = { $method ->
+    [paper] appariement de blocs
+   *[direct] recalage direct
+}
+scan-cause-by-hand = { $method ->
+    [paper] appariement de blocs, bornes placées à la main
+   *[direct] recalage direct, bornes placées à la main
+}
+scan-cause-scatter = { $cause } ; écart-type des blocs { $percent } %
+scan-misalignment = Désalignement
+scan-misalignment-u = { $value_px } px (u = { $u_px } px)
+scan-show = Afficher
+scan-show-title = Remplir la fenêtre
+scan-wheels = Pointer les roues
+scan-wheels-again = Repointer les roues
+scan-wheels-title = Cliquer sur les deux moyeux
+scan-heights-measure = Mesurer les hauteurs
+scan-heights-title = Cliquer sur le contact d’un pneu, puis toit, œil et feu
+scan-evidence = Dossier de preuve
+scan-evidence-title = Dossier de preuve du véhicule { $vehicle }
+scan-evidence-what = Une page avec les deux images, temps, dispositif, mouvement, bilan, décision et signature. Elle s’ouvre sans serveur, permet à chacun de poser ses propres bornes, et se vérifie elle-même.
+scan-evidence-make = Créer le dossier
+scan-evidence-limit-of = Limite portant sur
+scan-evidence-none = Sans limite
+scan-evidence-speed = Vitesse
+scan-evidence-time-gap = Intervalle temporel
+scan-evidence-distance-gap = Distance intervéhiculaire
+scan-evidence-most = Limite : au plus
+scan-evidence-least = Limite : au moins
+scan-evidence-risk = Risque de décision erronée
+scan-evidence-risk-hint = Un risque plus faible élargit la bande de garde, dans laquelle rien n’est décidé. Seules les mesures validées font l’objet d’une décision.
+scan-evidence-source = Source de la limite
+scan-evidence-source-hint = Telle qu’elle doit figurer dans le dossier : le panneau, l’arrêté, la règle.
+scan-evidence-problem = Donnez une limite et un risque supérieurs à 0.
+scan-take-out = Retirer
+scan-take-out-title = Retirer le véhicule
+
+## Balayage : ce que l’on sait d’un véhicule, son bilan et son historique
+
+scan-known = Valeurs de référence du véhicule
+scan-known-make = Marque
+scan-known-model = Modèle
+scan-known-length = Longueur de référence
+scan-known-wheelbase = Empattement de référence
+scan-known-problem = Donnez une longueur.
+scan-shadow-zone = zone d’ombre : non examinée
+scan-known-off = mesuré : { $difference }
+scan-references = Mesures de référence
+scan-references-none = Aucune pour l’instant. Saisissez ce qu’indique un radar, un GPS ou le compteur du véhicule.
+scan-reference-speed = Vitesse
+scan-reference-length = Longueur
+scan-reference-wheelbase = Empattement
+scan-reference-counter = compteur du véhicule
+scan-reference-radar = radar
+scan-reference-laser = pistolet laser
+scan-reference-gps = GPS
+scan-reference-loop = boucle
+scan-reference-tape = mètre ruban
+scan-reference-other = autre
+scan-reference-says = { $quantity }, { $source } : { $value }
+scan-reference-nothing = Aucune valeur mesurée ici à comparer.
+scan-reference-within = Écart { $difference }, dans les ± { $U95 }.
+scan-reference-outside = Écart { $difference }, hors des ± { $U95 }.
+scan-reference-add = Ajouter une référence
+scan-reference-import = Importer un CSV
+scan-reference-edit = Modifier
+scan-reference-edit-one = Modifier { $quantity }, { $source }
+scan-reference-remove-one = Supprimer { $quantity }, { $source }
+scan-reference-add-title = Référence du véhicule { $vehicle }
+scan-reference-edit-title = Corriger une référence du véhicule { $vehicle }
+scan-reference-store = Enregistrer
+scan-reference-quantity = Grandeur
+scan-reference-source = Mesuré par
+scan-reference-value = Valeur
+scan-reference-u = Incertitude-type (k = 1)
+scan-reference-device = Instrument (facultatif)
+scan-reference-value-problem = Saisissez un nombre supérieur à 0.
+scan-reference-u-problem = Saisissez une incertitude supérieure à 0.
+scan-reference-note-speed = Comparée à la vitesse à laquelle l’avant atteint la caméra 1. Une référence prise ailleurs demande une incertitude plus grande.
+scan-reference-note-length = Comparé à la longueur ou à l’empattement mesuré ici, les deux incertitudes étant composées.
+scan-run-of = Passage du véhicule
+scan-run-of-hint = Le même nom sur plusieurs véhicules les désigne comme passages d’un seul.
+scan-run-of-problem = 100 caractères au plus.
+scan-references-import-title = Importer des mesures de référence
+scan-references-choose = Choisir un CSV
+scan-references-drop = Déposez un CSV ici
+scan-references-hint = Colonnes : number (ou time : 14:05:32.4), source, speed_kmh, u_speed_kmh ; ou encore length_m, u_length_m, wheelbase_m, device, run_of
+scan-references-looking = le fichier
+scan-references-store = { $count ->
+    [one] Importer { $count } ligne
+   *[other] Importer { $count } lignes
+}
+scan-references-done = Enregistré : { $values } { $values ->
+    [one] valeur
+   *[other] valeurs
+} de référence et { $cars } { $cars ->
+    [one] nom
+   *[other] noms
+} de véhicule.
+scan-references-lines = Lignes du fichier
+scan-references-line = Ligne
+scan-references-vehicle = Véhicule
+scan-references-given = Indiqué
+scan-references-what = Action
+scan-references-why = Motif
+scan-references-new = nouvelle
+scan-references-replaces = remplace
+scan-references-same = déjà présente
+scan-references-ambiguous = ambiguë
+scan-references-refused = refusée
+scan-references-time = Heure indiquée
+scan-references-apart = Écart
+scan-references-by-time = { $number } (par l’heure)
+scan-references-tolerance = Tolérance des heures
+scan-references-tolerance-hint = Une ligne sans numéro est du seul véhicule passé à moins de cette durée.
+scan-references-tolerance-problem = Saisissez un nombre de secondes supérieur à 0, jusqu’à 60.
+scan-references-one = { $quantity } { $value }, u { $u }
+scan-budget-note = incertitudes-types
+scan-budget = Bilan d’incertitude
+scan-budget-source = Source
+scan-budget-speed = Vitesse
+scan-budget-acceleration = Accélération
+scan-budget-length = Longueur
+scan-history = Historique ({ NUMBER($count) })
+scan-revision = <strong>{ $speed }</strong>, { $length } <muted>{ $cause }</muted>
+scan-revision-who = { $person }, { $time }
+scan-revision-verdict = { $verdict ->
+    [accepted] { $person }, { $time } ; validé par { $reviewer }
+    [rejected] { $person }, { $time } ; rejeté par { $reviewer }
+   *[reopened] { $person }, { $time } ; rouvert par { $reviewer }
+}
+scan-revision-verdict-why = { $verdict ->
+    [accepted] { $person }, { $time } ; validé par { $reviewer } : { $reason }
+    [rejected] { $person }, { $time } ; rejeté par { $reviewer } : { $reason }
+   *[reopened] { $person }, { $time } ; rouvert par { $reviewer } : { $reason }
+}
+scan-by-search = Sightline
+scan-by-program = Sightline
+scan-by-somebody = un autre utilisateur
+scan-by-nobody = personne
+
+## Balayage : l’ajustement d’un véhicule
+
+scan-profile-title = Vitesse le long du véhicule
+scan-profile-says = { $count ->
+    [one] Vitesse de { $count } bloc le long du véhicule { $vehicle } et mouvement ajusté
+   *[other] Vitesse de { $count } blocs le long du véhicule { $vehicle } et mouvement ajusté
+}
+scan-profile-none = Pas de profil de vitesse : le véhicule n’a pas de mouvement mesuré.
+scan-profile-fitted = mouvement ajusté
+scan-profile-used = bloc, utilisé
+scan-profile-left-out = bloc, exclu
+scan-profile-note = Vitesse moyenne de chaque bloc entre les caméras.
+scan-profile-beyond = { $count ->
+    [one] { $count } bloc est hors de cette figure ; le CSV les contient tous.
+   *[other] { $count } blocs sont hors de cette figure ; le CSV les contient tous.
+}
+scan-profile-x = temps depuis l’avant à la caméra 1 (s)
+scan-match-title = Recalage : bande 2 sur bande 1
+scan-match-picture = Image du recalage
+scan-match-1 = 1
+scan-match-2 = 2
+scan-match-blink = alterner
+scan-match-difference = différence
+scan-match-alt-1 = Le véhicule sur la caméra 1
+scan-match-alt-2 = Le véhicule sur la caméra 2
+scan-match-alt-difference = Différence des deux bandes ; gris uniforme là où elles concordent
+scan-match-note = La bande 2 est déplacée selon la vitesse et l’accélération ajustées. Gris uniforme : identique. Les roues en rotation et le fond vu à travers les vitres ne concordent pas.
+
+## Balayage : la décision
+
+scan-reason-boundary = Une borne n’est pas à l’avant ou à l’arrière du véhicule.
+scan-reason-not-one = Ce n’est pas un véhicule unique.
+scan-reason-match = Les bandes ne concordent pas.
+scan-verdict-mine = Vous avez placé ces bornes : quelqu’un d’autre les vérifie.
+scan-verdict-given = { $verdict ->
+    [accepted] Validé par { $person }
+   *[rejected] Rejeté par { $person }
+}
+scan-verdict-given-why = { $verdict ->
+    [accepted] Validé par { $person } : { $reason }
+   *[rejected] Rejeté par { $person } : { $reason }
+}
+scan-verdict-done = Véhicule { $vehicle } : { $verdict ->
+    [accepted] validé.
+   *[rejected] rejeté.
+}
+scan-verdict-none-left = Aucun autre véhicule de ce balayage n’attend votre décision.
+scan-verdict-reopen = Rouvrir
+scan-verdict-accept = Valider
+scan-verdict-reject = Rejeter
+scan-verdict-reject-why = Rejeter…
+scan-verdict-reason = Motif du rejet
+scan-verdict-leave = Annuler
+
+## Balayage : les hauteurs
+
+scan-heights = Hauteurs
+scan-heights-camera = caméra à { $height }
+scan-heights-older = { $count ->
+    [one] { $count } hauteur de ce balayage est périmée : l’étalonnage ou un retrait a changé.
+   *[other] { $count } hauteurs de ce balayage sont périmées : l’étalonnage ou un retrait a changé.
+}
+scan-heights-no-pose = Les hauteurs exigent la pose de la caméra 1. Filmez un jalon gradué, ou un damier, tenu vertical à deux distances dans son plan ; pointez ensuite les repères.
+scan-heights-calibrate = Étalonner la hauteur
+scan-heights-calibrate-first = Les hauteurs exigent la pose de la caméra linéaire ; étalonnez d’abord la hauteur avec un jalon.
+scan-height-hide = { $target ->
+    [roof] Masquer les détails du toit
+    [driver_eye] Masquer les détails de l’œil du conducteur
+    [taillight] Masquer les détails du feu arrière
+    [headlight] Masquer les détails du projecteur
+   *[other] Masquer les détails de l’autre cible
+}
+scan-height-show = { $target ->
+    [roof] Afficher les détails du toit
+    [driver_eye] Afficher les détails de l’œil du conducteur
+    [taillight] Afficher les détails du feu arrière
+    [headlight] Afficher les détails du projecteur
+   *[other] Afficher les détails de l’autre cible
+}
+scan-height-measure = { $target ->
+    [roof] Mesurer : toit
+    [driver_eye] Mesurer : œil du conducteur
+    [taillight] Mesurer : feu arrière
+    [headlight] Mesurer : projecteur
+   *[other] Mesurer : autre
+}
+scan-height-measure-again = { $target ->
+    [roof] Mesurer à nouveau : toit
+    [driver_eye] Mesurer à nouveau : œil du conducteur
+    [taillight] Mesurer à nouveau : feu arrière
+    [headlight] Mesurer à nouveau : projecteur
+   *[other] Mesurer à nouveau : autre
+}
+scan-height-verdict-mine = Vous avez pointé ou calculé cette hauteur : quelqu’un d’autre la vérifie.
+scan-height-verdict-done = Véhicule { $vehicle }, { $target ->
+    [roof] toit
+    [driver_eye] œil du conducteur
+    [taillight] feu arrière
+    [headlight] projecteur
+   *[other] autre
+} : { $verdict ->
+    [accepted] validé.
+   *[rejected] rejeté.
+}
+scan-heights-waiting = { $count ->
+    [one] { $count } hauteur à vérifier
+   *[other] { $count } hauteurs à vérifier
+}
+scan-height-unsaved = pas encore enregistrée…
+scan-height-older = Périmée : l’étalonnage ou le retrait a changé. Recalculez.
+scan-height-again = Recalculer
+scan-height-withdraw = Retirer
+scan-height-side-first = Indiquez d’abord le côté du conducteur ; la hauteur de l’œil en dépend.
+scan-height-inset-driver_eye = Côté du conducteur
+scan-height-inset-roof = Point du toit
+scan-height-distance = Distance latérale
+scan-height-inset = Retrait
+scan-height-inset-value = { $inset } (u = { $u_inset }), estimation
+scan-height-rows = Rangées
+scan-height-rows-value = contact { $contact_px }, cible { $target_px }
+scan-height-revision = { $height } <muted>{ $person }, { $time }</muted>
+
+## Balayage : le jalon, qui étalonne la hauteur
+
+scan-rod-title = Étalonner la hauteur
+scan-rod-label = Étalonnage de la hauteur
+scan-rod-body = Repères du jalon
+scan-rod-none-title = Pas encore de repères
+scan-rod-none = Indiquez la distance du jalon à la caméra 1, puis pointez ses repères à partir du pied. Répétez à une autre distance.
+scan-rod-next = Repère suivant
+scan-rod-distance = Distance du jalon
+scan-rod-height = Hauteur du repère
+scan-rod-step = Pas de hauteur
+scan-rod-next-note = Les distances sont horizontales, à partir du centre de la caméra. Un damier tenu vertical convient aussi : le pas de hauteur est alors le côté de ses cases.
+scan-rod-marks = Repères
+scan-rod-head-distance = Distance
+scan-rod-head-height = Hauteur
+scan-rod-head-row = Rangée
+scan-rod-head-residual = Résidu
+scan-rod-head-remove = Retirer
+scan-rod-remove = Retirer le repère { $number }
+scan-rod-result = Résultat des repères
+scan-rod-camera-height = Hauteur de la caméra
+scan-rod-residuals = Résidus
+scan-rod-rms = { $rms_px } px RMS
+scan-rod-store = Enregistrer l’étalonnage
+scan-rod-clear = Retirer tous les repères
+scan-rod-reset = Revenir à l’enregistré
+scan-rod-u = Incertitudes-types
+scan-rod-u-row = u de la rangée d’un repère
+scan-rod-u-distance = u d’une distance
+scan-rod-u-lean = u de l’inclinaison du jalon
+scan-rod-at-least = Donnez un nombre à partir de { $least }.
+scan-rod-distance-first = Indiquez d’abord la distance du jalon à la caméra, puis pointez ses repères.
+scan-rod-stored = Étalonnage enregistré. Choisissez un véhicule et mesurez ses hauteurs.
+scan-rod-stored-older = Étalonnage enregistré. Les hauteurs existantes gardent le précédent jusqu’au recalcul.
+
+## Balayage : les étapes annulables, et ce qui est gardé jusqu’à l’envoi
+
+scan-step-mark = repère du jalon
+scan-step-mark-removed = repère retiré
+scan-step-marks-removed = tous les repères retirés
+scan-step-calibration = étalonnage de la hauteur
+scan-step-boundaries = bornes du véhicule { $vehicle }
+scan-step-wheels = roues du véhicule { $vehicle }
+scan-step-known = valeurs de référence du véhicule { $vehicle }
+scan-step-take-out = véhicule { $vehicle } retiré
+scan-step-vehicle = véhicule { $vehicle }
+scan-step-height = { $target ->
+    [roof] toit du véhicule { $vehicle }
+    [driver_eye] œil du conducteur du véhicule { $vehicle }
+    [taillight] feu arrière du véhicule { $vehicle }
+    [headlight] projecteur du véhicule { $vehicle }
+   *[other] autre cible du véhicule { $vehicle }
+}
+scan-step-height-verdict = { $target ->
+    [roof] décision sur le toit du véhicule { $vehicle }
+    [driver_eye] décision sur l’œil du conducteur du véhicule { $vehicle }
+    [taillight] décision sur le feu arrière du véhicule { $vehicle }
+    [headlight] décision sur le projecteur du véhicule { $vehicle }
+   *[other] décision sur l’autre hauteur du véhicule { $vehicle }
+}
+scan-step-withdraw = { $target ->
+    [roof] toit retiré, véhicule { $vehicle }
+    [driver_eye] œil du conducteur retiré, véhicule { $vehicle }
+    [taillight] feu arrière retiré, véhicule { $vehicle }
+    [headlight] projecteur retiré, véhicule { $vehicle }
+   *[other] autre cible retirée, véhicule { $vehicle }
+}
+scan-taken-out = Véhicule { $vehicle } retiré. Ctrl+Z annule.
+scan-kept-vehicle = Le véhicule est gardé dans ce navigateur et apparaîtra dans la liste au retour de la connexion.
+scan-wish-a-vehicle = un véhicule
+scan-wish-verdict = décision sur le véhicule { $vehicle }
+scan-wish-lines = avant à la ligne { $front }, arrière à la ligne { $rear }
+scan-wish-clicked = pointé à la ligne { $line }, rangée { $row }
+scan-wish-marks = { $count ->
+    [one] { $count } repère à { $distances }
+   *[other] { $count } repères à { $distances }
+}
+scan-wish-no-marks = aucun
+scan-wish-there = dans la liste
+scan-wish-taken-out = retiré
+scan-wish-boundaries = bornes aux lignes { $lines }
+scan-wish-hubs = roues aux lignes { $lines }
+scan-wish-lane = voie { $lane }
+scan-wish-axles = { $count } essieux
+scan-wish-no-line = aucune
+scan-wish-nothing-known = aucune
+scan-wish-verdict-word = { $verdict ->
+    [accepted] validé
+    [rejected] rejeté
+   *[reopened] rouvert
+}
+scan-wish-verdict-why = { $verdict ->
+    [accepted] validé : { $reason }
+    [rejected] rejeté : { $reason }
+   *[reopened] rouvert : { $reason }
+}
+scan-wish-verdict-by = { $verdict ->
+    [to_review] à vérifier, par { $person }
+    [accepted] validé par { $person }
+    [fixed] corrigé par { $person }
+    [rejected] rejeté par { $person }
+   *[reopened] rouvert par { $person }
+}
+
+## Mouvement : ce que disent ensemble les balayages d’un relevé
+
+motion-lead = Vitesses, intervalles et longueurs de tous les balayages de ce relevé, et accord avec les longueurs et empattements connus.
+motion-loading = statistiques
+motion-which = Véhicules pris en compte
+motion-which-accepted = Validés
+motion-which-all = Avec les non vérifiés
+motion-none-accepted-title = Aucun véhicule n’est encore validé
+motion-none-accepted = Vérifiez-en sous Balayages, ou incluez les véhicules non vérifiés.
+motion-none-title = Aucun véhicule n’est encore mesuré
+motion-none = Ajoutez un balayage et détectez ses véhicules.
+motion-counted = { $vehicles ->
+    [one] { $vehicles } véhicule
+   *[other] { $vehicles } véhicules
+} dans { $scans ->
+    [one] { $scans } balayage
+   *[other] { $scans } balayages
+}.
+motion-heights-target = Cible
+motion-heights-mean = Moyenne
+motion-heights-sd = Écart-type
+motion-heights-median = Médiane
+motion-heights-u95 = U95 typique
+motion-heights-to-review = À vérifier
+motion-heights-rejected = Rejetées
+motion-heights-waiting = { $count ->
+    [one] { $count } hauteur attend une décision
+   *[other] { $count } hauteurs attendent une décision
+}
+motion-by-lengths = D’après les longueurs
+motion-by-wheelbases = D’après les empattements
+
+## Mouvement : erreurs par rapport aux dimensions connues
+
+motion-errors-title = Erreur par rapport aux longueurs et empattements du constructeur
+motion-errors-note = avec intervalles à 95 %
+motion-errors-table = Erreurs des longueurs et des empattements
+motion-errors-of = Grandeur
+motion-errors-n = n
+motion-bias = Biais
+motion-mae = MAE
+motion-rmse = RMSE
+motion-sd = Écart-type
+motion-length-daytime = Longueur, de jour
+motion-length-low_light = Longueur, faible luminosité
+motion-length-overall = Longueur, ensemble
+motion-wheelbase-daytime = Empattement, de jour
+motion-wheelbase-low_light = Empattement, faible luminosité
+motion-wheelbase-overall = Empattement, ensemble
+motion-errors-none = Aucun véhicule n’a de dimension connue.
+motion-references-title = Écart aux mesures de référence
+motion-references-note = mesure moins référence
+motion-references-of = Référence
+motion-references-n = n
+motion-references-mean = Moyenne
+motion-references-share = Dans l’U95 composée
+motion-references-by = { $quantity }, { $source }
+motion-references-all = toutes sources
+motion-references-within = { $within } sur { $n }
+motion-references-percent = { $percent } %
+motion-references-shared = Environ 95 % devraient être dans leur U95 composée. Les véhicules d’un même dispositif partagent l’erreur de sa base : plusieurs peuvent être dehors ensemble.
+motion-cars-title = Passages d’un même véhicule
+motion-cars-note = longueur et empattement doivent concorder d’un passage à l’autre
+motion-cars-runs = { $count ->
+    [one] { $count } passage : { $vehicles }.
+   *[other] { $count } passages : { $vehicles }.
+}
+motion-cars-speed = Vitesse moyenne { $mean }, écart-type { $sd }.
+motion-cars-speed-one = Vitesse { $mean }.
+motion-cars-table = Passages de { $car } réunis
+motion-cars-size = Dimension
+motion-cars-mean = Moyenne
+motion-cars-stated = u indiquée d’un passage
+motion-cars-chi-square = Khi-deux
+motion-cars-chi = { $chi_square } ({ $degrees } d.d.l., p = { $p })
+motion-cars-says = Passages
+motion-cars-agree = Compatibles avec les incertitudes indiquées.
+motion-cars-too_far_apart = Diffèrent plus qu’indiqué : contrôlez les bornes, et s’il s’agit du même véhicule.
+motion-cars-too_alike = Diffèrent moins qu’indiqué : la u indiquée est trop grande.
+motion-cars-too_few = Un seul passage ; il en faut deux.
+
+## Mouvement : distributions
+
+motion-speed = Vitesse quand l’avant atteint la caméra 1
+motion-length = Longueur
+motion-time-gap = Intervalle temporel, arrière à avant
+motion-distance-gap = Distance intervéhiculaire, arrière à avant
+motion-headway = Temps intervéhiculaire, avant à avant
+motion-percentile = P{ $percent } = { $value }
+motion-percentile-interval = P{ $percent } = { $value } ({ $low } à { $high })
+motion-percentile-none = P{ $percent } = { $value } (trop peu de véhicules pour un intervalle)
+motion-spread-says = { $count ->
+    [one] Fonction de répartition de { $count } véhicule ; { $percentiles } { $unit }
+   *[other] Fonction de répartition de { $count } véhicules ; { $percentiles } { $unit }
+}
+motion-spread-note = Centiles en { $unit }, avec intervalles à 95 % : { $percentiles }.
+
+## Mouvement : le tableau de l'article
+
+flows-title = Trafic par tranche horaire
+flows-note = Le débit, les temps intervéhiculaires et le taux d’occupation comprennent tous les véhicules trouvés ; les vitesses et longueurs, les véhicules mesurés choisis ci-dessus.
+flows-lane = { $name }, { $lane }
+flows-direction = { $scan } : { $direction ->
+    [camera_2_first] caméra 2 d’abord
+   *[camera_1_first] caméra 1 d’abord
+}
+flows-minutes = Durée d’une tranche
+flows-minutes-of = { $minutes } min
+flows-loading = trafic
+flows-table = Trafic de { $scan }
+flows-table-note = Sous une valeur : son incertitude-type u (k = 1), ou son intervalle à 95 %. L’intervalle d’un débit suppose des véhicules qui arrivent indépendamment les uns des autres. Classes par longueur : les quatre des compteurs des routes principales d’Angleterre.
+flows-unplaced = { $count ->
+    [one] { $count } véhicule n’a pas été mesuré, n’a pas d’heure et n’est dans aucune tranche.
+   *[other] { $count } véhicules n’ont pas été mesurés, n’ont pas d’heure et ne sont dans aucune tranche.
+}
+flows-head-from = Début
+flows-head-watched = Observé
+flows-head-vehicles = Véhicules
+flows-head-flow = Débit
+flows-head-measured = Vitesses
+flows-head-time-mean = Moy. temporelle
+flows-head-space-mean = Moy. spatiale
+flows-head-occupancy = Taux d’occ.
+flows-head-density = Concentration
+flows-head-unclassed = Sans longueur
+flows-partial = partielle
+flows-near-edge = près d’un bord : { $count }
+flows-axles = { $axles } essieux : { $count }
+flows-axles-many = 5 ou plus
+flows-near-limit = proches : { $count }
+flows-u = u = { $u }
+flows-axis-time = Heure
+flows-flow = Débit
+flows-flow-of = Débit, { $scan }
+flows-flow-says = Débit de { $count } tranches ; maximum, { $flow } par heure, à partir de { $time }.
+flows-flow-note = Trait épais : débit d’une tranche de { $minutes } min, sur le temps observé ; trait fin : son intervalle à 95 %.
+flows-speed = Vitesse
+flows-speed-of = Vitesse, { $scan }
+flows-speed-says = Vitesse moyenne spatiale de { $count } tranches.
+flows-speed-note = Trait épais : vitesse moyenne spatiale ; trait fin : du 15e au 85e centile des vitesses.
+flows-speed-none = Aucune tranche n’a de vitesse validée.
+unit-per-hour = 1/h
+unit-per-km = 1/km
+motion-paper-title = Présentation du tableau I, Douxchamps et al.
+motion-paper-own = Véhicules de ce relevé
+motion-paper-printed = Tableau I de Douxchamps et al., tel qu’imprimé
+motion-head-vehicle = Véhicule
+motion-head-car = Voiture du tableau I
+motion-head-speed = Vitesse
+motion-head-acceleration = Acc.
+motion-head-size = Longueur
+motion-head-counter = Compteur
+motion-head-reference = Vitesse de référence
+motion-head-true = Vraie
+motion-head-fit-error = Erreur d’ajust. (%)
+
+## Statistiques : la page
+
+statistics-lead = Erreurs par rapport aux hauteurs du constructeur et distributions des hauteurs mesurées.
+statistics-loading = statistiques
+statistics-back = Retour au relevé
+statistics-counted = { $measurements ->
+    [one] { $measurements } mesure
+   *[other] { $measurements } mesures
+} de { $vehicles ->
+    [one] { $vehicles } véhicule
+   *[other] { $vehicles } véhicules
+}, { $roofs ->
+    [one] { $roofs } toit
+   *[other] { $roofs } toits
+} avec hauteur du constructeur.
+statistics-left-out = Exclues : { $states }.
+statistics-left-out-state = { $state ->
+    [to_review] à vérifier ({ NUMBER($count) })
+    [reopened] rouvertes ({ NUMBER($count) })
+    [rejected] rejetées ({ NUMBER($count) })
+    [accepted] validées ({ NUMBER($count) })
+   *[fixed] corrigées ({ NUMBER($count) })
+}
+statistics-none-accepted-title = Aucune mesure validée
+statistics-none-title = Aucune mesure ici
+statistics-to-review = Aller à la vérification
+statistics-show-to-review = Inclure les non vérifiées
+statistics-to-measure = Mesurer des véhicules
+statistics-none-accepted = { $count ->
+    [one] Seules les mesures validées comptent, et { $count } mesure attend sa vérification.
+   *[other] Seules les mesures validées comptent, et { $count } mesures attendent leur vérification.
+}
+statistics-none-filtered = Aucune mesure ne correspond au filtre. Effacez-le ou modifiez-le.
+statistics-none = Mesurez des véhicules et faites vérifier les mesures ; leurs chiffres apparaîtront ici.
+statistics-eye = Œil du conducteur
+statistics-taillight = Feu arrière, bord inférieur
+statistics-headlight = Projecteur
+statistics-roof = Toit
+
+## Statistiques : le filtre
+
+statistics-filter = Filtre
+statistics-filter-state = Vérification
+statistics-filter-state-all = toutes
+statistics-filter-target = Cible
+statistics-filter-target-all = toutes
+statistics-filter-lighting = Luminosité
+statistics-filter-any = toutes
+statistics-filter-operator = Opérateur
+statistics-filter-anybody = tous
+statistics-filter-filmed-from = Filmé du
+statistics-filter-filmed-to = Filmé jusqu’au
+statistics-filter-first-day = Mesuré du (UTC)
+statistics-filter-last-day = Mesuré jusqu’au (UTC)
+statistics-filter-correction = Correction
+statistics-correction-inset = retrait (par défaut)
+statistics-correction-shift = erreur moyenne (Dupuis et al.)
+statistics-correction-none = aucune (retrait 0)
+statistics-correction-regression = régression
+statistics-correction-deconvolution = déconvolution
+statistics-filter-rounding = Tableau d’erreurs
+statistics-rounding-cm = cm entiers (Dupuis et al.)
+statistics-rounding-none = sans arrondi
+statistics-filter-surveys = Relevés
+statistics-filter-surveys-some = { $count ->
+    [one] { $count } relevé
+   *[other] { $count } relevés
+}
+statistics-filter-surveys-none = tous les relevés
+statistics-filter-surveys-help = Relevés pris en compte ; aucun choix : tous
+statistics-reference-u = u d’une hauteur de référence
+statistics-reference-u-hint = Loi uniforme, demi-étendue { $limit }
+statistics-reference-u-inches = Indiquez un nombre de pouces.
+statistics-reference-u-millimetres = Indiquez un nombre de millimètres.
+
+## Statistiques : le tableau d'erreurs
+
+statistics-errors-title = Erreur par rapport aux hauteurs du constructeur
+statistics-errors-save = Tableau d’erreurs en CSV
+statistics-errors-head = Erreur = mesure − référence
+statistics-bias = Biais
+statistics-mae = MAE
+statistics-rmse = RMSE
+statistics-mse = MSE
+statistics-sd = Écart-type
+statistics-correlation = r(erreur, hauteur)
+statistics-correlation-absolute = r(|erreur|, hauteur)
+statistics-errors-note = Intervalles à 95 % sous chaque valeur. L’écart-type est celui de l’erreur signée, n − 1. Rien n’est agrégé à partir d’autres valeurs.
+statistics-errors-holds = Les intervalles comprennent { $words }. Ceux des corrélations et de l’asymétrie ne comprennent que l’échantillonnage.
+statistics-shares-title = Parts des erreurs en pour cent, avec intervalles exacts à 95 %, et asymétrie
+statistics-skewness = Asymétrie
+statistics-within = À { $within } près
+statistics-paper-inconsistent = Incohérences du tableau 1 de Dupuis et al.
+statistics-paper-note = <strong>{ $group } :</strong> { $note }
+statistics-paper-printed = Dupuis et al., tel qu’imprimé
+statistics-stands-for = correspond à : { $group }
+statistics-no-interval = { $figures } : { $reason }
+statistics-reference-part = Ceci seul crée une corrélation de { $correlation } entre l’erreur et la hauteur, indépendamment de la caméra (u de la référence = { $u_reference }).
+statistics-bland-altman = Bland et Altman : biais { $bias } { $unit } ({ $bias_interval }), limites de concordance { $lower } ({ $lower_interval }) et { $upper } { $unit } ({ $upper_interval }), n = { $n }.
+
+## Exemples : fichiers pour essayer
+
+samples-pictures = Pour essayer : { $count } photos de laboratoire dans un ZIP (décompressez-le ; la mire a { $columns } × { $rows } coins intérieurs, cases de { $square })
+samples-clip = Pour essayer : la vidéo de la démonstration
+samples-catalogue = Pour essayer : un catalogue de modèles inventés
+
+## Statistiques : erreurs par rapport aux hauteurs connues, par cible
+
+statistics-known-title = Erreurs par cible
+statistics-known-help = Hauteur mesurée moins hauteur connue, pour les hauteurs validées dont la valeur est connue (celle du constructeur, ou mesurée au mètre ruban). Les intervalles sont totaux ; le pointeur sur l’un d’eux dit ce qu’il comprend. L’intervalle total du biais est celui des hauteurs non arrondies. Les cibles de contrôle ont leurs propres lignes et sont exclues des distributions.
+statistics-known-target = Cible
+statistics-known-check = { $target }, cibles de contrôle
+statistics-known-bias = Biais, intervalle total à 95 %
+statistics-known-holds = Comprend { $words }.
+statistics-known-inside = Dans leur U95
+statistics-known-inside-of = { $inside } sur { $n }
+statistics-known-none = Pas encore de hauteurs connues. Saisissez les hauteurs des constructeurs, des feux, ou une cible de contrôle dans les fiches des véhicules.
+
+## Statistiques : les figures de l'erreur
+
+statistics-group-daytime = De jour
+statistics-group-low_light = Faible luminosité
+statistics-group-overall = Ensemble
+statistics-group-unknown = Luminosité inconnue
+statistics-group-n = { $group } n = { $n }
+statistics-nothing = Rien à tracer.
+statistics-nothing-because = Rien à tracer : { $reason }
+statistics-absolute-title = Erreur absolue, répartition
+statistics-absolute-says = Part des véhicules dont l’erreur absolue ne dépasse pas la valeur donnée ; { $groups }
+statistics-absolute-note = Bandes de confiance simultanées à 95 % (DKW) à partir de 30 véhicules. { $groups }.
+statistics-absolute-x = Erreur absolue ({ $unit })
+statistics-relative-title = Erreur relative, répartition
+statistics-relative-says = Part des véhicules dont l’erreur ne dépasse pas tant de pour cent de leur hauteur ; { $groups }
+statistics-relative-note = Erreur absolue rapportée à la hauteur de référence. { $groups }.
+statistics-relative-x = Erreur relative (%)
+statistics-density-title = Erreur signée, densité
+statistics-density-says = Densité de l’erreur signée ; { $groups }
+statistics-density-note = Noyau gaussien, largeur de bande { $bandwidths } ; bande ponctuelle à 95 %. { $groups }.
+statistics-density-note-rounded = Noyau gaussien, largeur de bande { $bandwidths }, au moins la moitié de l’arrondi ({ $rounding }) ; bande ponctuelle à 95 %. { $groups }.
+statistics-signed-error = Erreur signée ({ $unit })
+statistics-density-y = Part des véhicules (% par { $unit })
+statistics-trend-title = Erreur selon la hauteur du constructeur
+statistics-trend-says = Erreur signée en fonction de la hauteur du constructeur, { $count ->
+    [one] { $count } véhicule
+   *[other] { $count } véhicules
+}.
+statistics-trend-nothing = Rien à tracer : aucun véhicule n’a de hauteur de référence.
+statistics-trend-x = Hauteur du constructeur ({ $unit })
+statistics-trend-legend = régression, bande à 95 %
+statistics-trend = Pente { $slope } { $small } par { $unit } ({ $slope_interval }), r = { $correlation } ({ $correlation_interval }).
+statistics-trend-absolute = Erreur absolue : r = { $correlation } ({ $correlation_interval }).
+
+## Statistiques : une cible
+
+statistics-heights = { $count ->
+    [one] { $count } hauteur
+   *[other] { $count } hauteurs
+}
+statistics-heights-mean = { $count ->
+    [one] { $count } hauteur, moyenne corrigée { $mean }
+   *[other] { $count } hauteurs, moyenne corrigée { $mean }
+}
+statistics-heights-mean-sd = { $count ->
+    [one] { $count } hauteur, moyenne corrigée { $mean }, écart-type { $sd }
+   *[other] { $count } hauteurs, moyenne corrigée { $mean }, écart-type { $sd }
+}
+statistics-curve-raw = non corrigée
+statistics-curve-corrected = corrigée
+statistics-legend-raw = non corrigée (retrait = 0)
+statistics-target-ecdf-title = { $target }, répartition
+statistics-target-ecdf-says = Fonction de répartition des hauteurs, { $target }, non corrigées et corrigées, { $count ->
+    [one] { $count } véhicule
+   *[other] { $count } véhicules
+}
+statistics-target-ecdf-note = Bande : 95 %, simultanée (DKW).
+statistics-target-ecdf-away = { $count ->
+    [one] { $count } norme hors échelle.
+   *[other] { $count } normes hors échelle.
+}
+statistics-target-nothing = Rien à tracer : le filtre ne laisse aucune hauteur de cette cible.
+statistics-height-x = Hauteur au-dessus de la chaussée ({ $unit })
+statistics-target-density-title = { $target }, densité
+statistics-target-density-says = Densité des hauteurs corrigées, { $target }
+statistics-target-density-note = Hauteurs corrigées, noyau gaussien, bande ponctuelle à 95 %.
+statistics-share = { $standard }, { $height } : <strong>{ $share }</strong> des { $target ->
+    [driver_eye] yeux de conducteur
+    [taillight] feux arrière
+   *[headlight] projecteurs
+} sont en dessous <muted>({ $low } à { $high } ; { NUMBER($below) } sur { NUMBER($n) })</muted>
+statistics-compared-title = { $second } et { $first } comparés
+statistics-compared-figure = Grandeur
+statistics-compared-mean = Moyenne
+statistics-compared-heights = Hauteurs
+statistics-compared-of = { NUMBER($first) } et { NUMBER($second) }
+statistics-compared-difference = Différence
+statistics-compared-interval = { $low } à { $high }
+statistics-compared-verdict = Conclusion
+statistics-compared-higher = plus haut (significatif)
+statistics-compared-lower = plus bas (significatif)
+statistics-compared-alike = pas de différence significative
+statistics-compared-unknown = pas d’intervalle : { $reason }
+statistics-compared-none = Aucune cible n’a deux hauteurs ou plus dans les deux relevés.
+statistics-compared-note = Différences des hauteurs vraies, relevé le plus récent moins le plus ancien, avec intervalles totaux à 95 %. Une différence est dite plus haute ou plus basse si son intervalle exclut 0. Les erreurs sont supposées indépendantes entre les relevés ; s’ils en ont en commun, les intervalles sont trop larges, jamais trop étroits.
+statistics-rule-title = Normes : le même centile aujourd’hui
+statistics-rule-standard = Norme
+statistics-rule-rule = Règle
+statistics-rule-of = P{ $percent } de { $class }
+statistics-rule-all = tous les véhicules (classe inconnue)
+statistics-rule-height = Norme ({ $unit })
+statistics-rule-today = Aujourd’hui ({ $unit })
+statistics-rule-interval = { $low } à { $high }
+statistics-rule-difference = Différence
+statistics-rule-verdict = Conclusion
+statistics-rule-lower = plus bas (risque d’erreur { $risk })
+statistics-rule-higher = plus haut (risque d’erreur { $risk })
+statistics-rule-least = moins de { $risk }
+statistics-rule-alike = indécis ; plus bas avec une probabilité de { $lower }
+statistics-rule-unknown = pas de conclusion : { $reason }
+statistics-rule-note = Le centile qui fonde la norme, pour les hauteurs vraies d’aujourd’hui, avec son intervalle total à 95 %. « Plus bas » ou « plus haut » est indiqué si le risque d’erreur est d’au plus 2,5 % (JCGM 106).
+statistics-percentiles = Centiles, { $target }
+statistics-percentiles-save = Centiles en CSV
+statistics-percentile = Centile
+statistics-percentiles-corrected = Corrigée ({ $unit })
+statistics-percentiles-raw = Non corrigée ({ $unit })
+statistics-percentiles-true = Hauteurs vraies ({ $unit })
+statistics-percentiles-total = Hauteurs vraies : l’erreur de mesure aléatoire est retirée de la dispersion. Leurs intervalles à 95 % comprennent { $words }.
+statistics-percentiles-note = Les autres intervalles à 95 % ne comprennent que l’échantillonnage.
+statistics-percentiles-without = { $count ->
+    [one] Pourquoi { $count } centile n’a pas d’intervalle
+   *[other] Pourquoi { $count } centiles n’ont pas d’intervalle
+}
+statistics-percentiles-reason = { $percentiles } : { $reason }.
+
+## Statistiques : hauteurs par groupe
+
+statistics-lateral-title = Position latérale
+statistics-lateral-note = Distance du contact du pneu à la caméra, mesurée en travers de la route ; une valeur par véhicule, la médiane de ses contacts. Une voie est tout le trafic qui va dans un même sens à l’image.
+statistics-lateral-figure = Position latérale par voie
+statistics-lateral-says = Fonctions de répartition de la distance à la caméra en travers de la route, pour { $count } voies.
+statistics-lateral-x = Distance à la caméra en travers de la route ({ $unit })
+statistics-lateral-none = Aucun véhicule n’a encore de sens, donc il n’y a pas de voies ; la recherche des passages le renseigne, ou le panneau du véhicule.
+statistics-lateral-vehicles = Véhicules
+statistics-lateral-all = Tous
+statistics-lane-right = vers la droite
+statistics-lane-left = vers la gauche
+statistics-groups-title = Hauteurs corrigées par groupe
+statistics-groups-target = Cible
+statistics-groups-by = Grouper par
+statistics-grouping-category = Catégorie
+statistics-grouping-class_set = Groupe
+statistics-grouping-lighting = Luminosité
+statistics-grouping-site = Site
+statistics-grouping-operator = Opérateur
+statistics-groups-head = { $grouping ->
+    [category] Catégorie
+    [class_set] Groupe de classes
+    [lighting] Luminosité
+    [site] Site
+   *[operator] Opérateur
+}
+statistics-groups-figure = { $grouping ->
+    [category] { $target } par catégorie
+    [class_set] { $target } par groupe de classes
+    [lighting] { $target } par luminosité
+    [site] { $target } par site
+   *[operator] { $target } par opérateur
+}
+statistics-groups-says = Fonctions de répartition des hauteurs, { $target }, par { $grouping ->
+    [category] catégorie
+    [class_set] groupe de classes
+    [lighting] luminosité
+    [site] site
+   *[operator] opérateur
+}, { $count ->
+    [one] { $count } groupe
+   *[other] { $count } groupes
+}
+statistics-groups-note = Les { NUMBER($count) } plus grands groupes sur { NUMBER($all) } ; le tableau les donne tous.
+statistics-groups-nothing = { $grouping ->
+    [category] Rien à tracer : aucun véhicule n’a de catégorie.
+    [class_set] Rien à tracer : aucun véhicule n’est d’un groupe.
+    [lighting] Rien à tracer : aucun véhicule n’a de luminosité.
+    [site] Rien à tracer : aucun véhicule n’a de site.
+   *[operator] Rien à tracer : aucun véhicule n’a d’opérateur.
+}
+statistics-groups-mean = Moyenne ({ $unit })
+statistics-groups-sd = Écart-type ({ $unit })
+
+## Statistiques : normes
+
+statistics-standards-title = Normes de conception affichées
+statistics-standards-change = Modifier les normes de ce relevé
+statistics-standards-one-survey = Le tableau appartient au relevé et figure dans son archive.
+statistics-standards-surveys = Chaque relevé a son propre tableau ; choisissez un relevé pour le modifier.
+statistics-standards-address = Votre sélection est enregistrée dans le lien.
+statistics-standards-loading = normes
+statistics-standard-of-eye_car = œil, voitures
+statistics-standard-of-eye_truck = œil, poids lourds
+statistics-standard-of-object_stopping = obstacle, arrêt
+statistics-standard-of-object_passing = obstacle, dépassement
+statistics-standard-of-headlight = projecteur (angles rentrants)
+statistics-standard-of-vehicle = véhicule
+statistics-standard-percentile = P{ $percent }
+statistics-standard-rule = P{ $percent } de { $group }
+statistics-standard-edition = { $source }, { $edition }
+statistics-standard-cited = cité d’après : { $by }
+statistics-standard-edition-field = Édition
+statistics-standard-year = Année
+statistics-standard-class = Classe du centile
+statistics-standard-cited-by = Cité d’après
+statistics-standard-drawn-yes = oui
+statistics-standard-drawn-no = non
+statistics-standards-rule = Règle
+statistics-standards-drawn = Tracée
+statistics-standards-standard = Norme
+statistics-standards-for = Pour
+statistics-standards-height = Hauteur
+statistics-standards-source = Source
+statistics-standards-remove = Retirer
+statistics-standard-draw = Tracer { $standard }, { $what }, { $height }
+statistics-standard-remove = Retirer { $standard }
+statistics-standard-own-problem = Indiquez une hauteur supérieure à 0 et inférieure à 10 m, par exemple { $example }.
+statistics-standard-own = Valeur propre pour
+statistics-standard-height = Hauteur
+statistics-standard-name = Norme
+statistics-standard-for = Pour
+statistics-standard-source = Source
+statistics-standard-new = Nouvelle norme
+statistics-standard-new-remove = Retirer la nouvelle norme
+statistics-standard-problem = Indiquez la hauteur de { $standard }, par exemple { $example }.
+statistics-standard-new-problem = Indiquez la hauteur de la nouvelle norme, par exemple { $example }.
+statistics-standards-add = Ajouter une norme
+statistics-standards-save = Enregistrer pour ce relevé
+
+## Statistiques : combien de véhicules mesurer
+
+statistics-plan-title = Nombre de véhicules à mesurer
+statistics-plan-percentile = Centile
+statistics-plan-width = Largeur de son intervalle à 95 %
+statistics-plan-sd = Dispersion des hauteurs (écart-type)
+statistics-plan-incomplete = Indiquez trois nombres.
+
+## Planification : la page
+
+planning-lead-heights = Estimez l’incertitude des hauteurs sur ce site avant d’enregistrer.
+planning-lead-lines = Estimez l’incertitude des vitesses de deux caméras linéaires avant d’enregistrer.
+planning-nothing-stored = Rien n’est enregistré. Pour partager ce plan, copiez l’adresse de la page.
+planning-what = Objet du plan
+planning-what-heights = Hauteurs (vidéo)
+planning-what-lines = Vitesses (balayage linéaire)
+planning-loading-cameras = caméras
+planning-loading-rig = dispositif du relevé
+planning-loading = plan
+planning-advice = Conseils
+planning-lens-exact = Incertitude d’étalonnage supposée nulle.
+planning-lens-exact-plain = Objectif supposé idéal : sans distorsion ni incertitude d’étalonnage.
+planning-lens-calibrated = Un étalonnage réel ajoute de l’incertitude, surtout loin de la mire.
+planning-roof = Toit
+planning-driver_eye = Œil du conducteur, côté proche
+planning-driver_eye_far = Œil du conducteur, côté éloigné
+planning-taillight = Feu arrière
+planning-headlight = Projecteur
+
+## Planification : données du plan
+
+planning-width = Largeur de l’image
+planning-height = Hauteur de l’image
+planning-field-of-view = Champ horizontal
+planning-camera-height = Hauteur de la caméra
+planning-distance = Distance à la trace de roues
+planning-board-distance = Distance à la mire
+planning-board-distance-usual = trace de roues
+planning-direction = Écart à la perpendiculaire
+planning-sigma = Incertitude du pointé (u)
+planning-travel = Parcours entre images
+planning-camera = Caméra
+planning-calibration = { $camera } : { $calibration }
+planning-calibration-in-use = { $camera } : { $calibration } (en vigueur)
+planning-calibration-unknown = étalonnage { $id }
+planning-camera-plain = Une caméra sans étalonnage
+planning-number-problem = Indiquez un nombre.
+planning-speed = Vitesse maximale
+planning-error = Erreur admise
+planning-baseline = Base
+planning-u-baseline = u de la base
+planning-line-rate = Cadence de lignes
+planning-line-rate-usual = calculée
+planning-length = Longueur du véhicule
+planning-time-gap = Intervalle temporel
+planning-pixel-width = Largeur du pixel
+planning-pixel-height = Hauteur du pixel
+planning-focal = Focale
+planning-line-distance = Distance
+planning-exposure = Temps de pose
+planning-exposure-usual = toute la ligne
+planning-um = µm
+planning-us = µs
+planning-mm = mm
+
+## Planification : le tableau des cibles
+
+planning-targets-title = Incertitude attendue par cible
+planning-target = Cible
+planning-planned-height = Hauteur prévue
+planning-inset = Retrait
+planning-two-frames = U95, deux images
+planning-inset-ignored = Biais si le retrait est ignoré
+planning-targets-note = Les hauteurs et retraits sont des estimations ; les retraits du relevé sont utilisés. Deux images : le véhicule a parcouru { $travel } entre les deux, et le retrait est calculé au lieu d’être supposé.
+planning-parts-title = Bilan d’incertitude, une image
+planning-parts-label = Bilan d’incertitude
+planning-parts-source = Source
+planning-parts-sum = Incertitude-type composée u
+
+## Planification : temps de pose et images d’un passage
+
+planning-passing-title = Temps de pose et images d’un passage
+planning-passing-speed = Vitesse
+planning-passing-exposure = Temps de pose maximal
+planning-passing-blur = Flou à 1/1000 s
+planning-passing-frames-30 = Images à 30/s
+planning-passing-frames-60 = Images à 60/s
+planning-passing-note = Temps de pose maximal : le véhicule s’y déplace de 2 px au milieu de l’image ; au-delà, les pointés sont moins sûrs. Images : celles où la chaussée et l’œil d’un conducteur sont visibles ; il en faut deux, dix suffisent à un passage entier.
+planning-passing-px = { $blur } px
+planning-passing-fraction = 1/{ $part } s
+no-such-language = Il n’y a pas de rapport dans la langue « { $language } » ; choisissez l’une de : { $known }.
+planning-no-language = Il n’y a pas de fiche dans la langue « { $language } » ; choisissez l’une de : { $known }.
+planning-sheet = Fiche d’installation (PDF)
+
+## La fiche d’installation : une page à emporter
+
+sheet-title = Fiche d’installation
+sheet-of = { $survey } · { $site }
+sheet-lead = D’après la planification de Sightline, à l’échelle. Les hauteurs reposent sur ce qui est mesuré le jour même : notez-le dans la dernière colonne.
+sheet-planned = Prévu
+sheet-built = Sur place
+sheet-camera-plain = Pas encore étalonnée, { NUMBER($degrees, maximumFractionDigits: 1) }° de champ
+sheet-camera-value = { $name }, { $width_px } × { $height_px } px
+sheet-metres = { NUMBER($metres, minimumFractionDigits: 2, maximumFractionDigits: 2) } m
+sheet-metres-in-words = { $what } : { sheet-metres }
+sheet-degrees = { NUMBER($degrees, maximumFractionDigits: 1) }°
+sheet-millimetres = { NUMBER($millimetres, minimumFractionDigits: 1, maximumFractionDigits: 1) } mm
+sheet-kmh = { NUMBER($kmh, maximumFractionDigits: 0) } km/h
+sheet-blur = { NUMBER($pixels, minimumFractionDigits: 1, maximumFractionDigits: 1) } px
+sheet-none = non mesurable
+sheet-row = Rangée de référence de la mire au-dessus de la chaussée (mesurée deux fois)
+sheet-zoom = Zoom et mise au point (bloqués)
+sheet-exposure = Temps de pose, gain, balance des blancs (fixes)
+sheet-start = Début de l’enregistrement, fuseau horaire
+sheet-traffic = Sens de circulation ; volant ; caméra sur l’accotement ou le terre-plein
+sheet-weather = Météo, éclairage public, vitesse limite
+sheet-checks = Liste de contrôle
+sheet-check-calibrated = Caméra étalonnée en laboratoire à ce zoom et cette mise au point ; les deux bloqués
+sheet-check-board = Mire mesurée : dix cases divisées par dix ; plane contre une règle
+sheet-check-place = Chaussée droite et plane ; contact des pneus dans l’image ; trépied lesté
+sheet-check-exposure = Temps de pose, gain, mise au point et balance des blancs fixes ; flou sous 2 px
+sheet-check-stood = Mire sur la trace de roues, perpendiculaire à la chaussée, tournée de 20 à 30 degrés
+sheet-check-row = Rangée de référence mesurée deux fois, au millimètre
+sheet-check-filmed = Mire filmée immobile cinq secondes, puis à une autre distance
+sheet-check-watch = Une montre filmée, ou le début noté
+sheet-check-own = Un véhicule de hauteurs connues passé devant la caméra
+sheet-check-again = Mire filmée de nouveau à la fin, et chaque fois que la caméra a été touchée
+
+## Planification : figures et dessins
+
+planning-figure-distance-title = Incertitude élargie (95 %) selon la distance
+planning-figure-distance-note = Une seule image, installation prévue. Les courbes s’arrêtent au bord du champ.
+planning-figure-distance-label = U95 de véhicules à d’autres distances, U95 en { $small } selon la distance à la trace de roues en travers de la route en { $unit }
+planning-figure-distance-x = Distance à la trace de roues ({ $unit })
+planning-figure-distance-y = U95 ({ $unit })
+planning-figure-bias-title = Biais de l’œil du conducteur si son retrait est ignoré
+planning-figure-bias-note = Nul quand la caméra est à hauteur de l’œil.
+planning-figure-bias-label = Erreur de l’œil du conducteur si son retrait est ignoré, erreur en { $small } selon la hauteur de la caméra au-dessus de la chaussée en { $unit }
+planning-figure-bias-x = Caméra au-dessus de la chaussée ({ $unit })
+planning-figure-bias-y = Erreur ({ $unit })
+planning-figure-bar = La barre marque l’emplacement prévu.
+planning-along-title = Le site, vu le long de la route
+planning-along-note = À l’échelle. Le secteur est le champ vertical ; les points sont les cibles.
+planning-along-label = Coupe : caméra { $camera_height } au-dessus de la chaussée, mire à { $board_distance }, trace de roues à { $distance }
+planning-above-title = Le site vu de dessus
+planning-above-note = À l’échelle. L’image montre { $shown } de la trace de roues avec la chaussée et l’œil d’un conducteur.
+planning-above-label = Vue de dessus : la caméra vise en travers de la route, à angle droit, une voiture dans la voie
+planning-above-label-turned = { $turned_deg ->
+    [one] Vue de dessus : la caméra vise en travers de la route, tournée de { $turned_deg } degré le long de la route, une voiture dans la voie
+   *[other] Vue de dessus : la caméra vise en travers de la route, tournée de { $turned_deg } degrés le long de la route, une voiture dans la voie
+}
+planning-wheel-track = trace de roues { $distance }
+planning-wheel-track-and-board = trace de roues et mire { $distance }
+planning-board = mire { $distance }
+
+## Planification : la cadence de lignes
+
+planning-speed-title = Incertitude attendue de la vitesse
+planning-lines = À { $speed }, un véhicule met <strong>{ $lines } lignes</strong> de la caméra 1 à la caméra 2 à { $line_rate_hz } lignes par seconde, soit { $one_line } de route par ligne.
+planning-one-line = Une ligne de plus ou de moins change sa vitesse de <strong>{ $speed }</strong>.
+planning-speed-u = Incertitude-type : { $u_lines } due à la quantification en lignes, { $u_baseline } due à la base. Résultat : <strong>{ $speed }</strong> (95 %).
+planning-values-title = Incertitudes attendues
+planning-values-note = pour un véhicule à cette vitesse derrière un autre aussi rapide, chaque borne lue à une ligne entière près
+planning-values-quantity = Grandeur
+planning-values-value = Valeur et U95
+planning-values-lines = u des lignes entières
+planning-values-baseline = u de la base
+planning-values-edges = u de l’avant et de l’arrière
+planning-values-speed = Vitesse
+planning-values-length = Longueur
+planning-values-time_gap = Intervalle temporel
+planning-values-distance_gap = Distance intervéhiculaire
+planning-seconds = { $value } ± { $U95 } s
+planning-ms = { $value } ms
+planning-exposure-title = Pixels et temps de pose
+planning-exposure-blur = Avec un temps de pose de { $exposure_us } µs, chaque ligne est floue sur <strong>{ $blur }</strong> de chaussée ; le véhicule parcourt { $line } d’une ligne à l’autre. Un pixel couvre { $width } le long de la chaussée et { $height } en hauteur : une arête verticale s’étale sur <strong>{ $smear }</strong>.
+planning-exposure-shape = Un pixel est <strong>{ $shape }</strong> fois aussi haut qu’une ligne est distante de la suivante. Une rangée de désalignement fausse la vitesse jusqu’à { $row_error } là où un détail est incliné à 45°.
+planning-exposure-light = Une ligne reçoit <strong>{ $light }</strong> fois la lumière d’un pixel de 5 µm sur 5 µm exposé 1 ms derrière la même ouverture.
+planning-exposure-dark = Peu de lumière : ouvrez le diaphragme, prenez des pixels plus grands ou un regroupement de pixels, ou moins de lignes par seconde.
+planning-exposure-wide = Les pixels sont plus larges que deux espacements de lignes : une cadence plus élevée apporte peu. Prenez une focale plus longue.
+planning-exposure-tall = Les pixels sont bien plus hauts que l’écart des lignes : alignez les deux caméras à une fraction de rangée, ou prenez plus de rangées.
+planning-exposure-too-long = Un temps de pose de { $exposure_us } µs dépasse une ligne, { $line_us } µs ; indiquez-en un plus court ou moins de lignes par seconde.
+planning-camera-cannot-be = { $name } de { $value } est hors plage. Saisissez une valeur supérieure à 0 et d’au plus { $most }.
+planning-forms-title = Équation (2) de Douxchamps et al., imprimée et corrigée
+planning-forms-label = Les deux formes de l’équation (2)
+planning-forms-equation = Équation (2)
+planning-forms-printed = Imprimée : son membre de droite
+planning-forms-corrected = Corrigée : son terme central
+planning-forms-error = Erreur de la vitesse
+planning-forms-says = Remarque
+planning-forms-says-printed = n + 2 lignes sont comptées au lieu de n, divisé par n + 2. Les 6600 Hz imprimés en viennent ; les 1,3 % imprimés vont aux deux formes.
+planning-forms-says-corrected = n + 2 lignes sont comptées au lieu de n, divisé par n, comme dans le terme central 2 s / (b f). Un peu plus prudent.
+planning-forms-line-rate = Cadence pour { $error }
+planning-forms-line-rate-value = { $line_rate_hz } Hz
+planning-forms-error-at = Erreur à { $line_rate_hz } Hz
+planning-forms-error-value = { $error }, { $speed }
+planning-forms-note = n = b f / s : les lignes de la caméra 1 à la caméra 2, pour la base b, la cadence de lignes f et la vitesse s.
+
+## Relevé : la vue d'ensemble
+
+survey-loading = relevé
+survey-demonstration = démonstration
+survey-edit = Modifier
+members-open = Membres
+members-title = Membres du relevé
+members-lead = Seuls les membres et les administrateurs voient ce relevé.
+members-lead-open = Toute personne connectée voit ce relevé et y agit selon le rôle de son compte. Les membres ont le rôle indiqué ici.
+members-open-to-all = Ouvert à toute personne connectée
+members-name = Nom
+members-role = Rôle ici
+members-role-of = Rôle de { $person } dans ce relevé
+members-remove = Retirer
+members-remove-title = Retirer { $person } du relevé ?
+members-remove-body = { $person } ne le verra plus. Son travail reste à son nom.
+members-remove-yourself = Vous ne verrez plus ce relevé.
+members-none = Personne n’est encore membre de ce relevé ; les administrateurs le gèrent.
+members-inactive = désactivé
+members-add = Ajouter
+members-add-person = Personne
+members-add-role = Rôle
+members-choose = Choisir une personne
+members-everybody = Toutes les personnes ayant un compte sont membres.
+members-does-viewer = tout voir, exporter les archives
+members-does-operator = importer des enregistrements, étalonner, mesurer
+members-does-reviewer = ce que fait un opérateur, et vérifier le travail des autres
+members-does-manager = ce que fait un vérificateur, et décider qui est membre du relevé et comment il est vérifié
+members-admin = Administrateur : peut tout faire ici, quel que soit le rôle choisi.
+members-loading = membres
+survey-camera = Étalonnage de la caméra
+survey-recordings = Enregistrements
+survey-pose = Pose de la caméra
+survey-vehicles = Mesure
+survey-review = Vérification
+survey-results = Export
+survey-camera-go = Étalonner
+survey-recordings-go = Ajouter
+survey-pose-go = Calculer
+survey-vehicles-go = Mesurer
+survey-review-go = Vérifier
+survey-results-go = Exporter
+survey-open = Ouvrir
+survey-statistics = <link>Statistiques</link> : erreurs, distributions, centiles.
+survey-traffic = La circulation est à { $traffic ->
+    [right] droite
+   *[left] gauche
+}, le volant est d’ordinaire à { $steering ->
+    [right] droite
+   *[left] gauche
+}, la caméra est { $camera ->
+    [verge] sur l’accotement
+   *[median] sur le terre-plein central
+}.
+survey-asked = Cibles de jour : { $daytime } ; en faible luminosité : { $low_light }.
+survey-traffic-unsaid = Le côté de circulation et la place de la caméra ne sont pas définis. D’ici là, aucun œil de conducteur n’a de hauteur ; les pointés existants auront la leur une fois ces choix faits.
+survey-traffic-say = Définir
+survey-scans-none = <link>Balayages</link> : { $summary }
+survey-scans-label = Balayages linéaires, à part de ces étapes
+survey-scans = Balayages
+survey-scan-results = <link>Vitesses et intervalles</link> : vitesses, intervalles, longueurs par rapport à celles du constructeur.
+survey-count-scans = { $count ->
+    [one] balayage
+   *[other] balayages
+}
+survey-count-recordings = { $count ->
+    [one] enregistrement
+   *[other] enregistrements
+}
+survey-count-vehicles = { $count ->
+    [one] véhicule
+   *[other] véhicules
+}
+survey-count-measured = sur { NUMBER($count) } mesurés
+survey-count-measurements = { $count ->
+    [one] mesure
+   *[other] mesures
+}
+
+## Relevé : modification
+
+survey-edit-title = Modifier le relevé
+survey-name = Nom
+survey-name-problem = Un relevé doit avoir un nom.
+survey-site = Site
+survey-description = Description
+survey-insets = Retraits
+survey-insets-help = Distance de chaque cible derrière le plan des flancs extérieurs des pneus, à l’opposé de la caméra. Utilisés pour toute nouvelle mesure ; la seconde valeur est leur incertitude-type.
+survey-insets-target = Cible
+survey-insets-inset = Retrait ({ $unit })
+survey-insets-u = u ({ $unit })
+survey-inset-label = { $target } : retrait en { $unit ->
+    [ft] pieds
+   *[m] mètres
+}
+survey-inset-u-label = { $target } : incertitude en { $unit ->
+    [ft] pieds
+   *[m] mètres
+}
+survey-inset-problem = { $target } : indiquez le retrait et son incertitude en { $unit ->
+    [ft] pieds
+   *[m] mètres
+}, par exemple { $inset } et { $u_inset }.
+
+## Relevé : photos de l'installation
+
+photographs-title = Photos de l’installation
+photographs-help = Le dispositif, la route, la mire en place. Le rapport et l’archive les montrent.
+photographs-choose = Choisir des photos à ajouter
+photographs-drop = Déposez des photos ici, ou choisissez-les
+photographs-adding = Ajout de { $count } …
+photographs-hint = JPEG, PNG, WebP ou TIFF. Réduites à 1600 px ; données de localisation retirées.
+photographs-open = Ouvrir { $photograph }
+photographs-what = Ce qu’elle montre
+photographs-caption = Légende de { $photograph }
+photographs-left = Déplacer { $photograph } vers la gauche
+photographs-right = Déplacer { $photograph } vers la droite
+photographs-remove = Retirer { $photograph }
+photographs-removed = Photo retirée : { $photograph }.
+
+## Relevés : la page
+
+surveys-lead = Un relevé par site et par campagne.
+surveys-loading = relevés
+surveys-new = Nouveau relevé
+surveys-new-make = Créer le relevé
+surveys-new-name = Nom
+surveys-new-name-example = Rouen sud, voie 1
+surveys-new-name-problem = Donnez un nom au relevé, par exemple la route et la voie.
+surveys-new-site = Site
+surveys-new-site-example = D938, km 12,4, vers le sud
+surveys-new-description = Description
+surveys-new-description-hint = Notes pour qui ouvrira ce relevé plus tard.
+surveys-choose-password = Choisir un mot de passe
+surveys-link-used = Définissez un mot de passe pour pouvoir vous reconnecter. Votre lien a servi.
+surveys-demo-failed = Le relevé de démonstration n’a pas pu être créé.
+surveys-demo-first = Le relevé de démonstration est le rendu d’une scène connue : chaque hauteur que vous y mesurez peut être comparée à sa valeur vraie. Essayez-y d’abord le travail ; créez ensuite votre propre relevé.
+surveys-demo-open = Ouvrir le relevé de démonstration
+surveys-demo-title = Relevé de démonstration
+surveys-demo-being-made = création en cours
+surveys-demo-wait = Rendu d’une route, d’un damier et d’une quarantaine de véhicules ; cela prend environ une minute.
+surveys-none-title = Aucun relevé
+surveys-none-make = Créez un relevé pour un site, puis étalonnez sa caméra, ajoutez la vidéo de la journée et mesurez. Le relevé de démonstration contient déjà tout cela.
+surveys-none = Aucun relevé. Un opérateur peut créer le premier.
+studies-lead = Relevés de plusieurs sites et années réunis : hauteurs du parc avec leur incertitude totale, et leur effet sur les normes.
+studies-loading = études
+studies-new = Nouvelle étude
+studies-new-make = Créer l’étude
+study-not-chosen = Aucune étude n’est choisie
+studies-none-title = Aucune étude
+studies-none = Une étude réunit les relevés de plusieurs sites, pondère leurs véhicules selon le parc et donne l’incertitude de ses centiles.
+studies-name = Étude
+studies-surveys = Relevés
+studies-sites = Sites
+studies-heights = Hauteurs
+studies-computed = Calculée
+studies-not-computed = non calculée
+study-loading = étude
+study-simulated = simulée
+study-simulated-note = Simulée : rien n’a été filmé. Les véhicules ont été tirés de parcs connus ; aucune valeur ne décrit des routes réelles.
+study-name = Nom
+study-description = Description
+study-report = Rapport (PDF)
+study-package = Archive de l’étude
+study-compute = Calculer
+study-compute-again = Recalculer
+study-computed = L’étude est calculée.
+study-old-study = L’étude a été modifiée après le calcul de ces valeurs. Recalculez-la.
+study-old-surveys = Des données ont changé après le calcul de ces valeurs, dans { $surveys }. Recalculez l’étude.
+study-empty-title = Aucun relevé
+study-empty = Ajoutez les relevés que l’étude réunit ; chacun a un site, et peut avoir une strate et une année.
+study-add-surveys = Ajouter des relevés
+study-not-computed-title = Pas encore calculée
+study-not-computed = Calculez l’étude pour voir ses résultats.
+study-made = Calculée le { $moment } par { $person } avec Sightline { $version } ; SHA-256 de l’archive { $hash }.
+study-made-by-system = Sightline
+study-joined = Relevés
+study-edit = Modifier
+study-edit-title = Modifier l’étude
+study-remove = Retirer l’étude
+study-remove-now = Retirer
+study-remove-words = { $name } est retirée de la liste des études. Ses relevés ne changent pas, et ses résultats restent conservés.
+study-members = Membres de cette étude
+study-members-note = Les membres voient ses résultats, son archive et son rapport, même pour des relevés dont ils ne sont pas membres. Les administrateurs voient toutes les études.
+study-members-open = Toute personne connectée la voit
+study-members-add = Ajouter un membre
+study-members-choose = Choisir une personne
+study-members-nobody = Tout le monde est membre
+study-members-remove = Retirer { $name }
+study-survey = Relevé
+study-site = Site
+study-stratum = Strate
+study-year = Année
+study-counted = Hauteurs retenues
+study-outside = Hors échantillon
+study-weighted = Les hauteurs sont pondérées selon le parc fourni.
+study-not-weighted = Aucun parc fourni : les véhicules ne sont pas pondérés.
+study-sites-known = Les strates, les nombres de sites et le trafic suivent le tableau des sites.
+study-sites-unknown = Aucun tableau des sites fourni : chaque strate est supposée avoir un très grand nombre de sites de trafic égal.
+study-goal-is = Planifiée pour une U95 de { $goal } sur P10.
+study-fleet = Parc (CSV)
+study-fleet-hint = Colonnes category et share (ou registrations) ; plusieurs types : variable, class, share. Vide : sans pondération.
+study-sites = Sites (CSV)
+study-sites-hint = Colonnes site et stratum ; sites_there et traffic s’ils sont connus. Vide : strates indiquées avec les relevés.
+study-goal = U95 visée pour P10
+study-goal-unit = mm
+study-goal-hint = Pour le plan d’une étude ultérieure.
+study-take-out = Retirer { $name }
+study-add-survey = Ajouter un relevé
+study-choose-survey = Choisir un relevé
+study-no-more-surveys = Pas d’autre relevé
+study-surveys-hint = Les relevés d’un même site forment une grappe. Les années sont comparées s’il y en a au moins deux.
+study-choose-file = Choisir un fichier
+study-choose-file-of = Choisir un fichier : { $table }
+study-counted-words = { NUMBER($heights) } hauteurs validées de { NUMBER($vehicles) } véhicules sur { $sites ->
+    [one] { $sites } site
+   *[other] { $sites } sites
+}.
+study-percentiles = Centiles des hauteurs vraies ({ $unit })
+study-holds = Sous chaque valeur, son intervalle total à 95 % : échantillonnage des véhicules et des sites, erreurs communes aux hauteurs (pose de la caméra, retrait moyen). L’erreur de mesure aléatoire est retirée des valeurs.
+study-target = Cible
+study-n = n = { NUMBER($n) }
+study-mean = Moyenne
+study-sd = Écart-type
+study-effects = Effets de plan
+study-effects-note = Effet de plan : variance de ce plan divisée par celle d’un échantillon aléatoire simple de même taille. n effectif : nombre de hauteurs divisé par l’effet de plan.
+study-figure = Grandeur
+study-vehicles = Véhicules
+study-effect = Effet de plan
+study-effective = n effectif
+study-weighting = Poids seuls
+study-years = Années comparées
+study-years-note = Année la plus récente moins la première, chacune pondérée à part, avec intervalles totaux à 95 %. Une différence est dite plus haute ou plus basse si son intervalle exclut 0. Les erreurs sont supposées indépendantes entre les années ; si elles en ont en commun, les intervalles sont trop larges, jamais trop étroits.
+study-years-column = Années
+study-years-of = { $first } à { $second }
+study-beside = Comparaison avec une autre étude
+study-beside-with = Comparer avec
+study-beside-none = Aucune autre étude avec des résultats
+study-beside-choose = Choisissez une étude
+study-beside-loading = comparaison
+study-beside-title = { $second } moins { $first }
+study-beside-note = Utilise les derniers résultats de chaque étude, avec intervalles totaux à 95 %. Une différence est dite plus haute ou plus basse si son intervalle exclut 0 (risque d’au plus 2,5 % de chaque côté, pour chaque valeur séparément). Les erreurs sont supposées indépendantes entre les études ; si elles en ont en commun (un site, un retrait moyen), les intervalles sont trop larges.
+study-beside-shared = Les deux études contiennent { $surveys }. Les erreurs communes s’annulent en partie : ces intervalles sont trop larges.
+study-errors = Erreur par rapport aux hauteurs du constructeur
+study-errors-note = Mesure moins hauteur du constructeur des toits, sans arrondi, avec intervalles de confiance à 95 %.
+study-lighting = Luminosité
+study-bias = Biais
+study-all = toutes
+study-classes = Classes de véhicules
+study-classes-note = Parts de l’échantillon, avec IC à 95 %, comparées au parc.
+study-class = Classe
+study-share = Part
+study-fleet-share = Parc
+study-plan = Étude suivante : U95 de P10 dans la limite de { $goal }
+study-plan-note = Véhicules nécessaires sur chaque site, si sites et véhicules varient comme ici.
+study-plan-sites = Sites
+study-plan-none = aucun nombre
+study-curve-title = { $target } : hauteurs vraies
+study-curve-says = Fonction de répartition des hauteurs vraies, { $target }, avec sa bande.
+study-curve-note = La bande joint les intervalles totaux à 95 % des centiles. Tirets : avec l’erreur aléatoire.
+study-curve-true = hauteurs vraies
+study-curve-raw = avec l’erreur aléatoire
+
+surveys-card = <made>{ $recordings ->
+    [one] { $recordings } enregistrement
+   *[other] { $recordings } enregistrements
+} · { $day }</made>
+surveys-card-with-site = { $site } · <made>{ $recordings ->
+    [one] { $recordings } enregistrement
+   *[other] { $recordings } enregistrements
+} · { $day }</made>
+surveys-vehicles-measured = Véhicules mesurés
+surveys-heights-reviewed = Hauteurs vérifiées
+surveys-scans-reviewed = Balayages vérifiés
+surveys-scans = Balayages : { $summary }
+surveys-all-done = Tout est terminé
+surveys-tally = { NUMBER($done) } <muted>sur { NUMBER($all) }</muted>
+
+## Connexion : la page
+
+signin-loading = votre compte
+signin-link-title = Votre lien de connexion
+signin-with-password = Se connecter par mot de passe
+signin-email = E-mail
+signin-password = Mot de passe
+signin-submit = Se connecter
+signin-help = Pas encore de mot de passe ? Utilisez le lien à usage unique : le serveur l’affiche à son premier démarrage, et un administrateur en crée un pour chaque nouvelle personne.
+
+## Compte : la page
+
+account-name = Nom
+account-email = E-mail
+account-role = Rôle
+account-password-change = Changer le mot de passe
+account-password-choose = Choisir un mot de passe
+account-no-password = Vous n’avez pas encore de mot de passe ; sans lui, il vous faut un nouveau lien à chaque connexion.
+account-password-present = Mot de passe actuel
+account-password-new = Nouveau mot de passe
+account-password-hint = Au moins { NUMBER($least) } caractères ; quelques mots à la suite se retiennent facilement.
+account-password-short = { $count ->
+    [one] Il a { $count } caractère ; il en faut au moins { NUMBER($least) }.
+   *[other] Il a { $count } caractères ; il en faut au moins { NUMBER($least) }.
+}
+account-password-again = Confirmer le mot de passe
+account-password-differs = Les mots de passe diffèrent. Saisissez deux fois le nouveau.
+account-password-set = Définir le mot de passe
+account-password-is-set = Votre mot de passe est défini.
+account-tokens = Jetons d’API
+account-tokens-loading = vos jetons
+account-tokens-none = Aucun jeton
+account-tokens-help = Un jeton permet à un programme, tel qu’un script ou sightline import, de faire une partie de ce que vous pouvez faire.
+account-token-make = Créer un jeton
+account-token-make-action = Créer
+account-token-name = Nom
+account-token-scopes = Droits
+account-token-ends = Expire
+account-token-used = Dernier usage
+account-token-ended = expiré
+account-token-never = jamais
+account-token-revoke = Révoquer
+account-token-revoke-title = Révoquer { $name } ?
+account-token-revoke-body = Les programmes qui l’utilisent seront désormais refusés ; c’est irréversible.
+account-token-title = Jeton { $name }
+account-token-once = Copiez-le maintenant dans le programme ; il ne sera plus affiché. Quiconque le détient agit en votre nom.
+account-token = Jeton
+account-token-copied = Le jeton est dans le presse-papiers.
+account-token-name-field = Nom
+account-token-name-hint = Quel programme, sur quelle machine.
+account-token-name-problem = Saisissez un nom qui dit à quoi sert le jeton.
+account-token-scopes-field = Droits
+account-token-scopes-problem = Choisissez-en au moins un.
+account-token-days = Il expire après
+account-token-days-count = { $days ->
+    [one] { $days } jour
+    [366] un an
+   *[other] { $days } jours
+}
+token-scope-read = lire
+token-scope-read-hint = Voir ce que vous voyez, et demander des hauteurs sans les enregistrer.
+token-scope-upload = envoyer
+token-scope-upload-hint = Importer des enregistrements et trouver leurs passages.
+token-scope-measure = mesurer
+token-scope-measure-hint = Le reste de ce que fait un opérateur : relevés, caméras, poses, mesures.
+token-scope-review = vérifier
+token-scope-review-hint = Rendre des décisions et statuer sur les lots.
+token-scope-export = exporter
+token-scope-export-hint = Créer et télécharger les archives et les résultats d’études.
+show-once-copy = Copier
+show-once-done = Terminé
+
+## Personnes : la page
+
+people-only-admin = Seul un administrateur peut voir et modifier les comptes ; adressez-vous à lui s’il vous faut un autre rôle.
+people-lead = Comptes et rôles.
+people-loading = utilisateurs
+people-add = Ajouter un utilisateur
+people-name = Nom
+people-email = E-mail
+people-role = Rôle
+people-state = État
+people-last-seen = Dernière connexion
+people-actions = Actions
+people-you = (vous)
+people-role-of = Rôle de { $person }
+people-no-password = sans mot de passe
+people-never = jamais
+people-new-link = Nouveau lien
+people-switch-off = Désactiver
+people-switch-on = Réactiver
+people-role-title = Donner à { $person } le rôle { $role } ?
+people-role-body = { $person } pourra alors : { $does }
+people-role-change = Changer le rôle
+people-switch-off-title = Désactiver le compte de { $person } ?
+people-switch-off-body = Cette personne est déconnectée et ne pourra plus se connecter ; ses mesures et vérifications restent à son nom.
+people-does-viewer = tout voir, exporter les archives
+people-does-operator = importer des enregistrements, étalonner, mesurer
+people-does-reviewer = ce que fait un opérateur, et vérifier le travail des autres
+people-does-admin = tout, y compris gérer les personnes
+
+## Personnes : en ajouter une
+
+people-add-action = Ajouter
+people-add-name = Nom
+people-add-name-problem = Donnez le nom de la personne tel qu’il doit figurer à côté de son travail.
+people-add-email = E-mail
+people-add-email-hint = Sert à se connecter. Sightline n’envoie pas d’e-mail : vous transmettez le lien affiché ensuite.
+people-add-email-problem = Donnez une adresse e-mail, par exemple ada@example.org.
+people-add-role = Rôle
+people-link-title = Lien de connexion de { $person }
+people-link-help = Envoyez ce lien à { $person }. Il sert une seule fois, expire dans 7 jours et ne sera plus affiché.
+people-link = Lien de connexion
+people-link-copied = Le lien est dans le presse-papiers.
+
+## Audit : la page
+
+audit-lead = Chaque modification est un événement d’une chaîne de hachage. Toute retouche ou suppression ultérieure rompt la chaîne.
+audit-loading = journal d’audit
+audit-survey = Relevé
+audit-survey-all = Tous
+audit-what = Objet modifié
+audit-what-all = Tout
+audit-none-title = Aucun événement ici
+audit-none-filtered = Aucun événement ne correspond aux filtres.
+audit-none = Aucune modification enregistrée.
+audit-events = Événements d’audit
+audit-number = N°
+audit-when = Quand
+audit-who = Qui
+audit-did = Action
+audit-changes = Modifications
+audit-hash = Empreinte
+audit-older = Événements plus anciens
+audit-hash-after = { $hash }, après { $previous }
+audit-hash-first = { $hash }, premier événement
+audit-check = Contrôler la chaîne
+audit-whole-title = La chaîne est intacte
+audit-whole = { $count ->
+    [one] { $count } événement contrôlé ; la dernière empreinte est <code>{ $hash }</code>.
+   *[other] { $count } événements contrôlés ; la dernière empreinte est <code>{ $hash }</code>.
+}
+audit-broken-title = La chaîne est rompue
+
+## Audit : ce qui a été fait, et à quoi
+
+audit-action-calibrate = étalonnage
+audit-action-cancel = annulation
+audit-action-cancelled = arrêt
+audit-action-check_drift = contrôle de stabilité de la caméra
+audit-action-choose = choix
+audit-action-choose_calibration = choix de l’étalonnage
+audit-action-create = création
+audit-action-decide_drift = décision sur la stabilité de la caméra
+audit-action-delete = suppression
+audit-action-detect = détection de la mire
+audit-action-draw = tirage
+audit-action-done = fin
+audit-action-failed = échec
+audit-action-finish = achèvement
+audit-action-fix = correction
+audit-action-import = import
+audit-action-ingest = import
+audit-action-ingest_failed = échec de l’import
+audit-action-order = mise en ordre
+audit-action-propose = établissement
+audit-action-read = lecture
+audit-action-recorded = enregistrement
+audit-action-reading_failed = échec de la lecture
+audit-action-release = remise en file
+audit-action-requeue = remise en file
+audit-action-request = demande de chiffres
+audit-action-restart_ingest = reprise de l’import
+audit-action-restart_reading = reprise de l’import
+audit-action-restore = restauration
+audit-action-retire = mise hors catalogue
+audit-action-review = vérification
+audit-action-revise = modification
+audit-action-revoke = révocation
+audit-action-run = exécution
+audit-action-seal = scellement
+audit-action-set_password = choix du mot de passe
+audit-action-sign = signature
+audit-action-take = adoption
+audit-action-sign_out = déconnexion
+audit-action-swap_cameras = échange des caméras
+audit-action-take_back_drift_decision = annulation de la décision sur la stabilité de la caméra
+audit-action-update = modification
+audit-action-use = utilisation
+audit-action-compute_again = recalcul
+audit-action-undo = annulation
+audit-action-accepted = acceptation
+audit-action-full_inspection = renvoi au contrôle complet
+audit-action-dissolved = dissolution
+audit-action-taken_back = annulation
+audit-action-withdraw = retrait
+audit-entity-survey = relevé
+audit-entity-survey_member = membre
+audit-entity-camera = caméra
+audit-entity-calibration_image = photo d’étalonnage
+audit-entity-calibration = étalonnage
+audit-entity-recording = enregistrement
+audit-entity-upload = envoi
+audit-entity-pose = pose
+audit-entity-photograph = photo
+audit-entity-catalogue = catalogue
+audit-entity-vehicle = véhicule
+audit-entity-measurement = mesure
+audit-entity-proposals = propositions de pointés
+audit-entity-review = décision
+audit-entity-computing = hauteurs recalculées
+audit-entity-review_plan = plan de vérification
+audit-entity-free_plan = véhicules mesurés sans propositions
+audit-entity-wheel_pair = paire de roues
+audit-entity-click_sigma = incertitude du pointé
+audit-entity-standards = normes
+audit-entity-scan = balayage
+audit-entity-scan_run = analyse du balayage
+audit-entity-lot = lot
+audit-entity-lot_decision = décision sur un lot
+audit-entity-scan_vehicle = véhicule du balayage
+audit-entity-scan_measurement = mesure du balayage
+audit-entity-scan_review = vérification du balayage
+audit-entity-scan_reference = valeur de référence
+audit-entity-line_pose = pose de ligne
+audit-entity-rig_calibration = étalonnage du dispositif
+audit-entity-line_height = hauteur de ligne
+audit-entity-line_height_review = vérification d’une hauteur de ligne
+audit-entity-export = export
+audit-entity-evidence = dossier de preuve
+audit-entity-study = étude
+audit-entity-study_result = résultat d’une étude
+audit-entity-study_member = membre d’une étude
+audit-entity-package = archive
+audit-entity-checkpoint = point de contrôle
+audit-entity-signing_key = clé de signature
+audit-entity-person = personne
+audit-entity-sign_in_link = lien de connexion
+audit-entity-api_token = jeton d’API
+audit-entity-job = tâche
+audit-subject-vehicle = véhicule { $vehicle }
+audit-subject-target = véhicule { $vehicle }, { $target ->
+    [roof] toit
+    [driver_eye] œil du conducteur
+    [taillight] feu arrière
+    [headlight] projecteur
+   *[other] autre
+}
+audit-subject-verdict = { $verdict } : { $subject }
+audit-subject-named = { $entity } « { $name } »
+audit-person = Personne
+audit-person-all = Toutes
+audit-day = Jour (UTC)
+audit-vehicle = Numéro du véhicule
+audit-vehicle-problem = Le numéro d’un véhicule est un nombre entier.
+audit-row = ligne { $id } de la base de données
+
+## Export : la page
+
+export-lead = Téléchargez les données, le rapport et le journal d’audit.
+export-crops = avec les images des pointés
+export-of-title = Véhicules des statistiques et du rapport
+export-of-lighting = Luminosité
+export-of-filmed-from = filmés à partir du { $day }
+export-of-filmed-to = filmés jusqu’au { $day }
+export-of-help = Les statistiques, les figures et le rapport portent sur ces véhicules, et la première page du rapport le dit. Les tableaux sont complets, pour que le journal d’audit les couvre ; exclusions.csv nomme ce qui est exclu.
+export-of = Véhicules
+export-of-all = tous les véhicules
+export-build = Créer l’archive
+export-ready = L’archive est prête.
+export-failed = L’archive n’a pas pu être créée ; réessayez.
+export-open-to-review = { $to_review ->
+    [one] { $to_review } mesure pas encore vérifiée.
+   *[other] { $to_review } mesures pas encore vérifiées.
+}
+export-open-rejected = { $rejected ->
+    [one] { $rejected } mesure rejetée et non repointée.
+   *[other] { $rejected } mesures rejetées et non repointées.
+}
+export-open-both = { $to_review ->
+    [one] { $to_review } mesure pas encore vérifiée
+   *[other] { $to_review } mesures pas encore vérifiées
+}, { $rejected ->
+    [one] { $rejected } mesure rejetée et non repointée.
+   *[other] { $rejected } mesures rejetées et non repointées.
+}
+export-open-note = Chaque ligne indique son état de vérification. Pour une archive définitive, <link>terminez d’abord la vérification</link>.
+export-packages = Archives
+export-loading = archives
+export-none-title = Aucune archive
+export-none = Appuyez sur « Créer l’archive ». Cela prend de quelques secondes à quelques minutes, selon le nombre d’images. Vous pouvez continuer à travailler.
+export-made = Créée
+export-by = Par
+export-language = Rapport en
+export-size = Taille
+export-sha256 = SHA-256
+export-audit-head = Tête d’audit
+export-download-column = Téléchargement
+export-download = Télécharger
+export-sha256-copy = Copier le SHA-256
+export-sha256-copied = Le SHA-256 est dans le presse-papiers.
+export-audit-head-copy = Copier la tête d’audit
+export-audit-head-copied = La tête d’audit est dans le presse-papiers.
+export-checking = Vérifier une archive
+export-checking-help = Ceci contrôle chaque fichier, la chaîne d’audit, sa signature et chaque ligne par rapport à elle, et recalcule chaque hauteur et chaque statistique. Transmettez la clé de cette installation (ou le SHA-256) séparément de l’archive. Elle révèle une archive remplacée et signée avec une autre clé. Une signature prouve ce que le détenteur de la clé a signé, non que c’est vrai.
+export-command-copy = Copier la commande
+export-command-copied = La commande est dans le presse-papiers.
+
+## Export : contenu d'une archive
+
+export-contents = Contenu d’une archive
+export-contents-report = installation, étalonnage, méthode, erreurs, figures et exclusions en quelques pages
+export-contents-measurements = mesures en vigueur : véhicule, cible, image, hauteur et son incertitude
+export-contents-exclusions = mesures exclues et motifs
+export-contents-statistics = tableau d’erreurs, centiles, distributions et corrections en CSV ; figures en SVG
+export-contents-crops = l’image de chaque mesure, sans marque et avec ses points
+export-contents-revisions = chaque révision avec ses pointés et son bilan d’incertitude
+export-contents-clicks = les pointés seuls : « sightline height » en calcule les mêmes hauteurs
+export-contents-vehicles = marque, modèle, année, hauteur du constructeur et sa source, luminosité
+export-contents-recordings = empreintes des fichiers, horodatage et somme de contrôle de chaque image mesurée
+export-contents-poses = poses de la caméra et paramètres de l’objectif, en tableaux et en JSON
+export-contents-classes = classes de véhicules avec leurs groupes ; véhicules sur lesquels portent les statistiques et le rapport
+export-contents-insets = retraits en vigueur ; les deux pneus d’un véhicule, pour son sens de circulation
+export-contents-reviews = décisions et motifs, et répétitions en aveugle
+export-contents-audit = chaque modification avec son empreinte ; la chaîne peut être contrôlée
+export-contents-datapackage = nom, unité et signification de chaque colonne (Frictionless Data)
+
+## Propositions : pourquoi un point d'un véhicule qui passe n'est pas proposé (conservées par clé)
+
+proposals-not-across = Le véhicule monte ou descend dans l’image. Les propositions demandent un véhicule qui la traverse.
+proposals-no-empty-road = Trop peu d’images avant et après le véhicule pour reconnaître la route vide.
+proposals-not-one-vehicle = Les roues trouvées sur plusieurs images n’appartiennent pas à un même véhicule.
+proposals-wheels-on-few-frames = Les roues se détachent de l’ombre et de la caisse sur trop peu d’images.
+proposals-wheel-on-best-frame = Cette roue ne se détache pas de l’ombre et de la caisse sur la meilleure image.
+proposals-not-in-picture = N’est pas dans le champ sur la meilleure image.
+proposals-no-wheel = Aucune roue ne se détache de l’ombre et de la caisse sur ces images.
+proposals-no-height = Aucune hauteur ne résulte de ce point ; pointez-le vous-même.
+proposals-roof-not-seen = Le bord proche du toit n’a été détecté que sur trop peu d’images ; pointez-le vous-même.
+proposals-taillight-not-seen = Le feu arrière n’a été détecté que sur trop peu d’images ; pointez vous-même son bord inférieur.
+proposals-headlight-by-hand = Le milieu d’un projecteur n’est pas encore assez bien trouvé ; pointez-le vous-même.
+proposals-eye-not-seen = L’œil du conducteur n’a été détecté que sur trop peu d’images ; si vous le voyez, pointez-le vous-même.
+proposals-hidden-here = N’est pas visible sur la meilleure image.
+proposals-no-contact = Aucun contact de pneu n’est proposé sur cette image, donc aucune hauteur n’en résulterait ; pointez les deux vous-même.
+proposals-too-uncertain = N’a pas été localisé assez précisément pour une hauteur ; pointez-le vous-même.
+
+## Propositions : la tâche, et ce qui est refusé
+
+proposals-looking = Recherche de points à proposer.
+proposals-made = Propositions pour { $some } passages sur { $passes }, points en tout : { $points }.
+proposals-cancelled = La proposition de points a été annulée ; les propositions antérieures restent. Vous pouvez la relancer.
+proposals-being-made-already = Les propositions pour { $name } sont déjà en cours ; attendez la fin.
+proposals-no-found-passes = { $name } n’a pas de passages trouvés par Sightline ; faites d’abord chercher les passages.
+snap-measured-free = Ce véhicule a été tiré au sort pour être mesuré sans propositions.
+anchoring-too-few = Trop peu : il faut cinq véhicules de chaque groupe.
+proposals-withheld = Les propositions sont masquées pour ce véhicule, tiré au sort pour savoir à quel point elles influencent. Pointez-le vous-même.
+proposals-somebody-changed-plan = La part des véhicules aux propositions masquées a changé entre-temps. Contrôlez-la et choisissez à nouveau.
+proposals-plan-one-in = Masquez les propositions pour un véhicule sur 2 à { $most }, ou pour aucun (0).
+measurements-not-where-click-goes = Le contact n’est plus là où Sightline place un tel pointé : la pose de la caméra ou les propositions ont été refaites. Repointez le contact.
+snap-no-tyre = Aucun pneu posé sur la chaussée n’a été trouvé à ce pointé ; il reste où il est.
+snap-out-of-reach = Le pneu trouvé le plus proche est trop loin de ce pointé ; il reste où il est.
+snap-not-sure = Un pneu a été trouvé près de ce pointé, mais pas assez sûrement ; il reste où il est.
+measurements-proposals-not-these = Ces points sont périmés : les propositions ont été refaites. Contrôlez-les et confirmez à nouveau.
+
+## Erreurs : caméras
+
+cameras-charuco-board-needs-dictionary-markers-side = Une mire ChArUco demande le dictionnaire de ses marqueurs, le côté d’un marqueur et le côté d’une case ; indiquez les trois.
+cameras-plain-checkerboard-no-markers-choose-charuco = Un damier simple n’a pas de marqueurs ; choisissez ChArUco comme type de mire, ou omettez dictionnaire et marqueur.
+cameras-frames-not-recording-frames-0 = Les images { $first } à { $last } ne sont pas dans l’enregistrement ; il a les images 0 à { $frame_count }.
+cameras-every-th-frame-would-views-take = Une image sur { $every } donnerait { $count } vues ; prenez une image sur { $least } ou moins.
+cameras-too-large-calibration-file-choose-file = { $file_name } est trop volumineux pour un fichier d’étalonnage ; choisissez le fichier qui contient les paramètres intrinsèques.
+cameras-not-text-file-choose-calibration-yaml = { $file_name } n’est pas un fichier texte ; choisissez un étalonnage en YAML, JSON ou cameramodel.
+cameras-not-file-give-picture-files-clip = { $path } n’est pas un fichier ; indiquez des fichiers de photos ou un clip.
+cameras-choose-calibration-give-pictures-width-height = Choisissez un étalonnage, ou indiquez la largeur et la hauteur de l’image en pixels et son champ horizontal en degrés.
+cameras-calibration-belongs-another-survey-choose-one = L’étalonnage { $calibration_id } appartient à un autre relevé ; choisissez-en un des caméras de ce relevé.
+cameras-cameras-csv-not-what-audit = cameras.csv : la caméra { $id } n’est pas ce que ses événements d’audit en ont fait ; le tableau a été modifié.
+cameras-calibration-of-another-camera = calibrations.csv : { $id } nomme une autre caméra que les événements d’audit ; le tableau a été modifié.
+cameras-taken-without-calibration = La caméra { $camera } n’a pas encore d’étalonnage : il n’y a rien à reprendre ; étalonnez-la dans son propre relevé, ou ajoutez-la ici comme nouvelle caméra.
+cameras-taken-from-itself = La caméra { $camera } est celle de ce relevé ; choisissez-en une d’un autre relevé.
+cameras-camera-needs-name-fill = Une caméra doit avoir un nom ; indiquez-le.
+cameras-calibration-belongs-another-camera-choose-one = L’étalonnage { $calibration_id } appartient à une autre caméra ; choisissez-en un de cette caméra.
+cameras-image-without-board-needs-reason-why = Une photo sans mire demande un motif ; dites ce qui a été cherché.
+commands-baseline-or-rig = Donnez soit --baseline (avec --u-baseline), soit --rig.
+
+## Erreurs : commandes
+
+commands-empty-give = { $path } est vide ; indiquez { $what }.
+commands-no-column-give = { $path } n’a pas de colonne { $missing } ; indiquez { $what }{ $hint }.
+commands-column-more-once-name-each-column = { $path } a plus d’une fois la colonne { $twice } ; nommez chaque colonne une seule fois.
+commands-not-readable-csv-table-give = { $path } n’est pas un tableau CSV lisible ({ $problem }) ; indiquez { $what }.
+commands-not-percentile = « { $part } » n’est pas un centile ; indiquez des nombres entre 0 et 100, par exemple --percentile 2.5,10,50.
+commands-not-csv = { $path } ne peut pas être lu comme un tableau ({ $why }) ; indiquez { $what }.
+commands-no-row-with-height = { $path } n’a aucune ligne avec une hauteur ; indiquez un fichier dont des lignes ont le status ok.
+commands-distribution-needs-column = { $path } n’a pas de colonne « { $name } » ; indiquez un heights.csv qui l’a.
+commands-rig-file-no-rig = { $path } n’est pas un dispositif : il faut un objet JSON avec baseline_m, comme l’écrit `sightline rig calibrate -o`, et des voies avec chacune son distance_m.
+commands-row-not-length = { $where } : { $name } « { $cell } » n’est pas une longueur possible en mètres ; corrigez la cellule.
+commands-no-column-give-heights-csv-made = { $path } n’a pas de colonne { $missing } ; indiquez un heights.csv fait à partir de pointés avec reference_height_m.
+commands-cannot-read-csv-text-give-heights = { $path } ne peut pas être lu comme texte CSV ; indiquez un heights.csv de sightline height.
+commands-larger-200-mb-give = { $path } dépasse 200 Mo ; indiquez { $what }.
+commands-not-exist-give = { $path } n’existe pas ; indiquez { $what }.
+commands-not-utf-8-text-give-saved = { $path } n’est pas un texte UTF-8 ; indiquez { $what }, enregistré en UTF-8.
+commands-cannot-read-give = { $path } est illisible ({ $strerror }) ; indiquez { $what }.
+commands-not-readable-json-give = { $path } n’est pas un JSON lisible ; indiquez { $what }.
+commands-cannot-written-choose-another-place = Impossible d’écrire { $path } ({ $strerror }) ; choisissez un autre emplacement.
+commands-stream-camera-missing = La caméra { $name } ne peut pas être ouverte ({ $error }) ; vérifiez son câble, son alimentation et son adresse, et qu’aucun autre programme ne l’utilise.
+commands-stream-camera-rows = La caméra { $name } donne des lignes de { $width } pixels, et { $rows } ont été demandés ; indiquez --rows { $width }, ou réglez la caméra.
+commands-stream-empty = L’entrée standard s’est terminée avant une première paire de lignes ({ $pair_bytes } octets) ; démarrez d’abord les caméras, et vérifiez --rows.
+commands-stream-follow-missing = { $path } est illisible ({ $strerror }) ; indiquez le fichier que le programme des caméras est en train d’écrire.
+commands-stream-no-aravis = Les caméras GigE Vision demandent Aravis et PyGObject, absents ici ({ $error }) ; installez gir1.2-aravis-0.8 et python3-gi, ou fournissez les lignes sur l’entrée standard.
+commands-stream-other-rig = { $path } contient un flux interrompu (segment { $number }), enregistré avec un autre nombre de pixels par ligne ou un autre dispositif ; relancez-le avec les mêmes options pour le reprendre, ou choisissez un autre --spool.
+commands-stream-spool-taken = Un autre flux écrit dans { $path } ; donnez à celui-ci un autre --spool.
+commands-stream-two-cameras = Indiquez --camera deux fois, d’abord la caméra que les véhicules atteignent en premier, et sans --follow.
+commands-cannot-written-because-disk-full-free = Impossible d’écrire { $path } : le disque est plein ; libérez de la place.
+commands-charuco-marker-go-together-give-dictionary = --charuco et --marker vont ensemble ; indiquez le dictionnaire et le côté du marqueur.
+commands-board-not-form-9x6-count-inner = --board { $text } n’est pas de la forme 9x6 ; comptez les coins intérieurs en largeur et en hauteur.
+commands-size-not-form-1920x1080-give-width = --size { $text } n’est pas de la forme 1920x1080 ; indiquez largeur et hauteur en pixels.
+commands-give-contact-x-y-target-x = Indiquez --contact X,Y et --target X,Y, ou --clicks avec un fichier CSV.
+commands-sigma-inset-u-inset-must-finite = --sigma, --inset et --u-inset doivent être des nombres finis, --sigma et --u-inset non négatifs ; corrigez-les.
+commands-give-o-heights-csv-write = Indiquez -o avec le heights.csv à écrire.
+commands-not-form-x-y-give-two = { $option } { $text } n’est pas de la forme X,Y ; indiquez deux nombres de pixels.
+commands-problem = { $names } : { $message }
+measurements-followed-not-readable = Les points suivis d’une mesure sont illisibles ; ils ont été modifiés.
+measurements-followed-and-clicked = Un passage se suit à partir des points d’une seule image ; retirez d’abord les autres images.
+measurements-not-followed = Le véhicule ne peut pas être suivi : { $reason }
+commands-follow-none = Le véhicule n’est pas suivi : { $reason }
+commands-tracks-alone = Indiquez soit --tracks, soit --contact et --target, soit --clicks, pas deux d’entre eux.
+commands-tracks-point = Ligne { $row } de { $path } : le point { $point } n’est pas l’un de { $points } ; corrigez la cellule.
+commands-tracks-frame = Ligne { $row } de { $path } : le numéro d’image n’est pas un nombre entier ; corrigez la cellule.
+commands-tracks-number = Ligne { $row } de { $path } : la cellule { $name } n’est pas un nombre fini ; corrigez la cellule.
+commands-give-either-contact-target-clicks-not = Indiquez soit --contact et --target, soit --clicks, pas les deux.
+commands-no-effect-here-use-instead = --{ $name } est sans effet ici ; utilisez plutôt { $instead }.
+commands-cannot-written-folder-not-exist-choose = Impossible d’écrire { $output } : son dossier n’existe pas ; choisissez un autre emplacement.
+commands-given-twice-give-strips-both-cameras = { $first } est indiqué deux fois ; indiquez les bandes des deux caméras.
+backup-none-here = { $folder } ne contient pas de sauvegarde complète (pas de manifest.json) ; relancez sightline backup vers ce dossier, ou nommez-en un autre.
+backup-other-format = { $folder } contient une sauvegarde d’un autre format ; utilisez la version de Sightline qui l’a faite.
+backup-manifest-damaged = { $path } n’est pas ce que la sauvegarde a écrit ; utilisez une autre sauvegarde.
+backup-file-missing = { $name } manque dans la sauvegarde ; utilisez une autre sauvegarde, ou relancez sightline backup vers celle-ci.
+backup-file-changed = { $name } de la sauvegarde n’est pas le fichier qui a été sauvegardé ; utilisez une autre sauvegarde.
+backup-folder-holds-other-things = { $folder } contient autre chose qu’une sauvegarde ; choisissez un dossier vide ou une sauvegarde antérieure.
+backup-folder-in-data-folder = { $folder } et le dossier de données sont l’un dans l’autre ; choisissez un dossier ailleurs, de préférence sur un autre disque.
+backup-under-way = Une autre sauvegarde est en cours d’écriture dans { $folder } ; attendez la fin.
+backup-database-not-copied = La base de données { $path } n’a pas pu être copiée ({ $said }) ; réessayez.
+backup-of-another-installation = Le dossier contient une sauvegarde d’une autre installation, ou d’un état postérieur à celui-ci ; choisissez un autre dossier.
+backup-other-tables = La sauvegarde a une table { $name } que cette version ne connaît pas ; restaurez-la avec la version qui l’a faite.
+backup-rows-do-not-fit = Les lignes de { $name } dans la sauvegarde ne conviennent pas à leur table ; utilisez une autre sauvegarde.
+backup-other-kind-of-database = La sauvegarde provient d’une base { $kind } et ne se restaure que dans une base de ce type ; réglez SIGHTLINE_DATABASE_URL en conséquence.
+backup-place-not-empty = { $place } n’est pas vide ; restaurez dans un emplacement nouveau ou vide.
+backup-database-not-empty = La base PostgreSQL a déjà des tables ; restaurez dans une base vide.
+backup-chains-end-elsewhere = Les chaînes d’audit de la base sauvegardée ne finissent pas là où le dit son manifeste ; utilisez une autre sauvegarde.
+backup-chain-broken = La base sauvegardée échoue au contrôle : { $problem }
+backup-media-missing = { $count ->
+    [one] La sauvegarde est complète, mais un fichier média que la base nomme n’est pas dans le stockage des médias : { $names }
+   *[other] La sauvegarde est complète, mais { $count } fichiers médias que la base nomme ne sont pas dans le stockage des médias, par exemple { $names }
+ } ; cherchez dans une sauvegarde antérieure.
+
+commands-no-database-name-folder-data-dir = Aucune base de données dans { $path } ; nommez son dossier avec --data-dir.
+commands-cannot-used-correct = { $name } est inutilisable ({ $said }{ $said_2 }) ; corrigez.
+commands-give-either-camera-size-field-view = Indiquez soit --camera, soit --size et --field-of-view.
+commands-speed-speed-error-line-rate-u = --speed, --speed-error, --line-rate et --u-baseline demandent --baseline.
+commands-give-camera-height-distance-baseline-line = Indiquez --camera-height et --distance ; ou --baseline pour un balayage linéaire.
+commands-line-scans-plan-needs-speed-speed = Le plan d’un balayage linéaire demande --speed et --speed-error en plus de --baseline.
+commands-numbers-plan-must-finite = Les nombres d’un plan doivent être finis.
+commands-line-scan-planned-without-camera-place = Un balayage linéaire se planifie sans caméra ni emplacement ; omettez ces options.
+commands-metrics-port-cannot-be-used = Les métriques ne peuvent pas être servies sur le port { $port } de { $host } ({ $why }) ; choisissez-en un autre avec SIGHTLINE_METRICS_PORT.
+commands-another-server-has-folder = Un autre serveur utilise le dossier { $folder } ; arrêtez-le, ou donnez à celui-ci son propre dossier avec --data-dir.
+commands-folder-cannot-written = Impossible d’écrire dans le dossier { $folder } ({ $why }) ; vérifiez ses droits et le disque, ou nommez-en un autre avec --data-dir.
+commands-port-cannot-used-choose-another-port = Le port { $port } de { $host } est inutilisable ({ $why }) ; choisissez-en un autre avec --port.
+commands-option-not-negative = { $option } doit être un nombre fini, non négatif ; corrigez.
+commands-row-without-pass = { $path }, ligne { $row } : la cellule pass est vide ; nommez le passage de chaque point.
+commands-row-cells = { $path }, ligne { $row } : { $cells } cellules pour { $columns } dans l’en-tête ; corrigez la ligne.
+commands-column-twice = { $path } a deux colonnes { $name } ; gardez celle qui compte.
+commands-problem-2 = { $place } : { $problem }
+commands-distance-or-speed = Indiquez soit --distance, soit --speed, pas les deux.
+commands-grade-difference-needs-distance = --grade-difference demande une distance de visibilité ; indiquez aussi --distance ou --speed.
+commands-not-exist-name-database-data-folder = { $place } n’existe pas ; nommez une base de données, un dossier de données ou un dossier exporté.
+
+## Erreurs : démonstration
+
+demo-drawing-demonstration-stopped-middle-start-server = Le rendu de la démonstration s’est arrêté en cours ; redémarrez le serveur.
+demo-no-sample-pictures = Il n’y a pas d’images d’exemple ici, car la démonstration n’a pas été créée ; sightline demo la crée.
+
+## Erreurs : export
+
+export-crop-could-not-encoded-export-survey = Une vue n’a pas pu être encodée ; exportez à nouveau le relevé.
+export-frame-stored-video-not-one-clicked = L’image { $frame } de la vidéo stockée n’est pas celle qui a été pointée.
+export-not-follow-these-statistics-put = { $strange } ne découle pas de ces statistiques ; ajouté après coup.
+export-no-row-crops-csv-put = { $there } n’est dans aucune ligne de crops.csv ; ajouté après coup.
+export-crops-csv-other-points-frames-measurement = crops.csv : { $path } a d’autres points ou images que sa mesure ; l’un des deux est faux.
+export-not-one-whose-hash-crops-csv = { $path } n’est pas celui dont crops.csv contient l’empreinte ; il a été échangé.
+export-no-picture-size-crops-csv-tells = { $path } n’est pas une image de la taille indiquée par crops.csv ; il a été échangé.
+export-not-show-points-measurement-changed = { $overlay } ne montre pas les points de sa mesure ; il a été modifié.
+export-cannot-read-take-whole-export-again = { $description } est illisible ; reprenez l’export complet.
+export-another-files-chain-changed = { $description } a une autre valeur de { $name } que les fichiers et la chaîne ; il a été modifié.
+export-describes-otherwise-program-changed = { $description } décrit { $named } autrement que ce programme ; il a été modifié.
+export-too-rows-changed = { $path } a { $value ->
+    [few] trop peu de lignes
+   *[many] trop de lignes
+} ; il a été modifié.
+export-not-one-these-rows-statistics-give = { $path } n’est pas celui que donnent ces lignes et statistiques ; il a été remplacé.
+export-line-says-rows-give-one-wrong = { $path }, ligne { $at } : { $name } vaut { $told }, les lignes donnent { $found } ; l’un des deux est faux.
+export-missing-named-twice-crops-csv-take = { $path } manque ou est nommé deux fois dans crops.csv ; reprenez l’export complet.
+export-first-characters-head-prove-little-give = Les { $count } premiers caractères d’une tête prouvent peu ; indiquez-en au moins { $least_of_head }.
+export-audit-csv-ends-not-head-kept = audit.csv finit par { $head }, non par la tête conservée : il a été réécrit, ou c’est un autre export.
+export-no-no-whole-export-export-survey = { $checksums } manque : ce n’est pas un export complet ; exportez à nouveau le relevé.
+export-not-belong-export-take-out-check = { $strange } n’appartient pas à l’export ; retirez-le et contrôlez à nouveau.
+export-changed-after-export-take-whole-export = { $path } a été modifié après l’export ; reprenez l’export complet.
+export-checkpoint-form = checkpoint.json n’est pas écrit comme ce programme l’écrit ; reprenez l’export complet.
+export-checkpoint-signature = checkpoint.json porte une autre signature que celle que donne sa clé ; il a été modifié.
+export-checkpoint-other-chain = checkpoint.json ne garantit pas la fin d’audit.csv ; l’un des deux a été modifié.
+export-checkpoint-keys = checkpoint.json ne dit pas comment sa clé découle des précédentes ; il a été modifié.
+export-checkpoint-other-key = L’archive a été signée avec la clé { $key } et non avec la clé indiquée ; elle vient d’une autre installation ou est falsifiée.
+export-key-too-short = Les premiers caractères d’une clé prouvent peu ; indiquez-en { $least } ou plus.
+export-no-seal = audit.csv ne finit pas par l’événement qui scelle l’archive : il a été tronqué ou modifié ; reprenez l’export complet.
+export-page-not-described = { $path } n’est pas décrit par datapackage.json, ou manque bien qu’il le soit ; reprenez l’export complet.
+export-page-another-program = { $path } n’est pas la page que nomme datapackage.json ; reprenez l’export complet.
+export-page-carries-another = La page porte un autre { $path } que l’archive ; reprenez l’export complet.
+export-not-the-file-that-the-seal-names = { $path } n’est pas ce que dit le sceau de l’archive, dernier événement d’audit.csv : il a été modifié, retiré ou ajouté après l’export, et les sommes avec lui.
+export-event-of-another-survey-or-time = audit.csv : l’événement { $number } est donné ou omis là où le sceau de l’archive dit le contraire, ou la chaîne ne commence pas par le relevé ; audit.csv a été modifié après l’export.
+
+## Erreurs : géométrie
+
+geometry-too-few-pictures = Photos utilisables : { $used } sur { $given }, il en faut au moins { $least } ; prenez d’autres photos de la mire entière, sous des angles différents.
+geometry-too-few-pictures-why = Photos utilisables : { $used } sur { $given }, il en faut au moins { $least } ; prenez d’autres photos de la mire entière, sous des angles différents. { $file } : { $reason }
+geometry-board-x-inner-corners-cannot-used = Une mire de { $columns }x{ $rows } coins intérieurs est inutilisable ; comptez les coins intérieurs (où quatre cases se touchent), de 3 à 60 dans chaque direction.
+geometry-square-m-cannot-right-give-side = Une case de { $square_m } m est impossible ; indiquez le côté d’une case en mètres.
+geometry-model-could-not-fitted-these-views = Le modèle { $model } n’a pas pu être ajusté à ces vues ; ajoutez des vues de différents côtés ou utilisez l’autre modèle.
+geometry-x-px-camera-calibrated-x-px = { $what } fait { $width_px }x{ $height_px } px, mais la caméra a été étalonnée à { $width_px_2 }x{ $height_px_2 } px ; utilisez un étalonnage fait à la taille de l’enregistrement.
+geometry-no-dictionary-markers-one-maker-board = { $dictionary } n’est pas un dictionnaire de marqueurs ; c’est l’un de { $dictionaries }, selon les indications du fabricant de la mire.
+geometry-markers-m-not-go-squares-m = Des marqueurs de { $marker_m } m ne vont pas avec des cases de { $square_m } m ; indiquez le côté du marqueur noir, plus petit que sa case.
+geometry-board-x-inner-corners-markers-holds = Une mire de { $columns }x{ $rows } coins intérieurs a { $needed } marqueurs et { $dictionary } en contient { $held } ; choisissez le dictionnaire avec lequel la mire a été faite.
+adjustment-nothing-uncertain = la pose n’indique aucune incertitude propre ni de mire : la circulation ne pourrait rien y changer ; créez-la avec sightline pose.
+adjustment-contradictory = passages en contradiction avec les autres : { $out } sur { $passes } ; vérifiez les longueurs connues, leurs incertitudes et les points suivis.
+adjustment-does-not-settle = les passages ne convergent pas vers une seule pose ; vérifiez que chaque point suit le même endroit de son véhicule.
+geometry-must-correct-key-make-file-again = { $what } : « { $key } » doit être { $wanted } ; corrigez cette clé ou refaites le fichier.
+geometry-must-json-object-write-sightline-see = { $what } doit être un objet JSON ; écrivez-le avec sightline ou voyez docs/formats.md.
+geometry-distortion-model-not-supported-plumb-bob = { $file_name } : le modèle de distorsion « { $word } » n’est pas pris en charge ; plumb_bob, rational_polynomial, radtan, equidistant et fisheye le sont.
+geometry-holds-no-camera-give-opencv-yaml = { $file_name } ne contient pas de caméra ; indiquez un YAML ou JSON OpenCV, un camera_info ROS, un camchain Kalibr ou un .cameramodel mrcal.
+geometry-holds-values-not-finite-calibrate-again = { $file_name } : { $what } contient des valeurs non finies ; refaites l’étalonnage.
+geometry-image-size-must-two-whole-numbers = { $file_name } : la taille d’image doit être deux nombres entiers de pixels.
+geometry-holds-no-camera-matrix-camera-matrix = { $file_name } ne contient pas de matrice de caméra (camera_matrix ou K) ; exportez les paramètres intrinsèques avec leurs coefficients de distorsion.
+geometry-camera-matrix-must-3x3-0-0 = { $file_name } : la matrice de caméra doit être de 3x3, avec 0 0 1 comme dernière ligne.
+geometry-camera-matrix-skew-which-not-supported = { $file_name } : la matrice de caméra a une obliquité, non prise en charge ; étalonnez sans elle.
+geometry-holds-no-camera-holds = { $file_name } ne contient pas de caméra « { $which } » ; il contient { $cameras }.
+geometry-camera-model-not-supported-calibrate-pinhole = { $file_name } : le modèle de caméra « { $camera_model } » n’est pas pris en charge ; étalonnez en sténopé.
+geometry-intrinsics-must-four-numbers-fu-fv = { $file_name } : intrinsics doit être quatre nombres, fu fv pu pv.
+geometry-lens-model-not-supported-convert-mrcal = { $file_name } : le modèle d’objectif { $word } n’est pas pris en charge ; convertissez-le avec mrcal-convert-lensmodel en LENSMODEL_OPENCV8.
+geometry-needs-intrinsics-file = { $file_name } : { $word } demande { $value } paramètres intrinsèques, le fichier en a { $count }.
+geometry-not-say-how-large-pictures-add = { $file_name } ne dit pas la taille des images ; ajoutez-y image_width et image_height.
+geometry-focal-lengths-must-positive-numbers-pixels = { $file_name } : les focales doivent être des nombres positifs de pixels.
+geometry-principal-point-lies-far-outside-picture = { $file_name } : le point principal est très en dehors de l’image ; corrigez la taille d’image.
+geometry-thin-prism-tilt-coefficients-not-supported = { $file_name } : les coefficients de prisme mince et d’inclinaison ne sont pas pris en charge ; étalonnez avec huit au plus.
+geometry-distortion-coefficients-4-5-8-supported = { $file_name } : { $count } coefficients de distorsion ; 4, 5 ou 8 sont pris en charge.
+geometry-no-readable-camera-file-give-opencv = { $file_name } n’est pas un fichier de caméra lisible ; indiquez un YAML ou JSON OpenCV, un camera_info ROS, un camchain Kalibr ou un .cameramodel mrcal.
+geometry-not-list-numbers-export-file-again = { $file_name } : { $what } n’est pas une liste de nombres ; exportez à nouveau le fichier.
+geometry-image-size-must-two-numbers-width = { $file_name } : la taille d’image doit être deux nombres, largeur et hauteur.
+geometry-give-camera-info-unbinned-pictures = { $file_name } : { $key } vaut { $data } ; indiquez le camera_info d’images sans regroupement de pixels.
+geometry-fisheye-model-needs-four-coefficients-file = { $file_name } : un modèle fisheye demande quatre coefficients, le fichier en a { $count }.
+geometry-board-found-none-frames = La mire n’a été trouvée dans aucune des { $count } images. { $reason }
+geometry-no-pose-fits-corners-check-camera = Aucune pose ne convient aux coins ; vérifiez que le fichier de caméra est celui de cet enregistrement et que toute la mire est dans le rayon valide de l’objectif.
+geometry-reference-height-boards-uncertainties-must-numbers = La hauteur de référence et les incertitudes de la mire doivent être des nombres, en mètres et radians, les incertitudes non négatives.
+geometry-reference-row-m-above-road-cannot = Une rangée de référence à { $height_m } m au-dessus de la chaussée est impossible ; indiquez en mètres la hauteur au-dessus de la chaussée de la rangée de coins intérieurs « { $side } ».
+geometry-board-camera-moves-during-these-frames = La mire ou la caméra bouge pendant ces images (jusqu’à { NUMBER($moved_px, minimumFractionDigits: 1, maximumFractionDigits: 1) } px) ; choisissez une plage, ou une seule image, où toutes deux sont immobiles.
+geometry-corners-not-fit-camera-model-residual = Les coins ne conviennent pas au modèle de caméra (résidu { NUMBER($rms, minimumFractionDigits: 1, maximumFractionDigits: 1) } px) ; le fichier est d’une autre caméra ou d’un autre zoom, ou la mire est déformée.
+geometry-board-seen-edge-turn-towards-camera = La mire est vue par la tranche ; tournez-la vers la caméra, d’au moins 10 degrés.
+geometry-board-lies-on-road = La mire semble posée à plat sur la chaussée ; dressez-la à angle droit avec la chaussée, rangées horizontales, ou mesurez la hauteur de la rangée de coins que vous avez nommée.
+geometry-reference-height-m-puts-camera-below = La hauteur de référence de { $height_m } m place la caméra sous la chaussée ; indiquez en mètres la hauteur au-dessus de la chaussée de la rangée de coins intérieurs « { $side } ».
+geometry-picture-x-px-cannot-planned-give = Une image de { $width_px } x { $height_px } px est hors plage ; indiquez une largeur et une hauteur de 16 à 16384.
+geometry-horizontal-field-view-degrees-cannot-planned = Un champ horizontal de { $degrees } degrés est hors plage ; indiquez une valeur de 5 à 150.
+geometry-cannot-planned-give-one = { $what } : { $value } { $unit } est hors plage ; indiquez une valeur de { $least } à { $most }.
+
+## Erreurs : audit
+
+audit-signing-key-unreadable = { $path } ne contient pas de clé de signature (64 chiffres hexadécimaux) ; rétablissez-la depuis une sauvegarde.
+audit-signing-key-another = La clé de signature de cette machine n’est pas celle qui a signé la base de données ; rétablissez signing.key depuis une sauvegarde, ou donnez à toutes les machines le même SIGHTLINE_SIGNING_KEY.
+audit-database-made-another-version-verify-one = Cette base de données a été faite par une autre version ; contrôlez-la avec celle-là, ou ouvrez-la une fois avec celle-ci (`sightline serve`), qui la met à jour.
+audit-not-sightline-database-name-sightline-db = { $name } n’est pas une base de données Sightline ; nommez le sightline.db d’un dossier de données.
+
+## Erreurs : csv_package
+
+csv_package-audit-csv-event-not-follow-one = audit.csv : l’événement { $number } ne découle pas du précédent ; il a été modifié.
+csv_package-audit-csv-event-not-one-hashed = audit.csv : l’événement { $number } n’est pas celui qui a été haché ; il a été modifié.
+csv_package-missing-take-whole-export-again = { $path } manque ; reprenez l’export complet.
+csv_package-file-name-folder-export-not-exist = { $target } est un fichier ; nommez pour l’export un dossier qui n’existe pas encore.
+csv_package-holds-other-files-name-folder-empty = { $target } contient d’autres fichiers ; nommez un dossier vide ou qui n’existe pas encore.
+csv_package-holds-file-twice-no-export-take = { $place } contient un fichier deux fois, ce n’est donc pas un export ; reprenez l’export.
+csv_package-cannot-read-export-name-folder-zip = { $place } ne peut pas être lu comme un export ; nommez son dossier ou son ZIP.
+csv_package-parquet-and-csv-not-pairs = { $path } est là sans son autre forme : chaque tableau d’une archive existe en CSV et en Parquet ; reprenez l’export complet.
+csv_package-parquet-described-otherwise = { $path } a d’autres colonnes, unités ou significations que ne le décrit datapackage.json ; il a été modifié.
+csv_package-parquet-not-csv = { $path } n’est pas ce que contient { $csv_path } : la colonne { $name } diffère à la ligne { $at } ; l’un des deux a été modifié.
+csv_package-parquet-other-rows = { $path } n’a pas les lignes de { $csv_path } ; l’un des deux a été modifié.
+csv_package-parquet-cannot-be-read = { $path } ne peut pas être lu comme Parquet ; reprenez l’export complet.
+csv_package-cell-not-of-its-type = { $path } a une cellule qui n’est pas du type que datapackage.json donne à sa colonne ; il a été modifié.
+csv_package-csv-of-another-form = { $path } n’est pas écrit comme Sightline écrit un tableau (vers la ligne { $at } : autre fin de ligne, autre guillemet) : des programmes pourraient y lire des choses différentes ; reprenez l’export complet.
+csv_package-zip-odd-entry = { $place } contient { $path }, qui n’est pas un simple fichier d’une archive ; reprenez l’export complet.
+csv_package-zip-bomb = { $place } : { $path } se décompresserait en bien plus que ne contient un tableau ; reprenez l’export complet.
+csv_package-too-many-files = { $place } énumère plus de fichiers qu’une archive ne peut en avoir ; reprenez l’export complet.
+csv_package-link = { $path } est un lien, non un fichier (ou un tube ou périphérique) : un export n’en a pas ; reprenez l’export complet.
+csv_package-json-of-another-form = { $path } n’est pas écrit comme Sightline écrit du JSON (une clé en double, d’autres espaces ou nombres) : des programmes pourraient y lire des choses différentes ; reprenez l’export complet.
+csv_package-other-columns-than-described = { $path } a d’autres colonnes que celles que décrit datapackage.json ({ $column }) : il a été modifié après l’export.
+csv_package-cannot-read-csv-take-whole-export = { $path } ne peut pas être lu comme CSV ; reprenez l’export complet.
+csv_package-cannot-unpacked-take-whole-export-again = { $path } ne peut pas être décompressé ; reprenez l’export complet.
+csv_package-cannot-read-described-take-whole-export = { $path } ne peut pas être lu tel qu’il a été décrit ; reprenez l’export complet.
+csv_package-row-too-long-too-short-changed = { $path } a une ligne trop longue ou trop courte ; il a été modifié.
+csv_package-without-audit-event-missing = { $path } : { $kind_name } { $odd } est là sans événement d’audit, ou manque.
+csv_package-twice-one-put = { $path } : { $columns } { $values } est là deux fois ; ajout après coup.
+csv_package-not-what-audit-event-says-changed = { $path } n’est pas ce que dit son événement d’audit ; il a été modifié.
+csv_package-not-one-audit-chain-vouches-changed = { $path_of } n’est pas celui que garantit la chaîne d’audit ; il a été modifié.
+csv_package-made-others-another-time-says = { $path } : { $kind_name } { $id } a un autre auteur ou une autre date que ne le dit { $path_2 }.
+csv_package-differs-one-changed = { $path } : { $kind_name } { $id } diffère de { $path_2 } ; l’un des deux a été modifié.
+csv_package-not-csv-row-taken-out-changed = { $path } : { $mine } { $values } n’est pas dans { $table }.csv ; une ligne a été retirée ou modifiée.
+
+## Erreurs : base de données
+
+database-database-not-supported-use-sqlite-file = Une base de données { $backend } n’est pas prise en charge ; utilisez sqlite:///FILE ou postgresql+psycopg://USER@HOST/NAME.
+database-database-not-answer-check-runs-address = La base de données ne répond pas ; vérifiez qu’elle est en marche et que son adresse est juste.
+database-memory-database-would-lost-name-file = Une base en mémoire serait perdue ; nommez un fichier, comme dans sqlite:///sightline.db.
+database-disk-full-nothing-saved-make-room = Le disque est plein, rien n’a été enregistré ; libérez de la place et réessayez.
+database-database-busy-another-writer-try-again = La base de données est occupée par une autre écriture ; réessayez dans un instant.
+database-database-file-cannot-opened-writing-check = Le fichier de la base de données ne peut pas être ouvert en écriture ; vérifiez les droits du dossier.
+database-database-address-cannot-read-use-sqlite = L’adresse de la base de données est illisible ; utilisez sqlite:///FILE ou postgresql+psycopg://.
+database-no-database-check-name = Il n’y a pas de base de données { $path } ; vérifiez son nom.
+database-file-not-database-program-give-right = Ce fichier n’est pas une base de données de ce programme ; indiquez la bonne.
+database-no-migrations-set-sightline-migrations-folder = Il n’y a pas de migrations dans { $folder } ; réglez SIGHTLINE_MIGRATIONS sur le dossier qui les contient.
+database-database-made-newer-version-update-one = La base de données a été faite par une version plus récente ; mettez celle-ci à jour avant de l’ouvrir.
+database-no-may-been-removed-go-back = Introuvable : { $word ->
+    [survey] relevé
+    [person] personne
+    [study] étude
+    [vehicle] véhicule
+    [measurement] mesure
+    [upload] envoi
+    [export] export
+    [member] membre
+    [lot] lot
+    [recording] enregistrement
+    [calibration] étalonnage
+    [photograph] photo
+    [computing] recalcul
+    [camera] caméra
+    [job] tâche
+    [result] résultat
+    [token] jeton
+   *[other] { $word }
+}{ $number } ; peut-être supprimé entre-temps : revenez en arrière et faites un autre choix.
+
+## Erreurs : tâches
+
+jobs-somebody-else-started-job-ask-them = Quelqu’un d’autre a lancé cette tâche ; demandez-lui, ou à un opérateur, de l’annuler.
+jobs-worker-knows-no-job-kind-start = Ce processus ne connaît pas de tâche du type { $kind_name } ; lancez-en un de cette version.
+jobs-job-went-another-worker-one-stops = La tâche { $id } est passée à un autre processus ; celui-ci s’arrête.
+jobs-job-already-nothing-cancel = La tâche { $job_id } est déjà dans l’état { $state ->
+    [done] terminé
+    [failed] échec
+    [cancelled] annulé
+   *[other] { $state }
+} ; il n’y a rien à annuler.
+jobs-job-moved-meanwhile-nothing = La tâche { $id } a avancé entre-temps ; rien à faire.
+jobs-job-given-another-worker-one-stops = La tâche { $id } a été confiée à un autre processus ; celui-ci s’arrête.
+
+## Erreurs : web
+
+web-server-busy = Le serveur est occupé et rien n’a été fait ; réessayez dans quelques secondes.
+web-you-not-signed-sign-try-again = Vous n’êtes pas connecté ; connectez-vous et réessayez.
+web-token-does-not-hold = Ce jeton n’est pas valable : il est faux, expiré ou révoqué ; créez-en un nouveau dans Compte.
+web-token-lacks-scope = Ce jeton permet { $scopes }, et ceci demande { $needed } ; créez un jeton avec ce droit dans Compte.
+web-token-never = Aucun jeton ne permet ceci ; connectez-vous dans le navigateur et faites-le là.
+web-token-too-many-requests = Plus de { NUMBER($most) } requêtes en une minute avec ce jeton ; attendez une minute et continuez.
+members-last-manager = Un relevé garde un gestionnaire ; nommez-en d’abord un autre.
+audit-checkpoint-none = Ce point de contrôle n’existe pas : choisissez-en un dans la liste de la page Système.
+audit-problem-ask-admin = Le journal d’audit n’est pas intègre ; demandez à un administrateur de le contrôler.
+web-needs-role-you-ask-admin = Il faut pour cela le rôle { $needed ->
+    [viewer] lecteur
+    [operator] opérateur
+    [reviewer] vérificateur
+    [manager] gestionnaire
+    [admin] administrateur
+   *[other] { $needed }
+}, et vous avez le rôle { $role ->
+    [viewer] lecteur
+    [operator] opérateur
+    [reviewer] vérificateur
+    [manager] gestionnaire
+    [admin] administrateur
+   *[other] { $role }
+} ; demandez-le à un administrateur.
+web-larger-mb-make-smaller-try-again = { $name } dépasse { $most_bytes } Mo ; réduisez-le et réessayez.
+
+## Erreurs : linescan
+
+linescan-strips-rows-high-least-8-needed = Les bandes ont { $rows } rangées de haut ; il en faut au moins 8 pour trouver un véhicule.
+linescan-strips-differ-lines-rows-rows-expected = Les bandes diffèrent : { $shape } et { $shape_2 } lignes par rangées, { $rows } rangées attendues ; les deux caméras doivent enregistrer les mêmes lignes.
+linescan-cannot-used-give = { $name } de { $value } { $unit } est inutilisable ; indiquez de { $least } à { $most } { $unit }.
+linescan-rig-pass = Passage { $name } : { $sentence }
+linescan-rig-common = Les incertitudes de la cadence de lignes, du mètre ruban et de la vitesse sont des parts de 0 à 0,1 (1e-4 vaut 0,01 %) ; corrigez-les.
+linescan-lane-needs-name = Une voie n’a pas de nom ; donnez-lui-en un.
+linescan-lanes-same-name = Deux voies s’appellent { $name }, ou un nom commence ou finit par une espace ; donnez à chacune son nom.
+linescan-lane-rows-both = La voie { $name } n’a qu’une rangée pour ses pneus ; donnez les deux, ou aucune.
+linescan-lane-rows-order = Les rangées de la voie { $name } ne sont pas en ordre ; donnez d’abord la plus haute, 0 ou plus.
+linescan-rig-divergence-without-distance = Une divergence compte sur la distance aux véhicules, qui manque ; indiquez la distance, ou omettez la divergence et son incertitude.
+linescan-rig-few-passes = { $count } passages utilisables ne suffisent pas pour la base et la divergence ; il en faut au moins { $least }, à deux distances ou plus.
+linescan-rig-distances-alike = Tous les passages sont entre { $nearest_m } et { $farthest_m } m, trop semblables pour distinguer la base de la divergence des plans ; ajoutez des passages à une autre distance, comme la voie proche et la voie éloignée.
+linescan-rig-width-two-u = Le panneau de { $width_m } m a deux incertitudes de largeur différentes ; donnez la même à chaque ligne.
+linescan-rig-distance-two-u = La distance de { $distance_m } m a deux incertitudes différentes ; donnez la même à chaque ligne d’une même station.
+linescan-rig-contradict = Les passages se contredisent (khi carré { $chi2 } pour { $degrees } degrés de liberté) : le passage { $name } s’écarte des autres de { $residual_mm } mm là où { $expected_mm } mm (U95) étaient attendus. Mesurez-le à nouveau, écartez-le, ou donnez des incertitudes plus grandes.
+rig-passes-too-many = { $name } a plus de { $most } lignes ; donnez les seuls passages d’un étalonnage.
+rig-passes-columns = Il manque des colonnes à { $name } ; donnez distance_m et toutes celles d’une façon : { $ways }.
+rig-passes-problem = { $path } : { $message }{ $left }
+rig-no-lane = --distance { $text } n’est pas une voie ; donnez sa distance en mètres et, après une virgule, son u, comme 4.2 ou 4.2,0.1.
+commands-option-above-zero = { $option } doit être un nombre fini supérieur à 0 ; corrigez-le.
+
+## Erreurs : mesures
+
+measurements-vehicle-not-recording-choose-one-passes = Le véhicule n’est pas de cet enregistrement ; choisissez l’un de ses passages.
+measurements-frame-clicked-twice-click-two-points = L’image { $twice } est pointée deux fois ; pointez les deux points sur une autre image du passage.
+measurements-point-not-any-picture-click-again = Le point « { $word } » { $point }, { $point_2 } n’est dans aucune image ; repointez.
+measurements-no-road-pose-yet-make-choose = { $name } n’a pas encore de pose de la caméra ; créez-en ou choisissez-en une d’abord sur la page Pose de la caméra.
+measurements-road-pose-pictures-x-px-not = La pose de la caméra de { $name } vaut pour des images de { $size_px } x { $size_px_2 } px, non pour sa taille ; créez-en ou choisissez-en une autre sur la page Pose de la caméra.
+measurements-frame-not-part-vehicle-go-frame = L’image { $frame } ne coupe pas le véhicule { $number } ; allez à une image après sa première ({ $first_frame }) et jusqu’à sa dernière ({ $last_frame }).
+measurements-only-two-passes-same-recording-joined = Seuls deux passages du même enregistrement peuvent être joints ; choisissez-en un autre.
+measurements-vehicles-both-measurements-measurement-stays-vehicle = Les véhicules { $number } et { $number_2 } ont tous deux des mesures, et une mesure reste avec son véhicule ; écartez plutôt l’un des passages.
+measurements-vehicle-measured-before-after-frame-measurement = Le véhicule { $number } a été mesuré avant et après l’image { $frame }, et une mesure reste avec son véhicule ; coupez à une autre image.
+measurements-vehicles-csv-missing-though-audit-event = vehicles.csv : { $missing } manque, bien que son événement d’audit soit là.
+measurements-vehicles-csv-not-what-audit-events = vehicles.csv : { $id } n’est pas ce que disent ses événements d’audit ; il a été modifié.
+measurements-measurement-withdrawn-restore-before-you-change = Cette mesure est retirée ; restaurez-la avant de la modifier.
+measurements-repeat-stands-clicked-withdraw-click-again = Une répétition reste telle que pointée ; retirez-la et repointez.
+measurements-measurement-withdrawn-already-restore-use-again = Cette mesure est déjà retirée ; restaurez-la pour l’utiliser à nouveau.
+adjusting-says-something-else-now = La circulation donne maintenant autre chose que ce qui était affiché ; regardez à nouveau.
+adjusting-not-an-adjusted-pose-in-force = Ce n’est pas une pose ajustée en vigueur : il n’y a rien à annuler.
+computing-undo-cannot-be-undone = Une annulation ne s’annule pas ; recalculez plutôt les hauteurs.
+computing-undone-already = Ceci a déjà été annulé ; recalculez les hauteurs pour les retrouver.
+computing-undo-the-later-first = Les hauteurs ont été recalculées le { $when } ; annulez d’abord ce calcul.
+computing-computings-csv-not-what-event-says = computings.csv : { $id } n’est pas ce que dit son événement d’audit ; reprenez l’export complet.
+computing-computing-made-other-revisions = computings.csv : { $id } a fait un autre nombre de révisions qu’il ne dit ; reprenez l’export complet.
+computing-computing-missing = computings.csv : { $id } manque, bien que son événement d’audit soit là ; reprenez l’export complet.
+computing-verdict-went-over = revisions.csv : la révision { $revision } de la mesure { $name } a une décision rendue sur une autre hauteur ; reprenez l’export complet.
+measurements-measurement-not-withdrawn-nothing-restore = Cette mesure n’est pas retirée : il n’y a rien à restaurer.
+measurements-deleted-vehicle-restore-first = { $name } a supprimé le véhicule { $vehicle_number } le { $when } ; restaurez-le d’abord.
+measurements-changed-measurement-utc-look-again = { $name } a modifié cette mesure le { $created_at } UTC ; regardez à nouveau.
+measurements-repeat-needs-vehicle-target-measurement-repeats = Une répétition demande le véhicule et la cible de la mesure qu’elle répète.
+measurements-road-pose-belongs-another-survey-choose = La pose { $pose_id } de la caméra appartient à un autre relevé ; choisissez-en une de ce relevé.
+measurements-measurement-without-height-needs-reason-why = Une mesure sans hauteur demande un motif ; recalculez-la.
+measurements-measurement-no-height-needs-reason-why = Une mesure qui n’a pas de hauteur demande un motif ; recalculez-la.
+measurements-measurement-stored-another-vehicle-already-click = Cette mesure a déjà été enregistrée pour un autre véhicule ; repointez.
+measurements-frame-not-picture-clicked-load-again = L’image { $frame } n’est pas celle qui a été pointée ; rechargez-la.
+measurements-measurements-csv-lacks-measurement-revisions-csv = measurements.csv : il manque une mesure que contient revisions.csv ; elle a été retirée.
+measurements-says-clicks-give-one-wrong = { $name } indique { $status }, ses pointés donnent { $status_2 } ; l’un des deux est faux.
+measurements-names-another-pose-file-pose-changed = { $path } : { $id } nomme un autre fichier de pose que sa pose ; il a été modifié.
+measurements-measurement-no-audit-event-revision-put = { $path } : la mesure { $key } n’a pas d’événement d’audit pour la révision { $key_2 } ; ajout après coup.
+measurements-measurement-differs-audit-event-changed = { $path } : la mesure { $key } diffère de son événement d’audit ; elle a été modifiée.
+measurements-revisions-csv-measurement-no-revisions-one = revisions.csv : la mesure { $id } n’a pas de révision ; une a été retirée.
+measurements-missing-no-road-pose-take-whole = { $path } manque ou n’est pas une pose de la caméra ; reprenez l’export complet.
+measurements-says-clicks-give-one-wrong-2 = { $name } indique { $words } { $told }, ses pointés donnent { $computed } ; l’un des deux est faux.
+measurements-measurements-csv-another-last-revision = measurements.csv : { $id } a une autre valeur de { $column } que sa dernière révision.
+measurements-another-measurements-csv-one-wrong = { $path } : { $id } a une autre valeur de { $name } que measurements.csv ; l’un des deux est faux.
+measurements-where-belongs-row-taken-out-put = { $path } { $found } là où { $name } a sa place ; une ligne a été retirée ou ajoutée.
+measurements-not-measurements-csv-put = { $path } : { $row } n’est pas dans measurements.csv ; ajout après coup.
+measurements-measurements-csv-u95-not-1-96 = measurements.csv : { $id } a un U95 qui n’est pas 1,96 u ; l’un des deux est faux.
+measurements-budget-csv-contributions-give-m-measurements = budget.csv : les contributions à { $id } donnent { NUMBER($total, minimumFractionDigits: 6, maximumFractionDigits: 6) } m, measurements.csv indique { NUMBER($told, minimumFractionDigits: 6, maximumFractionDigits: 6) } m ; l’un des deux est faux.
+measurements-budget-csv-not-what-audit-event = budget.csv : les contributions à { $id } diffèrent de son événement d’audit ; l’un des deux a été modifié.
+cameras-calibration-of-other-images = calibrations.csv : { $id } nomme d’autres photos que ses événements d’audit ; reprenez l’export complet.
+measurements-event-another-row = audit.csv : un événement de la mesure { $id } contient une autre ligne que celle qu’il a hachée ; il a été modifié.
+measurements-events-two-frames = audit.csv : deux événements décrivent différemment l’image { $frame } de l’enregistrement { $recording } ; l’un des deux a été modifié.
+measurements-frames-csv-not-as-clicked = frames.csv : l’image { $frame } de l’enregistrement { $recording } n’est pas ce que disent les événements d’audit de ses mesures ; elle a été modifiée.
+measurements-budget-csv-not-measurements-csv-put = budget.csv : { $next } n’est pas dans measurements.csv ; ajout après coup.
+measurements-revisions-csv-revision-measurement-missing-though = revisions.csv : la révision { $revision } de la mesure { $number } manque, bien que son événement d’audit soit là ; elle a été retirée.
+measurements-clicked-another-frame-frames-csv-tells = { $path } : { $id } a été pointé sur une autre image que ne le dit frames.csv ; l’un des deux est faux.
+
+## Erreurs : médias
+
+media-ingest-cancelled-nothing-kept = L’import de { $name } a été annulé ; rien n’en a été conservé.
+media-claims-x-pixels-more-side-million = { $name } annonce { $width } x { $height } pixels, plus de { $max_side_px } de côté ou { $max_pixels } millions en tout ; réduisez-le et réessayez.
+media-damaged-cannot-decoded-save-png-jpeg = { $name } est endommagé et ne peut pas être décodé ; enregistrez-le en PNG ou JPEG et réessayez.
+media-empty-choose-picture = { $name } est vide ; choisissez une photo.
+media-heif-picture = { $name } est une photo HEIC ou AVIF, illisible ici ; enregistrez-la en PNG ou JPEG et réessayez.
+media-not-picture-read-here-save-png = { $name } n’est pas une photo lisible ici ; enregistrez-la en PNG ou JPEG et réessayez.
+media-damaged-header-not-say-how-large = { $name } est endommagé : son en-tête ne dit pas sa taille ; enregistrez-le en PNG ou JPEG et réessayez.
+media-picture-shape-could-not-encoded = Une image de dimensions { $shape } n’a pas pu être encodée en { $suffix }.
+media-larger-mb-make-smaller = { $name } dépasse { $max_bytes } Mo ; réduisez-le.
+media-cannot-read-check-path = { $name } est illisible ({ $strerror }) ; vérifiez le chemin.
+
+## Erreurs : stockage
+
+store-no-media-address-use-folder-file = { $media_url } n’est pas une adresse de médias ; utilisez un dossier, file:///folder ou s3://bucket.
+store-no-room-needed-free-delete-recordings = Il n’y a pas de place pour { $what } ({ $needed } nécessaires, { $free } libres) ; supprimez des enregistrements devenus inutiles ou ajoutez de l’espace disque, puis réessayez.
+store-no-media-file = Il n’y a pas de fichier média { $key }.
+store-storage-s3-needs-local-cache-folder = Le stockage sur S3 demande un dossier de cache local ; nommez-en un à côté de l’adresse des médias.
+store-disk-full-not-stored-delete-recordings = Le disque est plein, { $what } n’a pas été enregistré ; supprimez des enregistrements devenus inutiles ou ajoutez de l’espace disque, puis réessayez.
+store-media-file-missing-store-restore-backup = Le fichier média { $key } manque dans le stockage ; restaurez-le depuis une sauvegarde.
+store-media-storage-did-not-answer-check = Le stockage des médias n’a pas répondu pour { $key } ({ $name }) ; vérifiez son adresse, ses identifiants et qu’il est en marche.
+store-names-no-bucket-write-s3-bucket = { $url } ne nomme pas de bucket ; écrivez s3://bucket/prefix.
+store-media-file-missing-store = Le fichier média { $key } manque dans le stockage.
+store-no-such-upload-finished-given-up = Cet envoi n’existe pas ; il a été terminé ou abandonné, recommencez-le.
+store-file-empty-choose-video-file = Le fichier est vide ; choisissez un fichier vidéo.
+store-upload-not-complete-bytes-arrived-continue = L’envoi n’est pas complet : { $have } octets sur { $size } sont arrivés ; poursuivez-le.
+store-upload-stands-byte-not-continue = L’envoi en est à l’octet { $have }, non { $at } ; poursuivez à partir de là.
+store-upload-name-already-under-way-start = Un envoi de ce nom est déjà en cours ; commencez-en un nouveau.
+store-upload-being-written-another-connection-try = Cet envoi est en cours d’écriture par une autre connexion ; réessayez.
+store-more-bytes-came-announced-start-upload = Plus d’octets sont arrivés que les { $size } annoncés ; recommencez l’envoi.
+
+## Erreurs : bandes
+
+strips-no-json-object-correct-them = { $what } ne sont pas un objet JSON ; corrigez-les.
+strips-give-line-rate-hz-no-positive = { $what } donnent un line_rate_hz qui n’est pas un nombre positif ; corrigez-le.
+strips-give-dropped-lines-no-list-line = { $what } donnent des dropped_lines qui ne sont pas une liste ordonnée de [line, count] ; corrigez-les.
+strips-larger-mb-correct-remove-file = { $what } dépassent { $sidecar_bytes } Mo ; corrigez ou supprimez ce fichier.
+strips-not-readable-json-correct-remove-file = { $what } ne sont pas un JSON lisible ; corrigez ou supprimez ce fichier.
+strips-cut-off-header-copy-again-recorder = { $name } est tronqué dans son en-tête ; copiez-le à nouveau depuis l’enregistreur.
+strips-problem = { $name } { $kinds } ; { $grey }.
+strips-bits-pixel = { $name } a { $depth } bits par pixel ; { $grey }.
+strips-interlaced-cannot-read-pieces-save-without = { $name } est entrelacé et ne peut pas être lu par morceaux ; enregistrez-le sans entrelacement.
+strips-pixels-wide-png-here-save-tiff = { $name } fait { $width_px } pixels de large, un PNG peut en avoir { $most_wide_px } ici ; enregistrez-le en TIFF ou avec le temps selon la hauteur.
+strips-damaged-checksum-inside-not-match-copy = { $name } est endommagé : une somme de contrôle interne ne concorde pas ; copiez-le à nouveau depuis l’enregistreur.
+strips-no-plain-picture-animation-damaged = { $name } n’est pas une image simple (animation, ou endommagée) ; { $grey }.
+strips-give-png-tiff-line-scan-camera = { $name } { $what } ; indiquez un PNG ou TIFF de la caméra linéaire.
+strips-pixels-line-give-two-strips-equal = { $name } a { $rows } pixels par ligne et { $name_2 } { $rows_2 } ; indiquez deux bandes de même hauteur, ou rognez-les à la partie de la scène que les deux montrent.
+strips-bits-pixel-save-both-alike = { $name } a { $value } bits par pixel et { $name_2 } { $value_2 } ; enregistrez les deux de la même façon.
+strips-lines-both-begin-end-together-give = { $name } a { $lines } lignes et { $name_2 } { $lines_2 } ; toutes deux commencent et finissent ensemble : indiquez les deux bandes d’un même enregistrement, ou rognez-les à la même durée.
+strips-not-file-give-png-tiff-line = { $name } n’est pas un fichier ; indiquez un PNG ou TIFF de la caméra linéaire.
+strips-jpeg-which-changes-pixels-save-png = { $name } est un JPEG, qui altère les pixels ; enregistrez-le en PNG ou TIFF dans l’enregistreur.
+strips-would-pixels-line-time-along-more = { $name } aurait { $rows } pixels par ligne avec le temps selon sa { $time_axis ->
+    [width] largeur
+   *[height] hauteur
+}, plus de { $most_rows } ; { $hint }.
+strips-lines-pixels-time-along-which-shows = { $name } a { $lines } lignes de { $rows } pixels avec le temps selon sa { $time_axis ->
+    [width] largeur
+   *[height] hauteur
+}, ce qui ne montre aucun véhicule ; indiquez un PNG ou TIFF de la caméra linéaire.
+strips-more-thousand-million-lines-cut-into = { $name } a plus de { $most_lines } milliards de lignes ; coupez-le en parties.
+strips-notes-say-lines-lost-record-again = { $name } : ses notes disent que { $lost } lignes sur { $lines } ont été perdues ; refaites l’enregistrement.
+strips-notes-name-lost-lines-ends-correct = { $name } : ses notes nomment des lignes perdues à { $line }, mais il finit à { $lines } ; corrigez-les.
+strips-cannot-read-give-png-tiff-line = { $name } est illisible ({ $strerror }) ; indiquez un PNG ou TIFF de la caméra linéaire.
+strips-cut-off-ends-row-copy-again = { $name } est tronqué : il finit à la rangée { $row } sur { $height } ; copiez-le à nouveau depuis l’enregistreur.
+strips-damaged-row-cannot-read-copy-again = { $name } est endommagé à la rangée { $row } sur { $height } et illisible ensuite ; copiez-le à nouveau depuis l’enregistreur.
+strips-claims-picture-x-pixels-copy-again = { $name } annonce une image de { $width } x { $height } pixels ; copiez-le à nouveau depuis l’enregistreur.
+strips-claims-x-pixels-more-mb-file = { $name } annonce { $width } x { $height } pixels, plus que n’en contient un fichier de { $file_bytes } Mo ; il est endommagé ou n’est pas un enregistrement : copiez-le à nouveau depuis l’enregistreur.
+strips-rows-pixels-too-long-read-copy = { $name } a des rangées de { $width_px } pixels, trop longues pour être lues ; copiez-le à nouveau depuis l’enregistreur.
+strips-stored-strip-damaged-restore-backup-read = La bande stockée { $name } est endommagée ; restaurez-la depuis une sauvegarde ou relisez-la.
+strips-stored-strip-missing-restore-backup = La bande stockée { $name } manque ; restaurez-la depuis une sauvegarde.
+strips-spool-damaged = { $path } n’est pas une bande d’un flux, ou est endommagé ; laissez-le, et choisissez un autre --spool.
+strips-strip-no-level-only-0 = La bande { $name } n’a pas de niveau { $level }, seulement 0 à { $count }.
+strips-gain-cannot-shown-choose-one-0 = Le gain { $gain } ne peut pas être affiché ; choisissez-en un de 0,1 à 50.
+strips-strip-no-tile-level = La bande { $name } n’a pas de tuile { $index } au niveau { $level }.
+strips-index-pixels-not-fit-size = a un index de pixels qui ne correspond pas à sa taille ; { $again }
+strips-holds-several-pictures-give-each-strip = { $name } contient plusieurs images ; donnez chaque bande en une seule longue image.
+strips-palette-line-scan-grey = { $name } a une palette, et un balayage linéaire est en gris ; { $grey }.
+strips-colour-transparency-channel-line-scan-grey = { $name } est en couleur ou a un canal de transparence, un balayage linéaire est en gris ; { $grey }.
+strips-holds-signed-floating-point-numbers = { $name } contient des nombres signés ou à virgule flottante ; { $grey }.
+strips-bits-pixel-2 = { $name } a { $bitspersample } bits par pixel ; { $grey }.
+strips-packed-which-not-read-here-save = { $name } est compressé ({ $kind_name }), illisible ici ; enregistrez-le avec une compression zstd, deflate ou LZW, ou sans.
+strips-packed-unusual-way-save-zstd-deflate = { $name } est compressé de façon inhabituelle ; enregistrez-le avec une compression zstd, deflate ou LZW, ou sans.
+strips-marked-turned-mirrored-save-upright = { $name } est marqué comme tourné ou en miroir ; enregistrez-le droit.
+strips-tiff-cut-off-whose-directory-damaged = { $name } est un TIFF tronqué ou dont le répertoire est endommagé ; { $again }.
+strips-packed-pieces-more-mb-save-smaller = { $name } est compressé en morceaux de plus de { $piece_bytes } Mo ; enregistrez-le en bandes ou tuiles plus petites.
+strips-rows-tiles-more-mb-save-smaller = { $name } a des rangées de tuiles de plus de { $piece_bytes } Mo ; enregistrez-le en tuiles plus petites.
+strips-problem-2 = { $name } { $message }.
+strips-tiff-whose-directory-damaged = { $name } est un TIFF dont le répertoire est endommagé ; { $again }.
+strips-frames-too-few-line-scan-choose = { $name } a { $count } images, trop peu pour un balayage linéaire ; choisissez un autre enregistrement.
+strips-no-constant-frame-rate-time-stamps = { $name } n’a pas une cadence d’images constante (ses horodatages sont irréguliers, surtout après l’image { $at }), et un balayage linéaire en demande une ; extrayez une partie régulière, ou enregistrez à cadence fixe.
+strips-cuts-cannot-cut-choose-two-different = Les { $what ->
+    [rows] rangées
+   *[columns] colonnes
+} { $cut_1 } et { $cut_2 } ne peuvent pas être extraites de { $name } ; choisissez-en deux différentes de 0 à { $last_px }.
+strips-now-gives-frames-not-ingest-again = { $name } donne maintenant { $count } images, non { $count_2 } ; importez-le à nouveau.
+
+## Erreurs : vidéo
+
+video-not-file-choose-video-file = { $name } n’est pas un fichier ; choisissez un fichier vidéo.
+video-problem = { $name } { $reason } ; { $way_out }.
+video-holds-no-moving-picture-only-sound = { $name } ne contient pas d’images animées, seulement du son ou des données ; choisissez un fichier vidéo.
+video-uses-video-codec-cannot-decoded-here = { $name } utilise un codec vidéo qui ne peut pas être décodé ici ; convertissez-le en MP4 avec H.264 ou choisissez un autre fichier.
+video-not-say-how-large-picture-says = { $name } ne dit pas la taille de son image, ou la dit de façon absurde ; convertissez-le en MP4 avec H.264 ou choisissez un autre fichier.
+video-claims-picture-x-pixels-more-side = { $name } annonce une image de { $width } x { $height } pixels, plus de { $max_side_px } de côté ou { $max_pixels } millions en tout ; convertissez-le en MP4 avec H.264 ou choisissez un autre fichier.
+video-claims-pixels-width-height-which-not = { $name } annonce des pixels au rapport largeur sur hauteur de { $aspect }, ce qui n’est pas crédible ; convertissez-le en MP4 avec H.264 ou choisissez un autre fichier.
+video-not-video-read-here-convert-mp4 = { $name } n’est pas une vidéo lisible ici ; convertissez-le en MP4 avec H.264 ou choisissez un autre fichier.
+video-holds-no-picture-decoded-codec-convert = { $name } ne contient aucune image décodable (codec { $codec }) ; convertissez-le en MP4 avec H.264 ou choisissez un autre fichier.
+video-no-times-follow = { $name } ne donne pas l’instant de ses images : un véhicule ne peut pas y être suivi ; convertissez-le en MP4.
+video-holds-no-picture-decoded-convert-mp4 = { $name } ne contient aucune image décodable ; convertissez-le en MP4 avec H.264 ou choisissez un autre fichier.
+video-recording-ended-decoder-times-set-aside = Cet enregistrement a fait planter le décodeur { $count } fois et est mis de côté ; convertissez-le en MP4 avec H.264 et envoyez-le à nouveau.
+video-decoder-ended-again-again-look-memory = Le décodeur s’est arrêté plusieurs fois de suite ; vérifiez la mémoire de cette machine.
+video-cannot-decoded-decoder-save-another-format = { $header } ne peut pas être décodé : le décodeur { $why } ; enregistrez-le dans un autre format et réessayez.
+video-frame-no-longer-wanted = Cette image n’était plus demandée.
+video-no-frame-recording-frames-0 = Il n’y a pas d’image { $n } ; cet enregistrement a les images 0 à { $count }.
+video-crop-x-pixels-scale-out-bounds = Un recadrage de { $w } x { $h } pixels à l’échelle { $scale } est hors limites ; demandez-en un plus petit.
+video-holds-no-picture-decoded-copy-again = { $name } ne contient aucune image décodable ; copiez-le à nouveau ou convertissez-le en MP4.
+video-changes-picture-size-way-split-where = { $name } change de taille d’image en cours de route ; coupez-le là où la taille change.
+video-proposals-cancelled = La création de propositions pour { $name } a été annulée ; rien n’en a été conservé.
+video-search-passes-cancelled-nothing-kept = La recherche de passages dans { $name } a été annulée ; rien n’en a été conservé.
+video-cannot-made-addressable-frame-frame-convert = { $name } ne peut pas être rendu accessible image par image ; convertissez-le en MP4 avec H.264 et réessayez.
+video-disk-full-not-taken-make-room = Le disque est plein, { $name } n’a pas été importé ; libérez de la place et réessayez.
+video-frame-cannot-shown-stored-video-no = L’image { $n } ne peut pas être affichée : la vidéo stockée ne donne plus l’image dont la somme de contrôle a été notée à l’import ; restaurez le fichier depuis une sauvegarde ou importez-le comme nouvel enregistrement.
+video-stored-video-missing-no-longer-opened = La vidéo stockée { $name } manque ou ne peut plus être ouverte ; restaurez-la depuis une sauvegarde.
+video-frame-no-longer-wanted-2 = L’image { $n } n’était plus demandée.
+video-needs-bgr-frames-one-even-size = { $name } demande des images BGR d’une même taille paire, reçu { $shape } pour { $width } x { $height }.
+video-cannot-written-without-frames = { $name } ne peut pas être écrit sans images.
+
+## Erreurs : personnes
+
+people-email-password-not-fit-together-check = E-mail ou mot de passe incorrect. Réessayez.
+people-password-characters-choose-another = Un mot de passe a de { $min_password } à { $max_password } caractères ; choisissez-en un autre.
+people-current-password-not-right-type-again = Le mot de passe actuel est incorrect ; saisissez-le à nouveau.
+people-no-active-account-check-address = Il n’y a pas de compte actif pour { $email } ; vérifiez l’adresse.
+people-too-many-failed-sign-ins-wait = Trop d’échecs de connexion ; attendez cinq minutes et réessayez.
+people-token-needs-name-scope-days = Un jeton demande un nom, un droit et de 1 à { NUMBER($most_days) } jours ; remplissez-les.
+people-token-too-many = Vous avez déjà { NUMBER($most) } jetons ; révoquez-en un qui ne sert plus.
+people-sign-link-used-already-too-old = Ce lien de connexion a déjà servi ou est trop ancien ; demandez-en un nouveau à un administrateur.
+people-not-email-address-write-name-place = « { $email } » n’est pas une adresse e-mail ; écrivez-la sous la forme nom@lieu.
+people-already-account-change-one-instead = Il existe déjà un compte pour { $email } ; modifiez plutôt celui-là.
+people-last-admin-make-somebody-else-admin = C’est le dernier administrateur ; nommez-en d’abord un autre.
+people-person-needs-name-fill = Une personne doit avoir un nom ; indiquez-le.
+people-no-role-use-one = Il n’y a pas de rôle « { $role } » ; utilisez l’un de { $roles }.
+
+## Erreurs : poses
+
+poses-no-frames-yet-wait-until-ready = { $name } n’a pas encore d’images ; attendez qu’il soit prêt.
+poses-frames-no-span-frames-0 = Les images { $first_frame } à { $last_frame } ne sont pas une plage de { $name } ; il a les images 0 à { $frame_count }.
+poses-no-frame-shows-board = Images { $first } à { $last } : { $reason }
+poses-calibration-pictures-x-px-x-px = L’étalonnage vaut pour des images de { $width_px } x { $height_px } px et { $name } a { $width_px_2 } x { $height_px_2 } px ; choisissez un étalonnage fait à la taille de l’enregistrement.
+poses-calibration-belongs-another-survey-choose-one = L’étalonnage { $calibration_id } appartient à un autre relevé ; choisissez-en un de ce relevé.
+
+## Erreurs : qualité
+
+quality-no-recording-uses-road-pose-any = Plus aucun enregistrement n’utilise cette pose de la caméra ; regardez à nouveau les contrôles.
+quality-traffics-direction-now-not-what-you = La direction de la circulation est maintenant de { $turn_deg }°, non celle que vous avez vue ; regardez à nouveau.
+quality-frame-not-vehicle-which-passes-frames = L’image { $frame } n’est pas du véhicule { $number }, qui passe dans les images { $first_frame } à { $last_frame } ; allez à l’une d’elles.
+quality-wheel-pairs-csv-not-what-audit = wheel_pairs.csv : { $id } n’est pas ce que dit son événement d’audit ; il a été modifié.
+quality-clicked-their-own-measurements-again-needed = { $name } a repointé { $pairs } de ses propres mesures ; il en faut { $least_pairs } pour un sigma propre. Repointez-en d’autres.
+quality-repeats-csv-repeat-missing-though-audit = repeats.csv : la répétition { $left } manque, bien que son événement d’audit soit là.
+quality-repeats-csv-not-what-audit-event = repeats.csv : { $number } n’est pas ce que dit son événement d’audit ; il a été modifié.
+
+## Erreurs : enregistrements
+
+recordings-images-add-least-three-better-15 = Photos de { $name } : { $images } ; ajoutez-en au moins trois, mieux 15 à 25.
+recordings-belongs-another-survey-choose-one-surveys = { $name } appartient à un autre relevé ; choisissez-en un de ce relevé.
+recordings-no-frames-yet-wait-until-ingest = { $name } n’a pas encore d’images ; attendez la fin de son import.
+recordings-no-road-pose-yet-nothing-says = { $name } n’a pas encore de pose de la caméra : rien ne dit où était sa caméra.
+recordings-still-being-ingested-wait-until-ready = { $name } est encore en cours d’import ; attendez qu’il soit prêt.
+recordings-could-not-ingested-no-frames-see = { $name } n’a pas pu être importé et n’a donc pas d’images ; voyez son erreur et réessayez.
+recordings-frame-table-not-whole-ingest-recording = La table des images de { $name } n’est pas complète ; importez à nouveau l’enregistrement.
+recordings-recording-no-frame-choose-one-within = L’enregistrement { $recording_id } n’a pas d’image { $n } ; choisissez-en une qu’il contient.
+recordings-frame-no-thumbnail-ask-frame-itself = L’image { $n } de { $name } n’a pas de vignette ; demandez l’image elle-même.
+recordings-being-ingested-already-wait-cancel = { $name } est déjà en cours d’import ; attendez ou annulez.
+recordings-ingest-cancelled-start-again-delete-recording = L’import a été annulé ; relancez-le ou supprimez l’enregistrement.
+recordings-being-ingested-cancel-first = { $name } est en cours d’import ; annulez-le d’abord.
+recordings-recordings-cannot-changed-leave-out = { $unknown } d’un enregistrement n’est pas modifiable ; omettez-le.
+recordings-recording-needs-name-fill = Un enregistrement doit avoir un nom ; indiquez-le.
+recordings-street-lighting-on-or-off = Pendant le tournage, l’éclairage public était allumé ou éteint ; choisissez.
+recordings-start-in-future = { $start }, fuseau { $zone }, n’est pas encore arrivé ; indiquez l’heure à laquelle l’enregistrement a commencé.
+recordings-start-too-early = Il n’y avait pas de vidéo numérique le { $start } ; indiquez le jour où l’enregistrement a commencé.
+recordings-misfit-size = Ses images font { $width } x { $height } px, mais l’étalonnage de sa caméra vaut pour { $lens_width } x { $lens_height } px : filmez à la taille étalonnée, ou étalonnez à celle-ci.
+recordings-misfit-focal = Son fichier indique une focale de { $stated_mm } mm (équivalent 35 mm), mais l’étalonnage de sa caméra donne environ { $lens_mm } mm : contrôlez le zoom.
+recordings-misfit-lamps = Son éclairage public était allumé, mais le relevé indique que la route n’en a pas : corrigez l’un des deux.
+local-time-unknown-zone = { $zone } n’est pas un fuseau horaire de la liste IANA ; choisissez-en un comme Europe/Paris.
+local-time-cannot-read = { $text } ne peut pas être lu comme une heure ; écrivez-la 2026-05-03T08:10:00.
+local-time-skipped = { $time } n’existe pas dans le fuseau { $zone }, où les horloges l’ont sauté en avançant ; indiquez l’heure qu’elles affichaient ({ $before } avant le changement, { $after } après).
+local-time-twice = { $time } se présente deux fois dans le fuseau { $zone }, où les horloges ont reculé ; dites si c’est la première ({ $first }) ou la seconde ({ $second }).
+local-time-other-offset = À { $time }, les horloges du fuseau { $zone } sont à { $offset } ; indiquez ce décalage ou aucun.
+measurements-filmed-at-another-time = measurements.csv : { $id } a été filmé à une autre heure que ne le donne le début de son enregistrement ; l’un des deux a été modifié.
+measurements-vehicles-csv-other-time = vehicles.csv : { $id } a été filmé à une autre heure que ne le donne le début de son enregistrement ; l’un des deux a été modifié.
+recordings-lighting-daytime-low-light-choose-one = La luminosité est daytime ou low_light ; choisissez.
+recordings-recording-measurements-stays-audit-needs-frames = Cet enregistrement a des mesures et reste ; un audit a besoin de ses images.
+recordings-camera-not-found-moved-since-road = Aucun mouvement de la caméra n’a été trouvé depuis sa pose ; il n’y a rien à décider.
+recordings-say-why-road-pose-still-good = Dites pourquoi la pose de la caméra est encore bonne, pour qu’un audit puisse le suivre.
+recordings-nothing-decided-about-recordings-camera-nothing = Rien n’a été décidé sur la caméra de cet enregistrement : il n’y a rien à annuler.
+recordings-belongs-another-survey-choose-one-surveys-2 = { $word ->
+    [camera] Caméra
+    [calibration] Étalonnage
+    [recording] Enregistrement
+   *[other] { $word }
+} { $row_id } : appartient à un autre relevé ; choisissez dans ce relevé.
+recordings-road-pose-pictures-x-px-x = La pose { $pose_id } de la caméra vaut pour des images de { $posed } x { $posed_2 } px et { $name } a { $filmed } x { $filmed_2 } px ; choisissez une pose faite à la taille de l’enregistrement.
+recordings-frames-found-now-not-those-measured = Les images trouvées maintenant ne sont pas celles qui ont été mesurées ; envoyez la vidéo comme nouvelle.
+recordings-uploads-speak-tus-1-0-0 = Les envois parlent tus 1.0.0 ; envoyez l’en-tête Tus-Resumable: 1.0.0.
+recordings-upload-not-say-how-long-file = L’envoi ne dit pas la longueur du fichier ; envoyez l’en-tête Upload-Length.
+recordings-bytes-upload-come-application-offset-octet = Les octets d’un envoi arrivent en application/offset+octet-stream ; envoyez ce Content-Type.
+recordings-upload-not-name-file-send-filename = L’envoi ne nomme pas son fichier ; envoyez filename dans l’en-tête Upload-Metadata.
+recordings-uploads-purpose-video-strip-send-one = Le but de l’envoi est video ou strip ; envoyez l’un des deux dans Upload-Metadata.
+recordings-uploads-cannot-read-send-base64-utf = { $word } de l’envoi est illisible ; envoyez-le en base64 d’UTF-8.
+recordings-upload-finished-already-look-recording-list = Cet envoi est déjà terminé ; cherchez son enregistrement dans la liste.
+recordings-upload-became-recording-deleted-since-upload = Cet envoi est devenu un enregistrement supprimé depuis ; envoyez-le à nouveau.
+recordings-upload-finished-already-make-scan = Cet envoi est déjà terminé ; créez-en le balayage.
+recordings-upload-finished-delete-recording-instead = Cet envoi est terminé ; supprimez plutôt son enregistrement.
+recordings-recordings-csv-not-what-audit-events = recordings.csv : { $id } n’est pas ce que disent ses événements d’audit ; il a été modifié.
+
+## Erreurs : résultats
+
+results-cannot-read-take-whole-export-again = { $path } : { $name } est illisible ; reprenez l’export complet.
+results-database-holds-which-version-not-know = La base de données contient { $name } « { $unknown } », que cette version ne connaît pas.
+results-reference-heights-u-must-least-0 = L’u des hauteurs de référence doit être d’au moins 0 et inférieur à 1 m, par exemple 0,0173.
+results-more-values-your-own-cannot-drawn = Plus de { $most_own } valeurs propres ne peuvent pas être tracées ; retirez-en.
+results-value-your-own-must-lie-between = Une valeur propre doit être entre 0 et 10 m, par exemple 1,08.
+results-somebody-changed-standards-meanwhile-load-them = Quelqu’un a modifié les normes entre-temps ; rechargez-les et refaites votre modification.
+results-table-standards-cannot-drawn-most = Un tableau de { $count } normes ne peut pas être tracé ; { $most } est le maximum.
+results-stands-table-twice-give-each-value = { $twice } figure deux fois dans le tableau ; donnez à chaque valeur un nom propre.
+results-standard-needs-name-such-aashto-usa = Une norme doit avoir un nom, par exemple AASHTO (USA).
+results-height-must-lie-between-0-10 = La hauteur de { $name } doit être entre 0 et 10 m, par exemple 1,08.
+results-standard-percent = { $name } : un centile est supérieur à 0 et inférieur à 100 ; corrigez-le, ou laissez-le vide.
+results-last-day-lies-before-first-exchange = Le dernier jour précède le premier ; inversez-les.
+results-no-survey-may-been-removed = Il n’y a pas de relevé { $survey_id } ; il a pu être supprimé.
+results-standards-csv-not-what-surveys-audit = standards.csv n’est pas ce que disent les événements d’audit du relevé ; il a été modifié.
+
+## Erreurs : vérifications
+
+reviews-fix-needs-both-points-contact-target = Une correction demande les deux points, contact et cible ; pointez-les et joignez-les.
+reviews-only-fix-carries-points-leave-them = Seule une correction porte des points ; omettez-les ou choisissez la décision « corrigé ».
+reviews-measurement-withdrawn-nothing-review = Cette mesure est retirée ; il n’y a rien à vérifier.
+reviews-repeat-not-reviewed-review-measurement-repeats = Une répétition ne se vérifie pas ; vérifiez la mesure qu’elle répète.
+reviews-rejection-needs-reason-say-what-wrong = Un rejet demande un motif ; dites ce qui ne va pas pour que ce soit rectifié.
+reviews-fix-needs-new-points-only-fix = Une correction demande les nouveaux points, et seule une correction en a ; pointez-les et joignez-les.
+reviews-somebody-changed-plan-meanwhile = Quelqu’un a modifié le plan entre-temps ; rechargez-le et refaites le vôtre.
+reviews-plan-one-in-between = « Une sur combien » est un nombre entre 0 (aucune) et { $most }.
+reviews-click-it-again-before = Le plan du relevé veut que celle-ci soit repointée avant d’être montrée ; pointez contact et cible, puis jugez-la.
+reviews-fix-changes-nothing-accept = Cette correction ne change rien ; déplacez un point, ou validez la mesure.
+reviews-measurement-waits-review-already = Cette mesure attend déjà une vérification.
+reviews-nobody-reviews-their-own-measurement-ask = Personne ne vérifie sa propre mesure ; demandez à un autre vérificateur.
+reviews-reviews-csv-not-what-audit-event = reviews.csv : { $id } n’est pas ce que dit son événement d’audit ; il a été modifié.
+reviews-reviews-csv-missing-though-audit-event = reviews.csv : { $id } manque, bien que son événement d’audit soit là.
+reviews-measurements-csv-verdict-not-newest-review = measurements.csv : la décision sur { $one } n’est pas celle de sa dernière vérification ; l’une des deux est fausse.
+
+## Erreurs : balayages
+
+scans-calibrated-line-scan-meanwhile-look-calibration = { $name } a étalonné ce balayage entre-temps ; regardez d’abord cet étalonnage.
+scans-mark-row-line-lies-outside-strip = Une marque à la rangée { NUMBER($row_px, minimumFractionDigits: 1, maximumFractionDigits: 1) }, ligne { NUMBER($line, minimumFractionDigits: 0, maximumFractionDigits: 0) } est hors de la bande ; repointez-la.
+scans-heights-need-line-cameras-pose-calibrate = Les hauteurs demandent la pose de la caméra linéaire ; étalonnez d’abord la hauteur avec un jalon (Étalonner la hauteur).
+scans-eye-needs-side-say-which = On ne sait pas si le conducteur est assis du côté proche ou éloigné de ce véhicule ; choisissez d’abord.
+scans-click-line-row-lies-outside-strip = Un pointé à la ligne { NUMBER($line, minimumFractionDigits: 0, maximumFractionDigits: 0) }, rangée { NUMBER($row, minimumFractionDigits: 1, maximumFractionDigits: 1) } est hors de la bande ; repointez.
+scans-target-no-height-needs-reason-why = Une cible qui n’a pas de hauteur demande un motif ; remesurez-la.
+scans-height-withdrawn-already-nothing-done = Cette hauteur est déjà retirée ; il n’y a rien à faire.
+scans-measured-target-meanwhile-look-height-first = { $name } a mesuré cette cible entre-temps ; regardez d’abord cette hauteur.
+scans-calibration-no-row = { $path } : l’étalonnage { $marks } n’est dans aucune ligne de { $path_2 }.
+scans-rig-needs-distance = Indiquez à quelle distance des caméras sont les véhicules : avec la divergence des plans, c’est la base à cette distance qui donne une vitesse.
+scans-rig-passes-without = { $path } : des passages de l’étalonnage { $id } sont là sans lui ; une ligne manque.
+scans-rig-passes-not-those = { $path } : les passages de l’étalonnage { $id } ne sont pas ceux de son événement d’audit.
+scans-rig-cannot-be-solved = { $path } : les passages de l’étalonnage { $id } ne donnent aucun étalonnage ; l’un d’eux est faux.
+scans-rig-not-what-passes-give = { $path } : { $name } de l’étalonnage { $id } n’est pas ce que donnent ses passages.
+scans-marks-calibration-not-those-event = { $path } : les marques de l’étalonnage { $id } ne sont pas celles de son événement.
+scans-row-marked-current-not-newest-revision = { $path } : une ligne marquée comme en vigueur n’est pas la dernière révision.
+scans-height-no-row = { $path } : la hauteur { $budget } n’est dans aucune ligne de { $path_2 }.
+scans-sources-height-not-those-clicks = { $path } : les sources de la hauteur { $id } ne sont pas celles de ses pointés.
+scans-marks-clicks-give = { $name } a { $column } { $told }, ses marques et pointés donnent { $computed }.
+scans-cannot-solved-marks-one-wrong = { $name } ne peut pas être calculé à partir de ses marques ; l’une est fausse.
+scans-vehicle-no-measured-motion-no-match = Ce véhicule n’a pas de mouvement mesuré : il n’y a pas de correspondance à regarder.
+scans-camera-2s-strip-ends-before-vehicle = La bande de la caméra 2 finit avant ce véhicule ; il n’y a pas de correspondance à regarder.
+scans-both-cameras-name-same-upload-upload = Les deux caméras nomment le même envoi ; envoyez une bande pour chacune.
+scans-same-picture-give-strip-each-camera = { $name } et { $name_2 } sont la même image ; indiquez la bande de chaque caméra.
+scans-frames-uneven-times-line-scan-needs = { $name } a des images à intervalles irréguliers, et un balayage linéaire demande une cadence régulière ; enregistrez à cadence d’images constante.
+scans-cuts-cannot-cut-choose-two-different = { $what ->
+    [rows] Les rangées
+   *[columns] Les colonnes
+} { $cut_1 } et { $cut_2 } ne peuvent pas être extraites ; choisissez-en deux différentes de 0 à { $last_px }.
+scans-read-already-nothing-done = { $name } a déjà été lu ; il n’y a rien à faire.
+scans-could-not-read-see-error-try = { $name } n’a pas pu être lu ; voyez son erreur et réessayez.
+scans-still-being-recorded = { $name } est encore en cours d’enregistrement ; son image arrive quand cette partie du flux se termine.
+scans-still-being-read-wait-until-ready = { $name } est encore en cours de lecture ; attendez qu’il soit prêt.
+scans-already-wait-cancel = { $name } : déjà en cours ({ $what }) ; attendez ou annulez.
+scans-strip-uploaded-another-survey-upload-one = La { $word ->
+    [first] première
+   *[second] seconde
+} bande a été envoyée à un autre relevé ; envoyez-la à celui-ci.
+scans-uploaded-video-upload-again-strip = { $filename } a été envoyé comme vidéo ; envoyez-le à nouveau comme bande.
+scans-belongs-line-scan-recording-already-upload = { $filename } appartient déjà à un enregistrement de balayage linéaire ; envoyez-le à nouveau.
+scans-strip-not-arrived-whole-yet-finish = La { $word ->
+    [first] première
+   *[second] seconde
+} bande, { $filename }, n’est pas encore arrivée en entier ; terminez son envoi.
+scans-changed-look-again-redo-yours = { $name } a modifié { $name_2 } le { $when } ; regardez à nouveau et refaites votre modification.
+scans-scans-cannot-changed-leave-out = { $unknown } d’un balayage n’est pas modifiable ; omettez-le.
+scans-start-u-cannot-be = Un début connu à { $u_s } s près est inutilisable ; indiquez une incertitude-type supérieure à 0 et d’au plus 3600 s.
+scans-vehicle-passed-at-another-time = { $path } : le véhicule { $number } est passé à une autre heure que ne le donnent le début de son enregistrement et ses lignes ; l’un des deux a été modifié.
+scans-direction-not-of-lines = { $path } : la révision { $number } a un autre sens que ne le donnent ses lignes devant les deux caméras ; l’un des deux a été modifié.
+scans-axles-need-a-motion = On compte les essieux d’un véhicule dont le mouvement est mesuré ; celui-ci n’en a pas.
+scans-axle-outside-vehicle = Un essieu est hors du véhicule ; cliquez son moyeu entre l’avant et l’arrière.
+scans-traffic-no-start = Le début de ce balayage n’est pas confirmé ; confirmez-le, et son trafic sera compté par tranche horaire.
+scans-traffic-other-minutes = Le trafic ne se compte pas en tranches de { $minutes } min ; choisissez 1, 5, 15 ou 60.
+scans-traffic-not-read = Ce balayage n’est pas lu : on ne sait rien de son trafic.
+scans-scan-needs-name-fill = Un balayage doit avoir un nom ; indiquez-le.
+scans-people-worked-scans-vehicles-stays-audit = Des personnes ont travaillé sur les véhicules de ce balayage : il reste ; un audit a besoin de ses bandes.
+scans-recording-belongs-another-survey-choose-one = L’enregistrement appartient à un autre relevé ; choisissez-en un de ce relevé.
+scans-changed-look-again = { $name_of } a modifié { $name } ; regardez à nouveau.
+scans-not-been-read-yet-wait-until = { $name } n’a pas encore été lu ; attendez qu’il soit prêt.
+scans-people-worked-cameras-stay-add-line = Des personnes ont travaillé sur { $name } : ses caméras restent ; ajoutez un balayage avec les bandes dans l’autre ordre.
+scans-vehicle-not-measured-yet-no-wheelbase = Ce véhicule n’est pas encore mesuré et n’a donc pas d’empattement ; placez d’abord ses bornes.
+scans-wheel-lies-outside-strips-which-end = Une roue est hors des bandes, qui finissent à la ligne { $lines }.
+scans-camera-front-line-must-come-before = À la caméra { $camera }, l’avant (ligne { NUMBER($front, minimumFractionDigits: 1, maximumFractionDigits: 1) }) doit précéder l’arrière ({ NUMBER($rear, minimumFractionDigits: 1, maximumFractionDigits: 1) }) ; replacez-les.
+scans-boundaries-camera-lie-outside-strip-which = Les bornes à la caméra { $camera } sont hors de la bande, qui finit à la ligne { $lines } ; replacez-les.
+scans-front-rear-camera-lines-apart-more = L’avant et l’arrière à la caméra { $camera } sont à { NUMBER($rear, minimumFractionDigits: 0, maximumFractionDigits: 0) } lignes l’un de l’autre, plus qu’un seul véhicule ne peut l’être ; replacez-les.
+scans-nothing-camera-2s-strip-looks-like = Rien dans la bande de la caméra 2 ne ressemble à ce véhicule ; placez-y son avant et son arrière à la main, ou écartez-le si ce n’en est pas un.
+scans-vehicle-no-speed-needs-reason-why = Un véhicule qui n’a pas de vitesse demande un motif ; remesurez-le.
+scans-vehicle-measured-again-meanwhile-look-newer = Ce véhicule a été remesuré entre-temps ; regardez le nouveau résultat.
+scans-nobody-reviews-boundaries-they-placed-themselves = Personne ne vérifie les bornes qu’il a placées ; demandez à un autre vérificateur.
+scans-vehicle-waits-review-already = Ce véhicule attend déjà une vérification.
+scans-height-measured-again-meanwhile-look-newer = Cette hauteur a été remesurée entre-temps ; regardez le nouveau résultat.
+scans-height-without-figure-nothing-review = Cette hauteur est retirée ou n’a pas de valeur : il n’y a rien à vérifier.
+scans-nobody-reviews-height-they-clicked-themselves = Personne ne vérifie une hauteur qu’il a pointée ou calculée ; demandez à un autre vérificateur.
+scans-height-waits-review-already = Cette hauteur attend déjà une vérification.
+scans-camera-2-needs-both-lines-front = La caméra 2 demande les deux lignes, avant et arrière, ou aucune ; envoyez les deux ou omettez les deux.
+scans-wheelbase-needs-both-wheels-send-both = Un empattement demande les deux roues ; envoyez les deux lignes, ou aucune pour les retirer.
+scans-vehicle-not-deleted-nothing-restore = Ce véhicule n’a pas été supprimé : il n’y a rien à restaurer.
+scans-deleted-vehicle-restore-first = { $name } a supprimé le véhicule { $number } le { $when } ; restaurez-le d’abord.
+scans-changed-vehicle-look-again-redo-yours = { $name } a modifié le véhicule { $number } le { $when } ; regardez à nouveau et refaites votre modification.
+scans-scanned-vehicle-no-leave-out = Un véhicule balayé n’a pas de { $unknown } ; omettez-le.
+scans-m-cannot-used-give-metres-4 = { $name } de { $value } m : inutilisable ; indiquez-le en mètres, par exemple 4,447.
+scans-row-without-audit-event-missing = { $path } : la ligne { $odd } est là sans événement d’audit, ou manque.
+scans-row-not-what-audit-event-says = { $path } : { $name } de la ligne { $id } n’est pas ce que dit son événement d’audit.
+scans-vehicle-not-newest-revision-changed = { $path } : le véhicule { $number } n’est pas sa dernière révision ; il a été modifié.
+scans-verdict-went-over = { $path } : la hauteur { $id } porte une décision rendue sur une autre hauteur ; reprenez l’export complet.
+scans-verdict-row-not-one-given = { $path } : la décision de la ligne { $number } n’est pas celle qui a été rendue.
+
+## Erreurs : statistiques
+
+statistics-no-percentile-give-one-between-0 = Il n’y a pas de centile { $percent } ; indiquez-en un entre 0 et 100, par exemple 10.
+statistics-width-spread-must-lengths-above-0 = Largeur et dispersion doivent être des longueurs supérieures à 0, en mètres, par exemple 0,02 et 0,08.
+
+## Erreurs : relevés
+
+surveys-file-photograph-missing-changed-take-out = Le fichier de la photo « { $name } » manque ou a été modifié ; retirez-la du relevé et ajoutez-la à nouveau.
+surveys-survey-takes-photographs-take-one-out = Un relevé contient au plus { $most_photographs } photos ; retirez-en une avant d’en ajouter une autre.
+surveys-photographs-added-taken-out-meanwhile-look = Des photos ont été ajoutées ou retirées entre-temps ; regardez à nouveau et refaites l’ordre.
+surveys-changed-photograph-look-again-redo-yours = { $name } a modifié cette photo le { $when } ; regardez à nouveau et refaites votre modification.
+surveys-caption-most-characters-shorten = Une légende a au plus { $most_caption } caractères ; raccourcissez-la.
+surveys-not-photographs-audit-events-changed = { $path } n’a pas les photos des événements d’audit ; il a été modifié.
+surveys-no-row-put = { $strange } n’est dans aucune ligne de { $path } ; ajouté après coup.
+surveys-not-photograph-audit-event-names-exchanged = { $file } n’est pas la photo que nomme son événement d’audit ; elle a été échangée.
+surveys-not-what-audit-events-say-changed = { $path } : { $name } de { $id } n’est pas ce que disent ses événements d’audit ; il a été modifié.
+surveys-no-survey-named-check-name-home = Il n’y a pas de relevé nommé « { $name } » ; vérifiez le nom sur la page d’accueil.
+surveys-changed-survey-look-again-redo = { $name } a modifié ce relevé le { $when } ; regardez à nouveau et refaites votre modification.
+surveys-place-half-coordinates = Des coordonnées sont une latitude et une longitude ; indiquez les deux ou aucune.
+surveys-place-latitude = Une latitude est entre -90 et 90 degrés, pas { $latitude } : latitude et longitude sont-elles inversées ?
+surveys-place-longitude = Une longitude est entre -180 et 180 degrés, pas { $longitude }.
+surveys-place-speed-limit = Une vitesse limite est supérieure à 0 et d’au plus { $fastest } km/h, pas { $kmh } km/h.
+surveys-survey-needs-name-fill = Un relevé doit avoir un nom ; indiquez-le.
+surveys-inset-cannot-used-give-known-target = Le retrait de « { $target } » est inutilisable ; indiquez une cible connue et une incertitude >= 0.
+surveys-asks-nothing-choose-target = Un relevé demande au moins une cible de jour et une en faible luminosité ; choisissez-les.
+surveys-survey-csv-not-what-audit = survey.csv n’est pas ce que disent les événements d’audit du relevé ; il a été modifié.
+surveys-insets-csv-not-what-surveys-audit = insets.csv n’est pas ce que disent les événements d’audit du relevé ; il a été modifié.
+surveys-classes-csv-not-what-surveys-audit = classes.csv n’est pas ce que disent les événements d’audit du relevé ; il a été modifié.
+surveys-sampling-csv-not-what-audit = sampling.csv ou quotas.csv n’est pas ce que disent les événements d’audit du relevé ; il a été modifié.
+surveys-sampling-step = Un passage sur n : n est entre 1 et { $most_step }, le premier numéro entre 1 et n ; corrigez-les.
+surveys-sampling-share = Une part des passages est supérieure à 0 et d’au plus 100 % ; corrigez-la.
+surveys-sampling-headway = Le temps intervéhiculaire des véhicules libres doit être supérieur à 0 et d’au plus { $most_headway_s } s ; corrigez-le.
+surveys-sampling-quota-twice = Une luminosité et un groupe de classes ont deux quotas ; indiquez chacun une seule fois.
+surveys-class-twice = La classe { $category } figure deux fois dans le tableau ; indiquez chaque classe une seule fois.
+surveys-class-fhwa = Une classe FHWA de { $category } n’est aucune de 1 à 13 ; corrigez-la.
+
+## Erreurs : véhicules
+
+vehicles-no-row-used-line = Aucune ligne de { $name } n’est utilisable ; ligne { $line } : { $reason }
+csv-too-large = { $name } dépasse { $most_bytes } Mo ; répartissez-le en plusieurs fichiers.
+vehicles-no-column-first-line-names-columns = { $name } n’a pas de colonne { $missing } ; sa première ligne nomme les colonnes, parmi { $known }.
+vehicles-not-category-use-one = « { $category } » n’est pas une catégorie ; utilisez l’une de { $categories }.
+vehicles-which-not-year-give-four-digits = { $column } vaut « { $cell } », qui n’est pas une année ; indiquez quatre chiffres.
+csv-cannot-read = { $name } est illisible comme CSV près de la ligne { $line_num } ({ $problem }) ; enregistrez-le de nouveau en CSV.
+csv-not-utf-8 = { $name } n’est pas un texte UTF-8 ; enregistrez-le en CSV UTF-8.
+vehicles-which-not-number-give-metres = { $column } vaut « { $cell } », qui n’est pas un nombre ; indiquez-le en mètres.
+vehicles-gives-frames-now-gave-when-read = { $name } donne maintenant { $count } images et en donnait { $count_2 } à la lecture ; relisez-le.
+vehicles-search-passes-cancelled-start-again-when = La recherche des passages a été annulée ; relancez-la quand vous voulez.
+vehicles-passes-being-looked-already-wait = Une recherche des passages de { $name } est déjà en cours ; attendez la fin.
+vehicles-vehicle-needs-first-last-frame-mark = Un véhicule demande sa première et sa dernière image ; marquez le passage sur la chronologie.
+vehicles-vehicle-no-leave-out = Un véhicule n’a pas de { $unknown } ; omettez-le.
+vehicles-frames-not-span-recording-ends-frame = Les images { $first } à { $last } ne sont pas une plage de cet enregistrement ; il finit à l’image { $end }.
+vehicles-best-frame-lies-outside-frames-choose = La meilleure image { $best } est hors des images { $first } à { $last } ; choisissez l’une d’elles.
+vehicles-no-driver-only-eye-choose-another = « Aucun conducteur visible » est un motif pour l’œil du conducteur, non pour { $target } ; choisissez-en un autre.
+vehicles-known-height-m-cannot-used-give = Une hauteur connue de { $height } m est inutilisable ; indiquez-la en mètres, par exemple 1,624.
+vehicles-known-height-of-none = { $target ->
+    [roof] Aucun toit
+    [driver_eye] Aucun œil de conducteur
+    [taillight] Aucun feu arrière
+    [headlight] Aucun phare
+   *[other] Aucun repère
+} n’est à { $height } m au-dessus de la route ; indiquez des mètres, de { $low } à { $high }.
+vehicles-uncertainty-m-cannot-used-give-metres = Une incertitude de { $u_height } m est inutilisable ; indiquez-la en mètres, par exemple 0,005.
+
+## Erreurs : ce que le cadre logiciel refuse, et ce qui a été dit avant
+
+said = { $sentence }
+request-needs-header = Les requêtes qui modifient quelque chose demandent l’en-tête { $header } ; ajoutez-le et renvoyez.
+request-from-another-site = Cette requête vient d’un autre site et a été refusée ; utilisez les pages de Sightline.
+request-no-json = Le corps de la requête n’est pas un JSON valide ; envoyez un objet JSON.
+request-cannot-be-used = La partie { $place } de la requête est inutilisable : { $said } ; corrigez-la et renvoyez.
+request-value-cannot-be-used = La valeur « { $name } » de la partie { $place } est inutilisable : { $said } ; corrigez-la et renvoyez.
+request-nothing-there = Il n’y a rien à { $path } ; vérifiez l’adresse.
+request-bad-method = { $method } n’est pas possible à { $path } ; voyez /docs pour ce qui l’est.
+request-refused = { $detail } ; corrigez et réessayez.
+request-value-not-storable = Une valeur de la requête ne peut pas être stockée ; corrigez-la et renvoyez.
+server-something-went-wrong = Un problème est survenu sur le serveur et rien n’a été enregistré ; le journal du serveur dit quoi.
+
+## Erreurs : une autre personne a été plus rapide
+
+quality-tyres-changed-meanwhile = { $name } a modifié les pneus de ce véhicule entre-temps ; regardez-les d’abord.
+measurements-discarded-but-measured-withdraw = Le véhicule { $number } est mesuré et ne peut donc pas être écarté ; retirez d’abord ses mesures.
+measurements-vehicles-csv-not-in-sample = vehicles.csv : l’appartenance du véhicule { $id } à l’échantillon n’est pas ce que donnent sampling.csv et les passages ; il a été modifié.
+measurements-not-visible-but-measured-withdraw = { $target } : mesuré sur ce véhicule, donc visible ; retirez d’abord la mesure.
+measurements-already-measured = { $name } a déjà mesuré cette cible du véhicule ; gardez l’une des deux.
+lots-tab = Lots
+lots-lead = Au lieu d’une à une, les hauteurs peuvent être vérifiées par lots : un échantillon est jugé, et le lot est accepté d’après lui ou contrôlé en entier. Le plan dit à quelle fréquence chaque décision serait une erreur.
+lots-loading = lots
+lots-summary = Validées par décision individuelle : { $individual } ; par l’échantillon de leur lot : { $by_lot }.
+lots-outgoing = { $count ->
+    [one] Sur { $count } que personne n’a regardée, fausses : { $estimate } selon l’estimation et { $most } au plus ({ $share }, unilatéral à 95 %).
+   *[other] Sur les { $count } que personne n’a regardées, fausses : { $estimate } selon l’estimation et { $most } au plus ({ $share }, unilatéral à 95 %).
+  }
+lots-held = { $count ->
+    [one] { $count } hauteur attend l’échantillon de son lot.
+   *[other] { $count } hauteurs attendent l’échantillon de leur lot.
+  }
+lots-draw-title = Tirer des lots parmi ce qui attend
+lots-draw = Tirer
+lots-by = Point commun des hauteurs d’un lot
+lots-by-target = cible
+lots-by-lighting = luminosité
+lots-by-operator = auteur de la mesure
+lots-by-day = jour de la mesure
+lots-producer-quality = Un lot avec cette part fausse devrait passer
+lots-producer-risk = Risque qu’il ne passe pas
+lots-consumer-quality = Un lot avec cette part fausse ne devrait pas passer
+lots-consumer-risk = Risque qu’il passe
+lots-nonconforming = Est fausse (non conforme) une hauteur que son vérificateur rejette, ou corrige de plus que son propre U95. L’échantillon est tiré avec une graine issue de la chaîne d’audit avant tout jugement. Le critère d’acceptation est celui de l’ISO 2859 ; ses tables ne sont pas utilisées : le plan est calculé pour l’effectif de chaque lot.
+lots-nothing-waits = Rien n’attend de décision en dehors des lots.
+lots-planned = Lots qui pourraient être tirés
+lots-lot = Lot
+lots-size = Hauteurs
+lots-sample = Échantillon
+lots-number = Fausses admises
+lots-what = Gain
+lots-saves = { $count ->
+    [one] { $count } décision
+   *[other] { $count } décisions
+  }
+lots-saves-nothing = aucun : l’échantillon est tout le lot ; vérifiez une à une
+lots-everything = tout ce qui attendait
+lots-named = Lot { $number } : { $common }
+lots-of = { NUMBER($part) } sur { NUMBER($all) }
+lots-judged = Échantillon jugé
+lots-bad = Fausses
+lots-state = État
+lots-state-open = ouvert
+lots-state-accepted = accepté
+lots-state-full_inspection = contrôle complet
+lots-state-dissolved = dissous
+lots-state-taken_back = annulé
+lots-left = Sorties du lot : { $reasons }.
+lots-left-measured_again = remesurées ({ $count })
+lots-left-withdrawn = retirées ({ $count })
+lots-left-vehicle_deleted = au véhicule supprimé ({ $count })
+lots-left-verdict_of_its_own = avec décision individuelle ({ $count })
+lots-plan = { $size } hauteurs, échantillon de { $sample }, fausses admises : { $most }.
+lots-says-waits = { $count ->
+    [one] { $count } de l’échantillon attend encore sa décision.
+   *[other] { $count } de l’échantillon attendent encore leur décision.
+  }
+lots-says-accept = { $count ->
+    [one] L’échantillon est jugé : { $count } est fausse (admises : { $most }). Le lot peut être accepté.
+   *[other] L’échantillon est jugé : { $count } sont fausses (admises : { $most }). Le lot peut être accepté.
+  }
+lots-says-refused = { $count ->
+    [one] { $count } de l’échantillon est fausse (admises : { $most }) : le reste passe au contrôle complet.
+   *[other] { $count } de l’échantillon sont fausses (admises : { $most }) : le reste passe au contrôle complet.
+  }
+lots-says-accepted = { $count ->
+    [one] Accepté ; fausses dans l’échantillon : { $bad } ; { $count } hauteur acceptée d’après lui, fausses : { $estimate } selon l’estimation et { $most } au plus ({ $share }, unilatéral à 95 %).
+   *[other] Accepté ; fausses dans l’échantillon : { $bad } ; { $count } hauteurs acceptées d’après lui, fausses : { $estimate } selon l’estimation et { $most } au plus ({ $share }, unilatéral à 95 %).
+  }
+lots-says-inspected = { $count ->
+    [one] Non accepté d’après son échantillon : { $count } hauteur est passée à la file.
+   *[other] Non accepté d’après son échantillon : { $count } hauteurs sont passées à la file.
+  }
+lots-says-taken-back = { $count ->
+    [one] Accepté, puis annulé : { $count } hauteur attend à nouveau.
+   *[other] Accepté, puis annulé : { $count } hauteurs attendent à nouveau.
+  }
+lots-says-dissolved = Dissous avant tout jugement.
+lots-judge = Juger l’échantillon
+lots-accept = Accepter le lot
+lots-inspect = Contrôle complet
+lots-inspect-text = { $count ->
+    [one] { $count } hauteur du reste passe à la file et n’entre dans aucun autre lot.
+   *[other] { $count } hauteurs du reste passent à la file, chacune pour soi, et n’entrent dans aucun autre lot.
+  }
+lots-dissolve = Dissoudre
+lots-take-back = Annuler
+lots-own = { $count ->
+    [one] { $count } de l’échantillon est la vôtre ; quelqu’un d’autre la juge.
+   *[other] { $count } de l’échantillon sont les vôtres ; quelqu’un d’autre les juge.
+  }
+lots-drawn = Tiré { $when } par { $person } ; graine { $seed }…
+lots-nobody = Sightline
+lots-curve = Fréquence d’acceptation d’un tel lot
+lots-curve-says = La probabilité que le plan accepte un lot, décroissante avec la part de hauteurs fausses : avec { $good } de fausses il n’est pas accepté dans { $refused } des cas, avec { $bad } il est accepté dans { $passed }.
+lots-curve-note = Exact pour un lot de cet effectif (loi hypergéométrique). Avec { $good } de fausses, { $refused } de ces lots ne sont pas acceptés ; avec { $bad }, { $passed } le sont.
+lots-curve-x = hauteurs fausses du lot (%)
+lots-curve-y = acceptés (%)
+lots-producer = devrait passer
+lots-consumer = ne devrait pas passer
+lots-sample-of = échantillon du lot { $number }
+lots-badge = lot { $number }
+lots-sample-done = L’échantillon de ce lot est jugé. Il reste à décider du lot.
+lots-sample-done-title = L’échantillon est jugé
+lots-decide = Décider du lot
+lots-show-all = Tout afficher
+lots-by-lot = Acceptée d’après l’échantillon de son lot ; personne n’a regardé celle-ci.
+lots-fraction-between = Une proportion de non conformes est un nombre de 0 à moins de 1, par exemple 0,01 pour 1 sur 100.
+lots-risk-between = Un risque est un nombre entre 0,001 et 0,5, par exemple 0,05 pour 1 sur 20.
+lots-fractions-in-order = La proportion d’un lot qui devrait passer doit être plus petite que celle d’un lot qui ne devrait pas ; modifiez l’une d’elles.
+lots-nothing-to-draw = Aucun lot ne ferait gagner quoi que ce soit : ce qui attend est trop peu pour ces risques, ou déjà dans des lots. Divisez moins, ou vérifiez une à une.
+lots-sample-not-judged = { $count ->
+    [one] { $count } hauteur de l’échantillon attend encore sa décision ; jugez-la d’abord.
+   *[other] { $count } hauteurs de l’échantillon attendent encore leur décision ; jugez-les d’abord.
+  }
+lots-too-many = { $count ->
+    [one] { $count } hauteur de l’échantillon est non conforme ; ce lot est accepté avec { $most } au plus : le reste passe au contrôle complet.
+   *[other] { $count } hauteurs de l’échantillon sont non conformes ; ce lot est accepté avec { $most } au plus : le reste passe au contrôle complet.
+  }
+lots-own-heights = Personne n’accepte ses propres hauteurs : le reste de ce lot en contient des vôtres. Demandez à un autre vérificateur.
+lots-judged-already = Une partie de cet échantillon est déjà jugée : le tirage reste ; acceptez le lot ou contrôlez-le en entier.
+lots-not-accepted = Seul un lot accepté peut être annulé ; regardez ce qu’est devenu celui-ci.
+lots-decided-already = Le lot { $number } a reçu une décision entre-temps ; regardez-la d’abord.
+lots-event-another-row = audit.csv : l’événement { $number } contient un autre lot que celui qu’il a haché ; reprenez l’export complet.
+lots-verdict-of-no-lot = reviews.csv : une décision par le lot { $lot }, qui n’existe pas ; reprenez l’export complet.
+lots-lots-csv-not-what-event-says = lots.csv : le lot { $id } n’est pas ce que disent ses événements d’audit ; il a été modifié.
+lots-lot-missing = lots.csv : le lot { $id } manque, bien que son événement d’audit soit là.
+lots-seed-not-the-chains = lots.csv : la graine du lot { $id } ne découle pas de la chaîne d’audit ; le tirage a été choisi.
+lots-not-drawn-by-its-seed = audit.csv : le lot { $id } n’a pas été tiré dans l’ordre de sa graine ; le tirage a été modifié.
+lots-plan-keeps-no-risk = lots.csv : le plan du lot { $id } ne respecte pas les risques qu’il nomme ; il a été modifié.
+lots-decided-otherwise = audit.csv : les décisions sur le lot { $id } ne découlent pas l’une de l’autre ; elles ont été modifiées.
+lots-sample-not-the-draws = audit.csv : l’échantillon du lot { $id } n’est pas le début de son tirage ; il a été modifié.
+lots-counts-not-those-of-verdicts = audit.csv : les nombres du lot { $id } ne sont pas ceux des décisions de son échantillon ; l’un des deux est faux.
+lots-accepted-beyond-its-plan = audit.csv : le lot { $id } a été accepté avec plus de hauteurs non conformes que son plan n’en admet, ou sans jugement.
+lots-verdicts-not-those-of-its-rest = reviews.csv : les décisions par le lot { $id } ne sont pas celles de son reste ; certaines ont été ajoutées ou retirées.
+lots-verdict-before-the-decision = audit.csv : une décision par le lot { $id } précède la décision sur le lot ; l’une des deux est fausse.
+lots-items-csv-not-what-events-say = lot_items.csv : la place { $place } du lot { $id } n’est pas ce que disent les événements d’audit ; elle a été modifiée.
+reviews-verdict-given-meanwhile = { $name } a rendu entre-temps la décision « { $verdict } » ; regardez-la d’abord.
+
+## Distance de visibilité : la page
+
+sight-lead = Ce que signifient les hauteurs mesurées pour une route : des angles saillants qui gardent une distance de visibilité, selon les hauteurs d’une norme et celles du relevé.
+sight-loading = angles saillants
+sight-form = Données du calcul des angles saillants
+sight-form-standard = Norme
+sight-form-survey = Relevé, lu selon la règle de la norme
+sight-form-road = Route
+sight-form-fleet = Autre parc : part de chaque classe
+sight-eye = Œil de la norme
+sight-object = Obstacle de la norme
+sight-standard-option = { $standard }, { $what } : { $height }
+sight-standard-any = Hauteur libre
+sight-standard-height = Hauteur
+sight-eye-percent = Yeux, centile
+sight-object-target = Obstacle
+sight-object-standard = Hauteur de la norme
+sight-object-percent = Obstacles, centile
+sight-kind = Distance de visibilité
+sight-kind-stopping = Arrêt
+sight-kind-decision_a = Décision, arrêt sur route de rase campagne
+sight-kind-decision_b = Décision, arrêt sur voie urbaine
+sight-kind-decision_c = Décision, manœuvre sur route de rase campagne
+sight-kind-decision_d = Décision, manœuvre sur route périurbaine
+sight-kind-decision_e = Décision, manœuvre sur voie urbaine
+sight-kind-passing = Dépassement
+sight-kind-intersection_left = Carrefour, tourne-à-gauche depuis un arrêt
+sight-kind-intersection_right = Carrefour, tourne-à-droite ou traversée
+sight-speed = Vitesse de référence
+sight-difference = Différence de déclivités
+sight-headlight = Projecteur (rentrant)
+sight-radius = Rayon (virage)
+sight-number-problem = Ce nombre est hors limites ; corrigez-le.
+sight-fleet-begin = Et si le parc était autre
+sight-fleet-hint = Parts des classes mesurées, à modifier.
+sight-fleet-end = Parc mesuré
+sight-fleet-measured = Yeux mesurés : { NUMBER($eyes) }, obstacles : { NUMBER($objects) }
+sight-case = Hauteurs de
+sight-case-standard = la norme
+sight-case-survey = le relevé
+sight-case-mix = l’autre parc
+sight-sentence = Signification
+sight-missing = Le filtre n’en laisse aucune hauteur : { $targets }. Mesurez et validez-en, ou affichez tous les états.
+sight-verdict-alike = { $case ->
+    [mix] Avec les hauteurs de l’autre parc
+    [study] Avec les hauteurs de l’étude
+   *[survey] Avec les hauteurs du relevé
+} (œil { $eye }, obstacle { $object }), la constante d’angle saillant est { $constant } au lieu de { $standard }, et K pour { $distance } est { $k } au lieu de { $k_standard }. L’écart de { $change } est dans l’intervalle à 95 % : le relevé ne donne aucune raison de construire autrement les angles saillants.
+sight-verdict-shorter = { $case ->
+    [mix] Avec les hauteurs de l’autre parc
+    [study] Avec les hauteurs de l’étude
+   *[survey] Avec les hauteurs du relevé
+} (œil { $eye }, obstacle { $object }), la constante d’angle saillant est { $constant } au lieu de { $standard }, et K pour { $distance } est { $k } au lieu de { $k_standard }. Les angles saillants pourraient être plus courts de { $change } ; sur un angle saillant construit selon la norme, on voit à { $seen }.
+sight-verdict-longer = { $case ->
+    [mix] Avec les hauteurs de l’autre parc
+    [study] Avec les hauteurs de l’étude
+   *[survey] Avec les hauteurs du relevé
+} (œil { $eye }, obstacle { $object }), la constante d’angle saillant est { $constant } au lieu de { $standard }, et K pour { $distance } est { $k } au lieu de { $k_standard }. Les angles saillants devraient être plus longs de { $change } ; sur un angle saillant construit selon la norme, on ne voit qu’à { $seen }.
+sight-verdict-unknown = { $case ->
+    [mix] Avec les hauteurs de l’autre parc
+    [study] Avec les hauteurs de l’étude
+   *[survey] Avec les hauteurs du relevé
+} (œil { $eye }, obstacle { $object }), la constante d’angle saillant est { $constant } au lieu de { $standard }, soit un écart de K de { $change }. Il n’y a pas d’intervalle ({ $reason }) : on ne peut dire si c’est plus que le hasard.
+sight-cases-title = Angles saillants
+sight-cases-distance = { $speed } : { $formula } = { $distance }, arrondi par excès à { $design }
+sight-cases-note = Yeux : { NUMBER($eyes) }, obstacles : { NUMBER($objects) }. Les hauteurs sont les vraies. Sous chaque valeur, son intervalle total à 95 %, qui comprend l’échantillonnage, les erreurs que des hauteurs partagent (pose de la caméra, retrait moyen) et l’erreur aléatoire ; les erreurs de l’œil et de l’obstacle dues à la même pose de caméra comptent ensemble ; les hauteurs de la norme et les parts du parc sont supposées exactes. Les longueurs valent pour la différence de déclivités ; la dernière colonne est ce que l’on voit sur un angle saillant construit selon les hauteurs de la norme.
+sight-interval = { $low } à { $high }
+sight-no-interval = pas d’intervalle
+sight-column-eye = Œil ({ $unit })
+sight-column-object = Obstacle ({ $unit })
+sight-column-constant = Constante ({ $unit })
+sight-column-k = K ({ $unit } par %)
+sight-column-length = Longueur minimale ({ $unit })
+sight-column-seen = Vu sur le saillant de la norme ({ $unit })
+sight-figure-title = K d’un angle saillant selon la vitesse de référence
+sight-figure-says = K d’un angle saillant selon la vitesse de référence, avec les hauteurs de la norme et celles du relevé
+sight-figure-note = K = S² / C à la distance de visibilité de chaque vitesse de référence, arrondie par excès comme dans les tables de conception (points). Bande : intervalle à 95 % ; là où l’on n’en voit pas, il est plus étroit que le trait.
+sight-figure-x = vitesse de référence ({ $unit })
+sight-figure-y = K ({ $unit } par %)
+sight-besides-title = Angle rentrant et virage, que les yeux ne changent pas
+sight-sag = Angle rentrant, aux projecteurs
+sight-sag-words = K { $k } { $unit } par % ; longueur minimale { $length } { $case ->
+    [within] (la distance de visibilité est comprise dans le raccordement)
+    [beyond] (la distance de visibilité dépasse le raccordement)
+   *[none] (ces déclivités sont éclairées sans raccordement)
+}
+sight-curve = Dégagement en virage
+sight-curve-words = { $offset } de la trajectoire à ce qui masque la vue, au milieu du virage
+sight-curve-none = Le virage est trop serré pour cette distance : elle ferait plus d’un demi-cercle.
+sight-besides-note = Le faisceau d’un projecteur monte de 1 degré. Les hauteurs de ce qui borde un virage ne sont pas considérées.
+
+## Distance de visibilité : ce qui ne peut pas être calculé
+sightdistance-heights = Les hauteurs des yeux doivent être supérieures à 0, celles des obstacles d’au moins 0, toutes inférieures à 10 m ; indiquez-les en mètres.
+sightdistance-uncertainty = Une incertitude-type doit être de 0 ou plus, et de 0 pour un obstacle sur la chaussée ; corrigez-la.
+sightdistance-distance = Une distance de visibilité doit être supérieure à 0 et inférieure à 100 km, et une longueur d’au moins 0 ; indiquez des mètres.
+sightdistance-difference = La différence des deux déclivités doit être supérieure à 0 et d’au plus 100 pour cent ; corrigez-la.
+sightdistance-speed = { $speed_kmh } km/h n’est pas une vitesse de référence ; indiquez plus de 0 et au plus 300 km/h.
+sightdistance-gradient = On ne peut pas freiner sur une déclivité de { $gradient_percent } % ; indiquez au plus 25 %, et en descente moins que ce que le freinage retient.
+sightdistance-reaction-deceleration = Le temps de réaction doit être de 0 ou plus et la décélération supérieure à 0 ; corrigez-les.
+sightdistance-manoeuvre-time = La manœuvre { $manoeuvre } prend { $least } à { $most } s ; indiquez un temps compris entre les deux.
+sightdistance-passing-speed = Il n’y a pas de distance de visibilité de dépassement à { $speed_kmh } km/h ; la table va de 30 à 130 km/h.
+sightdistance-headlight = La hauteur du projecteur et la montée de son faisceau ne doivent être ni négatives, ni toutes deux 0 ; corrigez-les.
+sightdistance-radius = Le rayon doit être supérieur à 0, et son virage contenir la distance et le dégagement ; corrigez-les.
+sightdistance-shares = Les parts d’un parc doivent totaliser 100 % ; celles-ci totalisent { $total_percent } %. Corrigez-les.
+sightdistance-share = « { $share } » n’est pas une part d’un parc ; écrivez la classe, deux-points et 0 à 100 pour cent (suv:40).
+sightdistance-class-unseen = Le parc a une part de { $category }, dont le relevé n’a mesuré aucun véhicule ; mettez cette part à 0 ou mesurez-en.
+
+## Catalogue : la page
+
+catalogue-lead = Dimensions des modèles selon les constructeurs, chacune avec sa source : ce à quoi les hauteurs et longueurs mesurées sont comparées.
+catalogue-loading = catalogue
+catalogue-search = Rechercher par marque, modèle et année
+catalogue-which = Quels modèles
+catalogue-offered = proposés
+catalogue-retired = retirés
+catalogue-none = Aucun modèle
+catalogue-none-found = Aucun modèle ne commence par ces mots ; cherchez avec moins de lettres.
+catalogue-none-yet = Importez un CSV de modèles, ou ajoutez-en un à la main.
+catalogue-model = Modèle
+catalogue-years = Années
+catalogue-category = Classe
+catalogue-category-unknown = inconnue
+catalogue-size-head = { $size } ({ $unit })
+catalogue-height = Toit
+catalogue-length = Longueur
+catalogue-width = Largeur
+catalogue-wheelbase = Empattement
+catalogue-taillight = Feu arrière, bord inférieur
+catalogue-headlight = Projecteur, bord inférieur
+catalogue-u = u = { $u }
+catalogue-u-of = { $size }, u
+catalogue-source-of = { $size }, source
+catalogue-source = Source des dimensions
+catalogue-shown = { NUMBER($first) } à { NUMBER($last) } sur { NUMBER($total) }
+catalogue-before = Précédents
+catalogue-after = Suivants
+catalogue-correct = Corriger
+catalogue-correct-model = Corriger { $model }
+catalogue-correct-title = Corriger un modèle
+catalogue-correct-save = Enregistrer la correction
+catalogue-retire = Retirer
+catalogue-restore = Proposer à nouveau
+catalogue-add = Ajouter un modèle
+catalogue-add-title = Ajouter un modèle
+catalogue-add-save = Ajouter le modèle
+catalogue-make = Marque
+catalogue-model-name = Modèle
+catalogue-year-from = Première année-modèle
+catalogue-year-to = Dernière année-modèle
+catalogue-needed = Obligatoire.
+catalogue-year-problem = Quatre chiffres, comme 2019.
+catalogue-number-problem = Ce n’est pas un nombre.
+catalogue-export = Exporter
+catalogue-import = Importer un CSV
+catalogue-import-title = Importer des modèles d’un CSV
+catalogue-import-choose = Choisir un CSV de modèles
+catalogue-import-drop = Déposez un CSV ici
+catalogue-import-hint = Une ligne d’en-tête avec make et model ; dimensions avec leur unité dans l’en-tête (height_m, Length (mm)).
+catalogue-import-looking = fichier
+catalogue-import-unit = Unité des dimensions
+catalogue-import-unit-header = selon les en-têtes, sinon mètres
+catalogue-import-conflicts = Si le catalogue dit autre chose
+catalogue-import-keep = garder ce qu’il a
+catalogue-import-replace = mettre la valeur du fichier à la place
+catalogue-import-columns = Colonnes du fichier
+catalogue-import-in = en { $unit }
+catalogue-import-left-out = ignorée
+catalogue-import-some-left-out = { $count ->
+    [one] Colonne non importée : { $columns }. Choisissez ce que c’est, s’il s’agit d’une dimension, d’une année ou d’une incertitude.
+   *[other] Colonnes non importées : { $columns }. Choisissez ce que c’est, s’il s’agit de dimensions, d’années ou d’incertitudes.
+}
+catalogue-import-lines = Lignes à examiner
+catalogue-import-line = Ligne
+catalogue-import-what = Quoi
+catalogue-import-why = Pourquoi
+catalogue-import-store = { $count ->
+    [0] Rien à enregistrer
+    [one] Enregistrer { NUMBER($count) } modèle
+   *[other] Enregistrer { NUMBER($count) } modèles
+}
+catalogue-import-done = Modèles ajoutés : { NUMBER($added) }, mis à jour : { NUMBER($updated) }.
+catalogue-change-new = nouveau
+catalogue-change-update = complété
+catalogue-change-same = inchangé
+catalogue-change-conflict = en conflit
+catalogue-change-duplicate = en double dans le fichier
+catalogue-change-refused = inutilisable
+catalogue-unit-m = mètres
+catalogue-unit-cm = centimètres
+catalogue-unit-mm = millimètres
+catalogue-unit-ft = pieds
+catalogue-unit-in = pouces
+
+## Catalogue : ce qu'un import dit d'une ligne, et ce qui ne peut pas être stocké
+catalogue-make-and-model = La marque et le modèle sont obligatoires ; remplissez les deux.
+catalogue-too-long = Une marque a au plus { $most_make } caractères et un modèle { $most_model } ; raccourcissez.
+catalogue-years-reversed = La dernière année précède la première ; inversez-les.
+catalogue-sizes-contradict = { $column } vaut { $value } et { $other } vaut { $large }, ce qu’aucun véhicule n’a ; corrigez l’une des deux valeurs.
+catalogue-control-characters = Une marque, un modèle ou une source contient un caractère qui ne peut être affiché ; saisissez-le à nouveau.
+catalogue-column-twice = La colonne { $column } figure plusieurs fois dans le fichier ; n’en gardez qu’une, ou donnez un nom à chacune.
+catalogue-say-the-columns = { $name } n’a pas de colonne { $missing } ; indiquez laquelle de ses colonnes c’est, ou nommez-la ainsi en première ligne.
+catalogue-no-rows = { $name } a un en-tête et aucune ligne de modèle en dessous ; ajoutez-en une.
+catalogue-size-impossible = { $column } vaut { $value }, ce qu’aucun véhicule n’a ; indiquez-le en mètres, de { $low } à { $high }.
+catalogue-size-in-other-unit = { $column } vaut { $value }, ce qu’aucun véhicule n’a en mètres ; en { $unit } ce serait { $metres } m. Indiquez-le en mètres, ou dites l’unité.
+catalogue-u-impossible = { $column } vaut { $value }, qui n’est pas l’incertitude-type d’une dimension ; indiquez des mètres, de 0 à 1.
+catalogue-unit-doubtful = { $column } : la moitié de ses valeurs sont { $middle } ou plus, ce qu’aucune liste de véhicules n’a en { $unit } ; elles ressemblent à des { $other }. Rien n’est stocké ; dites que l’unité est { $sign }, ou convertissez le fichier.
+catalogue-there-already = { $make } { $model } ({ $year }) est déjà dans le catalogue ; corrigez plutôt cette ligne.
+catalogue-changed-meanwhile = Quelqu’un a modifié { $make } { $model } entre-temps ; regardez à nouveau et refaites votre modification.
+catalogue-no-such-field = Le catalogue n’a pas de champ « { $field } » ; utilisez l’un de { $known }.
+catalogue-column-choice = « { $column } » ne dit rien d’une colonne ; écrivez le champ, un signe égal et l’en-tête (height_m=Roof).
+catalogue-duplicate = Même modèle que la ligne { $line } ; ignorée.
+catalogue-duplicate-differs = Même modèle que la ligne { $line } avec d’autres valeurs ({ $differences }) ; ignorée. Gardez l’une des deux.
+catalogue-conflict-keep = { $differences } ; ce qu’a le catalogue reste.
+catalogue-conflict-replace = { $differences } ; cette ligne prend sa place.
+catalogue-differs = { $here } ici, { $there } là-bas
+catalogue-fills-in = Complète { $columns }.
+
+studies-fleet-header = { $path } demande une colonne category (ou lighting, stratum, site), ou les deux colonnes variable et class, et une colonne share ou registrations ; ajoutez-les.
+studies-fleet-variable = { $path }, ligne { $row } : rien dans un parc ne se divise selon { $cell } ; utilisez l’un de { $known }.
+studies-fleet-class-twice = { $path }, ligne { $row } : { $name } est là deux fois ; gardez une seule ligne.
+studies-fleet-empty = { $path } n’a pas de ligne ; donnez une ligne par classe.
+studies-shares-do-not-sum = { $path } : les parts de { $variable } totalisent { $total }, non 1 ; corrigez-les, ou donnez à la place registrations.
+studies-registrations-do-not-sum = { $path } : { $first } totalise { $first_sum } véhicules et { $other } { $other_sum } ; les deux doivent être le même parc.
+studies-sites-header = { $path } demande les colonnes site et stratum ; ajoutez-les.
+studies-sites-there-differ = { $path }, ligne { $row } : la strate { $stratum } a un autre sites_there plus haut ; écrivez le même nombre, ou aucun, dans chacune de ses lignes.
+studies-traffic-of-some = { $path } : traffic n’est là que pour certains sites, ou vaut 0 ; donnez-le pour tous les sites ou pour aucun.
+studies-not-csv = { $path } ne peut pas être lu comme CSV ({ $why }) ; enregistrez-le en CSV en UTF-8.
+studies-not-a-count = { $path }, ligne { $row } : { $name } vaut { $cell }, qui n’est pas un nombre entier de 1 ou plus ; corrigez-le ou laissez-le vide.
+studies-not-an-amount = { $path }, ligne { $row } : { $name } vaut { $cell }, qui n’est pas un nombre de 0 ou plus ; corrigez-le.
+studies-no-package-there = { $place } n’est pas une archive et n’en contient pas ; nommez des dossiers ou ZIP exportés, ou un dossier qui en contient.
+studies-package-does-not-verify = { $place } échoue au contrôle, aucune étude n’en est donc faite : { $problem }
+studies-package-without-sample = { $place } ne dit pas lesquels de ses véhicules comptent, car faite par une version antérieure ; exportez à nouveau son relevé.
+studies-package-without-parquet = { $place } a été faite par une version antérieure, sans Parquet ; exportez à nouveau son relevé.
+studies-survey-without-poses = { $place } n’a pas de pose de la caméra, donc pas de hauteur ; omettez-le, ou calculez la pose de ses enregistrements (et exportez à nouveau une archive).
+studies-same-survey-twice = { $first } et { $second } sont des archives du même relevé ; gardez la plus récente.
+studies-packages-of-two-versions = { $first } (version { $first_version }) et { $second } (version { $second_version }) ont d’autres colonnes dans { $table } ; exportez les deux avec une même version.
+studies-no-height-counts = Aucun des relevés n’a de hauteur validée dans son échantillon ; vérifiez des mesures (et exportez à nouveau une archive).
+studies-class-unknown = Le parc a { $variable } { $name }, que Sightline ne connaît pas ; utilisez { $known }.
+studies-class-never-seen = Le parc a { $variable } { $name }, qu’aucun relevé n’a vu ; omettez-le et faites totaliser 1 aux autres parts, ou mesurez-en.
+studies-class-not-in-fleet = Les relevés ont vu { $count } véhicules de { $variable } { $name }, que le parc n’a pas ; ajoutez une ligne pour cela (0 s’ils ne doivent pas compter).
+studies-site-not-in-sites = Le tableau des sites n’a pas de ligne pour { $site } ; ajoutez-la.
+studies-more-sites-than-there = La strate { $stratum } a { $count } sites ici, mais sites_there indique { $there } ; corrigez-le.
+studies-needs-a-name = Une étude doit avoir un nom ; indiquez-le.
+studies-has-no-survey = L’étude n’a pas de relevé ; ajoutez-en au moins un.
+studies-goal-of-study = { $goal } m n’est pas un U95 entre 0 et 1 m ; 0,010 m font 10 mm.
+studies-survey-stands-twice = { $name } figure deux fois dans l’étude ; gardez-le une seule fois.
+studies-no-year = { $year } n’est pas une année possible pour { $name } ; corrigez-la, ou laissez vide.
+studies-site-in-two-strata = Le site { $site } est des strates { $first } et { $second } ; donnez-lui-en une seule, dans tous ses relevés et dans le tableau des sites.
+studies-site-without-stratum = Le site { $site } n’a pas de strate, alors que d’autres en ont ; donnez-en une à chaque site, ou à aucun.
+studies-changed-meanwhile = { $name } a modifié cette étude le { $when }. Rechargez-la et refaites votre modification.
+studies-goal-no-length = --goal { $goal } n’est pas un U95 en mètres entre 0 et 1 ; 0,010 fait 10 mm.
+studies-compared-with-itself = { $name } ne peut pas être comparée à elle-même ; choisissez une autre étude.
+studies-compared-without-figures = { $name } n’a pas été calculée ; calculez-la d’abord.
+studies-fleet-two-amounts = { $path } a une colonne share et une colonne registrations ; gardez celle qui compte.
+studies-registrations-of-nobody = { $path } : la somme de { $variable } est de 0 véhicule ; indiquez combien il y en a.
+studies-output-is-a-package = { $place } est l’archive d’un relevé, ou se trouve dans une archive ; nommez pour l’étude un dossier à elle.
+traffic-duration-twice = { $path } indique lui-même sa durée ; omettez --duration.
+traffic-no-duration-inside = { $path } n’indique pas sa durée ; écrivez-le à nouveau avec sightline linescan --json.
+traffic-lanes-of-its-own = Les véhicules de { $name } ont leurs propres voies ({ $lanes }) ; omettez --lane.
+traffic-no-duration = { $path } contient des lignes de sightline stream, qui n’indiquent pas la durée ; indiquez --duration en secondes.
+traffic-no-recording = { $path } n’est pas une sortie de sightline linescan --json ni de sightline stream ; indiquez l’une d’elles.
+traffic-file-too-large = { $path } dépasse { $most_gb } Go ; ajoutez l’enregistrement par parties.
+traffic-cannot-read = { $path } est illisible ({ $strerror }) ; indiquez la sortie de sightline linescan --json ou de sightline stream.
+traffic-vehicle-without = Le véhicule { $vehicle } de { $path } n’a pas de { $column } lisible ; écrivez-le à nouveau avec sightline linescan --json.
+traffic-number-twice = { $path } a deux fois le véhicule { $vehicle } ; donnez un enregistrement par fichier.
+traffic-outside-recording = Le véhicule { $vehicle } de { $path } est passé de { $front_s } s à { $rear_s } s, hors des { $duration_s } s de l’enregistrement ; corrigez --duration, ou écrivez à nouveau le fichier.
+import-videos-or-folder = Nommez des vidéos, ou un dossier avec --watch, pas les deux ; voyez sightline import --help.
+import-no-token = Il faut un jeton : créez-en un dans Compte avec lire et envoyer, et mettez-le dans SIGHTLINE_TOKEN.
+import-no-address = « { $url } » n’est pas l’adresse d’un Sightline ; écrivez-la http://name:8000.
+import-no-answer = { $url } ne répond pas ; vérifiez l’adresse, et que le serveur est en marche.
+import-no-sightline = { $url } a répondu avec le statut { NUMBER($status, useGrouping: 0) } et non comme un Sightline ; vérifiez l’adresse.
+import-server-said = Le serveur dit : { $sentence }.
+import-no-such-survey = Il n’y a pas de relevé « { $survey } » visible pour vous ; les vôtres sont : { $names }.
+import-survey-name-twice = Plusieurs relevés s’appellent « { $survey } » ; donnez le numéro de l’un : { $numbers }.
+import-no-such-file = { $name } n’est pas un fichier ; vérifiez le nom.
+import-no-such-folder = { $name } n’est pas un dossier ; nommez-en un qui existe.
+import-not-a-video = { $name } n’est pas une vidéo d’après son nom ; les vidéos finissent par { $suffixes }.
+import-empty-file = { $name } est vide ; indiquez le fichier que la caméra a écrit.
+import-changed-meanwhile = { $name } a été modifié pendant son envoi ; supprimez son enregistrement, et importez-le à nouveau quand il est terminé.
+import-cannot-be-read = { $name } a été envoyé et est illisible : { $reason }.
+import-passes-not-found = { $name } a été lu, mais ses passages n’ont pas été trouvés : { $reason }.
+traffic-recording-there = { $name } est déjà dans l’archive de trafic (site { $site }, { $day }) ; retirez-le d’abord avec : sightline traffic remove
+traffic-other-zone = Le site { $site } est à l’heure de { $there }, non de { $zone } ; indiquez ce fuseau, ou un autre site.
+traffic-overlap = { $name } et { $other }, qui est dans l’archive de trafic, ont tous deux observé cette voie de { $site } de { $start } à { $end } ; corrigez --start, ou nommez la voie avec --lane.
+traffic-no-name = « { $name } » ne peut pas nommer ici { $what ->
+    [site] un site
+    [lane] une voie
+   *[other] { $what }
+} ; utilisez au plus { $most } lettres, chiffres, espaces et - _ . sans point au début.
+traffic-no-such-recording = { $path } n’a pas d’enregistrement { $name } ; donnez le nom de son fichier ou le début de son SHA-256.
+traffic-several-recordings = { $path } a plusieurs enregistrements que { $name } peut désigner ; donnez le début du SHA-256 de l’un.
+traffic-no-archive = { $path } ne contient pas d’archive de trafic ; créez-en une avec : sightline traffic add
+traffic-being-changed = { $path } est en cours de modification par un autre processus ; réessayez quand il a fini.
+traffic-cannot-write = Impossible d’écrire { $path } ({ $strerror }) ; choisissez un autre dossier, ou libérez de la place.
+traffic-no-u-start = --u-start { $u_start_s } n’est pas une incertitude-type en secondes ; indiquez 0 ou plus.
+traffic-no-length-of-time = --duration { $duration_s } n’est pas un temps en secondes supérieur à 0 ; corrigez-le.
+traffic-no-minutes = --minutes { $minutes } ne divise pas un jour ; utilisez 1, 5, 15, 30, 60 ou un autre diviseur.
+traffic-no-percents = --percentile { $text } doit être des nombres différents supérieurs à 0 et inférieurs à 100, comme 15,50,85.
+traffic-no-limits = --lengths { $text } doit être des longueurs croissantes en mètres entre 0 et 100, comme 6,12.
+traffic-no-numbers = { $option } { $text } contient autre chose que des nombres ; séparez les nombres par des virgules.
+traffic-no-day = { $option } { $text } n’est pas un jour ; écrivez-le 2026-05-04.
+traffic-days-turned = --to { $last } précède --from { $first } ; inversez-les.
+traffic-no-such-site = L’archive de trafic n’a pas de site { $site } ; elle a { $there }.
+commands-compare-two-values = --compare { $text } demande --by et deux valeurs différentes de sa colonne, comme --by year --compare 2020,2026.
+commands-compare-no-such-value = Aucune ligne avec une hauteur n’a { $name } dans { $by } ; comparez deux valeurs parmi { $known }.
+
+## La page que porte une archive (index.html) : lue sans serveur ; elle n'a pas de code commun avec ce qui a mesuré
+
+opened-reading = Lecture de l’archive…
+opened-unreadable = Cette page ne peut pas lire l’archive qu’elle porte. Utilisez un navigateur de 2023 ou plus récent, ou lancez sightline verify.
+opened-made-with = Fait avec Sightline { $version }.
+opened-only = Cette archive est limitée. Statistiques, figures et rapport ne portent que sur : { $only }. Les autres véhicules du relevé figurent dans les tableaux et ne comptent dans aucun résultat.
+opened-report = Rapport (PDF)
+opened-measurements = Mesures
+opened-figures = Figures
+opened-tables = Tableaux
+opened-sizes = Tailles
+opened-checking = Contrôle de l’archive…
+opened-is-fine = Rien de ce que cette page peut contrôler ne se contredit.
+opened-is-wrong = Cette archive n’est pas telle qu’elle a été faite.
+opened-failed = L’archive ne peut pas être lue jusqu’au bout : { $words }.
+opened-heights-agree = { $count ->
+    [one] { NUMBER($count) } hauteur a été recalculée à partir de ses pointés et concorde.
+   *[other] { NUMBER($count) } hauteurs ont été recalculées à partir de leurs pointés et concordent.
+  } La plus grande différence est de { NUMBER($off_um, maximumFractionDigits: 2) } µm ; les tableaux sont écrits au micromètre.
+opened-heights-refused = { $count ->
+    [one] { NUMBER($count) } n’a pas été calculée : voyez sa ligne.
+   *[other] { NUMBER($count) } n’ont pas été calculées : voyez leurs lignes.
+  }
+opened-heights-differ = { $count ->
+    [one] { NUMBER($count) } mesure diffère de ce que donnent ses pointés : { $named }.
+   *[other] { NUMBER($count) } mesures diffèrent de ce que donnent leurs pointés : { $named }.
+  }
+opened-chain-whole = { $count ->
+    [one] La chaîne d’audit de { NUMBER($count) } événement est intacte.
+   *[other] La chaîne d’audit de { NUMBER($count) } événements est intacte : chacun contient ce qui a été haché et suit le précédent.
+  }
+opened-chain-broken = La chaîne d’audit est rompue à l’événement { $number }.
+opened-chain-absent = La chaîne d’audit n’a pas été contrôlée : audit.js ne se trouve pas à côté de cette page, ou la chaîne est trop grande pour une page. Déposez ici le ZIP ou le dossier de l’archive, ou utilisez sightline verify.
+opened-seal-none = La chaîne d’audit ne finit pas par le sceau d’une archive.
+opened-seal-chain = La chaîne d’audit avant le sceau n’est pas celle que nomme le sceau.
+opened-seal-holds = Les { NUMBER($count) } fichiers que porte cette page sont ceux que nomme le sceau.
+opened-seal-wrong = Fichiers autres que ceux que nomme le sceau : { $named }.
+opened-rows-agree = Chaque mesure dit ce que dit son événement d’audit.
+opened-rows-differ = { $count ->
+    [one] { NUMBER($count) } mesure n’est pas ce que dit son événement d’audit : { $named }.
+   *[other] { NUMBER($count) } mesures ne sont pas ce que disent leurs événements d’audit : { $named }.
+  }
+opened-poses-agree = Chaque pose de la caméra est celle que nomme son événement d’audit.
+opened-poses-differ = Poses de la caméra autres que celles que nomment leurs événements d’audit : { $named }.
+opened-signature-holds = Signé le { $at } avec la clé { $key }… : comparez-la à celle qu’affiche l’installation.
+opened-signature-wrong = La signature ne vaut pas pour la fin de cette chaîne.
+opened-signature-unknown = La signature n’a pas été contrôlée, car ce navigateur n’a pas Ed25519. Utilisez sightline verify.
+opened-folder-choose = Contrôlez aussi les fichiers : déposez le ZIP ou le dossier de l’archive n’importe où sur cette page, ou choisissez-le ici. Rien ne quitte cet ordinateur.
+opened-folder-folder = Le dossier où se trouve cette page
+opened-folder-zip = Ou le ZIP de l’archive
+opened-folder-unreadable = Les fichiers n’ont pas été contrôlés : ce qui a été choisi n’est pas une archive entière. Reprenez le ZIP, ou choisissez le dossier.
+opened-folder-checking = Contrôle des fichiers…
+opened-folder-fine = Les { NUMBER($count) } fichiers de l’archive ({ NUMBER($mb, maximumSignificantDigits: 2) } Mo) sont tous ceux que nomme le sceau.
+opened-folder-changed = Modifiés après l’export : { $named }.
+opened-folder-missing = Manquent dans l’archive : { $named }.
+opened-folder-strange = Hors de l’archive : { $named }.
+opened-what-title = Ce qui est contrôlé, et où
+opened-what-here = Ici, d’après les copies des tableaux que porte cette page : chaque hauteur en vigueur à partir des pointés, de l’objectif et de la pose de la caméra, par un calcul propre à cette page ; U95 comme 1,96 u et u comme racine de la somme des carrés de son bilan ; la chaîne d’audit avec son sceau et sa signature ; chaque mesure et chaque pose de la caméra par rapport à son événement d’audit.
+opened-what-folder = Seulement une fois le dossier choisi ou le ZIP déposé : si les fichiers de l’archive (vues, figures, rapport, tableaux) sont ceux que nomme le sceau. Un navigateur ne laisse pas une page lire ses voisins sans demande.
+opened-what-verify = Seulement par sightline verify : révisions antérieures et répétitions, composantes des bilans, décisions par rapport aux vérifications, véhicules, balayages, statistiques, figures et rapport refaits, Parquet par rapport au CSV.
+opened-what-page = Une page peut être falsifiée en entier, et dirait alors ce que veut le faussaire. Pour une conclusion qui compte, lancez sightline verify avec la clé qu’affiche l’installation.
+opened-measurements-none = Aucune mesure dans cette archive.
+opened-figures-none = Aucune figure : trop peu de mesures validées.
+opened-left-out = Trop volumineux pour cette page, donc ni affichés ni contrôlés ici : { $named }. Utilisez sightline verify.
+opened-table-empty = Aucune ligne.
+opened-table-cut = Les { NUMBER($shown) } premières lignes sur { NUMBER($count) } ; le fichier les a toutes.
+opened-sizes-total = { NUMBER($files) } fichiers, { NUMBER($mb, maximumSignificantDigits: 3) } Mo, outre cette page, la description, la chaîne d’audit et la liste des sommes.
+opened-size-top = { NUMBER($files) } fichiers à la racine, { NUMBER($mb, maximumSignificantDigits: 2) } Mo
+opened-size = { $folder } { NUMBER($files) } fichiers, { NUMBER($mb, maximumSignificantDigits: 2) } Mo
+opened-filter = Afficher
+opened-filter-all = toutes
+opened-filter-differs = celles qui diffèrent
+opened-before = Précédent
+opened-after = Suivant
+opened-range = { NUMBER($from) } à { NUMBER($to) } sur { NUMBER($count) }
+opened-target-roof = Toit
+opened-target-driver_eye = Œil du conducteur
+opened-target-taillight = Feu arrière
+opened-target-headlight = Projecteur
+opened-target-other = Autre
+opened-verdict-accepted = validée
+opened-verdict-fixed = corrigée
+opened-verdict-rejected = rejetée
+opened-verdict-unreviewed = non vérifiée
+opened-withdrawn = retirée
+opened-outside = { $verdict } ; hors des limites
+opened-column-id = N°
+opened-column-target = Cible
+opened-column-package = Hauteur dans l’archive
+opened-column-here = Calculée ici
+opened-column-review = Vérification
+opened-height = { $height_m } ± { $U95_m } m
+opened-height-here = { $height_m } m
+opened-height-none = pas de hauteur
+opened-refused-pose = non calculée : sa pose de la caméra n’est pas dans l’archive
+opened-refused-form = non calculée : ses images ne sont pas toutes dans le tableau
+opened-one = Mesure { $id } : { $target }
+opened-crops-none = Aucune vue de celle-ci dans cette archive.
+opened-crops-outside = Hors de ce à quoi cette archive est limitée ({ $only }) : elle n’a pas d’image ici et ne compte dans aucun résultat.
+opened-crop = Image { $frame } avec les deux points
+opened-differs = Autre chose que ce que donnent les pointés : { $named }.
+opened-pair-package = Hauteur dans l’archive, m
+opened-pair-here = Calculée dans cette page
+opened-pair-off = Différence
+opened-nanometres = { $off_nm } nm
+opened-pair-contact = Contact du pneu, px
+opened-pair-target = Cible, px
+opened-pair-inset = Retrait, m
+opened-pair-frame = Enregistrement et image
+opened-pair-pose = Pose de la caméra
+opened-pair-u = u de { $source }, m
+
+## La page d'un dossier de preuve : ouverte sans serveur, par quelqu'un qui n'a rien d'autre
+
+opened-evidence-unreadable = Cette page ne peut pas lire ce qu’elle porte : le fichier a été tronqué ou modifié.
+opened-evidence-title = Véhicule { $number }, { $scan }
+opened-evidence-made = Dossier de preuve fait le { $at } UTC par { $by } avec Sightline { $version }.
+opened-evidence-nobody = personne de connecté
+opened-evidence-checking = Contrôle du fichier…
+opened-evidence-is-fine = Rien de ce que cette page peut contrôler ne se contredit.
+opened-evidence-is-wrong = Ce fichier n’est pas tel qu’il a été fait.
+opened-evidence-failed = Le fichier ne peut pas être contrôlé jusqu’au bout : { $words }.
+opened-evidence-text-fine = Les données sont ici dans la seule forme qui est signée (RFC 8785).
+opened-evidence-text-wrong = Les données ne sont pas ici dans la forme qui est signée.
+opened-evidence-pictures-fine = Les deux images sont celles que les données nomment par leur SHA-256.
+opened-evidence-pictures-wrong = Images autres que celles que nomment les données : { $named }.
+opened-evidence-events-fine = { $count ->
+    [one] L’événement d’audit est celui qui a été haché.
+   *[other] Les { NUMBER($count) } événements d’audit sont ceux qui ont été hachés.
+  }
+opened-evidence-events-wrong = Événements d’audit autres que ceux qui ont été hachés : { $named }.
+opened-evidence-event-fine = Le mouvement est celui que donne son événement d’audit.
+opened-evidence-event-wrong = Le mouvement n’est pas celui que donne son événement d’audit : { $named }.
+opened-evidence-signature-holds = La signature est valable pour la clé { $key }…
+opened-evidence-signature-wrong = La signature n’est pas valable pour la clé { $key }…
+opened-evidence-signature-unknown = La signature n’a pas été contrôlée, car ce navigateur n’a pas Ed25519. Les empreintes l’ont été. Utilisez sightline verify, ou un navigateur plus récent.
+opened-evidence-proves = Une signature prouve que le détenteur de cette clé a signé ces données, et rien de plus : ni qui détient la clé, ni que les données sont vraies, ni quand elles ont été faites. Comparez la clé à celle qu’affiche l’installation.
+opened-evidence-what-here = Ici : les empreintes des deux images et des événements d’audit, le mouvement par rapport à son événement, et la signature avec les clés transmises.
+opened-evidence-what-verify = Seulement par sightline verify : longueur, bilan, intervalle, heure et décision refaits à partir des lignes des bornes et du dispositif, la décision de vérification par rapport à son événement, et le programme de cette page. Le mouvement lui-même vient des deux bandes entières, que l’installation garde.
+opened-evidence-what-page = Un fichier peut être falsifié en entier, et dirait alors ce que veut le faussaire. Si cela compte, lancez sightline verify avec la clé qu’affiche l’installation.
+opened-evidence-data = Toutes les données de ce fichier
+opened-evidence-decision = Décision
+opened-evidence-decision-note = La règle : une réponse n’est donnée que si la valeur est au-delà de la limite, d’un côté ou de l’autre, de la bande de garde ou plus (JCGM 106:2012, 8.3), l’incertitude de ce fichier étant supposée normale.
+opened-evidence-rule-source = La limite : { $source }
+opened-evidence-motion = Mouvement mesuré
+opened-evidence-with-u = { $value } { $unit } (u = { $u } { $unit })
+opened-evidence-speed = Vitesse quand l’avant atteint la caméra 1
+opened-evidence-acceleration = Accélération
+opened-evidence-length = Longueur
+opened-evidence-direction = Sens
+opened-evidence-direction-of = { $direction ->
+    [camera_2_first] caméra 2 d’abord
+   *[camera_1_first] caméra 1 d’abord
+}
+opened-evidence-lane-unknown = inconnue
+opened-evidence-axles = Essieux
+opened-evidence-axles-of = { $count }, { $by ->
+    [person] comptés par une personne
+   *[machine] comptés par le programme
+}
+opened-evidence-lines-1 = Avant et arrière à la caméra 1, ligne
+opened-evidence-lines-2 = Avant et arrière à la caméra 2, ligne
+opened-evidence-time-gap = Intervalle temporel avec le véhicule précédent
+opened-evidence-distance-gap = Distance au véhicule précédent
+opened-evidence-gap-none = aucun véhicule n’a été mesuré avant celui-ci
+opened-evidence-method = Mesuré
+opened-evidence-found = Bornes trouvées par le programme, { $method ->
+    [paper] appariement de blocs
+   *[direct] recalage direct
+  } ; révision { $revision } du { $at } UTC, Sightline { $version }
+opened-evidence-placed = Bornes ou roues placées par une personne, { $method ->
+    [paper] appariement de blocs
+   *[direct] recalage direct
+  } ; révision { $revision } du { $at } UTC, Sightline { $version }
+opened-evidence-review = Vérification
+opened-evidence-verdict = { $verdict ->
+    [accepted] Validé par { $by } le { $at } UTC.
+    [rejected] Rejeté par { $by } le { $at } UTC.
+    [reopened] Rouvert par { $by } le { $at } UTC.
+   *[to_review] Pas encore vérifié.
+  }
+opened-evidence-budget = Bilan d’incertitude
+opened-evidence-budget-note = Incertitudes-types ; la dernière ligne est la racine de la somme de leurs carrés.
+opened-evidence-source = Source
+opened-evidence-u-speed = u de la vitesse, m/s
+opened-evidence-u-acceleration = u de l’accélération, m/s²
+opened-evidence-u-length = u de la longueur, m
+opened-evidence-combined = composée
+opened-evidence-time = Heure
+opened-evidence-passed = Avant à la caméra 1
+opened-evidence-passed-u = { $at } (u = { $u_s } s)
+opened-evidence-start = Début de l’enregistrement, confirmé par une personne
+opened-evidence-start-u = { $at }, fuseau { $zone } (u = { $u_s } s)
+opened-evidence-since = Depuis la première ligne
+opened-evidence-clock-none = Personne n’a confirmé quand cet enregistrement a commencé : il n’y a pas d’heure.
+opened-evidence-rig = Dispositif et enregistrement
+opened-evidence-baseline = Base
+opened-evidence-baseline-there = Base au véhicule
+opened-evidence-rate = Cadence de lignes
+opened-evidence-divergence = Divergence des plans de balayage
+opened-evidence-distance = Distance aux véhicules
+opened-evidence-lane = Voie
+opened-evidence-shadow = Zone d’ombre, part basse des rangées
+opened-evidence-misalignment = Désalignement en rangées, tel que réglé
+opened-evidence-strips = Enregistrement
+opened-evidence-strips-size = { $name } : { NUMBER($lines) } lignes de { $rows } rangées, { $bits } bits
+opened-evidence-strip = SHA-256 de la bande stockée de la caméra { $camera }
+opened-evidence-audit = Journal d’audit
+opened-evidence-audit-end = La chaîne { $chain } avait { NUMBER($count) } événements quand ce fichier a été fait ; sa dernière empreinte était
+opened-evidence-event-number = N°
+opened-evidence-event-at = Le (UTC)
+opened-evidence-event-what = Événement
+opened-evidence-event-hash = Empreinte
+opened-evidence-keys = Les clés de l’installation jusqu’à celle qui a signé, chacune signée par la précédente :
+opened-evidence-pictures = Les deux images, et vos propres bornes
+opened-evidence-by-hand = Le temps va vers la droite, une colonne par ligne. Choisissez avant ou arrière, puis cliquez à sa place dans chaque image ; les champs ci-dessous acceptent aussi une ligne.
+opened-evidence-set = { $edge ->
+    [rear] Placer l’arrière (bleu)
+   *[front] Placer l’avant (jaune)
+  }
+opened-evidence-zoom = Zoom
+opened-evidence-show-lines = Afficher les bornes du fichier (tirets)
+opened-evidence-camera = Caméra { $camera }
+opened-evidence-quantity = Grandeur
+opened-evidence-hand = Selon vos bornes
+opened-evidence-file = Dans le fichier
+opened-evidence-line = { $edge ->
+    [rear] Arrière
+   *[front] Avant
+  } à la caméra { $camera }, ligne
+opened-evidence-plain-front = Vitesse de l’avant
+opened-evidence-plain-rear = Vitesse de l’arrière
+opened-evidence-plain = Votre colonne est la formule simple de deux lignes : vitesse = base / temps entre les deux caméras ; longueur = moyenne des deux vitesses × temps à la caméra 1. Ce n’est pas le résultat du serveur, qui recale toutes les lignes intermédiaires, et elle ignore l’accélération : la vitesse du fichier vaut quand l’avant atteint la caméra 1.
+opened-evidence-no-speed = ces lignes ne sont pas un passage
+opened-evidence-not-set = placez les quatre bornes
+opened-evidence-no-shift = pas de vitesse
+opened-evidence-speed-of = { $kmh } km/h ({ $mps } m/s)
+opened-evidence-overlay = Caméra 2 superposée à la caméra 1
+opened-evidence-shift = Reculer la caméra 2 de (lignes)
+opened-evidence-opacity = Opacité de la caméra 2
+opened-evidence-difference = Afficher la différence
+opened-evidence-shift-hand = { $edge ->
+    [rear] Vos arrières ensemble
+   *[front] Vos avants ensemble
+  }
+opened-evidence-shift-file = { $edge ->
+    [rear] Les arrières du fichier ensemble
+   *[front] Les avants du fichier ensemble
+  }
+opened-evidence-shift-words = { $lines } lignes font { $ms } ms ; par base / temps, cela fait { $speed }.
+
+## Preuve d'un véhicule balayé : sa création, sa décision et son contrôle
+evidence-no-rule = Aucune limite n’a été indiquée, rien n’a donc été décidé.
+evidence-decided = { $answer ->
+    [conforming] Conforme
+    [not_conforming] Non conforme
+   *[undecided] Indéterminé
+  } : { $quantity ->
+    [speed] la vitesse
+    [time_gap] l’intervalle temporel
+   *[distance_gap] la distance inter-véhicules
+  } est de { $value } { $unit } avec une incertitude-type de { $u } { $unit } ; { $side ->
+    [upper] au plus
+   *[lower] au moins
+  } { $limit } { $unit } sont demandés. { $answer ->
+    [conforming] La limite est respectée de plus que la bande de garde de { $guard } { $unit } ({ $factor } u) ; la probabilité que cette réponse soit fausse est { $least ->
+        [under] inférieure à
+       *[about] d’environ
+    } { $chance } %, et { $risk } % étaient admis.
+    [not_conforming] La limite est enfreinte de plus que la bande de garde de { $guard } { $unit } ({ $factor } u) ; la probabilité que cette réponse soit fausse est { $least ->
+        [under] inférieure à
+       *[about] d’environ
+    } { $chance } %, et { $risk } % étaient admis.
+   *[undecided] L’écart à la limite ne dépasse pas la bande de garde de { $guard } { $unit } ({ $factor } u) ; la réponse la plus probable serait fausse avec une probabilité { $least ->
+        [under] inférieure à
+       *[about] d’environ
+    } { $chance } %, et { $risk } % étaient admis.
+  }
+evidence-none-refused = Rien n’a été décidé : le véhicule n’a pas de mouvement mesuré. { $reason }
+evidence-none-rig = Rien n’a été décidé : des valeurs du dispositif ont été modifiées après la mesure de ce véhicule, ou du précédent.
+evidence-none-review = Rien n’a été décidé : { $verdict ->
+    [rejected] un vérificateur a rejeté la mesure.
+    [reopened] un vérificateur a rouvert la mesure, et personne ne l’a validée depuis.
+   *[other] aucun vérificateur n’a validé la mesure.
+  }
+evidence-none-first = Rien n’a été décidé : aucun véhicule n’a été mesuré avant celui-ci, il n’y a donc pas d’intervalle.
+evidence-none-before = Rien n’a été décidé : le véhicule { $number }, qui précède celui-ci, n’a pas de mouvement mesuré avec le dispositif actuel.
+evidence-none-before-review = Rien n’a été décidé : { $verdict ->
+    [rejected] un vérificateur a rejeté
+    [reopened] personne n’a validé depuis sa réouverture
+   *[other] aucun vérificateur n’a validé
+  } la mesure du véhicule { $number }, qui précède celui-ci.
+evidence-none-value = Rien n’a été décidé : il n’y a pas de valeur avec une incertitude. { $reason }
+evidence-not-measured = Le véhicule { $number } n’a jamais été mesuré, il n’y a donc rien à montrer ; mesurez-le d’abord.
+evidence-no-picture = La bande de la caméra { $camera } finit avant le véhicule ; placez son avant et son arrière dans la bande.
+evidence-too-long = L’avant et l’arrière sont à { NUMBER($lines) } lignes l’un de l’autre, plus que n’en prend un véhicule ({ NUMBER($most) }) ; corrigez ses bornes.
+evidence-pages-not-built = La page des dossiers de preuve n’est pas construite ici ; lancez make setup et réessayez.
+evidence-one-limit = Indiquez une limite : --most-kmh, --least-time-gap-s ou --least-distance-gap-m, supérieure à 0 et inférieure à 10 000.
+evidence-no-scan = Le relevé n’a pas d’enregistrement de balayage linéaire { $scan } ; il a : { $names }.
+evidence-no-vehicle = Il n’y a pas de véhicule { $number } dans { $scan } ; voyez les numéros sur la page du balayage.
+evidence-not-one = Ce n’est pas un dossier de preuve tel que ce programme les écrit, ou il a été tronqué ; reprenez le fichier.
+evidence-form = La partie « { $part } » est illisible ({ $words }) ; elle a été modifiée.
+evidence-another-page = Le programme de la page n’est pas celui que nomme le document ; il a été modifié.
+evidence-not-canonical = Le document n’est pas dans sa forme JSON canonique ; il a été modifié.
+evidence-signature = La signature ne vaut pas pour ce que dit le document.
+evidence-keys = Le document ne dit pas comment sa clé découle des précédentes.
+evidence-other-key = Le fichier a été signé avec la clé { $key } et ne sait rien de la clé indiquée ; il vient d’une autre installation ou est falsifié.
+evidence-pictures = Il n’y a pas deux images, de la caméra 1 et de la caméra 2.
+evidence-picture = L’image { $name } n’est pas celle que nomme le document.
+evidence-picture-size = L’image { $name } a une autre taille que ne le dit le document.
+evidence-event = L’événement d’audit { $number } n’est pas celui qui a été haché, ou il est d’une autre chaîne.
+evidence-no-event = Aucun événement d’audit ne parle { $part ->
+    [before] du véhicule précédent
+   *[measurement] de la mesure
+  }.
+evidence-not-as-event = { $part ->
+    [before] Le véhicule précédent
+   *[measurement] La mesure
+  } diffère de ce que disent ses événements d’audit : { $named }.
+evidence-made-again = Refait à partir du document, ceci donne autre chose : { $named }.
+evidence-numbers = Pour { $part ->
+    [before] le véhicule précédent
+   *[measurement] la mesure
+  }, ceci ne découle pas des lignes, du dispositif et du bilan : { $named }.
+evidence-page-other-version = La page a été faite par une autre version du programme : son empreinte est signée, mais n’a pas été comparée à une page de cette version.
+evidence-key-given = La signature prouve ce que le détenteur de cette clé a signé, non qui détenait la clé, ni que c’est vrai, ni quand c’était.
+evidence-key-not-given = Signé avec la clé { $key } : qui falsifie un fichier peut le signer avec sa propre clé. Comparez-la à celle qu’affiche l’installation, ou indiquez celle-ci avec --key.
+statistics-risk-cannot-be = Un risque de { $risk } est impossible ; indiquez-en un de { $least } à { $most }.
+
+## Une mire à imprimer
+
+print-board-title = Damier : { $columns } × { $rows } coins intérieurs, cases de { $square_mm } mm
+print-board-title-charuco = Mire ChArUco : { $columns } × { $rows } coins intérieurs, cases de { $square_mm } mm, marqueurs { $dictionary } de { $marker_mm } mm
+print-board-check = Imprimez sur { $paper } à taille réelle (100 %), sans ajustement à la page. Mesurez ensuite la barre ci-dessus : elle fait { $bar_mm } mm de long. Si l’impression diffère, mesurez une rangée entière de cases et indiquez la taille réelle d’une case.
+geometry-board-larger-than-paper = La mire demande une feuille de { $width_mm } x { $height_mm } mm avec son bord blanc, plus grande que A0 ; choisissez des cases plus petites, ou nommez un rouleau de papier, par exemple 1200x900.
+geometry-board-not-on-paper = La mire demande une feuille de { $width_mm } x { $height_mm } mm avec son bord blanc et ne tient pas sur { $paper } ; choisissez un papier plus grand ou des cases plus petites.
+geometry-paper-not-known = Il n’y a pas de papier { $paper } ; utilisez l’un de { $papers }, ou sa largeur et sa hauteur en mm, par exemple 841x1500.
+reference-value-cannot-be = Une référence ({ $quantity }) de { $value } { $unit } est impossible ; indiquez une valeur supérieure à 0 et d’au plus { $most } { $unit }.
+reference-u-cannot-be = Une incertitude de { $u } { $unit } pour { $quantity } de { $value } { $unit } est impossible ; indiquez une incertitude-type supérieure à 0 et non supérieure à la valeur elle-même.
+reference-device-too-long = Le nom de l’instrument dépasse { $most } caractères ; raccourcissez-le.
+reference-withdrawn-already = Cette valeur de référence a déjà été supprimée ; rien n’a été fait.
+reference-changed-meanwhile = { $name } a modifié cette valeur de référence entre-temps ; regardez-la d’abord.
+reference-columns-missing = { $name } demande une colonne « number » (numéro du véhicule dans son enregistrement) ou « time » (heure de son passage) et l’une de speed_kmh, length_m, wheelbase_m ou run_of ; sa première ligne nomme les colonnes.
+reference-column-unit = La colonne « { $column } » de { $name } ne dit pas son unité ; nommez-la de l’une de ces façons : { $names }, précédée de « u_ » pour l’incertitude.
+reference-no-line-used = Aucune ligne de { $name } n’est utilisable ; ligne { $line } : { $reason }
+reference-line-no-number = Le numéro du véhicule est « { $number } » ; indiquez le nombre entier affiché à l’établi.
+reference-line-no-vehicle = Cet enregistrement n’a pas de véhicule { $number }.
+reference-line-not-number = « { $cell } » n’est pas un nombre.
+reference-line-no-u = Aucune incertitude pour { $quantity } ; indiquez u_{ $quantity } à côté.
+reference-line-no-value = Il y a une incertitude pour { $quantity }, mais pas de valeur.
+reference-line-no-source = La source est « { $source } » ; utilisez l’une de : { $known }.
+reference-line-empty = La ligne n’indique ni valeur ni véhicule.
+reference-line-twice = La ligne { $line } indique déjà { $quantity } de ce véhicule par { $source }.
+reference-line-no-time = « { $text } » n’est pas une heure avec secondes ; donnez-la sous la forme 14:05:32.4 ou 2025-05-14T14:05:32.4.
+reference-line-no-date = L’enregistrement dure jusqu’à un autre jour, où { $time } revient ; donnez aussi la date.
+reference-line-nobody = Aucun véhicule de cet enregistrement n’a d’heure, donc aucun n’est passé à moins de { $tolerance_s } s de { $time }.
+reference-line-nobody-near = Aucun véhicule n’est passé à moins de { $tolerance_s } s de { $time } ; le plus proche est le véhicule { $number }, à { $apart_s } s.
+reference-line-several = Les véhicules { $numbers } sont passés à moins de { $tolerance_s } s de { $time } ; donnez le numéro du bon.
+reference-line-fits-others = D’après son heure c’est le véhicule { $number }, mais la ligne { $lines } donne aussi sa grandeur { $quantity } par { $source } ; donnez les numéros des véhicules.
+reference-line-fits-cars = D’après son heure c’est le véhicule { $number }, mais la ligne { $lines } lui donne un autre nom de voiture ; donnez les numéros des véhicules.
+reference-line-vehicle-without-time = Le véhicule { $number } n’a pas d’heure à comparer à celle-ci ; omettez l’heure.
+reference-line-time-of-another = Le véhicule { $number } est passé à { $apart_s } s de cette heure, plus de { $tolerance_s } s.
+reference-times-need-start = { $name } contient des heures, mais le début de ce balayage n’est pas confirmé, donc aucun véhicule n’a d’heure. Confirmez le début, ou donnez les numéros des véhicules.
+reference-times-later = Les heures de { $count } lignes sont en retard de { $off_s } s (médiane) sur celles de leurs véhicules.
+reference-times-earlier = Les heures de { $count } lignes sont en avance de { $off_s } s (médiane) sur celles de leurs véhicules.
+reference-times-start = Le début de ce balayage n’est connu qu’à ± { $U95_s } s près, plus que la tolérance de { $tolerance_s } s : une ligne peut convenir à un voisin. Contrôlez les paires.
+reference-line-replaces = Remplace { $quantity } { $value } { $unit } (u { $u } { $unit }).
+reference-line-renames = Était un passage de { $car }.
+reference-car-too-long = Le nom du véhicule dépasse 100 caractères ; raccourcissez-le.
+scans-reference-does-not-follow = { $path } : { $name } de la ligne { $number } ne découle pas de la référence et de la valeur propre du véhicule.
+
+## What the server says in English, found again by its text (sightline/messages/recognised.py)
+
+told-adjustment-its-of-m-is = Son { $lengths ->
+       [wheelbase] empattement
+       *[other] hauteur connue
+    } de { $known_m } m est de { $u } incertitudes-types trop { $u2 ->
+       [long] grande
+       *[other] petite
+    } pour les points observés ; vérifiez le modèle.
+told-adjustment-too-many-of-its = Trop de ses points ne sont pas sur une même ligne droite.
+told-adjustment-a-point-lies-outside = Un point est hors de l’image.
+told-adjustment-a-tyre-lies-where = Un pneu est là où il n’y a pas de route : au-dessus de l’horizon, ou hors du rayon du modèle d’objectif.
+told-adjustment-the-traffic-contradicts-with = Le trafic contredit { $name } avec son u indiquée de { $u } ; ce terme a été exclu.
+told-adjustment-the-points-scatter-times = Les points se dispersent { $point_factor } fois plus qu’indiqué ; leurs incertitudes ont été multipliées par ce facteur.
+told-adjustment-the-global-test-fails = Le test global échoue : khi-deux { $chi2 } pour { $freedom } degrés de liberté ; les incertitudes indiquées ne sont pas compatibles entre elles.
+told-adjustment-with-vehicles-a-wrong = Avec { $used } véhicules, un véhicule erroné ne se distingue pas d’une pose erronée.
+told-adjustment-is-far-from-0 = { $name } est loin de 0 pour son u indiquée de { $u } ; vérifiez que les longueurs connues se rapportent aux points suivis.
+told-adjustment-the-known-values-of = Les valeurs connues ({ $name }) se dispersent { $factor } fois plus qu’indiqué ; leurs incertitudes ont été multipliées par ce facteur.
+told-adjustment-no-pass-with-a = Aucun passage de longueur connue n’a pu servir ; la pose est inchangée.
+told-adjustment-a-point-or-its = Un point ou son incertitude n’est pas un nombre fini.
+told-adjustment-the-uncertainty-of-a = L’incertitude d’un point n’est pas positive.
+told-adjustment-a-point-is-given = Un point est donné deux fois sur une image.
+told-adjustment-no-tyre-of-it = Aucun pneu de ce véhicule n’est mesuré ; rien ne le rattache à la chaussée.
+told-adjustment-no-known-length-of = Aucune longueur connue de ce véhicule n’est mesurée.
+told-cameras-the-file-states-no = Le fichier n’indique pas d’incertitude de l’objectif ; cette composante manque dans l’incertitude de chaque hauteur.
+told-cameras-focal-length-px = focale { $fx_px } px
+told-cameras-of-views-used-residual = { $used } vues utilisées sur { $given }, résidu { $rms_px } px, { $focal }.
+told-cameras-imported-from-model-focal = Importé de { $file_name } : modèle { $model }, focale { $fx_px } px.
+told-cameras-no-board-was-found = Aucune mire n’a été trouvée.
+told-cameras-the-search-was-given = La recherche a été arrêtée.
+told-export-writing-vehicles-reviews-and = Écriture des véhicules, des vérifications et de la chaîne d’audit.
+told-export-cutting-out-the-pictures = Découpe des vues de chaque pointé.
+told-export-writing-the-measurements = Écriture des mesures.
+told-export-computing-statistics-drawing-figures = Calcul des statistiques, tracé des figures et du rapport.
+told-export-the-measurement-was-taken = La mesure a été retirée.
+told-export-nobody-has-reviewed-it = Elle n’est pas encore vérifiée.
+told-export-this-package-is-of = Elle n’est pas des véhicules de cette archive.
+told-export-there-is-no-height = Il n’y a pas de hauteur.
+told-export-a-reviewer-rejected-it = Elle a été rejetée par un vérificateur.
+told-export-it-was-reopened-and = Elle a été rouverte et attend une nouvelle vérification.
+told-export-reading-the-survey = Lecture du relevé.
+told-export-storing-the-package = Enregistrement de l’archive.
+told-export-packing-the-files = Archivage des fichiers.
+told-geometry-the-pose-does-not = La pose n’indique pas pour la mire : { $join } ; non compris dans l’incertitude.
+told-geometry-the-board-is-unknown = La mire est inconnue ; son inclinaison, sa hauteur, le côté de ses cases et sa flèche ne sont pas compris dans l’incertitude.
+told-geometry-the-picture-is-x = La photo fait { $size }x{ $size2 } px, la plupart des autres { $usual }x{ $usual2 } px.
+told-geometry-the-picture-is-blurred = La photo est floue (bords larges de { $sharpness } px).
+told-geometry-and-a-height-at = et une hauteur à { $distance_m } m change de { $size } mm
+told-geometry-the-board-is-not = La mire n’est pas plane : elle fléchit d’environ { $bow } % d’une case ; avec sa forme estimée, le résidu passe de { $flat } à { $bent } px{ $makes }. Fixez la mire sur une plaque rigide et plane et reprenez les photos, ou étalonnez en tenant compte de la flèche.
+told-geometry-the-road-is-too = La route est ici trop proche ou trop lointaine pour distinguer une roue.
+told-geometry-the-wheel-is-seen = La roue est vue ici trop en biais ; sa bande de roulement cache le contact.
+told-geometry-no-whole-rim-is = Aucune jante entière n’est visible ici ; le pneu ne peut être séparé de l’ombre et de la carrosserie.
+told-geometry-the-lower-edge-of = Le bord inférieur du pneu ne se détache pas ici de la route.
+told-geometry-what-looks-like-a = La roue détectée ici aurait un rayon de { $radius } m.
+told-geometry-the-wheel-that-is = La roue détectée est trop loin du pointeur ; pointez plus près de son contact.
+told-geometry-no-board-of-x = Aucune mire de { $columns }x{ $rows } coins intérieurs n’a été trouvée ; montrez la mire entière avec sa marge blanche, nette et éclairée uniformément, et comptez les coins intérieurs.
+told-geometry-no-board-before-limit = Aucune mire de { $columns }x{ $rows } coins intérieurs n’a été trouvée dans le temps imparti à la recherche ; montrez la mire entière avec sa marge blanche, nette et éclairée uniformément, et comptez les coins intérieurs.
+told-geometry-the-board-is-cut = La mire est coupée par le bord de l’image ; montrez-la en entier.
+told-geometry-the-squares-are-smaller = Les cases font moins de 3 px ; approchez la mire ou prenez des cases plus grandes.
+told-geometry-what-was-found-is = Le motif trouvé n’est pas un damier.
+told-geometry-the-picture-is-too = L’image est trop petite pour contenir une mire.
+told-geometry-no-charuco-board-of = Aucune mire ChArUco de { $columns }x{ $rows } coins intérieurs avec des marqueurs { $dictionary } n’a été trouvée, ou trop peu ; elle doit être nette et de ce dictionnaire.
+told-geometry-the-squares-are-smaller-than = Les cases font moins de 3 px ; approchez la mire.
+told-geometry-the-board-goes-on = La mire continue { $side } au-delà de { $columns }x{ $rows } coins intérieurs ; recomptez-les.
+told-geometry-the-corners-found-do = Les coins trouvés ne forment pas une grille régulière ; quelque chose couvre la mire ou elle n’est pas plane.
+told-geometry-two-halves-need-at = Deux moitiés demandent au moins { $least } vues utilisables{ $bent_board } ; il y en a { $usable }. Prenez d’autres photos.
+told-geometry-a-board-lies-where = Une mire est là où le modèle d’objectif n’a pas d’inverse ; ajoutez des photos qui atteignent les coins.
+told-geometry-the-halves-could-not = Les deux moitiés n’ont pas pu être étalonnées séparément : { $message }
+told-geometry-two-halves-of-the = Deux moitiés des photos, étalonnées séparément, diffèrent de { $size } mm pour une hauteur à { $distance_m } m{ $by } : plus que le bruit des coins ne l’explique. L’objectif demande peut-être l’autre modèle, la mire est peut-être gauchie, ou le zoom ou la mise au point a changé entre les photos.
+told-geometry-pictures-that-did-not = Les photos hors ajustement s’accordent bien moins que les photos ajustées ({ $held_out } px contre { $fit } px) ; ajoutez des photos où la mire est inclinée, partout dans l’image.
+told-geometry-only-background-points-are = Seuls { $count } points du fond sont retrouvés, ou tous dans une même partie de l’image ; elle est trop sombre, masquée, ou montre une autre vue.
+told-geometry-no-target-m-high = Aucune cible haute de { $target_m } m sur la route entre 3 et 12 m n’est dans l’image.
+told-geometry-no-frame-was-looked = Aucune image n’a été examinée.
+told-geometry-the-side-plane-is = Le plan latéral est vu sous moins de 10 degrés.
+told-geometry-a-click-lies-near = Un pointé est près du bord de ce que le modèle d’objectif sait inverser.
+told-geometry-the-vehicle-is-at = Le véhicule est à une tout autre distance que ne l’était la mire.
+told-geometry-the-uncertainty-is-large = L’incertitude est grande ; l’intervalle à 95 % est approché.
+told-geometry-the-uncertainty-of-lens = L’incertitude de l’objectif et de la pose est inconnue et n’est pas comprise.
+told-geometry-the-uncertainty-of-the = L’incertitude de l’objectif est inconnue ; seul ce que dit le fichier de pose est compté.
+told-geometry-does-not-name-its = { $file_name } ne nomme pas son modèle de distorsion ; ses quatre coefficients ont été lus comme { $taken } (à choisir par --model).
+told-geometry-not-enough-data-a = Pas assez de données : il faut quelques centaines de véhicules pour u = 0,15 m.
+told-geometry-at-least-vehicles-of = Il faut au moins { $least_known } véhicules de hauteur connue ; utilisables : { $rows }.
+told-geometry-the-vehicles-are-about = Non concluant : les véhicules sont à peu près à la hauteur de la caméra, où le retrait a peu d’effet.
+told-geometry-no-inset-fits-the = Aucun retrait ne s’accorde aux hauteurs du constructeur ; contrôlez-les, ainsi que la hauteur de la caméra et les pointés.
+told-geometry-it-says-next-to = Cela ne dit presque rien : trop peu de véhicules pour des hauteurs si proches de la caméra ou si incertaines.
+told-geometry-at-least-vehicles-are = Il faut au moins { $least_trend } véhicules ; utilisables : { $rows }.
+told-geometry-the-heights-do-not = Les hauteurs ne donnent pas de retrait : trop peu de véhicules, ou tous à peu près à la même distance.
+told-geometry-it-says-nothing-this = Cela ne dit rien : cette cible est à peu près à la hauteur de la caméra, où le retrait ne compte guère.
+told-geometry-it-says-nothing-all = Cela ne dit rien : tous sont passés à peu près à la même distance, { $d } à { $d2 } m.
+told-geometry-at-least-vehicles-measured = Il faut au moins { $least_known } véhicules mesurés sur deux images ; il y en a { $values }.
+told-geometry-it-says-next-to-nothing = Cela ne dit presque rien : les images étaient trop rapprochées.
+told-geometry-it-is-not-known = Le côté du conducteur (proche ou éloigné) n’est pas indiqué, et la hauteur de l’œil en dépend ; indiquez-le.
+told-geometry-near-edge-of-the = bord proche du toit ; 0,85 m (u 0,10 m) pour son sommet (estimation)
+told-geometry-driver-on-the-side = conducteur du côté de la caméra (estimation)
+told-geometry-driver-on-the-side-away = conducteur du côté opposé à la caméra (estimation)
+told-geometry-not-known = retrait inconnu
+told-geometry-outer-edge-of-the = bord extérieur du feu (estimation)
+told-geometry-the-clicks-do-not = Les pointés ne correspondent pas à un même véhicule en mouvement ; pointez les deux mêmes points sur chaque image.
+told-geometry-contact-and-target-are = Contact et cible sont nécessaires sur deux images au moins.
+told-geometry-the-clicks-disagree-with = Les pointés ne suivent pas une trajectoire droite et horizontale ; vérifiez que les mêmes points sont pointés sur chaque image.
+told-geometry-the-solved-inset-is = Le retrait calculé n’est pas plausible pour un véhicule routier ; contrôlez les pointés.
+told-geometry-the-frames-are-too = Les images sont trop rapprochées pour bien déterminer le retrait.
+told-geometry-the-vehicle-moved-only = Le véhicule n’a avancé que de { $travel } m entre les images ; choisissez des images plus éloignées.
+told-geometry-the-frames-do-not = Les images ne déterminent pas le retrait ; choisissez des images plus éloignées.
+told-geometry-stand-the-board-square = Placez la mire perpendiculaire à la route, pas à la verticale : avec un dévers de { $crossfall } %, une mire verticale fausse les hauteurs de { $mm } mm à { $distance_m } m et de { $mm2 } mm à 1 m de plus.
+told-geometry-road-or-target-lie = La route ou la cible est hors de l’image pour : { $join } ; reculez ou prenez un objectif plus large.
+told-geometry-a-board-seen-obliquely = Une mire vue en biais fixe mieux la direction de la caméra qu’une mire vue de face, mais les pointés valent un peu moins : caméra tournée de 30 degrés le long de la route, un œil a ±{ $U95_mm } mm au lieu de ±{ $U95_mm2 } mm.
+told-geometry-click-eye-and-contact = Pointez l’œil et le contact sur une deuxième image quand la vitesse le permet : avec { $travel_m } m parcourus, le retrait est calculé au lieu d’être supposé, et ±{ $U95_mm } mm deviennent ±{ $U95_mm2 } mm. À 50 km/h et 25 images par seconde, c’est { $frames } images plus loin.
+told-geometry-put-the-board-at = Placez la mire à la trace de roues, à { $distance_m } m, et non à { $board_m } m : les erreurs de pose, d’inclinaison et de focale s’annulent à la distance de la mire et croissent en s’en éloignant.
+told-geometry-the-lane-is-very = La voie est très proche ; reculez à 2 m au moins.
+told-geometry-the-picture-would-not = L’image ne montrerait pas une mire à { $board_m } m dont la rangée du haut est à { $board_top_m } m au-dessus de la route ; placez-la à la trace de roues, reculez ou prenez un objectif plus large.
+told-geometry-the-camera-stands-at = La caméra est à peu près à la hauteur de l’œil du conducteur ({ $height_m } m), où le retrait ne compte guère ; pour les toits ou les feux, placez-la à leur hauteur.
+told-geometry-a-second-frame-m = Une deuxième image { $travel_m } m plus loin ne réduit pas l’incertitude ici (±{ $U95_mm } mm pour un œil) ; prenez des images plus éloignées.
+told-geometry-the-whole-board-does = La mire entière n’entre pas dans l’image ; la pose de la caméra ne peut être calculée.
+told-geometry-the-picture-shows-contact = L’image ne montre contact et cible que sur { $shown } m de la trace de roues ; on ne peut les pointer deux fois à { $travel_m } m d’intervalle.
+told-geometry-no-frame-was-given = Aucune image n’a été donnée.
+told-geometry-at-most-of-its = Au plus { $parts } de ses { $whole } coins ont été trouvés ; montrez la mire entière.
+told-geometry-the-board-was-not = La mire n’a pas été trouvée dans { $missed } des images ; celles-ci ne servent pas.
+told-geometry-board-or-camera-moved = La mire ou la caméra a bougé dans certaines images ; seules servent les images au repos.
+told-geometry-the-corners-miss-the = Les coins ne suivent le modèle qu’à { $rms } px près ; la mire est peut-être courbée ou l’étalonnage mauvais.
+told-geometry-two-poses-fit-the = Deux poses s’accordent presque aussi bien à la mire ; tournez-la d’une trentaine de degrés ou approchez-la.
+told-geometry-the-squares-are-small = Les cases sont petites dans l’image ; approchez la mire.
+told-geometry-the-board-appears-rolled = La mire paraît tournée de { $roll } degrés ; contrôlez que colonnes et rangées ne sont pas inversées.
+told-geometry-only-one-frame-is = Une seule image est utilisée ; l’immobilité de la mire n’est pas contrôlée.
+told-geometry-a-click-coordinate-is = Une coordonnée de pointé n’est pas un nombre fini.
+told-geometry-the-contact-point-lies = Le contact est hors de l’image.
+told-geometry-the-target-point-lies = La cible est hors de l’image.
+told-geometry-the-contact-point-lies-outside = Le contact est hors du rayon valable du modèle d’objectif ; sa direction est inconnue.
+told-geometry-the-target-point-lies-outside = La cible est hors du rayon valable du modèle d’objectif ; sa direction est inconnue.
+told-geometry-the-pose-puts-the = La pose place la caméra sur la chaussée ou dessous ; recalculez la pose de la caméra.
+told-geometry-the-contact-point-lies-at = Le contact est sur l’horizon ou au-dessus, où il n’y a pas de route.
+told-geometry-the-contact-point-lies-behind = Le contact est derrière le plan de la caméra, vu en travers de la route.
+told-geometry-the-side-plane-through = Le plan latéral passant par le contact est vu presque par la tranche.
+told-geometry-the-target-ray-never = Le rayon de la cible ne rencontre pas le plan latéral devant la caméra.
+told-geometry-the-target-lies-on = La cible est sur la route ou dessous ; contact et cible sont-ils inversés ?
+told-geometry-a-click-uncertainty-inset = Une incertitude de pointé, un retrait ou son incertitude n’est pas un nombre fini, ou une incertitude est négative.
+told-geometry-tilt-the-board-by = Inclinez la mire d’environ 30 degrés, { $edge } plus près de la caméra.
+told-geometry-bring-the-board-nearer = Approchez la mire : elle ne remplit jamais plus de { $share } % de l’image ; un tiers ou plus convient.
+told-geometry-hold-the-board-in = Tenez la mire dans cette partie de l’image : { $listed }.
+told-geometry-the-board-moved-too = La mire a trop bougé entre deux images.
+told-geometry-turned-by-degrees-to = Pivotée de { $heading_rad } degrés vers le sens de circulation.
+told-geometry-the-two-tyre-contacts = Les deux contacts de pneu ne sont qu’à { $base_m } m l’un de l’autre ; pointez le pneu avant et le pneu arrière du même côté.
+told-geometry-the-two-tyre-contacts-are = Les deux contacts de pneu sont à { $base_m } m l’un de l’autre ; pointez les deux pneus d’un même véhicule.
+told-geometry-a-tyre-contact-lies = Un contact de pneu est au bord de la chaussée visible ; prenez une autre image.
+told-geometry-both-tyre-contacts-of = Il faut les deux contacts de pneu d’au moins { $least_vehicles } véhicules ; utilisables : { $sum }.
+told-geometry-the-tyre-contact = Contact du pneu { $word ->
+       [front] avant
+       [first] 1
+       [second] 2
+       *[other] arrière
+    } : { $lower }{ $point }
+told-geometry-contact-and-target-give = Contact et cible ne donnent pas de hauteur.
+told-geometry-the-lens-model-cannot = Le modèle d’objectif ne s’inverse pas dans les coins de l’image : rien n’y est mesuré ; ajoutez des photos qui atteignent les coins.
+told-geometry-in-of-views-the = Dans { $small } vues sur { $spacings_px }, les cases font moins de { $small_square_px } px et leurs coins sont inexacts ; approchez la mire ou prenez des cases plus grandes.
+told-geometry-fits-much-worse-than = { $file } s’accorde bien moins que les autres ({ $value } px contre { $usual } px) ; contrôlez ses coins.
+told-geometry-only-views-were-used = Seules { $count } vues ont servi ; sous { $few_views }, un petit résidu prouve peu ; prenez-en 15 à 25.
+told-geometry-only-of-the-views = Seules { $different } des { $count } vues diffèrent, car la mire n’a guère bougé entre les autres ; déplacez-la et inclinez-la entre les photos, ou prenez des images plus éloignées.
+told-geometry-the-boards-cover-of = Les mires couvrent { $share } de l’image ; ajoutez des vues qui atteignent ses bords et ses coins, où la distorsion est la plus forte.
+told-geometry-all-boards-face-the = Toutes les mires sont orientées de même ; focale et distance ne se distinguent pas ; inclinez la mire de 30 à 45 degrés dans plusieurs directions.
+told-geometry-the-residual-of-px = Le résidu de { $rms } px est élevé ; la mire n’est peut-être pas plane, sa taille est peut-être fausse, ou l’objectif demande un autre modèle.
+told-geometry-the-model-fits-better = Le modèle { $better } convient mieux ({ $other } px contre { $rms } px) ; étalonnez avec lui.
+told-geometry-the-views-do-not = Les vues ne déterminent pas l’objectif ; son incertitude ne peut être indiquée.
+told-geometry-the-focal-length-is = La focale n’est connue qu’à { $relative } ; prenez d’autres vues, inclinées et proches.
+told-geometry-the-optical-axis-lies = L’axe optique est loin du milieu de l’image ; la photo a-t-elle été recadrée ?
+told-geometry-the-two-focal-lengths = Les deux focales diffèrent de plus de 10 % ; les pixels sont-ils carrés ?
+told-geometry-pictures-of-several-sizes = Photos de plusieurs tailles : { $other_size } ignorées qui ne font pas { $width_px }x{ $height_px } px (d’abord { $other_size2 }) ; un étalonnage ne vaut que pour une taille, prenez des photos à la taille des enregistrements.
+told-geometry-the-board-was-used = La mire n’a servi que dans { $used } photos sur { $used2 } ; recomptez ses coins intérieurs et montrez-la entière, nette et éclairée uniformément.
+told-geometry-the-followed-points-do = Les points suivis ne correspondent pas à un même véhicule en mouvement ; suivez-les à nouveau.
+told-geometry-it-lies-px-from = Il est à { $off_px } px de la position donnée par les autres images, { $times } fois son incertitude.
+told-geometry-no-point-was-followed = Aucun point n’a été suivi ; confirmez d’abord contact et cible sur une image.
+told-geometry-the-followed-points-do-not = Les points suivis ne donnent pas de trajectoire sur la chaussée ; suivez-les à nouveau.
+told-geometry-the-frames-do-not-fix = Les images ne déterminent pas le retrait ; suivez les points sur une plus longue distance.
+told-geometry-it-lies-outside-the = Il est hors de l’image.
+told-geometry-the-followed-points-disagree = Les points suivis s’écartent d’une trajectoire droite et horizontale de plus que leur incertitude.
+told-geometry-the-solved-inset-is-not = Le retrait calculé n’est pas plausible pour un véhicule routier ; contrôlez les points.
+told-geometry-it-lies-outside-the-lens = Il est hors du rayon valable du modèle d’objectif.
+told-geometry-it-lies-at-or = Il est sur l’horizon ou au-dessus, où il n’y a pas de route.
+told-geometry-of-followed-points-had = { $dropped } points suivis sur { $frame } ont été exclus ; suivez-les à nouveau à partir d’une image plus nette.
+told-jobs-gave-up = Le processus s’est arrêté { $attempts } fois au milieu de la tâche ; contrôlez le fichier et la mémoire.
+told-jobs-broke = Une erreur du programme a arrêté la tâche ({ $name }) ; réessayez, et signalez-la si elle revient.
+told-infra-a-worker-stopped-in = La tâche a été interrompue ; elle est relancée.
+told-infra-waits-for-the-next = En attente d’être relancée.
+told-linescan-too-little-of-the = Trop peu du véhicule est assez net pour être recalé d’une bande à l’autre.
+told-linescan-the-two-pictures-of = Les deux images du véhicule ne suivent pas un même mouvement : deux véhicules côte à côte, un véhicule arrêté ou des lignes perdues.
+told-linescan-the-boundaries-are-not = Les bornes ne sont pas dans l’ordre : l’avant doit précéder l’arrière devant les deux caméras.
+told-linescan-the-registration-did-not = Le recalage n’a pas entièrement convergé.
+told-linescan-the-cameras-disagree-by = Les caméras diffèrent de { $apart_m } cm sur l’avant ou l’arrière : contrôlez les bornes, et si deux véhicules passent côte à côte.
+told-linescan-part-of-the-picture = Une partie de l’image est saturée ; réduisez l’exposition.
+told-linescan-no-vehicle-was-found = Aucun véhicule n’a été trouvé ; contrôlez les bandes, et que le temps court selon l’axe choisi.
+told-linescan-of-vehicles-reached-the = { $reversed } véhicules sur { $found } ont atteint d’abord la deuxième bande ; si le trafic ne va pas dans ce sens ici, les bandes sont inversées.
+told-linescan-times-something-passed-one = { $alone } fois, quelque chose n’est passé que devant une caméra : vérifiez que les deux montrent la même voie, et contrôlez base et cadence de lignes.
+told-linescan-the-light-jumped-a = La luminosité a varié brusquement ({ $times }) ; les véhicules passés à ce moment peuvent manquer.
+told-linescan-a-camera-moved-the = Une caméra a bougé ({ $times }) : depuis, la chaussée est quelques rangées plus haut ou plus bas ; fixez la caméra solidement.
+told-linescan-what-camera-took-for = La chaussée vide de la caméra { $number } varie de { $unrest } % d’une ligne à l’autre : neige, pluie, ou véhicule au début ; enregistrez d’abord la chaussée vide.
+told-linescan-camera-saw-short-things = La caméra { $number } montre { $rate } objets courts par seconde : pluie, neige ou insectes ; contrôlez les bornes.
+told-linescan-the-light-before-camera = La lumière à la caméra { $number } scintille de { $share } %, comme un éclairage sur secteur ; changez d’éclairage, ou attendez-vous à des incertitudes plus grandes.
+told-linescan-of-the-picture-of = { $share } % de l’image de la caméra { $number } est saturée ; réduisez l’exposition.
+told-linescan-the-vehicle-stopped-or = Le véhicule s’est arrêté ou presque devant les caméras ; marquez-en un autre, ou mesurez-le à la main.
+told-linescan-something-stood-in-view = Quelque chose est resté en vue plus longtemps qu’un passage ; arrêt, ou changement de lumière.
+told-linescan-the-vehicle-is-cut = Le véhicule est coupé par le début ou la fin de l’enregistrement.
+told-linescan-the-empty-road-was = La chaussée vide avant le véhicule est trop instable : neige, pluie, ou trafic dès la première ligne ; commencez l’enregistrement quand la chaussée est vide.
+told-linescan-it-is-about-m = Sa longueur estimée est de { $length_m } m, et la limite de { $most_m } m : un train, des véhicules sans intervalle, ou une base ou une cadence fausse.
+told-linescan-only-about-lines-were = Environ { $lines } lignes seulement ont été enregistrées entre les deux caméras, trop peu pour la vitesse ou le sens : augmentez la cadence, ou écartez les caméras.
+told-linescan-the-two-cameras-saw = Les caméras le montrent pendant des durées différentes : deux véhicules côte à côte, ou un arrêt.
+told-linescan-the-lines-lie-too = Les lignes sont trop espacées pour ce véhicule : il avance d’environ { $line_mm } mm d’une ligne à la suivante, et des lignes voisines ont trop peu en commun. Portez la cadence à { $rate_hz } Hz ou plus pour des véhicules à cette vitesse ; une base plus longue n’y change rien.
+told-linescan-braking-on-as-measured = À la décélération mesurée, le véhicule précédent se serait déjà arrêté.
+told-linescan-the-two-vehicles-overlap = Les deux véhicules se recouvrent à la caméra 1 ; il n’y a pas d’intervalle.
+told-linescan-the-vehicle-before-has = Le véhicule précédent n’a pas de mouvement mesuré.
+told-linescan-no-vehicle-was-seen = Aucun véhicule n’a été détecté devant celui-ci.
+told-linescan-a-click-lies-outside = Un pointé est hors des rangées couvertes par les repères ; la pose est extrapolée.
+told-linescan-a-click-is-not = Un pointé n’est pas un nombre.
+told-linescan-the-contact-is-at = Le contact est sur l’horizon ou au-dessus, où il n’y a pas de chaussée ; pointez le contact du pneu.
+told-linescan-the-target-is-not = La cible n’est pas au-dessus du contact ; cliquez d’abord sur le contact, puis sur la cible.
+told-linescan-the-inset-puts-the = Le retrait place la cible derrière la caméra.
+told-linescan-the-marks-do-not = Les repères ne déterminent pas la hauteur de la caméra : tenez le jalon vertical à deux distances, par exemple aux bords proche et éloigné de la voie.
+told-linescan-the-marks-put-the = Les repères placent la caméra sous la route ; contrôlez leurs distances, hauteurs et rangées.
+told-linescan-all-marks-are-at = Tous les repères sont à une même distance : la hauteur de la caméra ne peut être déterminée ; tenez le jalon vertical à deux distances.
+told-linescan-rig-no-way = Il n’a ni positions ni lignes ; donnez les valeurs d’une méthode.
+told-linescan-rig-two-ways = Il a des valeurs de deux méthodes ({ $one } et { $two }) ; donnez à chacune sa propre ligne.
+told-linescan-rig-lacks = La valeur { $column } manque ; indiquez-la.
+told-linescan-rig-no-rate = Sa vitesse demande la cadence de lignes des caméras ; indiquez-la.
+told-linescan-rig-no-order = Les lignes du panneau ne sont pas dans l’ordre : son avant passe devant chaque caméra avant son arrière, et les deux caméras voient d’abord le même bord.
+told-linescan-rig-stopped = Le panneau s’est arrêté ou presque entre les plans ; passez-le d’un mouvement régulier.
+told-linescan-rig-span = Il donne une base de { $span_m } m, hors de la plage de { $least } à { $most } m ; corrigez ses valeurs.
+told-linescan-rig-value = La valeur { $column } est hors plage : { $value } ; corrigez-la.
+told-linescan-rig-differ = Les passages diffèrent plus que leurs incertitudes ne l’expliquent (p = { $chance } %) ; contrôlez d’abord le passage { $name }.
+told-linescan-rig-too-wide = Les passages concordent mieux que leurs incertitudes indiquées ; celles-ci sont peut-être trop grandes.
+told-linescan-rig-two-distances = Deux distances ne permettent pas de vérifier que la base varie linéairement ; ajoutez-en une troisième.
+told-linescan-rig-outside = { $distance_m } m est loin des passages ({ $nearest_m } à { $farthest_m } m) : la base y est extrapolée ; ajoutez un passage à cette distance.
+told-rig-pass-cells = Elle a { $cells } cellules, et l’en-tête en a { $columns } ; corrigez la ligne.
+told-rig-pass-twice = Une autre ligne a le même nom ; nommez chaque passage une fois.
+told-rig-pass-no-number = La cellule { $column } n’est pas un nombre ; corrigez-la.
+told-linescan-too-little-of-the-vehicle = Trop peu du véhicule a été apparié pour donner l’incertitude de son mouvement.
+told-linescan-by-the-computed-motion = D’après le mouvement calculé, le véhicule se serait arrêté en vue ; contrôlez les bornes.
+told-linescan-the-computed-is-no = La { $what ->
+       [speed] vitesse
+       [length] longueur
+       *[other] accélération
+    } calculée de { $value } { $unit } n’est pas plausible pour un véhicule routier ({ $low } à { $high } { $unit2 }) : contrôlez les bornes, la base et la cadence.
+told-linescan-the-acceleration-is-unsure = L’U95 de l’accélération est de { $most } m/s², plus que ne freine aucun véhicule : trop peu du véhicule est net, ou les bornes sont fausses.
+told-linescan-the-is-unsure-by = L’U95 de la { $what ->
+       [speed] vitesse
+       *[other] longueur
+    } est de { $value } %, trop pour être utile : trop peu du véhicule est net, les bornes sont fausses, ou deux véhicules passent à la fois.
+told-linescan-equation-2-is-a = L’équation (2) est un cas extrême en lignes entières, chaque passage étant décalé d’une ligne. Sightline superpose les deux bandes à une fraction de ligne près ; planifiez avec elle et attendez mieux ; l’incertitude de chaque véhicule dit ce qui est atteint.
+told-linescan-only-lines-lie-between = Seules { $lines } lignes séparent les caméras ; prenez une cadence plus élevée ou une base plus longue, sinon ce véhicule est à peine mesurable.
+told-linescan-at-this-line-rate = À cette cadence, la vitesse peut être fausse de { $percent }, plus que les { $percent2 } voulus ; prenez la cadence de l’équation corrigée, ou une base { $corrected } fois plus longue.
+told-linescan-the-baseline-is-taken = La base est tenue pour exacte ; saisissez son incertitude, car elle entre dans toute vitesse.
+told-linescan-the-baseline-limits-not = La base est la limite, non la cadence : elle est connue à { $percent } (incertitude-type), les lignes entières ajoutent { $percent2 }. Mesurez d’abord mieux la base.
+told-linescan-the-line-rate-limits = La cadence est la limite, non la base : les lignes entières ajoutent { $percent } (incertitude-type), la base { $percent2 }.
+told-linescan-vehicles-come-out-than = Les longueurs mesurées ne sont pas celles connues ({ $share }). Vérifiez la base ; une ombre allonge aussi.
+told-linescan-the-vehicles-misalignments-scatter = Le désalignement diffère de { $spread } px (écart-type) entre les véhicules ; vérifiez si une caméra a bougé.
+told-linescan-known-vehicles-are-too = { $n } véhicules connus sont trop peu ; il en faut { $least_vehicles }.
+told-linescan-click-the-hubs-of = Cliquez sur les moyeux de deux roues différentes.
+told-linescan-by-its-fitted-motion = D’après son mouvement ajusté, le véhicule était arrêté à l’un des pointés.
+told-linescan-the-vehicle-has-no = Le véhicule n’a pas de mouvement mesuré.
+told-linescan-no-vehicle-here-has = Aucun véhicule n’a ici de vitesse validée.
+told-linescan-the-uncertainty-of-the = L’incertitude du taux d’occupation n’est pas connue : { $count } des véhicules n’ont pas de mouvement.
+told-measurements-storing-the-heights-that = Enregistrement des hauteurs modifiées.
+told-measurements-putting-the-old-heights = Rétablissement des anciennes hauteurs.
+told-measurements-computing-the-heights = Calcul des hauteurs.
+told-measurements-proposal-expect-about-px = contact proposé, u = { $expected_px } px{ $worse }
+told-measurements-worse-than-a-careful = , moins précis qu’un pointé soigneux
+told-measurements-the-pass-has-no = Le passage n’a pas de sens ; le côté du conducteur se déduit de la place de la caméra sur le terre-plein central, le long duquel tous vont dans le même sens.
+told-measurements-the-vehicle-was-followed = Le véhicule a été suivi pendant son passage.
+told-measurements-its-speed-is-that = Sa vitesse est celle des points cliqués sur deux images.
+told-measurements-the-vehicle-could-not = Le véhicule n’a pu être suivi ; sa vitesse est supposée : cherchez les points autour des repères.
+told-measurements-the-pass-has-no-other = Le passage n’a pas d’autre image ; prolongez-le par sa première ou sa dernière image.
+told-measurements-on-no-other-frame = Sur aucune autre image du passage les deux points ne sont dans l’image ; une image suffira.
+told-measurements-another-frame-would-not = Une autre image n’aiderait pas ici : { $now } mm actuellement, { $then } mm avec elle.
+told-measurements-there-is-no-height = Il n’y a pas encore de hauteur ; pointez d’abord contact et cible.
+told-media-save-it-as-png = enregistrez-la en PNG ou JPEG et réessayez
+told-media-is-in-colour-and = est en couleur, alors qu’un balayage est en gris
+told-media-has-a-palette-and = a une palette, alors qu’un balayage est en gris
+told-media-has-a-transparency-channel = a une couche de transparence, alors qu’un balayage n’en a pas
+told-media-is-in-colour-with = est en couleur avec transparence, alors qu’un balayage est en gris
+told-media-give-one-camera-strip = donnez la bande d’une caméra
+told-media-is-not-a-picture = n’est pas d’un format d’image pris en charge
+told-media-save-it-as-8 = enregistrez-la en niveaux de gris 8 ou 16 bits et réessayez
+told-media-copy-it-again-from = copiez de nouveau le fichier depuis l’enregistreur
+told-media-convert-it-to-mp4 = convertissez-le en MP4 H.264 ou choisissez un autre fichier
+told-media-choose-a-video-file = choisissez un fichier vidéo
+told-media-copy-it-again-from-the = copiez de nouveau le fichier depuis l’enregistreur, ou réparez-le sur place
+told-media-stretched-for-pixels-of = étirée pour des pixels de { $sample_aspect }
+told-media-turned-by-degrees-clockwise = tournée de { $rotation_deg } degrés dans le sens horaire
+told-media-the-picture-has-another = La taille d’image diffère de celle de la pose de la caméra.
+told-media-the-picture-of-the = L’image de la pose de la caméra n’a rien qui puisse être suivi ; elle est trop sombre ou trop peu contrastée.
+told-media-the-camera-moves-by = La caméra bouge de { $far } au plus ; la recherche en tient compte. Une pose de la caméra ne vaut que tant que la caméra est immobile.
+told-media-the-camera-moves-by-and = La caméra bouge (de { $far } et plus) ; la chaussée et les véhicules ne peuvent être séparés ; marquez les passages à la main.
+told-media-the-header-speaks-of = L’en-tête annonce { $duration_s } s, les images s’arrêtent à { $end_s } s ; le fichier est peut-être tronqué.
+told-media-the-picture-was-as = Les images ont été { $layout_note }, comme l’indique leur en-tête.
+told-media-the-recording-is-interlaced = L’enregistrement est entrelacé : les bords mobiles sont dentelés, préférez un enregistrement progressif.
+told-media-frames-are-served-from = Les images viennent d’une copie de travail indexée ; elles sont identiques à celles de l’original.
+told-media-the-frame-rate-varies = La cadence d’images varie : { $steps } à { $steps2 } s entre images ; les temps viennent des horodatages.
+told-media-the-header-says-frames = L’en-tête annonce { $rate_hz } images par seconde, les horodatages { $rate } ; les horodatages font foi.
+told-media-the-file-could-not = Le fichier n’a pu être lu jusqu’au bout ; { $count } images ont été trouvées avant.
+told-media-frames-of-another-picture = { $other_size } images d’une autre taille ont été ignorées.
+told-media-the-header-speaks-of-frames = L’en-tête annonce { $claimed } images, { $count } ont pu être décodées ; leur numérotation suit celles-ci.
+told-media-is-cut-off-before = est coupé avant que son index (moov) soit écrit
+told-media-is-a-playlist-that = est une liste de lecture qui renvoie à d’autres fichiers, non une vidéo
+told-media-is-a-webp-picture = est une image WebP, non une vidéo
+told-media-is-a-heif-or = est une image HEIF ou AVIF, non une vidéo
+told-media-is-an-audio-file = est un fichier audio, non une vidéo
+told-media-is-a-text-file = est un fichier texte, non une vidéo
+told-media-is-cut-off-in = est coupé au milieu de son index (moov)
+told-poses-solving-for-the-camera = Calcul de la position de la caméra.
+told-poses-corners-are-numbered-from = Les coins sont numérotés depuis le haut à gauche tel que vu, le long des rangées vers la droite puis vers le bas.
+told-poses-of-its-corners-are = { $seen } de ses { $all } coins sont visibles ; cela suffit à un étalonnage, mais une pose de la caméra les demande tous.
+told-poses-the-board-stands-the = La mire est posée dans l’autre sens qu’indiqué : { $columns } colonnes sur { $rows } rangées telle que vue.
+told-poses-the-picture-does-not = L’image ne montre pas la route à cette distance.
+told-poses-the-board-stood-m = La mire était à { $distance_m } m de la caméra.
+told-poses-a-height-of-1 = U95 attendue d’une hauteur de 1,2 m, pointée avec u = 1 px : { $figures }.
+told-poses-looking-for-the-board = Recherche de la mire dans l’image { $n }.
+told-quality-its-make-and-model = Sa marque et son modèle ne sont pas renseignés ; son empattement est inconnu.
+told-quality-the-catalogue-has-no = Le catalogue n’a pas d’empattement pour ce modèle et cette année.
+told-quality-the-catalogue-has-several = Le catalogue a plusieurs empattements pour ce modèle ; indiquez l’année.
+told-quality-the-manufacturer-height-is = La hauteur du constructeur n’est pas renseignée.
+told-quality-the-roof-was-not = Le toit n’a pas été pointé à son bord proche.
+told-quality-adjusted-by-passes-of = Ajustée par { $used } passages d’empattement ou de hauteur connus.
+told-quality-nothing-is-known-yet = Aucune longueur n’est encore connue : pointez les deux pneus de véhicules d’un modèle connu, ou mesurez leur toit.
+told-quality-this-pose-was-adjusted = Cette pose est déjà ajustée sur le trafic.
+told-quality-no-pass-with-a = Aucun passage de longueur connue n’a pu servir.
+told-quality-no-roof-is-measured = Aucun véhicule dont la hauteur du constructeur est connue n’a de toit mesuré.
+told-quality-nothing-is-measured-of = Aucune mesure de cette cible.
+told-quality-the-road-x-axis = L’axe X de la route est pivoté de { $figures } par rapport au trafic.
+told-quality-the-road-x-axis-agrees = L’axe X de la route s’accorde avec le trafic : rotation de { $figures }, non significative.
+told-quality-left-out-it-strays = Exclu comme valeur aberrante ; contrôlez ses pointés.
+told-quality-turned-by-to-the = Pivotée de { $turn_rad }° vers le sens de { $vehicles } véhicules.
+told-quality-looking-for-the-frames = Recherche de mouvements de la caméra.
+told-quality-whether-the-camera-moved = On ne peut dire si la caméra a bougé : { $document }
+told-quality-the-camera-stands-still = Aucun mouvement de la caméra détecté, à { $document } px près{ $worth }.
+told-quality-heights-are-off-by = (erreur de hauteur jusqu’à { $span } mm)
+told-quality-looking-for-the-background = Recherche du fond dans l’image { $n }.
+told-quality-the-recording-has-no = L’enregistrement n’a pas cette image.
+told-quality-mm-of-height = ({ $document } mm de hauteur)
+told-quality-and-more-times = { $moved } autres mouvements.
+told-quality-clicked-of-their-own = Répétitions propres de { $name } : { $pairs } ; il en faut { $least_freedom }.
+told-quality-were-clicked-by-one = Répétées sur une autre image par un même opérateur : { $sums } ; il en faut { $least_freedom }.
+told-quality-the-first-clicks-give = Les premiers pointés ne donnent pas de hauteur : { $reason }
+told-quality-the-second-clicks-give = Les seconds pointés ne donnent pas de hauteur : { $reason }
+told-quality-they-were-clicked-on = Pointées sur des images différentes : les pointés ne sont pas seuls à différer.
+told-quality-the-camera-pose-is = La pose de la caméra a changé depuis : les pointés ne sont pas seuls à différer.
+told-quality-the-inset-is-another = Les retraits diffèrent : les pointés ne sont pas seuls à différer.
+told-quality-a-height-has-no = Une hauteur est sans incertitude.
+told-quality-the-catalogue-is-empty = Le catalogue est vide.
+told-quality-it-is-not-measured = Ce n’est pas mesuré.
+told-quality-its-measurement-was-rejected = Sa mesure a été rejetée.
+told-quality-both-tyres-are-not = Sur aucune image les deux pneus ne sont pointés.
+told-recordings-looking-for-the-board = Recherche de la mire.
+told-recordings-fitting-the-lens-and = Ajustement de l’objectif, et de ses deux moitiés séparément.
+told-recordings-looking-for-the-board-in = Recherche de la mire dans { $name }.
+told-recordings-the-camera-had-moved = La caméra avait bougé de { $moved_px } px depuis sa pose{ $off } ; prenez une nouvelle pose pour cette partie, ou décidez que l’ancienne convient encore.
+told-recordings-heights-are-off-by = (erreur de hauteur jusqu’à { $change_m } mm)
+told-recordings-the-ingest-was-cancelled = La lecture de la vidéo a été annulée ; relancez-la ou supprimez l’enregistrement.
+told-recordings-reading-the-video = Lecture de la vidéo.
+told-results-too-few-different-errors = trop peu d’erreurs différentes pour un intervalle par bootstrap
+told-results-no-vehicle-in-this = aucun véhicule dans ce groupe
+told-results-heights-corrected-by-each = Hauteurs corrigées du retrait de chaque mesure
+told-results-the-paper-heights-inset = Hauteurs comme dans Dupuis et al. (retrait 0)
+told-results-both-rounded-to-whole = arrondies au centimètre comme dans Dupuis et al.
+told-results-against-manufacturers-heights-every = { $heights } par rapport aux hauteurs du constructeur, { $rounded } ; toutes les valeurs viennent des erreurs individuelles.
+told-scans-the-marks-miss-the = Les repères ne suivent le modèle qu’à { $rms_px } px près, moins bien que des pointés de { $sigma_px } px ne l’expliquent ; contrôlez les distances et le repère au plus grand résidu.
+told-scans-the-camera-height-is = La hauteur de la caméra n’est connue qu’à { $u_height } m ; tenez le jalon à deux distances plus éloignées, ou mesurez-les mieux.
+told-scans-a-click-lies-outside = Un pointé est hors de l’avant et de l’arrière du véhicule ; il appartient peut-être à un autre.
+told-scans-the-lines-of-this = Les lignes de ce flux n’ont pas été enregistrées : il n’y a pas d’image ; ses véhicules restent.
+told-scans-vehicles-wait-to-be = { $message } { $waiting } véhicules attendent d’être enregistrés dans le relevé.
+told-scans-the-run-before-was = L’exécution précédente a été interrompue après { $lines } lignes (segment { $number }, dernier contact { $last_at } UTC). Ses véhicules sont conservés ; manquent les { $gap_s } s (environ { $gap_s2 } lignes) écoulées depuis, et le véhicule en vue.
+told-scans-lines-of-camera-were = { $lost } lignes de la caméra { $number } ont été perdues et remplacées par des copies ; les véhicules passés pendant ce temps ne sont pas mesurés.
+told-scans-the-computer-clock-was = L’horloge de l’ordinateur a été réglée de { $jump } s à la ligne { $lines } ; vitesses, longueurs et intervalles n’en dépendent pas, et les heures continuent depuis le début de ce segment.
+told-scans-the-run-before-was-killed = L’exécution précédente a été interrompue ; elle reprend à la ligne { $begin } de { $name }, et rien ne manque.
+told-scans-lines-after-these-could = Les lignes suivantes n’ont pu être enregistrées ({ $strerror }) ; elles ont été mesurées tout de même.
+told-scans-lines-are-kept-in = { $kept } lignes sont enregistrées dans { $path }.
+told-scans-the-journal-could-not = Le journal n’a pu être écrit ({ $strerror }).
+told-scans-the-reading-was-cancelled = L’import a été annulé ; relancez-le ou supprimez le balayage.
+told-scans-reading-the-strips = Lecture des bandes.
+told-scans-of-camera-pixels-are = { $saturated } des pixels de la caméra { $camera } sont saturés ; des bords y sont perdus ; réduisez la lumière ou l’exposition.
+told-scans-the-recorder-of-lost = L’enregistreur de { $name } a perdu { $lost } lignes ; elles sont remplacées par des copies.
+told-scans-cutting-the-strips = Découpe des bandes.
+told-scans-the-misalignment-was-given = Le désalignement a été saisi : les estimations des véhicules en dépendent ; laissez-le vide et mesurez à nouveau pour l’estimer.
+told-scans-of-known-vehicles-come = Véhicules connus, { $which ->
+       [lengths] longueurs
+       [Lengths] longueurs
+       *[other] empattements
+    } : ils ressortent de { $off } % { $longer ->
+       [longer] plus longs
+       *[other] plus courts
+    } qu’ils ne sont (u { $u } %) : une base { $longer2 ->
+       [shorter] plus courte
+       *[other] plus longue
+    } leur conviendrait. Mesurez-la de nouveau.
+told-scans-of-known-vehicles-agree = Véhicules connus, { $which ->
+       [lengths] longueurs
+       [Lengths] longueurs
+       *[other] empattements
+    } : accord avec la base saisie à { $expanded } % (U95).
+told-scans-a-shadow-lengthens-a = Une ombre allonge aussi un véhicule ; les empattements n’en portent pas.
+told-progress-unread = { $count } balayages n’ont pu être lus ; voyez pourquoi et réessayez.
+told-progress-unread-1 = Un balayage n’a pu être lu ; voyez pourquoi et réessayez.
+told-progress-reading = Importation en cours : { $count } balayages.
+told-progress-reading-1 = Importation en cours : un balayage.
+told-progress-find = Trouvez les véhicules de { $count } balayages.
+told-progress-find-1 = Trouvez les véhicules d’un balayage.
+told-progress-review-vehicles = Vérifiez { $open } véhicules sur { $count }.
+told-progress-review-vehicle = Vérifiez { $open } véhicule sur 1.
+told-progress-review-heights = Vérifiez { $open } hauteurs sur { $count }.
+told-progress-review-height = Vérifiez { $open } hauteur sur 1.
+told-progress-accepted = Véhicules validés : { $count } sur { $all } détectés.
+told-progress-accepted-1 = Véhicules validés : { $count } sur 1 détecté.
+told-progress-unmeasured = Non mesurables : { $count } ; chacun dit pourquoi.
+told-progress-heights = Hauteurs validées : { $count } sur { $all }.
+told-progress-height = Hauteurs validées : { $count } sur 1.
+told-scans-being-searched-for-vehicles = recherche de véhicules en cours
+told-scans-looking-for-vehicles = Recherche de véhicules.
+told-scans-measuring-the-known-vehicles = Nouvelle mesure des véhicules connus.
+told-scans-the-recorder-lost-while = L’enregistreur a perdu { $join } pendant le passage du véhicule.
+told-scans-lines-of-camera = { $count } lignes de la caméra { $camera }
+told-statistics-a-trend-needs-at = Une tendance demande au moins { $least } véhicules ; { $there_are }.
+told-statistics-all-heights-are-the = Toutes les hauteurs sont égales ; il n’y a pas de tendance.
+told-statistics-limits-of-agreement-need = Des limites de concordance demandent au moins { $least } véhicules ; { $there_are }.
+told-statistics-shares-of-the-variance = Des parts de la variance demandent au moins { $least } véhicules ; { $there_are }.
+told-statistics-all-errors-are-the = Toutes les erreurs sont égales ; il n’y a pas de variance à partager.
+told-statistics-the-reference-heights-own = L’incertitude des hauteurs de référence explique toute la variance des erreurs : il ne reste rien pour la mesure.
+told-statistics-the-mean-signed-error = L’erreur signée moyenne de { $error_m } véhicules de hauteur connue, { $mean } mm, a été retranchée de chaque hauteur (comme dans Dupuis et al.).
+told-statistics-the-error-regression-on = La régression de l’erreur sur la hauteur mesurée de { $error_m } véhicules, { $intercept } mm { $slope } mm par m, a été retranchée de chaque hauteur.
+told-statistics-each-height-is-corrected = Chaque hauteur est corrigée du retrait de sa mesure ; aucune autre correction n’est faite.
+told-statistics-this-correction-needs-at = Cette correction demande au moins { $least } véhicules à hauteur de référence ; { $there_are }.
+told-statistics-the-vehicles-of-known = Les véhicules de hauteur connue ont tous la même hauteur ; leur erreur n’a pas de tendance.
+told-statistics-of-the-heights-lie = { $outside } % des hauteurs sont hors des { $low } à { $high } m sur lesquels s’appuie la régression : elle y extrapole et peut nuire.
+told-statistics-the-errors-variance-is = Les hauteurs de référence expliquent à elles seules la variance des erreurs : celle de la mesure est inconnue et ne peut être retirée.
+told-statistics-a-variance-needs-at = Une variance demande au moins 2 hauteurs.
+told-statistics-the-measurement-own-variance = La variance de la mesure dépasse celle des hauteurs ; elle ne peut être retirée.
+told-statistics-heights-as-the-paper = Hauteurs comme dans Dupuis et al. (retrait 0), sans correction.
+told-statistics-an-interval-of-this = un intervalle de ce centile demande au moins { $needed } véhicules ; { $there_are }
+told-statistics-a-density-needs-at = Une densité demande au moins { $least_for_density } véhicules ; { $there_are }.
+told-statistics-all-values-are-the = Toutes les valeurs sont égales ; une densité en demande de différentes.
+told-statistics-no-vehicle-in-this = aucune hauteur comptée de ce groupe n’a de référence
+told-statistics-too-few-repeats-degrees = Trop peu de répétitions : { $freedom } degrés de liberté, il en faut au moins { $least_freedom }.
+told-statistics-too-few-repeats-to = Trop peu de répétitions à comparer : { $freedom }, il en faut au moins { $least_freedom }.
+told-statistics-nothing-was-clicked-again = Rien n’a encore été repointé.
+told-statistics-no-two-persons-clicked = Aucune cible n’a été répétée par un second opérateur ; demandez à un autre opérateur d’en répéter.
+told-statistics-people-differ-less-than = Les personnes diffèrent moins que leurs pointés ne se dispersent ; davantage de répétitions trancheraient.
+told-statistics-no-height-of-its = aucune hauteur validée de sa classe
+told-statistics-vehicles-give-percentile-an = { $large } véhicules donnent au centile { $percent } un intervalle à 95 % d’environ { $width_m } mm, pour des hauteurs de loi normale et d’écart-type { $sd_m } mm.
+told-statistics-nobody-whose-text-was = aucun texte consulté ; à contrôler avant usage
+told-statistics-taillights-of-passenger-cars = feux arrière de voitures particulières
+told-statistics-the-percentile-by-the = { $dupuis } ; le centile d’après le résumé de Fitzpatrick et al.
+told-statistics-headlights-of-passenger-cars = projecteurs de voitures particulières
+told-statistics-the-abstract-of-fitzpatrick = le résumé de Fitzpatrick et al., qui le recommandent
+told-statistics-fitzpatrick-et-al-proposed = Fitzpatrick et al. (proposé)
+told-statistics-the-abstract-of-fitzpatrick-et = le résumé de Fitzpatrick et al.
+told-statistics-aashto-policy-of-the = le guide AASHTO de l’époque
+told-statistics-first-proposals-1676-mm = premières propositions ; 1676 mm d’après Fitzpatrick et al.
+told-statistics-more-than-95-of = { $rogers } : plus de 95 % des yeux des conducteurs sont plus hauts
+told-statistics-large-heavy-goods-vehicles = grands poids lourds, valeur typique
+told-statistics-design-manual-for-roads = Design Manual for Roads and Bridges, TD 9/93 (auj. CD 109) ; Dupuis et al. impriment 0,25 m
+told-statistics-design-manual-for-roads-and = Design Manual for Roads and Bridges, TD 9/93 (auj. CD 109) : haut d’une plage
+told-statistics-passenger-cars-of-the = voitures particulières de l’étude de Fambro et al. 1997
+told-statistics-lower-limit-of-rear = bord inférieur des feux arrière, gare de péage près de Paris
+told-statistics-united-kingdom = Royaume-Uni
+told-statistics-united-kingdom-low = Royaume-Uni, bas
+told-statistics-united-kingdom-high = Royaume-Uni, haut
+told-statistics-italy = Italie
+told-statistics-australia = Australie
+told-statistics-australia-1991 = Australie, 1991
+told-statistics-germany = Allemagne
+told-statistics-israel = Israël
+told-statistics-israel-low = Israël, bas
+told-statistics-national-guidelines = directives nationales
+told-statistics-drivers = conducteurs
+told-statistics-design-manual-now = Design Manual for Roads and Bridges, TD 9/93 (auj. CD 109)
+told-statistics-cnr-standards-of-1973 = normes CNR de 1973
+told-statistics-austroads-guide-to-road = Austroads, Guide to Road Tunnels Part 2, 4.5.2 (angles rentrants sous un toit)
+told-statistics-austroads-guide-to-road-tunnels = Austroads, Guide to Road Tunnels Part 2, 4.5.2 (feu arrière d’une voiture)
+told-statistics-taillights-of-cars = feux arrière de voitures
+told-statistics-design-value-of-the = valeur de conception de l’époque
+told-statistics-the-abstract-of-barker = le résumé de Barker et Yue, Australian Road Research 21(2), 1991
+told-statistics-ral-ras-l-before = RAL (auparavant RAS-L)
+told-statistics-its-interval-needs-at = son intervalle demande au moins { $needed } hauteurs qui diffèrent ; il y en a { $n }
+told-statistics-they-speak-of = { $listed } ; ils valent pour { $where }
+told-statistics-its-interval-needs-at-least = son intervalle demande au moins { $needed } hauteurs ; { $there_are }
+told-statistics-differences-between-sites = écarts entre { $sites } sites
+told-statistics-errors-that-heights-share = erreurs communes aux hauteurs
+told-statistics-random-error-taken-out = erreur aléatoire (retirée des valeurs)
+told-statistics-random-errors-of-heights = erreurs aléatoires des hauteurs
+told-statistics-errors-of-known-heights = erreurs des hauteurs connues (les deux restent dans les valeurs)
+told-statistics-roads-like-these-sites = des routes comme celles de ces sites
+told-statistics-the-place-of-the = le seul site du relevé
+told-statistics-the-heights-are-all = les hauteurs sont toutes égales
+told-statistics-nothing-that-the-catalogue = Aucune dimension du catalogue n’a encore été mesurée sur ce véhicule.
+told-statistics-no-model-in-the = Aucun modèle du catalogue n’a de dimension mesurée sur ce véhicule.
+told-statistics-there-is-none = il n’y en a aucun
+told-studies-has-no-accepted-height = { $name } n’a pas de hauteur validée dans son échantillon ; il ne contribue pas.
+told-studies-packages-come-from-versions = Les archives viennent de { $made_with } versions aux tables identiques : { $join }.
+told-studies-one-site-intervals-speak = Un seul site : les intervalles ne valent que pour lui.
+told-studies-accepted-heights-are-of = { $sum } hauteurs validées sont de véhicules hors de l’échantillon de leur relevé ; elles ne comptent pas.
+told-studies-heights-of-have-no = { $left_out } hauteurs ({ $target }) n’ont pas de classe du parc ; elles ne comptent pas.
+told-studies-simulated-no-figure-of = Simulé : aucune valeur ne décrit des routes réelles.
+told-studies-of-surveys-are-simulated = { $invented } relevés sur { $surveys } sont simulés : aucun de ses chiffres ne dit rien de routes réelles.
+told-studies-writing-the-package = Écriture de l’archive.
+told-studies-writing-the-report = Écriture du rapport.
+told-studies-computing-the-figures = Calcul des chiffres.
+told-studies-its-figures-need-at = ses chiffres demandent au moins { $least } hauteurs
+told-studies-no-weights-meet-all = aucun poids ne satisfait à la fois toutes les parts du parc
+told-studies-has-one-site-join = { $stratum } n’a qu’un site : réunissez-la à une autre strate, pour que des sites puissent différer
+told-studies-no-height-of-counts = aucune hauteur de { $variable } { $words } ne compte, que le parc contient
+told-studies-a-stratum-has-its = une strate n’a sa classe que sur un site ; des sites ne peuvent différer
+told-vehicles-the-search-for-passes = La recherche de passages a été annulée ; vous pouvez la relancer.
+told-vehicles-new-known-or-discarded = { $passes } : { $new ->
+       [none] aucun nouveau
+       *[other] nouveaux : { $new }
+    }, connus ou écartés avant : { $found }.
+told-vehicles-looking-for-passes = Recherche des passages.
+told-vehicles-no-passes-were-found = Aucun passage n’a été trouvé ; marquez-les à la main.
+told-vehicles-1-pass-was-found = un passage trouvé
+told-vehicles-passes-were-found = passages trouvés : { $found }
+told-geometry-put-the-camera-at = Placez la caméra à la hauteur à mesurer, où le retrait ne compte pas : { $height_m } m pour l’œil du conducteur. À { $camera_height_m } m, ignorer le retrait fausse la hauteur de { $mm } mm pour un conducteur côté proche et { $mm2 } mm côté éloigné.
+told-geometry-two-halves-calibrated-apart = deux moitiés, étalonnées séparément, { $heights } ; résidu hors ajustement { $all_held_out_rms_px } px
+told-media-the-stream-holds-no = Le flux n’a pas d’horodatage utilisable : { $assumed_rate_hz } images par seconde sont supposées, ne vous fiez donc pas à ses temps.
+told-scans-says-that-its-line = { $name } annonce une cadence de { $told } Hz, mais { $line_rate_hz } Hz ont été donnés et sont utilisés ; vérifiez laquelle est juste.
+told-statistics-after-the-shift-by = Après le décalage de { $mean } mm, l’écart-type propre de la mesure, { $camera_sd_m } mm, a été retiré : chaque hauteur s’est rapprochée de la moyenne de { $keep } %.
+told-paper-sd-is-that-of = Le SD est celui de l’erreur signée et diffère du RMSE ; il y avait donc un biais de 7 à 13 mm, qui n’est pas imprimé. Le « moins de 10 % sous 2 cm » du texte est possible ici : MAE et MSE permettent 0 à 3 % si des erreurs atteignent 7 cm.
+told-paper-a-perfect-clicker-within = Un opérateur parfait (à 1 px près, hauteurs de référence à 3 cm près) obtient MAE 0,016 m, RMSE 0,019 m : cette colonne borne la référence, non la méthode. Le SD imprimé de 0,059 ft devrait être 0,062 ft. « Moins de 10 % sous 2 cm » est impossible ici : MAE et MSE imposent au moins 26,5 %.
+told-paper-not-the-pool-of = Ce n’est pas la réunion des 400 et 250 véhicules : leur MAE réunie vaut 0,0198 m, leur RMSE 0,0249 m. Le « MAE < 1,8 cm » du résumé n’est pas dans le tableau ; le MSE en pieds a un facteur et un exposant faux. « Moins de 10 % sous 2 cm » demande ici une erreur de plus de 10 cm.
+told-paper-printed-sizes-are-3 = Les tailles imprimées dépassent de 3,1 à 9,1 % les longueurs vraies (5,6 % en moyenne), ce que le texte attribue à l’ombre, alors qu’il annonce moins de 1 % ; le freinage « à 1 % près » s’écarte jusqu’à 1,5 % des autres passages de la même voiture. La vitesse n’a jamais été comparée à la vérité, seulement au compteur de la voiture.
+told-demo-simulated-so-that-the = Simulé, pour que les valeurs vraies soient connues : marques inventées, une caméra 0,6 px plus bas que l’autre, un jalon tenu vertical dans le plan de la caméra 1 à 2,7 m et à 4,5 m avant le premier véhicule.
+told-demo-reading-the-videos = Lecture des vidéos.
+told-demo-computing-the-camera-poses = Calcul des poses des caméras.
+told-demo-simulating-a-site = Simulation d’un site.
+told-demo-recording-the-line-scan = Enregistrement du balayage.
+told-demo-saving-the-demonstration-survey = Enregistrement du relevé de démonstration.
+told-results-not-rounded = non arrondies
+told-checks-u-vehicles = { $deg }° (u { $u }°, { $count } véhicules)
+told-checks-that-moves-stored-heights = Cela change { $count } hauteurs enregistrées de { $largest } mm au plus.
+told-checks-turning-it-would-move = La pivoter changerait les hauteurs enregistrées de { $largest } mm au plus.
+told-poses-mm-at-m = ±{ $U95_height } mm à { $distance } m
+told-poses-the-camera-is-m = La caméra est à { $height } m au-dessus de la route.
+told-poses-the-pose-before-it = La pose précédente est le numéro { $id }.
+told-cameras-standard-uncertainty-px = { $focal } (incertitude-type { $u } px)
+told-statistics-vehicle-is-too-few = { $there } véhicule est trop peu pour un intervalle ; il en faut { $needed }
+told-statistics-vehicles-are-too-few = { $there } véhicules sont trop peu pour un intervalle ; il en faut { $needed }
+told-statistics-there-is = il y en a { $count }
+told-statistics-there-are = il y en a { $count }
+told-statistics-sampling = l’échantillonnage
+told-statistics-alone = { $part } seulement
+told-statistics-passenger-cars = voitures particulières
+told-statistics-the-reference-heights-own-uncertainty = L’incertitude des hauteurs de référence explique { $share } % de la variance des erreurs ; { $left } mm restent pour la mesure.
+told-geometry-to-the-left = à gauche
+told-geometry-edge = bord { $side ->
+       [left] gauche
+       [right] droit
+       [upper] supérieur
+       [top] supérieur
+       *[lower] inférieur
+    }
+told-geometry-to-the-right = à droite
+told-assist-no-proposal-click-the = Pas de proposition : { $reason } Cliquez vous-même sur le contact.
+told-drift-the-camera-moved-at = La caméra a bougé à { $clock } (image { $frame }) de { $moved } px{ $off }, images { $first } à { $last }.
+told-drift-the-camera-had-moved = La caméra avait déjà bougé à { $clock } (image { $frame }) de { $moved } px{ $off }, images { $first } à { $last }.
+told-drift-the-camera-crept-at = La caméra a glissé à { $clock } (image { $frame }) de { $moved } px{ $off }, images { $first } à { $last }.
+told-words-and = { $first } et { $last }
+told-thing-camera-pose = pose de la caméra
+told-thing-line-scan = balayage
+told-thing-scanned-vehicle = véhicule balayé
+told-thing-calibration-image = image d’étalonnage
+told-thing-tyre-contacts = paire de contacts des pneus
+told-thing-catalogue-row = ligne du catalogue
+told-request-extra = champ inconnu
+told-request-missing = champ obligatoire
+told-request-one-of-two = doit valoir { $first } ou { $last }
+told-request-finite = doit être un nombre fini
+told-request-boolean = doit être vrai ou faux (true, false)
+told-request-boolean-word = doit être vrai ou faux (true, false)
+told-request-date = doit être une date, comme 2026-05-04
+told-request-datetime = doit être une date et une heure, comme 2026-05-04T08:10:00
+told-request-integer = doit être un nombre entier
+told-request-integer-text = doit être un nombre entier
+told-request-integer-fraction = doit être un nombre entier
+told-request-number = doit être un nombre
+told-request-number-text = doit être un nombre
+told-request-text = doit être un texte
+told-request-list = doit être une liste
+told-request-object = doit être un objet
+told-request-above = doit être supérieur à { $limit }
+told-request-least = doit être au moins { $limit }
+told-request-below = doit être inférieur à { $limit }
+told-request-most = doit être au plus { $limit }
+told-request-list-short = la liste a { $count } éléments, il en faut au moins { $least }
+told-request-list-long = la liste a { $count } éléments, au plus { $most } sont admis
+told-request-text-least-1 = le texte a au moins { $least } caractère
+told-request-text-least = le texte a au moins { $least } caractères
+told-request-text-most = le texte a au plus { $most } caractères
+told-request-pattern = le texte doit suivre le modèle { $pattern }
+told-linescan-plan-error = L’erreur doit être une part entre 0 et 1 ; vitesse et base, supérieures à 0.
+told-linescan-plan-above-zero = Vitesse, base et cadence de lignes doivent être supérieures à 0.
+told-linescan-plan-vehicle = Le véhicule a au plus 100 m de long, l’intervalle au plus 3600 s ; tous deux supérieurs à 0.
+told-linescan-plan-baseline = L’incertitude de la base doit être d’au moins 0 et inférieure à la base.
+told-request-nul = un texte ne peut pas contenir le caractère NUL
+told-media-this-recording = Cet enregistrement
+told-survey-1-camera-calibrated = Une caméra étalonnée.
+told-survey-cameras-calibrated = { $count } caméras étalonnées.
+told-survey-calibrate-the-camera-from = Étalonnez la caméra à partir de photos du damier, ou importez un étalonnage.
+told-survey-add-a-camera-and = Ajoutez une caméra et étalonnez-la.
+told-survey-1-recording-ready-of = Enregistrements prêts : { $count } sur 1.
+told-survey-recordings-ready-of = Enregistrements prêts : { $count } sur { $all }.
+told-survey-confirm-light-and-start-of-1 = Confirmez la luminosité et le début de 1 enregistrement.
+told-survey-confirm-light-and-start = Confirmez la luminosité et le début de { $count } enregistrements.
+told-survey-review-1-height-of-line = Vérifiez 1 hauteur de balayages.
+told-survey-review-heights-of-line = Vérifiez { $count } hauteurs de balayages.
+told-survey-a-recording-could-not = Un enregistrement n’a pu être lu ; voyez pourquoi et envoyez-en un autre.
+told-survey-wait-until-the-recording = Attendez que l’enregistrement ait été lu.
+told-survey-drop-the-day-video = Déposez ici la vidéo du jour.
+told-survey-every-recording-has-its = Chaque enregistrement a sa pose de la caméra.
+told-survey-mark-where-the-board = Marquez où la mire est immobile dans un enregistrement.
+told-survey-mark-where-the-board-stands = Marquez où la mire est immobile dans { $count } enregistrements.
+told-survey-mark-where-the-board-stands-still = Marquez où la mire est immobile, dès qu’un enregistrement est prêt.
+told-survey-add-the-vehicles-that = Ajoutez les véhicules qui passent et mesurez de chacun ce que le relevé demande.
+told-survey-1-target-not-visible = Une cible non visible.
+told-survey-targets-not-visible = { $count } cibles non visibles.
+told-survey-all-1-vehicle-measured = Le véhicule est mesuré.
+told-survey-all-vehicles-measured = Les { $count } véhicules sont mesurés.
+told-survey-measure-of-1-vehicle = Véhicules à mesurer : { $left } sur 1.
+told-survey-measure-of-vehicles = Véhicules à mesurer : { $left } sur { $count }.
+told-survey-review-1-measurement = Vérifiez une mesure.
+told-survey-review-measurements = Vérifiez { $count } mesures.
+told-survey-measure-1-rejected-one = Mesurez à nouveau une mesure rejetée.
+told-survey-measure-rejected-ones-again = Mesurez à nouveau { $count } mesures rejetées.
+told-survey-1-measurement-reviewed = Une mesure vérifiée.
+told-survey-measurements-reviewed = { $count } mesures vérifiées.
+told-survey-nothing-to-review-yet = Rien à vérifier pour l’instant.
+told-survey-1-package-built = Une archive constituée.
+told-survey-packages-built = { $count } archives constituées.
+told-survey-build-the-package-of = Constituez l’archive des résultats.
+
+
+## Application : la visite de la démonstration
+
+tour-title = Visite de la démonstration
+tour-offer = Première fois ici ? La visite montre les pages de la démonstration en deux minutes.
+tour-take = Faire la visite
+tour-not-now = Plus tard
+tour-none = Il n’y a pas de démonstration ici. Créez-la sur la page d’accueil, puis faites la visite.
+tour-step = Visite, { $step } sur { $of } : { $page }
+tour-next = Suivant
+tour-back = Retour
+tour-skip = Passer la visite
+tour-end = Finir la visite
+tour-survey = Un relevé mesure les hauteurs des yeux des conducteurs et des feux sur un site. Cette liste dit ce qui est fait et ce qui vient ensuite ; les pages à gauche suivent l’ordre du travail.
+tour-recordings = Un enregistrement est une vidéo prise de l’accotement. Chacun indique sa luminosité, quand il a été filmé, et si la caméra a bougé entre-temps.
+tour-pose = Une mire de taille connue posée sur la route dit où était la caméra, et donc à quel point les hauteurs seront connues.
+tour-measure = Choisissez un véhicule et cliquez deux fois sur une image : là où un pneu touche la route, et sur l’œil, le feu ou le toit. La hauteur apparaît aussitôt, avec son U95 et ce dont elle vient.
+tour-review = Une autre personne valide, corrige ou rejette chaque hauteur. Personne ne vérifie ses propres mesures.
+tour-statistics = Seules les hauteurs validées comptent : leurs distributions, les erreurs par rapport aux hauteurs connues, et les valeurs des normes selon leur propre règle aujourd’hui.
+tour-export = Un bouton crée l’archive pour un organisme de normalisation : rapport, tableaux, figures et journal d’audit. Qui la reçoit peut la contrôler. La visite recommence depuis le menu qu’ouvrent vos initiales.
+
+## Rapport : les mots de tout rapport (PDF). Un rapport est écrit dans la langue dans laquelle il a été demandé.
+
+report-kind = Rapport de mesure
+report-of-survey = { $survey }, rapport de mesure
+report-survey = Relevé
+report-foot = État au { $moment }
+report-foot-head = État au { $moment }, tête d’audit { $head }…
+report-empty-trail = journal d’audit vide
+report-page = Page { $page } sur { $pages }
+report-between = { $low } à { $high }
+report-of-all = { $part } sur { $all }
+report-decimal-sign = ,
+report-date = { $day }/{ $month }/{ $year }
+report-minute = { $day }/{ $month }/{ $year } { $time }
+report-moment = { $day }/{ $month }/{ $year } à { $time } UTC
+report-unit-m = mètres
+report-unit-ft = pieds
+report-unit-mm = millimètres
+report-unit-in = pouces
+report-unit-cm2 = centimètres carrés
+report-unit-in2 = pouces carrés
+report-driver-eye = œil du conducteur
+report-taillight = feu arrière, limite inférieure
+report-headlight = projecteur
+report-roof = toit
+report-other = autre
+report-eye-near = œil du conducteur, conducteur côté proche
+report-eye-far = œil du conducteur, conducteur côté éloigné
+report-driver-eyes = yeux des conducteurs
+report-taillights = limites inférieures des feux arrière
+report-headlights = projecteurs
+report-roofs = toits
+report-daytime = de jour
+report-low-light = faible luminosité
+report-overall = ensemble
+report-lighting-unknown = luminosité inconnue
+report-by-speedometer = compteur de vitesse
+report-by-radar = radar
+report-by-laser = cinémomètre laser
+report-by-gps = GPS
+report-by-loop = boucle
+report-by-tape = mètre ruban
+report-hatchback = voiture à hayon
+report-saloon = berline
+report-estate = break
+report-suv = SUV
+report-multi-purpose = monospace
+report-pickup = pick-up
+report-van = fourgon
+report-lorry = camion
+report-tractor-unit = tracteur routier
+report-bus = bus ou autocar
+report-recreational = camping-car
+report-trailer = remorque ou caravane
+report-motorcycle = motocyclette
+report-to-the-right = vers la droite
+report-to-the-left = vers la gauche
+report-passenger-cars = voitures particulières
+report-light-trucks = utilitaires légers et monospaces
+report-heavy = poids lourds
+report-by-class-set = groupe de classes
+report-by-category = classe
+report-by-site = site
+report-by-lighting = luminosité
+report-by-stratum = strate
+report-by-operator = opérateur
+report-by-inset = corrigées du retrait
+report-by-shift = corrigées par décalage
+report-not-corrected = non corrigées
+report-by-regression = corrigées par régression
+report-by-deconvolution = corrigées par déconvolution
+report-rejected = rejetée
+report-withdrawn = retirée
+report-not-measurable = non mesurable
+report-to-review = à vérifier
+report-not-selected = non choisie
+report-check-target = cible de contrôle
+report-filmed-since = filmé à partir du { $day }
+report-filmed-until = filmé jusqu’au { $day }
+report-lacking = { $mark } remplace les caractères d’une écriture que les polices de ce rapport n’ont pas ; les fichiers CSV les contiennent.
+report-check-title = Comment contrôler ce rapport
+report-median = Médiane
+report-mean = Moyenne
+report-sd = Écart-type
+report-standard = Norme
+report-vehicles = Véhicules
+report-target = Cible
+report-verdict = Verdict
+report-figure = Grandeur
+report-lighting = Luminosité
+report-camera = Caméra
+report-board = Mire
+report-pose = Pose
+report-recording = Enregistrement
+report-value = Valeur
+report-source = Source
+report-bias = Biais
+report-interval = Intervalle à 95 %
+report-interval-total = 95 %, total
+
+## Rapport : le titre
+
+report-days-none = rien encore
+report-days = du { $first } au { $last }
+report-more-versions = et { $n } autres (voir measurements.csv)
+report-verdicts-of = { $individual } validées par une décision individuelle, { $by_lot } par l’échantillon de leur lot. Parmi les { $of } que personne n’a regardées dans { $lots ->
+    [one] { $lots } lot accepté
+   *[other] { $lots } lots acceptés
+ }, { $estimate } sont fausses d’après l’estimation et { $at_most } au plus (95 % unilatéral).
+report-only = <strong>Uniquement :</strong> { $selection }. Les autres véhicules du relevé ne sont dans aucun chiffre de ce rapport.
+report-filmed = Filmé
+report-filmed-unconfirmed = date non confirmée
+report-measured = Mesuré
+report-place = Lieu
+report-in-this = Dans ce rapport
+report-in-this-of = { $measurements ->
+    [one] { $measurements } mesure
+   *[other] { $measurements } mesures
+ } de { $vehicles ->
+    [one] { $vehicles } véhicule
+   *[other] { $vehicles } véhicules
+ }, dont { $with_reference } avec une hauteur de référence. Mesures validées seulement.
+report-verdicts = Décisions
+report-state-of = État au
+report-code = Programme
+report-count-recordings = enregistrements
+report-count-vehicles = véhicules
+report-count-measurements = mesures
+report-count-not-visible = cibles non visibles
+report-count-used = comptées dans les résultats
+report-count-left-out = écartées
+report-count-scanned = véhicules balayés
+report-count-scanned-used = dont validés
+report-span = { $day } de { $first } à { $last } ({ $zone })
+report-unconfirmed = { $n ->
+    [one] { $n } enregistrement dont le début n’est pas confirmé
+   *[other] { $n } enregistrements dont le début n’est pas confirmé
+ }
+report-coordinates = { $latitude } ; { $longitude } (WGS84)
+report-limit = limitation à { $speed }
+report-lamps = éclairage public
+report-no-lamps = sans éclairage public
+
+## Rapport : installation, étalonnage, pose de la caméra
+
+report-setup = Installation
+report-no-photo = Aucune photo de l’installation n’a été fournie.
+report-photo-broken = La photo « { $caption } » ne peut être lue comme PNG ou JPEG.
+report-no-recording = Il n’y a pas d’enregistrement.
+report-recordings = Enregistrements. Le SHA-256 entier du fichier est dans recordings.csv.
+report-filmed-from = Filmé à partir de
+report-picture = Image
+report-frames = Images
+report-duration = Durée
+report-model-brown = modèle radial et tangentiel de Brown
+report-model-fisheye = fisheye équidistant (Kannala et Brandt)
+report-from-images = à partir de photos d’une mire
+report-from-clip = à partir d’un film d’une mire
+report-from-import = importé du fichier d’un autre outil
+report-lens = { $camera }, étalonnage { $number }
+report-made = Établi
+report-pixels = { $width } × { $height } pixels
+report-lens-model = Modèle d’objectif
+report-views = Vues
+report-views-used = { $used } sur { $given } utilisées
+report-residual = Résidu
+report-residual-is = { $rms } px (moyenne quadratique des distances entre points)
+report-trusted = digne de confiance
+report-not-trusted = à ne pas croire sans lire les avertissements
+report-lens-known = Objectif de { $camera } : paramètres et leurs incertitudes-types.
+report-lens-unknown = Objectif de { $camera } : paramètres ; leurs incertitudes ne sont pas connues.
+report-board-of = { $columns } × { $rows } coins intérieurs, cases de { $square } mm
+report-board-stood = { $n ->
+    [one] Pose
+   *[other] Poses
+ } { $poses } : rangée de coins de référence à { $height } au-dessus de la route{ $u_height }{ $u_lean }.
+report-board-u-height = , u = { $u }
+report-board-u-lean =  ; inclinaison et roulis de la mire, u = { $u } mrad chacun
+report-poses = Poses de la caméra
+report-poses-caption = Poses de la caméra. « { $sign } » : demi-largeur attendue de l’intervalle à 95 % d’une hauteur de 1,2 m pointée à 1 px près, selon la distance à la caméra. Résidu : moyenne quadratique sur les coins de la mire.
+report-pose-at = { $sign } à { $distance }
+report-above-road = { $unit } au-dessus de la route
+report-away = à { $unit }
+report-frames-of = images { $first } à { $last }
+report-calibration-of = étalonnage { $number }
+report-no-board = aucune : elle vient d’ailleurs
+report-pose-warning = Pose { $pose } : { $words }
+report-calibration = Étalonnage et pose de la caméra
+report-no-calibration = Aucune mesure ne repose encore sur un étalonnage.
+report-no-pose = Aucune mesure ne repose encore sur une pose de la caméra.
+
+## Rapport : échantillon et réponse
+
+report-every = Chaque passage devait être mesuré
+report-nth = Un passage sur { $step } devait être mesuré, à partir du numéro { $start }
+report-share-drawn = Une part aléatoire de { $share } % des passages (graine { $seed }) devait être mesurée
+report-rule = { $rule }.
+report-rule-free = { $rule }, pour les véhicules à { $seconds } s au moins derrière le précédent.
+report-all = tous
+report-no-set = aucun groupe
+report-unknown = inconnue
+report-vehicle = véhicule
+report-response = Échantillon et réponse
+report-response-words = { $rule } Chaque passage de l’échantillon finit mesuré, non visible avec un motif, ou reste ouvert ; un passage écarté n’est pas un véhicule à mesurer. Là où le taux diffère entre groupes, les véhicules mesurables peuvent différer de ceux qui sont passés.
+report-no-pass = Aucun passage n’a été trouvé.
+report-response-table = Réponse. Taux : passages (ou cibles) mesurés sur ceux de l’échantillon, avec son intervalle exact à 95 %.
+report-classes = Classes
+report-of = De
+report-passes = Passages
+report-discarded = Écartés
+report-outside = Non tirés
+report-in-sample = Tirés
+report-not-visible = Non visibles
+report-open = Ouverts
+report-rate = Taux
+report-outside-sample = { $n ->
+    [one] { $n } passage a été mesuré bien que hors de l’échantillon, et compte dans les résultats.
+   *[other] { $n } passages ont été mesurés bien que hors de l’échantillon, et comptent dans les résultats.
+ }
+
+## Rapport : la méthode
+
+report-method = Méthode
+report-method-lead = Les hauteurs sont mesurées comme le proposent Dupuis et al. (Sensors 2019, 19(7), 1611, « l’article »), les fautes d’impression de ses équations étant corrigées (ci-dessous). Un damier de dimensions connues, posé sur la route, donne la pose de la caméra ; deux pointés sur une même image, là où un pneu touche la route et sur la cible, donnent une hauteur. Le repère de la route a X le long de la circulation, Y en travers en s’éloignant de la caméra, et Z vers le haut. Un point { $point } de la route se voit au pixel
+report-method-lens = où { $pose } est la pose, { $distortion } la distorsion de l’objectif (modèle radial et tangentiel de Brown, ou fisheye équidistant), et où { $matrix } contient les focales et le point principal. Un pointé { $click } redevient une direction dans le repère de la route, vue du centre { $centre } de la caméra :
+report-method-rays = Le rayon du contact rencontre la route, { $road }. Le rayon de la cible rencontre le plan vertical, parallèle à la circulation, qui se trouve au retrait { $inset } derrière le contact. Avec une pente pour chaque pointé,
+report-eq-contact = contact
+report-eq-target = cible
+report-method-height = la distance { $distance } de la caméra au plan du contact et la hauteur { $height } sont
+report-method-inset = L’article prend { $inset }, ce qui lit une cible à { $height } trop haut de
+report-method-raw = 44 mm pour un œil à 1,16 m, à 0,45 m en retrait, à 3 m d’une caméra haute de 1,5 m. Les hauteurs sont donc données deux fois : « brutes » avec { $inset }, à comparer à l’article, et corrigées du retrait ci-dessous. Quand les deux mêmes points ont été pointés sur plusieurs images d’un passage, le retrait est résolu avec la hauteur par moindres carrés.
+report-method-u = Chaque hauteur porte son incertitude-type par propagation linéaire (JCGM 100:2008),
+report-method-u-over = sur les deux pointés, l’objectif et la pose (ensemble, avec leur covariance), l’inclinaison, le roulis, la hauteur au-dessus de la route, la taille des cases et le gauchissement de la mire, et le retrait. La même pose sert à de nombreux véhicules : son erreur est commune à toutes leurs hauteurs.
+report-assumed = Ce qui est supposé
+report-assumed-plane = La route est un plan de la mire au véhicule, et la mire était d’aplomb sur elle à son incertitude près.
+report-assumed-still = La caméra n’a pas bougé entre l’enregistrement de la mire et les mesures qui en dépendent.
+report-assumed-parallel = Les véhicules roulent parallèlement aux rangées de la mire ; leurs flancs sont verticaux au contact.
+report-assumed-inset = Le retrait d’une cible est celui de la liste ci-dessous, à son incertitude près, sauf si plusieurs images l’ont donné.
+report-assumed-makers = Les hauteurs des constructeurs valent pour le véhicule tel qu’il est passé, à leur incertitude près.
+report-assumed-left-out = Non compris : un modèle d’objectif faux, la charge et les ressorts, le dévers entre mire et véhicule.
+report-misprinted = Les fautes d’impression de l’article
+report-misprints = Équations de l’article, telles qu’imprimées et telles qu’employées ici.
+report-equation = Équation
+report-as-printed = Imprimée
+report-as-used = Employée
+report-used-3 = la distorsion agit après la division par la profondeur, équation (1)
+report-used-4 = c’est le pixel que l’on corrige de la distorsion, équation (2)
+report-used-5 = les directions tournent et ne sont pas décalées, { $used }
+report-used-8 = juste seulement si { $down } pointe vers le bas ; les coins sont d’abord mis dans cet ordre
+report-used-10 = une ligne : { $used }
+report-used-13 = { $printed } n’est défini nulle part ; c’est la normale { $used } du plan latéral qui va là
+report-used-14 = { $used }, sinon le plan latéral est inversé
+report-used-17 = { $used }, avec le point de contact métrique
+report-used-18 = la distance signée au plan de la route, { $used }
+report-insets = Retraits en vigueur : à quelle distance derrière le plan du contact une cible est supposée se trouver, et l’incertitude-type.
+report-inset = Retrait ({ $unit })
+report-from = Provenance
+
+## Rapport : les équations lues à voix haute
+
+report-aloud-pixel = p = K d(pi(R x + t)), pi(x, y, z) = (x sur z, y sur z)
+report-aloud-ray = m = d inverse de K inverse p, w = R transposée (m x, m y, 1), C = moins R transposée t
+report-aloud-slopes = s = w y sur w z au contact, q = w z sur w y à la cible
+report-aloud-height = D = moins C z s, h = C z + (D + delta) q
+report-aloud-inset = b = (C z moins h) delta sur (D + delta)
+report-aloud-u = u carré de h = somme sur i de (dh par dx i) au carré, u carré de x i, U 95 = 1,96 u de h
+report-aloud-4 = p = d inverse de K inverse P
+report-aloud-10 = P g = moins n x d
+report-aloud-10-used = moins n x transposé, d
+report-aloud-13 = P c = moins C x d
+report-aloud-14 = d = n z transposé p l
+report-aloud-14-used = d = moins n z transposé p l
+report-aloud-17 = n x p prime l sur n x p prime h
+report-aloud-17-used = n z transposé p l sur n z transposé p prime h
+report-aloud-18 = p h transposé P g sur moins n x
+report-aloud-18-used = n x transposé (X g moins p h)
+
+## Rapport : les résultats en bref
+
+report-glance = Les résultats en bref
+report-glance-none = Aucune hauteur d’œil, de feu arrière ni de projecteur ne compte encore.
+report-glance-table = Hauteurs au-dessus de la route, { $correction }, en { $unit }.
+report-sure = { $target } : { $figures }. Les intervalles comprennent { $holds }.
+report-sure-figure = { $percentile } { $value }{ $interval }
+report-brackets = (95 % : { $interval })
+report-error-none = Aucun véhicule n’a de hauteur de référence : l’erreur des hauteurs n’est donc pas éprouvée ici.
+report-error-short = Par rapport aux hauteurs de référence de { $n ->
+    [one] { $n } véhicule
+   *[other] { $n } véhicules
+ }, les toits sont mesurés avec une erreur absolue moyenne de { $mae }{ $mae_interval } et un biais de { $bias }{ $bias_interval }.
+report-eyes-below = Yeux de conducteurs plus bas que les hauteurs des normes :
+report-eyes-below-one = { $standard }, { $height } : { $share } (95 % : { $interval } %)
+report-rules = La même règle aujourd’hui : le centile qui fixe une norme, avec son intervalle total à 95 %. « Plus bas » et « plus haut » sont dits là où la probabilité du contraire est de 2,5 % au plus (JCGM 106).
+report-rule-column = Règle
+report-today = Aujourd’hui
+report-difference = Différence
+report-rule-of = P{ $percent }, { $of }
+report-all-vehicles = tous les véhicules (aucune classe n’est connue)
+report-no-verdict = pas de verdict : { $reason }
+report-alike = non distingués ; plus bas avec une probabilité de { $percent }
+report-lower = plus bas ; faux avec une probabilité de { $risk }
+report-higher = plus haut ; faux avec une probabilité de { $risk }
+report-less-than = moins de { $percent }
+
+## Rapport : l’erreur par rapport aux hauteurs de référence
+
+report-errors = Erreur par rapport aux hauteurs de référence
+report-errors-none = Aucun toit d’un véhicule à hauteur de référence ne compte ici : il n’y a pas d’erreur à donner. Entrez des hauteurs de constructeurs dans les fiches des véhicules pour en avoir une.
+report-errors-words = Erreur = mesure moins référence, pour les toits { $correction ->
+    [inset] corrigés de leur retrait
+   *[none] avec un retrait de 0
+ }, { $rounding ->
+    [cm] l’une et l’autre arrondies au centimètre, comme dans l’article
+   *[none] sans arrondi
+ }. Chaque chiffre vient des erreurs elles-mêmes, jamais d’autres chiffres.
+report-errors-holds = Les intervalles à 95 % comprennent { $holds }. Ceux des corrélations et de l’asymétrie ne comprennent que l’échantillonnage.
+report-errors-table = L’erreur et ses intervalles à 95 %.
+report-row-bias = Biais (erreur moyenne)
+report-row-sd = Écart-type de l’erreur
+report-row-r = r(erreur, hauteur)
+report-row-r-abs = r(|erreur|, hauteur)
+report-row-skewness = Asymétrie de l’erreur
+report-row-within = Part d’erreurs ≤ { $limit } cm
+report-no-group = Aucun véhicule à hauteur de référence ne compte ici : { $group }.
+report-reference-part = { $words } À lui seul, cela fait une corrélation de { $correlation } entre erreur et hauteur, dont aucune caméra n’est coupable (u de la référence { $u }).
+report-limits = Limites d’accord (Bland et Altman) : { $lower } ({ $lower_interval }) et { $upper } ({ $upper_interval }).
+report-paper = Pour comparaison, le tableau 1 de l’article tel qu’imprimé.
+report-its-column = Sa colonne
+report-inconsistent = Ce qui s’y contredit
+report-known-errors = Erreurs par cible : mesure moins hauteur connue, avec des intervalles à 95 %. Les cibles de contrôle ne comptent nulle part ailleurs.
+report-bias-total = Biais, U95 total
+report-within-u95 = Dans leur U95
+report-known-errors-note = L’intervalle total du biais comprend aussi ce que les hauteurs ont en commun (pose, retrait moyen), les autres l’échantillonnage seul.
+report-check-targets = { $target }, cibles de contrôle
+
+## Rapport : les distributions des hauteurs
+
+report-heights = Distributions des hauteurs
+report-heights-none = Aucune hauteur ne compte encore ici ; les mesures validées y figureront.
+report-heights-words = Les centiles sont estimés sans biais de la médiane (type 8 de Hyndman et Fan) ; leurs intervalles vont d’une statistique d’ordre à une autre et ne supposent aucune forme. Les bandes des distributions cumulées valent partout à la fois (Dvoretzky, Kiefer, Wolfowitz, Massart) ; les intervalles des parts sont ceux de Clopper et Pearson.
+report-absent = Non mesuré, ou rien n’en compte ici : { $targets }.
+report-percentiles = Centiles des hauteurs : { $target }, avec des intervalles à 95 % ; véhicules : { $corrected } corrigées, { $raw } brutes.
+report-percentile = Centile
+report-true-heights = Hauteurs vraies
+report-corrected = Corrigées
+report-interval-sampling = 95 %, échantil­lonnage
+report-raw-inset = Brutes, retrait 0
+report-holds = L’erreur aléatoire est retirée de la dispersion des hauteurs vraies. Leurs intervalles totaux comprennent { $holds }. Les autres comprennent l’échantillonnage seul.
+report-reason-of = { $percents } : { $reason }.
+report-shares = Normes, et part qui leur est inférieure (des hauteurs vraies) : { $targets }, avec des intervalles totaux à 95 %.
+report-height = Hauteur
+report-below = Au-dessous
+report-share = Part
+report-not-corrected-why = Non corrigées : { $reason }
+report-percentile-of = P{ $percent }, { $of }
+report-cited-by = cité d’après : { $who }
+report-lateral = Positions latérales
+report-lateral-words = Distance du contact du pneu à la caméra, mesurée en travers de la route : une par véhicule, la médiane de ses contacts. Une voie est tout ce qui va dans un même sens sur l’image.
+report-lateral-table = Positions latérales par voie et par classe.
+report-lateral-all = Toutes
+
+## Rapport : la distance de visibilité
+
+report-sight = Distance de visibilité
+report-sight-words = Un sommet de côte offre une distance de visibilité S si sa longueur par pour cent de pente, K, vaut au moins S²/C ; C découle des seules hauteurs de l’œil et de l’objet, C = 100 (√(2 œil) + √(2 objet))². La norme est { $standard } (œil { $eye }, objet { $object }). Les hauteurs du relevé sont le centile { $eye_percent } des yeux et le centile { $object_percent } des bords inférieurs des feux arrière{ $rule ->
+    [own] , règle de cette norme d’après ses sources
+   *[usual] , et là où la norme ne donne pas de règle, celle des hauteurs de l’AASHTO
+ }. S est la distance de visibilité d’arrêt ({ $source }), arrondie vers le haut comme dans les tables de conception.
+report-sight-missing = Il n’y a pas de sommet de côte d’après les hauteurs du relevé : rien ne compte ici pour { $targets }.
+report-sight-table = K des sommets de côte d’après les hauteurs de la norme et celles du relevé, en { $unit } par pour cent.
+report-design-speed = Vitesse de référence
+report-stopping = Distance d’arrêt
+report-k-standard = K, norme
+report-k-survey = K, relevé
+report-per-percent = { $unit } par %
+report-sight-note = Intervalles totaux des deux centiles de hauteurs vraies (échantillonnage, erreurs que des hauteurs partagent, erreur aléatoire) ; les erreurs des deux dues à la même pose de caméra comptent ensemble (limites de Zou et Donner, 2008). La réaction et le freinage du conducteur sont des conventions de la norme et n’ont pas d’intervalle.
+
+## Rapport : les balayages
+
+report-scans = Balayages
+report-scans-words = Deux caméras linéaires, à une base connue l’une de l’autre, enregistrent la même circulation (Douxchamps, Macq et Chihara). Le mouvement d’un véhicule est une vitesse quand son avant atteint la caméra 1 et une accélération constante ; sa longueur en est compensée. Les intervalles de temps vont de l’arrière du véhicule précédent à cet avant, les distances entre véhicules séparent les mêmes points quand cet avant atteint la caméra 1. { $methods }Les incertitudes comprennent la base, l’horloge, le désalignement, l’ajustement et les bornes.
+report-scans-methods = Ont été mesurés { $methods }.
+report-and = { $first } et { $last }
+report-scans-direct = { $n ->
+    [one] { $n } véhicule par superposition de ses deux bandes entières (recalage direct)
+   *[other] { $n } véhicules par superposition de leurs deux bandes entières (recalage direct)
+ }
+report-scans-paper = { $n ->
+    [one] { $n } véhicule par l’appariement de blocs et la régression linéaire de l’article
+   *[other] { $n } véhicules par l’appariement de blocs et la régression linéaire de l’article
+ }
+report-rigs = Balayages et leurs bancs tels qu’ils ont été entrés ; u est l’incertitude-type.
+report-line-scan = Balayage
+report-lines = Lignes
+report-baseline = Base
+report-line-rate = Cadence
+report-clock = Horloge
+report-divergence = Divergence
+report-lane-distance = Distance à la voie
+report-misalignment = Désalignement
+report-video-columns = colonnes d’une vidéo, { $lighting }
+report-strips = bandes, { $lighting }
+report-from-traffic = d’après le trafic
+report-with-u = { $value } (u = { $u })
+report-no-vehicle = Aucun véhicule n’y a été trouvé.
+report-left-out-to-review = { $n } non encore vérifiés
+report-left-out-rejected = { $n } rejetés
+report-left-out-not-measurable = { $n } non mesurables
+report-none-accepted = Aucun véhicule balayé n’est validé : aucun ne compte ici.
+report-accepted-count = { $n ->
+    [one] { $n } véhicule validé compte, sur { $all } trouvés.
+   *[other] { $n } véhicules validés comptent, sur { $all } trouvés.
+ }
+report-scans-left-out = Écartés : { $states } ; scan_vehicles.csv en donne les motifs.
+report-speed-short = La vitesse moyenne est de { $mean } ; 85 % ne roulent pas à plus de { $p85 } { $interval }.
+report-no-interval = (pas d’intervalle à 95 % : { $reason })
+report-quantities = Ce qui a été mesuré des véhicules validés, avec les centiles et leurs intervalles à 95 %.
+report-quantity = Grandeur
+report-speed = vitesse
+report-length = longueur
+report-wheelbase = empattement
+report-time-gap = intervalle de temps
+report-distance-gap = distance entre véhicules
+report-headway = temps intervéhiculaire
+report-by-lengths = Base d’après les longueurs : { $reason }
+report-by-wheelbases = Base d’après les empattements : { $reason }
+report-over-lengths = Longueurs mesurées sur longueurs vraies de { $n ->
+    [one] { $n } véhicule
+   *[other] { $n } véhicules
+ } : { $ratio } (u = { $u }). { $verdict }
+report-over-wheelbases = Empattements mesurés sur empattements vrais de { $n ->
+    [one] { $n } véhicule
+   *[other] { $n } véhicules
+ } : { $ratio } (u = { $u }). { $verdict }
+report-baseline-agrees = La base s’accorde avec eux.
+report-sizes-none = Aucun véhicule validé n’a de longueur ni d’empattement connus : ils ne sont donc pas éprouvés ici.
+report-sizes = Erreurs (mesure moins dimensions du constructeur) en { $unit }, avec des intervalles à 95 %.
+report-size = Dimension
+report-references = Différences (mesure moins référence) des véhicules validés avec ce qui les a mesurés par ailleurs, par source. Accord : |E<sub>n</sub>| d’au plus 1, soit dans l’U95 composée des deux (ISO 13528), avec l’intervalle à 95 % de la part.
+report-reference = Référence
+report-all-sources = toutes les sources
+report-within = Accord
+report-share-within = Part en accord
+report-references-words = Environ 19 sur 20 devraient être en accord. Les véhicules d’un même banc partagent l’erreur de sa base : quelques-uns peuvent être tous en désaccord à la fois. Ce que chaque source dit de chaque véhicule est dans scan_references.csv.
+report-scan-heights = Hauteurs validées au-dessus de la route de véhicules balayés, par deux pointés dans la bande de la caméra 1, dont un jalon a donné la pose ; corrigées de leurs retraits. Chacune a sa propre décision ; celles qui l’attendent ne comptent nulle part.
+report-typical-u95 = U95 typique
+report-waiting = En attente
+report-table-1 = Véhicules validés, présentés comme le tableau I de l’article.
+report-vehicle-column = Véhicule
+report-speed-column = Vitesse
+report-acceleration = Accélération
+report-length-column = Longueur
+report-true-length = Longueur vraie
+report-length-error = Erreur de longueur
+report-fit-error = Erreur d’ajustement
+report-first-of = Les { $shown } premiers sur { $all } ; scan_vehicles.csv les contient tous.
+
+## Rapport : ce qui a été écarté, comment contrôler
+
+report-left-out = Exclusions
+report-nothing-left-out = Rien n’a été écarté : toutes les mesures sont dans les résultats.
+report-left-out-of = { $n ->
+    [one] { $n } mesure ne compte dans aucun résultat.
+   *[other] { $n } mesures ne comptent dans aucun résultat.
+ } Toutes sont listées dans les fichiers CSV de l’archive.
+report-left-out-first = { $n ->
+    [one] { $n } mesure ne compte dans aucun résultat.
+   *[other] { $n } mesures ne comptent dans aucun résultat.
+ } Les { $shown } premières figurent ici. Toutes sont listées dans les fichiers CSV de l’archive.
+report-left-out-table = Mesures qui ne comptent dans aucun résultat, avec le motif.
+report-number = Numéro
+report-state = État
+report-reason = Motif
+report-check-words = Ce rapport fait partie d’une archive de fichiers CSV et JSON. La commande ci-dessous contrôle les sommes de contrôle et le journal d’audit de l’archive, et recalcule chaque hauteur d’après les pointés, la pose et la caméra, et chaque statistique d’après les lignes. Colonnes, unités et significations sont décrites dans datapackage.json.
+report-package = ARCHIVE
+report-trail-empty = Le journal d’audit est vide.
+report-trail = Le journal d’audit a { $n ->
+    [one] { $n } événement
+   *[other] { $n } événements
+ } jusqu’au dernier de ce relevé. Chacun porte l’empreinte du précédent ; qui a gardé ailleurs l’empreinte de cet événement peut voir que rien avant lui n’a été modifié depuis. L’événement suivant, qui scelle cette archive, nomme chaque fichier par son empreinte.
+report-checksums = SHA-256 des fichiers de l’archive.
+report-file = Fichier
+
+## Rapport : les figures
+
+report-fig-cumulative = Hauteurs, distribution cumulée : { $target }
+report-fig-no-height = Aucune hauteur ne compte ici ({ $target }) : il n’y a pas de distribution à tracer.
+report-fig-raw = brutes (retrait 0), n = { $n }
+report-fig-corrected = corrigées, n = { $n }
+report-fig-height-above = Hauteur au-dessus de la route : { $target } ({ $unit })
+report-fig-height = Hauteur : { $target } ({ $unit })
+report-fig-share = Part des véhicules (%)
+report-fig-share-below = { $standard }, { $share } au-dessous
+report-fig-cumulative-caption = Plein : corrigées, avec leur bande à 95 % (partout à la fois) et cinq centiles avec leurs intervalles à 95 %. Tireté : brutes, telles que l’article les mesure (retrait 0).
+report-fig-density = Hauteurs, densité : { $target }
+report-fig-density-axis = Densité (par { $unit })
+report-fig-density-caption = Hauteurs corrigées, n = { $n } ; noyau gaussien, largeur { $width } ; bande ponctuelle à 95 %.
+report-fig-by = Hauteurs par { $grouping } : { $target }
+report-fig-by-caption = Hauteurs corrigées par groupe (nombre de véhicules) : médiane (anneau), 15e au 85e centile (épais), 5e au 95e (fin).
+report-fig-by-rules = Traits verticaux : { $rules }.
+report-fig-by-left-out = { $n } groupes plus petits sont omis.
+report-fig-group = { $group }, n = { $n }
+report-fig-no-error = Aucun véhicule n’a de hauteur de référence : il n’y a pas d’erreur à tracer.
+report-fig-no-errors = Il n’y a pas d’erreur à tracer.
+report-fig-absolute-axis = Erreur absolue ({ $unit })
+report-fig-absolute = Erreur absolue, cumulée
+report-fig-absolute-caption = Part des véhicules dont l’erreur absolue est au plus de cette valeur. Bandes : 95 %, partout à la fois.
+report-fig-relative-axis = Erreur absolue sur hauteur de référence (%)
+report-fig-relative = Erreur relative, cumulée
+report-fig-relative-caption = L’erreur absolue en part de la hauteur de référence. Bandes : 95 %, partout à la fois.
+report-fig-signed = Erreur signée, densité
+report-fig-signed-axis = Mesure moins référence ({ $unit })
+report-fig-signed-width = { $width } { $group }
+report-fig-signed-caption = Noyau gaussien, largeur { $widths }. Bandes : 95 %, ponctuelles.
+report-fig-signed-caption-cm = Noyau gaussien, largeur { $widths }, au moins la moitié de l’arrondi de { $rounding }. Bandes : 95 %, ponctuelles.
+report-fig-trend = Erreur signée selon la hauteur vraie
+report-fig-regression = régression
+report-fig-maker-height = Hauteur du constructeur ({ $unit })
+report-fig-one-mark = Une marque par véhicule. { $reason }
+report-fig-per = { $small } par { $height }
+report-fig-seen = Une marque par véhicule
+report-fig-seen-some = Une marque pour { $shown } véhicules sur { $n }
+report-fig-trend-caption = { $seen } ; régression et sa bande à 95 % : pente { $slope } ({ $interval }), r = { $r }.
+report-fig-trend-caption-absolute = { $seen } ; régression et sa bande à 95 % : pente { $slope } ({ $interval }), r = { $r } ; erreur absolue : r = { $r_absolute }.
+report-fig-lateral = Position latérale par voie et par classe
+report-fig-lateral-axis = Distance à la caméra en travers de la route ({ $unit })
+report-fig-lateral-caption = Contact du pneu, un par véhicule, selon son sens sur l’image et sa classe (nombre de véhicules) : médiane (anneau), 15e au 85e centile (épais), 5e au 95e (fin).
+report-fig-crest = K d’un sommet de côte selon la vitesse de référence
+report-fig-by-standard = d’après les hauteurs de la norme
+report-fig-by-survey = d’après les hauteurs du relevé
+report-fig-design-speed = Vitesse de référence ({ $unit })
+report-fig-k = K ({ $unit } par %)
+report-fig-crest-caption = K = S²/C à la distance de visibilité d’arrêt de chaque vitesse, arrondie vers le haut comme dans les tables de conception. Plein : d’après les hauteurs du relevé, avec sa bande à 95 % ; tireté : d’après celles de la norme.
+report-fig-scanned = Véhicules balayés : { $quantity }, distribution cumulée
+report-fig-scanned-caption = n = { $n } ; { $percentiles } ; intervalles à 95 % là où n le permet, et bande à 95 % de la courbe.
+report-fig-true = Hauteurs vraies, distribution cumulée : { $target }
+report-fig-error-left-in = erreur aléatoire comprise
+report-fig-true-curve = hauteurs vraies
+report-fig-true-caption = Plein : hauteurs vraies, pondérées selon le parc quand il a été donné ; la bande relie les intervalles totaux à 95 % des centiles. Tireté : erreur aléatoire comprise.
+
+## Rapport d’une étude
+
+report-study-kind = Rapport d’étude
+report-study-kind-simulated = Simulé : rapport d’étude
+report-of-study = { $study }, rapport d’étude
+report-study-simulated = <strong>Simulé.</strong> Rien ici n’a été filmé : les véhicules ont été tirés de parcs connus. Aucun chiffre de ce rapport ne dit rien de routes réelles.
+report-joined = Réunis
+report-joined-of = { $surveys ->
+    [one] { $surveys } relevé
+   *[other] { $surveys } relevés
+ } sur { $sites ->
+    [one] { $sites } site
+   *[other] { $sites } sites
+ } : { $heights } hauteurs validées de { $vehicles ->
+    [one] { $vehicles } véhicule
+   *[other] { $vehicles } véhicules
+ }
+report-weighted = Pondérés
+report-not-weighted = non : les véhicules comptent comme ils ont été tirés
+report-fleet-by = selon les parts du parc ({ $margins }), telles que sa table les donne
+report-target-reason = { $target } : { $reason }.
+report-study-table = Hauteurs au-dessus de la route en { $unit } : hauteurs vraies, pondérées selon le parc quand il a été donné, avec des intervalles totaux à 95 %.
+report-sites-of = { $n } sites
+report-study-note = Les intervalles comprennent l’échantillonnage des véhicules et des sites, les erreurs que les hauteurs ont en commun (pose de la caméra, retrait moyen) et l’erreur aléatoire, qui est retirée des valeurs.
+report-study-note-one-site = Les intervalles comprennent l’échantillonnage des véhicules et des sites, les erreurs que les hauteurs ont en commun (pose de la caméra, retrait moyen) et l’erreur aléatoire, qui est retirée des valeurs. D’un seul site, ils ne parlent que de ce lieu.
+report-years-table = Années comparées : la plus récente moins la première, chacune pondérée pour elle-même, avec des intervalles totaux à 95 %.
+report-years = Années
+report-year-figure = { $target }, { $figure }
+report-figure-mean = moyenne
+report-heights-column = Hauteurs
+report-more-higher = plus haut (significatif)
+report-more-lower = plus bas (significatif)
+report-not-told-apart = pas de différence significative
+report-year-no-interval = pas d’intervalle
+report-verdict-why = { $verdict } ({ $reason })
+report-makers-words = Par rapport aux hauteurs des constructeurs, { $n } toits ont une erreur absolue moyenne de { $mae } (95 % : { $mae_interval }) et un biais de { $bias } (95 % : { $bias_interval }).
+report-studied = Données
+report-surveys = Les relevés. « Comptées » : hauteurs validées de véhicules de l’échantillon du relevé ; « exclues » : celles d’autres véhicules.
+report-survey-column = Relevé
+report-site = Site
+report-stratum = Strate
+report-year = Année
+report-counts = Comptées
+report-not = Exclues
+report-true-distributions = Distributions des hauteurs vraies
+report-no-distribution = Aucune distribution ne peut être tracée.
+report-true-percentiles = Centiles des hauteurs vraies : { $target }, avec des intervalles totaux à 95 %. L’effet de plan est la variance de ce plan sur celle d’autant de véhicules tirés un à un.
+report-error-left-in = Erreur aléatoire comprise
+report-design-effect = Effet de plan
+report-effective-n = n effectif
+report-makers-errors = Erreur par rapport aux hauteurs des constructeurs
+report-makers-table = Erreur = mesure moins hauteur du constructeur, pour les toits, sans arrondi, avec des intervalles à 95 %.
+report-vehicle-classes = Classes de véhicules
+report-classes-table = Parts des classes telles que tirées, en %, avec des intervalles à 95 %, à côté de celles du parc.
+report-class = Classe
+report-fleet = Parc
+report-further = Une nouvelle étude
+report-further-table = Sites, et véhicules sur chacun, qui donneraient au P10 des hauteurs vraies une U95 de { $goal }, si sites et véhicules diffèrent comme ceux-ci.
+report-sites = Sites
+report-no-number = aucun nombre
+report-study-check = Chaque chiffre est dans l’archive de l’étude, dont le SHA-256 est ci-dessous. D’après les archives exportées des mêmes relevés, { $command } donne les mêmes chiffres ; chaque archive est d’abord vérifiée entière, jusqu’aux pointés.
+report-study = ÉTUDE
+report-heads = La fin de la chaîne d’audit de chaque relevé quand il a été lu.
+report-last-hash = Dernière empreinte

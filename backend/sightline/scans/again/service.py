@@ -1,0 +1,172 @@
+"""Computing a survey's heights again with the facts that hold now, and putting the old ones back: those of
+recordings and those of line scans, as one computing.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+from sightline.enums import ComputingCause, ComputingKind
+from sightline.errors import Conflict, NotFound
+from sightline.infra.database import Session
+from sightline.infra.version import code_version
+from sightline.measurements.again.query import computed_heights, get_computing
+from sightline.measurements.again.records import ComputedHeights, Computing, OutOfDate
+from sightline.measurements.again.service import (
+    Answers,
+    Tell,
+    measurement_changes_back,
+    measurement_changes_to_come,
+    measurements_out_of_date,
+    require_undoable,
+    untold,
+)
+from sightline.measurements.again.store import Changed, add_computing
+from sightline.measurements.store import append_computed_again
+from sightline.scans.again.lines import LineAnswers, LineChanged, line_changes_back, line_changes_to_come
+from sightline.scans.again.query import AlikeLines, alike_lines, computed_line_heights
+from sightline.scans.heights.service import has_another_inset
+from sightline.scans.heights.store import append_line_heights_again
+from sightline.surveys.records import Survey
+from sightline.surveys.store import get_survey
+
+_MOST_LISTED = 2000
+
+
+@dataclass(eq=False)
+class AllAnswers:
+    """What was computed outside the transaction, to be only looked up in it."""
+
+    frames: Answers = field(default_factory=Answers)
+    lines: LineAnswers = field(default_factory=LineAnswers)
+
+
+@dataclass(frozen=True, slots=True)
+class Changes:
+    """The revisions to come, of measurements and of heights in line scans."""
+
+    frames: Sequence[Changed]
+    lines: Sequence[LineChanged]
+
+    def __len__(self) -> int:
+        return len(self.frames) + len(self.lines)
+
+
+def out_of_date(session: Session, survey_id: int) -> OutOfDate:
+    """How many standing heights follow from other facts than hold now; from facts alone, nothing is computed.
+
+    Raises NotFound.
+    """
+    found = measurements_out_of_date(session, survey_id)
+    survey = get_survey(session, survey_id)
+    causes = Counter(found.causes)
+    stale = other_program = 0
+    for group in alike_lines(session, survey_id):
+        of_group = _causes(group, survey)
+        if of_group:
+            stale += group.count
+            causes.update(dict.fromkeys(of_group, group.count))
+        elif group.code_version != code_version():
+            other_program += group.count
+    return OutOfDate(
+        heights=found.heights + stale,
+        in_line_scans=stale,
+        waiting=found.waiting,
+        other_program=found.other_program + other_program,
+        causes=dict(causes),
+    )
+
+
+def _causes(group: AlikeLines, survey: Survey) -> list[ComputingCause]:
+    another = has_another_inset(group, survey.insets)
+    told: tuple[tuple[ComputingCause, bool], ...] = (("pose", group.superseded), ("inset", another))
+    return [cause for cause, holds in told if holds]
+
+
+def changes_to_come(
+    session: Session,
+    survey_id: int,
+    answers: AllAnswers,
+    *,
+    only_waiting: bool = False,
+    tell: Tell = untold,
+) -> Changes:
+    """The standing heights that come out as others with the facts that hold now.
+
+    A recording without a road pose keeps its heights. `only_waiting`: those alone that have no height and get
+    one; in line scans none waits. Raises NotFound, Conflict for a pose of pictures of another size.
+    """
+    frames = measurement_changes_to_come(
+        session, survey_id, answers.frames, only_waiting=only_waiting, tell=lambda part: tell(part / 2)
+    )
+    if only_waiting:
+        return Changes(frames, ())
+    lines = line_changes_to_come(session, survey_id, answers.lines, tell=lambda part: tell((1 + part) / 2))
+    return Changes(frames, lines)
+
+
+def compute_again(
+    session: Session,
+    survey_id: int,
+    *,
+    kind: ComputingKind = "asked",
+    only_waiting: bool = False,
+    answers: AllAnswers | None = None,
+    actor: int | None,
+) -> Computing | None:
+    """Store every height that comes out as another one as a new revision; None where there is none."""
+    changes = changes_to_come(session, survey_id, answers or AllAnswers(), only_waiting=only_waiting)
+    return _stored(session, survey_id, changes, kind=kind, actor=actor) if len(changes) else None
+
+
+def undo_computing(session: Session, computing_id: int, *, actor: int | None) -> Computing:
+    """Put back the height that each had before, as a new revision.
+
+    What was changed since stays as it is and is counted in `kept`; what was rejected since stays rejected.
+    Raises Conflict where a later computing stands, or this one cannot be undone.
+    """
+    one = require_undoable(session, computing_id)
+    frames, kept_frames = measurement_changes_back(session, computing_id)
+    lines, kept_lines = line_changes_back(session, computing_id)
+    changes, kept = Changes(frames, lines), kept_frames + kept_lines
+    return _stored(session, one.survey_id, changes, kind="undo", undoes=computing_id, kept=kept, actor=actor)
+
+
+def _stored(
+    session: Session,
+    survey_id: int,
+    changes: Changes,
+    *,
+    kind: ComputingKind,
+    undoes: int | None = None,
+    kept: int = 0,
+    actor: int | None,
+) -> Computing:
+    """The record of the computing, and after it the revisions that it made."""
+    counted = [*(one.change for one in changes.frames), *(one.change for one in changes.lines)]
+    made = add_computing(session, survey_id, counted, kind=kind, undoes=undoes, kept=kept, actor=actor)
+    action = "undo" if kind == "undo" else "compute_again"
+    append_computed_again(session, survey_id, made.id, changes.frames, action=action, actor=actor)
+    append_line_heights_again(session, survey_id, made.id, changes.lines, action=action, actor=actor)
+    return made
+
+
+def heights_of(session: Session, computing_id: int) -> ComputedHeights:
+    """A computing with its heights, old beside new. Raises NotFound."""
+    one = get_computing(session, computing_id)
+    found = (*computed_heights(session, computing_id), *computed_line_heights(session, computing_id))
+    changes = [row.change_m for row in found if row.change_m is not None and not row.repeat]
+    try:
+        require_undoable(session, computing_id)
+        why_not = None
+    except (Conflict, NotFound) as refused:
+        why_not = refused.message
+    ordered = sorted(found, key=lambda row: (not row.to_review, -(row.moved_by_u or 0.0)))
+    return ComputedHeights(
+        computing=one,
+        listed=tuple(ordered[:_MOST_LISTED]),
+        mean_change_m=sum(changes) / len(changes) if changes else None,
+        undoable=why_not,
+    )

@@ -1,0 +1,170 @@
+"""A stream's vehicles on their way into a survey: a recording that grows, its strips once it has ended."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from concurrent.futures import Future, ThreadPoolExecutor
+from contextlib import AbstractContextManager
+from dataclasses import replace
+from pathlib import Path
+
+from sightline.enums import ScanMethod
+from sightline.errors import SightlineError
+from sightline.infra.database import Session
+from sightline.infra.services import Services
+from sightline.infra.version import code_version
+from sightline.linescan.parts import Motion, Rig
+from sightline.media.store.local import key_of, sha256_of
+from sightline.scans.live.records import LiveHealth, LiveVehicle, SegmentFacts
+from sightline.scans.live.store import add_live_scan, end_live_scan, hear_live_scan
+from sightline.scans.records import LiveSource, ScanRunValues, StripSource
+from sightline.scans.service import queue_reading
+from sightline.scans.store import create_scan, get_scan, note_reading_failed, note_scan_recorded, rig_columns
+from sightline.scans.vehicles.find_job import summary_of
+from sightline.scans.vehicles.measurement_store import append_scan_measurements
+from sightline.scans.vehicles.motion import values_of
+from sightline.scans.vehicles.run_store import add_scan_run
+from sightline.scans.vehicles.store import create_scan_vehicles
+
+NOT_KEPT = "The lines of this stream were not stored, so there is no image; its vehicles remain."
+_SUFFIX = ".spool.tif"
+
+
+class SurveyKeeper:
+    """Stores vehicles as they come, with the store functions of the search and their audit events.
+
+    A database that cannot be written delays the storing, never the stream: what waits is stored with the next
+    second. Strips are moved to the media store beside the stream, in a thread of their own.
+    """
+
+    def __init__(
+        self, services: Services, survey_id: int, rig: Rig, method: ScanMethod, say: Callable[[str], None]
+    ) -> None:
+        self._services, self._survey_id, self._rig, self._method = services, survey_id, rig, method
+        self._say = say
+        self._scan_id: int | None = None
+        self._waiting: list[LiveVehicle] = []
+        self._motions: list[Motion] = []
+        self._troubled = False
+        self._mover = ThreadPoolExecutor(1)
+        self._moves: list[Future[None]] = []
+
+    def begin(self, segment: SegmentFacts) -> int | None:
+        self._scan_id, self._motions = None, []
+
+        def begun() -> None:
+            with self._writing() as session:
+                made = create_scan(
+                    session,
+                    self._survey_id,
+                    name=f"Live {segment.began_at:%Y-%m-%d %H:%M:%S} UTC",
+                    source=LiveSource(),
+                    time_axis="height",
+                    rig=self._rig,
+                    actor=None,
+                )
+                add_live_scan(session, self._survey_id, made.id, segment)
+            self._scan_id = made.id
+
+        self._try(begun)
+        return self._scan_id
+
+    def take_up(self, scan_id: int | None) -> None:
+        self._scan_id, self._motions = scan_id, []
+
+    def add(self, vehicle: LiveVehicle) -> None:
+        if self._scan_id is not None:
+            self._waiting.append(vehicle)
+            self._motions.append(replace(vehicle.vehicle.motion, profile=None))
+            self._try(self._store)
+
+    def hear(self, health: LiveHealth) -> None:
+        scan_id = self._scan_id
+        if scan_id is None:
+            return
+
+        def heard() -> None:
+            self._store()
+            with self._writing() as session:
+                hear_live_scan(session, scan_id, health)
+
+        self._try(heard)
+
+    def end(self, paths: tuple[Path, Path] | None, notes: list[str]) -> None:
+        scan_id, self._scan_id = self._scan_id, None
+        if scan_id is None:
+            return
+        waiting, self._waiting = self._waiting, []
+        motions, self._motions = self._motions, []
+        self._moves = [one for one in self._moves if not one.done()]
+        self._moves.append(self._mover.submit(self._end, scan_id, waiting, motions, paths, notes))
+
+    def close(self) -> None:
+        """After all strips are where they belong."""
+        self._mover.shutdown(wait=True)
+        for move in self._moves:
+            move.result()
+
+    def _end(
+        self,
+        scan_id: int,
+        waiting: list[LiveVehicle],
+        motions: list[Motion],
+        paths: tuple[Path, Path] | None,
+        notes: list[str],
+    ) -> None:
+        source = None if paths is None else (self._strip(paths[0]), self._strip(paths[1]))
+        with self._writing() as session:
+            self._store_in(session, scan_id, waiting)
+            self._add_run(session, scan_id, motions, notes)
+            end_live_scan(session, scan_id)
+            if source is None:
+                note_reading_failed(session, scan_id, NOT_KEPT, actor=None)
+            else:
+                note_scan_recorded(session, scan_id, source, actor=None)
+                queue_reading(session, get_scan(session, scan_id), None, None)
+        for path in paths or ():
+            path.unlink()  # the media store has it
+
+    def _strip(self, path: Path) -> StripSource:
+        sha256 = sha256_of(path)
+        key = key_of(sha256, _SUFFIX)
+        self._services.media.put_file(key, path, link=True)
+        return StripSource(path.name, key, sha256)
+
+    def _add_run(self, session: Session, scan_id: int, motions: list[Motion], notes: list[str]) -> None:
+        values = ScanRunValues(
+            method=self._method,
+            rig=rig_columns(self._rig),
+            found=len(motions),
+            measured=sum(one.status == "ok" for one in motions),
+            summary=summary_of(motions),
+            warnings=notes,
+            code_version=code_version(),
+        )
+        add_scan_run(session, scan_id, values, actor=None)
+
+    def _store(self) -> None:
+        if not self._waiting or self._scan_id is None:
+            return
+        with self._writing() as session:
+            self._store_in(session, self._scan_id, self._waiting)
+        self._waiting = []
+
+    def _store_in(self, session: Session, scan_id: int, vehicles: list[LiveVehicle]) -> None:
+        values = [values_of(one.vehicle.motion, self._rig, "found") for one in vehicles]
+        made = create_scan_vehicles(session, scan_id, len(values), origin="found", actor=None)
+        append_scan_measurements(session, scan_id, list(zip(made, values, strict=True)), actor=None)
+
+    def _writing(self) -> AbstractContextManager[Session]:
+        return self._services.writing(self._survey_id)
+
+    def _try(self, work: Callable[[], None]) -> None:
+        """Whatever the database does, the stream goes on: said once, tried again with the next second."""
+        try:
+            work()
+            self._troubled = False
+        except SightlineError as error:
+            if not self._troubled:
+                self._say(f"{error.message} {len(self._waiting)} vehicles wait to be stored in the survey.")
+            self._troubled = True

@@ -1,0 +1,92 @@
+"""Records of a live stream: what is told of a vehicle, and how the stream is."""
+
+from dataclasses import dataclass
+from datetime import datetime
+from pathlib import Path
+from typing import Protocol
+
+from sightline.linescan.passing import Vehicle
+
+
+@dataclass(frozen=True, eq=False)
+class LiveVehicle:
+    """A vehicle with the segment in whose strips it is, and the time of day of its front at camera 1.
+
+    `begin`: the line of the stream that is line 0 of the segment.
+    """
+
+    segment: int
+    begin: int
+    vehicle: Vehicle
+    at: datetime
+
+
+@dataclass(frozen=True, slots=True)
+class LiveHealth:
+    """How a stream is at the moment. Counts are of its present segment, lost lines those of either camera.
+
+    `light_dn`: mean of the empty road, 0 to 255, per camera (None: not yet seen); `saturated`: share of the
+    picture; `clock_offset_s`: time that has passed minus the time that the lines make; `memory_mib`: of the
+    process; `waiting_mib`: lines that came and are not yet looked at; `words`: what is to be said.
+    """
+
+    lines: int
+    lost_lines: tuple[int, int]
+    light_dn: tuple[float | None, float | None]
+    saturated: tuple[float, float]
+    clock_offset_s: float
+    memory_mib: float
+    waiting_mib: float
+    words: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class SegmentFacts:
+    """A segment as it begins: its number, the stream's sign, source, and the time of its line 0."""
+
+    number: int
+    stream: str
+    source: str
+    began_at: datetime
+
+
+class Keeper(Protocol):
+    """Where a stream's vehicles go besides being told: a survey, or nowhere."""
+
+    def begin(self, segment: SegmentFacts) -> int | None:
+        """A segment begins; the number of its line-scan recording."""
+
+    def take_up(self, scan_id: int | None) -> None:
+        """The segment that a killed stream left is the present one, until its end."""
+
+    def add(self, vehicle: LiveVehicle) -> None: ...
+
+    def hear(self, health: LiveHealth) -> None: ...
+
+    def end(self, paths: tuple[Path, Path] | None, notes: list[str]) -> None:
+        """The segment has ended; its strips (None: not kept) and what is to be said of them."""
+
+
+@dataclass(frozen=True, slots=True)
+class LiveScan:
+    """A recording that a stream makes or made; `ready`: its picture can be looked at."""
+
+    scan_id: int
+    name: str
+    ready: bool
+    line_rate_hz: float
+    stream: str
+    source: str
+    began_at: datetime
+    heard_at: datetime
+    ended_at: datetime | None
+    health: LiveHealth | None
+
+
+@dataclass(frozen=True, slots=True)
+class FlowMinute:
+    """Vehicles whose front reached camera 1 in the minute from `begin` on; `whole`: it was watched whole."""
+
+    begin: datetime
+    vehicles: int
+    whole: bool

@@ -1,0 +1,285 @@
+"""A live stream from its source to what is told: segments, what a killed run left, health."""
+
+from __future__ import annotations
+
+import os
+import secrets
+import time
+from collections import deque
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, replace
+from datetime import UTC, datetime
+from pathlib import Path
+
+import numpy as np
+
+from sightline.enums import ScanMethod
+from sightline.errors import BadInput
+from sightline.linescan import faults
+from sightline.linescan.parts import Rig
+from sightline.linescan.rig import rig_from
+from sightline.media.lines.source import LineSource, Piece
+from sightline.scans.live.journal import Told, end_interrupted, interrupted, last_number, spool_paths
+from sightline.scans.live.records import Keeper, LiveHealth, LiveVehicle, SegmentFacts
+from sightline.scans.live.segment import LEAD_S, Remainder, Segment
+
+TICK_S = 1.0
+JUMP_S = 0.5
+Say = Callable[[str], None]
+
+
+@dataclass(frozen=True)
+class Clock:
+    """The computer's two clocks: the one that is set, and the one that only counts."""
+
+    wall: Callable[[], float] = time.time
+    steady: Callable[[], float] = time.monotonic
+
+    def now(self) -> datetime:
+        return datetime.fromtimestamp(self.wall(), UTC)
+
+
+class LiveRun:
+    """The vehicles of a source while they pass.
+
+    `source`: opens it, from a line on where it can go back (`can_go_back`); `folder`: where lines and journal
+    are kept (None: nowhere); `segment_s`: how much traffic one pair of files holds; `say`: takes sentences.
+    Raises BadInput where what a killed run left was recorded with another rig.
+    """
+
+    def __init__(
+        self,
+        source: Callable[[int], LineSource],
+        rows: int,
+        rig: Rig,
+        method: ScanMethod,
+        *,
+        folder: Path | None,
+        keeper: Keeper,
+        say: Say,
+        name: str,
+        can_go_back: bool = False,
+        segment_s: float = 3600.0,
+        clock: Clock = Clock(),
+    ) -> None:
+        self.rows, self.rig, self.method, self.folder = rows, rig, method, folder
+        self.found = self.lines = 0
+        self._keeper, self._say, self._clock, self._name = keeper, say, clock, name
+        self._segment_s, self._go_back, self._open = segment_s, can_go_back, source
+        self._said: set[str] = set()
+        self._segment: Segment | None = None
+        self._stream = secrets.token_hex(8)
+        self._begin, self._skip, self._first_id = 0, -1.0, 1
+        self._ticked = self._clock.steady()
+        self._apart = self._clock.wall() - self._ticked
+        self._began, self._number = 0.0, 0
+        self._recent: deque[Piece] = deque()
+        self.source: LineSource | None = None
+
+    def vehicles(self) -> Iterator[LiveVehicle]:
+        """Every vehicle as soon as it is measured; first those that a killed run had not told."""
+        left = interrupted(self.folder) if self.folder else None
+        if left is not None:
+            yield from self._taken_up(left)
+        self.source = self._open(self._begin)
+        for piece in self.source.pieces():
+            if piece is not None and len(piece.first):
+                yield from self._take(piece)
+            self._tick()
+            if self._segment is not None and self._is_over(self._segment):
+                yield from self._next_segment(self._segment)
+        yield from self._end()
+        for sentence in self.source.notes:
+            self._say(sentence)
+
+    def told(self, one: LiveVehicle) -> None:
+        """After a vehicle was told: it is kept, and no later run tells it again."""
+        if self._segment is not None:
+            self._segment.told(one)
+        self._keeper.add(one)
+        self.found += one.vehicle.motion.status == "ok"
+
+    def _take(self, piece: Piece) -> Iterator[LiveVehicle]:
+        segment = self._segment or self._new_segment(self._clock.now(), self._begin)
+        piece = replace(piece, lost=tuple(replace(one, line=one.line - self.lines) for one in piece.lost))
+        self.lines += len(piece.first)
+        self._recent.append(piece)
+        held = sum(len(one.first) for one in self._recent)
+        while held - len(self._recent[0].first) > 2 * segment.finder.block:
+            held -= len(self._recent.popleft().first)
+        yield from segment.take(piece)
+
+    def _next_segment(self, before: Segment) -> Iterator[LiveVehicle]:
+        """Where the road is empty: another pair of files, from just before the lines not yet looked at."""
+        stop = before.finder.settled_line
+        start = max(0, stop - 2 * before.finder.margin)
+        self._close(before, stop)
+        segment = self._new_segment(before.time_of(start), before.begin + start)
+        again = before.lines - start
+        held = sum(len(one.first) for one in self._recent)
+        for piece in self._recent:
+            skipped = min(max(0, held - again), len(piece.first))
+            held -= len(piece.first)
+            if skipped < len(piece.first):
+                yield from segment.take(piece.since(skipped))
+
+    def _new_segment(self, began_at: datetime, begin: int) -> Segment:
+        number = 1 + (last_number(self.folder) if self.folder else self._number)
+        self._number = number
+        facts = SegmentFacts(number, self._stream, self._name, began_at)
+        try:
+            made = Segment(
+                facts,
+                self.rows,
+                self.rig,
+                self.method,
+                self.folder,
+                begin=begin,
+                skip=self._skip,
+                first_id=self._first_id,
+            )
+        except OSError as error:
+            raise BadInput(
+                "commands-cannot-written-choose-another-place", path=self.folder, strerror=error.strerror
+            ) from None
+        self._segment, self._skip, self._began = made, -1.0, self._clock.steady()
+        made.belongs_to(self._keeper.begin(facts))
+        return made
+
+    def _is_over(self, segment: Segment) -> bool:
+        if segment.crowded:
+            return True
+        return segment.lines >= self._segment_s * self.rig.line_rate_hz and segment.quiet
+
+    def _end(self) -> Iterator[LiveVehicle]:
+        segment = self._segment
+        if segment is None:
+            return
+        yield from segment.finish()
+        self._close(segment, None)
+
+    def _close(self, segment: Segment, stop: int | None) -> None:
+        self._keeper.hear(self._health(segment))
+        self._first_id, self._segment = segment.vehicles + 1, None
+        notes = self._losses(segment) + faults.notes_of(segment.finder)
+        for sentence in [*segment.close(stop), *notes]:
+            self._say(sentence)
+        self._keeper.end(segment.paths, notes)
+
+    def _tick(self) -> None:
+        """Once a second: how the stream is, and whether the clock was set."""
+        now = self._clock.steady()
+        segment = self._segment
+        if now - self._ticked < TICK_S or segment is None:
+            return
+        self._ticked = now
+        self._watch_clock(now, segment)
+        segment.note(self._clock.now())
+        health = self._health(segment)
+        for words in health.words:
+            # once each, whatever the figures in it
+            kind = "".join(sign for sign in words if not sign.isdigit())
+            if kind not in self._said and segment.finder.found >= 3:
+                self._said.add(kind)
+                self._say(words)
+        self._keeper.hear(health)
+
+    def _watch_clock(self, now: float, segment: Segment) -> None:
+        apart = self._clock.wall() - now
+        jump = apart - self._apart
+        if abs(jump) > JUMP_S:
+            self._say(
+                f"The computer's clock was set by {jump:+.1f} s at line {segment.lines}; speeds, "
+                "lengths and gaps are not affected, and times of day continue from the start of "
+                "this segment."
+            )
+        self._apart = apart
+
+    def _health(self, segment: Segment) -> LiveHealth:
+        rate, watchers = self.rig.line_rate_hz, segment.finder.watchers
+        light = [None if one.road is None else float(np.mean(one.road.pooled)) for one in watchers]
+        saturated = [one.saturated_lines / max(one.lines, 1) for one in watchers]
+        waiting = 0 if self.source is None else self.source.waiting_bytes
+        words = [*self._losses(segment), *faults.notes_of(segment.finder)]
+        return LiveHealth(
+            lines=segment.lines,
+            lost_lines=(segment.cameras[0].lost, segment.cameras[1].lost),
+            light_dn=(light[0], light[1]),
+            saturated=(saturated[0], saturated[1]),
+            clock_offset_s=self._clock.steady() - self._began - segment.lines / rate,
+            memory_mib=_memory_mib(),
+            waiting_mib=waiting / 2**20,
+            words=tuple(words if segment.finder.found else words[: len(self._losses(segment))]),
+        )
+
+    @staticmethod
+    def _losses(segment: Segment) -> list[str]:
+        return [
+            f"{camera.lost} lines of camera {number} were lost and replaced by copies; vehicles "
+            "that passed meanwhile are not measured."
+            for number, camera in enumerate(segment.cameras, 1)
+            if camera.lost
+        ]
+
+    def _taken_up(self, left: Told) -> Iterator[LiveVehicle]:
+        assert self.folder is not None
+        if left.rows != self.rows or rig_from(left.rig) != self.rig:
+            raise BadInput("commands-stream-other-rig", path=self.folder, number=f"{left.number:04}")
+        after = max(float(left.settled), left.rear_line)
+        self._first_id, self._stream = left.vehicles + 1, left.stream
+        paths = spool_paths(self.folder, left.number)
+        self._keeper.take_up(left.scan_id)
+        if self._go_back and left.source == self._name:
+            lead = max(0, int(after - LEAD_S * self.rig.line_rate_hz))
+            self._begin, self._skip = left.begin + lead, after - lead
+            self._say(
+                f"The previous run was stopped; it is resumed at line {left.begin + int(after)} of "
+                f"{self._name}, and nothing is missing."
+            )
+        else:
+            facts = SegmentFacts(left.number, left.stream, left.source, left.began_at)
+            rest = Remainder(paths, facts, self.rig, self.method, after, self._first_id, left.begin)
+            for one in rest.vehicles():
+                self._first_id = one.vehicle.number + 1
+                yield one
+            self._say(self._missing(left, rest.lines))
+        self._keeper.end(paths if all(path.is_file() for path in paths) else None, [])
+        end_interrupted(self.folder, left.number)
+
+    def _missing(self, left: Told, lines: int) -> str:
+        end = left.began_at.timestamp() + lines / self.rig.line_rate_hz
+        gap_s = max(0.0, self._clock.wall() - max(end, left.last_at.timestamp()))
+        return (
+            f"The previous run was stopped after {lines} lines (segment {left.number:04}, last "
+            f"contact {left.last_at:%Y-%m-%d %H:%M:%S} UTC). Its vehicles are kept; missing are "
+            f"the {gap_s:.1f} s (about {gap_s * self.rig.line_rate_hz:.0f} lines) since then, and "
+            "the vehicle that was in view."
+        )
+
+
+def _memory_mib() -> float:
+    """What this process holds now."""
+    try:
+        pages = int(Path("/proc/self/statm").read_text().split()[1])
+    except (OSError, IndexError, ValueError):
+        return 0.0
+    return pages * os.sysconf("SC_PAGE_SIZE") / 2**20
+
+
+class Nowhere:
+    """Keeps nothing besides what is told."""
+
+    def begin(self, segment: SegmentFacts) -> int | None:
+        return None
+
+    def take_up(self, scan_id: int | None) -> None:
+        """Nothing was kept."""
+
+    def add(self, vehicle: LiveVehicle) -> None:
+        """It is told; that is all."""
+
+    def hear(self, health: LiveHealth) -> None:
+        """Nobody looks."""
+
+    def end(self, paths: tuple[Path, Path] | None, notes: list[str]) -> None:
+        """The files are where they are."""

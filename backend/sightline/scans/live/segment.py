@@ -1,0 +1,247 @@
+"""One stretch of a live stream: lines in, vehicles out, both cameras' lines kept in a pair of files."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import asdict, replace
+from datetime import datetime, timedelta
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from sightline.enums import ScanMethod
+from sightline.linescan.finding import Finder
+from sightline.linescan.parts import Crossings, Passage, Rig
+from sightline.linescan.passing import Follower
+from sightline.media.lines.source import Lines, Lost, Piece
+from sightline.media.strips.notes import Dropped, column_of
+from sightline.media.strips.spool import Spool, SpooledLines
+from sightline.scans.live.journal import Journal, journal_path, spool_paths
+from sightline.scans.live.records import LiveVehicle, SegmentFacts
+from sightline.scans.vehicles.measure import without_losses
+
+LEAD_S = 10.0  # lines before the first one asked for, from which the road is learnt
+
+
+class Camera:
+    """What was lost of one camera's lines, and the file that they are kept in."""
+
+    def __init__(self, spool: Spool | None) -> None:
+        self.spool, self.lost, self.dropped = spool, 0, list[Dropped]()
+        self._lines = self._pending = 0
+
+    def take(self, lines: Lines, lost: Sequence[tuple[int, int]]) -> None:
+        """The next lines, those of `lost` (first, count) being copies; only what came is kept."""
+        kept = np.ones(len(lines), bool)
+        for start, count in lost:
+            kept[start : start + count] = False
+        there = lines[kept] if lost else lines
+        gaps: list[Dropped] = []
+        # what was lost at the very end stands before the next line that comes
+        if self._pending and len(there):
+            gaps.append(Dropped(0, self._pending))
+            self._pending = 0
+        for start, count in lost:
+            at = int(kept[:start].sum())
+            self.lost += count
+            if at < len(there):
+                gaps.append(Dropped(at, count))
+            else:
+                self._pending += count
+        self.dropped += [Dropped(self._lines + gap.line, gap.count) for gap in gaps]
+        self._lines += len(there)
+        if self.spool is not None:
+            self.spool.write(there, gaps)
+
+
+class Segment:
+    """Lines that are counted from 0, one finder, a pair of files (`folder` None: not kept).
+
+    `begin`: number of line 0 in a followed file; `skip`: vehicles whose front comes before this line are
+    already told; `first_id`: number of the first vehicle.
+    """
+
+    def __init__(
+        self,
+        facts: SegmentFacts,
+        rows: int,
+        rig: Rig,
+        method: ScanMethod,
+        folder: Path | None,
+        *,
+        begin: int = 0,
+        skip: float = -1.0,
+        first_id: int = 1,
+    ) -> None:
+        self.facts, self.rig, self.lines = facts, rig, 0
+        self.full: str | None = None
+        self.finder = Finder(rows, rig)
+        self.vehicles = first_id - 1
+        self.found = 0
+        self._skip, self.begin = skip, begin
+        self.paths = spool_paths(folder, facts.number) if folder else None
+        spools = [Spool(path, rows, rig.line_rate_hz) for path in self.paths] if self.paths else [None, None]
+        self.cameras = (Camera(spools[0]), Camera(spools[1]))
+        self._follower = Follower(rig, method, self._columns, first_id)
+        head = {"stream": facts.stream, "source": facts.source, "rows": rows, "rig": asdict(rig)}
+        head |= {"began_at": facts.began_at.isoformat(), "begin": begin, "first_id": first_id}
+        self.journal = Journal(journal_path(folder, facts.number), head) if folder else None
+
+    def take(self, piece: Piece) -> Iterator[LiveVehicle]:
+        """The vehicles that are complete with these lines. A full disk ends the keeping only."""
+        for number, (camera, lines) in enumerate(
+            zip(self.cameras, (piece.first, piece.second), strict=True), 1
+        ):
+            lost = _within(piece.lost, number)
+            try:
+                camera.take(lines, lost)
+            except OSError as error:
+                self._stop_keeping(error)
+        self.lines += len(piece.first)
+        yield from self._told(self.finder.push(piece.first, piece.second))
+
+    def finish(self) -> Iterator[LiveVehicle]:
+        """What is complete at the end of the lines."""
+        if self.lines:
+            yield from self._told(self.finder.finish())
+
+    def note(self, at: datetime) -> None:
+        """Say in the journal how far everything is told."""
+        self._write({"settled": self.finder.settled_line, "lines": self.lines, "at": at.isoformat()})
+
+    def told(self, one: LiveVehicle) -> None:
+        """Say in the journal that a vehicle has been told."""
+        rear = one.vehicle.motion.crossings.rear_line_1
+        self._write({"vehicles": one.vehicle.number, "rear_line": float(rear)})
+
+    def belongs_to(self, scan_id: int | None) -> None:
+        self._write({"scan_id": scan_id})
+
+    def close(self, stop: int | None = None) -> list[str]:
+        """Close the files, both with the same lines (`stop`: only so many); what is to be said of them."""
+        said = []
+        for camera in self.cameras:
+            if camera.spool is not None:
+                camera.spool.close()
+        if self.paths:
+            kept = trimmed(self.paths, stop)
+            for path in self.paths:
+                if kept:
+                    said.append(f"{kept} lines are stored in {path}.")
+                else:
+                    path.unlink(missing_ok=True)
+            self.paths = self.paths if kept else None
+        if self.journal is not None:
+            self._write({"ended": "whole"})
+            self.journal.close()
+        return said + ([self.full] if self.full else [])
+
+    @property
+    def crowded(self) -> bool:
+        """Whether the list of lost lines needs another file."""
+        return any(camera.spool is not None and camera.spool.full for camera in self.cameras)
+
+    @property
+    def quiet(self) -> bool:
+        """Whether no vehicle is in view of what was looked at: a good moment to begin another segment."""
+        return 0 < self.finder.watchers[0].lines == self.finder.settled_line
+
+    def time_of(self, line: float) -> datetime:
+        return self.facts.began_at + timedelta(seconds=line / self.rig.line_rate_hz)
+
+    def _told(self, passages: Sequence[Passage]) -> Iterator[LiveVehicle]:
+        for passage in passages:
+            counted = passage.crossings.front_line_1 >= self._skip
+            dropped = (self.cameras[0].dropped, self.cameras[1].dropped)
+            vehicle = self._follower.next(without_losses(passage, dropped), counted=counted)
+            if counted:
+                self.vehicles = vehicle.number
+                self.found += vehicle.motion.status == "ok"
+                at = self.time_of(passage.crossings.front_line_1)
+                yield LiveVehicle(self.facts.number, self.begin, vehicle, at)
+
+    def _columns(self, crossings: Crossings) -> Crossings:
+        first, second = (camera.dropped for camera in self.cameras)
+        if not first and not second:
+            return crossings
+        return Crossings(
+            column_of(crossings.front_line_1, first),
+            column_of(crossings.rear_line_1, first),
+            column_of(crossings.front_line_2, second),
+            column_of(crossings.rear_line_2, second),
+        )
+
+    def _stop_keeping(self, error: OSError) -> None:
+        self.full = f"Later lines could not be stored ({error.strerror}); they were measured nevertheless."
+        for camera in self.cameras:
+            if camera.spool is not None:
+                camera.spool.close()
+                camera.spool = None
+
+    def _write(self, said: dict[str, Any]) -> None:
+        if self.journal is not None:
+            try:
+                self.journal.write(said)
+            except OSError as error:
+                self.full = self.full or f"The journal could not be written ({error.strerror})."
+
+
+class Remainder:
+    """What a killed stream had taken and not told: its spooled lines, looked through again."""
+
+    def __init__(
+        self,
+        paths: tuple[Path, Path],
+        facts: SegmentFacts,
+        rig: Rig,
+        method: ScanMethod,
+        after: float,
+        first_id: int,
+        begin: int,
+    ) -> None:
+        self.lines = trimmed(paths)
+        self._spooled = [SpooledLines(path) for path in paths]
+        self._start = max(0, int(after - LEAD_S * rig.line_rate_hz))
+        self._after, self._facts, self._rig, self._begin = after, facts, rig, begin
+        self._follower = Follower(rig, method, first=first_id)
+
+    def vehicles(self) -> Iterator[LiveVehicle]:
+        """The vehicles whose front came after line `after`, the last of them cut off where the lines end."""
+        first, second = self._spooled
+        finder = Finder(first.rows, self._rig)
+        for one, two in zip(first.chunks(self._start), second.chunks(self._start), strict=True):
+            yield from self._told(finder.push(one, two))
+        yield from self._told(finder.finish())
+
+    def _told(self, passages: Sequence[Passage]) -> Iterator[LiveVehicle]:
+        dropped = (self._spooled[0].dropped, self._spooled[1].dropped)
+        for passage in passages:
+            moved = _moved(passage, self._start)
+            counted = moved.crossings.front_line_1 >= self._after
+            vehicle = self._follower.next(without_losses(moved, dropped), counted=counted)
+            if counted:
+                seconds = moved.crossings.front_line_1 / self._rig.line_rate_hz
+                at = self._facts.began_at + timedelta(seconds=seconds)
+                yield LiveVehicle(self._facts.number, self._begin, vehicle, at)
+
+
+def trimmed(paths: tuple[Path, Path], stop: int | None = None) -> int:
+    """The lines that both files have (`stop`: at most so many), each shortened to them."""
+    both = [SpooledLines(path) for path in paths]
+    common = min(one.total_lines for one in both)
+    common = common if stop is None else min(common, stop)
+    for one in both:
+        if one.total_lines > common or any(gap.line >= one.lines for gap in one.dropped):
+            one.shorten(common)
+    return common
+
+
+def _moved(passage: Passage, by: int) -> Passage:
+    crossings = Crossings(*(line + by for line in asdict(passage.crossings).values()))
+    start_1, start_2 = passage.start_1 + by, passage.start_2 + by
+    return replace(passage, crossings=crossings, start_1=start_1, start_2=start_2)
+
+
+def _within(lost: Sequence[Lost], camera: int) -> list[tuple[int, int]]:
+    return [(one.line, one.count) for one in lost if one.camera == camera]

@@ -1,0 +1,94 @@
+"""The live page of a survey: each stream with its health, its last vehicles and its flow."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from datetime import datetime, timedelta
+
+from sightline.enums import LiveState
+from sightline.infra.database import Session
+from sightline.infra.database.types import now
+from sightline.scans.live.records import FlowMinute, LiveScan
+from sightline.scans.live.state import live_state
+from sightline.scans.live.store import fronts_of, list_live_scans
+from sightline.scans.references.store import standing_references
+from sightline.scans.store import get_scan
+from sightline.scans.vehicles.listing import ShownVehicle, shown
+from sightline.scans.vehicles.store import last_scan_vehicles
+
+LAST = 20
+FLOW_MINUTES = 60
+_STREAMS = 4
+
+
+@dataclass(frozen=True)
+class LiveStream:
+    """A stream by its newest recording; `until`: the time of the last line; `earlier`: recordings before."""
+
+    scan: LiveScan
+    state: LiveState
+    until: datetime
+    vehicles: tuple[tuple[ShownVehicle, datetime], ...]
+    flow: tuple[FlowMinute, ...]
+    earlier: tuple[LiveScan, ...]
+
+
+def live_streams(session: Session, survey_id: int) -> list[LiveStream]:
+    """The streams of a survey, newest first; at most four."""
+    by_stream: dict[str, list[LiveScan]] = {}
+    for one in list_live_scans(session, survey_id):
+        by_stream.setdefault(one.stream, []).append(one)
+    return [_stream(session, scans) for scans in list(by_stream.values())[:_STREAMS]]
+
+
+def flow_of(fronts: Sequence[datetime], since: datetime, until: datetime) -> tuple[FlowMinute, ...]:
+    """Vehicles a minute of the clock from `since` (when watching began) to `until`, the last hour of it."""
+    last = until.replace(second=0, microsecond=0)
+    begin = since.replace(second=0, microsecond=0)
+    first = max(begin, last - timedelta(minutes=FLOW_MINUTES - 1))
+    count = int((last - first) / timedelta(minutes=1)) + 1
+    counted = [0] * count
+    for front in fronts:
+        at = int((front - first) // timedelta(minutes=1))
+        if 0 <= at < count:
+            counted[at] += 1
+    minutes = [first + timedelta(minutes=k) for k in range(count)]
+    return tuple(
+        FlowMinute(minute, vehicles, since <= minute and minute + timedelta(minutes=1) <= until)
+        for minute, vehicles in zip(minutes, counted, strict=True)
+    )
+
+
+def _stream(session: Session, scans: list[LiveScan]) -> LiveStream:
+    newest = scans[0]
+    until = _until(newest)
+    recent = [one for one in scans if _until(one) > until - timedelta(minutes=FLOW_MINUTES)]
+    begun = {one.scan_id: one for one in recent}
+    fronts = [_time(begun[scan_id], line) for scan_id, line in fronts_of(session, list(begun))]
+    flow = flow_of(fronts, min(one.began_at for one in recent), until)
+    found = last_scan_vehicles(session, newest.scan_id, LAST + 1)
+    references = standing_references(session, newest.scan_id)
+    listed = shown(get_scan(session, newest.scan_id), found, references)[-LAST:]
+    vehicles = [(one, _front_at(newest, one)) for one in reversed(listed)]
+    return LiveStream(
+        scan=newest,
+        state=live_state(newest.heard_at, newest.ended_at, now()),
+        until=until,
+        vehicles=tuple(vehicles),
+        flow=flow,
+        earlier=tuple(scans[1:13]),
+    )
+
+
+def _until(scan: LiveScan) -> datetime:
+    return _time(scan, scan.health.lines if scan.health else 0)
+
+
+def _front_at(scan: LiveScan, one: ShownVehicle) -> datetime:
+    measured = one.vehicle.measurement
+    return _time(scan, measured.values.front_line_1 if measured else 0.0)
+
+
+def _time(scan: LiveScan, line: float) -> datetime:
+    return scan.began_at + timedelta(seconds=line / scan.line_rate_hz)

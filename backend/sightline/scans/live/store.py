@@ -1,0 +1,78 @@
+"""Live streams in the database: their state, and what the live page asks for."""
+
+from collections.abc import Sequence
+from dataclasses import asdict
+from datetime import datetime
+
+from sqlalchemy import select, update
+from sqlalchemy.orm import Session
+
+from sightline.enums import JsonObject
+from sightline.infra.database.rows import add_row
+from sightline.infra.database.types import now
+from sightline.scans.live.records import LiveHealth, LiveScan, SegmentFacts
+from sightline.scans.live.tables import scan_live
+from sightline.scans.tables import scan_measurements, scan_vehicles, scans
+
+
+def add_live_scan(session: Session, survey_id: int, scan_id: int, segment: SegmentFacts) -> None:
+    """A recording that a stream has begun."""
+    place = {"survey_id": survey_id, "scan_id": scan_id, "stream": segment.stream, "source": segment.source}
+    add_row(session, scan_live, {**place, "began_at": segment.began_at, "heard_at": now()})
+
+
+def hear_live_scan(session: Session, scan_id: int, health: LiveHealth) -> None:
+    """How its stream is now."""
+    values = {"heard_at": now(), "health": asdict(health)}
+    session.execute(update(scan_live).where(scan_live.c.scan_id == scan_id).values(values))
+
+
+def end_live_scan(session: Session, scan_id: int) -> None:
+    """Its stream has ended."""
+    ended = update(scan_live).where(scan_live.c.scan_id == scan_id).values(ended_at=now())
+    session.execute(ended)
+
+
+def list_live_scans(session: Session, survey_id: int) -> tuple[LiveScan, ...]:
+    """The recordings of streams of a survey, newest first."""
+    query = (
+        select(scan_live, scans.c.name, scans.c.state, scans.c.line_rate_hz)
+        .join(scans, scans.c.id == scan_live.c.scan_id)
+        .where(scan_live.c.survey_id == survey_id, scans.c.deleted_at.is_(None))
+        .order_by(scan_live.c.id.desc())
+    )
+    return tuple(_live_scan(dict(row)) for row in session.execute(query).mappings())
+
+
+def fronts_of(session: Session, scan_ids: Sequence[int]) -> list[tuple[int, float]]:
+    """(scan, front line at camera 1, as first measured) of the vehicles that stand."""
+    query = (
+        select(scan_measurements.c.scan_id, scan_measurements.c.front_line_1)
+        .join(scan_vehicles, scan_vehicles.c.id == scan_measurements.c.vehicle_id)
+        .where(
+            scan_measurements.c.scan_id.in_(scan_ids),
+            scan_measurements.c.revision == 1,
+            scan_vehicles.c.deleted_at.is_(None),
+        )
+    )
+    return [(row.scan_id, row.front_line_1) for row in session.execute(query)]
+
+
+def _live_scan(row: JsonObject) -> LiveScan:
+    health = row["health"]
+    pairs = ("lost_lines", "light_dn", "saturated", "words")
+    if health is not None:
+        health = LiveHealth(**{**health, **{name: tuple(health[name]) for name in pairs}})
+    began_at: datetime = row["began_at"]
+    return LiveScan(
+        scan_id=row["scan_id"],
+        name=row["name"],
+        ready=row["state"] == "ready",
+        line_rate_hz=row["line_rate_hz"],
+        stream=row["stream"],
+        source=row["source"],
+        began_at=began_at,
+        heard_at=row["heard_at"],
+        ended_at=row["ended_at"],
+        health=health,
+    )

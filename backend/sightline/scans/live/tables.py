@@ -1,0 +1,23 @@
+"""The table of live streams: how each recording's stream is, written every second like a job's progress."""
+
+from sqlalchemy import Column, ForeignKey, String, Table, Text, UniqueConstraint
+
+from sightline.infra.database.types import CanonicalJson, UtcDateTime, identity, metadata
+
+# What is measured stands in the tables of scans; this says how the stream is, and is no result.
+scan_live = Table(
+    "scan_live",
+    metadata,
+    identity(),
+    Column("survey_id", ForeignKey("surveys.id"), nullable=False, index=True),
+    Column("scan_id", ForeignKey("scans.id"), nullable=False),
+    # the recordings of one stream have the same sign
+    Column("stream", String(40), nullable=False),
+    Column("source", Text, nullable=False),
+    # when line 0 came, by the computer's clock
+    Column("began_at", UtcDateTime, nullable=False),
+    Column("heard_at", UtcDateTime, nullable=False),
+    Column("ended_at", UtcDateTime),
+    Column("health", CanonicalJson),
+    UniqueConstraint("scan_id"),
+)

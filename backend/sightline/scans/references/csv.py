@@ -1,0 +1,120 @@
+"""The table of reference values in an export: every revision, and ours beside those that stand."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+from typing import get_args
+
+from sightline.coverage import COVERAGE_95
+from sightline.enums import ReferenceQuantity, ReferenceSource
+from sightline.infra.csv_package.columns import flag, key, moment, number, person, text
+from sightline.infra.csv_package.schema import Cell, Table
+from sightline.scans.references.records import UNITS, StoredReference
+from sightline.statistics.references import Agreement
+
+
+@dataclass(frozen=True, slots=True)
+class ListedReference:
+    """A revision; `current`: it is the newest of its vehicle, quantity and source. `found`: ours beside it,
+    where it stands and there is a value of ours.
+    """
+
+    reference: StoredReference
+    current: bool
+    found: Agreement | None
+
+
+def _of_agreement(of: Callable[[Agreement], Cell]) -> Callable[[ListedReference], Cell]:
+    return lambda one: None if one.found is None else of(one.found)
+
+
+SCAN_REFERENCES: Table[ListedReference] = Table(
+    "scan_references",
+    "What something else measured of scanned vehicles: every revision; the newest of a vehicle, quantity and "
+    "source counts, unless it is withdrawn. Beside it how far the vehicle's own value is from it.",
+    (
+        key("id", "revision", lambda one: one.reference.id),
+        key("vehicle_id", "vehicle of a line-scan recording", lambda one: one.reference.vehicle_id),
+        text(
+            "quantity",
+            "speed: when the front reaches camera 1; length; wheelbase",
+            lambda one: one.reference.values.quantity,
+            required=True,
+            enum=get_args(ReferenceQuantity),
+        ),
+        text(
+            "source",
+            "what measured it; counter: the car's own speedometer",
+            lambda one: one.reference.values.source,
+            required=True,
+            enum=get_args(ReferenceSource),
+        ),
+        key("revision", "number of the revision, from 1", lambda one: one.reference.revision),
+        flag("current", "whether it is the newest revision", lambda one: one.current, required=True),
+        flag(
+            "withdrawn",
+            "whether it takes the value back",
+            lambda one: one.reference.values.withdrawn,
+            required=True,
+        ),
+        text("unit", "unit of the row's figures", lambda one: UNITS[one.reference.values.quantity]),
+        number("value", "the reference value", "", lambda one: one.reference.values.value, required=True),
+        number(
+            "u",
+            "standard uncertainty of value (k = 1)",
+            "",
+            lambda one: one.reference.values.u,
+            required=True,
+        ),
+        text("device", "which radar, whose tape", lambda one: one.reference.values.device),
+        number(
+            "difference",
+            "the vehicle's own value minus the reference; empty where one does not stand",
+            "",
+            _of_agreement(lambda found: found.difference),
+        ),
+        number(
+            "u_difference",
+            "standard uncertainty of the difference (k = 1), both taken as independent",
+            "",
+            _of_agreement(lambda found: found.u_difference),
+        ),
+        number(
+            "U95_difference",
+            "half-width of its 95 % interval",
+            "",
+            _of_agreement(lambda found: COVERAGE_95 * found.u_difference),
+        ),
+        number(
+            "E_n", "difference over U95_difference (ISO 13528)", "", _of_agreement(lambda found: found.E_n)
+        ),
+        flag(
+            "within",
+            "whether the difference is within U95_difference",
+            _of_agreement(lambda found: found.within),
+        ),
+        person("created_by_id", "who said it", lambda one: one.reference.created_by),
+        moment("created_at", "when the revision was stored", lambda one: one.reference.created_at),
+    ),
+    primary=("id",),
+    foreign=(
+        (("vehicle_id",), "scan_vehicles", ("id",)),
+        (("created_by_id",), "people", ("id",)),
+    ),
+)
+#: The columns that follow from others.
+FOLLOWING = ("current", "unit", "difference", "u_difference", "U95_difference", "E_n", "within")
+
+
+def listed_references(
+    history: Iterable[StoredReference], found: Callable[[StoredReference], Agreement | None]
+) -> list[ListedReference]:
+    """The rows of a history, oldest first; `found` compares one that stands."""
+    told = list(history)
+    newest = {(one.vehicle_id, one.values.quantity, one.values.source): one.id for one in told}
+    rows = []
+    for one in told:
+        current = newest[one.vehicle_id, one.values.quantity, one.values.source] == one.id
+        rows.append(ListedReference(one, current, found(one) if current else None))
+    return rows

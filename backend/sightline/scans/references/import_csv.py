@@ -1,0 +1,389 @@
+"""Reference values from a CSV: what each line would do, and doing it. One line a vehicle and source.
+
+A line names its vehicle by number, or by the time of day at which it passed: by a time, one vehicle alone
+must fit the line and one line alone the vehicle, else neither is taken.
+"""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from datetime import datetime
+from statistics import median
+from typing import cast, get_args
+
+from sightline.coverage import expanded
+from sightline.enums import JsonObject, ReferenceChange, ReferenceQuantity, ReferenceSource
+from sightline.errors import BadInput
+from sightline.infra.database import Session
+from sightline.infra.given_csv import given_number, read_given_csv, undefused
+from sightline.messages import say
+from sightline.scans.records import Scan, ScanVehicle
+from sightline.scans.references.passing_times import (
+    USUAL_TOLERANCE_S,
+    Ambiguous,
+    Matching,
+    PassedAt,
+)
+from sightline.scans.references.records import (
+    ReferencePlan,
+    ReferenceRow,
+    ReferencesImported,
+    ReferenceValues,
+    StoredReference,
+    require_reference,
+)
+from sightline.scans.references.store import (
+    append_scan_reference,
+    reference_history_of_scan,
+)
+from sightline.scans.store import get_scan
+from sightline.scans.vehicles.listing import ShownVehicle, vehicles_of
+from sightline.scans.vehicles.store import change_scan_vehicle
+
+MOST_BYTES = 5_000_000
+MOST_ROWS_SHOWN = 500
+_TEXTS = ("number", "time", "source", "device", "run_of")
+_ALSO = {
+    **{"vehicle": "number", "vehicle_number": "number", "car": "run_of", "instrument": "device"},
+    **{"time_of_day": "time", "passed_at": "time", "timestamp": "time", "filmed_at": "time"},
+}
+_SPEEDS = {"mps": 1.0, "m_s": 1.0, "kmh": 1 / 3.6, "km_h": 1 / 3.6, "mph": 0.44704}
+_LENGTHS = {"m": 1.0, "cm": 0.01, "mm": 0.001, "ft": 0.3048}
+_IN: dict[ReferenceQuantity, dict[str, float]] = {
+    "speed": _SPEEDS,
+    "length": _LENGTHS,
+    "wheelbase": _LENGTHS,
+}
+_QUANTITY = re.compile(rf"^(u_)?({'|'.join(get_args(ReferenceQuantity))})(?:_(.+))?$")
+_ORDER: dict[ReferenceChange, int] = {"ambiguous": 0, "refused": 1, "replaces": 2, "new": 3, "same": 4}
+#: (vehicle, quantity, source)
+_Key = tuple[int, ReferenceQuantity, ReferenceSource]
+#: What a column holds: a text by name, or (quantity, whether it is its u, its unit in m/s or m).
+_Field = str | tuple[ReferenceQuantity, bool, float]
+
+
+_FEW = 3  # lines whose times say how far a file's clock is off
+
+
+@dataclass
+class _Line:
+    """A line that was read, and what becomes of it."""
+
+    row: ReferenceRow
+    vehicle: ScanVehicle | None = None
+
+    @property
+    def keys(self) -> list[_Key]:
+        """(vehicle, quantity, source) of each value."""
+        return [
+            (self.vehicle.id, one.quantity, one.source) for one in self.row.given if self.vehicle is not None
+        ]
+
+
+def plan_references(
+    session: Session, scan_id: int, data: bytes, name: str, tolerance_s: float = USUAL_TOLERANCE_S
+) -> ReferencePlan:
+    """What an import of this file would do.
+
+    Raises NotFound, BadInput for a file that is no such table, or one with times where the recording's start
+    is not confirmed.
+    """
+    lines, matching = _lines(session, scan_id, data, name, tolerance_s)
+    return _plan(lines, matching)
+
+
+def import_references(
+    session: Session,
+    scan_id: int,
+    data: bytes,
+    name: str,
+    tolerance_s: float = USUAL_TOLERANCE_S,
+    *,
+    actor: int | None,
+) -> ReferencesImported:
+    """Store the lines that can be used; each value leaves an event. Raises as `plan_references`, and BadInput
+    where no line can be used.
+    """
+    lines, matching = _lines(session, scan_id, data, name, tolerance_s)
+    plan = _plan(lines, matching)
+    usable = [one for one in lines if one.row.change in ("new", "replaces") and one.vehicle is not None]
+    if lines and plan.counts["refused"] + plan.counts["ambiguous"] == len(lines):
+        first = plan.rows[0]
+        raise BadInput("reference-no-line-used", name=name, line=first.line, reason=first.words)
+    standing = _newest(session, scan_id)
+    versions: dict[int, int] = {}
+    values = cars = 0
+    for one in usable:
+        vehicle = cast(ScanVehicle, one.vehicle)
+        for given in one.row.given:
+            before = standing.get((vehicle.id, given.quantity, given.source))
+            if before is not None and before.values == given:
+                continue
+            seen = before.revision if before else 0
+            matched = _matched(one.row, tolerance_s)
+            append_scan_reference(
+                session, vehicle.id, given, seen_revision=seen, matched=matched, actor=actor
+            )
+            values += 1
+        if one.row.run_of not in (None, vehicle.run_of):
+            version = versions.get(vehicle.id, vehicle.version)
+            change_scan_vehicle(session, vehicle.id, {"run_of": one.row.run_of}, version=version, actor=actor)
+            versions[vehicle.id] = version + 1
+            cars += 1
+    return ReferencesImported(values, cars, plan)
+
+
+def _matched(row: ReferenceRow, tolerance_s: float) -> JsonObject | None:
+    """What the audit event keeps of a match by time."""
+    if not row.by_time:
+        return None
+    return {"time": row.time, "apart_s": row.apart_s, "tolerance_s": tolerance_s}
+
+
+def _plan(lines: Sequence[_Line], matching: Matching | None) -> ReferencePlan:
+    rows = sorted((one.row for one in lines), key=lambda row: (_ORDER[row.change], row.line))
+    counts = Counter(row.change for row in rows)
+    return ReferencePlan(
+        counts={word: counts[word] for word in get_args(ReferenceChange)},
+        rows=tuple(rows[:MOST_ROWS_SHOWN]),
+        tolerance_s=None if matching is None else matching.tolerance_s,
+        notes=() if matching is None else tuple(_notes(rows, matching)),
+    )
+
+
+def _notes(rows: Sequence[ReferenceRow], matching: Matching) -> Iterator[str]:
+    """How far the file's clock is off as a whole, and whether the recording's start is known well enough."""
+    apart = [row.apart_s for row in rows if row.apart_s is not None]
+    if len(apart) >= _FEW:
+        off = median(apart)
+        code = "reference-times-later" if off >= 0 else "reference-times-earlier"
+        yield say(code, {"count": len(apart), "off_s": f"{abs(off):.2f}"})
+    U95_s = expanded(matching.u_start_s)
+    if U95_s > matching.tolerance_s:
+        told = {"U95_s": f"{U95_s:.2g}", "tolerance_s": f"{matching.tolerance_s:g}"}
+        yield say("reference-times-start", told)
+
+
+def _newest(session: Session, scan_id: int) -> dict[tuple[int, str, str], StoredReference]:
+    """The newest revision of each vehicle, quantity and source, withdrawn or not."""
+    return {
+        (one.vehicle_id, one.values.quantity, one.values.source): one
+        for one in reference_history_of_scan(session, scan_id)
+    }
+
+
+def _lines(
+    session: Session, scan_id: int, data: bytes, name: str, tolerance_s: float
+) -> tuple[list[_Line], Matching | None]:
+    scan = get_scan(session, scan_id)
+    header, rows = read_given_csv(data, name, MOST_BYTES)
+    fields = _fields(header, name)
+    found = vehicles_of(session, scan_id)
+    vehicles = {one.vehicle.number: one.vehicle for one in found}
+    matching = _matching(scan, found, name, tolerance_s) if "time" in fields else None
+    lines = [_line(line, cells, fields, vehicles, matching) for line, cells in rows]
+    _refuse_repeats(lines)
+    standing = _newest(session, scan_id)
+    for one in lines:
+        if one.vehicle is not None and one.row.change == "new":
+            change, words = _change(one.vehicle, one.row.given, one.row.run_of, standing)
+            one.row = replace(one.row, change=change, words=words)
+    return lines, matching
+
+
+def _matching(scan: Scan, found: Sequence[ShownVehicle], name: str, tolerance_s: float) -> Matching:
+    """Raises BadInput where the recording's start is not confirmed, so that no vehicle has a time of day."""
+    if scan.clock is None:
+        raise BadInput("reference-times-need-start", name=name)
+    passed = (
+        PassedAt(one.vehicle.number, datetime.fromisoformat(one.passing.filmed_at))
+        for one in found
+        if one.passing is not None
+    )
+    return Matching(
+        filming=scan.clock.filming,
+        duration_s=(scan.lines or 0) / scan.rig.line_rate_hz,
+        u_start_s=scan.clock.u_start_s,
+        passed=tuple(passed),
+        tolerance_s=tolerance_s,
+    )
+
+
+def _refuse_repeats(lines: Sequence[_Line]) -> None:
+    """Of what several lines say of one vehicle by one source: those that found it by time are ambiguous, of
+    the others the first one stands. By time one vehicle is a run of one car alone.
+    """
+    of_key: dict[_Key, list[_Line]] = {}
+    of_vehicle: dict[int, list[_Line]] = {}
+    for one in lines:
+        for key in one.keys:
+            of_key.setdefault(key, []).append(one)
+        if one.vehicle is not None and one.row.run_of is not None:
+            of_vehicle.setdefault(one.vehicle.id, []).append(one)
+    for key, several in of_key.items():
+        named = [one for one in several if not one.row.by_time]
+        for one in several:
+            if one.row.by_time and len(several) > 1:
+                _refuse(one, several, "reference-line-fits-others", quantity=key[1], source=key[2])
+            elif not one.row.by_time and one is not named[0] and one.row.change == "new":
+                words = {"line": named[0].row.line, "quantity": key[1], "source": key[2]}
+                one.row = replace(one.row, change="refused", words=say("reference-line-twice", words))
+    for several in of_vehicle.values():
+        for one in several if len({other.row.run_of for other in several}) > 1 else ():
+            if one.row.by_time:
+                _refuse(one, several, "reference-line-fits-cars")
+
+
+def _refuse(one: _Line, several: Sequence[_Line], code: str, **words: str) -> None:
+    """Make a line ambiguous for the others that fit its vehicle too."""
+    others = ", ".join(str(other.row.line) for other in several if other is not one)
+    said = say(code, {"lines": others, "number": one.row.number, **words})
+    one.row = replace(one.row, change="ambiguous", words=said)
+
+
+def _fields(header: Sequence[str], name: str) -> list[_Field | None]:
+    """What each column holds, each once. Raises BadInput for a quantity without a unit, or no number."""
+    found: list[_Field | None] = []
+    for title in header:
+        field = _field(title, name)
+        found.append(None if field in found else field)
+    names_vehicle = "number" in found or "time" in found
+    if not names_vehicle or not any(isinstance(one, tuple) or one == "run_of" for one in found):
+        raise BadInput("reference-columns-missing", name=name)
+    return found
+
+
+def _field(title: str, name: str) -> _Field | None:
+    folded = re.sub(r"[^a-z0-9]+", "_", title.strip().lower()).strip("_")
+    folded = _ALSO.get(folded, folded)
+    if folded in _TEXTS:
+        return folded
+    matched = _QUANTITY.match(folded)
+    if matched is None:
+        return None
+    u, quantity, unit = matched.groups()
+    units = _IN[cast(ReferenceQuantity, quantity)]
+    if unit not in units:
+        names = ", ".join(f"{quantity}_{one}" for one in units if "_" not in one)
+        raise BadInput("reference-column-unit", name=name, column=title[:60], names=names)
+    return cast(ReferenceQuantity, quantity), u is not None, units[unit]
+
+
+def _line(
+    line: int,
+    cells: Sequence[str],
+    fields: Sequence[_Field | None],
+    vehicles: Mapping[int, ScanVehicle],
+    matching: Matching | None,
+) -> _Line:
+    """A line as read; "new" where it can be used, until it is held against other lines and what stands."""
+    named = {
+        field: cell.strip()
+        for field, cell in zip(fields, cells, strict=False)
+        if field is not None and cell.strip()
+    }
+    number, source = named.get("number", "")[:20], named.get("source", "").lower()[:40]
+    row = ReferenceRow(
+        line,
+        number,
+        time=named.get("time", "")[:40],
+        apart_s=None,
+        by_time=False,
+        source=source,
+        given=(),
+        run_of=None,
+        change="refused",
+        words="",
+    )
+    try:
+        vehicle, row = _vehicle(row, vehicles, matching)
+        given = _values(named, source)
+        run_of = undefused(named.get("run_of", "")) or None
+        if run_of is not None and len(run_of) > 100:
+            raise BadInput("reference-car-too-long")
+        if not given and run_of is None:
+            raise BadInput("reference-line-empty")
+    except Ambiguous as several:
+        return _Line(replace(row, change="ambiguous", words=several.message))
+    except BadInput as error:
+        return _Line(replace(row, words=error.message))
+    return _Line(replace(row, given=given, run_of=run_of, change="new"), vehicle)
+
+
+def _vehicle(
+    row: ReferenceRow, vehicles: Mapping[int, ScanVehicle], matching: Matching | None
+) -> tuple[ScanVehicle, ReferenceRow]:
+    """The vehicle that a line is of, by its number (which its time must fit) or else by its time alone."""
+    if not row.number and row.time and matching is not None:
+        number, apart = matching.vehicle_at(matching.instant(row.time), row.time)
+        return vehicles[number], replace(row, number=str(number), apart_s=apart, by_time=True)
+    if not row.number.isdigit():
+        raise BadInput("reference-line-no-number", number=row.number or "–")
+    if int(row.number) not in vehicles:
+        raise BadInput("reference-line-no-vehicle", number=row.number)
+    if row.time and matching is not None:
+        apart = matching.require_near(int(row.number), matching.instant(row.time))
+        row = replace(row, apart_s=apart)
+    return vehicles[int(row.number)], row
+
+
+def _values(named: Mapping[_Field, str], source: str) -> tuple[ReferenceValues, ...]:
+    """The values of a line, each with its u. Raises BadInput saying what is wrong."""
+    numbers: dict[tuple[ReferenceQuantity, bool], float] = {}
+    for field, cell in named.items():
+        if isinstance(field, tuple):
+            quantity, is_u, unit = field
+            value = given_number(cell)
+            if value is None:
+                raise BadInput("reference-line-not-number", cell=cell[:40])
+            numbers[quantity, is_u] = round(value * unit, 9)
+    found = []
+    for quantity in get_args(ReferenceQuantity):
+        value, u = numbers.get((quantity, False)), numbers.get((quantity, True))
+        if value is None and u is None:
+            continue
+        if value is None:
+            raise BadInput("reference-line-no-value", quantity=quantity)
+        if u is None:
+            raise BadInput("reference-line-no-u", quantity=quantity)
+        if source not in get_args(ReferenceSource):
+            known = ", ".join(get_args(ReferenceSource))
+            raise BadInput("reference-line-no-source", source=source or "–", known=known)
+        device = undefused(named.get("device", "")) or None
+        one = ReferenceValues(quantity, cast(ReferenceSource, source), value=value, u=u, device=device)
+        require_reference(one)
+        found.append(one)
+    return tuple(found)
+
+
+def _change(
+    vehicle: ScanVehicle,
+    given: Sequence[ReferenceValues],
+    run_of: str | None,
+    standing: Mapping[tuple[int, str, str], StoredReference],
+) -> tuple[ReferenceChange, str]:
+    """What a line would do, and the value that it would replace in words."""
+    before = {one: standing.get((vehicle.id, one.quantity, one.source)) for one in given}
+    changed = [one for one, old in before.items() if old is None or old.values != one]
+    replaced = [old for one in changed if (old := before[one]) is not None and not old.values.withdrawn]
+    renamed = run_of not in (None, vehicle.run_of)
+    if not changed and not renamed:
+        return "same", ""
+    words = [
+        say(
+            "reference-line-replaces",
+            {
+                "quantity": one.values.quantity,
+                "value": f"{one.values.value:.6g}",
+                "u": f"{one.values.u:.6g}",
+                "unit": "m/s" if one.values.quantity == "speed" else "m",
+            },
+        )
+        for one in replaced
+    ]
+    if renamed and vehicle.run_of:
+        words.append(say("reference-line-renames", {"car": vehicle.run_of}))
+    return "replaces" if words else "new", " ".join(words)

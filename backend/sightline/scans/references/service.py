@@ -1,0 +1,32 @@
+"""Reference values beside our own: the difference, and whether it is within the combined uncertainty."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from sightline.scans.records import ScanValues
+from sightline.scans.references.records import MEASURED, ReferenceValues
+from sightline.statistics.references import Agreement, agreement
+
+#: What of a motion is looked at.
+LOOKED_AT = ("status", *(name for one in MEASURED.values() for name in (one, f"u_{one}")))
+
+
+def beside_ours(values: ScanValues | None, one: ReferenceValues) -> Agreement | None:
+    """Our own stored value against a reference; `values` is None where the vehicle was never measured."""
+    return beside(None if values is None else {name: getattr(values, name) for name in LOOKED_AT}, one)
+
+
+def beside(motion: Mapping[str, Any] | None, one: ReferenceValues) -> Agreement | None:
+    """Our own value against a reference; None where there is no motion, or it was taken back.
+
+    `motion`: its values by name, with `status`; None where the vehicle was never measured.
+    """
+    if motion is None or motion["status"] != "ok" or one.withdrawn:
+        return None
+    name = MEASURED[one.quantity]
+    value, u = motion[name], motion[f"u_{name}"]
+    if value is None or u is None:
+        return None
+    return agreement(value, u, one.value, one.u)

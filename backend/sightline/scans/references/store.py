@@ -1,0 +1,145 @@
+"""Reference values of scanned vehicles: append-only revisions by quantity and source."""
+
+from collections.abc import Iterable
+from dataclasses import asdict, replace
+from typing import Any
+
+from sqlalchemy import ColumnElement, exists, select
+from sqlalchemy.orm import Session
+
+from sightline.enums import JsonObject, ReferenceQuantity, ReferenceSource
+from sightline.errors import Conflict
+from sightline.infra.audit import trail
+from sightline.infra.audit.records import name_or_somebody
+from sightline.infra.database.people import people
+from sightline.infra.database.rows import add_row, missing, stored_hash, who
+from sightline.infra.database.types import now
+from sightline.scans.references.records import ReferenceValues, StoredReference, require_reference
+from sightline.scans.tables import scan_references, scan_vehicles
+from sightline.scans.vehicles.store import require_scan_vehicle_version
+
+_VALUES = tuple(ReferenceValues.__slots__)
+_KEY = ("vehicle_id", "quantity", "source")
+_later = scan_references.alias("later")
+_is_current: ColumnElement[bool] = ~exists().where(
+    *(_later.c[name] == scan_references.c[name] for name in _KEY),
+    _later.c.revision > scan_references.c.revision,
+)
+_alive: ColumnElement[bool] = scan_vehicles.c.deleted_at.is_(None)
+
+
+def append_scan_reference(
+    session: Session,
+    vehicle_id: int,
+    values: ReferenceValues,
+    *,
+    seen_revision: int,
+    matched: JsonObject | None = None,
+    actor: int | None,
+) -> StoredReference:
+    """The next revision of what a source says of a vehicle; `seen_revision`: 0 where none was there. The
+    same once more adds nothing. `matched`: how its vehicle was found by time, which the event keeps.
+
+    Raises NotFound, BadInput, Conflict if it was changed meanwhile or the vehicle was deleted.
+    """
+    require_reference(values)
+    before = _current(session, vehicle_id, values.quantity, values.source)
+    if before is not None and before.values == values:
+        return before
+    return _append(session, vehicle_id, values, before, seen_revision, actor, matched)
+
+
+def withdraw_scan_reference(
+    session: Session,
+    vehicle_id: int,
+    quantity: ReferenceQuantity,
+    source: ReferenceSource,
+    *,
+    seen_revision: int,
+    actor: int | None,
+) -> StoredReference:
+    """Take a value back: a revision that says so. Raises NotFound, Conflict (changed or withdrawn)."""
+    before = _current(session, vehicle_id, quantity, source)
+    if before is None:
+        raise missing("reference value of this source")
+    if before.values.withdrawn:
+        raise Conflict("reference-withdrawn-already")
+    values = replace(before.values, withdrawn=True)
+    return _append(session, vehicle_id, values, before, seen_revision, actor)
+
+
+def standing_references(session: Session, scan_id: int) -> dict[int, tuple[StoredReference, ...]]:
+    """What stands of each living vehicle of a scan that has any, by vehicle; one query."""
+    return _by_vehicle(_where(session, (scan_references.c.scan_id == scan_id) & _alive & _stands))
+
+
+def standing_references_of(session: Session, vehicle_id: int) -> tuple[StoredReference, ...]:
+    """What stands of one vehicle, deleted or not."""
+    return _where(session, (scan_references.c.vehicle_id == vehicle_id) & _stands)
+
+
+def reference_history_of_scan(session: Session, scan_id: int) -> tuple[StoredReference, ...]:
+    """Every revision of a scan's living vehicles, oldest first."""
+    return _where(session, (scan_references.c.scan_id == scan_id) & _alive)
+
+
+_stands: ColumnElement[bool] = _is_current & ~scan_references.c.withdrawn
+
+
+def _by_vehicle(found: Iterable[StoredReference]) -> dict[int, tuple[StoredReference, ...]]:
+    out: dict[int, tuple[StoredReference, ...]] = {}
+    for one in found:
+        out[one.vehicle_id] = (*out.get(one.vehicle_id, ()), one)
+    return out
+
+
+def _current(
+    session: Session, vehicle_id: int, quantity: ReferenceQuantity, source: ReferenceSource
+) -> StoredReference | None:
+    mine = dict(zip(_KEY, (vehicle_id, quantity, source), strict=True))
+    found = _where(session, *(scan_references.c[name] == value for name, value in mine.items()), _is_current)
+    return found[0] if found else None
+
+
+def _append(
+    session: Session,
+    vehicle_id: int,
+    values: ReferenceValues,
+    before: StoredReference | None,
+    seen_revision: int,
+    actor: int | None,
+    matched: JsonObject | None = None,
+) -> StoredReference:
+    vehicle = require_scan_vehicle_version(session, vehicle_id, None)
+    revision = before.revision if before else 0
+    if revision != seen_revision:
+        name = name_or_somebody(before.created_by if before else None)
+        raise Conflict("reference-changed-meanwhile", name=name)
+    place = {"survey_id": vehicle["survey_id"], "scan_id": vehicle["scan_id"], "vehicle_id": vehicle_id}
+    content: dict[str, Any] = {**place, "revision": revision + 1, **asdict(values)}
+    row_id = add_row(session, scan_references, {**content, "created_at": now(), "created_by": actor})
+    after = {**content, "content_sha256": stored_hash(session, scan_references, row_id)}
+    if matched is not None:
+        after["matched"] = matched
+    then = None if before is None else {**asdict(before.values), "revision": revision}
+    action = "withdraw" if values.withdrawn else "create" if before is None else "revise"
+    trail.record(session, actor, action, "scan_reference", row_id, vehicle["survey_id"], then, after)
+    return _where(session, scan_references.c.id == row_id)[0]
+
+
+def _where(session: Session, *conditions: ColumnElement[bool]) -> tuple[StoredReference, ...]:
+    query = (
+        select(scan_references, people.c.name.label("maker"))
+        .join(scan_vehicles, scan_vehicles.c.id == scan_references.c.vehicle_id)
+        .outerjoin(people, people.c.id == scan_references.c.created_by)
+        .where(*conditions)
+        .order_by(scan_references.c.id)
+    )
+    return tuple(
+        StoredReference(
+            **{name: row[name] for name in ("id", "scan_id", "vehicle_id", "revision", "created_at")},
+            values=ReferenceValues(**{name: row[name] for name in _VALUES}),
+            created_by=who(row["created_by"], row["maker"]),
+        )
+        for row in session.execute(query).mappings()
+    )

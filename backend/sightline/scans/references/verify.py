@@ -1,0 +1,54 @@
+"""Making again what follows from the reference values of an export: which stand, and ours beside them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from datetime import UTC, datetime
+from typing import Any
+
+from sightline.errors import Damaged
+from sightline.infra.csv_package.schema import cell_text
+from sightline.scans.references.csv import FOLLOWING, SCAN_REFERENCES, listed_references
+from sightline.scans.references.records import ReferenceValues, StoredReference
+from sightline.scans.references.service import beside
+
+Row = Mapping[str, str]
+_UNKNOWN = datetime(1, 1, 1, tzinfo=UTC)  # no column that is made again holds it
+
+
+def check_references(
+    rows: Mapping[int, Row], vehicles: Mapping[int, Row], told: Mapping[str, Mapping[int, Mapping[str, Any]]]
+) -> None:
+    """Compare and compute again, from the events of the references and of each vehicle's current motion.
+
+    Raises Damaged.
+    """
+    history = [_stored(number, told["scan_reference"][number]) for number in sorted(rows)]
+    motions = {
+        number: told["scan_measurement"][int(row["measurement_id"])] if row["measurement_id"] else None
+        for number, row in vehicles.items()
+    }
+    for one in listed_references(history, lambda one: beside(motions[one.vehicle_id], one.values)):
+        for column in SCAN_REFERENCES.columns:
+            if column.name not in FOLLOWING:
+                continue
+            assert column.of is not None
+            if rows[one.reference.id][column.name] != cell_text(column, column.of(one)):
+                raise Damaged(
+                    "scans-reference-does-not-follow",
+                    path=SCAN_REFERENCES.path,
+                    name=column.name,
+                    number=one.reference.id,
+                )
+
+
+def _stored(number: int, told: Mapping[str, Any]) -> StoredReference:
+    return StoredReference(
+        id=number,
+        scan_id=told["scan_id"],
+        vehicle_id=told["vehicle_id"],
+        revision=told["revision"],
+        values=ReferenceValues(**{name: told[name] for name in ReferenceValues.__slots__}),
+        created_by=None,
+        created_at=_UNKNOWN,
+    )

@@ -1,0 +1,184 @@
+"""What the package holds of rigs' calibrations: their figures, and the passes that they are solved from."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field, fields
+from typing import Any, get_args
+
+from sightline.enums import RigPassKind
+from sightline.infra.audit.records import Who
+from sightline.infra.csv_package.columns import integer, key, metres, moment, number, person, text
+from sightline.infra.csv_package.files import Staging
+from sightline.infra.csv_package.schema import Cell, Column, Table
+from sightline.infra.database import Session
+from sightline.linescan.rig_calibration import FittedPass, RigPass
+from sightline.scans.rig.calibrating import found_of
+from sightline.scans.rig.records import StoredRigCalibration
+from sightline.scans.rig.store import rig_calibration_history
+
+_MEANINGS = {
+    "distance_m": "taped distance from the cameras",
+    "u_distance_m": "standard uncertainty of distance_m (k = 1)",
+    "u_line": "standard uncertainty of each line (k = 1)",
+    "position_1_m": "where along the tape camera 1 saw the staff",
+    "position_2_m": "where along the tape camera 2 saw it",
+    "u_position_m": "standard uncertainty of either position (k = 1)",
+    "speed_mps": "known speed of the staff",
+    "u_speed_mps": "standard uncertainty of speed_mps (k = 1)",
+    "line_1": "line at which camera 1 saw the staff",
+    "line_2": "line at which camera 2 saw it",
+    "width_m": "known width of the board",
+    "u_width_m": "standard uncertainty of width_m (k = 1)",
+    "front_line_1": "line at which the board's first edge crosses camera 1",
+    "rear_line_1": "line at which its last edge crosses camera 1",
+    "front_line_2": "line at which its first edge crosses camera 2",
+    "rear_line_2": "line at which its last edge crosses camera 2",
+}
+GIVEN = tuple(one.name for one in fields(RigPass) if one.name != "name")
+
+
+@dataclass(frozen=True, slots=True)
+class ListedPass:
+    """A pass of a calibration, as it was given and beside the fit."""
+
+    calibration_id: int
+    number: int
+    given: dict[str, Any]
+    fitted: FittedPass
+
+
+def _unit(name: str) -> str:
+    return next((unit for end, unit in (("_mps", "m/s"), ("_m", "m")) if name.endswith(end)), "")
+
+
+def _given(name: str) -> Column[ListedPass]:
+    return number(name, _MEANINGS[name], _unit(name), lambda one: one.given.get(name))
+
+
+def _value(
+    name: str, meaning: str, unit: str, of: Callable[[StoredRigCalibration], Cell]
+) -> Column[StoredRigCalibration]:
+    return number(name, meaning, unit, of, required=True)
+
+
+RIG_CALIBRATIONS: Table[StoredRigCalibration] = Table(
+    "rig_calibrations",
+    "Calibrations of rigs by a staff or board that passed both planes; solved for from rig_passes. The rig "
+    "took the values of each when it was stored.",
+    (
+        key("id", "calibration", lambda c: c.id),
+        key("scan_id", "line-scan recording", lambda c: c.scan_id),
+        key("revision", "number of the calibration, from 1", lambda c: c.revision),
+        _value(
+            "line_rate_hz", "lines a second, for passes of known speed", "Hz", lambda c: c.values.line_rate_hz
+        ),
+        _value(
+            "u_line_rate_ratio",
+            "its standard uncertainty over it (k = 1)",
+            "",
+            lambda c: c.values.u_line_rate_ratio,
+        ),
+        _value(
+            "u_tape_ratio", "standard uncertainty of the tape's scale", "", lambda c: c.values.u_tape_ratio
+        ),
+        _value("u_speed_ratio", "what all known speeds share, a share", "", lambda c: c.values.u_speed_ratio),
+        metres("baseline_m", "baseline at the cameras", lambda c: c.values.baseline_m, required=True),
+        metres(
+            "u_baseline_m",
+            "standard uncertainty of baseline_m (k = 1)",
+            lambda c: c.values.u_baseline_m,
+            required=True,
+        ),
+        _value(
+            "divergence_rad",
+            "how the baseline grows with the distance",
+            "rad",
+            lambda c: c.values.divergence_rad,
+        ),
+        _value(
+            "u_divergence_rad",
+            "standard uncertainty of divergence_rad (k = 1)",
+            "rad",
+            lambda c: c.values.u_divergence_rad,
+        ),
+        _value("baseline_correlation", "of the errors of both", "", lambda c: c.values.baseline_correlation),
+        _value("chi2", "chi-square of the passes about the straight line", "", lambda c: c.values.chi2),
+        integer(
+            "degrees_of_freedom", "of the chi-square", lambda c: c.values.degrees_of_freedom, required=True
+        ),
+        _value("p_value", "chance of a chi-square as large", "", lambda c: c.values.p_value),
+        text(
+            "code_version",
+            "version of the program that computed it",
+            lambda c: c.values.code_version,
+            required=True,
+        ),
+        person("created_by_id", "who put it in force", lambda c: c.created_by),
+        moment("created_at", "when it was stored", lambda c: c.created_at),
+    ),
+    primary=("id",),
+    foreign=((("scan_id",), "line_scans", ("id",)), (("created_by_id",), "people", ("id",))),
+)
+RIG_PASSES: Table[ListedPass] = Table(
+    "rig_passes",
+    "The passes that each calibration of a rig is solved for from, as they were given, beside the fit.",
+    (
+        key("calibration_id", "calibration, in rig_calibrations", lambda one: one.calibration_id),
+        key("number", "number of the pass, from 1", lambda one: one.number),
+        text("pass", "its name", lambda one: one.given["name"], required=True),
+        text(
+            "kind",
+            "how it tells of the baseline",
+            lambda one: one.fitted.kind,
+            required=True,
+            enum=get_args(RigPassKind),
+        ),
+        *(_given(name) for name in GIVEN),
+        metres(
+            "span_m",
+            "baseline that the pass gives at its distance",
+            lambda one: one.fitted.span_m,
+            required=True,
+        ),
+        metres(
+            "u_span_m",
+            "standard uncertainty of span_m (k = 1)",
+            lambda one: one.fitted.u_span_m,
+            required=True,
+        ),
+        metres(
+            "residual_m", "span_m minus the fitted baseline", lambda one: one.fitted.residual_m, required=True
+        ),
+    ),
+    primary=("calibration_id", "number"),
+    foreign=((("calibration_id",), "rig_calibrations", ("id",)),),
+)
+TABLES: tuple[Table[Any], ...] = (RIG_CALIBRATIONS, RIG_PASSES)
+
+
+@dataclass(eq=False)
+class RigRecords:
+    """What the tables of calibrations are made of."""
+
+    calibrations: list[StoredRigCalibration] = field(default_factory=list)
+
+    def add_scan(self, session: Session, scan_id: int) -> list[Who | None]:
+        """Add one recording; gives back who stands in the rows."""
+        found = rig_calibration_history(session, scan_id)
+        self.calibrations += found
+        return [one.created_by for one in found]
+
+    def fill(self, staging: Staging) -> None:
+        """Write the tables, by number."""
+        self.calibrations.sort(key=lambda one: one.id)
+        staging.fill(RIG_CALIBRATIONS, self.calibrations)
+        staging.fill(RIG_PASSES, [one for made in self.calibrations for one in _listed(made)])
+
+
+def _listed(made: StoredRigCalibration) -> list[ListedPass]:
+    fitted = found_of(made.values).passes
+    return [
+        ListedPass(made.id, at, given, one)
+        for at, (given, one) in enumerate(zip(made.values.passes, fitted, strict=True), 1)
+    ]

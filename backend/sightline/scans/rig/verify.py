@@ -1,0 +1,85 @@
+"""Solving every calibration of a rig again from its passes."""
+
+from __future__ import annotations
+
+import math
+from collections import defaultdict
+from collections.abc import Mapping
+from typing import Any
+
+from sightline.enums import JsonObject
+from sightline.errors import BadInput, Damaged
+from sightline.infra.csv_package.files import Files, read_rows
+from sightline.infra.csv_package.schema import AnyTable
+from sightline.linescan.rig_calibration import Common, RigPass
+from sightline.scans.rig.calibrating import calibration_values, solve_passes
+from sightline.scans.rig.csv import GIVEN, RIG_CALIBRATIONS, RIG_PASSES
+
+Row = Mapping[str, str]
+# Half of the last decimal that a CSV carries; of what has all its digits, what another machine may round.
+_TOLERANCE_M = 0.51e-6
+_CLOSE = 1e-6
+_COMMON = ("line_rate_hz", "u_line_rate_ratio", "u_tape_ratio", "u_speed_ratio")
+_FIGURES = (
+    "baseline_m",
+    "u_baseline_m",
+    "divergence_rad",
+    "u_divergence_rad",
+    "baseline_correlation",
+    "chi2",
+    "p_value",
+)
+
+
+def check_rig_calibrations(files: Files, told: Mapping[int, Mapping[str, Any]]) -> int:
+    """Solve each calibration again; how many. `told`: what their audit events say. Raises Damaged."""
+    passes: dict[int, list[Row]] = defaultdict(list)
+    for row in read_rows(files, RIG_PASSES.path):
+        passes[int(row["calibration_id"])].append(row)
+    count = 0
+    for row in read_rows(files, RIG_CALIBRATIONS.path):
+        number = int(row["id"])
+        _calibration(row, passes.pop(number, []), told[number])
+        count += 1
+    if passes:
+        raise Damaged("scans-rig-passes-without", path=RIG_PASSES.path, id=min(passes))
+    return count
+
+
+def _calibration(row: Row, rows: list[Row], told: Mapping[str, Any]) -> None:
+    given: list[JsonObject] = [
+        {"name": one["pass"], **{name: float(one[name]) for name in GIVEN if one[name]}} for one in rows
+    ]
+    if given != told["passes"] or [int(one["number"]) for one in rows] != list(range(1, len(rows) + 1)):
+        raise Damaged("scans-rig-passes-not-those", path=RIG_PASSES.path, id=row["id"])
+    common = Common(**{name: float(row[name]) for name in _COMMON})
+    passes = [RigPass(**one) for one in given]
+    try:
+        found = solve_passes(passes, common)
+    except BadInput as error:
+        raise Damaged("scans-rig-cannot-be-solved", path=RIG_CALIBRATIONS.path, id=row["id"]) from error
+    values = calibration_values(passes, common, found)
+    for name in _FIGURES:
+        _same(RIG_CALIBRATIONS, row, name, getattr(values, name), row["id"])
+    if int(row["degrees_of_freedom"]) != found.degrees_of_freedom:
+        raise Damaged(
+            "scans-rig-not-what-passes-give",
+            path=RIG_CALIBRATIONS.path,
+            name="degrees_of_freedom",
+            id=row["id"],
+        )
+    for one, fitted in zip(rows, found.passes, strict=True):
+        if one["kind"] != fitted.kind:
+            raise Damaged("scans-rig-not-what-passes-give", path=RIG_PASSES.path, name="kind", id=row["id"])
+        for name in ("span_m", "u_span_m", "residual_m"):
+            _same(RIG_PASSES, one, name, getattr(fitted, name), row["id"])
+
+
+def _same(table: AnyTable, row: Row, name: str, value: float, number: str) -> None:
+    told = float(row[name])
+    most = _TOLERANCE_M if name.endswith("_m") else _CLOSE * max(1e-6, abs(value))
+    # a chi-square of next to nothing is rounding
+    if name in ("chi2", "p_value"):
+        most = max(most, 1e-6)
+    if not math.fabs(told - value) <= most:
+        raise Damaged("scans-rig-not-what-passes-give", path=table.path, name=name, id=number)

@@ -1,0 +1,245 @@
+"""Figures of an archive: DuckDB over its Parquet, one site at a time, so that memory holds one site's time.
+
+A vehicle belongs to the interval in which its front reached camera 1. Flow: vehicles, measured or not, over
+the time that was watched; occupancy: the share of that time in which a vehicle stood before camera 1; both
+only where at least half of the interval was watched. Time mean speed: the mean over vehicles; space mean
+speed: the harmonic mean, as a stretch of road shows it (Wardrop 1952). Percentiles: Hyndman and Fan's type 8,
+without bias of the median, as everywhere in Sightline. u of the means: the mean of the vehicles' own u, which
+theirs cannot exceed, whatever the vehicles share.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from datetime import datetime, timedelta
+from functools import lru_cache
+from itertools import pairwise
+from pathlib import Path
+from typing import Any
+
+import duckdb
+
+from sightline.infra.local_time import zone_of
+from sightline.traffic.archive import VEHICLES, WATCHED, files_of, sites_of
+from sightline.traffic.records import Asked, Site
+
+_MEMORY, _THREADS = "1GB", 2
+_DAY_MINUTES = 24 * 60
+#: A day that clocks make longer has at most three hours more, by the minute.
+_LONGER_DAY_CELLS = 180
+#: Of an interval, for a flow and an occupancy: they speak of all of it.
+LEAST_WATCHED = 0.5
+#: Of the classes: every vehicle, and those without a length.
+ALL, NO_LENGTH = "all", "length unknown"
+
+
+class ArchiveTables:
+    """An archive's tables for questions. Use it as a context; it holds no lock, for files come whole."""
+
+    def __init__(self, folder: Path) -> None:
+        self._folder = folder
+        self._db = duckdb.connect(":memory:")
+        self._db.execute(
+            f"SET memory_limit = '{_MEMORY}'; SET threads = {_THREADS}; SET enable_progress_bar = false;"
+            "SET autoinstall_known_extensions = false; SET TimeZone = 'UTC'"
+        )
+
+    def __enter__(self) -> ArchiveTables:
+        return self
+
+    def __exit__(self, *_error: object) -> None:
+        self._db.close()
+
+    def sites(self) -> list[Site]:
+        """Every lane of every site, and how much there is of it."""
+        found = []
+        for site in sites_of(self._folder):
+            watched = self._rows(
+                """
+                SELECT lane, any_value(zone) AS zone, count(DISTINCT recording_sha256) AS recordings,
+                  min(day) AS first_day, max(day) AS last_day, count(DISTINCT day) AS days,
+                  sum(to_s - from_s) AS watched_s
+                FROM watched GROUP BY lane ORDER BY lane
+                """,
+                site,
+                Asked(),
+            )
+            passed = {
+                row["lane"]: row
+                for row in self._rows(
+                    """
+                    SELECT lane, count(*) AS vehicles, count(*) FILTER (status = 'ok') AS measured
+                    FROM vehicles GROUP BY lane
+                    """,
+                    site,
+                    Asked(),
+                )
+            }
+            none = {"vehicles": 0, "measured": 0}
+            for row in watched:
+                own = passed.get(row["lane"], none)
+                counts = {name: own[name] for name in none}
+                found.append(Site(site=site, **row, **counts))
+        return found
+
+    def intervals(self, asked: Asked) -> Iterator[dict[str, Any]]:
+        """One dictionary an interval, lane and class: `COLUMNS` and the percentiles', rising in time.
+
+        Only intervals that were watched at least in part; `reason` says where that is less than whole, or
+        where nothing was measured.
+        """
+        for site in asked.sites or sites_of(self._folder):
+            for row in self._rows(_intervals_sql(asked), site, asked):
+                yield _told(row, site, asked)
+
+    def _rows(self, query: str, site: str, asked: Asked) -> list[dict[str, Any]]:
+        """Rows of a query over one site's `vehicles` and `watched`."""
+        days = asked.first_day, asked.last_day
+        watched = files_of(self._folder, WATCHED, site, *days)
+        if not watched:
+            return []
+        self._db.execute(f"CREATE OR REPLACE TEMP VIEW watched AS {_read(watched)}")
+        passed = files_of(self._folder, VEHICLES, site, *days)
+        self._db.execute(f"CREATE OR REPLACE TEMP VIEW vehicles AS {_read(passed) if passed else _NOBODY}")
+        result = self._db.execute(query)
+        names = [one[0] for one in result.description or ()]
+        return [dict(zip(names, row, strict=True)) for row in result.fetchall()]
+
+
+#: Of an interval's row, before and after the percentiles.
+COLUMNS = (
+    "site",
+    "lane",
+    "class",
+    "from",
+    "minutes",
+    "watched_s",
+    "vehicles",
+    "measured",
+    "flow_per_hour",
+    "occupancy_ratio",
+    "mean_length_m",
+    "median_time_gap_s",
+    "time_mean_speed_mps",
+    "space_mean_speed_mps",
+    "u_mean_speed_mps",
+)
+
+
+def percentile_column(percent: float) -> str:
+    """p85_speed_mps of 85."""
+    return f"p{percent:g}_speed_mps"
+
+
+def columns_of(asked: Asked) -> list[str]:
+    """The columns of an interval's row, in order."""
+    return [*COLUMNS, *map(percentile_column, asked.percents), "reason"]
+
+
+def classes_of(limits_m: Sequence[float]) -> list[str]:
+    """Names of the classes that rising limits part: under 6 m, 6 to 12 m, 12 m or more, length unknown."""
+    if not limits_m:
+        return []
+    between = [f"{low:g} to {high:g} m" for low, high in pairwise(limits_m)]
+    return [f"under {limits_m[0]:g} m", *between, f"{limits_m[-1]:g} m or more", NO_LENGTH]
+
+
+_NOBODY = """
+SELECT NULL::DATE AS day, NULL::VARCHAR AS lane, NULL::VARCHAR AS status, NULL::DOUBLE AS since_midnight_s,
+  NULL::DOUBLE AS occupied_s, NULL::DOUBLE AS speed_mps, NULL::DOUBLE AS u_speed_mps,
+  NULL::DOUBLE AS length_m, NULL::DOUBLE AS time_gap_s WHERE false
+"""
+
+
+def _read(files: Sequence[str]) -> str:
+    named = ", ".join("'" + one.replace("'", "''") + "'" for one in files)
+    return (
+        f"SELECT * FROM read_parquet([{named}], hive_partitioning = true, "
+        "hive_types = {'site': VARCHAR, 'day': DATE})"
+    )
+
+
+def _intervals_sql(asked: Asked) -> str:
+    """The intervals of one site that were watched, each with all its classes; `cell` counts from day 0 on."""
+    step, of_day = 60 * asked.minutes, _DAY_MINUTES // asked.minutes + _LONGER_DAY_CELLS
+    begins = f"(day - DATE '1970-01-01') * {of_day}"
+    classes = len(classes_of(asked.limits_m)) + 1
+    return f"""
+    WITH cut AS (
+      SELECT *, unnest(range(floor(from_s / {step})::BIGINT, ceil(to_s / {step})::BIGINT)) AS nth FROM watched
+    ), shown AS (
+      SELECT lane, {begins} + nth AS cell, any_value(nth) AS nth,
+        any_value(least({step}.0, day_s - nth * {step})) AS length_s,
+        sum(least(to_s, (nth + 1) * {step}) - greatest(from_s, nth * {step})) AS watched_s,
+        any_value(midnight_at) AS midnight_at, any_value(zone) AS zone
+      FROM cut GROUP BY lane, cell
+    ), passed AS (
+      SELECT lane, {begins} + floor(since_midnight_s / {step})::BIGINT AS cell, occupied_s, length_m,
+        time_gap_s, speed_mps, u_speed_mps, {_kind_sql(asked.limits_m)} AS kind
+      FROM vehicles
+    ), counted AS (
+      SELECT lane, cell, kind, count(*) AS vehicles, count(speed_mps) AS n, sum(occupied_s) AS occupied_s,
+        avg(length_m) AS mean_length_m, median(time_gap_s) AS median_time_gap_s,
+        avg(speed_mps) AS time_mean_speed_mps, 1 / avg(1 / speed_mps) AS space_mean_speed_mps,
+        avg(u_speed_mps) AS u_mean_speed_mps,
+        list(speed_mps ORDER BY speed_mps) FILTER (speed_mps IS NOT NULL) AS rising
+      FROM passed GROUP BY lane, cell, kind
+    ), kinds AS (SELECT unnest(range({classes})) AS kind)
+    SELECT * EXCLUDE (rising){"".join(map(_percentile_sql, asked.percents))}
+    FROM shown CROSS JOIN kinds LEFT JOIN counted USING (lane, cell, kind)
+    ORDER BY lane, cell, kind
+    """
+
+
+def _kind_sql(limits_m: Sequence[float]) -> str:
+    """The place of a vehicle's class, and once more 0, the place of all."""
+    if not limits_m:
+        return "0::BIGINT"
+    cases = " ".join(f"WHEN length_m < {limit!r} THEN {at}" for at, limit in enumerate(limits_m, 1))
+    last = len(limits_m) + 1
+    return f"unnest([0, CASE WHEN length_m IS NULL THEN {last + 1} {cases} ELSE {last} END])"
+
+
+def _percentile_sql(percent: float) -> str:
+    """After a comma the percentile: between the two speeds beside place n p + (p + 1) / 3 (type 8)."""
+    p = percent / 100
+    at = f"least(n, greatest(1, (n + 1 / 3.0) * {p!r} + 1 / 3.0))"
+    low, high = f"rising[floor({at})::BIGINT]", f"rising[ceil({at})::BIGINT]"
+    return f', {low} + ({at} - floor({at})) * ({high} - {low}) AS "{percentile_column(percent)}"'
+
+
+def _told(row: dict[str, Any], site: str, asked: Asked) -> dict[str, Any]:
+    """A row of the query as it is told: rates, the local time, the reason."""
+    watched_s, vehicles = row["watched_s"], row["vehicles"] or 0
+    enough = watched_s >= LEAST_WATCHED * row["length_s"]
+    begins = row["nth"] * 60 * asked.minutes
+    told = {
+        **row,
+        "site": site,
+        "class": (ALL, *classes_of(asked.limits_m))[row["kind"]],
+        "from": _shown(row["midnight_at"], row["zone"], begins),
+        "minutes": row["length_s"] / 60,
+        "vehicles": vehicles,
+        "measured": row["n"] or 0,
+        "flow_per_hour": 3600 * vehicles / watched_s if enough else None,
+        "occupancy_ratio": (row["occupied_s"] or 0.0) / watched_s if enough else None,
+        "reason": _reason(row, vehicles, enough),
+    }
+    return {name: told[name] for name in columns_of(asked)}
+
+
+def _reason(row: dict[str, Any], vehicles: int, enough: bool) -> str | None:
+    said = []
+    if row["watched_s"] < row["length_s"] - 1e-6:
+        rest = "" if enough else ", too little for a flow"
+        said.append(f"watched for {row['watched_s']:.0f} of {row['length_s']:.0f} s{rest}")
+    if not vehicles:
+        said.append("no vehicle")
+    elif not row["n"]:
+        said.append("no speed could be measured")
+    return "; ".join(said) or None
+
+
+@lru_cache(maxsize=100_000)
+def _shown(midnight: datetime, zone: str, seconds: int) -> str:
+    return (midnight + timedelta(seconds=seconds)).astimezone(zone_of(zone)).isoformat(timespec="minutes")

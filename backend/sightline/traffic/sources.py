@@ -1,0 +1,123 @@
+"""Recordings as the command line writes them: `sightline linescan --json`, or the lines of `stream`."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import math
+from dataclasses import fields
+from pathlib import Path
+from typing import Any, TypeGuard
+
+from sightline.errors import BadInput
+from sightline.traffic.records import Passing, Recorded
+
+_LARGEST_BYTES = 2_000_000_000
+_NAMES = {"number": "id"}
+_WORDS = ("status", "reason", "lane")
+#: Of a vehicle always; any other may be null.
+_NEEDED = ("number", "front_s", "rear_s", "front_line_1", "rear_line_1", "status")
+
+
+def read_recorded(path: Path, duration_s: float | None) -> Recorded:
+    """One recording's vehicles out of a file: one JSON object with `vehicles`, or one object a line.
+
+    duration_s: how long the recording lasted; only for lines of `stream`, which do not say it. Raises
+    BadInput naming the file, and the vehicle where it is one's.
+    """
+    data = _bytes_of(path)
+    whole = _object_of(data)
+    if whole is not None and "vehicles" in whole:
+        if duration_s is not None:
+            raise BadInput("traffic-duration-twice", path=path)
+        duration_s, vehicles = whole.get("duration_s"), whole["vehicles"]
+        if not _is_number(duration_s):
+            raise BadInput("traffic-no-duration-inside", path=path)
+    else:
+        vehicles = _lines_of(path, data)
+        if duration_s is None:
+            raise BadInput("traffic-no-duration", path=path)
+    if not isinstance(vehicles, list):
+        raise BadInput("traffic-no-recording", path=path)
+    passings = tuple(_passing(path, one, at) for at, one in enumerate(vehicles, 1))
+    assert duration_s is not None
+    _check(path, passings, duration_s)
+    lanes = _lanes(path, whole, passings)
+    return Recorded(path.name, hashlib.sha256(data).hexdigest(), float(duration_s), passings, lanes)
+
+
+def _lanes(path: Path, whole: dict[str, Any] | None, passings: tuple[Passing, ...]) -> tuple[str, ...]:
+    """Names of the rig's lanes: those that the file tells of, and those of its vehicles."""
+    told = (whole or {}).get("lanes", [])
+    if not isinstance(told, list) or not all(
+        isinstance(one, dict) and isinstance(one.get("name"), str) for one in told
+    ):
+        raise BadInput("traffic-no-recording", path=path)
+    names = [one["name"] for one in told] + [one.lane for one in passings if one.lane is not None]
+    return tuple(dict.fromkeys(names))
+
+
+def _bytes_of(path: Path) -> bytes:
+    try:
+        if path.stat().st_size > _LARGEST_BYTES:
+            raise BadInput("traffic-file-too-large", path=path, most_gb=_LARGEST_BYTES // 10**9)
+        return path.read_bytes()
+    except OSError as error:
+        raise BadInput("traffic-cannot-read", path=path, strerror=error.strerror) from None
+
+
+def _object_of(data: bytes) -> dict[str, Any] | None:
+    try:
+        found = json.loads(data)
+    except (ValueError, RecursionError):
+        return None
+    return found if isinstance(found, dict) else None
+
+
+def _lines_of(path: Path, data: bytes) -> list[Any]:
+    try:
+        found = [json.loads(line) for line in data.splitlines() if line.strip()]
+    except (ValueError, RecursionError):
+        raise BadInput("traffic-no-recording", path=path) from None
+    if not all(isinstance(one, dict) and "front_line_1" in one for one in found):
+        raise BadInput("traffic-no-recording", path=path)
+    return found
+
+
+def _passing(path: Path, said: Any, at: int) -> Passing:
+    if not isinstance(said, dict):
+        raise BadInput("traffic-no-recording", path=path)
+    held: dict[str, Any] = {}
+    for name in (one.name for one in fields(Passing)):
+        value = said.get(_NAMES.get(name, name))
+        if value is None and name not in _NEEDED:
+            held[name] = None
+        elif name in _WORDS and isinstance(value, str):
+            held[name] = value
+        elif name not in _WORDS and _is_number(value):
+            held[name] = int(value) if name == "number" else float(value)
+        else:
+            raise BadInput("traffic-vehicle-without", path=path, vehicle=at, column=_NAMES.get(name, name))
+    return Passing(**held)
+
+
+def _check(path: Path, passings: tuple[Passing, ...], duration_s: float) -> None:
+    """A vehicle outside its recording, or two with one number, are of another recording or time."""
+    seen = set[int]()
+    for one in passings:
+        if one.number in seen:
+            raise BadInput("traffic-number-twice", path=path, vehicle=one.number)
+        seen.add(one.number)
+        if not 0 <= one.front_s <= one.rear_s <= duration_s:
+            raise BadInput(
+                "traffic-outside-recording",
+                path=path,
+                vehicle=one.number,
+                front_s=round(one.front_s, 3),
+                rear_s=round(one.rear_s, 3),
+                duration_s=round(duration_s, 3),
+            )
+
+
+def _is_number(value: object) -> TypeGuard[float]:
+    return type(value) in (int, float) and math.isfinite(value)  # type: ignore[arg-type]

@@ -1,0 +1,288 @@
+/** What the file says, part by part; every number as it stands there. */
+
+import type { ComponentChildren } from "preact";
+import { say } from "../say";
+import type { Evidence, Measured } from "./document";
+
+const KMH = 3.6;
+const NONE = "–";
+
+/** A number with as many decimals as two digits of its uncertainty need, and the uncertainty itself. */
+function withU(value: number | null, u: number | null, unit: string): string {
+  if (value === null) return NONE;
+  if (u === null || !(u > 0)) return `${value} ${unit}`;
+  const decimals = Math.min(12, Math.max(0, 1 - Math.floor(Math.log10(u))));
+  return say("opened-evidence-with-u", { value: value.toFixed(decimals), u: u.toFixed(decimals), unit });
+}
+
+const times = (value: number | null, factor: number) => (value === null ? null : value * factor);
+
+function Section({ id, name, children }: { id: string; name: string; children: ComponentChildren }) {
+  return (
+    <section class="opened__section" id={id}>
+      <h2 class="opened__name">{name}</h2>
+      {children}
+    </section>
+  );
+}
+
+function Facts({ rows }: { rows: readonly (readonly [string, string])[] }) {
+  return (
+    <table class="opened__rows">
+      <tbody>
+        {rows.map(([name, value]) => (
+          <tr key={name}>
+            <th scope="row">{name}</th>
+            <td>{value}</td>
+          </tr>
+        ))}
+      </tbody>
+    </table>
+  );
+}
+
+export function Decision({ evidence }: { evidence: Evidence }) {
+  const { answer, words, rule } = evidence.decision;
+  return (
+    <Section id="decision" name={say("opened-evidence-decision")}>
+      <p class="evidence__decision" data-answer={answer ?? "none"}>
+        {words}
+      </p>
+      {rule?.source && <p>{say("opened-evidence-rule-source", { source: rule.source })}</p>}
+      <p class="opened__quiet">{say("opened-evidence-decision-note")}</p>
+    </Section>
+  );
+}
+
+export function Motion({ evidence }: { evidence: Evidence }) {
+  const m = evidence.measurement;
+  const { gap, review } = evidence;
+  const u = m.u_speed_mps;
+  return (
+    <Section id="motion" name={say("opened-evidence-motion")}>
+      {m.reason && <p>{m.reason}</p>}
+      {m.warnings.map((one) => (
+        <p key={one}>{one}</p>
+      ))}
+      <div class="opened__scroll">
+        <Facts
+          rows={[
+            [
+              say("opened-evidence-speed"),
+              `${withU(times(m.speed_mps, KMH), times(u, KMH), "km/h")}; ${withU(m.speed_mps, u, "m/s")}`,
+            ],
+            [say("opened-evidence-acceleration"), withU(m.acceleration_mps2, m.u_acceleration_mps2, "m/s²")],
+            [say("opened-evidence-length"), withU(m.length_m, m.u_length_m, "m")],
+            [
+              say("opened-evidence-direction"),
+              say("opened-evidence-direction-of", { direction: m.direction }),
+            ],
+            ...laneRow(m),
+            [say("opened-evidence-axles"), axleWords(m)],
+            [say("opened-evidence-lines-1"), `${m.front_line_1.toFixed(2)}; ${m.rear_line_1.toFixed(2)}`],
+            [say("opened-evidence-lines-2"), `${m.front_line_2.toFixed(2)}; ${m.rear_line_2.toFixed(2)}`],
+            [say("opened-evidence-time-gap"), gapWords(gap, gap?.time_gap_s, gap?.u_time_gap_s, "s")],
+            [
+              say("opened-evidence-distance-gap"),
+              gapWords(gap, gap?.distance_gap_m, gap?.u_distance_gap_m, "m"),
+            ],
+            [say("opened-evidence-method"), methodWords(m)],
+            [say("opened-evidence-review"), reviewWords(review)],
+          ]}
+        />
+      </div>
+    </Section>
+  );
+}
+
+/** None where the rig has no lanes. */
+function laneRow({ lane, rig }: Measured): [string, string][] {
+  if (!rig.lanes?.length) return [];
+  return [[say("opened-evidence-lane"), lane ?? say("opened-evidence-lane-unknown")]];
+}
+
+function axleWords({ axle_lines, axles_by }: Measured): string {
+  if (!axle_lines?.length) return NONE;
+  return say("opened-evidence-axles-of", { count: axle_lines.length, by: axles_by ?? "machine" });
+}
+
+function gapWords(
+  gap: Evidence["gap"],
+  value: number | null | undefined,
+  u: number | null | undefined,
+  unit: string,
+): string {
+  if (gap === null) return say("opened-evidence-gap-none");
+  return value == null ? (gap.reason ?? NONE) : withU(value, u ?? null, unit);
+}
+
+function methodWords(m: Measured): string {
+  return say(m.placed_by === null ? "opened-evidence-found" : "opened-evidence-placed", {
+    method: m.method,
+    revision: String(m.revision),
+    at: m.created_at.slice(0, 19).replace("T", " "),
+    version: m.code_version,
+  });
+}
+
+function reviewWords({ verdict, reviewer, at, reason }: Evidence["review"]): string {
+  const by = reviewer?.name ?? say("opened-evidence-nobody");
+  const words = say("opened-evidence-verdict", {
+    verdict,
+    by,
+    at: (at ?? "").slice(0, 19).replace("T", " "),
+  });
+  return reason ? `${words} ${reason}` : words;
+}
+
+export function Budget({ measured }: { measured: Measured }) {
+  if (measured.budget.length === 0) return null;
+  return (
+    <Section id="budget" name={say("opened-evidence-budget")}>
+      <p class="opened__quiet">{say("opened-evidence-budget-note")}</p>
+      <div class="opened__scroll">
+        <table class="opened__rows">
+          <thead>
+            <tr>
+              <th scope="col">{say("opened-evidence-source")}</th>
+              <th scope="col">{say("opened-evidence-u-speed")}</th>
+              <th scope="col">{say("opened-evidence-u-acceleration")}</th>
+              <th scope="col">{say("opened-evidence-u-length")}</th>
+            </tr>
+          </thead>
+          <tbody>
+            {measured.budget.map((one) => (
+              <tr key={one.source}>
+                <th scope="row">{one.source}</th>
+                <td>{one.u_speed_mps.toFixed(5)}</td>
+                <td>{one.u_acceleration_mps2.toFixed(5)}</td>
+                <td>{one.u_length_m.toFixed(5)}</td>
+              </tr>
+            ))}
+            <tr>
+              <th scope="row">{say("opened-evidence-combined")}</th>
+              <td>{measured.u_speed_mps?.toFixed(5)}</td>
+              <td>{measured.u_acceleration_mps2?.toFixed(5)}</td>
+              <td>{measured.u_length_m?.toFixed(5)}</td>
+            </tr>
+          </tbody>
+        </table>
+      </div>
+    </Section>
+  );
+}
+
+export function Times({ evidence }: { evidence: Evidence }) {
+  const { time, clock } = evidence;
+  const rows: [string, string][] = [];
+  if (clock) {
+    const at = time.filmed_at ?? NONE;
+    const u = time.u_filmed_at_s;
+    rows.push([
+      say("opened-evidence-passed"),
+      u === null ? at : say("opened-evidence-passed-u", { at, u_s: Number(u.toPrecision(2)).toString() }),
+    ]);
+    rows.push([
+      say("opened-evidence-start"),
+      say("opened-evidence-start-u", {
+        at: clock.started_at,
+        zone: clock.time_zone,
+        u_s: String(clock.u_start_s),
+      }),
+    ]);
+  }
+  rows.push([say("opened-evidence-since"), `${time.since_start_s.toFixed(4)} s`]);
+  return (
+    <Section id="time" name={say("opened-evidence-time")}>
+      {clock === null && <p>{say("opened-evidence-clock-none")}</p>}
+      <Facts rows={rows} />
+    </Section>
+  );
+}
+
+export function Rig({ evidence }: { evidence: Evidence }) {
+  const { rig } = evidence.measurement;
+  const at = evidence.at_vehicle;
+  const { scan } = evidence;
+  return (
+    <Section id="rig" name={say("opened-evidence-rig")}>
+      <div class="opened__scroll">
+        <Facts
+          rows={[
+            [say("opened-evidence-baseline"), withU(rig.baseline_m, rig.u_baseline_m, "m")],
+            [say("opened-evidence-baseline-there"), withU(at.baseline_m, at.u_baseline_m, "m")],
+            [
+              say("opened-evidence-rate"),
+              withU(rig.line_rate_hz, rig.line_rate_hz * rig.u_line_rate_ratio, "Hz"),
+            ],
+            [
+              say("opened-evidence-divergence"),
+              withU(1e3 * rig.divergence_rad, 1e3 * rig.u_divergence_rad, "mrad"),
+            ],
+            [say("opened-evidence-distance"), rig.distance_m === null ? NONE : `${rig.distance_m} m`],
+            [say("opened-evidence-misalignment"), withU(rig.misalignment_px, rig.u_misalignment_px, "px")],
+            [say("opened-evidence-shadow"), `${Math.round(100 * rig.shadow_share)} %`],
+            [
+              say("opened-evidence-strips"),
+              say("opened-evidence-strips-size", {
+                name: scan.name,
+                lines: scan.lines,
+                rows: scan.rows_px,
+                bits: scan.bits,
+              }),
+            ],
+            [say("opened-evidence-strip", { camera: 1 }), scan.first_sha256],
+            [say("opened-evidence-strip", { camera: 2 }), scan.second_sha256],
+          ]}
+        />
+      </div>
+      {scan.notes.map((one) => (
+        <p key={one}>{one}</p>
+      ))}
+    </Section>
+  );
+}
+
+export function Audit({ evidence }: { evidence: Evidence }) {
+  const { audit, keys } = evidence;
+  return (
+    <Section id="audit" name={say("opened-evidence-audit")}>
+      <p>
+        {say("opened-evidence-audit-end", { chain: audit.chain, count: audit.count })}{" "}
+        <code class="evidence__hash">{audit.hash}</code>
+      </p>
+      <div class="opened__scroll opened__list">
+        <table class="opened__rows">
+          <thead>
+            <tr>
+              <th scope="col">{say("opened-evidence-event-number")}</th>
+              <th scope="col">{say("opened-evidence-event-at")}</th>
+              <th scope="col">{say("opened-evidence-event-what")}</th>
+              <th scope="col">{say("opened-evidence-event-hash")}</th>
+            </tr>
+          </thead>
+          <tbody>
+            {audit.events.map((one) => (
+              <tr key={one.number}>
+                <td>{one.number}</td>
+                <td>{one.at.slice(0, 19).replace("T", " ")}</td>
+                <td>{`${one.action} ${one.entity} ${one.entity_id ?? ""}`}</td>
+                <td>
+                  <code class="evidence__hash">{one.hash}</code>
+                </td>
+              </tr>
+            ))}
+          </tbody>
+        </table>
+      </div>
+      <p>{say("opened-evidence-keys")}</p>
+      <ol class="opened__sizes">
+        {keys.map((one) => (
+          <li key={one.key}>
+            <code class="evidence__hash">{one.key}</code>
+          </li>
+        ))}
+      </ol>
+    </Section>
+  );
+}

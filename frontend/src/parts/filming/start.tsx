@@ -1,0 +1,162 @@
+/** The start of a recording as a person confirms it: by the clocks of its place, with the zone they show. */
+import type { VNode } from "preact";
+import { useState } from "preact/hooks";
+import { Button, Field, Segments, TextField } from "../../components";
+import { ApiError } from "../../core/api";
+import { say } from "../../core/messages";
+import { survey } from "../../core/survey";
+import { formatPlaceMoment, ownZone, placeTime, TIME_ZONES } from "../../core/times";
+
+/** What is known of a start: confirmed, or proposed. */
+export interface Started {
+  started_local: string | null;
+  time_zone: string | null;
+  start_proposed: string | null;
+}
+
+/** A start as it is being typed. */
+export interface StartTyped {
+  local: string;
+  zone: string;
+  proposed: string | null;
+  /** The two offsets of an hour that the clocks showed twice, once the server has said so. */
+  twice: readonly string[];
+  offset: string;
+  setLocal: (time: string) => void;
+  setZone: (zone: string) => void;
+  setOffset: (offset: string) => void;
+  /** What is to be stored; null where nothing was typed. */
+  said: () => { local: string; time_zone: string } | null;
+  /** A refusal that asks which of two hours is meant. */
+  learn: (error: unknown) => void;
+}
+
+/** That of the survey's place, else the browser's. */
+function usualZone(): string {
+  return survey.value?.place.time_zone ?? ownZone();
+}
+
+/** "2026-05-03T08:10:00.250" without zeros that the box would not show. */
+function shownLocal(started_local: string | null): string | null {
+  return started_local?.slice(0, 23).replace(/\.000$/, "") ?? null;
+}
+
+/** In words: confirmed, proposed (of `proposed`), or the sentence that it is not known. */
+export function startWords(of: Started, unknown: string): string {
+  if (of.started_local && of.time_zone)
+    return say("filmed-start", { time: formatPlaceMoment(of.started_local), zone: of.time_zone });
+  const zone = usualZone();
+  const local = of.start_proposed && placeTime(of.start_proposed, zone);
+  return local ? say("filmed-proposed", { time: formatPlaceMoment(local), zone }) : unknown;
+}
+
+export function useStart(of: Started): StartTyped {
+  const [zone, setZone] = useState(of.time_zone ?? usualZone());
+  const [typed, setTyped] = useState<string | null>(shownLocal(of.started_local));
+  const [offset, setOffset] = useState<string>(of.started_local?.slice(-6) ?? "");
+  const [twice, setTwice] = useState<readonly string[]>([]);
+  const proposed = of.start_proposed && placeTime(of.start_proposed, zone);
+  const local = typed ?? proposed ?? "";
+  /** Opened and left as it was: of an hour that came twice it is still the same one. */
+  const unchanged = shownLocal(of.started_local) === local && of.time_zone === zone;
+  return {
+    local,
+    zone,
+    proposed,
+    twice,
+    offset,
+    setLocal: (time) => {
+      setTyped(time);
+      setTwice([]);
+      setOffset("");
+    },
+    setZone: (name) => {
+      setZone(name);
+      setTwice([]);
+    },
+    setOffset,
+    said: () =>
+      local ? { local: local + (twice.length > 0 || unchanged ? offset : ""), time_zone: zone.trim() } : null,
+    learn: (error) => {
+      const values =
+        error instanceof ApiError && error.said?.code === "local-time-twice" ? error.said.values : null;
+      if (values) setTwice([String(values["first"]), String(values["second"])]);
+    },
+  };
+}
+
+interface LineProps {
+  testId: string;
+  words: string;
+  confirmed: boolean;
+  /** What the button says to a screen reader; null for who may not change the start. */
+  change: string | null;
+  dialog: (close: () => void) => VNode;
+}
+
+/** What is known of a start in words, and the button to confirm or change it. */
+export function StartLine({ testId, words, confirmed, change, dialog }: LineProps) {
+  const [editing, setEditing] = useState(false);
+  return (
+    <div class="row row--wrap small" data-testid={testId}>
+      <span>{words}</span>
+      {change !== null && (
+        <Button small kind={confirmed ? "quiet" : "plain"} label={change} onClick={() => setEditing(true)}>
+          {say(confirmed ? "filmed-edit" : "filmed-confirm")}
+        </Button>
+      )}
+      {editing && dialog(() => setEditing(false))}
+    </div>
+  );
+}
+
+interface Props {
+  start: StartTyped;
+  label: string;
+  hint: string;
+  /** Of the box, seconds: how finely a start can be told. */
+  step: string;
+}
+
+export function StartFields({ start, label, hint, step }: Props) {
+  return (
+    <>
+      <Field label={label} hint={hint}>
+        {(wiring) => (
+          <span class="row">
+            <input
+              {...wiring}
+              class="input"
+              type="datetime-local"
+              step={step}
+              value={start.local}
+              onInput={(event) => start.setLocal(event.currentTarget.value)}
+            />
+            {start.local && (
+              <Button small kind="quiet" onClick={() => start.setLocal("")}>
+                {say("filmed-unsay")}
+              </Button>
+            )}
+          </span>
+        )}
+      </Field>
+      {start.twice.length > 0 && (
+        <Segments
+          label={say("filmed-which")}
+          value={start.offset}
+          onChange={start.setOffset}
+          options={start.twice.map((one, n) => ({
+            value: one,
+            label: say(n === 0 ? "filmed-first" : "filmed-second", { offset: one }),
+          }))}
+        />
+      )}
+      <TextField
+        label={say("filmed-zone")}
+        value={start.zone}
+        suggestions={TIME_ZONES}
+        onInput={start.setZone}
+      />
+    </>
+  );
+}

@@ -1,0 +1,72 @@
+import { useState } from "preact/hooks";
+import { FormDialog, SelectField, TextField } from "../../components";
+import { api } from "../../core/api";
+import { say } from "../../core/messages";
+import type { MadeToken } from "../../core/types";
+import { SCOPE_HINTS, SCOPE_NAMES, SCOPES, type Scope } from "./scopes";
+
+const DAYS = ["7", "30", "90", "366"] as const;
+type Days = (typeof DAYS)[number];
+
+export function MakeToken({ close, made }: { close: () => void; made: (token: MadeToken) => void }) {
+  const [name, setName] = useState("");
+  const [scopes, setScopes] = useState<readonly Scope[]>(["read"]);
+  const [days, setDays] = useState<Days>("90");
+  const [tried, setTried] = useState(false);
+  const submit = () => {
+    setTried(true);
+    return !name.trim() || scopes.length === 0 ? null : make();
+  };
+  const make = async () =>
+    made(
+      await api.write(
+        "POST /session/tokens",
+        {},
+        { body: { name: name.trim(), scopes: [...scopes], days: Number(days) } },
+      ),
+    );
+  const choose = (scope: Scope, yes: boolean) =>
+    setScopes(yes ? [...scopes, scope] : scopes.filter((one) => one !== scope));
+  return (
+    <FormDialog
+      title={say("account-token-make")}
+      action={say("account-token-make-action")}
+      onClose={close}
+      submit={submit}
+    >
+      <TextField
+        label={say("account-token-name-field")}
+        value={name}
+        onInput={setName}
+        hint={say("account-token-name-hint")}
+        problem={tried && !name.trim() ? say("account-token-name-problem") : null}
+      />
+      <fieldset class="field tokens__scopes">
+        <legend class="field__label">{say("account-token-scopes-field")}</legend>
+        {SCOPES.map((scope) => (
+          <label key={scope} class="tokens__scope">
+            <input
+              type="checkbox"
+              checked={scopes.includes(scope)}
+              onChange={(event) => choose(scope, event.currentTarget.checked)}
+            />
+            <span>
+              {SCOPE_NAMES[scope]}
+              <span class="field__hint">{SCOPE_HINTS[scope]}</span>
+            </span>
+          </label>
+        ))}
+        {tried && scopes.length === 0 && <p class="field__problem">{say("account-token-scopes-problem")}</p>}
+      </fieldset>
+      <SelectField
+        label={say("account-token-days")}
+        value={days}
+        options={DAYS.map((value) => ({
+          value,
+          label: say("account-token-days-count", { days: Number(value) }),
+        }))}
+        onChange={setDays}
+      />
+    </FormDialog>
+  );
+}

@@ -1,0 +1,23 @@
+/** What a token may be for, in words. */
+import { wordsOf } from "../../core/messages";
+import type { ApiToken } from "../../core/types";
+
+export type Scope = ApiToken["scopes"][number];
+
+export const SCOPES: readonly Scope[] = ["read", "upload", "measure", "review", "export"];
+
+export const SCOPE_NAMES = wordsOf({
+  read: "token-scope-read",
+  upload: "token-scope-upload",
+  measure: "token-scope-measure",
+  review: "token-scope-review",
+  export: "token-scope-export",
+});
+
+export const SCOPE_HINTS = wordsOf({
+  read: "token-scope-read-hint",
+  upload: "token-scope-upload-hint",
+  measure: "token-scope-measure-hint",
+  review: "token-scope-review-hint",
+  export: "token-scope-export-hint",
+});

@@ -1,0 +1,173 @@
+/** Line cameras at work: the last vehicles, the flow, and how the stream is; read again every second. */
+import { Button, Empty, Loading, Notice, Problem, StateMark, TableScroll } from "../../components";
+import { api } from "../../core/api";
+import { say } from "../../core/messages";
+import type { ScreenProps } from "../../core/places";
+import { useEvery, useResource } from "../../core/resource";
+import { formatAgo, formatClock, formatMoment } from "../../core/times";
+import type { LiveStream, LiveVehicle } from "../../core/types";
+import { fixed, formatLength, formatSpeed } from "../../core/units";
+import { LIVE_WORDS, vehicleName } from "../../core/words";
+import { OtherWay } from "../../parts/OtherWay";
+import { Flow } from "./Flow";
+import { Health } from "./Health";
+import "./live.css";
+
+const EVERY_MS = 1000;
+
+export default function LiveScreen({ surveyId }: ScreenProps) {
+  const streams = useResource(
+    (signal) => api.ask("GET /surveys/{survey_id}/live", { survey_id: surveyId }, { signal }),
+    [surveyId],
+    { keep: true },
+  );
+  useEvery(EVERY_MS, streams.reload);
+  return (
+    <div class="page">
+      <header class="page__head">
+        <div>
+          <h1>{say("page-live")}</h1>
+          <p class="page__lead">{say("live-lead")}</p>
+        </div>
+        <Button href={`/surveys/${surveyId}/scans`}>{say("scans-all")}</Button>
+      </header>
+      <Problem error={streams.error} again={streams.reload} />
+      {!streams.data && streams.loading && <Loading what={say("live-loading")} />}
+      {streams.data?.length === 0 && <HowToStart surveyId={surveyId} />}
+      <div class="stack">
+        {streams.data?.map((stream) => (
+          <Stream key={stream.scan_id} stream={stream} surveyId={surveyId} />
+        ))}
+      </div>
+    </div>
+  );
+}
+
+/** The commands stand here as they are typed; no catalogue translates them. */
+function HowToStart({ surveyId }: { surveyId: number }) {
+  const rig = "--rows 1024 --baseline 0.5 --line-rate 5000";
+  return (
+    <div class="panel">
+      <Empty title={say("live-none-title")}>
+        <p>{say("live-none-pipe")}</p>
+        <pre class="live-command">{`recorder | sightline stream ${rig} --survey ${surveyId}`}</pre>
+        <p>{say("live-none-file")}</p>
+        <pre class="live-command">{`sightline stream ${rig} --follow lines.raw --survey ${surveyId}`}</pre>
+        <p>{say("live-none-cameras")}</p>
+        <pre class="live-command">
+          {`sightline stream ${rig} --camera FIRST --camera SECOND --survey ${surveyId}`}
+        </pre>
+      </Empty>
+    </div>
+  );
+}
+
+function Stream({ stream, surveyId }: { stream: LiveStream; surveyId: number }) {
+  return (
+    <section class="panel live" data-testid={`live-${stream.scan_id}`}>
+      <header class="row row--apart row--wrap">
+        <div>
+          <h2 class="clip">{stream.source}</h2>
+          <p class="small muted">{say("live-since", { time: formatMoment(stream.began_at) })}</p>
+        </div>
+        <StateOf stream={stream} />
+      </header>
+      {stream.state === "silent" && (
+        <Notice kind="warning">{say("live-silent", { ago: formatAgo(stream.heard_at) })}</Notice>
+      )}
+      {stream.state === "stopped" && (
+        <Notice kind="warning">{say("live-stopped", { time: formatMoment(stream.heard_at) })}</Notice>
+      )}
+      {stream.health?.words.map((words) => (
+        <Notice key={words} kind="warning">
+          {words}
+        </Notice>
+      ))}
+      <Health stream={stream} />
+      <div class="live__both">
+        <Flow flow={stream.flow} />
+        <Vehicles stream={stream} surveyId={surveyId} />
+      </div>
+      {stream.earlier.length > 0 && (
+        <p class="small row row--wrap">
+          <span class="muted">{say("live-earlier")}</span>
+          {stream.earlier.map((one) => (
+            <a key={one.scan_id} href={`/surveys/${surveyId}/scan?scan=${one.scan_id}`}>
+              {formatMoment(one.began_at)}
+            </a>
+          ))}
+        </p>
+      )}
+    </section>
+  );
+}
+
+function StateOf({ stream }: { stream: LiveStream }) {
+  const word = LIVE_WORDS[stream.state];
+  if (stream.state === "running") return <StateMark state="running" word={word} />;
+  return <StateMark state={stream.state === "ended" ? "done" : "not_measurable"} word={word} />;
+}
+
+function Vehicles({ stream, surveyId }: { stream: LiveStream; surveyId: number }) {
+  if (!stream.vehicles.length) return <p class="muted">{say("live-no-vehicles")}</p>;
+  const lanes = stream.vehicles.some((one) => one.lane !== null);
+  return (
+    <div>
+      <TableScroll label={say("live-vehicles")}>
+        <table class="table table--dense live__vehicles">
+          <thead>
+            <tr>
+              <th>{say("scan-head-number")}</th>
+              <th>{say("scan-head-clock")}</th>
+              <th class="num">{say("scan-head-speed")}</th>
+              <th class="num">{say("scan-head-length")}</th>
+              <th class="num">{say("with-unit", { name: say("scan-head-gap"), unit: "s" })}</th>
+              <th class="num">{say("scan-axles")}</th>
+              {lanes && <th>{say("scan-lane")}</th>}
+            </tr>
+          </thead>
+          <tbody>
+            {stream.vehicles.map((vehicle) => (
+              <Row key={vehicle.id} vehicle={vehicle} stream={stream} surveyId={surveyId} lanes={lanes} />
+            ))}
+          </tbody>
+        </table>
+      </TableScroll>
+      {!stream.ready && <p class="small muted">{say("live-picture-later")}</p>}
+    </div>
+  );
+}
+
+interface RowProps {
+  vehicle: LiveVehicle;
+  stream: LiveStream;
+  surveyId: number;
+  lanes: boolean;
+}
+
+function Row({ vehicle, stream, surveyId, lanes }: RowProps) {
+  const name = vehicleName(vehicle.number);
+  const bench = `/surveys/${surveyId}/scan?scan=${stream.scan_id}&vehicle=${vehicle.id}`;
+  return (
+    <tr data-testid={`live-vehicle-${vehicle.number}`}>
+      <td>{stream.ready ? <a href={bench}>{name}</a> : name}</td>
+      <td>{formatClock(new Date(vehicle.front_at))}</td>
+      {vehicle.status === "ok" ? (
+        <>
+          <td class="num">
+            {vehicle.direction === "camera_2_first" && <OtherWay />}
+            {formatSpeed(vehicle.speed_mps, vehicle.U95_speed_mps, 2)}
+          </td>
+          <td class="num">{formatLength(vehicle.length_m, 2)}</td>
+        </>
+      ) : (
+        <td colSpan={2} class="small muted live__reason">
+          {vehicle.reason}
+        </td>
+      )}
+      <td class="num">{vehicle.time_gap_s === null ? "–" : fixed(vehicle.time_gap_s, 2)}</td>
+      <td class="num">{vehicle.axles ?? "–"}</td>
+      {lanes && <td>{vehicle.lane ?? "–"}</td>}
+    </tr>
+  );
+}

@@ -1,0 +1,118 @@
+/** How far people lean on proposals that they are shown: heights shown against those measured free, with the goal beside it. */
+import { Problem, TableScroll } from "../../components";
+import { api } from "../../core/api";
+import { say, sayCode } from "../../core/messages";
+import { useResource } from "../../core/resource";
+import { may } from "../../core/session";
+import { toastProblem } from "../../core/toasts";
+import type { Anchoring, ProposedTarget } from "../../core/types";
+import { formatSmall } from "../../core/units";
+import { TARGET_WORDS } from "../../core/words";
+import { shiftWords } from "./words";
+
+export function AnchoringPanel({ surveyId }: { surveyId: number }) {
+  const found = useResource(
+    (signal) => api.ask("GET /surveys/{survey_id}/anchoring", { survey_id: surveyId }, { signal }),
+    [surveyId],
+  );
+  const data = found.data;
+  const choose = async (free_one_in: number): Promise<void> => {
+    const version = data?.plan.version ?? 0;
+    try {
+      await api.write(
+        "PUT /surveys/{survey_id}/free-plan",
+        { survey_id: surveyId },
+        { body: { free_one_in, version } },
+      );
+    } catch (error) {
+      toastProblem(error);
+    }
+    await found.reload();
+  };
+  if (!data) return <Problem error={found.error} again={found.reload} />;
+  return (
+    <section class="panel" aria-labelledby="anchoring" data-testid="anchoring">
+      <header class="panel__head">
+        <h2 id="anchoring">{say("anchoring-title")}</h2>
+        <Plan plan={data.plan} choose={choose} />
+      </header>
+      <TableScroll label={say("anchoring-title")}>
+        <table class="table repeats">
+          <thead>
+            <tr>
+              <th>{say("repeats-target")}</th>
+              <th class="num">{say("anchoring-shown")}</th>
+              <th class="num">{say("anchoring-free")}</th>
+              <th>{say("anchoring-shift")}</th>
+              <th>{say("anchoring-goal", { goal: formatSmall(data.goal_m) })}</th>
+            </tr>
+          </thead>
+          <tbody>
+            {data.targets.map((one) => (
+              <Row key={one.target ?? "all"} one={one} />
+            ))}
+          </tbody>
+        </table>
+      </TableScroll>
+      <p class="repeats__note small muted">
+        {say("anchoring-help")}{" "}
+        {say("anchoring-counts", { confirmed: data.confirmed, moved: data.moved, afresh: data.afresh })}
+      </p>
+    </section>
+  );
+}
+
+function Row({ one }: { one: ProposedTarget }) {
+  const { shift } = one;
+  const told = shiftWords(shift);
+  return (
+    <tr>
+      <td>
+        <strong>{one.target === null ? say("repeats-all-targets") : TARGET_WORDS[one.target]}</strong>
+      </td>
+      <Mean count={shift.shown} mean_m={shift.shown_m} />
+      <Mean count={shift.free} mean_m={shift.free_m} />
+      <td class="nowrap">{told ?? "–"}</td>
+      <td class="small">
+        {one.verdict
+          ? say("anchoring-verdict", { verdict: one.verdict })
+          : sayCode({ code: shift.reason ?? "", values: {} })}
+      </td>
+    </tr>
+  );
+}
+
+/** How many vehicles, and by how much they were stored above what was proposed. */
+function Mean({ count, mean_m }: { count: number; mean_m: number | null }) {
+  return (
+    <td class="num nowrap">
+      {say("anchoring-vehicles", { count })}
+      {mean_m !== null && <p class="small muted">{formatSmall(mean_m)}</p>}
+    </td>
+  );
+}
+
+const PLANS = [0, 5, 10, 20, 50];
+
+/** One vehicle in how many: told to everybody, chosen by an administrator. */
+function Plan({ plan, choose }: { plan: Anchoring["plan"]; choose: (one_in: number) => void }) {
+  const oneIn = plan.free_one_in;
+  const words = (one_in: number) => say("anchoring-plan", { one_in });
+  if (!may("manager")) return <span class="muted small">{words(oneIn)}</span>;
+  return (
+    <select
+      class="input"
+      aria-label={say("anchoring-plan-choose")}
+      title={say("anchoring-plan-choose")}
+      data-testid="free-plan"
+      value={oneIn}
+      onChange={(event) => choose(Number(event.currentTarget.value))}
+    >
+      {(PLANS.includes(oneIn) ? PLANS : [oneIn, ...PLANS]).map((one) => (
+        <option key={one} value={one}>
+          {words(one)}
+        </option>
+      ))}
+    </select>
+  );
+}

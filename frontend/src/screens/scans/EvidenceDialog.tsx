@@ -1,0 +1,112 @@
+/** The evidence file of the chosen vehicle: which limit it is held against, and the file itself as a download. */
+import { useState } from "preact/hooks";
+import { Button, FormDialog, Segments, TextField } from "../../components";
+import { api } from "../../core/api";
+import { say } from "../../core/messages";
+import { toast } from "../../core/toasts";
+import type { ScanVehicle } from "../../core/types";
+import { parseNumber, speedScale } from "../../core/units";
+import { vehicleName } from "../../core/words";
+import { download } from "../../parts/figures/csv";
+
+type Quantity = "none" | "speed" | "time_gap" | "distance_gap";
+
+const USUAL_RISK_PERCENT = "5";
+
+export function EvidenceButton({ vehicle }: { vehicle: ScanVehicle }) {
+  const [asking, setAsking] = useState(false);
+  return (
+    <div class="row">
+      <Button small icon="download" title={say("scan-evidence-what")} onClick={() => setAsking(true)}>
+        {say("scan-evidence")}
+      </Button>
+      {asking && <EvidenceDialog vehicle={vehicle} close={() => setAsking(false)} />}
+    </div>
+  );
+}
+
+function EvidenceDialog({ vehicle, close }: { vehicle: ScanVehicle; close: () => void }) {
+  const [quantity, setQuantity] = useState<Quantity>("none");
+  const [limit, setLimit] = useState("");
+  const [risk, setRisk] = useState(USUAL_RISK_PERCENT);
+  const [source, setSource] = useState("");
+  const [problem, setProblem] = useState<string | null>(null);
+  const [perMps, speedUnit] = speedScale();
+  const unit = { none: "", speed: speedUnit, time_gap: "s", distance_gap: "m" }[quantity];
+  const submit = (): Promise<void> | null => {
+    if (quantity === "none") return make(null);
+    const value = parseNumber(limit);
+    const share = parseNumber(risk);
+    if (value === null || share === null || !(value > 0 && share > 0)) {
+      setProblem(say("scan-evidence-problem"));
+      return null;
+    }
+    const si = quantity === "speed" ? value / perMps : value;
+    return make({ quantity, limit: si, risk: share / 100, source });
+  };
+  const make = async (
+    rule: { quantity: Exclude<Quantity, "none">; limit: number; risk: number; source: string } | null,
+  ): Promise<void> => {
+    const made = await api.write(
+      "POST /scan-vehicles/{vehicle_id}/evidence",
+      { vehicle_id: vehicle.id },
+      { body: { rule } },
+    );
+    download(made.filename, "text/html", made.html);
+    toast(made.decision);
+    close();
+  };
+  return (
+    <FormDialog
+      title={say("scan-evidence-title", { vehicle: vehicleName(vehicle.number) })}
+      action={say("scan-evidence-make")}
+      onClose={close}
+      submit={submit}
+    >
+      <p class="small muted">{say("scan-evidence-what")}</p>
+      <Segments
+        label={say("scan-evidence-limit-of")}
+        value={quantity}
+        options={[
+          { value: "none", label: say("scan-evidence-none") },
+          { value: "speed", label: say("scan-evidence-speed") },
+          { value: "time_gap", label: say("scan-evidence-time-gap") },
+          { value: "distance_gap", label: say("scan-evidence-distance-gap") },
+        ]}
+        onChange={(value) => {
+          setQuantity(value);
+          setProblem(null);
+        }}
+      />
+      {quantity !== "none" && (
+        <>
+          <TextField
+            label={say(quantity === "speed" ? "scan-evidence-most" : "scan-evidence-least")}
+            unit={unit}
+            numeric
+            value={limit}
+            problem={problem}
+            onInput={(text) => {
+              setLimit(text);
+              setProblem(null);
+            }}
+          />
+          <TextField
+            label={say("scan-evidence-risk")}
+            unit="%"
+            numeric
+            value={risk}
+            hint={say("scan-evidence-risk-hint")}
+            onInput={setRisk}
+          />
+          <TextField
+            label={say("scan-evidence-source")}
+            value={source}
+            hint={say("scan-evidence-source-hint")}
+            onInput={setSource}
+          />
+        </>
+      )}
+    </FormDialog>
+  );
+}

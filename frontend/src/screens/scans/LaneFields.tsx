@@ -1,0 +1,93 @@
+/** The lanes of a rig, each with its distance and by what its vehicles are told. */
+import { Button, SelectField, TextField } from "../../components";
+import { say } from "../../core/messages";
+import { lengthUnit } from "../../core/units";
+import { type LaneProblems, type LaneTyped, type LaneWay, MOST_LANES, NEW_LANE } from "./lanes";
+
+interface Props {
+  lanes: readonly LaneTyped[];
+  problems: readonly LaneProblems[];
+  change: (lanes: readonly LaneTyped[]) => void;
+}
+
+export function LaneFields({ lanes, problems, change }: Props) {
+  const put = (at: number, part: Partial<LaneTyped>) =>
+    change(lanes.map((one, each) => (each === at ? { ...one, ...part } : one)));
+  return (
+    <details class="scan__advanced" open={lanes.length > 0 || undefined} data-testid="rig-lanes">
+      <summary>{say("scans-lanes")}</summary>
+      <p class="small muted">{say("scans-lanes-why")}</p>
+      {lanes.map((one, at) => (
+        <Lane
+          key={at}
+          number={at + 1}
+          lane={one}
+          problems={problems[at] ?? {}}
+          put={(part) => put(at, part)}
+          remove={() => change(lanes.filter((_, each) => each !== at))}
+        />
+      ))}
+      <Button
+        small
+        icon="add"
+        disabled={lanes.length >= MOST_LANES}
+        onClick={() => change([...lanes, NEW_LANE])}
+      >
+        {say("scans-lane-add")}
+      </Button>
+    </details>
+  );
+}
+
+interface LaneProps {
+  number: number;
+  lane: LaneTyped;
+  problems: LaneProblems;
+  put: (part: Partial<LaneTyped>) => void;
+  remove: () => void;
+}
+
+const WAYS: readonly LaneWay[] = ["either", "camera_1_first", "camera_2_first"];
+
+function Lane({ number, lane, problems, put, remove }: LaneProps) {
+  const unit = lengthUnit.value;
+  const typed = (name: Exclude<keyof LaneTyped, "direction">) => ({
+    value: lane[name],
+    problem: problems[name],
+    onInput: (text: string) => put({ [name]: text }),
+  });
+  return (
+    <fieldset class="scan__lane">
+      <legend class="visually-hidden">{say("scans-lane-of", { number: String(number) })}</legend>
+      <div class="scan__pairs">
+        <TextField label={say("scans-lane-name")} {...typed("name")} />
+        <SelectField
+          label={say("scan-direction")}
+          value={lane.direction}
+          options={WAYS.map((value) => ({ value, label: say("scans-lane-way", { way: value }) }))}
+          onChange={(direction) => put({ direction })}
+        />
+        <TextField label={say("scans-lane-distance")} numeric unit={unit} {...typed("distance")} />
+        <TextField label={say("scans-rig-u")} numeric unit={unit} {...typed("uDistance")} />
+        <TextField
+          label={say("scans-lane-from")}
+          numeric
+          unit={say("unit-px")}
+          hint={say("scans-lane-rows-hint")}
+          {...typed("from")}
+        />
+        <TextField label={say("scans-lane-to")} numeric unit={say("unit-px")} {...typed("to")} />
+        <TextField
+          label={say("scans-rig-shadow")}
+          numeric
+          unit="%"
+          placeholder={say("scans-lane-shadow-rig")}
+          {...typed("shadow")}
+        />
+      </div>
+      <Button small icon="trash" onClick={remove}>
+        {say("scans-lane-remove")}
+      </Button>
+    </fieldset>
+  );
+}

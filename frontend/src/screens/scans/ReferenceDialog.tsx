@@ -1,0 +1,110 @@
+/** One reference value of a vehicle, with its uncertainty and what measured it. */
+import { useState } from "preact/hooks";
+import { FormDialog, SelectField, TextField } from "../../components";
+import { api } from "../../core/api";
+import { say } from "../../core/messages";
+import type { ReferenceQuantity, ReferenceSource, ScanReference, ScanVehicle } from "../../core/types";
+import { fixed, lengthScale, parseNumber, type Scale, smallScale, speedScale } from "../../core/units";
+import type { ScanModel } from "./model";
+import { QUANTITY_WORDS, SOURCE_WORDS } from "./referenceWords";
+
+interface Props {
+  model: ScanModel;
+  vehicle: ScanVehicle;
+  /** The value that is corrected; null: one more. */
+  before: ScanReference | null;
+  onClose: () => void;
+}
+
+export function ReferenceDialog({ model, vehicle, before, onClose }: Props) {
+  const [quantity, setQuantity] = useState<ReferenceQuantity>(before?.quantity ?? "speed");
+  const [source, setSource] = useState<ReferenceSource>(before?.source ?? "radar");
+  const [value, setValue] = useState(() => typed(before?.value, scales(quantity).value, 3));
+  const [u, setU] = useState(() => typed(before?.u, scales(quantity).u, 3));
+  const [device, setDevice] = useState(before?.device ?? "");
+  const [asked, setAsked] = useState(false);
+  const units = scales(quantity);
+  const read = { value: parsed(value, units.value), u: parsed(u, units.u) };
+  const submit = (): Promise<void> | null => {
+    setAsked(true);
+    if (read.value === null || read.u === null) return null;
+    return store(read.value, read.u);
+  };
+  const store = async (value_si: number, u_si: number): Promise<void> => {
+    const known = vehicle.references.find((one) => one.quantity === quantity && one.source === source);
+    await api.write(
+      "PUT /scan-vehicles/{vehicle_id}/references/{quantity}/{source}",
+      { vehicle_id: vehicle.id, quantity, source },
+      { body: { value: value_si, u: u_si, device: device.trim() || null, revision: known?.revision ?? 0 } },
+    );
+    onClose();
+    await model.refresh();
+  };
+  return (
+    <FormDialog
+      title={say(before ? "scan-reference-edit-title" : "scan-reference-add-title", {
+        vehicle: String(vehicle.number),
+      })}
+      action={say("scan-reference-store")}
+      onClose={onClose}
+      submit={submit}
+    >
+      <div class="scan__fields">
+        <SelectField
+          label={say("scan-reference-quantity")}
+          value={quantity}
+          options={options(QUANTITY_WORDS)}
+          disabled={before !== null}
+          onChange={setQuantity}
+        />
+        <SelectField
+          label={say("scan-reference-source")}
+          value={source}
+          options={options(SOURCE_WORDS)}
+          disabled={before !== null}
+          onChange={setSource}
+        />
+        <TextField
+          label={say("scan-reference-value")}
+          value={value}
+          numeric
+          unit={units.value[1]}
+          problem={asked && read.value === null ? say("scan-reference-value-problem") : null}
+          onInput={setValue}
+        />
+        <TextField
+          label={say("scan-reference-u")}
+          value={u}
+          numeric
+          unit={units.u[1]}
+          problem={asked && read.u === null ? say("scan-reference-u-problem") : null}
+          onInput={setU}
+        />
+      </div>
+      <TextField label={say("scan-reference-device")} value={device} onInput={setDevice} />
+      <p class="small muted">
+        {say(quantity === "speed" ? "scan-reference-note-speed" : "scan-reference-note-length")}
+      </p>
+    </FormDialog>
+  );
+}
+
+function scales(quantity: ReferenceQuantity): { value: Scale; u: Scale } {
+  return quantity === "speed"
+    ? { value: speedScale(), u: speedScale() }
+    : { value: lengthScale(), u: smallScale() };
+}
+
+function typed(value: number | undefined, [factor]: Scale, digits: number): string {
+  return value === undefined ? "" : fixed(value * factor, digits);
+}
+
+/** What was typed, in m/s or metres; null for what is no number above 0. */
+function parsed(text: string, [factor]: Scale): number | null {
+  const number = parseNumber(text);
+  return number !== null && number > 0 ? number / factor : null;
+}
+
+function options<N extends string>(words: Readonly<Record<N, string>>) {
+  return (Object.keys(words) as N[]).map((value) => ({ value, label: words[value] }));
+}

@@ -1,0 +1,177 @@
+/** Reference values from a CSV: what each line would do, before anything is stored. */
+import { useState } from "preact/hooks";
+import { Button, Dialog, DropFiles, Loading, Notice, Problem, TableScroll } from "../../components";
+import { CommitField } from "../../components/CommitField";
+import { api } from "../../core/api";
+import { say, wordsOf } from "../../core/messages";
+import type { ReferencePlan, ReferenceRow } from "../../core/types";
+import { fixed, formatCount, parseNumber } from "../../core/units";
+import type { ScanModel } from "./model";
+import { apartWords, QUANTITY_WORDS, referenceValue } from "./referenceWords";
+
+const CHANGES = wordsOf({
+  new: "scan-references-new",
+  replaces: "scan-references-replaces",
+  same: "scan-references-same",
+  ambiguous: "scan-references-ambiguous",
+  refused: "scan-references-refused",
+});
+
+interface Done {
+  values: number;
+  cars: number;
+  plan: ReferencePlan;
+}
+
+export function ReferenceImport({ model, onClose }: { model: ScanModel; onClose: () => void }) {
+  const [file, setFile] = useState<File | null>(null);
+  const [plan, setPlan] = useState<ReferencePlan | null>(null);
+  const [done, setDone] = useState<Done | null>(null);
+  const [problem, setProblem] = useState<unknown>(null);
+  const [busy, setBusy] = useState(false);
+  const [tolerance_s, setTolerance] = useState(1);
+  const scan = { scan_id: model.id };
+  const attempt = async (work: () => Promise<void>): Promise<void> => {
+    setBusy(true);
+    setProblem(null);
+    try {
+      await work();
+    } catch (error) {
+      setPlan(null);
+      setProblem(error);
+    }
+    setBusy(false);
+  };
+  const look = (chosen: File, within_s = tolerance_s) =>
+    attempt(async () => {
+      setFile(chosen);
+      setTolerance(within_s);
+      const asked = { ...scan, tolerance_s: within_s };
+      setPlan(await api.ask("POST /scans/{scan_id}/references/preview", asked, { body: chosen }));
+    });
+  const store = () =>
+    attempt(async () => {
+      if (!file) return;
+      const asked = { ...scan, tolerance_s };
+      setDone(await api.write("POST /scans/{scan_id}/references/import", asked, { body: file }));
+      await model.refresh();
+    });
+  const usable = plan ? (plan.counts["new"] ?? 0) + (plan.counts["replaces"] ?? 0) : 0;
+  return (
+    <Dialog
+      wide
+      title={say("scan-references-import-title")}
+      onClose={onClose}
+      actions={
+        <>
+          <Button onClick={onClose}>{say(done ? "action-close" : "action-cancel")}</Button>
+          {!done && (
+            <Button kind="primary" busy={busy} disabled={usable === 0} onClick={() => void store()}>
+              {say("scan-references-store", { count: usable })}
+            </Button>
+          )}
+        </>
+      }
+    >
+      <div class="stack">
+        {done ? (
+          <Notice>{say("scan-references-done", { values: done.values, cars: done.cars })}</Notice>
+        ) : (
+          <DropFiles
+            label={say("scan-references-choose")}
+            title={file ? file.name : say("scan-references-drop")}
+            hint={say("scan-references-hint")}
+            accept=".csv,text/csv"
+            add={(files) => files[0] && void look(files[0])}
+          />
+        )}
+        <Problem error={problem} />
+        {busy && !plan && <Loading what={say("scan-references-looking")} />}
+        {plan && !done && plan.tolerance_s !== null && (
+          <CommitField
+            label={say("scan-references-tolerance")}
+            value={String(tolerance_s)}
+            numeric
+            unit="s"
+            hint={say("scan-references-tolerance-hint")}
+            check={(text) => (toleranceOf(text) === null ? say("scan-references-tolerance-problem") : null)}
+            onCommit={(text) => file && void look(file, toleranceOf(text) ?? tolerance_s)}
+          />
+        )}
+        {plan && !done && <Preview plan={plan} />}
+      </div>
+    </Dialog>
+  );
+}
+
+const MOST_TOLERANCE_S = 60;
+
+/** Seconds above 0 and up to a minute; null for anything else. */
+function toleranceOf(text: string): number | null {
+  const found = parseNumber(text);
+  return found !== null && found > 0 && found <= MOST_TOLERANCE_S ? found : null;
+}
+
+function Preview({ plan }: { plan: ReferencePlan }) {
+  const timed = plan.tolerance_s !== null;
+  return (
+    <>
+      {plan.notes.map((note) => (
+        <Notice key={note}>{note}</Notice>
+      ))}
+      <p class="row row--wrap" data-testid="reference-counts">
+        {Object.entries(CHANGES).map(([name, word]) => (
+          <span key={name}>
+            <strong>{formatCount(plan.counts[name as keyof typeof CHANGES] ?? 0)}</strong> {word}
+          </span>
+        ))}
+      </p>
+      <TableScroll label={say("scan-references-lines")} class="scan__lines">
+        <table class="table table--dense" data-testid="reference-lines">
+          <thead>
+            <tr>
+              <th class="num">{say("scan-references-line")}</th>
+              {timed && <th>{say("scan-references-time")}</th>}
+              <th class="num">{say("scan-references-vehicle")}</th>
+              {timed && <th class="num">{say("scan-references-apart")}</th>}
+              <th>{say("scan-references-given")}</th>
+              <th>{say("scan-references-what")}</th>
+              <th>{say("scan-references-why")}</th>
+            </tr>
+          </thead>
+          <tbody>
+            {plan.rows.map((row) => (
+              <tr key={row.line}>
+                <td class="num">{row.line}</td>
+                {timed && <td class="nowrap">{row.time}</td>}
+                <td class="num">{row.by_time ? say("scan-references-by-time", row) : row.number}</td>
+                {timed && (
+                  <td class="num nowrap">{row.apart_s === null ? "–" : apartSeconds(row.apart_s)}</td>
+                )}
+                <td>{givenWords(row)}</td>
+                <td class="nowrap">{CHANGES[row.change]}</td>
+                <td>{row.words}</td>
+              </tr>
+            ))}
+          </tbody>
+        </table>
+      </TableScroll>
+    </>
+  );
+}
+
+/** "+0.3 s": how much later the line's time is than the vehicle's. */
+function apartSeconds(apart_s: number): string {
+  return `${apart_s < 0 ? "−" : "+"}${fixed(Math.abs(apart_s), 2)} s`;
+}
+
+function givenWords({ given, run_of, source }: ReferenceRow): string {
+  const values = given.map((one) =>
+    say("scan-references-one", {
+      quantity: QUANTITY_WORDS[one.quantity],
+      value: referenceValue({ ...one, U95: null }),
+      u: apartWords(one.quantity, one.u),
+    }),
+  );
+  return [...values, run_of ?? "", given.length ? "" : source].filter(Boolean).join("; ");
+}

@@ -1,0 +1,170 @@
+/** Flow and speed over the day, interval by interval; every number is the server's. */
+import { say } from "../../core/messages";
+import { formatPlaceClock } from "../../core/times";
+import type { ScanTraffic, TrafficInterval } from "../../core/types";
+import { fixed, speedScale } from "../../core/units";
+import { PlotFigure } from "../../parts/figures/PlotFigure";
+import { type Readable, readable } from "../../parts/figures/reading";
+
+/** A time of the place as the axis shows it: its clocks read as if they were UTC's. */
+function from(one: TrafficInterval): Date {
+  return new Date(`${one.begins_at.slice(0, 23)}Z`);
+}
+
+function until(one: TrafficInterval): Date {
+  return new Date(from(one).getTime() + 1000 * one.watched_s);
+}
+
+function middle(one: TrafficInterval): Date {
+  return new Date(from(one).getTime() + 500 * one.watched_s);
+}
+
+/** Of a recording, a direction and a lane, as an element is called. */
+export function placeOf({ scan_id, direction, lane }: ScanTraffic): string {
+  const way = direction === "camera_1_first" ? `${scan_id}` : `${scan_id}-2`;
+  return lane === null ? way : `${way}-${lane}`;
+}
+
+/** A clock of the place for a time of the axis. */
+const clock = (x: number) => formatPlaceClock(new Date(x).toISOString().replace("Z", ""));
+
+/** Read over the whole of each interval. */
+function overIntervals(
+  intervals: readonly TrafficInterval[],
+  of: (one: TrafficInterval) => { y: number; low: number; high: number },
+): Readable {
+  const read = intervals.map(of);
+  return {
+    word: "",
+    x: intervals.map((one) => from(one).getTime()),
+    y: read.map((one) => one.y),
+    low: read.map((one) => one.low),
+    high: read.map((one) => one.high),
+    way: "steps",
+  };
+}
+
+function dayAxis({ intervals }: ScanTraffic) {
+  const [first, last] = [intervals[0], intervals.at(-1)];
+  const domain = first && last ? { domain: [from(first), until(last)] } : {};
+  return { type: "utc", label: say("flows-axis-time"), ...domain } as const;
+}
+
+export function FlowFigure({ scan, minutes }: { scan: ScanTraffic; minutes: number }) {
+  const most = scan.intervals.reduce((found, one) => (one.flow_per_hour > found.flow_per_hour ? one : found));
+  return (
+    <PlotFigure
+      name={`traffic-flow-${placeOf(scan)}`}
+      title={say("flows-flow-of", { scan: scan.name })}
+      says={say("flows-flow-says", {
+        count: scan.intervals.length,
+        flow: fixed(most.flow_per_hour, 0),
+        time: formatPlaceClock(most.begins_at),
+      })}
+      note={say("flows-flow-note", { minutes: String(minutes) })}
+      data={scan}
+      options={(plot) => ({
+        height: 240,
+        x: dayAxis(scan),
+        y: { label: say("with-unit", { name: say("flows-flow"), unit: say("unit-per-hour") }), zero: true },
+        marks: [
+          plot.ruleY([0], { stroke: "var(--line-2)" }),
+          plot.ruleX(scan.intervals, {
+            x: middle,
+            y1: "flow_low",
+            y2: "flow_high",
+            stroke: "var(--ink-2)",
+            strokeWidth: 1,
+          }),
+          readable(
+            plot.ruleY(scan.intervals, {
+              y: "flow_per_hour",
+              x1: from,
+              x2: until,
+              stroke: "var(--ink)",
+              strokeWidth: 2.5,
+            }),
+            overIntervals(scan.intervals, (one) => ({
+              y: one.flow_per_hour,
+              low: one.flow_low,
+              high: one.flow_high,
+            })),
+          ),
+        ],
+      })}
+      place={clock}
+      table={() => ({
+        columns: ["begins_at", "watched_s", "vehicles", "flow_per_hour", "flow_low", "flow_high"],
+        rows: scan.intervals.map((one) => [
+          one.begins_at,
+          one.watched_s,
+          one.vehicles,
+          one.flow_per_hour,
+          one.flow_low,
+          one.flow_high,
+        ]),
+      })}
+    />
+  );
+}
+
+export function SpeedFigure({ scan }: { scan: ScanTraffic }) {
+  const [by, unit] = speedScale();
+  const seen = scan.intervals.filter((one) => one.space_mean_speed_mps.value !== null);
+  const percentile = (percent: number) => (one: TrafficInterval) =>
+    (one.percentiles.find((each) => each.percent === percent)?.value ?? Number.NaN) * by;
+  const mean = (one: TrafficInterval) => (one.space_mean_speed_mps.value ?? Number.NaN) * by;
+  return (
+    <PlotFigure
+      name={`traffic-speed-${placeOf(scan)}`}
+      title={say("flows-speed-of", { scan: scan.name })}
+      says={say("flows-speed-says", { count: seen.length })}
+      note={say("flows-speed-note")}
+      reason={seen.length === 0 ? say("flows-speed-none") : null}
+      data={scan}
+      options={(plot) => ({
+        height: 240,
+        x: dayAxis(scan),
+        y: { label: say("with-unit", { name: say("flows-speed"), unit }) },
+        marks: [
+          plot.ruleX(seen, {
+            x: middle,
+            y1: percentile(15),
+            y2: percentile(85),
+            stroke: "var(--ink-2)",
+            strokeWidth: 1,
+          }),
+          readable(
+            plot.ruleY(seen, { y: mean, x1: from, x2: until, stroke: "var(--ink)", strokeWidth: 2.5 }),
+            overIntervals(seen, (one) => ({
+              y: mean(one),
+              low: percentile(15)(one),
+              high: percentile(85)(one),
+            })),
+          ),
+        ],
+      })}
+      place={clock}
+      table={() => ({
+        columns: [
+          "begins_at",
+          "measured",
+          "time_mean_mps",
+          "space_mean_mps",
+          "p15_mps",
+          "p50_mps",
+          "p85_mps",
+        ],
+        rows: scan.intervals.map((one) => [
+          one.begins_at,
+          one.measured,
+          one.time_mean_speed_mps.value,
+          one.space_mean_speed_mps.value,
+          ...[15, 50, 85].map(
+            (percent) => one.percentiles.find((each) => each.percent === percent)?.value ?? null,
+          ),
+        ]),
+      })}
+    />
+  );
+}

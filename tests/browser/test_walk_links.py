@@ -1,0 +1,66 @@
+"""A walk through the whole app by its links: what a link, Back or Forward shows is what a reload shows.
+
+From the survey list to every screen of the rail and every link within a page, forth and back. A page that
+remembers too much or too little of where it was, a focus left behind, a question that fails and a complaint
+of the browser's all end the walk.
+"""
+
+import re
+from collections import deque
+
+from playwright.sync_api import BrowserContext
+
+from .walking import arrived, asked_by, begin, path_of, same, shown, there_and_back, walking
+
+LINKS = """() => [...document.querySelectorAll("a[href^='/']")]
+  .filter((link) => link.checkVisibility() && !link.download && !link.target)
+  .map((link) => link.getAttribute("href")).filter((to) => !to.startsWith("/api/"))"""
+
+
+# What has to be reached by links alone, so that the walk cannot become shorter unseen.
+SCREENS_BY_LINK = {"/", "/account", "/guide", "/statistics", "/audit", "/surveys/1"} | {
+    f"/surveys/1/{name}"
+    for name in (
+        *("planning", "camera", "recordings", "pose", "measure", "checks", "review", "repeats"),
+        *("repeats/click", "scans", "scans/results", "scan", "export"),
+    )
+}
+
+
+def shape(link: str) -> tuple[str, frozenset[str]]:
+    """A link's page and what it asks of it, without the values."""
+    return path_of(link), frozenset(name for name, _ in asked_by(link))
+
+
+def of_another_survey(link: str) -> bool:
+    """Surveys that other tests made stand in any state, some with work that never ends."""
+    return re.match(r"/surveys/(?!1\b)", link) is not None
+
+
+def test_every_link_forth_and_back_shows_what_a_reload_shows(context: BrowserContext) -> None:
+    with walking(context) as walker:
+        begin(walker)
+        ways, known = deque(["/"]), {"/"}
+        shapes: set[object] = {shape("/")}
+        while ways:
+            here = ways.popleft()
+            walker.goto(here)
+            start = shown(walker)
+            for link in dict.fromkeys(walker.evaluate(LINKS)):
+                # A link to the page itself is walked from each page: it may keep what it should forget. The
+                # guide keeps nothing, and its sections are places of pages that are walked.
+                within = path_of(link) == path_of(here) != "/guide" and link != here
+                if path_of(link) == "/guide" and "section=" in link:
+                    continue
+                # of a list's links to the same page, the first stands for all
+                walked = (path_of(here), shape(link)) if within else shape(link)
+                if walked in shapes or of_another_survey(link):
+                    continue
+                shapes.add(walked)
+                if link not in known:
+                    ways.append(link)
+                known.add(link)
+                there = there_and_back(walker, start, link)
+                walker.go_back()
+                same(walker, arrived(walker, there), start, f"back from {link}, loaded anew")
+        assert {path_of(link) for link in known} >= SCREENS_BY_LINK

@@ -1,0 +1,170 @@
+"""A walk through the app's pages: when a page is at rest, what it shows, whether that is as it was before."""
+
+import difflib
+import re
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass, replace
+from urllib.parse import parse_qsl, urlsplit
+
+from playwright.sync_api import BrowserContext, ConsoleMessage, Page, Request, Response, expect
+
+from .conftest import wait_for_demonstration
+
+# Parts of a page that tell the time, and why they differ between two looks at the same page.
+TIMES = {
+    r"\bsaved \d\d:\d\d(:\d\d)?": "the clock of the last change, which a page just loaded does not know",
+}
+
+# Counts what the page asks for, and notes when it or its address last changed: it is at rest when nothing is
+# asked and nothing has changed for longer than the app itself waits before it writes an address (250 ms).
+WATCH = """
+  window.asking = 0;
+  const changed = () => { window.changedAt = performance.now(); };
+  changed();
+  const ask = window.fetch;
+  window.fetch = async (...words) => {
+    const of = String(words[0]?.url ?? words[0]);
+    // pictures are fetched ahead for as long as there are neighbours; what is written does not wait for them
+    const counts = !/frames[/]/.test(of);
+    window.asking += counts ? 1 : 0;
+    try { return await ask(...words); } finally { window.asking -= counts ? 1 : 0; }
+  };
+  // an answer is read after it has come
+  for (const name of ["json", "text"]) {
+    const read = Response.prototype[name];
+    Response.prototype[name] = async function () {
+      window.asking += 1;
+      try { return await read.call(this); } finally { window.asking -= 1; }
+    };
+  }
+  for (const name of ["pushState", "replaceState"]) {
+    const go = history[name].bind(history);
+    history[name] = (...step) => { changed(); go(...step); };
+  }
+  window.addEventListener("popstate", changed);
+  new MutationObserver(changed).observe(document, { subtree: true, childList: true, characterData: true });
+"""
+AT_REST = """() => window.asking === 0 && performance.now() - window.changedAt > 300
+  && document.querySelector("#main h1, .page--bare h1") !== null
+  && document.querySelector(".loading, .frame-loading--on, [data-testid=axes-awaited]") === null
+  && [...document.querySelectorAll(".stat-figure__box:empty")].every(box => box.clientWidth < 200)
+  && ![...document.querySelectorAll(".spinner")].some(s => s.checkVisibility({opacityProperty: true}))"""
+# What is written, and what stands in the fields.
+SHOWN = """() => {
+  const main = document.getElementById("main");
+  const fields = [...main.querySelectorAll("input, select, textarea")].map(
+    (field) => /checkbox|radio/.test(field.type) ? String(field.checked) : field.value);
+  const crumbs = document.querySelector(".crumbs").innerText;
+  return {
+    address: location.pathname + location.search,
+    title: document.title,
+    heading: main.querySelector("h1")?.innerText ?? "",
+    words: [crumbs, main.innerText, ...fields].join("\\n"),
+  };
+}"""
+
+
+@dataclass(frozen=True)
+class Shown:
+    """What a person sees of a page."""
+
+    address: str
+    title: str
+    heading: str
+    words: str
+
+
+@contextmanager
+def walking(context: BrowserContext) -> Iterator[Page]:
+    """A page for a walk, which must end without a complaint of the browser's or an answer that is none."""
+    complaints: list[str] = []
+    context.add_init_script(WATCH)
+    page = context.new_page()
+    page.set_default_timeout(30_000)
+
+    def said(message: ConsoleMessage) -> None:
+        if message.type in ("error", "warning"):
+            complaints.append(f"{page.url}: console {message.type}: {message.text}")
+
+    def failed(request: Request) -> None:
+        # a page that is left takes back what it has asked for
+        if request.failure != "net::ERR_ABORTED":
+            complaints.append(f"{page.url}: {request.url} failed: {request.failure}")
+
+    def answered(response: Response) -> None:
+        if response.status >= 400:
+            complaints.append(f"{page.url}: {response.url} answers {response.status}")
+
+    page.on("pageerror", lambda error: complaints.append(f"{page.url}: {error}"))
+    page.on("console", said)
+    page.on("requestfailed", failed)
+    page.on("response", answered)
+    yield page
+    assert not complaints, "\n".join(complaints)
+
+
+def begin(page: Page) -> int:
+    """The demonstration survey, once no job changes what its pages say."""
+    page.goto("/")
+    survey = wait_for_demonstration(page)
+    until = time.monotonic() + 120.0
+    while any(page.request.get(f"/api/jobs?state={state}").json() for state in ("queued", "running")):
+        assert time.monotonic() < until, "the demonstration's jobs take too long"
+        page.wait_for_timeout(500)
+    return survey
+
+
+def shown(page: Page) -> Shown:
+    """The page once it is at rest, without what tells the time."""
+    page.wait_for_function(AT_REST)
+    seen = Shown(**page.evaluate(SHOWN))
+    words = seen.words
+    for pattern in TIMES:
+        words = re.sub(pattern, "", words)
+    return replace(seen, words=words)
+
+
+def path_of(address: str) -> str:
+    return address.split("?")[0]
+
+
+def arrived(page: Page, before: Shown) -> Shown:
+    """What is shown after a step; on another page the heading has the focus."""
+    now = shown(page)
+    if path_of(now.address) != path_of(before.address):
+        expect(page.locator("#main h1").first).to_be_focused()
+    return now
+
+
+def same(page: Page, now: Shown, then: Shown, step: str) -> None:
+    """What is shown becomes what was shown before; a busy machine may rest in the middle of drawing it."""
+    until = time.monotonic() + 10.0
+    while now != then and time.monotonic() < until:
+        page.wait_for_timeout(200)
+        now = shown(page)
+    told = difflib.unified_diff(lines_of(then), lines_of(now), "shown before", step, lineterm="", n=1)
+    assert now == then, "\n".join(told)
+
+
+def lines_of(page: Shown) -> list[str]:
+    return [page.address, page.title, page.heading, *page.words.splitlines()]
+
+
+def there_and_back(page: Page, start: Shown, link: str) -> Shown:
+    """Click a link, go back and forth, reload: the same each time. What is shown behind the link."""
+    page.locator(f'a[href="{link}"]:visible').first.click()
+    there = arrived(page, start)
+    assert asked_by(link) <= asked_by(there.address), f"{link} leads to {there.address}"
+    page.go_back()
+    same(page, arrived(page, there), start, f"back from {link}")
+    page.go_forward()
+    same(page, arrived(page, start), there, f"forward to {link}")
+    page.reload()
+    same(page, shown(page), there, f"reload of {link}")
+    return there
+
+
+def asked_by(address: str) -> set[tuple[str, str]]:
+    return set(parse_qsl(urlsplit(address).query))

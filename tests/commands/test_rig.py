@@ -1,0 +1,97 @@
+"""`sightline rig calibrate` from the outside."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from sightline.cli import main
+from sightline.scans.rig.passes_csv import COLUMNS
+from tests.linescan.test_rig_calibration import STANDS_M, Errors, Planes, by_board, by_positions, planes
+
+HEADER = ",".join(COLUMNS)
+
+
+def row(name: str, told: float, way: Any, rig: Planes) -> str:
+    one = {**vars(way(rig, told, Errors(None))), "pass": name}
+    return ",".join("" if one[column] is None else str(one[column]) for column in COLUMNS)
+
+
+@pytest.fixture
+def table(tmp_path: Path) -> Path:
+    """Six good passes by two ways, and three rows that cannot be used."""
+    rows = [row(f"n{k}", told, (by_board, by_positions)[k % 2], planes()) for k, told in enumerate(STANDS_M)]
+    bad = ["far,far" + "," * (len(COLUMNS) - 2), "short,3.0", "n0,3.0" + "," * (len(COLUMNS) - 2)]
+    path = tmp_path / "passes.csv"
+    path.write_text("﻿" + "\r\n".join([HEADER, *rows, *bad]) + "\r\n", encoding="utf-8")
+    return path
+
+
+def test_passes_give_the_rig_and_its_lanes(
+    table: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    rig, written = planes(), tmp_path / "rig.json"
+    lanes = ["--distance", "5.5,0.1", "--distance", "8", "--u-tape", "4e-4"]
+    assert main(["rig", "calibrate", str(table), *lanes, "-o", str(written), "--json"]) == 0
+    found = json.loads(capsys.readouterr().out)
+    assert found == json.loads(written.read_text())
+    assert found["baseline_m"] == pytest.approx(rig.between(0.0), abs=1e-9)
+    assert [one["baseline_m"] for one in found["lanes"]] == [
+        pytest.approx(rig.between(5.5), abs=1e-9),
+        pytest.approx(rig.between(8.0), abs=1e-9),
+    ]
+    assert found["U95_baseline_m"] == pytest.approx(1.959964 * found["u_baseline_m"], rel=1e-6)
+    assert found["lanes"][0]["u_baseline_m"] < found["u_baseline_m"]
+    assert [(one["row"], one["name"], one["reason"]) for one in found["left_out"]] == [
+        (8, "far", "The cell distance_m is not a number; correct it."),
+        (9, "short", f"It has 2 cells, and the header has {len(COLUMNS)}; correct the row."),
+        (10, "n0", "Another row has the same name; name each pass once."),
+    ]
+    assert [one["name"] for one in found["passes"]] == [f"n{k}" for k in range(6)]
+
+
+def test_the_text_says_it_in_lines(table: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["rig", "calibrate", str(table), "--distance", "40"]) == 0
+    said = capsys.readouterr().out
+    assert said.startswith("baseline at the cameras 593.00 ± ")
+    assert "6 passes from 3.00 to 9.50 m: chi-square 0.0 with 4 degrees of freedom" in said
+    assert "at 40.00 m: baseline " in said
+    assert "left out row 9 (short): It has 2 cells" in said
+    assert "note: 40.00 m is far outside the passes" in said
+
+
+@pytest.mark.parametrize(
+    ("text", "arguments", "said"),
+    [
+        ("distance_m,speed_mps\n3,2\n", [], "lacks columns; give distance_m and all columns of one method"),
+        ("", [], "lacks columns"),
+        (HEADER + "," + COLUMNS[1] + "\n", [], "has the column distance_m more than once"),
+        (HEADER + "\nx,far\n", [], "0 usable passes are too few"),
+        (HEADER + "\n", ["--distance", "near"], "--distance near is not a distance to a lane"),
+        (HEADER + "\n", ["--distance", "3,1,2"], "is not a distance to a lane"),
+        (HEADER + "\n", ["--line-rate", "0"], "--line-rate must be a finite number above 0"),
+        (HEADER + "\n" + "1,3\n" * 501, [], "more than 500 rows"),
+    ],
+)
+def test_what_is_no_calibration_is_one_sentence(
+    text: str, arguments: list[str], said: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = tmp_path / "p.csv"
+    path.write_text(text)
+    assert main(["rig", "calibrate", str(path), *arguments]) == 2
+    told = capsys.readouterr()
+    assert said in told.err
+    assert told.out == "" and told.err.count("\n") == 1
+
+
+def test_an_unusable_row_is_named_where_too_few_are_left(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = tmp_path / "p.csv"
+    path.write_text(HEADER + "\nx,far" + "," * (len(COLUMNS) - 2) + "\n")
+    assert main(["rig", "calibrate", str(path)]) == 2
+    assert "Row 2 was left out: The cell distance_m is not a number" in capsys.readouterr().err
+    assert main(["rig", "calibrate", str(tmp_path / "none.csv")]) == 2

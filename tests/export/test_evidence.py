@@ -1,0 +1,389 @@
+"""The evidence file of a line-scanned vehicle: who may make it, what it says, and that no change passes."""
+
+import json
+import re
+from collections.abc import Callable, Iterator
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from sightline.cli import main
+from sightline.enums import JsonObject
+from sightline.errors import Damaged
+from sightline.export.evidence import page
+from sightline.export.evidence.pictures import StripPicture
+from sightline.export.evidence.verify import EvidenceCheck, verify_evidence
+from sightline.infra.audit.checkpoints import hand_on
+from sightline.infra.audit.hashing import canonical_json, chain_hash, content_hash
+from sightline.infra.audit.signing import SigningKey, put_in_force, replacing_key, signing_key
+from sightline.infra.audit.verification import verify_records
+from sightline.infra.jobs.records import Job
+from sightline.infra.services import Services
+from sightline.media.images import read_image
+from sightline.settings import Settings
+from tests.support.app import Client, error_of
+from tests.support.scanning_ground import RIG, pictures, uploads
+
+Work = Callable[[], list[Job]]
+SPEED = {"quantity": "speed", "limit": 10.0, "risk": 0.05, "source": "Sign at the gate"}
+PROGRAM = "<!doctype html><title>Sightline</title>\n<!--evidence-->\n<script>0</script>\n"
+
+
+@pytest.fixture(autouse=True)
+def program(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A page's program: these tests look at what stands in it (the browser tests at the page)."""
+    monkeypatch.setattr(page, "template", lambda: PROGRAM)
+
+
+@pytest.fixture
+def scan(operator: Client, survey_id: int, tmp_path: Path, work: Work) -> dict[str, Any]:
+    """A recording with three measured vehicles."""
+    body = {**RIG, **uploads(operator, survey_id, tmp_path), "name": "Gate"}
+    made = operator.made(f"/surveys/{survey_id}/scans", body)
+    for _ in range(2):
+        assert {job.state for job in work()} == {"done"}
+    found: dict[str, Any] = operator.seen(f"/scans/{made['id']}")
+    return found
+
+
+def vehicles(client: Client, scan: dict[str, Any]) -> list[dict[str, Any]]:
+    found: list[dict[str, Any]] = client.seen(f"/scans/{scan['id']}/vehicles")
+    return found
+
+
+def judge(reviewer: Client, vehicle: dict[str, Any], verdict: str = "accepted") -> None:
+    body = {"verdict": verdict, "reason": "Another car." if verdict == "rejected" else None}
+    reviewer.made(f"/scan-measurements/{vehicle['measurement']['id']}/review", body)
+
+
+def made(client: Client, vehicle: dict[str, Any], rule: JsonObject | None = None) -> dict[str, Any]:
+    found: dict[str, Any] = client.made(f"/scan-vehicles/{vehicle['id']}/evidence", {"rule": rule})
+    return found
+
+
+def document_of(file: dict[str, Any]) -> JsonObject:
+    return page.read_page(file["html"].encode()).document
+
+
+def checked(content: str, key: str | None = None) -> EvidenceCheck:
+    return verify_evidence(content.encode(), key)
+
+
+def test_a_file_says_all_of_it_verifies_and_is_an_event(
+    viewer: Client, reviewer: Client, scan: dict[str, Any], services: Services
+) -> None:
+    one, two, _ = vehicles(viewer, scan)
+    judge(reviewer, two)
+    file = made(viewer, two, SPEED)
+    assert file["filename"].startswith("evidence-gate-vehicle-2-") and file["answer"] == "not_conforming"
+    found = checked(file["html"], file["signing_key"])
+    assert found.ok, found.problems
+    told = document_of(file)
+    motion = two["measurement"]
+    assert told["measurement"]["speed_mps"] == motion["speed_mps"]
+    assert found.lines is not None and abs(found.lines.length_m - motion["length_m"]) < 0.02
+    assert told["before"]["id"] == one["measurement"]["id"]
+    assert told["gap"]["time_gap_s"] == pytest.approx(two["gap"]["time_gap_s"])
+    assert told["review"]["reviewer"]["name"] == "Reviewer" and told["made_by"]["name"] == "Viewer"
+    assert "69." in file["decision"] and "at most 36 km/h" in file["decision"]
+    (event,) = [
+        one
+        for one in viewer.seen(f"/audit?survey_id={scan['survey_id']}")
+        if (one["entity"], one["action"]) == ("evidence", "create")
+    ]
+    assert event["after"]["sha256"] == file["sha256"] == content_hash(told)
+    assert (event["entity_id"], event["actor"]["name"]) == (two["id"], "Viewer")
+    with services.reading() as session:
+        assert verify_records(session).ok
+
+
+def test_every_vehicle_by_either_method_and_with_a_confirmed_start(
+    viewer: Client, operator: Client, scan: dict[str, Any], work: Work
+) -> None:
+    address = f"/scans/{scan['id']}"
+    told = made(operator, vehicles(viewer, scan)[0])
+    assert document_of(told)["time"]["filmed_at"] is None and document_of(told)["clock"] is None
+    start = {"local": "2026-05-04T08:00:00.000", "time_zone": "Europe/Paris", "u_s": 0.02}
+    body = {"start": start, "version": operator.seen(address)["version"]}
+    assert operator.http.patch(f"/api{address}", json=body).status_code == 200
+    for method in ("direct", "paper"):
+        asked = operator.post(f"{address}/find", {"method": method, "search": False})
+        assert asked.status_code == 202, asked.text
+        assert {job.state for job in work()} == {"done"}
+        for vehicle in vehicles(viewer, scan):
+            file = made(viewer, vehicle, SPEED)
+            found = checked(file["html"])
+            assert found.ok, found.problems
+            document = document_of(file)
+            assert document["measurement"]["method"] == method
+            assert document["time"]["filmed_at"] == vehicle["filmed_at"]
+            assert document["time"]["u_filmed_at_s"] == pytest.approx(vehicle["u_filmed_at_s"])
+
+
+@pytest.mark.parametrize("most", [100, 8192])
+def test_pictures_keep_every_so_many_lines_of_a_long_vehicle(
+    viewer: Client, scan: dict[str, Any], monkeypatch: pytest.MonkeyPatch, most: int
+) -> None:
+    monkeypatch.setattr("sightline.export.evidence.pictures.MOST_COLUMNS", most)
+    monkeypatch.setattr("sightline.export.evidence.pictures._AT_ONCE", 7)
+    two = vehicles(viewer, scan)[1]
+    file = page.read_page(made(viewer, two)["html"].encode())
+    strips = pictures()[:2]
+    for facts, strip in zip(file.document["pictures"], strips, strict=True):
+        shown = read_image(file.pictures[facts["name"]])
+        start, step = facts["first_line"], facts["step_lines"]
+        assert facts["columns"] <= most and (step > 1) == (most == 100)
+        kept = strip[start : start + facts["columns"] * step : step]
+        assert np.array_equal(shown, kept.T)
+
+
+def test_the_command_writes_a_file_that_verify_takes(
+    viewer: Client,
+    scan: dict[str, Any],
+    settings: Settings,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    monkeypatch.setenv("SIGHTLINE_DATA_DIR", str(settings.data_dir))
+    monkeypatch.setenv("SIGHTLINE_DATABASE_URL", settings.database_url)
+    place = tmp_path / "two.html"
+    asked = ["evidence", "--survey", "Test road", "--scan", "Gate", "--vehicle", "2", "-o", str(place)]
+    assert main([*asked, "--most-kmh", "50", "--limit-source", "Sign"]) == 0, capsys.readouterr().err
+    said = capsys.readouterr().out
+    assert "no reviewer has accepted" in said
+    key = said.rsplit("key ", 1)[1].strip(".\n")
+    assert main(["verify", str(place), "--key", key]) == 0
+    assert "decision hold" in capsys.readouterr().out
+    place.write_text(place.read_text().replace('"number":2', '"number":3', 1))
+    assert main(["verify", str(place)]) == 1
+    assert "signature is not valid" in capsys.readouterr().err
+    for wrong, why in (
+        ([*asked[:5], "--scan", "Gate", "--vehicle", "9", "-o", str(place)], "no vehicle 9"),
+        ([*asked, "--most-kmh", "50", "--least-time-gap-s", "1"], "Give one limit"),
+        ([*asked, "--most-kmh", "50", "--risk", "0.9"], "is out of range"),
+        ([*asked[:3], "--scan", "Bridge", *asked[5:]], "no line-scan recording Bridge"),
+    ):
+        assert main(wrong) == 2
+        assert why in capsys.readouterr().err
+
+
+def test_without_a_rule_or_an_accepted_measurement_nothing_is_decided(
+    viewer: Client, operator: Client, reviewer: Client, scan: dict[str, Any]
+) -> None:
+    one, two, three = vehicles(viewer, scan)
+    gap = {"quantity": "time_gap", "limit": 0.9, "risk": 0.05, "source": ""}
+
+    def says(vehicle: dict[str, Any], rule: JsonObject | None) -> str:
+        file = made(viewer, vehicle, rule)
+        assert checked(file["html"]).ok
+        assert file["answer"] is None
+        words: str = file["decision"]
+        return words
+
+    assert "No limit was stated" in says(two, None)
+    assert "no reviewer has accepted the measurement" in says(two, SPEED)
+    judge(reviewer, two, "rejected")
+    assert "a reviewer rejected the measurement" in says(two, SPEED)
+    judge(reviewer, two, "reopened")
+    assert "a reviewer reopened the measurement" in says(two, SPEED)
+    judge(reviewer, two)
+    assert "no reviewer has accepted the measurement of vehicle 1" in says(two, gap)
+    judge(reviewer, one)
+    assert made(viewer, two, gap)["answer"] in ("conforming", "not_conforming")
+    assert "no vehicle was measured in front" in says(one, gap)
+    rig = {"baseline_m": 0.6, "version": operator.seen(f"/scans/{scan['id']}")["version"]}
+    assert operator.http.patch(f"/api/scans/{scan['id']}", json=rig).status_code == 200
+    assert "values of the rig were changed" in says(two, SPEED)
+    moved = {name: three["measurement"][name] for name in LINES} | {"version": three["version"]}
+    moved |= {"front_line_2": moved["front_line_1"] - 200, "rear_line_2": moved["rear_line_1"] - 200}
+    placed = operator.put(f"/scan-vehicles/{three['id']}/boundaries", moved).json()
+    assert placed["measurement"]["status"] != "ok"
+    assert "has no measured motion" in says(placed, SPEED)
+
+
+LINES = ("front_line_1", "rear_line_1", "front_line_2", "rear_line_2")
+
+
+def test_who_may_not_export_or_asks_for_what_cannot_be(
+    viewer: Client, nobody: Client, scan: dict[str, Any], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    two = vehicles(viewer, scan)[1]
+    address = f"/scan-vehicles/{two['id']}/evidence"
+    assert nobody.post(address, {"rule": None}).status_code == 401
+    reading = viewer.made("/session/tokens", {"name": "reads", "scopes": ["read"], "days": 1})["text"]
+    headers = {"Authorization": f"Bearer {reading}"}
+    assert nobody.post(address, {"rule": None}, headers=headers).status_code == 403
+    for wrong in ({**SPEED, "risk": 0.5}, {**SPEED, "limit": 0}, {**SPEED, "quantity": "length"}):
+        assert viewer.post(address, {"rule": wrong}).status_code == 422
+    assert viewer.post("/scan-vehicles/999999/evidence", {"rule": None}).status_code == 404
+    monkeypatch.setattr(page, "template", lambda: None)
+    assert "not built" in error_of(viewer.post(address, {"rule": None}))
+
+
+def signed_again(file: dict[str, Any], document: JsonObject, key: SigningKey | None) -> str:
+    """The file with another document, signed by who holds a key, or with the old signature."""
+    old = page.read_page(file["html"].encode())
+    signature = old.signature if key is None else key.sign(document)
+    same = [StripPicture(name=name, content=data, facts={}) for name, data in old.pictures.items()]
+    return page.written_page(document, signature, same).decode()
+
+
+def leaves(value: Any, path: tuple[str | int, ...] = ()) -> Iterator[tuple[str | int, ...]]:
+    """The place of every plain value of a document."""
+    inner: Any = value.items() if isinstance(value, dict) else enumerate(value)
+    for name, one in inner:
+        if isinstance(one, dict | list):
+            yield from leaves(one, (*path, name))
+        else:
+            yield (*path, name)
+
+
+def changed(document: JsonObject, path: tuple[str | int, ...]) -> JsonObject:
+    """A copy with one value another one of its kind."""
+    copy: JsonObject = json.loads(json.dumps(document))
+    at: Any = copy
+    for name in path[:-1]:
+        at = at[name]
+    old = at[path[-1]]
+    if isinstance(old, bool) or old is None:
+        at[path[-1]] = not old
+    else:
+        at[path[-1]] = old * 1.02 + 1 if isinstance(old, int | float) else f"{old}x"
+    return copy
+
+
+def test_each_value_that_is_changed_is_found(
+    viewer: Client, reviewer: Client, scan: dict[str, Any], services: Services
+) -> None:
+    one, two, _ = vehicles(viewer, scan)
+    judge(reviewer, one)
+    judge(reviewer, two)
+    file = made(viewer, two, {"quantity": "distance_gap", "limit": 9.0, "risk": 0.05, "source": "Order 7"})
+    document = document_of(file)
+    places = list(leaves(document))
+    assert len(places) > 200 and ("measurement", "budget", 0, "u_length_m") in places
+    with pytest.raises(Damaged, match="not an evidence file"):
+        checked(signed_again(file, changed(document, ("format",)), None))
+    for place in places:
+        if place == ("format",):
+            continue
+        found = checked(signed_again(file, changed(document, place), None))
+        assert not found.ok, place
+
+    # signed anew by who holds the key: what follows from the rest, or stands in an event, is found even so
+    key = signing_key(services.settings)
+    assert checked(signed_again(file, document, key)).ok
+    parts = ("pictures", "decision", "gap", "time", "at_vehicle", "audit")
+    bound = {
+        *((part, *rest) for part, *rest in places if part in parts),
+        *(("measurement", name) for name in (*LINES, "speed_mps", "acceleration_mps2", "length_m")),
+        *(("before", name) for name in (*LINES, "speed_mps", "length_m")),
+        *(("measurement", "rig", name) for name in ("baseline_m", "line_rate_hz", "u_baseline_m")),
+        *(place for place in places if place[:2] == ("measurement", "budget") and place[-1] != "source"),
+        ("review", "verdict"),
+        ("before", "review", "verdict"),
+    }
+    # what the key's holder alone vouches for: who set the limit, where the chain stood, what a picture shows
+    free = {("decision", "rule", "source"), ("audit", "count"), ("audit", "hash")} | {
+        ("pictures", n, name)
+        for n in (0, 1)
+        for name in ("first_line", "step_lines", "grey_black", "grey_white")
+    }
+    for place in sorted(bound - free, key=str):
+        found = checked(signed_again(file, changed(document, place), key))
+        assert not found.ok, place
+
+
+def test_who_writes_the_event_anew_too_is_told_by_the_numbers(
+    viewer: Client, scan: dict[str, Any], services: Services
+) -> None:
+    file = made(viewer, vehicles(viewer, scan)[1], None)
+    document = document_of(file)
+    for name, named in (("speed_mps", "speed_mps"), ("u_speed_mps", "u_speed_mps"), ("length_m", "length_m")):
+        forged = changed(document, ("measurement", name))
+        for event in forged["audit"]["events"]:
+            if (event["entity"], event["entity_id"]) == ("scan_measurement", forged["measurement"]["id"]):
+                after = {**json.loads(event["after"]), name: forged["measurement"][name]}
+                event["after"] = canonical_json(after)
+                event["hash"] = chain_hash(event)
+        found = checked(signed_again(file, forged, signing_key(services.settings)))
+        assert any(
+            "does not follow from lines, rig and budget" in one and named in one for one in found.problems
+        )
+
+
+STRANGE = (None, [], {}, "x", -1, 1e308, True, [None])
+
+
+def nodes(value: Any, path: tuple[str | int, ...] = ()) -> Iterator[tuple[str | int, ...]]:
+    """The place of everything in a document, whole parts too."""
+    inner: Any = (
+        value.items() if isinstance(value, dict) else enumerate(value) if isinstance(value, list) else ()
+    )
+    for name, one in inner:
+        yield (*path, name)
+        yield from nodes(one, (*path, name))
+
+
+def test_what_is_of_another_kind_is_found_and_nothing_breaks(viewer: Client, scan: dict[str, Any]) -> None:
+    file = made(viewer, vehicles(viewer, scan)[1], SPEED)
+    document = document_of(file)
+    for number, place in enumerate(nodes(document)):
+        # every part by every strange value, every plain value by one of them in turn
+        strange = STRANGE if len(place) == 1 else STRANGE[number % len(STRANGE) :][:1]
+        for value in strange:
+            spoiled: JsonObject = json.loads(json.dumps(document))
+            at: Any = spoiled
+            for name in place[:-1]:
+                at = at[name]
+            at[place[-1]] = value
+            if spoiled == document or place == ("format",):
+                continue
+            assert not checked(signed_again(file, spoiled, None), "0" * 16).ok, (place, value)
+    text = re.search(r'id="evidence">([^<]*)<', file["html"])
+    assert text
+    for other in ("[]", "1", "null", "{}", '{"format":1e999}', "[" * 100_000):
+        with pytest.raises(Damaged, match="not an evidence file"):
+            checked(file["html"].replace(text[1], other, 1))
+
+
+def test_pictures_page_and_form_are_bound(viewer: Client, scan: dict[str, Any]) -> None:
+    file = made(viewer, vehicles(viewer, scan)[1], None)
+    html: str = file["html"]
+    assert "program is not the one" in (checked(html.replace("<script>0<", "<script>1<")).problem or "")
+    old = page.read_page(html.encode())
+    name, data = next(iter(old.pictures.items()))
+    other = [StripPicture(name=one, content=old.pictures[one], facts={}) for one in old.pictures]
+    other[0] = replace(other[0], content=data[:-1] + b"\0")
+    spoiled = page.written_page(old.document, old.signature, other).decode()
+    assert f"picture {name} is not the one" in (checked(spoiled).problem or "")
+    spaced = html.replace('"format":"', '"format": "', 1)
+    assert "canonical JSON" in (checked(spaced).problem or "")
+    assert html.count("<") == PROGRAM.count("<") + 2 * 4, "no text of the document can end its element"
+
+
+def test_an_old_file_verifies_with_the_old_key_after_a_rotation(
+    viewer: Client, scan: dict[str, Any], services: Services
+) -> None:
+    two = vehicles(viewer, scan)[1]
+    before = made(viewer, two)
+    old_key = before["signing_key"]
+    after_key, waiting = replacing_key(services.settings.data_dir)
+    with services.writing() as session:
+        hand_on(session, signing_key(services.settings), after_key, actor=None)
+    put_in_force(services.settings.data_dir, waiting)
+    after = made(viewer, two)
+    assert after["signing_key"] == after_key.public != old_key
+    for file, key in ((before, old_key), (after, after_key.public), (after, old_key)):
+        found = checked(file["html"], key)
+        assert found.ok and found.key == file["signing_key"], found.problems
+    wrong = checked(before["html"], after_key.public)
+    assert "not linked to the given key" in (wrong.problem or "")
+    stranger = SigningKey(b"\1" * 32)
+    forged = {**document_of(before), "key": stranger.public}
+    found = checked(signed_again(before, forged, stranger))
+    assert "how its key follows" in (found.problem or "")

@@ -1,0 +1,94 @@
+"""Why a job failed is kept as a key with its values, and said in the language of whoever asks."""
+
+import json
+
+import numpy as np
+import pytest
+
+from sightline import messages
+from sightline.errors import BadInput, SightlineError
+from sightline.geometry.board import Board
+from sightline.geometry.calibration import calibrate
+from sightline.geometry.corners import detect
+from sightline.infra.jobs.runner import Runner
+from sightline.infra.jobs.store import get_job
+from sightline.infra.services import Services
+from sightline.infra.web.spoken import said_by_key, spoken
+from tests.infra.jobs import handlers
+from tests.infra.jobs.test_runner import queued
+from tests.support.app import Client
+
+assert handlers
+
+
+@pytest.mark.parametrize(
+    ("how", "code", "french"),
+    [
+        (
+            "input",
+            "said",
+            "The video has no picture; upload another.",
+        ),  # a sentence that nobody has translated
+        ("program", "told-jobs-broke", "Une erreur du programme a arrêté la tâche (ZeroDivisionError)"),
+    ],
+)
+def test_a_failed_job_says_why_in_the_language_of_who_asks(
+    services: Services, viewer: Client, how: str, code: str, french: str
+) -> None:
+    job = queued(services.sessions, "test_fail", how=how)
+    assert Runner(services, "worker").run(job.id)
+    with services.reading() as session:
+        kept = get_job(session, job.id)
+    assert kept.state == "failed" and kept.said is not None and kept.said["code"] == code
+    english = viewer.seen(f"/jobs/{job.id}")
+    assert (english["error"], english["said"]) == (kept.error, kept.said)
+    answer = viewer.http.get(f"/api/jobs/{job.id}", headers={"Accept-Language": "fr"}).json()
+    assert answer["error"].startswith(french) and answer["said"] == kept.said
+
+
+def test_a_sentence_is_said_by_its_key_and_a_value_that_is_a_sentence_too() -> None:
+    error = BadInput("no-such-language", language="xx", known="en, fr")
+    body = {"error": error.message, "said": {"code": error.code, "values": error.values}}
+    told = json.loads(spoken(json.dumps(body).encode(), "fr"))
+    assert told["error"].startswith("Il n’y a pas de rapport dans la langue") and told["said"] == body["said"]
+    still = "No camera movement detected, within 0.05 px (0.4 mm of height)."
+    within = SightlineError("said", sentence=still)
+    kept = {"code": within.code, "values": within.values}
+    assert said_by_key(kept, still, "fr").startswith("Aucun mouvement de la caméra")
+
+
+def test_a_failed_recording_says_why_as_its_job_does() -> None:
+    error = BadInput("video-holds-no-moving-picture-only-sound", name="a.mp4")
+    job = {"error": error.message, "said": {"code": error.code, "values": error.values}}
+    body = {"name": "a.mp4", "state": "failed", "error": error.message, "job": job}
+    told = json.loads(spoken(json.dumps([body, {**body, "job": None}]).encode(), "fr"))
+    assert told[0]["error"] == told[0]["job"]["error"] == messages.say(error.code, error.values, "fr")
+    assert told[1]["error"] == error.message  # of an older job nothing but the English is known
+
+
+def test_pictures_without_a_board_say_why_in_french_to_the_last_word() -> None:
+    board = Board(9, 6, 0.1)
+    corners = detect(np.full((120, 160), 128, np.uint8), board)
+    with pytest.raises(BadInput, match=r"cut\.png: No board of 9x6") as few:
+        calibrate([("cut.png", corners, (160, 120))], board)
+    told = said_by_key({"code": few.value.code, "values": few.value.values}, few.value.message, "fr")
+    assert told.startswith("Photos utilisables") and "cut.png\u00a0: Aucune mire de 9x6" in told
+    assert " the " not in told
+
+
+@pytest.mark.parametrize("said", [{"code": "gone", "values": {}}, {"code": "said", "values": {}}])
+def test_what_this_program_cannot_say_stays_as_it_was_kept(said: dict[str, object]) -> None:
+    assert said_by_key(said, "It is gone.", "fr") == "It is gone."
+
+
+def test_the_note_of_an_inset_is_the_programs_until_somebody_writes_another() -> None:
+    told = json.dumps(
+        [
+            {"inset_m": 0.05, "note": "outer edge of the lamp (estimate)"},
+            {"inset_m": 0.05, "note": "measured on 12 cars"},
+            {"note": "outer edge of the lamp (estimate)"},
+        ]
+    )
+    of_inset, typed, of_something_else = (one["note"] for one in json.loads(spoken(told.encode(), "fr")))
+    assert of_inset == "bord extérieur du feu (estimation)"
+    assert (typed, of_something_else) == ("measured on 12 cars", "outer edge of the lamp (estimate)")

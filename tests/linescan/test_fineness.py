@@ -1,0 +1,60 @@
+"""Lines too slow for the scene are told from the strips, and refused with what to do."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from sightline.linescan.fineness import carried_on, too_coarse
+from sightline.linescan.methods import MEASURE
+from sightline.linescan.parts import Rig
+from tests.linescan.scenes import RIG, SITE, found, plain, plain_truth
+
+pytestmark = pytest.mark.once
+
+
+def every(nth: int) -> tuple[np.ndarray, np.ndarray]:
+    """The three cars as cameras with so much slower lines, but exposures as short, take them."""
+    first, second = plain()
+    return np.ascontiguousarray(first[::nth]), np.ascontiguousarray(second[::nth])
+
+
+def test_lines_close_enough_are_measured_and_slow_ones_refused_with_what_to_do() -> None:
+    speeds = [true.vehicle.speed_mps for true in plain_truth()]
+    for nth, fine in ((1, True), (2, True), (16, False), (32, False)):
+        rig = Rig(RIG.baseline_m, RIG.line_rate_hz / nth)
+        passages = [one for one in found(every(nth), rig)[0] if one.reason is None]
+        assert len(passages) == 3
+        for passage, speed_mps in zip(passages, speeds, strict=True):
+            said = [MEASURE[method](passage, rig) for method in ("direct", "paper")]
+            if fine:
+                assert [one.status for one in said] == ["ok", "ok"], nth
+                continue
+            line_mm = 1000 * speed_mps / rig.line_rate_hz
+            for one in said:
+                assert one.status == "not_measurable" and one.speed_mps is None and one.reason
+                assert "Raise the line rate" in one.reason
+                told_mm = float(one.reason.split("about ")[1].split(" mm")[0])
+                assert told_mm == pytest.approx(line_mm, rel=0.1)
+
+
+def test_what_is_carried_on_does_not_mind_noise() -> None:
+    """A wave of 40 lines goes on, single lines do not; noise alone is nothing to judge by."""
+    rng = np.random.default_rng(4)
+    wave = 100 + 20 * np.sin(2 * np.pi * (np.arange(2000)[:, None] + np.arange(64) / 8) / 40)
+    single = np.repeat(100 + 20 * rng.standard_normal((2000, 16)), 4, axis=1)
+    for noise in (0.0, 8.0):
+        grain = noise * rng.standard_normal(wave.shape)
+        smooth, rough = (carried_on((one + grain).astype(np.float32), noise) for one in (wave, single))
+        assert smooth == pytest.approx(np.cos(2 * np.pi / 40), abs=0.1)
+        assert rough == pytest.approx(-0.5, abs=0.1)
+    empty = (100 + 8 * rng.standard_normal(wave.shape)).astype(np.float32)
+    assert carried_on(empty, 8.0) is None and carried_on(empty[:4], 8.0) is None
+
+
+def test_a_picture_that_shows_nothing_is_not_called_too_coarse() -> None:
+    passage = found(plain())[0][0]
+    flat = np.full_like(passage.first, 90)
+    assert too_coarse(passage, RIG) is None
+    assert too_coarse(replace(passage, first=flat, second=flat[: len(passage.second)]), RIG) is None
+    assert SITE.line_rate_hz == RIG.line_rate_hz

@@ -1,0 +1,133 @@
+"""Traffic of a lane: what must hold whatever passes, and numbers that are known otherwise."""
+
+from __future__ import annotations
+
+from math import sqrt
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from sightline.linescan.traffic import MINUTES, Passed, intervals, mean_speeds, poisson_interval
+
+VEHICLE = st.tuples(
+    st.floats(0, 7199), st.floats(0.05, 9), st.floats(2.5, 40), st.floats(2, 20), st.booleans()
+)
+
+
+def traffic_of(drawn: list[tuple[float, float, float, float, bool]]) -> list[Passed]:
+    """Vehicles in the order of passing; those without a motion have neither speed nor length."""
+    return [
+        Passed(since, occupied, 0.01, *((speed, 0.01, length, 0.02) if moves else ()))
+        for since, occupied, speed, length, moves in sorted(drawn)
+    ]
+
+
+@given(drawn=st.lists(VEHICLE, max_size=40), into_hour=st.floats(0, 3599.9), minutes=st.sampled_from(MINUTES))
+def test_nothing_is_lost_and_nothing_counted_twice(
+    drawn: list[tuple[float, float, float, float, bool]], into_hour: float, minutes: int
+) -> None:
+    passed = traffic_of(drawn)
+    found = intervals(passed, 7200.0, into_hour, minutes)
+    assert sum(one.vehicles for one in found) == len(passed)
+    assert sum(one.measured for one in found) == sum(one.speed_mps is not None for one in passed)
+    for one in found:
+        assert sum(kind.vehicles for kind in one.classes) + one.unclassed == one.vehicles
+        assert 0 < one.watched_s <= 60 * minutes + 1e-9
+        assert one.partial == (one.watched_s < 60 * minutes)
+        assert 0 <= (one.occupancy_percent.value or 0) <= 100 + 1e-9
+        assert one.flow_low <= one.flow_per_hour <= one.flow_high
+        time_mean, space_mean = one.time_mean_speed_mps.value, one.space_mean_speed_mps.value
+        assert (
+            (time_mean is None) == (one.measured == 0) == bool("an accepted speed" in " ".join(one.reasons))
+        )
+        if time_mean is not None and space_mean is not None:
+            assert space_mean <= time_mean * (1 + 1e-12)
+        # edges stand where the clocks of the place show whole intervals
+        begins = (one.begin_s + into_hour) % (60 * minutes)
+        assert one.begin_s == 0 or min(begins, 60 * minutes - begins) < 1e-6
+    assert sum(one.watched_s for one in found) == pytest.approx(
+        max([7200.0, *(one.since_s + one.occupied_s for one in passed)])
+    )
+
+
+def test_figures_of_a_steady_stream() -> None:
+    """A vehicle every 4 s, in turns at 20 and 30 m/s, 4.5 m long: 900 an hour, and the rest follows."""
+    passed = [
+        Passed(4.0 * n + 1, 4.5 / v, 1e-3, v, 0.1, 4.5, 0.01)
+        for n in range(900)
+        for v in [20.0 if n % 2 else 30.0]
+    ]
+    whole, *_ = intervals(passed, 3600.0, 0.0, 60)
+    assert (whole.vehicles, whole.flow_per_hour, whole.partial) == (900, 900.0, False)
+    assert whole.mean_headway_s == pytest.approx(4.0)
+    assert whole.time_mean_speed_mps.value == pytest.approx(25.0)
+    assert whole.space_mean_speed_mps.value == pytest.approx(24.0)
+    assert whole.occupancy_percent.value == pytest.approx(100 * 4.5 / 24.0 / 4.0)
+    assert whole.density_per_km.value == pytest.approx(900 / (24.0 * 3.6))
+    # Wardrop: the time mean is the space mean and the variance along the road over it
+    variance = 0.6 * (20 - 24.0) ** 2 + 0.4 * (30 - 24.0) ** 2
+    assert whole.time_mean_speed_mps.value == pytest.approx(24.0 + variance / 24.0)
+    assert [kind.vehicles for kind in whole.classes] == [900, 0, 0, 0]
+
+
+def test_what_all_share_does_not_average_out() -> None:
+    own, shared = 0.2, 0.001
+    cars = [
+        Passed(float(n), 0.2, None, 20.0, sqrt(own**2 + (shared * 20) ** 2), rig_ratio=shared)
+        for n in range(400)
+    ]
+    time_mean, space_mean = mean_speeds(cars)
+    expected = sqrt((own / 20) ** 2 + (shared * 20) ** 2)
+    assert (time_mean.u, space_mean.u) == (pytest.approx(expected), pytest.approx(expected))
+
+
+def test_a_space_means_uncertainty_is_that_of_a_simulation() -> None:
+    rng = np.random.default_rng(20261123)
+    true, u, ratio = np.array([8.0, 15.0, 33.0]), np.array([0.1, 0.2, 0.3]), 0.004
+    own = rng.normal(true, np.sqrt(u**2 - (ratio * true) ** 2), (200_000, 3))
+    seen = own * (1 + rng.normal(0, ratio, (200_000, 1)))
+    cars = [
+        Passed(float(n), 0.2, None, v, s, rig_ratio=ratio)
+        for n, (v, s) in enumerate(zip(true.tolist(), u.tolist(), strict=True))
+    ]
+    time_mean, space_mean = mean_speeds(cars)
+    assert time_mean.u == pytest.approx(seen.mean(axis=1).std(), rel=0.01)
+    assert space_mean.u == pytest.approx((3 / (1 / seen).sum(axis=1)).std(), rel=0.01)
+
+
+def test_an_interval_of_a_count_covers() -> None:
+    rng = np.random.default_rng(7)
+    ends = {n: poisson_interval(n) for n in range(60)}
+    for mean in (0.5, 3.0, 20.0):
+        covered = [ends[n][0] <= mean <= ends[n][1] for n in rng.poisson(mean, 20_000).tolist()]
+        assert np.mean(covered) >= 0.948
+    assert poisson_interval(10) == (pytest.approx(4.795, abs=1e-3), pytest.approx(18.390, abs=1e-3))
+
+
+def test_vehicles_near_an_edge_or_a_limit_are_counted() -> None:
+    passed = [
+        Passed(59.99, 0.2, 0.01, 20.0, 0.1, 5.21, 0.01),
+        Passed(60.5, 30.0, 0.01),
+        Passed(61.0, 0.2, 0.01, 20.0, 0.1, 4.0, 0.01),
+    ]
+    first, second = intervals(passed, 120.0, 0.0, 1)
+    assert (first.near_edge, second.near_edge) == (1, 0)
+    assert [(kind.vehicles, kind.near_limit) for kind in first.classes] == [(0, 0), (1, 1), (0, 0), (0, 0)]
+    # beside a standing vehicle another passes: time is occupied once, and how well is not known
+    assert second.occupancy_percent.value == pytest.approx(100 * (0.19 + 30.0) / 60)
+    assert second.occupancy_percent.u is None and "1 of the vehicles" in second.reasons[0]
+    assert second.unclassed == 1
+
+
+def test_a_partial_interval_is_said() -> None:
+    found = intervals([Passed(5.0, 0.2)], 100.0, 30.0, 1)
+    assert [(one.begin_s, one.watched_s, one.partial) for one in found] == [
+        (0.0, 30.0, True),
+        (30.0, 60.0, False),
+        (90.0, 10.0, True),
+    ]
+    assert found[0].flow_per_hour == pytest.approx(120.0) and found[1].flow_per_hour == 0.0
+    with pytest.raises(ValueError, match="divide an hour"):
+        intervals([], 10.0, 0.0, 7)

@@ -1,0 +1,101 @@
+"""Limits hold over every process of the app: here two apps, each with a database connection of its own."""
+
+import threading
+from collections.abc import Callable, Iterator
+from datetime import timedelta
+
+import pytest
+from fastapi import FastAPI
+from fastapi.testclient import TestClient
+
+from sightline.app import create_app
+from sightline.infra.database.types import now
+from sightline.infra.limits import store as limits
+from sightline.infra.limits.store import Limit, count_against, forget_counted
+from sightline.infra.services import Services, open_services
+from tests.support.app import Client
+
+pytestmark = pytest.mark.dialect
+
+LIMIT = Limit("tries", 3, 60)
+
+
+@pytest.fixture
+def other(services: Services) -> Iterator[FastAPI]:
+    """The app in another process, as far as what it shares goes: the database and the data folder."""
+    opened = open_services(services.settings)
+    yield create_app(services=opened)
+    opened.close()
+
+
+def wrong(client: Client, email: str = "operator@example.org") -> int:
+    return client.post("/session", {"email": email, "password": "not this one"}).status_code
+
+
+@pytest.fixture
+def both(app: FastAPI, other: FastAPI) -> list[Client]:
+    return [Client(TestClient(one, headers={"X-Sightline": "1"})) for one in (app, other)]
+
+
+@pytest.mark.usefixtures("operator")
+def test_failed_sign_ins_count_in_all_processes(both: list[Client]) -> None:
+    assert [wrong(both[n % 2]) for n in range(6)] == [401] * 5 + [429]
+    assert [wrong(client) for client in both] == [429, 429]
+    assert wrong(both[1], "somebody@example.org") == 401
+
+
+def test_links_are_not_guessed_by_the_thousand(both: list[Client]) -> None:
+    answers = [both[n % 2].post("/session/link", {"token": f"guess {n}"}).status_code for n in range(52)]
+    assert answers == [401] * 50 + [429] * 2
+
+
+def test_a_session_that_was_ended_ends_in_the_other_process(both: list[Client], operator: Client) -> None:
+    here, there = both
+    for client in both:
+        client.http.cookies.update(operator.http.cookies)
+        assert client.get("/surveys").status_code == 200
+    copied = dict(operator.http.cookies)
+    assert operator.delete("/session").status_code == 204
+    here.http.cookies.update(copied)
+    there.http.cookies.update(copied)
+    assert here.get("/surveys").status_code == 401
+    soon = threading.Event()
+    for _ in range(30):
+        answer = there.get("/surveys").status_code
+        if answer == 401:
+            return
+        soon.wait(0.1)
+    pytest.fail("the other process still believes the session after three seconds")
+
+
+def test_many_at_once_do_not_slip_through(services: Services) -> None:
+    counted: list[bool] = []
+
+    def attempt() -> None:
+        with services.writing() as session:
+            counted.append(count_against(session, LIMIT, "one"))
+
+    threads = [threading.Thread(target=attempt) for _ in range(8)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert sorted(counted) == [False] * 5 + [True] * 3
+
+
+def test_a_window_moves_and_others_have_one_of_their_own(
+    services: Services, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    at: Callable[[float], None] = lambda s: monkeypatch.setattr(  # noqa: E731
+        limits, "now", lambda: begun + timedelta(seconds=s)
+    )
+    begun = now()
+    with services.writing() as session:
+        for second in (0, 10, 20):
+            at(second)
+            assert count_against(session, LIMIT, "one")
+        assert not count_against(session, LIMIT, "one") and count_against(session, LIMIT, "two", 3)
+        at(60.5)
+        assert count_against(session, LIMIT, "one") and not count_against(session, LIMIT, "one")
+        forget_counted(session, LIMIT, "one")
+        assert count_against(session, LIMIT, "one", 3) and not count_against(session, LIMIT, "one")

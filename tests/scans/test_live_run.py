@@ -1,0 +1,139 @@
+"""A live stream beyond the command: lines that are lost, a clock that is set, segments, swapped cameras."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from sightline.linescan.finding import Finder
+from sightline.linescan.parts import Rig
+from sightline.linescan.passing import measured
+from sightline.media.lines.source import Lost, Piece
+from sightline.media.strips.reader import open_strip
+from sightline.media.strips.sheet import Pixels
+from sightline.scans.live.records import LiveVehicle
+from sightline.scans.live.run import Clock, LiveRun, Nowhere
+from sightline.simulation.scan_strips import strips
+from sightline.simulation.scan_traffic import ScanSite, traffic
+
+pytestmark = pytest.mark.once
+
+SITE = ScanSite(rows=64, misalignment_px=0.3)
+RIG = Rig(SITE.baseline_m, SITE.line_rate_hz)
+
+
+class Played:
+    """A source of strips in pieces of 500 lines; `lost`: lines that did not arrive."""
+
+    name, broken, waiting_bytes = "played", False, 0
+
+    def __init__(self, pair: tuple[Pixels, Pixels], lost: tuple[Lost, ...] = ()) -> None:
+        self.notes: list[str] = []
+        self._pair = [np.array(one, np.uint8) for one in pair]
+        self._lost = lost
+        for gap in lost:
+            self._pair[gap.camera - 1][gap.line : gap.line + gap.count] = self._pair[gap.camera - 1][
+                gap.line - 1
+            ]
+
+    def pieces(self) -> Iterator[Piece | None]:
+        first, second = self._pair
+        for start in range(0, len(first), 500):
+            yield None
+            stop = min(start + 500, len(first))
+            inside = tuple(part for gap in self._lost if (part := _part(gap, start, stop)))
+            yield Piece(first[start:stop], second[start:stop], inside)
+
+
+def _part(gap: Lost, start: int, stop: int) -> Lost | None:
+    begin, end = max(gap.line, start), min(gap.line + gap.count, stop)
+    return Lost(gap.camera, begin, end - begin) if begin < end else None
+
+
+def run_of(source: Played, folder: Path | None = None, **more: object) -> tuple[list[LiveVehicle], list[str]]:
+    said: list[str] = []
+    options = {"folder": folder, "keeper": Nowhere(), "say": said.append, "name": "played", **more}
+    run = LiveRun(lambda _: source, SITE.rows, RIG, "direct", **options)  # type: ignore[arg-type]
+    told = []
+    for one in run.vehicles():
+        run.told(one)
+        told.append(one)
+    return told, said
+
+
+@pytest.fixture(scope="module")
+def pair() -> tuple[Pixels, Pixels]:
+    return strips(SITE, traffic(5, 4, speeds_mps=(14.0, 24.0), gaps_s=(0.5, 0.8), start_s=0.8))
+
+
+def test_lost_lines_are_listed_in_the_files_and_spoil_only_whom_they_hit(
+    pair: tuple[Pixels, Pixels], tmp_path: Path
+) -> None:
+    clean, _ = run_of(Played(pair))
+    second = clean[1].vehicle.motion.crossings
+    hit = int(second.front_line_2 + second.rear_line_2) // 2
+    lost = (Lost(1, 300, 40), Lost(2, 480, 40), Lost(2, hit, 30), Lost(1, len(pair[0]) - 20, 20))
+    live, said = run_of(Played(pair, lost), tmp_path)
+    assert [one.vehicle.motion.status for one in live] == ["ok", "not_measurable", "ok", "ok"]
+    assert live[1].vehicle.motion.reason == "The recorder lost 30 lines of camera 2 while the vehicle passed."
+    assert live[2].vehicle.motion.speed_mps == pytest.approx(clean[2].vehicle.motion.speed_mps, rel=1e-6)
+    assert any(one.startswith("60 lines of camera 1 were lost") for one in said)
+
+    files = [open_strip(tmp_path / f"0001-camera-{k}.tif", "height") for k in (1, 2)]
+    assert [[(gap.line, gap.count) for gap in one.notes.dropped] for one in files] == [
+        [(300, 40)],
+        [(480, 40), (hit - 40, 30)],
+    ]
+    # the lost end of camera 1 has no partner, so both end there
+    assert files[0].lines == files[1].lines == len(pair[0]) - 20
+    finder = Finder(SITE.rows, RIG)
+    for one, two in zip(files[0].chunks(), files[1].chunks(), strict=True):
+        assert len(one) == len(two)
+    passages = finder.push(*(np.concatenate(list(one.chunks())) for one in files)) + finder.finish()
+    again = list(measured(passages, RIG, "direct"))
+    for k in (0, 2, 3):
+        assert again[k].motion.speed_mps == live[k].vehicle.motion.speed_mps
+        assert again[k].motion.length_m == live[k].vehicle.motion.length_m
+
+
+def test_a_clock_that_is_set_changes_no_number_and_is_said(pair: tuple[Pixels, Pixels]) -> None:
+    clean, _ = run_of(Played(pair))
+    ticks = iter(range(10_000))
+    steady = [0.0]
+
+    def count() -> float:
+        steady[0] = next(ticks) * 0.7
+        return steady[0]
+
+    jumped = Clock(wall=lambda: 1e9 + steady[0] + (3600.0 if steady[0] > 20 else 0.0), steady=count)
+    live, said = run_of(Played(pair), clock=jumped)
+    assert any("clock was set by +3600.0 s" in one and "are not affected" in one for one in said)
+    first, last = (one.vehicle.motion for one in (live[0], live[-1]))
+    assert [one.vehicle.motion.speed_mps for one in live] == [one.vehicle.motion.speed_mps for one in clean]
+    lines = last.crossings.front_line_1 - first.crossings.front_line_1
+    assert (live[-1].at - live[0].at).total_seconds() == pytest.approx(lines / RIG.line_rate_hz, abs=1e-5)
+
+
+def test_swapped_cameras_are_said_while_the_stream_goes_on(pair: tuple[Pixels, Pixels]) -> None:
+    live, said = run_of(Played((pair[1], pair[0])))
+    assert {one.vehicle.motion.crossings.direction for one in live} == {"camera_2_first"}
+    assert any("the strips are swapped" in one for one in said)
+
+
+def test_segments_begin_where_the_road_is_empty_and_lose_nothing(
+    pair: tuple[Pixels, Pixels], tmp_path: Path
+) -> None:
+    twice = tuple(np.concatenate([one, one, one]) for one in pair)
+    whole, _ = run_of(Played(twice))  # type: ignore[arg-type]
+    live, _ = run_of(Played(twice), tmp_path, segment_s=1.5)  # type: ignore[arg-type]
+    assert [one.vehicle.number for one in live] == list(range(1, len(whole) + 1))
+    assert max(one.segment for one in live) >= 2
+    kept = [open_strip(path, "height").lines for path in sorted(tmp_path.glob("*-camera-1.tif"))]
+    # each begins a moment before the one before it ends
+    overlap = 2 * Finder(SITE.rows, RIG).margin
+    assert sum(kept) == len(twice[0]) + overlap * (len(kept) - 1)
+    for one, same in zip(live, whole, strict=True):
+        assert one.vehicle.motion.speed_mps == pytest.approx(same.vehicle.motion.speed_mps, rel=2e-3)

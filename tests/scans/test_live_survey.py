@@ -1,0 +1,165 @@
+"""A live stream into a survey: a recording that grows, read and verified once it has ended."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import sys
+import time
+from collections.abc import Iterator
+from datetime import UTC, datetime, timedelta
+from pathlib import Path
+
+import numpy as np
+import pytest
+from sqlalchemy import update
+
+from sightline.cli import main
+from sightline.infra.audit import trail
+from sightline.infra.audit.verification import verify_records
+from sightline.infra.database.engine import migrate
+from sightline.infra.database.types import now
+from sightline.infra.services import Services, open_services
+from sightline.scans.live.service import LiveStream, flow_of, live_streams
+from sightline.scans.live.state import live_state
+from sightline.scans.live.tables import scan_live
+from sightline.scans.presenters import scan_body
+from sightline.scans.service import request_find
+from sightline.scans.store import list_scans
+from sightline.scans.vehicles.store import list_scan_vehicles
+from sightline.settings import load_settings
+from sightline.simulation.scan_strips import strips
+from sightline.simulation.scan_traffic import ScanSite, traffic
+from sightline.surveys.store import create_survey
+from tests.support.working import run_jobs
+
+SITE = ScanSite(rows=64, misalignment_px=0.3)
+RIG = ("--baseline", str(SITE.baseline_m), "--line-rate", str(SITE.line_rate_hz), "--u-baseline", "0.0005")
+STREAM = ("stream", "--rows", str(SITE.rows), *RIG)
+
+
+@pytest.fixture(scope="module")
+def lines() -> bytes:
+    pair = strips(SITE, traffic(5, 3, speeds_mps=(14.0, 24.0), gaps_s=(0.5, 0.8), start_s=0.8))
+    return np.stack(pair, axis=1).astype(np.uint8).tobytes()
+
+
+@pytest.fixture
+def services(tmp_path: Path) -> Iterator[Services]:
+    opened = open_services(load_settings(data_dir=tmp_path / "data"))
+    migrate(opened.engine)
+    with opened.writing() as session:
+        create_survey(session, name="Hill", actor=None)
+    yield opened
+    opened.close()
+
+
+def streams_of(services: Services) -> list[LiveStream]:
+    with services.reading() as session:
+        return live_streams(session, 1)
+
+
+def test_a_stream_becomes_a_recording_whose_vehicles_are_those_of_the_search(
+    services: Services, lines: bytes, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = tmp_path / "lines.raw"
+    path.write_bytes(lines)
+    where = ("--survey", "Hill", "--data-dir", str(tmp_path / "data"))
+    assert main([*STREAM, *where, "--follow", str(path), "--until-idle", "0.3"]) == 0
+    told = [json.loads(line) for line in capsys.readouterr().out.splitlines()]
+
+    (stream,) = streams_of(services)
+    assert stream.state == "ended" and not stream.scan.ready
+    assert stream.scan.health is not None
+    assert stream.scan.health.lines == len(lines) // (2 * SITE.rows)
+    assert [one.vehicle.number for one, _ in stream.vehicles] == [3, 2, 1]
+    assert sum(minute.vehicles for minute in stream.flow) == 3
+    first, at = stream.vehicles[-1]
+    assert at == datetime.fromisoformat(told[0]["front_at"])
+    assert first.vehicle.measurement is not None
+    assert first.vehicle.measurement.values.speed_mps == told[0]["speed_mps"]
+
+    assert [job.state for job in run_jobs(services)] == ["done"]
+    run_jobs(services)  # the strips it was read from go
+    with services.reading() as session:
+        (scan,) = list_scans(session, 1)
+        before = list_scan_vehicles(session, scan.id)
+        kinds = [event.action for event in trail.for_export(session, 1)]
+    assert scan.state == "ready" and scan.source == "live" and scan.lines == len(lines) // (2 * SITE.rows)
+    assert scan.run is not None and (scan.run.found, scan.run.measured) == (3, 3)
+    assert {"recorded", "read", "run"} <= set(kinds)
+    assert not list((tmp_path / "data" / "live").rglob("*.tif"))
+
+    # the search over the stored strips says the same to the last bit, so nothing is revised
+    with services.writing() as session:
+        request_find(session, scan.id, "direct", True, actor=None)
+    (job,) = run_jobs(services)
+    assert job.result is not None and (job.result["added"], job.result["measured_again"]) == (0, 0)
+    with services.reading() as session:
+        assert list_scan_vehicles(session, scan.id) == before
+        assert verify_records(session).ok
+
+
+def test_a_killed_stream_of_a_survey_is_taken_up(
+    services: Services, lines: bytes, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path, where = tmp_path / "lines.raw", ("--survey", "Hill", "--data-dir", str(tmp_path / "data"))
+    path.write_bytes(lines[: len(lines) * 2 // 3])
+    command = [sys.executable, "-m", "sightline.cli", *STREAM, *where, "--follow", str(path)]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE) as live:
+        assert live.stdout is not None
+        live.stdout.readline()
+        until = time.monotonic() + 30
+        while not (found := streams_of(services)) or not found[0].vehicles or found[0].scan.health is None:
+            assert time.monotonic() < until
+            time.sleep(0.1)
+        assert found[0].state == "running"
+        assert main([*STREAM, *where, "--follow", str(path)]) == 2
+        assert "Another stream writes into" in capsys.readouterr().err
+        live.kill()
+    with services.writing() as session:
+        session.execute(update(scan_live).values(heard_at=now() - timedelta(minutes=3)))
+    assert streams_of(services)[0].state == "stopped"
+    with services.reading() as session:
+        (left,) = list_scans(session, 1)
+    assert (left.state, scan_body(left).stream_state) == ("live", "stopped")
+    path.write_bytes(lines)
+    assert main([*STREAM, *where, "--follow", str(path), "--until-idle", "0.3"]) == 0
+    assert "and nothing is missing" in capsys.readouterr().err
+    run_jobs(services)
+    with services.reading() as session:
+        scans = list_scans(session, 1)
+        numbers = [len(list_scan_vehicles(session, one.id)) for one in scans]
+        assert verify_records(session).ok
+    assert [one.state for one in scans] == ["ready", "ready"] and sum(numbers) == 3
+    assert [scan_body(one).stream_state for one in scans] == [None, None]
+    (stream,) = streams_of(services)
+    assert [one.scan_id for one in stream.earlier] == [scans[0].id]
+
+
+@pytest.mark.parametrize(
+    ("quiet_s", "ended", "state"),
+    [(1, False, "running"), (30, False, "silent"), (121, False, "stopped"), (9999, True, "ended")],
+)
+def test_a_stream_that_is_no_longer_heard_does_not_stay_live(quiet_s: float, ended: bool, state: str) -> None:
+    at = datetime(2026, 5, 3, 12, 0, tzinfo=UTC)
+    assert live_state(at - timedelta(seconds=quiet_s), at if ended else None, at) == state
+
+
+def test_a_survey_that_is_not_there_is_named(
+    services: Services, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main([*STREAM, "--survey", "Dale", "--data-dir", str(tmp_path / "data")]) == 2
+    assert "Dale" in capsys.readouterr().err
+
+
+def test_flow_counts_by_minutes_of_the_clock_and_says_which_were_watched_whole() -> None:
+    begun = datetime(2026, 5, 4, 6, 0, 30, tzinfo=UTC)
+    fronts = [begun + timedelta(seconds=s) for s in (5, 29, 30, 31, 95)]
+    flow = flow_of(fronts, begun, begun + timedelta(seconds=100))
+    assert [(one.begin.minute, one.vehicles, one.whole) for one in flow] == [
+        (0, 2, False),
+        (1, 2, True),
+        (2, 1, False),
+    ]
+    assert len(flow_of(fronts, begun, begun + timedelta(hours=5))) == 60

@@ -1,0 +1,109 @@
+"""The start of a line scan is confirmed by a person; each vehicle then has a time of day with its u."""
+
+from datetime import UTC, datetime, timedelta
+from math import hypot, sqrt
+
+import pytest
+
+from sightline.infra.services import Services
+from sightline.linescan.clock import u_passing_s
+from sightline.scans.records import StripSource
+from sightline.scans.store import create_scan, note_scan_read
+from sightline.scans.vehicles.measurement_store import append_scan_measurement
+from sightline.scans.vehicles.store import create_scan_vehicle
+from tests.support import scans_samples
+from tests.support.app import Client
+
+pytestmark = pytest.mark.dialect
+START = {"local": "2026-05-03T08:10:00.250", "time_zone": "Europe/Paris", "u_s": 0.5}
+
+
+@pytest.fixture
+def scan_id(services: Services, survey_id: int) -> int:
+    """A line scan with a vehicle that crossed camera 1 at line 1000.25, and one without a motion."""
+    source = (StripSource("a.tif", "aa/a.tif", "aa" * 32), StripSource("b.tif", "bb/b.tif", "bb" * 32))
+    later = {
+        "front_line_1": 4882.8e4,
+        "rear_line_1": 4.883e7,
+        "front_line_2": 4.883e7,
+        "rear_line_2": 4.884e7,
+    }
+    nothing = dict.fromkeys(("speed_mps", "u_speed_mps", "length_m", "u_length_m"))
+    with services.writing() as session:
+        made = create_scan(
+            session,
+            survey_id,
+            name="Gate",
+            source=source,
+            time_axis="width",
+            rig=scans_samples.RIG,
+            actor=None,
+        )
+        note_scan_read(session, made.id, scans_samples.facts(), actor=None)
+        for values in (
+            scans_samples.values(),
+            scans_samples.values(**later, status="not_measurable", reason="Dark.", **nothing),
+        ):
+            one = create_scan_vehicle(session, made.id, origin="found", actor=None)
+            append_scan_measurement(session, one.id, values, actor=None)
+    return made.id
+
+
+def test_a_confirmed_start_gives_each_vehicle_its_time(
+    operator: Client, viewer: Client, scan_id: int
+) -> None:
+    address = f"/scans/{scan_id}"
+    before = viewer.seen(address)
+    assert (before["started_at"], before["time_zone"], before["u_start_s"]) == (None, None, None)
+    assert all(one["filmed_at"] is None for one in viewer.seen(f"{address}/vehicles"))
+    body = {"version": before["version"], "start": START}
+    assert viewer.http.patch(f"/api{address}", json=body).status_code == 403
+    stored = operator.http.patch(f"/api{address}", json=body)
+    assert stored.status_code == 200, stored.text
+    assert stored.json()["started_local"] == "2026-05-03T08:10:00.250+02:00"
+    first, second = viewer.seen(f"{address}/vehicles")
+    since_s = 1000.25 / 4882.8
+    at = datetime(2026, 5, 3, 6, 10, 0, 250000, UTC) + timedelta(seconds=since_s)
+    assert abs(datetime.fromisoformat(first["filmed_at"]) - at) <= timedelta(microseconds=500)
+    assert first["filmed_at"].endswith("+02:00")
+    u_s = hypot(0.5, 0.008 / 19.31415, 0.001 / sqrt(12))
+    assert first["u_filmed_at_s"] == pytest.approx(u_s, rel=1e-12)
+    assert first["U95_filmed_at_s"] == pytest.approx(1.96 * u_s, rel=1e-3)
+    # ten thousand seconds later, without a motion: a time, and no uncertainty that nobody knows
+    assert second["filmed_at"] == "2026-05-03T10:56:40.250+02:00"
+    assert (second["u_filmed_at_s"], second["U95_filmed_at_s"]) == (None, None)
+    taken_back = operator.http.patch(
+        f"/api{address}", json={"version": stored.json()["version"], "start": None}
+    )
+    assert taken_back.json()["started_local"] is None
+    assert all(one["filmed_at"] is None for one in viewer.seen(f"{address}/vehicles"))
+
+
+@pytest.mark.parametrize(
+    ("changed", "words"),
+    [
+        ({"u_s": 0}, "above 0"),
+        ({"u_s": 4000}, "up to 3600 s"),
+        ({"local": "2999-01-01T08:10:00"}, "is in the future"),
+        ({"local": "2025-03-30T02:30:00"}, "does not exist"),
+        ({"local": "2025-10-26T02:30:00"}, "occurs twice"),
+        ({"time_zone": "Europe/Atlantis"}, "Europe/Atlantis"),
+    ],
+)
+def test_what_cannot_be_a_start_is_refused(
+    operator: Client, scan_id: int, changed: dict[str, object], words: str
+) -> None:
+    answer = operator.http.patch(f"/api/scans/{scan_id}", json={"version": 1, "start": {**START, **changed}})
+    assert answer.status_code == 422 and words in answer.text
+
+
+def test_two_people_at_once_are_told(operator: Client, scan_id: int) -> None:
+    address = f"/api/scans/{scan_id}"
+    assert operator.http.patch(address, json={"version": 1, "start": START}).status_code == 200
+    assert operator.http.patch(address, json={"version": 1, "start": None}).status_code == 409
+
+
+def test_an_uncertain_line_rate_adds_up() -> None:
+    early, late = (u_passing_s(since, 0.001, 1e-4, 20.0, 0.01) for since in (0.0, 36000.0))
+    assert early is not None and early < 0.0012 and late == pytest.approx(3.6, rel=1e-3)
+    assert u_passing_s(1.0, 0.001, 0.0, None, None) is None

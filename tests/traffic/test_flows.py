@@ -1,0 +1,115 @@
+"""Figures of intervals against a count in NumPy that shares nothing with the query."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from datetime import date
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from sightline.traffic.archive import add_recorded
+from sightline.traffic.query import ALL, NO_LENGTH, ArchiveTables, classes_of, percentile_column
+from sightline.traffic.records import Asked, Passing
+from tests.traffic.samples import recorded
+from tests.traffic.test_archive import stood
+
+HOURS = 26.0
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    made = tmp_path_factory.mktemp("archive")
+    add_recorded(made, recorded(21, 2000, HOURS * 3600), stood("2026-05-04T05:20:00"))
+    add_recorded(made, recorded(22, 700, 5000.0), stood("2026-05-04T07:00", lane="left"))
+    add_recorded(made, recorded(23, 40, 600.0), stood("2026-07-01T12:00", site="Valley"))
+    return made
+
+
+def test_every_figure_is_a_recount(folder: Path) -> None:
+    begins = 5 * 3600 + 20 * 60
+    cells: dict[int, list[Passing]] = defaultdict(list)
+    for one in recorded(21, 2000, HOURS * 3600).passings:
+        cells[int((begins + one.front_s) // 900)].append(one)
+    asked = Asked(sites=("Hill",), minutes=15, percents=(5.0, 15.0, 50.0, 85.0, 99.5))
+    with ArchiveTables(folder) as tables:
+        rows = [row for row in tables.intervals(asked) if row["lane"] == ""]
+    assert len(rows) == 105  # of 26 h that begin at 5:20, 103 whole and two in part
+    first = int(begins // 900)
+    for place, row in enumerate(rows):
+        here = cells.get(first + place, [])
+        speeds = np.array([one.speed_mps for one in here if one.speed_mps is not None])
+        assert (row["vehicles"], row["measured"]) == (len(here), len(speeds))
+        if not len(speeds):
+            assert row["space_mean_speed_mps"] is None and row["reason"]
+            continue
+        assert row["time_mean_speed_mps"] == pytest.approx(speeds.mean(), rel=1e-12)
+        assert row["space_mean_speed_mps"] == pytest.approx(len(speeds) / (1 / speeds).sum(), rel=1e-12)
+        assert row["space_mean_speed_mps"] <= row["time_mean_speed_mps"] * (1 + 1e-12)
+        assert row["u_mean_speed_mps"] == pytest.approx(4e-4 * speeds.mean(), rel=1e-12)
+        for percent in asked.percents:
+            true = np.quantile(speeds, percent / 100, method="median_unbiased")
+            assert row[percentile_column(percent)] == pytest.approx(true, rel=1e-12)
+        if row["watched_s"] == 900.0:
+            assert row["flow_per_hour"] == pytest.approx(4 * len(here))
+            occupied = sum(one.rear_s - one.front_s for one in here)
+            assert row["occupancy_ratio"] == pytest.approx(occupied / 900.0, rel=1e-9)
+            assert row["reason"] is None
+
+
+def test_what_was_watched_in_part_says_so_and_too_little_has_no_flow(folder: Path) -> None:
+    with ArchiveTables(folder) as tables:
+        rows = [row for row in tables.intervals(Asked(sites=("Hill",))) if row["lane"] == ""]
+    first, last = rows[0], rows[-1]
+    assert first["from"] == "2026-05-04T05:00+02:00" and first["watched_s"] == 2400.0
+    assert first["flow_per_hour"] == pytest.approx(3600 * first["vehicles"] / 2400)
+    assert first["reason"] == "watched for 2400 of 3600 s"
+    assert last["from"] == "2026-05-05T07:00+02:00" and last["watched_s"] == 1200.0
+    assert last["flow_per_hour"] is last["occupancy_ratio"] is None and last["vehicles"] > 0
+    assert last["reason"] == "watched for 1200 of 3600 s, too little for a flow"
+
+
+def test_days_sites_and_lanes_are_kept_apart(folder: Path) -> None:
+    with ArchiveTables(folder) as tables:
+        rows = list(tables.intervals(Asked(first_day=date(2026, 5, 5))))
+        both = {(one.site, one.lane): one for one in tables.sites()}
+    assert {(row["site"], row["from"][:10]) for row in rows} == {
+        ("Hill", "2026-05-05"),
+        ("Valley", "2026-07-01"),
+    }
+    assert both["Hill", "left"].vehicles == 700 and both["Valley", ""].watched_s == 600.0
+    assert both["Hill", ""].measured == sum(
+        one.speed_mps is not None for one in recorded(21, 2000, HOURS * 3600).passings
+    )
+
+
+@settings(max_examples=15)
+@given(
+    st.sampled_from([1, 5, 15, 60, 720, 1440]),
+    st.lists(st.floats(1.0, 20.0).map(lambda one: round(one, 2)), max_size=4, unique=True).map(sorted),
+    st.integers(0, 2**31),
+)
+def test_classes_part_the_traffic_and_lose_nobody(minutes: int, limits: list[float], seed: int) -> None:
+    sent = recorded(seed, 60, 2700.0, unmeasured=0.3)
+    with TemporaryDirectory() as place:
+        folder = Path(place)
+        start = stood("2026-05-04T23:30")
+        add_recorded(folder, sent, start)
+        with ArchiveTables(folder) as tables:
+            rows = list(tables.intervals(Asked(minutes=minutes, limits_m=tuple(limits))))
+    names = classes_of(limits)
+    assert [row["class"] for row in rows] == [ALL, *names] * (len(rows) // (1 + len(names)))
+    assert sum(row["vehicles"] for row in rows if row["class"] == ALL) == 60
+    assert sum(row["watched_s"] for row in rows if row["class"] == ALL) == pytest.approx(2700.0)
+    if not names:
+        return
+    edges = [0.0, *limits, np.inf]
+    for low, high, name in zip(edges, edges[1:], names, strict=False):
+        own = [one for one in sent.passings if one.length_m is not None and low <= one.length_m < high]
+        assert sum(row["vehicles"] for row in rows if row["class"] == name) == len(own)
+    unknown = sum(row["vehicles"] for row in rows if row["class"] == NO_LENGTH)
+    assert unknown == sum(one.length_m is None for one in sent.passings)
