@@ -77,10 +77,13 @@ test test-postgresql test-browser: export OPENBLAS_NUM_THREADS := 1
 test test-postgresql test-browser: export OMP_NUM_THREADS := 1
 test test-postgresql test-browser: export OPENCV_FOR_THREADS_NUM := 1
 
+# Chance must not take finished work down: what failed is tried once more, and listed at the end.
+AGAIN := --reruns 1 -rR
+
 test:
 	@$(MAKE) --no-print-directory -j2 setup .build/python-dev
 	@$(MAKE) --no-print-directory -j2 -Oline .build/chromium .build/r check
-	@SIGHTLINE_TEST_DATABASE_URL= $(BIN)/python -m pytest -n 2 --dist worksteal --ignore=tests/browser
+	@SIGHTLINE_TEST_DATABASE_URL= $(BIN)/python -m pytest -n 2 --dist worksteal $(AGAIN) --ignore=tests/browser
 	@$(MAKE) --no-print-directory test-postgresql
 	@$(MAKE) --no-print-directory test-browser
 
@@ -88,10 +91,10 @@ test:
 # a minute takes longer. A file of browser tests stays with one browser.
 test-postgresql:
 	@if [ -n "$$SIGHTLINE_TEST_DATABASE_URL" ]; then echo "The same on PostgreSQL ..." && \
-	   $(BIN)/python -m pytest -n 2 --dist worksteal -m "dialect and not once" --ignore=tests/browser tests; fi
+	   $(BIN)/python -m pytest -n 2 --dist worksteal $(AGAIN) -m "dialect and not once" --ignore=tests/browser tests; fi
 
 test-browser:
-	@SIGHTLINE_TEST_DATABASE_URL= $(BIN)/python -m pytest -n 3 --dist loadfile --no-loadscope-reorder tests/browser
+	@SIGHTLINE_TEST_DATABASE_URL= $(BIN)/python -m pytest -n 3 --dist loadfile --no-loadscope-reorder $(AGAIN) tests/browser
 
 check: check-server check-pages
 

@@ -15,6 +15,7 @@ from .conftest import wait_for_demonstration
 # Parts of a page that tell the time, and why they differ between two looks at the same page.
 TIMES = {
     r"\bsaved \d\d:\d\d(:\d\d)?": "the clock of the last change, which a page just loaded does not know",
+    r"\bjust now\b|\b\d+ min ago\b": "how long ago somebody signed in, which grows by the minute",
 }
 
 # Counts what the page asks for, and notes when it or its address last changed: it is at rest when nothing is

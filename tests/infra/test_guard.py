@@ -10,8 +10,10 @@ from fastapi import FastAPI
 from sightline.errors import NoRoom
 from sightline.infra.services import Services
 from sightline.infra.web.cookie import COOKIE
+from sightline.infra.web.write_gate import WriteGate
 from sightline.surveys.store import list_surveys
 from tests.support.app import Client, error_of
+from tests.support.waiting import NEVER_S
 
 pytestmark = pytest.mark.once
 FROM_ELSEWHERE = (
@@ -152,17 +154,22 @@ def test_more_writers_than_threads_all_get_their_turn(
 ) -> None:
     """With the wait for the lock in the thread pool (forty threads), this would stand still for ever."""
     cookies = {COOKIE: operator.http.cookies[COOKIE]}
+    app.state.write_gate = WriteGate(wait_s=NEVER_S)
 
     async def storm() -> list[int]:
         transport = httpx2.ASGITransport(app)
         address = "http://testserver"
         async with httpx2.AsyncClient(
-            transport=transport, base_url=address, headers={"X-Sightline": "1"}, cookies=cookies, timeout=60
+            transport=transport,
+            base_url=address,
+            headers={"X-Sightline": "1"},
+            cookies=cookies,
+            timeout=NEVER_S,
         ) as client:
             posts = [client.post("/api/surveys", json={"name": f"S{n}"}) for n in range(80)]
             return [answer.status_code for answer in await asyncio.gather(*posts)]
 
-    assert asyncio.run(asyncio.wait_for(storm(), 60)) == [201] * 80
+    assert asyncio.run(asyncio.wait_for(storm(), NEVER_S)) == [201] * 80
     with services.reading() as session:
         assert len(list_surveys(session)) == 80
 

@@ -13,13 +13,14 @@ from sightline.infra.web.error_handlers import RETRY_AFTER_S
 from sightline.infra.web.turns import Turns
 from sightline.infra.web.write_gate import WriteGate
 from tests.support.app import Client, error_of
+from tests.support.waiting import NEVER_S
 
 pytestmark = pytest.mark.dialect
 
 
 @pytest.fixture(autouse=True)
 def few_connections(monkeypatch: pytest.MonkeyPatch) -> None:
-    few = {"pool_size": 6, "max_overflow": 0, "pool_timeout": 3}
+    few = {"pool_size": 6, "max_overflow": 0, "pool_timeout": 60}
     monkeypatch.setattr("sightline.infra.database.engine._POOL", few)
 
 
@@ -48,7 +49,7 @@ def together(app: FastAPI, admin: Client, requests: list[tuple[str, str]]) -> li
 
 
 def test_more_readers_than_threads_and_connections_are_all_answered(app: FastAPI, admin: Client) -> None:
-    app.state.readers = Turns(2)
+    app.state.readers, app.state.write_gate = Turns(2, wait_s=NEVER_S), WriteGate(wait_s=NEVER_S)
     answers = together(app, admin, [("GET", "/api/surveys"), ("POST", "/api/surveys")] * 30)
     assert {one.status_code for one in answers} == {200, 201}
 

@@ -171,8 +171,9 @@ def answer(
         proxy_headers=True,
         server_header=False,
         timeout_graceful_shutdown=3,
-        # longer than browsers keep a connection that rests: who closes it first may cut a request off
-        timeout_keep_alive=75,
+        # longer than browsers and proxies (Caddy: 120 s) keep a connection that rests: who closes it first
+        # may cut off a request that is just being sent
+        timeout_keep_alive=150,
     )
     host, port = listener.getsockname()[:2]
     shown = "localhost" if host in ("127.0.0.1", "::1", "0.0.0.0", "::") else host
