@@ -21,7 +21,7 @@ from sightline.linescan.masks import (
     softness,
 )
 from sightline.linescan.parts import Crossings, Motion, Passage, Pixels, Profile, Rig
-from sightline.linescan.registration import Clock, Fit, Prior, State, register
+from sightline.linescan.registration import GAINS, Clock, Fit, Prior, State, register
 from sightline.linescan.rig import baseline_of
 from sightline.linescan.spread import covariance, second_slopes
 from sightline.linescan.warp import solved_by_boundaries
@@ -176,6 +176,8 @@ def _distrusted(fit: Fit, scene: Scene, start: State, rig: Rig) -> str | None:
     used = fit.weight > 0.05
     if used.sum() < FEWEST_POINTS:
         return NO_TEXTURE
+    if not GAINS[0] < fit.state.gain < GAINS[1]:  # the search ended at its wall, not at an answer
+        return NO_MATCH
     told, began = fit.state.course, start.course
     moved = abs(told.speed_mps / began.speed_mps - 1)
     # so much of its speed has the vehicle's rear gained otherwise than the boundaries say

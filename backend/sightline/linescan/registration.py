@@ -19,6 +19,8 @@ ROUNDS = 8
 SETTLED = 1e-5
 LEVEL_DN = 6.0
 TUKEY = 4.7
+#: How many times as bright camera 2 may be as camera 1: the search ends there.
+GAINS = 0.2, 5.0
 
 
 @dataclass(frozen=True)
@@ -243,6 +245,6 @@ def _moved(state: State, step: Array) -> State:
     return State(
         Course(speed, acceleration, state.course.baseline_m),
         state.shift + float(np.clip(step[2], -1, 1)),
-        float(np.clip(state.gain + np.clip(step[3], -0.3, 0.3), 0.2, 5)),
+        float(np.clip(state.gain + np.clip(step[3], -0.3, 0.3), *GAINS)),
         state.offset + float(np.clip(step[4], -60, 60)),
     )
