@@ -17,6 +17,7 @@ from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
 import sightline
 from sightline import errors, messages
+from sightline.media.video.sniff import OTHERS
 from sightline.messages.recognised import KEYS, translated
 from sightline.quality.drift import drift_job
 from sightline.results.overview import query
@@ -362,6 +363,7 @@ def pieced_together() -> list[str]:
     span = {"first_frame": 3, "last_frame": 9, "moved_px": 2.5, "change_m": 0.01}
     for first, bumps in ((3, [{"after": 1, "frame": 3}]), (0, []), (3, [])):
         said.append(drift_job._told({**span, "first_frame": first}, bumps, float))  # type: ignore[arg-type, typeddict-item]
+    said += [what.removesuffix(", not a video") for _, what in OTHERS]
     return said
 
 

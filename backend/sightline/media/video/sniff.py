@@ -10,13 +10,13 @@ from pathlib import Path
 
 HEAD_BYTES = 4096
 _STILLS = (
-    (b"\x89PNG\r\n\x1a\n", "a PNG picture"),
-    (b"\xff\xd8\xff", "a JPEG picture"),
-    (b"GIF8", "a GIF picture"),
-    (b"BM", "a BMP picture"),
-    (b"II*\x00", "a TIFF picture"),
-    (b"MM\x00*", "a TIFF picture"),
-    (b"II+\x00", "a TIFF picture"),
+    (b"\x89PNG\r\n\x1a\n", "is a PNG picture, not a video"),
+    (b"\xff\xd8\xff", "is a JPEG picture, not a video"),
+    (b"GIF8", "is a GIF picture, not a video"),
+    (b"BM", "is a BMP picture, not a video"),
+    (b"II*\x00", "is a TIFF picture, not a video"),
+    (b"MM\x00*", "is a TIFF picture, not a video"),
+    (b"II+\x00", "is a TIFF picture, not a video"),
 )
 STILL_BRANDS = (b"heic", b"heix", b"mif1", b"avif", b"avis", b"msf1")
 _PLAYLISTS = (
@@ -30,15 +30,15 @@ _PLAYLISTS = (
     b"v=0\r\n",
     b"v=0\n",
 )
-_OTHERS = (
-    (b"PK\x03\x04", "a zip archive"),
-    (b"%PDF", "a PDF document"),
-    (b"\x1f\x8b", "a gzip archive"),
-    (b"Rar!", "a RAR archive"),
-    (b"7z\xbc\xaf", "a 7z archive"),
-    (b"fLaC", "an audio file"),
-    (b"ID3", "an audio file"),
-    (b"OggS", "an Ogg file, which this program does not read"),
+OTHERS = (
+    (b"PK\x03\x04", "is a zip archive, not a video"),
+    (b"%PDF", "is a PDF document, not a video"),
+    (b"\x1f\x8b", "is a gzip archive, not a video"),
+    (b"Rar!", "is a RAR archive, not a video"),
+    (b"7z\xbc\xaf", "is a 7z archive, not a video"),
+    (b"fLaC", "is an audio file, not a video"),
+    (b"ID3", "is an audio file, not a video"),
+    (b"OggS", "is an Ogg file, which this program does not read, not a video"),
 )
 
 
@@ -65,7 +65,7 @@ def _playlist(head: bytes) -> str | None:
 def _still(head: bytes) -> str | None:
     for mark, what in _STILLS:
         if head.startswith(mark):
-            return f"is {what}, not a video"
+            return what
     if head[:4] == b"RIFF" and head[8:12] == b"WEBP":
         return "is a WebP picture, not a video"
     if head[4:8] == b"ftyp" and head[8:12] in STILL_BRANDS:
@@ -74,9 +74,9 @@ def _still(head: bytes) -> str | None:
 
 
 def _other(head: bytes) -> str | None:
-    for mark, what in _OTHERS:
+    for mark, what in OTHERS:
         if head.startswith(mark):
-            return f"is {what}, not a video"
+            return what
     if head[:4] == b"RIFF" and head[8:12] == b"WAVE":
         return "is an audio file, not a video"
     if _is_text(head):
