@@ -22,6 +22,9 @@ from sightline.errors import BadInput
 from sightline.media.video.writer import write_mp4
 from tests.commands.running import Server, environment, sightline
 from tests.media.clips import painted
+from tests.support.waiting import NEVER_S, until
+
+LATER = 4e9  # a time stamp that is not in the past yet
 
 
 @dataclass
@@ -47,7 +50,7 @@ def running(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Running]:
         server.wait()
         found = re.search(r"/sign-in\?token=([\w-]+)", server.log.read_text())
         assert found, server.log.read_text()
-        http = httpx2.Client(base_url=server.url, headers={"X-Sightline": "1"})
+        http = httpx2.Client(base_url=server.url, headers={"X-Sightline": "1"}, timeout=NEVER_S)
         http.post("/api/session/link", json={"token": found[1]}).raise_for_status()
         body = {"name": "import", "scopes": ["read", "upload"]}
         token = http.post("/api/session/tokens", json=body).json()["text"]
@@ -153,18 +156,19 @@ def test_a_watched_folder_takes_what_stops_growing(running: Running, tmp_path: P
             for start in range(0, len(ready), len(ready) // 6 + 1):
                 file.write(ready[start : start + len(ready) // 6 + 1])
                 file.flush()
+                os.utime(file.fileno(), (LATER, LATER))  # or a pause of ours would be taken for its end
                 time.sleep(0.5)
                 assert len(running.recordings()) == before, "taken while it grew"
+        os.utime(folder / "growing.mp4")
         (folder / "broken.mp4").write_bytes(b"no video either")
-        said = ""
-        for _ in range(300):
+
+        def both_told() -> bool:
             said = (tmp_path / "log").read_text()
-            if "growing.mp4: imported" in said and "broken.mp4 was uploaded but cannot be read" in said:
-                break
             assert watching.poll() is None, said
-            time.sleep(0.1)
-        assert "growing.mp4: imported" in said and "cannot be read" in said, said
+            return "growing.mp4: imported" in said and "broken.mp4 was uploaded but cannot be read" in said
+
+        until(both_told, (tmp_path / "log").read_text)
         assert len(running.recordings()) == before + 2
     finally:
         watching.send_signal(signal.SIGINT)
-        assert watching.wait(20) == 1
+        assert watching.wait(NEVER_S) == 1
