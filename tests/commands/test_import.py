@@ -27,6 +27,11 @@ from tests.support.waiting import NEVER_S, until
 LATER = 4e9  # a time stamp that is not in the past yet
 
 
+def ctrl_c_is_heard() -> None:
+    """A shell that starts the tests in the background has their children ignore it."""
+    signal.signal(signal.SIGINT, signal.default_int_handler)
+
+
 @dataclass
 class Running:
     server: Server
@@ -150,7 +155,9 @@ def test_a_watched_folder_takes_what_stops_growing(running: Running, tmp_path: P
     env = environment(SIGHTLINE_TOKEN=running.token, PYTHONPATH=os.environ.get("PYTHONPATH", "backend"))
     before = len(running.recordings())
     with (tmp_path / "log").open("w") as log:
-        watching = subprocess.Popen(command, stdout=log, stderr=subprocess.STDOUT, env=env)
+        watching = subprocess.Popen(
+            command, stdout=log, stderr=subprocess.STDOUT, env=env, preexec_fn=ctrl_c_is_heard
+        )
     try:
         with (folder / "growing.mp4").open("wb") as file:
             for start in range(0, len(ready), len(ready) // 6 + 1):
