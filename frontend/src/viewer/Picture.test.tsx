@@ -60,6 +60,16 @@ describe("a picture in the page", () => {
     await vi.waitFor(() => expect(drawn.at(-1)).toBe(stage.view.value.scale));
   });
 
+  it("can be focused and clicked on as soon as it is there, before the browser has painted", () => {
+    const stage = new FrameStage();
+    render(
+      <Picture stage={stage} class="frame-view" testId="frame-view" what="frame" label="" draw={() => {}} />,
+      document.body,
+    );
+    stage.focus();
+    expect(document.activeElement?.getAttribute("data-testid")).toBe("frame-view");
+  });
+
   it("draws the keyboard's cursor", () => {
     const { stage } = shown({ place: () => true });
     act(() => void stage.keyboard.toggle());

@@ -1,7 +1,7 @@
 /** A picture in its window: a canvas that the caller draws on, an overlay of shapes above it, and the pointer. */
 import { useSignalEffect } from "@preact/signals";
 import type { ComponentChildren, TargetedPointerEvent } from "preact";
-import { useEffect, useMemo, useRef } from "preact/hooks";
+import { useEffect, useLayoutEffect, useMemo, useRef } from "preact/hooks";
 import { say } from "../core/messages";
 import { type GestureOptions, Gestures } from "./gestures";
 import { CursorCross } from "./Overlay";
@@ -37,7 +37,8 @@ export function Picture<P, V extends View<P, V>>(props: PictureProps<P, V>) {
   latest.current = props;
   const space = useSpaceHeld();
 
-  useEffect(() => (host.current ? stage.attach(host.current) : undefined), [stage]);
+  // of the layout, so that a click or a key serves as soon as the picture is seen
+  useLayoutEffect(() => (host.current ? stage.attach(host.current) : undefined), [stage]);
   useEffect(() => () => gestures.cancel(), [gestures]);
   useSignalEffect(() => {
     const view = stage.view.value;

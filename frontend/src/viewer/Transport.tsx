@@ -1,5 +1,5 @@
 /** Step buttons, play, the frame box, the time. */
-import { useEffect, useLayoutEffect, useRef } from "preact/hooks";
+import { useLayoutEffect, useRef } from "preact/hooks";
 import { Button } from "../components";
 import { type ActionId, commandName, hint } from "../core/commands";
 import { say } from "../core/messages";
@@ -19,7 +19,8 @@ export function Transport({ player, stage }: { player: Player; stage: FrameStage
     if (Number.isFinite(wanted)) player.go(wanted);
     if (box.current) box.current.value = String(player.frame.value);
   };
-  useEffect(() => {
+  // of the layout, so that its key serves as soon as it is seen
+  useLayoutEffect(() => {
     stage.frameBox = box.current;
     return () => {
       stage.frameBox = null;

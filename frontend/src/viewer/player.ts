@@ -37,6 +37,9 @@ export class Player {
   readonly count = computed(() => this.recording.value?.frame_count ?? null);
   readonly vfr = computed(() => this.recording.value?.vfr ?? false);
 
+  /** How often somebody has gone somewhere: an answer that was asked for before leaves them there. */
+  wishes = 0;
+
   private readonly times = signal<ReadonlyMap<number, number>>(new Map());
   private readonly checksums = new Map<number, number>();
   private readonly pages = new Set<number>();
@@ -55,12 +58,12 @@ export class Player {
   ) {
     this.plain = this.makeCache(false, CACHE_BYTES);
     this.brightened = this.makeCache(true, CACHE_BYTES / 2);
-    this.go(firstFrame);
+    this.turnTo(firstFrame);
     let before = bright.peek();
     this.stopWatching = bright.subscribe((now) => {
       if (now === before) return;
       before = now;
-      this.go(this.frame.peek());
+      this.turnTo(this.frame.peek());
       this.rangesSoon();
     });
   }
@@ -84,7 +87,7 @@ export class Player {
   describe(recording: Recording): void {
     this.recording.value = recording;
     const count = recording.frame_count ?? 0;
-    if (count > 0 && this.frame.value >= count) this.go(count - 1);
+    if (count > 0 && this.frame.value >= count) this.turnTo(count - 1);
     else this.prefetch();
     if (this.loading.value) void this.showStandIn(this.frame.value);
     void this.loadTable(this.frame.value);
@@ -106,9 +109,20 @@ export class Player {
     return this.checksums.get(frame);
   }
 
+  /** Goes to a frame that somebody chose. */
   go(frame: number): void {
-    const last = (this.count.value ?? Number.POSITIVE_INFINITY) - 1;
-    const wanted = clamp(Math.round(frame), 0, Math.max(0, last));
+    this.wishes += 1;
+    this.turnTo(frame);
+  }
+
+  /** Opens it at a frame that nobody chose. */
+  openAt(frame: number): void {
+    this.stop();
+    this.turnTo(frame);
+  }
+
+  private turnTo(frame: number): void {
+    const wanted = clamp(Math.round(frame), 0, Math.max(0, this.last));
     const move = wanted - this.frame.value;
     if (Math.abs(move) <= 12 && move !== 0) this.direction = move > 0 ? 1 : -1;
     const here = this.cache.get(wanted);
@@ -152,6 +166,7 @@ export class Player {
   }
 
   toggle(): void {
+    this.wishes += 1;
     if (this.playing.value) this.stop();
     else void this.play();
   }
@@ -172,21 +187,25 @@ export class Player {
   }
 
   retry(): void {
-    this.go(this.frame.value);
+    this.turnTo(this.frame.value);
+  }
+
+  /** Endless until the recording's facts are here. */
+  private get last(): number {
+    return (this.count.value ?? Number.POSITIVE_INFINITY) - 1;
   }
 
   private async play(): Promise<void> {
-    const last = (this.count.value ?? 1) - 1;
-    if (this.frame.value >= last) this.go(0);
+    if (this.frame.value >= this.last) this.go(0);
     this.playing.value = true;
     this.direction = 1;
     let clock = performance.now();
-    let time = this.timeOf(this.frame.value) ?? 0;
-    while (this.playing.value && !this.closed && this.frame.value < last) {
+    let time = this.timeOf(this.frame.value);
+    while (this.playing.value && !this.closed && this.frame.value < this.last) {
       await nextPaint();
-      if (this.loading.value) {
+      if (this.loading.value || time === null) {
         clock = performance.now();
-        time = this.timeOf(this.frame.value) ?? time;
+        time = this.timeOf(this.frame.value);
         continue;
       }
       const due = this.frameAt(time + (performance.now() - clock) / 1000);

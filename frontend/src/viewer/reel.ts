@@ -16,8 +16,7 @@ export class Reel {
   show(recordingId: number, frame: number): Player {
     const now = this.player.value;
     if (now?.recordingId === recordingId) {
-      now.stop();
-      now.go(frame);
+      now.openAt(frame);
       return now;
     }
     now?.close();

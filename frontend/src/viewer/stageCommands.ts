@@ -76,7 +76,11 @@ function playerCommands(player: Player, stage: FrameStage): ButtonCommand[] {
     { id: "secondNext", run: () => player.stepSeconds(1) },
     { id: "secondPrevious", run: () => player.stepSeconds(-1) },
     { id: "frameFirst", run: () => player.step(Number.NEGATIVE_INFINITY) },
-    { id: "frameLast", run: () => player.step((player.count.value ?? 1) - 1 - player.frame.value) },
+    {
+      id: "frameLast",
+      run: () => player.step(Number.POSITIVE_INFINITY),
+      enabled: () => player.count.value !== null,
+    },
     { id: "frameGo", run: () => stage.frameBox?.focus() },
     {
       id: "play",

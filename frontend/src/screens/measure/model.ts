@@ -129,6 +129,8 @@ export class MeasureModel implements Desk {
     const click = `${this.seenFrame.value} ${target} ${this.contact.value} ${this.awaiting.value}`;
     return `${click} ${inset_m} ${u_inset_m} ${this.vehicle.value?.side}`;
   });
+  /** The player's wishes when the open pass was opened. */
+  private wishesThen = 0;
   /** Taken out, as they were. */
   private readonly gone = new Map<number, Vehicle>();
   /** Keys of what this page itself waits for. */
@@ -221,13 +223,20 @@ export class MeasureModel implements Desk {
   /** Opens a pass at its best frame, or at the frame asked for. */
   open(vehicle: Vehicle, frame = this.usualFrame(vehicle)): void {
     this.leave();
+    batch(() => {
+      this.enter(vehicle);
+      this.wishesThen = this.reel.show(vehicle.recording_id, frame).wishes;
+    });
+  }
+
+  /** Opens a pass on the frame that is there. */
+  private enter(vehicle: Vehicle): void {
     const contacts = this.points.contactsOf(vehicle.id);
     const target = canWork.value ? firstMissing(this.points.targetsOf(vehicle.id), askedOf(vehicle)) : null;
     batch(() => {
       this.step({ type: "open", vehicleId: vehicle.id, target, contacts });
       this.chosenInsets.value = new Map();
       this.whyUnseen.value = null;
-      this.reel.show(vehicle.recording_id, frame);
     });
   }
 
@@ -294,9 +303,12 @@ export class MeasureModel implements Desk {
     const recordingId = this.reel.player.value?.recordingId;
     if (recordingId === undefined) return;
     await this.proposals.load(recordingId);
-    const vehicle = this.vehicle.value;
-    const untouched = this.stage.pointer.value === null && this.flow.value.contacts.size === 0;
-    if (vehicle && untouched && this.seenFrame.value === bestFrame(vehicle)) this.toBestFrame();
+    const [vehicle, player] = [this.vehicle.value, this.reel.player.value];
+    const atWork = this.stage.pointer.value !== null || this.flow.value.contacts.size > 0;
+    // the frame that is asked for: the one that is seen lags behind it
+    const stayed =
+      player?.wishes === this.wishesThen && player.frame.value === (vehicle && bestFrame(vehicle));
+    if (stayed && !atWork) this.toBestFrame();
   }
 
   /** The inset a click would be stored with: chosen now, or of the measurement it revises; null: the survey's. */
@@ -590,7 +602,10 @@ export class MeasureModel implements Desk {
     const recording = this.reel.recordings.value.find((one) => one.id === recordingId);
     const missed = missedBy(vehicleId, named, recordingId, recording);
     if (missed) toast(say("address-elsewhere", { what: missed }), { kind: "problem" });
-    if (named) this.open(named, this.reel.player.value?.frame.value ?? bestFrame(named));
+    const here = this.reel.player.value;
+    // what was pressed on the frame of the address, while the passes were still on their way, counts
+    if (named && named.recording_id === here?.recordingId) this.enter(named);
+    else if (named) this.open(named, here?.frame.value ?? bestFrame(named));
     if (!this.reel.player.value) this.openIn(recording, missed === null);
   }
 

@@ -62,6 +62,7 @@ export class Proposals implements Tool<ImagePoint> {
   private readonly confirmedOf = new Set<number>();
   /** A key that is held down confirms one vehicle, not every one after it. */
   private armed = true;
+  private asked = 0;
   private before: ReadonlyMap<Role, ImagePoint> | null = null;
   private readonly stops: (() => void)[] = [];
 
@@ -114,10 +115,13 @@ export class Proposals implements Tool<ImagePoint> {
     this.asker.cancel();
   }
 
-  /** Reads what is proposed in a recording. */
+  /** Reads what is proposed in a recording; what was asked before it no longer counts. */
   async load(recordingId: number): Promise<void> {
+    this.asked += 1;
+    const turn = this.asked;
     try {
       const found = await api.ask("GET /recordings/{recording_id}/proposals", { recording_id: recordingId });
+      if (turn !== this.asked) return;
       const byVehicle = new Map<number, PointProposal[]>();
       for (const one of found) byVehicle.set(one.vehicle_id, [...(byVehicle.get(one.vehicle_id) ?? []), one]);
       this.forget();
