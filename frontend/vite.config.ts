@@ -15,11 +15,18 @@ export default defineConfig({
     fs: { allow: [".", "../backend/sightline/messages", "../docs", "../CONVENTIONS.md"] },
     proxy: { "/api": server, "/openapi.json": server },
   },
-  build: { target: "es2022", sourcemap: false, reportCompressedSize: true },
+  build: { target: "es2022", sourcemap: false },
   test: {
     environment: "happy-dom",
     include: ["src/**/*.test.{ts,tsx}"],
+    setupFiles: ["src/testing/window.ts"],
     restoreMocks: true,
+    reporters: "minimal",
+    testTimeout: 120_000,
+    // a thread for each file would load happy-dom for each; of two threads, each makes a window with modules of its own
+    // for a file (one thread alone would run all files in one window)
+    pool: "vmThreads",
+    maxWorkers: 2,
   },
 });
 

@@ -361,6 +361,7 @@ scope-review = Review
 
 ## Times, lengths, and what went wrong
 
+table-actions = Actions
 time-just-now = just now
 time-minutes-ago = { $minutes } min ago
 time-today = today { $time }

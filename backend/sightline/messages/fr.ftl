@@ -359,6 +359,7 @@ scope-review = Vérification
 
 ## Heures, longueurs, et ce qui a mal tourné
 
+table-actions = Actions
 time-just-now = à l’instant
 time-minutes-ago = il y a { $minutes } min
 time-today = aujourd’hui { $time }

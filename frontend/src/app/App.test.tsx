@@ -139,7 +139,7 @@ const show = (path: string) => {
   render(<App />, document.body);
 };
 const text = () => document.body.textContent ?? "";
-const shown = (words: string) => vi.waitFor(() => expect(text()).toContain(words), { timeout: 5000 });
+const shown = (words: string) => vi.waitFor(() => expect(text()).toContain(words));
 
 describe("who is not signed in", () => {
   it("is led to the sign-in page, and back afterwards", async () => {
@@ -238,8 +238,10 @@ describe("a recording that failed", () => {
     };
     show("/surveys/5/recordings");
     await shown("is a text file, not a video");
+    asked.length = 0;
     [...document.querySelectorAll("button")].find((button) => button.textContent === "Import again")?.click();
     await vi.waitFor(() => expect(asked).toContain("POST /api/recordings/3/ingest"));
+    await vi.waitFor(() => expect(asked).toContain("GET /api/surveys/5")); // the last that is read again
   });
 });
 

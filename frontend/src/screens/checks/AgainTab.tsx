@@ -131,7 +131,9 @@ function Runs({ computings, shown }: { computings: readonly Computing[]; shown: 
                 <th class="num">{say("computing-heights")}</th>
                 <th class="num">{say("computing-to-review")}</th>
                 <th class="num">{say("computing-largest")}</th>
-                <th />
+                <th>
+                  <span class="visually-hidden">{say("table-actions")}</span>
+                </th>
               </tr>
             </thead>
             <tbody>

@@ -172,7 +172,9 @@ function Heights({ surveyId, found }: { surveyId: number; found: ComputedHeights
               <th class="num" title={say("computing-by-u-help")}>
                 {say("computing-by-u")}
               </th>
-              <th />
+              <th>
+                <span class="visually-hidden">{say("table-actions")}</span>
+              </th>
             </tr>
           </thead>
           <tbody>

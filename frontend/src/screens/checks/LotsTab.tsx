@@ -236,7 +236,9 @@ function Lots({ lots, shown }: { lots: readonly ShownLot[]; shown: ShownLot | un
               <th class="num">{say("lots-judged")}</th>
               <th class="num">{say("lots-bad")}</th>
               <th>{say("lots-state")}</th>
-              <th />
+              <th>
+                <span class="visually-hidden">{say("table-actions")}</span>
+              </th>
             </tr>
           </thead>
           <tbody>

@@ -73,7 +73,9 @@ function List({ listed }: { listed: Listed }) {
             <th class="num">{say("system-checkpoints-chains")}</th>
             <th class="num">{say("system-checkpoints-events")}</th>
             <th>{say("system-checkpoints-root")}</th>
-            <th />
+            <th>
+              <span class="visually-hidden">{say("table-actions")}</span>
+            </th>
           </tr>
         </thead>
         <tbody>
