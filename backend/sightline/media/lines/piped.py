@@ -20,7 +20,8 @@ _QUIET_S = 0.5
 
 class PipedLines:
     """Lines from descriptor `source`. A thread of its own empties the pipe, so that a sender that cannot wait
-    loses none while a vehicle is measured; beyond WAITING_BYTES the sender waits.
+    loses none while a vehicle is measured; beyond WAITING_BYTES the sender waits. What lies in the pipe when
+    the end is wished is taken still.
     """
 
     broken = False
@@ -30,7 +31,7 @@ class PipedLines:
         self._source, self._rows, self._ending = source, rows, ending
         self._held: deque[bytes] = deque()
         self._bytes = 0
-        self._over = False
+        self._last = self._over = False
         self._changed = threading.Condition()
         with suppress(OSError):  # no pipe, or a limit of this machine
             fcntl.fcntl(source, fcntl.F_SETPIPE_SZ, _READ_BYTES)
@@ -81,5 +82,9 @@ class PipedLines:
                 self._changed.notify_all()
 
     def _next(self) -> bytes:
+        """What has come; once the end is wished, one pipe's worth at most, and nothing after it."""
+        if self._last:
+            return b""
         ready, _, _ = select.select([self._source, self._ending.fd], [], [])
-        return b"" if self._ending.fd in ready else os.read(self._source, _READ_BYTES)
+        self._last = self._ending.fd in ready
+        return os.read(self._source, _READ_BYTES) if self._source in ready else b""
