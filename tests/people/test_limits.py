@@ -49,6 +49,19 @@ def test_links_are_not_guessed_by_the_thousand(both: list[Client]) -> None:
     assert answers == [401] * 50 + [429] * 2
 
 
+def test_an_office_behind_one_address_signs_in(
+    both: list[Client], operator: Client, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """More right sign-ins than the address may fail; a wrong one counts as before."""
+    monkeypatch.setattr("sightline.people.service.PER_ADDRESS", Limit("failures of an office", 3, 300))
+    body = {"email": "operator@example.org", "password": "a password for tests"}
+    operator.put("/session/password", {"new": body["password"]})
+    assert [both[n % 2].post("/session", body).status_code for n in range(5)] == [200] * 5
+    answers = [both[n % 2].post("/session/link", {"token": f"guess {n}"}).status_code for n in range(5)]
+    assert answers == [401] * 3 + [429] * 2
+    assert both[0].post("/session", body).status_code == 429
+
+
 def test_a_session_that_was_ended_ends_in_the_other_process(both: list[Client], operator: Client) -> None:
     here, there = both
     for client in both:

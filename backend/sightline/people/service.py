@@ -30,7 +30,7 @@ MIN_PASSWORD = 10
 MAX_PASSWORD = 1000
 FIRST_ADMIN = ("Admin", "admin@sightline.local")
 PER_ACCOUNT = Limit("sign-ins to an account from an address", 5, 300)
-# One address may serve a whole office, so it gets more; not enough to try a list on everybody.
+# Not enough to try a list on everybody.
 PER_ADDRESS = Limit("sign-ins, links and wrong tokens from an address", 50, 300)
 
 _hasher = PasswordHasher()
@@ -43,7 +43,10 @@ def _nobodys_hash() -> str:
 
 
 class Attempts:
-    """Counts failed sign-ins per account and address, and per address alone, over all processes."""
+    """Counts failed sign-ins per account and address, and per address alone, over all processes.
+
+    What was right counts no more: one address may be that of a whole office.
+    """
 
     def __init__(self, services: Services) -> None:
         self._services = services
@@ -57,9 +60,10 @@ class Attempts:
         self._count((PER_ADDRESS, address))
 
     def succeeded(self, email: str, address: str) -> None:
-        """Forget the failures of this account from this address."""
+        """Forget the failures of this account from this address, and that this one was tried."""
         with self._services.writing() as session:
             limits.forget_counted(session, PER_ACCOUNT, _account(email, address))
+            limits.uncount(session, PER_ADDRESS, address)
 
     def _count(self, *against: tuple[Limit, str]) -> None:
         # Looked at first: who is refused makes nobody wait for the turn to write.
@@ -124,6 +128,7 @@ def sign_in_by_link(services: Services, attempts: Attempts, token: str, address:
     attempts.begin_secret(address)
     with services.writing() as session:
         person = use_sign_in_link(session, token)
+        limits.uncount(session, PER_ADDRESS, address)
         note_person_seen(session, person.id)
         return get_person(session, person.id)
 

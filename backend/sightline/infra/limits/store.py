@@ -43,6 +43,13 @@ def count_against(session: Session, limit: Limit, of: str, amount: int = 1) -> b
     return True
 
 
+def uncount(session: Session, limit: Limit, of: str) -> None:
+    """Take back what was counted last for this key."""
+    c = counted.c
+    last = select(c.id).where(c.key == limit.key(of)).order_by(c.id.desc()).limit(1).scalar_subquery()
+    session.execute(delete(counted).where(c.id == last))
+
+
 def forget_counted(session: Session, limit: Limit, of: str) -> None:
     """What was counted for this key counts no more."""
     session.execute(delete(counted).where(counted.c.key == limit.key(of)))
