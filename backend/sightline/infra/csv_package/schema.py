@@ -13,6 +13,7 @@ from dataclasses import dataclass, field
 from datetime import datetime
 from typing import Any, Generic, Never
 
+import orjson
 from typing_extensions import TypeVar
 
 Cell = str | int | float | bool | None
@@ -24,6 +25,9 @@ Record = TypeVar("Record", contravariant=True, default=Row)
 CHECKSUMS = "SHA256SUMS"
 DESCRIPTION = "datapackage.json"
 PARQUET = "parquet/"
+_JSON_FORM = (
+    orjson.OPT_INDENT_2 | orjson.OPT_APPEND_NEWLINE | orjson.OPT_NON_STR_KEYS | orjson.OPT_SERIALIZE_NUMPY
+)
 _FORMULA_STARTS = ("=", "+", "-", "@", "＝", "＋", "－", "＠")
 _SKIPPED = " \t\r\n\x00\ufeff\xa0"
 _LOOKED_AT = frozenset((*_FORMULA_STARTS, *_SKIPPED))
@@ -147,8 +151,15 @@ def metres_text(length_m: float) -> str:
 
 
 def json_bytes(value: object) -> bytes:
-    """JSON for people and machines: keys as given, two blanks, one line feed at the end, no NaN."""
-    return (json.dumps(value, indent=2, ensure_ascii=False, allow_nan=False) + "\n").encode("utf-8")
+    """JSON for people and machines: keys as given, two blanks, one line feed at the end.
+
+    Raises ValueError for NaN, infinities and what JSON cannot hold.
+    """
+    json.dumps(value, allow_nan=False)  # orjson would write null for a number that is none
+    try:
+        return orjson.dumps(value, option=_JSON_FORM)
+    except orjson.JSONEncodeError as error:
+        raise ValueError(str(error)) from error
 
 
 def sha256_hex(content: bytes) -> str:
