@@ -4,28 +4,43 @@ The database is made once a session by running the migrations; each test gets an
 every worker of pytest-xdist has a schema of its own, which is removed at the end.
 """
 
+import gc
 import os
-import shutil
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
-from uuid import uuid4
 
 import pytest
 from hypothesis import settings
-from sqlalchemy import Engine, create_engine, inspect, make_url, text
+from sqlalchemy import Engine, create_engine
 from sqlalchemy.orm import Session
 
 from sightline.infra.database import engine as engines
-from sightline.infra.database.engine import SessionFactory, make_engine, migrate, session_factory, writing
+from sightline.infra.database.engine import SessionFactory, make_engine, session_factory, writing
+from tests.support.kept import PostgresShelf, Shelf, SqliteShelf
 
-pytest_plugins = ["tests.support.app"]
+pytest_plugins = ["tests.support.app", "tests.support.processor_time"]
 
-# A busy machine is slow, not wrong; and the same commit draws the same examples every time.
+# A busy machine is slow, not wrong. The same commit draws the same examples every time; `make proofs` draws
+# new ones, and more.
 settings.register_profile("sightline", deadline=None, derandomize=True)
-settings.load_profile("sightline")
+settings.register_profile("proofs", deadline=None, max_examples=500)
+settings.load_profile("proofs" if os.environ.get("SIGHTLINE_PROOFS") == "1" else "sightline")
 
 SERVER = os.environ.get("SIGHTLINE_TEST_DATABASE_URL", "")
+
+
+@pytest.hookimpl(trylast=True)
+def pytest_collection_modifyitems() -> None:
+    """What is imported by now stays to the end: the collector need not go through it again and again."""
+    gc.collect()
+    gc.freeze()
+    gc.set_threshold(20_000, 20, 20)
+
+
+def pytest_unconfigure() -> None:
+    """Or libraries complain at the end that what they made is still there."""
+    gc.unfreeze()
 
 
 @pytest.fixture(scope="session", autouse=True)
@@ -46,36 +61,27 @@ def sql_compiled_once() -> Iterator[None]:
 
 
 @pytest.fixture(scope="session")
-def migrated(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
-    """A migrated database: the file to copy on SQLite, the schema to empty on PostgreSQL."""
+def shelf(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Shelf]:
+    """Where empty databases come from, and where filled ones are kept."""
     if not SERVER:
-        path = tmp_path_factory.mktemp("database") / "migrated.db"
-        _migrate(f"sqlite:///{path}")
-        yield str(path)
+        yield SqliteShelf(tmp_path_factory.mktemp("database"))
         return
-    schema = f"sightline_test_{os.environ.get('PYTEST_XDIST_WORKER', 'main')}_{uuid4().hex[:8]}"
-    server = create_engine(SERVER, isolation_level="AUTOCOMMIT")
-    with server.connect() as connection:
-        connection.execute(text(f'CREATE SCHEMA "{schema}"'))
-    url = make_url(SERVER).update_query_dict({"options": f"-csearch_path={schema}"})
-    address = url.render_as_string(hide_password=False)
-    _migrate(address)
-    yield address
-    with server.connect() as connection:
-        connection.execute(text(f'DROP SCHEMA "{schema}" CASCADE'))
-    server.dispose()
+    made = PostgresShelf(SERVER, os.environ.get("PYTEST_XDIST_WORKER", "main"))
+    yield made
+    made.close()
+
+
+@pytest.fixture(scope="session")
+def migrated(shelf: Shelf) -> str:
+    """A migrated database: SQLite's is a file to copy, PostgreSQL's an address where it is emptied."""
+    return shelf.migrated
 
 
 @pytest.fixture
-def database_url(migrated: str, tmp_path: Path) -> Iterator[str]:
+def database_url(shelf: Shelf, tmp_path: Path) -> Iterator[str]:
     """The address of an empty, migrated database of this test's own."""
-    if SERVER:
-        yield migrated
-        _empty(migrated)
-        return
-    path = tmp_path / "sightline.db"
-    shutil.copyfile(migrated, path)
-    yield f"sqlite:///{path}"
+    with shelf.empty(tmp_path) as url:
+        yield url
 
 
 @pytest.fixture
@@ -102,31 +108,3 @@ def session(factory: SessionFactory) -> Iterator[Session]:
 
 class _RollBack(Exception):
     """Ends the `session` fixture's transaction without a commit."""
-
-
-def _migrate(url: str) -> None:
-    engine = make_engine(url)
-    migrate(engine)
-    if engine.dialect.name == "sqlite":
-        with engine.connect() as connection:
-            connection.exec_driver_sql("COMMIT")
-            connection.exec_driver_sql("PRAGMA wal_checkpoint(TRUNCATE)")
-            connection.exec_driver_sql("BEGIN")
-    engine.dispose()
-
-
-def _empty(url: str) -> None:
-    """Empty every table of the schema, the ones that refuse it too (as superuser, triggers switched off).
-
-    Deleting a few rows is much quicker than TRUNCATE, which makes new files.
-    """
-    engine = create_engine(url)
-    with engine.begin() as connection:
-        found = inspect(connection)
-        names = [name for name in found.get_table_names() if name != "alembic_version"]
-        sequences = found.get_sequence_names()
-        statements = ["SET LOCAL session_replication_role = replica"]
-        statements += [f'DELETE FROM "{name}"' for name in names]
-        statements += [f"SELECT setval('\"{name}\"', 1, false)" for name in sequences]
-        connection.execute(text("; ".join(statements)))
-    engine.dispose()

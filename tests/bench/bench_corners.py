@@ -152,9 +152,14 @@ def detection() -> Iterator[Row]:
     found = sum(detect(clutter(seed, 640, 480), BOARD).found for seed in range(12))
     yield row("boards found in clutter", "0 of 12", str(found), found == 0)
     numbered = replace(BOARD, charuco=Charuco("4X4_50", 0.075))
-    for board, name in ((BOARD, "board"), (numbered, "ChArUco board")):
-        slowest = max(best_s(lambda s=s, b=board: detect(clutter(s, 1920, 1080), b), 1) for s in range(2))
-        yield row(f"no {name} in a 1080p picture: answer within", "2 s", f"{slowest:.2f} s", slowest < 2)
+    for board, name, of, width, height in (
+        (BOARD, "board", "VGA", 640, 480),
+        (BOARD, "board", "1080p", 1920, 1080),
+        (numbered, "ChArUco board", "1080p", 1920, 1080),
+    ):
+        pictures = [clutter(seed, width, height) for seed in range(4)]
+        slowest = max(best_s(lambda g=grey, b=board: detect(g, b), 1) for grey in pictures)
+        yield row(f"no {name} in a {of} picture: answer within", "2 s", f"{slowest:.2f} s", slowest < 2)
     for name, lens, limit in (
         ("VGA", Lens(), 5),
         ("1080p", Lens(1088.0, 959.5, 539.5, width=1920, height=1080), 20),

@@ -3,12 +3,13 @@
 import fcntl
 import os
 import shutil
-import time
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from pathlib import Path
+from typing import Any
 
 import pytest
 from playwright.sync_api import (
+    APIRequestContext,
     Browser,
     BrowserContext,
     Page,
@@ -23,12 +24,14 @@ from sightline.infra.database.engine import migrate
 from sightline.infra.services import open_services
 from sightline.people.service import first_sign_in_link
 from sightline.settings import load_settings
+from tests.support.waiting import NEVER_S
 from tests.support.working import run_jobs
 
+from .kept import put_back
 from .server import ROOT, Server, start
+from .waits import NEVER_MS, wait_until
 
-# A busy machine is slow, not wrong: only what never comes fails.
-expect.set_options(timeout=30_000)
+expect.set_options(timeout=NEVER_MS)
 
 # Few vehicles, because drawing them is most of the wait: three by day with their driver on the near side, one
 # by day that is not measured, and one of the line scan without heights. What a test stores of a vehicle, it
@@ -36,13 +39,50 @@ expect.set_options(timeout=30_000)
 SCENES, SCAN_VEHICLES = ("day:8", "low_light:2"), 7
 
 
-# The longest files, which begin first, so that no browser is left alone with one at the end.
-LONGEST = ("test_walk_links", "test_screens", "test_walk", "test_journey", "test_killed_ingest", "test_scans")
+# Files that begin first, in this order, with the processor seconds that each takes alone; the rest follow by
+# name. The walks read what the demonstration is like before other files have worked in it.
+FIRST_S = {
+    "test_walk_links": 82,
+    "test_screens": 60,
+    "test_walk": 30,
+    "test_journey": 49,
+    "test_killed_ingest": 42,
+    "test_languages": 40,
+    "test_scans": 40,
+}
+OTHERS_S = 10
 
 
+def groups(files: Iterable[str], number: int) -> dict[str, int]:
+    """The browser that each file is run in: of so many the one with least to do so far."""
+    ordered = sorted(set(files), key=lambda name: (name not in FIRST_S, [*FIRST_S, name].index(name), name))
+    busy, found = [0] * number, {}
+    for name in ordered:
+        found[name] = busy.index(min(busy))
+        busy[found[name]] += FIRST_S.get(name, OTHERS_S)
+    return found
+
+
+@pytest.hookimpl(tryfirst=True)
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    places = {f"{name}.py": place for place, name in enumerate(LONGEST)}
-    items.sort(key=lambda item: places.get(item.path.name, len(places)))
+    """With `--dist loadgroup` each file is always run after the same files, however long they take."""
+    mine = [item for item in items if item.path.parent == Path(__file__).parent]
+    group = groups((item.path.stem for item in mine), int(os.environ.get("PYTEST_XDIST_WORKER_COUNT", "1")))
+    places = {name: place for place, name in enumerate(group)}
+    for item in mine:
+        item.add_marker(pytest.mark.xdist_group(f"browser-{group[item.path.stem]}"))
+    items.sort(key=lambda item: places[item.path.stem] if item in mine else -1)
+
+
+def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
+    """Tests that needed a second try are named here and in .build/flaky.txt."""
+    again = sorted({report.nodeid for report in terminalreporter.stats.get("rerun", [])})
+    place = ROOT / ".build" / "flaky.txt"
+    place.parent.mkdir(exist_ok=True)
+    place.write_text("".join(f"{name}\n" for name in again))
+    if again:
+        words = f"WARNING: {len(again)} needed a second try: .build/flaky.txt"
+        terminalreporter.write_line(words, yellow=True)
 
 
 def chromium_path() -> str | None:
@@ -69,6 +109,15 @@ def browser(playwright: Playwright) -> Iterator[Browser]:
             "--disable-component-update",
         ],
     )
+    opens = launched.new_context
+
+    def patient(**options: Any) -> BrowserContext:
+        """A busy machine is slow, not wrong: only what never comes fails."""
+        opened = opens(**options)
+        opened.set_default_timeout(NEVER_MS)
+        return opened
+
+    launched.new_context = patient  # type: ignore[method-assign]
     yield launched
     launched.close()
 
@@ -82,7 +131,7 @@ def demonstration(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
     shutil.copytree(made_once(shared / "small-demonstration"), data_dir)
     server = start("demo", data_dir)
     try:
-        server.wait(300)
+        server.wait()
         yield server
     finally:
         server.stop()
@@ -124,15 +173,39 @@ def admin_state(browser: Browser, demonstration: Server) -> StorageState:
     return state
 
 
-def wait_for_demonstration(page: Page, seconds: float = 300) -> int:
+@pytest.fixture(scope="session")
+def admin(
+    playwright: Playwright, demonstration: Server, admin_state: StorageState
+) -> Iterator[APIRequestContext]:
+    """Asks the API as the admin does, without a page."""
+    asking = playwright.request.new_context(
+        base_url=demonstration.url, storage_state=admin_state, timeout=NEVER_MS
+    )
+    yield asking
+    asking.dispose()
+
+
+@pytest.fixture(scope="session")
+def survey_id(admin: APIRequestContext) -> int:
+    """The demonstration survey."""
+    return int(admin.get("/api/session").json()["demo_survey_id"])
+
+
+@pytest.fixture
+def kept(admin: APIRequestContext, survey_id: int) -> Iterator[None]:
+    """What is chosen for the demonstration survey is put back after the test (`kept.py`)."""
+    with put_back(admin, survey_id):
+        yield
+
+
+def wait_for_demonstration(page: Page) -> int:
     """The id of the demonstration survey, once it is complete."""
-    until = time.monotonic() + seconds
-    while time.monotonic() < until:
-        me = page.request.get("/api/session").json()
-        if me.get("demo_survey_id"):
-            return int(me["demo_survey_id"])
-        time.sleep(0.5)
-    raise AssertionError("the demonstration survey was not made in time")
+
+    def made() -> int | None:
+        return page.request.get("/api/session").json().get("demo_survey_id")
+
+    # a large one is drawn for minutes
+    return int(wait_until(page, made, lambda: "the demonstration survey was not made", 5 * NEVER_S))
 
 
 @pytest.fixture
@@ -146,9 +219,7 @@ def context(browser: Browser, demonstration: Server, admin_state: StorageState) 
 
 @pytest.fixture
 def page(context: BrowserContext) -> Page:
-    opened = context.new_page()
-    opened.set_default_timeout(30_000)
-    return opened
+    return context.new_page()
 
 
 @pytest.fixture(scope="session")

@@ -19,9 +19,9 @@ from playwright.sync_api import Browser, Page, sync_playwright
 from sightline import messages
 from sightline.people.service import FIRST_ADMIN
 
-from .conftest import chromium_path
+from .conftest import chromium_path, wait_for_demonstration
 from .server import ROOT, Server, start
-from .test_screens import SCREENS, settle, wait_for_demonstration
+from .test_screens import SCREENS, settle
 
 #: Of each picture: the screen that it shows (`test_screens.SCREENS`).
 PICTURES = {

@@ -3,70 +3,91 @@
 import os
 import re
 import signal
-import socket
 import subprocess
 import sys
 import time
 import urllib.error
 import urllib.request
 from dataclasses import dataclass
+from functools import cached_property
 from pathlib import Path
+
+from tests.support.waiting import NEVER_S, until
 
 ROOT = Path(__file__).resolve().parents[2]
 SIGHTLINE = Path(sys.executable).with_name("sightline")
 
 
-def free_port() -> int:
-    with socket.socket() as listener:
-        listener.bind(("127.0.0.1", 0))
-        return int(listener.getsockname()[1])
-
-
 @dataclass
 class Server:
     process: "subprocess.Popen[str]"
-    url: str
     log: Path
     data_dir: Path
 
-    def sign_in_link(self) -> str:
-        """The path of the one-time link that the first start printed."""
-        found = re.search(r"(/sign-in\?token=[\w.~-]+)", self.log.read_text())
-        assert found, self.log.read_text()
-        return found.group(1)
+    @cached_property
+    def port(self) -> int:
+        """The port that it printed; waits for that."""
+        return until(self._printed_port, self.log.read_text)
 
-    def wait(self, seconds: float = 30.0) -> float:
+    @cached_property
+    def url(self) -> str:
+        return f"http://127.0.0.1:{self.port}"
+
+    def _printed_port(self) -> int | None:
+        ended = self.process.poll() is not None
+        found = re.search(r"Sightline is at http://\S+:(\d+) ", self.log.read_text())
+        assert found or not ended, "the server stopped:\n" + self.log.read_text()
+        return int(found[1]) if found else None
+
+    def link(self) -> str | None:
+        """The path of the one-time link, which the first start alone prints."""
+        found = re.search(r"(/sign-in\?token=[\w.~-]+)", self.log.read_text())
+        return found.group(1) if found else None
+
+    def sign_in_link(self) -> str:
+        link = self.link()
+        assert link, self.log.read_text()
+        return link
+
+    def wait(self, seconds: float = NEVER_S) -> float:
         """Seconds until /api/health answered."""
         started = time.perf_counter()
-        while time.perf_counter() - started < seconds:
-            if self.process.poll() is not None:
-                raise AssertionError("the server stopped:\n" + self.log.read_text())
-            try:
-                with urllib.request.urlopen(self.url + "/api/health", timeout=1):
-                    return time.perf_counter() - started
-            except (urllib.error.URLError, OSError):
-                time.sleep(0.02)
-        raise AssertionError("the server did not answer:\n" + self.log.read_text())
+        until(self._answers, lambda: "the server did not answer:\n" + self.log.read_text(), seconds)
+        return time.perf_counter() - started
 
-    def stop(self, how: signal.Signals = signal.SIGTERM) -> None:
+    def _answers(self) -> bool:
+        assert self.process.poll() is None, "the server stopped:\n" + self.log.read_text()
+        try:
+            with urllib.request.urlopen(self.url + "/api/health", timeout=NEVER_S):
+                return True
+        except (urllib.error.URLError, OSError):
+            return False
+
+    def stop(self, how: signal.Signals = signal.SIGTERM) -> int:
+        """Its status at the end."""
         if self.process.poll() is None:
             self.process.send_signal(how)
-            try:
-                self.process.wait(10)
-            except subprocess.TimeoutExpired:
-                self.process.kill()
-                self.process.wait(10)
+        try:
+            return self.process.wait(NEVER_S)
+        except subprocess.TimeoutExpired:
+            self.process.kill()
+            return self.process.wait()
 
 
 def start(
     command: str, data_dir: Path, *, port: int | None = None, extra: dict[str, str] | None = None
 ) -> Server:
-    """`sightline COMMAND` on a free port with its data in `data_dir`; `extra` joins the environment."""
-    port = port or free_port()
-    log = data_dir / f"server-{port}-{time.time_ns()}.log"
+    """`sightline COMMAND` with its data in `data_dir`, on a free port unless one is given; `extra` joins the
+    environment.
+    """
+    log = data_dir / f"server-{time.time_ns()}.log"
     data_dir.mkdir(parents=True, exist_ok=True)
     environment = {name: value for name, value in os.environ.items() if not name.startswith("SIGHTLINE_")}
-    environment |= {"SIGHTLINE_PORT": str(port), "PYTHONUNBUFFERED": "1", "SIGHTLINE_FIND_PASSES": "false"}
+    environment |= {
+        "SIGHTLINE_PORT": str(port or 0),
+        "PYTHONUNBUFFERED": "1",
+        "SIGHTLINE_FIND_PASSES": "false",
+    }
     environment |= extra or {}
     with log.open("w") as output:
         process = subprocess.Popen(
@@ -77,4 +98,4 @@ def start(
             env=environment,
             text=True,
         )
-    return Server(process, f"http://127.0.0.1:{port}", log, data_dir)
+    return Server(process, log, data_dir)

@@ -1,11 +1,13 @@
 """A vehicle measured free shows no proposal; the Repeats page says what showing them does. In Chromium."""
 
+import pytest
 from playwright.sync_api import Page, expect
 
 from .server import Server
 from .vehicles import click_at, draw_free, own_vehicle, put_proposals, until, whole_passes
 
 
+@pytest.mark.usefixtures("kept")
 def test_a_vehicle_measured_free_shows_no_proposal(page: Page, demonstration: Server) -> None:
     passes = whole_passes(demonstration, "day")
     ones = [own_vehicle(page, demonstration, "day", passes[i % len(passes)]) for i in range(2)]

@@ -1,35 +1,34 @@
 """The assistants in the browser: still cameras, a proposal drawn until taken, a brightened picture."""
 
-import time
 from typing import Any
 
 from playwright.sync_api import Page, expect
 
-from .conftest import wait_for_demonstration
 from .picture import on_screen
 from .server import Server
 from .vehicles import own_vehicle
+from .waits import wait_until
 
 
-def drift_of(page: Page, recording_id: int, seconds: float = 60) -> dict[str, Any]:
-    """What the background job found of a recording's camera."""
-    until = time.monotonic() + seconds
-    while time.monotonic() < until:
-        found: dict[str, Any] = page.request.get(f"/api/recordings/{recording_id}/drift").json()
-        if found["check"] is not None:
-            return found
-        time.sleep(0.5)
-    raise AssertionError("the camera was not looked at in time")
+def drift_of(page: Page, recording_id: int) -> dict[str, Any]:
+    """What the background job finds of a recording's camera."""
+
+    def found() -> dict[str, Any]:
+        told: dict[str, Any] = page.request.get(f"/api/recordings/{recording_id}/drift").json()
+        return told
+
+    return wait_until(page, lambda: found()["check"], found)
 
 
-def test_still_cameras_a_proposal_and_a_brightened_picture(page: Page, demonstration: Server) -> None:
-    survey = wait_for_demonstration(page)
-    recordings = page.request.get(f"/api/surveys/{survey}/recordings").json()
+def test_still_cameras_a_proposal_and_a_brightened_picture(
+    page: Page, demonstration: Server, survey_id: int
+) -> None:
+    recordings = page.request.get(f"/api/surveys/{survey_id}/recordings").json()
     for recording in recordings:
-        check = drift_of(page, recording["id"])["check"]
+        check = drift_of(page, recording["id"])
         assert check["state"] == "still" and check["bumps"] == [], check["words"]
         assert check["floor_px"] < 0.15 and "No camera movement detected" in check["words"]
-    page.goto(f"/surveys/{survey}/recordings")
+    page.goto(f"/surveys/{survey_id}/recordings")
     expect(page.get_by_text("No camera movement detected, within")).to_have_count(2)
 
     one = own_vehicle(page, demonstration)

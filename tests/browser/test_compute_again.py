@@ -34,7 +34,7 @@ def test_heights_of_line_scans_are_computed_again_and_put_back(
     survey_id = filled(tmp_path / "data")
     server = start("serve", tmp_path / "data")
     try:
-        server.wait(60)
+        server.wait()
         context = browser.new_context(base_url=server.url, viewport={"width": 1440, "height": 900})
         page = context.new_page()
         page.goto(server.sign_in_link())

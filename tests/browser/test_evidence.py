@@ -12,16 +12,12 @@ from sightline.export.evidence.page import read_page, written_page
 from sightline.export.evidence.pictures import StripPicture
 from sightline.export.evidence.verify import verify_evidence
 
-from .conftest import wait_for_demonstration
-
 SIZES = [(1440, 900), (1024, 768)]
 
 
 @pytest.fixture
-def made(page: Page, tmp_path: Path, screenshots: Path) -> Path:
+def made(page: Page, survey_id: int, tmp_path: Path, screenshots: Path) -> Path:
     """The file of the demonstration's second scanned vehicle, made with the bench's own button."""
-    page.goto("/")
-    survey_id = wait_for_demonstration(page)
     scan = page.request.get(f"/api/surveys/{survey_id}/scans").json()[0]
     page.goto(f"/surveys/{survey_id}/scan?scan={scan['id']}")
     page.get_by_test_id("scan-vehicle-2").get_by_role("button").click()

@@ -2,25 +2,15 @@
 
 from pathlib import Path
 
+import pytest
 from playwright.sync_api import Page, expect
 
-from .conftest import wait_for_demonstration
 
-
-def test_a_start_is_confirmed_and_passes_have_their_time(page: Page, screenshots: Path) -> None:
-    page.goto("/")
-    survey_id = wait_for_demonstration(page)
+@pytest.mark.usefixtures("kept")
+def test_a_start_is_confirmed_and_passes_have_their_time(
+    page: Page, survey_id: int, screenshots: Path
+) -> None:
     recording = page.request.get(f"/api/surveys/{survey_id}/recordings").json()[0]
-    usual = {"local": recording["started_local"], "time_zone": recording["time_zone"]}
-    try:
-        _confirmed(page, survey_id, recording, screenshots)
-    finally:  # other tests look at the same survey
-        body = {"start": usual, "weather": recording["weather"]}
-        put = page.request.put(f"/api/recordings/{recording['id']}", data=body, headers={"X-Sightline": "1"})
-        assert put.ok, put.text()
-
-
-def _confirmed(page: Page, survey_id: int, recording: dict[str, object], screenshots: Path) -> None:
     page.goto(f"/surveys/{survey_id}/recordings")
     card = page.get_by_role("article").filter(has_text=str(recording["name"]))
     expect(card.get_by_test_id("filmed")).to_contain_text("Filmed from 14 May 2025, 08:10:00 (Europe/Paris)")

@@ -1,18 +1,37 @@
 """The pointer on the picture stage of frames: drag, slide, Escape, wheel, pan, loupe."""
 
 import re
+from collections.abc import Iterator
 from typing import Any, Literal
 
 import pytest
-from playwright.sync_api import Locator, Page, Response, expect
+from playwright.sync_api import Browser, BrowserContext, Locator, Page, Response, StorageState, expect
 
-from .conftest import choose_plan, wait_for_demonstration
+from .conftest import choose_plan
 from .picture import on_screen
 from .server import Server
 from .vehicles import OwnVehicle, Pixel, click_at, own_vehicle, stored
 
 # On the road beside the vehicle: nothing is picked there.
 FREE: Pixel = (40.0, 400.0)
+
+
+@pytest.fixture(scope="module")
+def context(browser: Browser, demonstration: Server, admin_state: StorageState) -> Iterator[BrowserContext]:
+    """One for all of this file: what the first page fetched the others have."""
+    opened = browser.new_context(
+        base_url=demonstration.url, storage_state=admin_state, viewport={"width": 1440, "height": 900}
+    )
+    yield opened
+    opened.close()
+
+
+@pytest.fixture
+def page(context: BrowserContext) -> Iterator[Page]:
+    opened = context.new_page()
+    yield opened
+    context.set_offline(False)
+    opened.close()
 
 
 @pytest.fixture
@@ -136,13 +155,12 @@ def test_escape_in_a_drag_leaves_no_step_in_measure(page: Page, one: OwnVehicle)
     assert roof(page, one) == before
 
 
-def test_escape_in_a_drag_leaves_the_fix_where_it_was_in_review(page: Page) -> None:
-    page.goto("/")
-    survey = wait_for_demonstration(page)
+@pytest.mark.usefixtures("kept")
+def test_escape_in_a_drag_leaves_the_fix_where_it_was_in_review(page: Page, survey_id: int) -> None:
     # somebody else's: nobody judges what is their own
-    first = page.request.get(f"/api/surveys/{survey}/review-queue").json()[0]["measurement"]
-    choose_plan(page, survey, 0)
-    page.goto(f"/surveys/{survey}/review?measurement={first['id']}")
+    first = page.request.get(f"/api/surveys/{survey_id}/review-queue").json()[0]["measurement"]
+    choose_plan(page, survey_id, 0)
+    page.goto(f"/surveys/{survey_id}/review?measurement={first['id']}")
     expect(page.locator(f"[data-measurement='{first['id']}']")).to_have_attribute("aria-current", "true")
     expect(page.locator(".frame-loading--on")).to_have_count(0)
     page.keyboard.press("e")

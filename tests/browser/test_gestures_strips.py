@@ -5,8 +5,6 @@ from typing import Any
 import pytest
 from playwright.sync_api import Locator, Page, expect
 
-from .conftest import wait_for_demonstration
-
 
 def undo_title(page: Page) -> str:
     return page.get_by_test_id("undo").get_by_role("button").get_attribute("title") or ""
@@ -17,13 +15,11 @@ def undo_button(page: Page) -> Locator:
 
 
 @pytest.fixture
-def bench(page: Page) -> tuple[Locator, dict[str, Any]]:
+def bench(page: Page, survey_id: int) -> tuple[Locator, dict[str, Any]]:
     """The strips with the first vehicle chosen, and that vehicle as the server has it."""
-    page.goto("/")
-    survey = wait_for_demonstration(page)
-    scan = page.request.get(f"/api/surveys/{survey}/scans").json()[0]
+    scan = page.request.get(f"/api/surveys/{survey_id}/scans").json()[0]
     vehicle = page.request.get(f"/api/scans/{scan['id']}/vehicles").json()[0]
-    page.goto(f"/surveys/{survey}/scan?scan={scan['id']}")
+    page.goto(f"/surveys/{survey_id}/scan?scan={scan['id']}")
     page.get_by_test_id(f"scan-vehicle-{vehicle['number']}").get_by_role("button").click()
     expect(page.get_by_test_id("scan-length")).to_contain_text(f"{vehicle['measurement']['length_m']:.3f}")
     strips = page.get_by_test_id("strips")
@@ -39,6 +35,7 @@ def front_at(strips: Locator) -> tuple[float, float]:
     return box["x"] + 0.25 / 1.5 * box["width"], box["y"] + 60
 
 
+@pytest.mark.usefixtures("kept")
 def test_a_boundary_of_the_strips_is_dragged_and_let_go_by_escape(
     page: Page, bench: tuple[Locator, dict[str, Any]]
 ) -> None:

@@ -12,18 +12,13 @@ import pandas as pd
 import pytest
 from playwright.sync_api import Browser, BrowserContext, Page, expect
 
-from .conftest import choose_plan, wait_for_demonstration
+from .conftest import choose_plan
 from .picture import on_screen
 from .server import Server
 from .vehicles import OwnVehicle, own_vehicle, recording_of, scene_truth, whole_passes
 
 TARGETS = {"roof": "1", "driver_eye": "2", "taillight": "3"}
 CLICK_NOISE_PX = 0.5
-
-
-@pytest.fixture
-def survey_id(page: Page) -> int:
-    return wait_for_demonstration(page)
 
 
 def invited(page: Page, browser: Browser, server: Server, name: str, role: str) -> BrowserContext:
@@ -78,9 +73,9 @@ def calibrate(page: Page, survey_id: int, server: Server) -> tuple[int, int]:
     assert len(pictures) >= 15
     page.locator("input[type=file][multiple]").set_input_files([str(path) for path in pictures])
     button = page.get_by_role("button", name="Calibrate", exact=True)
-    expect(button).to_be_enabled(timeout=60_000)
+    expect(button).to_be_enabled()
     button.click()
-    expect(page.get_by_text("Calibration reliable")).to_be_visible(timeout=60_000)
+    expect(page.get_by_text("Calibration reliable")).to_be_visible()
     cameras = page.request.get(f"/api/surveys/{survey_id}/cameras").json()
     made = max((c for c in cameras if c["name"] == "Journey camera"), key=lambda c: c["id"])
     assert made["current_calibration_id"]
@@ -114,7 +109,7 @@ def find_pose(
         expect(page.get_by_test_id("found-board")).to_be_visible()
         page.get_by_role("button", name=mark).click()
     page.get_by_test_id("pose-run").get_by_role("button").click()
-    expect(page.get_by_test_id("road-overlay")).to_be_visible(timeout=60_000)
+    expect(page.get_by_test_id("road-overlay")).to_be_visible()
     expect(page.get_by_test_id("pose-verdict")).to_contain_text("±")
 
 
@@ -152,7 +147,7 @@ def exported_heights(page: Page, survey_id: int, folder: Path) -> pd.DataFrame:
     links = page.get_by_role("link", name="Download")
     before = len(page.request.get(f"/api/surveys/{survey_id}/exports").json())
     page.get_by_role("button", name="Build the package").click()
-    expect(links).to_have_count(before + 1, timeout=60_000)  # others may have built packages before
+    expect(links).to_have_count(before + 1)  # others may have built packages before
     with page.expect_download() as download:
         links.first.click()
     path = folder / "package.zip"
@@ -165,6 +160,7 @@ def exported_heights(page: Page, survey_id: int, folder: Path) -> pd.DataFrame:
     return measurements.merge(vehicles, left_on="vehicle_id", right_on="id", suffixes=("", "_vehicle"))
 
 
+@pytest.mark.usefixtures("kept")
 def test_calibrate_pose_measure_review_export(
     page: Page,
     browser: Browser,

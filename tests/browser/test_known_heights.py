@@ -1,12 +1,14 @@
 """Known heights and a check target: typed, kept, undone; its measured lamp stands in a row of its own."""
 
-import time
+from collections.abc import Iterator
 from uuid import uuid4
 
+import pytest
 from playwright.sync_api import Page, expect
 
 from .server import Server
-from .vehicles import own_vehicle
+from .vehicles import OwnVehicle, own_vehicle
+from .waits import wait_until
 
 
 def counted(page: Page, survey: int) -> list[int]:
@@ -17,14 +19,22 @@ def counted(page: Page, survey: int) -> list[int]:
 
 def until_stored(page: Page, vehicle_id: int, field: str, wanted: object) -> None:
     """Waits until the server has what was typed."""
-    end = time.monotonic() + 20
-    while (found := page.request.get(f"/api/vehicles/{vehicle_id}").json()[field]) != wanted:
-        assert time.monotonic() < end, found
-        page.wait_for_timeout(50)
+
+    def found() -> object:
+        return page.request.get(f"/api/vehicles/{vehicle_id}").json()[field]
+
+    wait_until(page, lambda: found() == wanted, found)
 
 
-def test_a_check_target_is_declared_and_has_a_row_of_its_own(page: Page, demonstration: Server) -> None:
-    one = own_vehicle(page, demonstration)
+@pytest.fixture
+def one(page: Page, demonstration: Server) -> Iterator[OwnVehicle]:
+    """A vehicle of this test's own, and gone after it: a check target counts in the survey's figures."""
+    made = own_vehicle(page, demonstration)
+    yield made
+    assert page.request.delete(f"/api/vehicles/{made.vehicle['id']}", headers={"X-Sightline": "1"}).ok
+
+
+def test_a_check_target_is_declared_and_has_a_row_of_its_own(page: Page, one: OwnVehicle) -> None:
     page.goto(one.address)
     before = counted(page, one.survey)
     known = page.get_by_test_id("known-heights")

@@ -261,7 +261,6 @@ def french(
     )
     context.add_init_script(path=AXE)
     page = context.new_page()
-    page.set_default_timeout(30_000)
     complaints: list[str] = []
     page.on("pageerror", lambda error: complaints.append(f"page error: {error}"))
     page.on("console", lambda message: note(message, complaints))
@@ -302,7 +301,6 @@ def test_nothing_is_said_outside_the_catalogue(
     )
     context.route(re.compile(r"/assets/fr-[^/]*\.js$"), speak_made_up)
     page = context.new_page()
-    page.set_default_timeout(30_000)
     answers, wrong = Answers(page), []
     for name, (address, sign) in SCREENS.items():
         page.goto(address.format(**places))

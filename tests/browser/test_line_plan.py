@@ -4,12 +4,8 @@ import re
 
 from playwright.sync_api import Page, expect
 
-from .conftest import wait_for_demonstration
 
-
-def test_lengths_gaps_and_exposure_are_planned(page: Page) -> None:
-    page.goto("/")
-    survey_id = wait_for_demonstration(page)
+def test_lengths_gaps_and_exposure_are_planned(page: Page, survey_id: int) -> None:
     page.goto(f"/surveys/{survey_id}/planning?plan=lines")
     values = page.get_by_test_id("line-plan-values")
     expect(values).to_contain_text(re.compile(r"Distance gap\s*50\.00"))

@@ -32,7 +32,7 @@ def server(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Server]:
     services.close()
     started = start("serve", tmp_path)
     try:
-        started.wait(60)
+        started.wait()
         yield started
     finally:
         started.stop()
@@ -41,7 +41,6 @@ def server(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Server]:
 def test_a_lot_from_its_draw_to_its_decision(browser: Browser, server: Server, screenshots: Path) -> None:
     context = browser.new_context(base_url=server.url, viewport={"width": 1440, "height": 900})
     page = context.new_page()
-    page.set_default_timeout(30_000)
     page.goto(server.sign_in_link())
     page.wait_for_url(lambda url: "sign-in" not in url)
     (survey,) = page.request.get("/api/surveys").json()

@@ -13,7 +13,7 @@ def test_a_manager_adds_a_member_and_takes_them_out(
 ) -> None:
     server = start("serve", tmp_path / "data")
     try:
-        server.wait(60)
+        server.wait()
         context = browser.new_context(base_url=server.url, viewport={"width": 1440, "height": 900})
         page = context.new_page()
         page.goto(server.sign_in_link())

@@ -7,7 +7,6 @@ from typing import Any
 import pytest
 from playwright.sync_api import Locator, Page, Route, expect
 
-from .conftest import wait_for_demonstration
 from .test_screens import overflows, settle
 
 SIZES = ((1024, 768), (1440, 900))
@@ -57,11 +56,10 @@ def with_one_camera(page: Page) -> int:
 
 
 @pytest.mark.parametrize("size", SIZES)
-def test_words_are_neither_cut_nor_covered(page: Page, size: tuple[int, int], screenshots: Path) -> None:
+def test_words_are_neither_cut_nor_covered(
+    page: Page, survey_id: int, size: tuple[int, int], screenshots: Path
+) -> None:
     page.set_viewport_size({"width": size[0], "height": size[1]})
-    page.goto("/")
-    survey_id = wait_for_demonstration(page)
-
     page.goto(f"/surveys/{with_one_camera(page)}/camera")
     expect(page.get_by_test_id("camera-name")).to_have_text("The only one")
     page.locator("header.topbar, .topbar").get_by_role("button").last.click()
@@ -107,14 +105,12 @@ BEYOND_MAIN = """() => {
 }"""
 
 
-def test_pages_that_are_read_do_at_320_pixels(page: Page, screenshots: Path) -> None:
+def test_pages_that_are_read_do_at_320_pixels(page: Page, survey_id: int, screenshots: Path) -> None:
     """Nothing runs out at the side (WCAG 1.4.10); wide tables scroll by themselves."""
     page.set_viewport_size({"width": 320, "height": 640})
-    page.goto("/")
-    survey = wait_for_demonstration(page)
     wrong = []
     for address in READ:
-        page.goto(address.format(survey=survey))
+        page.goto(address.format(survey=survey_id))
         expect(page.locator("main h1").first).to_be_visible()
         settle(page)
         wrong += [f"{address}: {one}" for one in overflows(page)]

@@ -9,6 +9,7 @@ from sightline.media.video.writer import write_mp4
 from tests.media.street import car, street
 
 from .server import ROOT
+from .waits import keep_toasts
 
 AXE = ROOT / "frontend" / "node_modules" / "axe-core" / "axe.min.js"
 
@@ -20,6 +21,7 @@ def a_street(path: Path) -> Path:
 
 
 def test_from_a_video_to_its_passes(page: Page, tmp_path: Path, screenshots: Path) -> None:
+    keep_toasts(page)
     headers = {"X-Sightline": "1"}
     made = page.request.post("/api/surveys", data={"name": "Drawn street"}, headers=headers)
     survey = made.json()["id"]

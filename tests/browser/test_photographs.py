@@ -5,9 +5,11 @@ from playwright.sync_api import Page, expect
 from tests.support.boards import POSES, picture_bytes, view
 
 from .test_bad_input import new_survey, one_sentence
+from .waits import keep_toasts
 
 
 def test_photographs_are_added_put_in_order_and_brought_back(page: Page) -> None:
+    keep_toasts(page)
     survey = new_survey(page, "Photographs")
     page.goto(f"/surveys/{survey}")
     png = picture_bytes(view(POSES[0]))

@@ -1,9 +1,12 @@
 """The confirm loop: proposed points are seen, moved by a key, and stored in a person's name, in Chromium."""
 
+import pytest
 from playwright.sync_api import Page, expect
 
 from .server import Server
 from .vehicles import TARGETS, click_at, own_vehicle, put_proposals, stored, until, whole_passes
+
+pytestmark = pytest.mark.usefixtures("kept")
 
 
 def test_proposals_are_confirmed_one_vehicle_after_the_other(page: Page, demonstration: Server) -> None:

@@ -15,13 +15,12 @@ from playwright.sync_api import Browser, Page, expect
 
 from tests.export.report.pdf_text import words
 
-from .conftest import choose_plan, wait_for_demonstration
+from .conftest import choose_plan
 from .picture import on_screen
 from .server import Server
 from .vehicles import OwnVehicle, own_vehicle, until, whole_passes
 
 KEYS = {"roof": "1", "driver_eye": "2", "taillight": "3"}
-KEPT = ("name", "site", "description", "traffic", "place", "asked", "sampling")
 
 
 @pytest.fixture
@@ -35,40 +34,22 @@ def reviewer(page: Page, browser: Browser, demonstration: Server) -> Iterator[Pa
     assert made.ok, made.text()
     context = browser.new_context(base_url=demonstration.url, viewport={"width": 1440, "height": 900})
     theirs = context.new_page()
-    theirs.set_default_timeout(30_000)
     theirs.goto(made.json()["link"])
     theirs.wait_for_url(lambda url: "sign-in" not in url)
     yield theirs
     context.close()
 
 
+@pytest.mark.usefixtures("kept")
 def test_the_protocol_from_sides_to_a_package(
-    page: Page, reviewer: Page, demonstration: Server, screenshots: Path
+    page: Page, reviewer: Page, demonstration: Server, survey_id: int, screenshots: Path
 ) -> None:
-    page.goto("/")
-    survey_id = wait_for_demonstration(page)
-    address = f"/api/surveys/{survey_id}"
-    usual = page.request.get(address).json()
-    try:
-        _protocol(page, reviewer, demonstration, survey_id, screenshots)
-    finally:  # other tests measure in the same survey
-        version = page.request.get(address).json()["version"]
-        body = {**{name: usual[name] for name in KEPT}, "version": version}
-        answer = page.request.put(address, data=body, headers={"X-Sightline": "1"})
-        assert answer.ok, answer.text()
-        for lot in page.request.get(f"{address}/lots").json():
-            step = {"open": "dissolve", "accepted": "take-back"}.get(lot["state"])
-            if step is not None:
-                page.request.post(f"/api/lots/{lot['lot']['id']}/{step}", headers={"X-Sightline": "1"})
-
-
-def _protocol(page: Page, reviewer: Page, server: Server, survey_id: int, screenshots: Path) -> None:
     _say_the_site(page, survey_id, screenshots)
     _say_the_quotas(page, survey_id)
-    by_day = whole_passes(server, "day")
+    by_day = whole_passes(demonstration, "day")
     near, far = (next(one for one in by_day if one["driver_side"] == side) for side in ("near", "far"))
-    day = [own_vehicle(page, server, "day", over) for over in (near, far)]
-    night = own_vehicle(page, server, "low_light")
+    day = [own_vehicle(page, demonstration, "day", over) for over in (near, far)]
+    night = own_vehicle(page, demonstration, "low_light")
     before = _measured(page, survey_id)
     rng = np.random.default_rng(12)
     _measure(page, day[0], ("roof", "driver_eye"), rng)

@@ -3,14 +3,12 @@
 import re
 from pathlib import Path
 
+import pytest
 from playwright.sync_api import Page, expect
 
-from .conftest import wait_for_demonstration
 
-
-def test_references_are_entered_imported_and_compared(page: Page, screenshots: Path) -> None:
-    page.goto("/")
-    survey_id = wait_for_demonstration(page)
+@pytest.mark.usefixtures("kept")
+def test_references_are_entered_imported_and_compared(page: Page, survey_id: int, screenshots: Path) -> None:
     scan = page.request.get(f"/api/surveys/{survey_id}/scans").json()[0]
     vehicles = page.request.get(f"/api/scans/{scan['id']}/vehicles").json()
     measured = [one for one in vehicles if one["measurement"]["status"] == "ok"]

@@ -3,11 +3,12 @@
 from pathlib import Path
 from typing import Any
 
+import pytest
 from playwright.sync_api import Page, expect
 
 from tests.linescan.test_rig_calibration import STANDS_M, Errors, by_board, planes
 
-from .conftest import wait_for_demonstration
+from .waits import keep_toasts, wait_until
 
 NAMES = ("distance_m", "width_m", "u_width_m", "front_line_1", "rear_line_1", "front_line_2", "rear_line_2")
 
@@ -17,9 +18,9 @@ def seen(page: Page, scan_id: int) -> dict[str, Any]:
     return found
 
 
-def test_a_rig_is_calibrated_and_taken_back(page: Page, screenshots: Path) -> None:
-    page.goto("/")
-    survey_id = wait_for_demonstration(page)
+@pytest.mark.usefixtures("kept")
+def test_a_rig_is_calibrated_and_taken_back(page: Page, survey_id: int, screenshots: Path) -> None:
+    keep_toasts(page)
     scan = page.request.get(f"/api/surveys/{survey_id}/scans").json()[0]
     before = scan["rig"]
     page.goto(f"/surveys/{survey_id}/scan?scan={scan['id']}")
@@ -77,13 +78,11 @@ def test_a_rig_is_calibrated_and_taken_back(page: Page, screenshots: Path) -> No
         "u_divergence_rad",
         "baseline_correlation",
     )
-    back = seen(page, scan["id"])["rig"]
-    for _ in range(50):
-        if back["baseline_correlation"] == before["baseline_correlation"]:
-            break
-        page.wait_for_timeout(100)
-        back = seen(page, scan["id"])["rig"]
-    assert {name: back[name] for name in names} == {name: before[name] for name in names}
+
+    def rig() -> dict[str, Any]:
+        return {name: seen(page, scan["id"])["rig"][name] for name in names}
+
+    wait_until(page, lambda: rig() == {name: before[name] for name in names}, rig)
 
     # it stays in the history, and can be in force again
     page.reload()

@@ -3,25 +3,12 @@
 import re
 from pathlib import Path
 
+import pytest
 from playwright.sync_api import Page, expect
 
-from .conftest import wait_for_demonstration
 
-
-def test_a_sample_is_chosen_and_its_progress_followed(page: Page, screenshots: Path) -> None:
-    page.goto("/")
-    survey_id = wait_for_demonstration(page)
-    usual = page.request.get(f"/api/surveys/{survey_id}").json()
-    try:
-        _chosen_and_followed(page, survey_id, screenshots)
-    finally:  # other tests measure in the same survey
-        now = page.request.get(f"/api/surveys/{survey_id}").json()
-        kept = {name: usual[name] for name in ("name", "site", "description", "sampling")}
-        body = {**kept, "version": now["version"]}
-        assert page.request.put(f"/api/surveys/{survey_id}", data=body, headers={"X-Sightline": "1"}).ok
-
-
-def _chosen_and_followed(page: Page, survey_id: int, screenshots: Path) -> None:
+@pytest.mark.usefixtures("kept")
+def test_a_sample_is_chosen_and_its_progress_followed(page: Page, survey_id: int, screenshots: Path) -> None:
     vehicles = page.request.get(f"/api/surveys/{survey_id}/vehicles").json()
     free = next(one for one in vehicles if one["state"] == "to_do")
     start = 2 - free["number"] % 2

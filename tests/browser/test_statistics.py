@@ -4,9 +4,8 @@ import csv
 import io
 import re
 
+import pytest
 from playwright.sync_api import Page, expect
-
-from .conftest import wait_for_demonstration
 
 
 def saved(page: Page, title: str) -> tuple[str, str]:
@@ -16,9 +15,8 @@ def saved(page: Page, title: str) -> tuple[str, str]:
     return waiting.value.suggested_filename, waiting.value.path().read_bytes().decode()
 
 
-def test_figures_are_filtered_downloaded_and_linked(page: Page) -> None:
-    page.goto("/")
-    survey_id = wait_for_demonstration(page)
+@pytest.mark.usefixtures("kept")
+def test_figures_are_filtered_downloaded_and_linked(page: Page, survey_id: int) -> None:
     page.goto(f"/surveys/{survey_id}")
     page.locator(".step").get_by_role("link", name="Statistics").first.click()
     expect(page).to_have_url(re.compile(rf"/statistics\?survey={survey_id}$"))
@@ -96,9 +94,7 @@ def test_figures_are_filtered_downloaded_and_linked(page: Page) -> None:
     expect(counted).to_contain_text(f"{told['counted']['measurements']} measurements")
 
 
-def test_a_figure_is_read_by_pointer_and_by_keys(page: Page) -> None:
-    page.goto("/")
-    survey_id = wait_for_demonstration(page)
+def test_a_figure_is_read_by_pointer_and_by_keys(page: Page, survey_id: int) -> None:
     page.goto(f"/statistics?survey={survey_id}&state=all")
     reader = page.get_by_role("slider", name="Read values: Driver’s eye, cumulative")
     expect(reader).to_have_attribute("aria-valuetext", "Arrow keys move along the axis.")

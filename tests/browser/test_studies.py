@@ -3,14 +3,12 @@
 import re
 from pathlib import Path
 
+import pytest
 from playwright.sync_api import Page, expect
 
-from .conftest import wait_for_demonstration
 
-
-def test_a_study_from_its_name_to_its_figures(page: Page, screenshots: Path) -> None:
-    page.goto("/")
-    survey_id = wait_for_demonstration(page)
+@pytest.mark.usefixtures("kept")
+def test_a_study_from_its_name_to_its_figures(page: Page, survey_id: int, screenshots: Path) -> None:
     survey = page.request.get(f"/api/surveys/{survey_id}").json()["name"]
     page.goto("/studies")
     page.get_by_role("button", name="New study").first.click()
@@ -30,7 +28,7 @@ def test_a_study_from_its_name_to_its_figures(page: Page, screenshots: Path) -> 
     expect(dialog).not_to_be_visible()
 
     page.get_by_role("button", name="Compute").click()
-    expect(page.get_by_text("bus, which no survey contains")).to_be_visible(timeout=60_000)
+    expect(page.get_by_text("bus, which no survey contains")).to_be_visible()
     page.screenshot(path=screenshots / "study-failed.png")
     page.get_by_role("button", name="Edit", exact=True).click()
     fleet.fill("")
@@ -38,7 +36,7 @@ def test_a_study_from_its_name_to_its_figures(page: Page, screenshots: Path) -> 
     expect(dialog).not_to_be_visible()
     page.get_by_role("button", name="Compute").click()
     expect(page.get_by_test_id("study-counted")).to_have_text(
-        re.compile("accepted heights of .* vehicles at 1 site"), timeout=60_000
+        re.compile("accepted heights of .* vehicles at 1 site")
     )
     expect(page.get_by_test_id("study-percentiles")).to_be_visible()
     page.screenshot(path=screenshots / "study.png", full_page=True)

@@ -10,6 +10,7 @@ from playwright.sync_api import Browser, BrowserContext, Locator, Page, Route, e
 from .picture import on_screen
 from .server import Server
 from .vehicles import OwnVehicle, click_at, own_vehicle, stored, until
+from .waits import keep_toasts
 
 
 @pytest.fixture
@@ -82,6 +83,7 @@ def test_the_second_is_told_who_and_when_and_nothing_is_lost(
 
 
 def test_changes_to_different_fields_are_both_kept(page: Page, colleague: Page, one: OwnVehicle) -> None:
+    keep_toasts(page)
     opened(page, one)
     page.get_by_label("Notes").fill("roof box")
     commit(colleague.get_by_label("Year"), "2017")
@@ -94,6 +96,7 @@ def test_changes_to_different_fields_are_both_kept(page: Page, colleague: Page, 
 
 
 def test_two_tabs_of_one_person_see_each_other(context: BrowserContext, page: Page, one: OwnVehicle) -> None:
+    keep_toasts(page)
     opened(page, one)
     other = opened(context.new_page(), one)
     expect(page.get_by_text("Also open in another tab")).to_be_visible()
@@ -140,9 +143,7 @@ def test_a_click_without_a_connection_is_stored_once_it_is_back(
 
     context.set_offline(False)
     for name in ("roof", "driver_eye"):
-        expect(page.get_by_test_id(f"measurement-row-{name}")).to_have_attribute(
-            "data-state", "saved", timeout=30_000
-        )
+        expect(page.get_by_test_id(f"measurement-row-{name}")).to_have_attribute("data-state", "saved")
     expect(page.get_by_text("The server cannot be reached")).to_have_count(0)
     assert sorted(revisions(page, one)) == [("driver_eye", 1), ("roof", 1)]
 
@@ -162,7 +163,7 @@ def test_a_lost_answer_does_not_store_twice(page: Page, one: OwnVehicle) -> None
     page.route(re.compile(r"/api/vehicles/\d+/measurements$"), lose_the_answer)
     click_roof(page, one)
     row = page.get_by_test_id("measurement-row-roof")
-    expect(row).to_have_attribute("data-state", "saved", timeout=30_000)
+    expect(row).to_have_attribute("data-state", "saved")
     assert lost and lost[0] < 300
     assert revisions(page, one) == [("roof", 1)]
 

@@ -1,31 +1,34 @@
 """What is chosen by a menu or within a page is in its address: Back, Forward and a reload show the same."""
 
 import re
+from collections.abc import Callable
 
-from playwright.sync_api import BrowserContext
+from playwright.sync_api import BrowserContext, Page
 
-from .walking import arrived, begin, same, shown, walking
+from .walking import begin, same, shown, there_and_back, walking
 
 
 def test_menus_of_the_bar_lead_where_a_reload_stays(context: BrowserContext) -> None:
     with walking(context) as walker:
         survey = begin(walker)
-        ways = [("/", ": account", name) for name in ("Account", "Users", "Audit trail")]
-        ways += [
-            (f"/surveys/{survey}/measure", "go to another step", name) for name in ("Review", "Validation")
-        ]
-        for here, menu, name in ways:
+        in_survey = f"/surveys/{survey}/measure"
+        ways = {
+            ("/", ": account"): ("Account", "Users", "Audit trail"),
+            (in_survey, "go to another step"): ("Review", "Validation"),
+        }
+        for (here, menu), names in ways.items():
             walker.goto(here)
-            start = shown(walker)
-            walker.get_by_role("button", name=re.compile(menu)).click()
-            walker.locator(".menu__item").get_by_text(name, exact=True).click()
-            there = arrived(walker, start)
-            walker.go_back()
-            same(walker, arrived(walker, there), start, f"back from {name}")
-            walker.go_forward()
-            same(walker, arrived(walker, start), there, f"forward to {name}")
-            walker.reload()
-            same(walker, shown(walker), there, f"reload of {name}")
+            start = shown(walker, twice=True)
+            for name in names:
+                there_and_back(walker, start, chosen(walker, menu, name), name)
+
+
+def chosen(walker: Page, menu: str, name: str) -> Callable[[], None]:
+    def choose() -> None:
+        walker.get_by_role("button", name=re.compile(menu)).click()
+        walker.locator(".menu__item").get_by_text(name, exact=True).click()
+
+    return choose
 
 
 def test_what_is_chosen_within_a_page_is_in_its_address(context: BrowserContext) -> None:
@@ -44,11 +47,11 @@ def test_what_is_chosen_within_a_page_is_in_its_address(context: BrowserContext)
             "planning": ['.page__head label:has-text("line scan")'],
             "review": ["[data-measurement]:not([aria-current])"],
         }
-        for name, chosen in choices.items():
+        for name, of_page in choices.items():
             walker.goto(f"/surveys/{survey}/{name}")
             shown(walker)
-            for one in chosen:
+            for one in of_page:
                 walker.locator(one).first.click()
-                there = shown(walker)
+                there = shown(walker, twice=True)
                 walker.reload()
                 same(walker, shown(walker), there, f"reload of {one}")

@@ -8,6 +8,7 @@ from playwright.sync_api import Page, expect
 
 from .server import Server
 from .vehicles import TARGETS, click_at, own_vehicle, until
+from .waits import keep_toasts
 
 
 @pytest.mark.parametrize("size", [(1440, 900), (1024, 768)])
@@ -87,6 +88,7 @@ def test_the_models_taken_last_are_taken_by_a_digit(page: Page, demonstration: S
 def test_a_model_that_is_the_last_thing_asked_for_brings_the_next_vehicle(
     page: Page, demonstration: Server
 ) -> None:
+    keep_toasts(page)
     one = own_vehicle(page, demonstration)
     page.goto(one.address)
     row = page.get_by_test_id(f"pass-{one.vehicle['number']}")
@@ -105,7 +107,7 @@ def test_a_model_that_is_the_last_thing_asked_for_brings_the_next_vehicle(
     expect(page.locator("#measure-hint")).to_contain_text("Done")
     page.keyboard.press("6")
     expect(row).not_to_have_attribute("aria-current", "true")
-    expect(page.locator(".toast").first).to_contain_text("Haldmann T75")
+    expect(page.locator(".toast", has_text="Haldmann T75")).to_be_visible()
     row.click()
     expect(make).to_have_value("Haldmann")
     page.wait_for_url(re.compile(rf"vehicle={one.vehicle['id']}\b"))

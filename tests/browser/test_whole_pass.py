@@ -28,7 +28,7 @@ def test_a_pass_is_followed_by_one_key_and_kept(page: Page, demonstration: Serve
 
     page.keyboard.press("Shift+S")
     panel = page.get_by_test_id("whole-pass")
-    expect(panel).to_contain_text("not saved yet", timeout=60_000)
+    expect(panel).to_contain_text("not saved yet")
     expect(panel).to_contain_text("excluded")
     page.keyboard.press("f")
     shown_frame(page, frame + 1)
@@ -43,8 +43,8 @@ def test_a_pass_is_followed_by_one_key_and_kept(page: Page, demonstration: Serve
     expect(panel).to_have_count(0)
 
     page.keyboard.press("Shift+S")
-    panel.get_by_role("button", name="Save this height").click(timeout=60_000)
-    expect(page.get_by_test_id("pass-said")).to_contain_text("From the whole pass", timeout=60_000)
+    panel.get_by_role("button", name="Save this height").click()
+    expect(page.get_by_test_id("pass-said")).to_contain_text("From the whole pass")
     page.screenshot(path=screenshots / "whole-pass-kept.png")
     stored = measured(page, vehicle["id"])
     assert stored["revision"] == 2 and stored["status"] == "ok" and stored["followed"] is not None

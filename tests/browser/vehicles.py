@@ -4,7 +4,6 @@ The scene's truth says where the vehicle is in the picture; the application itse
 """
 
 import json
-import time
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any, Literal, get_args
@@ -24,6 +23,7 @@ from sightline.vehicles.proposing.tables import proposals
 from .conftest import wait_for_demonstration
 from .picture import on_screen
 from .server import Server
+from .waits import wait_until
 
 SceneName = Literal["day", "low_light"]
 LIGHTING: dict[SceneName, str] = {"day": "daytime", "low_light": "low_light"}
@@ -83,7 +83,6 @@ def own_vehicle(
     page: Page, server: Server, scene: SceneName = "low_light", over: dict[str, Any] | None = None
 ) -> OwnVehicle:
     """A new vehicle over a pass of the scene: over the last that can be seen whole, unless told which."""
-    page.goto("/")
     survey = wait_for_demonstration(page)
     one = over or whole_passes(server, scene)[-1]
     made = page.request.post(
@@ -157,10 +156,7 @@ def stored(page: Page, vehicle_id: int) -> dict[str, dict[str, Any]]:
 
 def until(page: Page, vehicle_id: int, wanted: Callable[[dict[str, dict[str, Any]]], bool]) -> None:
     """Waits until what the server has of a vehicle is as wanted."""
-    end = time.monotonic() + 10
-    while not wanted(have := stored(page, vehicle_id)):
-        assert time.monotonic() < end, have
-        page.wait_for_timeout(50)
+    wait_until(page, lambda: wanted(stored(page, vehicle_id)), lambda: stored(page, vehicle_id))
 
 
 def click_at(page: Page, pixel: Pixel) -> None:

@@ -3,14 +3,17 @@
 import difflib
 import re
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from urllib.parse import parse_qsl, urlsplit
 
 from playwright.sync_api import BrowserContext, ConsoleMessage, Page, Request, Response, expect
 
+from tests.support.waiting import NEVER_S
+
 from .conftest import wait_for_demonstration
+from .waits import wait_until
 
 # Parts of a page that tell the time, and why they differ between two looks at the same page.
 TIMES = {
@@ -18,11 +21,12 @@ TIMES = {
     r"\bjust now\b|\b\d+ min ago\b": "how long ago somebody signed in, which grows by the minute",
 }
 
-# Counts what the page asks for, and notes when it or its address last changed: it is at rest when nothing is
-# asked and nothing has changed for longer than the app itself waits before it writes an address (250 ms).
+# Counts what the page asks for and what it has put off by less than a second (an address is written 250 ms
+# late), and notes when it or its address last changed.
 WATCH = """
   window.asking = 0;
-  const changed = () => { window.changedAt = performance.now(); };
+  window.putOff = new Set();
+  window.changed = () => { window.changedAt = performance.now(); window.drawn = 0; };
   changed();
   const ask = window.fetch;
   window.fetch = async (...words) => {
@@ -40,6 +44,14 @@ WATCH = """
       try { return await read.call(this); } finally { window.asking -= 1; }
     };
   }
+  const later = window.setTimeout.bind(window), never = window.clearTimeout.bind(window);
+  window.setTimeout = (run, ms = 0, ...words) => {
+    if (ms >= 1000) return later(run, ms, ...words);
+    const timer = later(() => { window.putOff.delete(timer); run(...words); }, ms);
+    window.putOff.add(timer);
+    return timer;
+  };
+  window.clearTimeout = (timer) => { window.putOff.delete(timer); never(timer); };
   for (const name of ["pushState", "replaceState"]) {
     const go = history[name].bind(history);
     history[name] = (...step) => { changed(); go(...step); };
@@ -47,23 +59,31 @@ WATCH = """
   window.addEventListener("popstate", changed);
   new MutationObserver(changed).observe(document, { subtree: true, childList: true, characterData: true });
 """
-AT_REST = """() => window.asking === 0 && performance.now() - window.changedAt > 300
-  && document.querySelector("#main h1, .page--bare h1") !== null
-  && document.querySelector(".loading, .frame-loading--on, [data-testid=axes-awaited]") === null
-  && [...document.querySelectorAll(".stat-figure__box:empty")].every(box => box.clientWidth < 200)
-  && ![...document.querySelectorAll(".spinner")].some(s => s.checkVisibility({opacityProperty: true}))"""
-# What is written, and what stands in the fields.
-SHOWN = """() => {
+# What is written, and what stands in the fields, once the page is at rest: nothing is asked or put off, and
+# nothing changed for 60 ms in which it was drawn twice. `twice`: once two such looks in a row agree.
+SHOWN = """(twice) => {
+  const rests = window.asking === 0 && window.putOff.size === 0 && performance.now() - window.changedAt > 60
+    && document.querySelector("#main h1, .page--bare h1") !== null
+    && document.querySelector(".loading, .frame-loading--on, [data-testid=axes-awaited]") === null
+    && [...document.querySelectorAll(".stat-figure__box:empty")].every(box => box.clientWidth < 200)
+    && ![...document.querySelectorAll(".spinner")].some(s => s.checkVisibility({opacityProperty: true}));
+  if (!rests) window.drawn = 0;
+  if (!rests || ++window.drawn < 3) return null;  // asked once a frame
   const main = document.getElementById("main");
   const fields = [...main.querySelectorAll("input, select, textarea")].map(
     (field) => /checkbox|radio/.test(field.type) ? String(field.checked) : field.value);
   const crumbs = document.querySelector(".crumbs").innerText;
-  return {
+  const shown = {
     address: location.pathname + location.search,
     title: document.title,
     heading: main.querySelector("h1")?.innerText ?? "",
     words: [crumbs, main.innerText, ...fields].join("\\n"),
   };
+  const before = window.seen, now = JSON.stringify(shown);
+  const settled = !twice || before === now;
+  window.seen = settled ? null : now;
+  if (!settled) changed();
+  return settled ? shown : null;
 }"""
 
 
@@ -83,7 +103,6 @@ def walking(context: BrowserContext) -> Iterator[Page]:
     complaints: list[str] = []
     context.add_init_script(WATCH)
     page = context.new_page()
-    page.set_default_timeout(30_000)
 
     def said(message: ConsoleMessage) -> None:
         if message.type in ("error", "warning"):
@@ -108,19 +127,18 @@ def walking(context: BrowserContext) -> Iterator[Page]:
 
 def begin(page: Page) -> int:
     """The demonstration survey, once no job changes what its pages say."""
-    page.goto("/")
     survey = wait_for_demonstration(page)
-    until = time.monotonic() + 120.0
-    while any(page.request.get(f"/api/jobs?state={state}").json() for state in ("queued", "running")):
-        assert time.monotonic() < until, "the demonstration's jobs take too long"
-        page.wait_for_timeout(500)
+
+    def working() -> bool:
+        return any(page.request.get(f"/api/jobs?state={state}").json() for state in ("queued", "running"))
+
+    wait_until(page, lambda: not working(), lambda: "the demonstration's jobs do not end")
     return survey
 
 
-def shown(page: Page) -> Shown:
-    """The page once it is at rest, without what tells the time."""
-    page.wait_for_function(AT_REST)
-    seen = Shown(**page.evaluate(SHOWN))
+def shown(page: Page, *, twice: bool = False) -> Shown:
+    """The page once it is at rest, less what tells the time; `twice` for a look that others are held to."""
+    seen = Shown(**page.wait_for_function(SHOWN, arg=twice).json_value())
     words = seen.words
     for pattern in TIMES:
         words = re.sub(pattern, "", words)
@@ -131,9 +149,9 @@ def path_of(address: str) -> str:
     return address.split("?")[0]
 
 
-def arrived(page: Page, before: Shown) -> Shown:
+def arrived(page: Page, before: Shown, *, twice: bool = False) -> Shown:
     """What is shown after a step; on another page the heading has the focus."""
-    now = shown(page)
+    now = shown(page, twice=twice)
     if path_of(now.address) != path_of(before.address):
         expect(page.locator("#main h1").first).to_be_focused()
     return now
@@ -141,7 +159,7 @@ def arrived(page: Page, before: Shown) -> Shown:
 
 def same(page: Page, now: Shown, then: Shown, step: str) -> None:
     """What is shown becomes what was shown before; a busy machine may rest in the middle of drawing it."""
-    until = time.monotonic() + 10.0
+    until = time.monotonic() + NEVER_S
     while now != then and time.monotonic() < until:
         page.wait_for_timeout(200)
         now = shown(page)
@@ -153,17 +171,18 @@ def lines_of(page: Shown) -> list[str]:
     return [page.address, page.title, page.heading, *page.words.splitlines()]
 
 
-def there_and_back(page: Page, start: Shown, link: str) -> Shown:
-    """Click a link, go back and forth, reload: the same each time. What is shown behind the link."""
-    page.locator(f'a[href="{link}"]:visible').first.click()
-    there = arrived(page, start)
-    assert asked_by(link) <= asked_by(there.address), f"{link} leads to {there.address}"
+def there_and_back(page: Page, start: Shown, step: Callable[[], None], name: str) -> Shown:
+    """Take a step, go back and forth, reload, go back: the same each time. What is shown after the step."""
+    step()
+    there = arrived(page, start, twice=True)
     page.go_back()
-    same(page, arrived(page, there), start, f"back from {link}")
+    same(page, arrived(page, there), start, f"back from {name}")
     page.go_forward()
-    same(page, arrived(page, start), there, f"forward to {link}")
+    same(page, arrived(page, start), there, f"forward to {name}")
     page.reload()
-    same(page, shown(page), there, f"reload of {link}")
+    same(page, shown(page), there, f"reload of {name}")
+    page.go_back()
+    same(page, arrived(page, there), start, f"back from {name}, loaded anew")
     return there
 
 

@@ -1,16 +1,21 @@
 """`sightline serve`: the first start's link, the second start without one, ends, and a port that is taken."""
 
+import http.client
 import json
 import os
 import signal
+import socket
 import time
 import urllib.request
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
 
+from sightline.cli import main
+from sightline.commands.serve import listen
 from tests.commands.running import Server, sightline
+from tests.support.waiting import NEVER_S, alive, until
 
 pytestmark = pytest.mark.once
 
@@ -27,19 +32,10 @@ def sign_in(server: Server, link: str) -> int:
     body = json.dumps({"token": link.split("token=")[1]}).encode()
     headers = {"Content-Type": "application/json", "X-Sightline": "1"}
     request = urllib.request.Request(f"{server.url}/api/session/link", body, headers)
-    with urllib.request.urlopen(request, timeout=30) as answer:
+    with urllib.request.urlopen(request, timeout=NEVER_S) as answer:
         me = json.loads(answer.read())
     assert me["person"]["role"] == "admin"
     return int(answer.status)
-
-
-def running(process_id: int) -> bool:
-    try:
-        os.kill(process_id, 0)
-    except ProcessLookupError:
-        return False
-    stat = Path(f"/proc/{process_id}/stat")
-    return not stat.exists() or stat.read_text().rpartition(")")[2].split()[0] != "Z"
 
 
 def children(process_id: int) -> list[int]:
@@ -54,48 +50,84 @@ def children(process_id: int) -> list[int]:
     return found
 
 
-def test_a_first_start_a_second_and_what_is_left_behind(tmp_path: Path, started: list[Server]) -> None:
+def answered(kept: http.client.HTTPConnection) -> bool:
+    kept.request("GET", "/api/health")
+    answer = kept.getresponse()
+    answer.read()
+    return answer.status == 200
+
+
+Said = Callable[..., tuple[int, str, str]]
+
+
+@pytest.fixture
+def said(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> Said:
+    """Runs a command that ends by itself, in this process: its status, and what it says."""
+    for name in [name for name in os.environ if name.startswith("SIGHTLINE_")]:
+        monkeypatch.delenv(name)
+    monkeypatch.setattr("sightline.commands.serve.answer", lambda *_: pytest.fail("the server starts"))
+
+    def run(*arguments: str, **setting: str) -> tuple[int, str, str]:
+        capsys.readouterr()
+        with monkeypatch.context() as patch:
+            for name, value in setting.items():
+                patch.setenv(name, value)
+            status = main(arguments)
+        return status, *capsys.readouterr()
+
+    return run
+
+
+def test_a_first_start_a_second_and_what_is_left_behind(
+    tmp_path: Path, started: list[Server], said: Said
+) -> None:
     started.append(first := Server(tmp_path / "data"))
     first.wait()
+    kept, asked_at = http.client.HTTPConnection("127.0.0.1", first.port), time.monotonic()
+    assert answered(kept)
+    line = kept.sock
     assert f"http://localhost:{first.port}" in first.log.read_text()
     link = first.link()
     assert link is not None
     assert sign_in(first, link) == 200
     with pytest.raises(urllib.error.HTTPError):
         sign_in(first, link)
-    taken = sightline("serve", "--data-dir", str(tmp_path / "other"), "--port", str(first.port))
-    assert taken.returncode == 2 and f"Port {first.port}" in taken.stderr and not taken.stdout
-    assert taken.stderr.count("\n") == 1
-    second_here = sightline("serve", "--data-dir", str(tmp_path / "data"), "--port", "0")
-    assert second_here.returncode == 2 and "Another server is using the folder" in second_here.stderr
+    status, out, err = said("serve", "--data-dir", str(tmp_path / "other"), "--port", str(first.port))
+    assert status == 2 and f"Port {first.port}" in err and not out
+    assert err.count("\n") == 1
+    status, _, err = said("serve", "--data-dir", str(tmp_path / "data"), "--port", "0")
+    assert status == 2 and "Another server is using the folder" in err
 
-    family = children(first.process.pid)
-    assert family, "the server has a worker beside it"
+    time.sleep(max(0.0, asked_at + 6 - time.monotonic()))  # longer than uvicorn keeps it by itself
+    assert answered(kept) and kept.sock is line, "a proxy asks again on a connection that rested"
+
+    family = until(lambda: children(first.process.pid), lambda: "the server has a worker beside it")
     first.stop(signal.SIGKILL)
-    until = time.monotonic() + 15
-    while any(running(one) for one in family) and time.monotonic() < until:
-        time.sleep(0.1)
-    assert not any(running(one) for one in family), "a killed server leaves nothing running"
+    kept.close()
+    until(lambda: not any(map(alive, family)), lambda: "a killed server leaves nothing running")
 
-    started.append(second := Server(tmp_path / "data", port=first.port))
+    started.append(second := Server(tmp_path / "data"))
     second.wait()
     assert second.link() is None, "whoever signed in once needs no link"
     assert second.stop(signal.SIGTERM) == 0
-    found = sightline("verify", str(tmp_path / "data"), "--json")
-    assert found.returncode == 0, found.stderr
-    assert json.loads(found.stdout)["kind"] == "database" and json.loads(found.stdout)["checked"] >= 3
+    status, out, err = said("verify", str(tmp_path / "data"), "--json")
+    assert status == 0, err
+    assert json.loads(out)["kind"] == "database" and json.loads(out)["checked"] >= 3
 
 
-def test_settings_that_cannot_be_used_are_named(tmp_path: Path) -> None:
-    for name, value in (("SIGHTLINE_HEARTBEAT_LIMIT_S", "soon"), ("SIGHTLINE_PORT", "70000")):
-        done = sightline("serve", "--data-dir", str(tmp_path / "data"), **{name: value})
-        assert done.returncode == 2 and name in done.stderr and "Traceback" not in done.stderr
-    done = sightline(
-        "serve",
-        "--data-dir",
-        str(tmp_path / "data"),
-        "--port",
-        "0",
-        SIGHTLINE_DATABASE_URL="mysql://x/y",
-    )
-    assert done.returncode == 2 and "mysql" in done.stderr
+def test_settings_that_cannot_be_used_are_named(tmp_path: Path, said: Said) -> None:
+    """The first in a process of its own, as a user meets it."""
+    serve = ("serve", "--data-dir", str(tmp_path / "data"))
+    done = sightline(*serve, SIGHTLINE_HEARTBEAT_LIMIT_S="soon")
+    assert done.returncode == 2 and "SIGHTLINE_HEARTBEAT_LIMIT_S" in done.stderr
+    assert "Traceback" not in done.stderr
+    status, _, err = said(*serve, SIGHTLINE_PORT="70000")
+    assert status == 2 and "SIGHTLINE_PORT" in err and "Traceback" not in err
+    status, _, err = said(*serve, "--port", "0", SIGHTLINE_DATABASE_URL="mysql://x/y")
+    assert status == 2 and "mysql" in err
+
+
+def test_the_port_of_a_server_that_was_killed_is_taken_at_once() -> None:
+    """Its connections may linger for minutes; then who may have the port again must have said so."""
+    with listen("127.0.0.1", 0) as listener:
+        assert listener.getsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR)

@@ -12,6 +12,7 @@ import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
+from types import SimpleNamespace
 
 import cv2
 import numpy as np
@@ -19,10 +20,13 @@ import pytest
 import tifffile
 
 from sightline.cli import main
+from sightline.media.lines.piped import PipedLines
+from sightline.media.lines.source import Ending
 from sightline.media.strips.sheet import Pixels
 from sightline.media.strips.spool import SpooledLines
 from sightline.simulation.scan_strips import strips
 from sightline.simulation.scan_traffic import ScanSite, traffic
+from tests.support.waiting import until
 
 pytestmark = pytest.mark.once
 
@@ -132,7 +136,26 @@ def test_each_vehicle_is_told_while_the_stream_goes_on(pixels: tuple[Pixels, Pix
         said = live.stderr.read().decode()
     assert live.returncode == 0, said
     assert [one["id"] for one in rest] == [2, 3]
-    assert "lines are stored in" in said
+    assert f"{len(pixels[0])} lines are stored in" in said, "those that lay in the pipe too"
+
+
+def lines_at_the_end(source: int) -> int:
+    """How many are taken of what lies there when the end is wished."""
+    ending = Ending()
+    ending.wish()
+    taken = sum(len(piece.first) for piece in PipedLines(source, SITE.rows, ending).pieces() if piece)
+    ending.close()
+    os.close(source)
+    return taken
+
+
+def test_what_was_sent_before_the_end_was_wished_is_taken() -> None:
+    source, into = os.pipe()
+    os.write(into, bytes(2 * SITE.rows * 100))
+    assert lines_at_the_end(source) == 100
+    os.close(into)
+    without_end = os.open("/dev/zero", os.O_RDONLY)
+    assert lines_at_the_end(without_end) == (1 << 20) // (2 * SITE.rows)
 
 
 @pytest.mark.parametrize(
@@ -181,7 +204,16 @@ def test_a_growing_file_is_followed_until_it_rests(
             for start in range(0, len(whole), 700_001):
                 file.write(whole[start : start + 700_001])
 
-    writer = threading.Thread(target=grow)
+    writer, at_rest = threading.Thread(target=grow), list[float]()
+
+    def clock() -> float:
+        """Stands still while the file grows."""
+        if writer.is_alive():
+            return 0.0
+        at_rest.append(time.monotonic())
+        return at_rest[-1] - at_rest[0]
+
+    monkeypatch.setattr("sightline.media.lines.followed.time", SimpleNamespace(monotonic=clock))
     writer.start()
     assert main([*STREAM, "--follow", str(path), "--until-idle", "1"]) == 0
     writer.join()
@@ -259,17 +291,12 @@ def test_another_rig_does_not_take_up_what_was_killed(
 
 def until_journalled(spool: Path) -> None:
     """A vehicle that was told and not yet journalled would be told again rather than not at all."""
-    until = time.monotonic() + 30
-    while '"rear_line"' not in (spool / "0001.jsonl").read_text():
-        assert time.monotonic() < until
-        time.sleep(0.02)
+    until(lambda: '"rear_line"' in (spool / "0001.jsonl").read_text())
 
 
 def until_kept(spool: Path, lines: int) -> None:
-    until = time.monotonic() + 30
-    while time.monotonic() < until:
+    def kept() -> bool:
         paths = sorted(spool.glob("*.tif"))
-        if len(paths) == 2 and all(SpooledLines(path).lines >= lines for path in paths):
-            return
-        time.sleep(0.02)
-    raise AssertionError("the lines were not kept in time")
+        return len(paths) == 2 and all(SpooledLines(path).lines >= lines for path in paths)
+
+    until(kept, lambda: "the lines were not kept")

@@ -7,7 +7,6 @@ from pathlib import Path
 import boto3
 import httpx2
 import pytest
-from moto.server import ThreadedMotoServer
 
 from sightline.media.images import read_image_bgr
 from sightline.media.video.writer import write_mp4
@@ -22,6 +21,8 @@ pytestmark = pytest.mark.skipif(not SERVER, reason="SIGHTLINE_TEST_DATABASE_URL 
 @pytest.fixture
 def environment() -> Iterator[dict[str, str]]:
     """What the compose file sets, with a bucket on a local server of the S3 protocol."""
+    from moto.server import ThreadedMotoServer
+
     storage = ThreadedMotoServer(ip_address="127.0.0.1", port=0, verbose=False)
     storage.start()
     host, port = storage.get_host_and_port()
@@ -40,11 +41,11 @@ def environment() -> Iterator[dict[str, str]]:
 
 
 def test_app_and_worker_share_postgresql_and_storage(
-    migrated: str, environment: dict[str, str], tmp_path: Path
+    database_url: str, environment: dict[str, str], tmp_path: Path
 ) -> None:
     clip = tmp_path / "clip.mp4"
     write_mp4(clip, (painted(n) for n in range(40)), 25)
-    shared = environment | {"SIGHTLINE_DATABASE_URL": migrated}
+    shared = environment | {"SIGHTLINE_DATABASE_URL": database_url}
     running: list[Server] = []
     try:
         app = start("serve", tmp_path / "app", extra=shared)

@@ -10,10 +10,8 @@ from pathlib import Path
 from types import SimpleNamespace
 
 import cv2
-import pandas as pd
 import pyarrow.parquet as pq
 import pytest
-from frictionless import Package as Frictionless
 
 from sightline.cli import main
 from sightline.errors import NoRoom
@@ -105,6 +103,8 @@ def _bytes(place: Path) -> dict[str, bytes]:
 
 
 def test_frictionless_finds_nothing_to_complain_about(package: Path) -> None:
+    from frictionless import Package as Frictionless
+
     report = Frictionless(str(package / "datapackage.json")).validate()
     assert report.valid, report.flatten(["title", "fieldName", "rowNumber", "note", "message"])
     described = json.loads((package / "datapackage.json").read_text())
@@ -130,12 +130,14 @@ def test_frictionless_finds_nothing_to_complain_about(package: Path) -> None:
 
 @pytest.mark.once
 def test_pandas_reads_every_table_as_it_is_described(package: Path) -> None:
+    import pandas
+
     described = json.loads((package / "datapackage.json").read_text())
     kinds = {"integer": "iuf", "number": "iuf", "boolean": "bO", "string": "OSU", "datetime": "OSU"}
     for resource in described["resources"]:
         if "schema" not in resource:
             continue
-        table = pd.read_csv(package / resource["path"])
+        table = pandas.read_csv(package / resource["path"])
         for field in resource["schema"]["fields"]:
             column = table[field["name"]].dropna()
             assert column.empty or column.dtype.kind in kinds[field["type"]], field

@@ -1,11 +1,10 @@
-"""Packages made to harm who verifies them: refused in one sentence, at once, and nothing is followed."""
+"""Packages made to harm who verifies them: refused in one sentence, and nothing is followed."""
 
 from __future__ import annotations
 
 import hashlib
 import os
 import stat
-import time
 import zipfile
 from collections.abc import Callable
 from pathlib import Path
@@ -49,18 +48,20 @@ ZIPS: dict[str, tuple[Callable[[Path], Path], str]] = {
 
 
 def _refused(place: Path, words: str, capsys: pytest.CaptureFixture[str]) -> None:
-    start = time.monotonic()
     assert main(["verify", str(place)]) in (1, 2)
     said = capsys.readouterr().err
     assert words in said and said.count("\n") == 1, said
-    assert time.monotonic() - start < 20
 
 
 @pytest.mark.filterwarnings("ignore:Duplicate name")
 @pytest.mark.parametrize("kind", ZIPS)
-def test_a_hostile_zip_is_refused(tmp_path: Path, capsys: pytest.CaptureFixture[str], kind: str) -> None:
+def test_a_hostile_zip_is_refused_by_its_list(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, kind: str
+) -> None:
     make, words = ZIPS[kind]
-    _refused(make(tmp_path / "package.zip"), words, capsys)
+    place = make(tmp_path / "package.zip")
+    monkeypatch.setattr(zipfile.ZipFile, "open", lambda *_: pytest.fail("something is unpacked"))
+    _refused(place, words, capsys)
 
 
 def test_a_file_that_does_not_unpack_is_named(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

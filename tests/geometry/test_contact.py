@@ -48,7 +48,13 @@ def wheels(light: str, vehicles: tuple[int, ...]) -> list[tuple[int, np.ndarray]
 
 
 @pytest.mark.parametrize(
-    ("light", "vehicles", "median_px"), [("day", (0, 2, 7), 0.45), ("low_light", (1, 8), 0.6)]
+    ("light", "vehicles", "median_px"),
+    [
+        ("day", (0, 2), 0.45),
+        ("low_light", (1,), 0.6),
+        pytest.param("day", (0, 2, 7), 0.45, marks=pytest.mark.proof),
+        pytest.param("low_light", (1, 8), 0.6, marks=pytest.mark.proof),
+    ],
 )
 def test_it_is_better_than_a_careful_click_wherever_it_does_not_refuse(
     light: str, vehicles: tuple[int, ...], median_px: float

@@ -80,7 +80,13 @@ def test_whatever_passes_is_found_again(thirds_mps, heading, inset, height, whee
 
 
 @pytest.mark.parametrize(
-    ("scene", "confirmed", "drift"), [(NEAR, 0.0, 0.0), (FAR, 0.0, 0.0), (NEAR, 0.8, 0.1), (FAR, 0.8, 0.1)]
+    ("scene", "confirmed", "drift"),
+    [
+        (NEAR, 0.8, 0.1),
+        pytest.param(FAR, 0.8, 0.1, marks=pytest.mark.proof),
+        pytest.param(NEAR, 0.0, 0.0, marks=pytest.mark.proof),
+        pytest.param(FAR, 0.0, 0.0, marks=pytest.mark.proof),
+    ],
 )
 def test_scatter_bias_coverage_and_efficiency(scene, confirmed, drift) -> None:
     """Against the bound of the drawn noise: 400 passes each."""
@@ -116,7 +122,7 @@ def test_scatter_bias_coverage_and_efficiency(scene, confirmed, drift) -> None:
     assert kstest(chances, "uniform").pvalue > 1e-3
 
 
-@pytest.mark.parametrize("scene", [NEAR, FAR])
+@pytest.mark.parametrize("scene", [FAR, pytest.param(NEAR, marks=pytest.mark.proof)])
 def test_places_that_count_from_the_confirmed_frame(scene) -> None:
     """Shifts of all frames err; the confirmed one is where it was clicked: 120 passes."""
     car, sigma, rng = Drawn(), 0.4, np.random.default_rng(23)
@@ -172,10 +178,11 @@ def test_lens_and_pose_part_equals_resolving() -> None:
     assert stated["lens and pose"] == pytest.approx(abs(after - before), rel=0.02)
 
 
-def test_frame_times_that_jitter_are_covered() -> None:
+@pytest.mark.parametrize("passes", [100, pytest.param(200, marks=pytest.mark.proof)])
+def test_frame_times_that_jitter_are_covered(passes: int) -> None:
     rng, pose, hits = np.random.default_rng(5), pose_of(FAR), []
     frame, point, t = frames_of(FAR, Drawn())
-    for _ in range(200):
+    for _ in range(passes):
         late = dict(zip(np.unique(frame), rng.normal(0, 1e-3, len(np.unique(frame))), strict=True))
         seen = look(FAR, Drawn(), point, t + np.array([late[f] for f in frame]))
         seen = seen + rng.normal(0, 0.4, seen.shape)

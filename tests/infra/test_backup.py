@@ -3,11 +3,11 @@
 import itertools
 import json
 import os
+import signal
 import stat
 import subprocess
 import sys
 import threading
-import time
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 from pathlib import Path
@@ -48,6 +48,7 @@ from sightline.settings import Settings
 from tests.conftest import SERVER
 from tests.media.test_store import OpenS3, open_s3, s3_endpoint
 from tests.support import samples
+from tests.support.waiting import until
 
 pytestmark = pytest.mark.dialect
 
@@ -199,18 +200,18 @@ def test_a_stopped_backup_goes_on_and_leaves_the_one_before_whole(
 
 
 HOLD = """
-import fcntl, sys, time
+import fcntl, sys
 file = open(sys.argv[1], "ab")
 fcntl.lockf(file, fcntl.LOCK_EX)
 print("held", flush=True)
-time.sleep(60)
+sys.stdin.read()
 """
 
 
 def test_one_backup_at_a_time_in_a_folder(filled: Services, tmp_path: Path) -> None:
     backed_up(filled, tmp_path / "backup")
     holder = [sys.executable, "-c", HOLD, str(tmp_path / "backup" / LOCK)]
-    with subprocess.Popen(holder, stdout=subprocess.PIPE) as other:
+    with subprocess.Popen(holder, stdin=subprocess.PIPE, stdout=subprocess.PIPE) as other:
         try:
             assert other.stdout is not None
             assert other.stdout.readline() == b"held\n"
@@ -221,21 +222,45 @@ def test_one_backup_at_a_time_in_a_folder(filled: Services, tmp_path: Path) -> N
     backed_up(filled, tmp_path / "backup")
 
 
+#: The program, which kills itself when it comes to a function of the copying of media for the n-th time.
+KILLED = """
+import os, signal, sys
+from types import SimpleNamespace
+from sightline.cli import main
+from sightline.infra.backup import media_copy
+where, left = sys.argv[1], int(sys.argv[2])
+def killed(work):
+    def counted(*given):
+        global left
+        left -= 1
+        if left == 0:
+            os.kill(os.getpid(), signal.SIGKILL)
+        return work(*given)
+    return counted
+if where == "replace":
+    media_copy.os = SimpleNamespace(**{**vars(os), "replace": killed(os.replace)})
+else:
+    setattr(media_copy, where, killed(getattr(media_copy, where)))
+sys.exit(main(sys.argv[3:]))
+"""
+
+
 def test_a_killed_backup_goes_on(filled: Services, tmp_path: Path, new_place: NewPlace) -> None:
-    """SIGKILL at three places: what was copied is not copied again, and nothing looks whole before it is."""
+    """SIGKILL before a file, when it is written, and when it is in its place but not noted: what was copied
+    is not copied again, and nothing looks whole before it is.
+    """
     for number in range(120):
         put_bytes(filled, bytes([number % 251]) * 20_000 + str(number).encode(), ".jpg")
     folder, settings = tmp_path / "backup", filled.settings
     asked = ["backup", str(folder), "--data-dir", str(settings.data_dir)]
     addresses = {"SIGHTLINE_DATABASE_URL": settings.database_url, "SIGHTLINE_MEDIA_URL": settings.media_url}
     copied = 0
-    for _ in range(3):
-        command = [sys.executable, "-m", "sightline.cli", *asked]
-        with subprocess.Popen(command, env=os.environ | addresses, stderr=subprocess.DEVNULL) as running:
-            while running.poll() is None and _lines(folder / JOURNAL) < copied + 15:
-                time.sleep(0.001)
-            running.kill()
-        copied = _lines(folder / JOURNAL)
+    for where in ("check_room", "replace", "sync_folder"):
+        command = [sys.executable, "-c", KILLED, where, "16", *asked]
+        done = subprocess.run(command, env=os.environ | addresses, stderr=subprocess.DEVNULL, check=False)
+        assert done.returncode == -signal.SIGKILL
+        copied += 15
+        assert _lines(folder / JOURNAL) == copied
         assert not (folder / MANIFEST).exists()
         with pytest.raises(BadInput, match="no complete backup"):
             check_backup(folder, silent)
@@ -329,10 +354,7 @@ def test_clicks_are_stored_while_it_runs(
 def _wait_for(growing: list[Any], more: int) -> int:
     """Wait until a list has so many more; how many it has."""
     start = len(growing)
-    for _ in range(2000):
-        if len(growing) >= start + more:
-            break
-        time.sleep(0.005)
+    until(lambda: len(growing) >= start + more)
     return len(growing)
 
 

@@ -15,11 +15,12 @@ from prometheus_client import CollectorRegistry, generate_latest
 from sightline.errors import BadInput
 from sightline.infra.log import REQUEST, JsonLines
 from sightline.infra.services import Services
+from sightline.infra.web import metrics
 from sightline.infra.web.metrics import serve_metrics
 from sightline.infra.web.watching import number_of
 from sightline.media.store.s3 import StorageAway
-from tests.browser.server import free_port
 from tests.support.app import Client
+from tests.support.waiting import NEVER_S
 
 pytestmark = pytest.mark.once
 
@@ -100,11 +101,18 @@ def test_administrators_see_the_state_of_the_system(admin: Client, viewer: Clien
     assert viewer.get("/system").status_code == 403
 
 
-def test_prometheus_reads_on_a_port_of_its_own() -> None:
-    registry, port = CollectorRegistry(), free_port()
-    stop = serve_metrics("127.0.0.1", port, registry)
+def test_prometheus_reads_on_a_port_of_its_own(monkeypatch: pytest.MonkeyPatch) -> None:
+    registry, begun, begin = CollectorRegistry(), list[Any](), metrics.start_http_server
+
+    def noted(*given: Any) -> Any:
+        begun.append(begin(*given))
+        return begun[-1]
+
+    monkeypatch.setattr(metrics, "start_http_server", noted)
+    stop = serve_metrics("127.0.0.1", 0, registry)
+    port = begun[0][0].server_port
     try:
-        with urllib.request.urlopen(f"http://127.0.0.1:{port}/metrics", timeout=5) as answer:
+        with urllib.request.urlopen(f"http://127.0.0.1:{port}/metrics", timeout=NEVER_S) as answer:
             assert answer.status == 200
         with pytest.raises(BadInput, match="SIGHTLINE_METRICS_PORT"):
             serve_metrics("127.0.0.1", port, registry)

@@ -12,6 +12,7 @@ from sqlalchemy.orm import Session
 from sightline.infra.database.engine import DatabaseAway
 from sightline.infra.services import Services
 from sightline.infra.web.write_gate import WriteGate
+from tests.support.waiting import NEVER_S
 
 pytestmark = pytest.mark.dialect
 
@@ -85,13 +86,13 @@ def test_nobody_is_told_before_the_disk_has_it(
 
     def sync(_self: Services) -> None:
         syncs.set()
-        assert may_sync.wait(10)
+        assert may_sync.wait(NEVER_S)
 
     monkeypatch.setattr(Services, "sync", sync)
 
     async def two() -> None:
         answers = [asyncio.create_task(gate.write(services, 1, _add(number))) for number in (1, 2)]
-        assert await asyncio.to_thread(syncs.wait, 10)
+        assert await asyncio.to_thread(syncs.wait, NEVER_S)
         await asyncio.sleep(0.05)
         assert not any(one.done() for one in answers)
         may_sync.set()
@@ -165,7 +166,7 @@ def test_the_next_are_written_while_the_disk_is_waited_for(
 
     def sync(_self: Services) -> None:
         syncs.append(_stored(services))
-        assert may_sync.wait(10)
+        assert may_sync.wait(NEVER_S)
 
     monkeypatch.setattr(Services, "sync", sync)
 

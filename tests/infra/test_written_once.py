@@ -27,7 +27,14 @@ from sightline.infra.audit.signing import put_in_force, replacing_key, signing_k
 from sightline.infra.audit.tables import audit_events
 from sightline.infra.audit.verification import verify_database, verify_records
 from sightline.infra.audit.vouched import WrittenOnce, WrittenOnceApart, fingerprints, marked
-from sightline.infra.database.engine import SessionFactory, engine_of, reading, writing
+from sightline.infra.database.engine import (
+    SessionFactory,
+    engine_of,
+    make_engine,
+    reading,
+    session_factory,
+    writing,
+)
 from sightline.measurements.again.store import add_computing
 from sightline.measurements.click_sigma_store import choose_click_sigma
 from sightline.people.store import person_by_email
@@ -42,6 +49,7 @@ from sightline.surveys.photographs.store import order_photographs
 from sightline.vehicles.records import VehicleChanges
 from sightline.vehicles.store import create_vehicle, remove_vehicle, restore_vehicle, update_vehicle
 from tests.support import samples, scans_samples
+from tests.support.kept import PutBack, Shelf
 
 pytestmark = pytest.mark.dialect
 
@@ -70,10 +78,10 @@ WRITTEN_ONCE = (
 )
 
 
-@pytest.fixture
-def filled(factory: SessionFactory) -> SessionFactory:
-    """A database with one of everything."""
-    with writing(factory) as session:
+def _fill(url: str) -> None:
+    """One of everything."""
+    engine = make_engine(url)
+    with writing(session_factory(engine)) as session:
         one = samples.sample(session)
         made = samples.measure(session, one)
         add_review(session, made.id, seen_revision=1, verdict="accepted", actor=one.rene.id)
@@ -97,6 +105,18 @@ def filled(factory: SessionFactory) -> SessionFactory:
         height = scans_samples.tall(session, one, scanned.vehicle_id, rod)
         add_line_height_review(session, height.id, verdict="accepted", actor=one.rene.id)
         samples.study_result(session, one)
+    engine.dispose()
+
+
+@pytest.fixture(scope="module")
+def put_back(shelf: Shelf) -> PutBack:
+    return shelf.keep(_fill)[1]
+
+
+@pytest.fixture
+def filled(put_back: PutBack, database_url: str, factory: SessionFactory) -> SessionFactory:
+    """A database with one of everything."""
+    put_back(database_url)
     return factory
 
 

@@ -1,16 +1,15 @@
-"""A PostgreSQL cluster of one's own, on a free port, whose postmaster may be killed (Linux)."""
+"""A PostgreSQL cluster of one's own, on no port at all, whose postmaster may be killed (Linux)."""
 
 import os
 import shutil
 import signal
 import subprocess
-import time
 from contextlib import suppress
 from pathlib import Path
 
 from sqlalchemy import create_engine, text
 
-from tests.browser.server import free_port
+from tests.support.waiting import until
 
 USER = "postgres"
 
@@ -19,7 +18,7 @@ class Cluster:
     """Made in `folder`; `start`, `kill` and `stop` as often as wanted."""
 
     def __init__(self, folder: Path) -> None:
-        self.folder, self.port = folder, free_port()
+        self.folder = folder
         folder.mkdir(parents=True)
         if os.geteuid() == 0:  # PostgreSQL refuses to run as root
             shutil.chown(folder, USER, USER)
@@ -32,26 +31,25 @@ class Cluster:
 
     @property
     def url(self) -> str:
-        return f"postgresql+psycopg://{USER}@127.0.0.1:{self.port}/postgres"
+        return f"postgresql+psycopg://{USER}@/postgres?host={self.folder}"
 
     def start(self) -> None:
         """Until it answers; after a kill it recovers first, once the last of its processes is gone."""
-        options = f"-p {self.port} -k {self.folder} -c listen_addresses=127.0.0.1"
-        until = time.monotonic() + 60
-        while True:
-            try:
-                self._run(
-                    "pg_ctl", "start", "-w", "-D", str(self.folder / "data"), "-o", options, "-l", self._log
-                )
-                break
-            except subprocess.CalledProcessError:
-                if time.monotonic() > until:
-                    raise
-                time.sleep(0.3)
+        until(self._starts, lambda: f"it does not start: see {self._log}")
         engine = create_engine(self.url)
         with engine.connect() as connection:
             connection.execute(text("SELECT 1"))
         engine.dispose()
+
+    def _starts(self) -> bool:
+        options = f"-k {self.folder} -c listen_addresses="
+        try:
+            self._run(
+                "pg_ctl", "start", "-w", "-D", str(self.folder / "data"), "-o", options, "-l", self._log
+            )
+        except subprocess.CalledProcessError:
+            return False
+        return True
 
     def kill(self) -> None:
         """SIGKILL to the postmaster; its processes notice and end."""

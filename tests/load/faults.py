@@ -33,7 +33,7 @@ from sightline.commands.verify import check_database
 from sightline.infra.database.engine import make_engine
 from sightline.media.atomic import PART
 from tests.browser.conftest import made_once, make_small_survey
-from tests.browser.server import Server, free_port, start
+from tests.browser.server import Server, start
 from tests.load.cluster import Cluster
 from tests.load.processes import kill_one
 from tests.load.soak import signed_in
@@ -363,13 +363,12 @@ def main() -> None:
         else:
             shutil.copytree(chosen.ground or made_once(here / "small"), data)
         engine = make_engine(cluster.url if cluster else f"sqlite:///{data / 'sightline.db'}")
-        port = free_port()
+        server = start("demo", data, extra=extra)
 
-        def run() -> Server:
-            return start("demo", data, port=port, extra=extra)
+        def again() -> Server:
+            return start("demo", data, port=server.port, extra=extra)
 
-        server = run()
-        killer = Killer(server, run, cluster, chosen.seed)
+        killer = Killer(server, again, cluster, chosen.seed)
         try:
             server.wait(120)
             cookies, survey = signed_in(server)

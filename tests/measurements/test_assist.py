@@ -34,7 +34,7 @@ def night_clip(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 @pytest.fixture
-def recording_id(operator: Client, survey_id: int, night_clip: Path, work: Callable[[], list[Job]]) -> int:
+def night_id(operator: Client, survey_id: int, night_clip: Path, work: Callable[[], list[Job]]) -> int:
     made = upload(operator, survey_id, night_clip)
     assert [job.state for job in work()] == ["done"]
     return made
@@ -44,8 +44,8 @@ def picture(content: bytes) -> np.ndarray:
     return np.asarray(cv2.imdecode(np.frombuffer(content, np.uint8), cv2.IMREAD_COLOR), np.uint8)
 
 
-def test_a_brightened_still_is_another_picture_of_the_same_frame(viewer: Client, recording_id: int) -> None:
-    path = f"/recordings/{recording_id}/frames/1.jpg"
+def test_a_brightened_still_is_another_picture_of_the_same_frame(viewer: Client, night_id: int) -> None:
+    path = f"/recordings/{night_id}/frames/1.jpg"
     plain, bright = viewer.get(path), viewer.get(f"{path}?display=bright")
     assert plain.headers["ETag"] != bright.headers["ETag"]
     for name in ("Sightline-Frame", "Sightline-Pts"):
@@ -60,7 +60,7 @@ def test_a_brightened_still_is_another_picture_of_the_same_frame(viewer: Client,
     )
     assert viewer.get(f"{path}?display=sepia").status_code == 422
 
-    crop = f"/recordings/{recording_id}/frames/1/crop.png?x=300&y=300&w=64&h=48"
+    crop = f"/recordings/{night_id}/frames/1/crop.png?x=300&y=300&w=64&h=48"
     one, two = viewer.get(crop), viewer.get(f"{crop}&display=bright")
     assert picture(two.content).mean() > 1.5 * picture(one.content).mean()
     # local contrast is the whole picture's: the loupe shows what the frame shows
@@ -79,15 +79,13 @@ def test_a_bright_picture_keeps_its_brightness_and_pixels_stay_where_they_are() 
     assert int(np.argmax(edge)) == 59 and int(np.argmin(edge)) == 99
 
 
-def give_pose(services: Services, survey_id: int, recording_id: int) -> None:
+def give_pose(services: Services, survey_id: int, night_id: int) -> None:
     """The scene's true camera pose."""
     c = SCENE.camera
     size = (c.width_px, c.height_px)
     lens = Camera("drawn", *size, "brown", c.fx_px, c.fy_px, c.cx_px, c.cy_px, np.array(c.distortion))
     _, calibration_id = store_calibration(services, survey_id, lens)
-    add_pose(
-        services, recording_id, calibration_id, lens, rotation=c.rotation(), translation_m=c.translation_m()
-    )
+    add_pose(services, night_id, calibration_id, lens, rotation=c.rotation(), translation_m=c.translation_m())
 
 
 def pixel_of(name: str) -> tuple[float, float]:
@@ -98,12 +96,12 @@ def pixel_of(name: str) -> tuple[float, float]:
 
 
 def test_a_proposal_comes_near_the_truth_and_stores_nothing(
-    viewer: Client, services: Services, survey_id: int, recording_id: int
+    viewer: Client, services: Services, survey_id: int, night_id: int
 ) -> None:
-    path = f"/recordings/{recording_id}/frames/1/contact"
+    path = f"/recordings/{night_id}/frames/1/contact"
     answer = viewer.post(path, {"pointer": [300, 300]})
     assert answer.status_code == 409 and "camera pose" in error_of(answer)
-    give_pose(services, survey_id, recording_id)
+    give_pose(services, survey_id, night_id)
 
     px = pixel_of("contact_rear")
     found = viewer.made(path, {"pointer": [float(px[0]) + 5, float(px[1]) - 6]})
@@ -118,11 +116,11 @@ def test_a_proposal_comes_near_the_truth_and_stores_nothing(
 
 
 def test_a_contact_click_goes_to_the_tyre_and_the_record_says_from_where(
-    operator: Client, services: Services, survey_id: int, recording_id: int
+    operator: Client, services: Services, survey_id: int, night_id: int
 ) -> None:
-    give_pose(services, survey_id, recording_id)
+    give_pose(services, survey_id, night_id)
     span = {"first_frame": 0, "last_frame": 3}
-    vehicle_id = operator.made(f"/recordings/{recording_id}/vehicles", span)["id"]
+    vehicle_id = operator.made(f"/recordings/{night_id}/vehicles", span)["id"]
     (x, y), roof = pixel_of("contact_rear"), pixel_of("roof")
     click = [round(x + 2.0, 2), round(y - 15.0, 2)]
     path = f"/vehicles/{vehicle_id}/frames/1/snap"

@@ -4,22 +4,26 @@ from __future__ import annotations
 
 import http.client
 import threading
-import time
 from collections.abc import Callable
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from typing import Any, Literal
 from urllib.parse import urlsplit
 
+from tests.support.waiting import NEVER_S
+
 Fault = Literal["none", "500", "cut", "slow", "closed"]
 
 
 class FaultyS3:
-    """Hands requests on; `fault` says what becomes of the next `count` answers."""
+    """Hands requests on; `fault` says what becomes of the next `count` answers. A slow one waits for the next
+    `begin`.
+    """
 
     def __init__(self, endpoint: str) -> None:
         self.fault: Fault = "none"
         self.count = 0
         self.asked = 0
+        self.over = threading.Event()
         self._lock = threading.Lock()
         self._server = ThreadingHTTPServer(("127.0.0.1", 0), _handler(self, endpoint))
         self._server.daemon_threads = True
@@ -29,6 +33,8 @@ class FaultyS3:
 
     def begin(self, fault: Fault, count: int = 1_000_000) -> None:
         with self._lock:
+            self.over.set()
+            self.over = threading.Event()
             self.fault, self.count, self.asked = fault, count, 0
 
     def next(self) -> Fault:
@@ -38,6 +44,7 @@ class FaultyS3:
             return self.fault if self.count >= 0 else "none"
 
     def close(self) -> None:
+        self.over.set()
         self._server.shutdown()
         self._server.server_close()
         self._thread.join()
@@ -62,8 +69,8 @@ def _handler(faults: FaultyS3, endpoint: str) -> Callable[..., BaseHTTPRequestHa
                 self._answer(500, {}, b"<Error><Code>InternalError</Code></Error>")
                 return
             if fault == "slow":
-                time.sleep(0.8)
-            there = http.client.HTTPConnection(place.netloc, timeout=30)
+                faults.over.wait(NEVER_S)
+            there = http.client.HTTPConnection(place.netloc, timeout=NEVER_S)
             there.request(self.command, self.path, body, dict(self.headers))
             answer = there.getresponse()
             content = answer.read()

@@ -6,7 +6,6 @@ import errno
 import signal
 import subprocess
 import sys
-import time
 import zlib
 from fractions import Fraction
 from pathlib import Path
@@ -126,15 +125,20 @@ def test_cancelling_stops_at_once(spec: Spec, clip: Clip, tmp_path: Path) -> Non
 def test_a_killed_ingest_can_be_done_again(tmp_path: Path, clip: Clip) -> None:
     path = clip(Spec("a.ts", gop=10), 80)
     program = (
-        "import sys, time\nfrom pathlib import Path\nfrom sightline.media.video.ingest import ingest\n"
-        "def wait():\n    time.sleep(0.01)\n    return False\n"
-        f"ingest(Path({str(path)!r}), lambda f: print(f, flush=True), wait, Path({str(tmp_path / 't')!r}), "
+        "import os, signal, sys\nfrom pathlib import Path\nfrom sightline.media.video.ingest import ingest\n"
+        "left = int(sys.argv[1])\n"
+        "def look():\n"
+        "    global left\n"
+        "    left -= 1\n"
+        "    if not left:\n"
+        "        os.kill(os.getpid(), signal.SIGKILL)\n"
+        "    return False\n"
+        f"ingest(Path({str(path)!r}), lambda _: None, look, Path({str(tmp_path / 't')!r}), "
         f"work_dir=Path({str(tmp_path / 'w')!r}))\n"
     )
-    for after_s in (0.3, 1.2):
-        with subprocess.Popen([sys.executable, "-c", program], cwd=ROOT, stdout=subprocess.PIPE) as child:
-            time.sleep(after_s)
-            child.send_signal(signal.SIGKILL)
+    for frame in ("40", "130"):  # while it is copied, while it is decoded
+        child = subprocess.run([sys.executable, "-c", program, frame], cwd=ROOT, check=False)
+        assert child.returncode == -signal.SIGKILL
     result = ingest(path, lambda _: None, lambda: False, tmp_path / "t", work_dir=tmp_path / "w")
     assert len(result.frames) == 80
     assert {p.name for p in (tmp_path / "t").glob("*.jpg")} == {t.name for t in result.thumbnails}

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import threading
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
@@ -16,6 +16,7 @@ from sightline.media.video import prefetch
 from sightline.media.video.frames import FrameServer
 from sightline.media.video.seeker import RecordingMedia
 from sightline.media.video.window import CancelCheck, NoLongerWanted, Window
+from tests.support.waiting import NEVER_S, until
 
 COUNT = 100
 MEDIA = RecordingMedia(
@@ -35,6 +36,7 @@ class Pictures(Window):
         self.decoded: set[int] = set()
         self.lost: set[int] = set()
         self.slow: set[int] = set()
+        self.hears = True
         self.dropped: list[int] = []
         self.size = 1000
 
@@ -42,9 +44,9 @@ class Pictures(Window):
         self, media: RecordingMedia, n: int, wanted: CancelCheck, display: Display, *, ahead: bool = False
     ) -> bytes:
         self.asked.append(n)
-        until = time.monotonic() + 20
-        while n in self.slow and time.monotonic() < until:
-            if not wanted():
+        end = time.monotonic() + NEVER_S
+        while n in self.slow and time.monotonic() < end:
+            if self.hears and not wanted():
                 self.dropped.append(n)
                 raise NoLongerWanted("no longer")
             time.sleep(0.01)
@@ -69,20 +71,16 @@ def server(pictures: Pictures, tmp_path: Path) -> Iterator[FrameServer]:
     made.close()
 
 
-def until(there: Callable[[], bool]) -> None:
-    """Wait for what another thread does."""
-    end = time.monotonic() + 20
-    while not there() and time.monotonic() < end:
-        time.sleep(0.005)
-    assert there()
+def rest(server: FrameServer) -> None:
+    """Wait until nothing more is to be made, or being made."""
+    ahead = server._prefetcher
+    assert ahead is not None
 
+    def nothing_left() -> bool:
+        with ahead._change:
+            return not ahead._plan and not ahead._coming
 
-def rest(pictures: Pictures) -> None:
-    """Wait until nothing more is made."""
-    seen = -1
-    while seen != len(pictures.asked):
-        seen = len(pictures.asked)
-        time.sleep(0.15)
+    until(nothing_left)
 
 
 def test_after_a_jump_what_lies_ahead_and_what_is_decoded_behind(
@@ -90,11 +88,11 @@ def test_after_a_jump_what_lies_ahead_and_what_is_decoded_behind(
 ) -> None:
     pictures.decoded = {49}
     server.still(MEDIA, 50)
-    rest(pictures)
+    rest(server)
     assert sorted(pictures.asked) == [49, 50, *range(51, 57)], "48 would have to be decoded"
     for n in (51, 52, 49):
         assert server.still(MEDIA, n) == bytes([n]) * 1000
-    rest(pictures)
+    rest(server)
     assert len(pictures.asked) == len(set(pictures.asked)), "each is made once"
 
 
@@ -104,22 +102,23 @@ def test_steps_back_are_prepared_from_the_window_and_decoded_when_they_go_on(
     pictures.decoded = set(range(46, 51))
     server.still(MEDIA, 50)
     server.still(MEDIA, 49)
-    rest(pictures)
+    rest(server)
     assert {46, 47, 48} <= set(pictures.asked) and min(pictures.asked) == 46
     for n in (48, 47):
         server.still(MEDIA, n)
-    rest(pictures)
+    rest(server)
     assert min(pictures.asked) == 41
 
 
 def test_who_waits_comes_first(server: FrameServer, pictures: Pictures) -> None:
     pictures.slow = set(range(11, 20))
+    pictures.hears = False  # so that both are still at it when the new place is known
     server.still(MEDIA, 10)
-    until(lambda: len(pictures.asked) > 1)
-    ahead = set(pictures.asked) - {10}
+    until(lambda: {11, 12} <= set(pictures.asked))
     assert server.still(MEDIA, 80) == bytes([80]) * 1000
-    until(lambda: set(pictures.dropped) >= ahead)
-    rest(pictures)
+    pictures.hears = True
+    until(lambda: set(pictures.dropped) >= {11, 12})
+    rest(server)
     assert max(n for n in pictures.asked if n < 50) <= 12, "the rest of the old place is forgotten"
     assert set(range(81, 87)) <= set(pictures.asked)
 
@@ -145,7 +144,7 @@ def test_a_frame_that_cannot_be_made_is_tried_once_and_nothing_behind_it(
     pictures.lost = {12, 13, 14, 15, 16, 17, 18}
     for n in (10, 9, 10, 11):
         server.still(MEDIA, n)
-        rest(pictures)
+        rest(server)
     assert pictures.asked.count(12) == 1 and 15 not in pictures.asked
     with pytest.raises(Damaged):
         server.still(MEDIA, 12)
@@ -157,7 +156,7 @@ def test_large_stills_are_made_ahead_as_far_as_the_cache_goes(
     pictures.size = 12_000
     pictures.decoded = set(range(COUNT))
     server.still(MEDIA, 50)
-    rest(pictures)
+    rest(server)
     assert sorted(pictures.asked) == [49, 50, 51, 52], "a quarter of 100 kB holds two"
     assert server.memory_bytes <= 100_000
 
@@ -168,7 +167,7 @@ def test_closing_stops_it_and_asking_starts_it_again(server: FrameServer, pictur
     server.still(MEDIA, 10)
     until(lambda: 11 in pictures.asked)
     server.close()
-    assert set(threading.enumerate()) <= before
+    until(lambda: set(threading.enumerate()) <= before)
     pictures.slow.clear()
     server.still(MEDIA, 20)
     until(lambda: 26 in pictures.asked)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import itertools
 import random
+from collections.abc import Callable
 from pathlib import Path
 
 import cv2
@@ -13,6 +14,7 @@ import pytest
 from sightline.errors import BadInput
 from sightline.media.video.decode import frames_of
 from sightline.media.video.frames import FrameServer
+from sightline.media.video.ingest import Ingested, ingest
 from sightline.media.video.picture import Gray
 from tests.media.conftest import Ingest, media_of
 
@@ -33,6 +35,30 @@ KNOWN = {  # frames, upright size, variable rate
     "calibration/clip_screen_board/chessboard.mp4": (283, (1280, 720), False),
 }
 
+# Long ones, or large: `make proofs`.
+LONG = {
+    "video/car-detection.mp4",
+    "video/odd/vtest_msmpeg4.avi",
+    "video/odd/smallcar_unordered_pts.mp4",
+    "linescan/train_platform_portrait_vfr.mov",
+    "calibration/clip_screen_board/chessboard.mp4",
+}
+
+
+@pytest.fixture(scope="module")
+def taken(shared_data: Path, tmp_path_factory: pytest.TempPathFactory) -> Callable[[str], Ingested]:
+    """Recordings by their name, taken in once for all tests."""
+    found: dict[str, Ingested] = {}
+
+    def get(name: str) -> Ingested:
+        if name not in found:
+            here = tmp_path_factory.mktemp("taken")
+            path = shared_data / name
+            found[name] = ingest(path, lambda _: None, lambda: False, here / "thumbs", work_dir=here / "work")
+        return found[name]
+
+    return get
+
 
 def sequential(path: Path, wanted: set[int]) -> dict[int, Gray]:
     """Frames by a plain decode from the start, by another reader than the frame server."""
@@ -40,13 +66,15 @@ def sequential(path: Path, wanted: set[int]) -> dict[int, Gray]:
     return {n: gray for n, _, gray in head if n in wanted}
 
 
-@pytest.mark.parametrize("name", KNOWN)
+@pytest.mark.parametrize(
+    "name", [pytest.param(name, marks=pytest.mark.proof if name in LONG else ()) for name in KNOWN]
+)
 def test_served_as_a_plain_decode_gives_it(
-    name: str, shared_data: Path, tmp_path: Path, take_in: Ingest
+    name: str, shared_data: Path, tmp_path: Path, taken: Callable[[str], Ingested]
 ) -> None:
     path = shared_data / name
     count, size, vfr = KNOWN[name]
-    result = take_in(path)
+    result = taken(name)
     media = media_of(result)
     assert len(media) == count
     assert (result.facts.width_px, result.facts.height_px) == size
@@ -61,19 +89,18 @@ def test_served_as_a_plain_decode_gives_it(
 
 
 def test_the_rotated_copy_shows_the_same_scene_as_opencv_turns_it(
-    shared_data: Path, take_in: Ingest, server: FrameServer
+    shared_data: Path, taken: Callable[[str], Ingested], server: FrameServer
 ) -> None:
-    path = shared_data / "video" / "cars_truck_roadside_rotate90.mov"
-    result = take_in(path)
-    theirs = cv2.VideoCapture(str(path)).read()[1]
-    ours = server.bgr(media_of(result), 0)
+    name = "video/cars_truck_roadside_rotate90.mov"
+    theirs = cv2.VideoCapture(str(shared_data / name)).read()[1]
+    ours = server.bgr(media_of(taken(name)), 0)
     assert ours.shape == theirs.shape
     assert np.abs(ours.astype(int) - theirs.astype(int)).mean() < 3
 
 
-def test_the_same_frames_in_five_files_have_the_same_checksums(shared_data: Path, take_in: Ingest) -> None:
+def test_the_same_frames_in_five_files_have_the_same_checksums(taken: Callable[[str], Ingested]) -> None:
     tables = [
-        take_in(shared_data / "video" / f"cars_truck_roadside{end}").frames.crc32.tolist()
+        taken(f"video/cars_truck_roadside{end}").frames.crc32.tolist()
         for end in (".mp4", ".avi", ".mkv", "_raw.h264", "_rotate90.mov")
     ]
     assert all(table == tables[0] for table in tables)

@@ -10,17 +10,19 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import pytest
-from moto.server import ThreadedMotoServer
 
 from sightline.errors import BadInput, NoRoom, NotFound, SightlineError
 from sightline.media.store import local
 from sightline.media.store.local import LocalStore, MediaStore, key_of, open_store, sha256_of
+from tests.support.waiting import NEVER_S
 
 DATA = os.urandom(300_000)
 
 
 @pytest.fixture(scope="module")
 def s3_endpoint() -> Iterator[str]:
+    from moto.server import ThreadedMotoServer
+
     server = ThreadedMotoServer(ip_address="127.0.0.1", port=0, verbose=False)
     server.start()
     host, port = server.get_host_and_port()
@@ -173,16 +175,16 @@ def test_s3_fetches_of_two_files_do_not_wait_for_each_other(
         fetched.append(key)
         if key == "large":
             under_way.set()
-            assert go_on.wait(30)
+            assert go_on.wait(NEVER_S)
         fetch(key, path)
 
     monkeypatch.setattr(store, "_fetch", slowly)
     with ThreadPoolExecutor(3) as pool:
         large = [pool.submit(store.local_path, "large") for _ in range(2)]
-        assert under_way.wait(30)
-        assert pool.submit(store.local_path, "small").result(30).read_bytes() == DATA
+        assert under_way.wait(NEVER_S)
+        assert pool.submit(store.local_path, "small").result(NEVER_S).read_bytes() == DATA
         go_on.set()
-        assert [one.result(30).read_bytes() for one in large] == [DATA, DATA]
+        assert [one.result(NEVER_S).read_bytes() for one in large] == [DATA, DATA]
     assert sorted(fetched) == ["large", "small"]
 
 

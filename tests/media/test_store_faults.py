@@ -7,7 +7,6 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from moto.server import ThreadedMotoServer
 
 from sightline.media.store import s3
 from sightline.media.store.local import open_store
@@ -19,6 +18,8 @@ DATA = os.urandom(300_000)
 
 @pytest.fixture(scope="module")
 def faulty() -> Iterator[FaultyS3]:
+    from moto.server import ThreadedMotoServer
+
     server = ThreadedMotoServer(ip_address="127.0.0.1", port=0, verbose=False)
     server.start()
     host, port = server.get_host_and_port()
@@ -32,9 +33,20 @@ def faulty() -> Iterator[FaultyS3]:
 def store(faulty: FaultyS3, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> S3Store:
     monkeypatch.setenv("AWS_ACCESS_KEY_ID", "test")
     monkeypatch.setenv("AWS_SECRET_ACCESS_KEY", "test")
-    monkeypatch.setattr(s3, "READ_S", 0.3)
     monkeypatch.setattr(s3, "ATTEMPTS", 2)
     faulty.begin("none")
+    return opened(faulty, tmp_path)
+
+
+@pytest.fixture
+def hasty(store: S3Store, faulty: FaultyS3, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> S3Store:
+    """The same store, asked by one who does not wait for long."""
+    monkeypatch.setattr(s3, "READ_S", 0.3)
+    monkeypatch.setattr(S3Store, "_make_bucket", lambda _: None)
+    return opened(faulty, tmp_path)
+
+
+def opened(faulty: FaultyS3, tmp_path: Path) -> S3Store:
     name = "".join(sign for sign in tmp_path.name.lower() if sign.isalnum())[-40:]
     made = open_store(f"s3://{name}/media?endpoint={faulty.url}", tmp_path / "cache")
     assert isinstance(made, S3Store)
@@ -50,18 +62,18 @@ def video(tmp_path: Path) -> Path:
 
 @pytest.mark.parametrize("fault", ["500", "cut", "slow", "closed"])
 def test_a_store_with_a_fault_is_told_and_leaves_nothing_half(
-    fault: Fault, faulty: FaultyS3, store: S3Store, video: Path, tmp_path: Path
+    fault: Fault, faulty: FaultyS3, store: S3Store, hasty: S3Store, video: Path, tmp_path: Path
 ) -> None:
     store.put_file("a/kept", video)
     faulty.begin(fault)
     with pytest.raises(StorageAway, match="did not answer") as told:
-        store.local_path("a/kept")
+        hasty.local_path("a/kept")
     assert told.value.status == 503
-    with pytest.raises(StorageAway), store.open("a/kept") as file:
+    with pytest.raises(StorageAway), hasty.open("a/kept") as file:
         file.read()
     if fault != "cut":  # an answer to PUT has no body to cut
         with pytest.raises(StorageAway):
-            store.put_file("a/new", video)
+            hasty.put_file("a/new", video)
     assert not [path for path in (tmp_path / "cache").rglob("*") if path.is_file()]
     faulty.begin("none")
     store.put_file("a/new", video)

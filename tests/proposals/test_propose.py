@@ -39,7 +39,7 @@ def road() -> Background:
     return road_of(SCENE, range(131, 131 + FEWEST))
 
 
-def seen_of(true: PassTruth, road: Background, count: int = 9) -> list[FrameSeen]:
+def seen_of(true: PassTruth, road: Background, count: int) -> list[FrameSeen]:
     """Some frames on which the vehicle is whole."""
     assert true.first_whole_frame is not None and true.last_whole_frame is not None
     boxes = boxes_of(SCENE.camera, true.vehicle)
@@ -52,11 +52,13 @@ def seen_of(true: PassTruth, road: Background, count: int = 9) -> list[FrameSeen
     ]
 
 
-@pytest.fixture(scope="module")
-def proposed(road: Background) -> tuple[PassTruth, Proposals]:
+@pytest.fixture(scope="module", params=[7, pytest.param(9, marks=pytest.mark.proof)])
+def proposed(road: Background, request: pytest.FixtureRequest) -> tuple[PassTruth, Proposals]:
+    """From so many frames."""
     true = truth(SCENE)[0]
     direction = "right" if true.vehicle.direction > 0 else "left"
-    found = propose_points(NETWORKS, seen_of(true, road), pose_of(SCENE), direction, true.best_frame)
+    seen = seen_of(true, road, request.param)
+    found = propose_points(NETWORKS, seen, pose_of(SCENE), direction, true.best_frame)
     assert isinstance(found, Proposals), found
     return true, found
 

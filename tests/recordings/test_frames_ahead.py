@@ -1,7 +1,6 @@
 """Frames made ready before they are asked for, and work given up when nobody waits for it."""
 
 import asyncio
-import time
 
 import pytest
 from starlette.requests import Request
@@ -9,6 +8,7 @@ from starlette.requests import Request
 from sightline.infra.web.disconnect import CancelCheck, run_unless_cancelled
 from sightline.vehicles.passes import prefetch
 from tests.support.app import Client
+from tests.support.waiting import NEVER_S, until
 
 pytestmark = pytest.mark.once
 
@@ -21,17 +21,17 @@ def test_frames_around_passes_are_ready_before_they_are_asked_for(
     operator.made(f"/recordings/{recording_id}/vehicles", span)
     assert operator.seen(f"/recordings/{recording_id}/frames/ready") == {"runs": []}
     assert operator.get(f"/recordings/{recording_id}/frames/1.jpg").status_code == 200
-    until = time.monotonic() + 20
-    runs: list[list[int]] = []
-    while [7, 11] not in runs and time.monotonic() < until:
-        time.sleep(0.05)
-        runs = operator.seen(f"/recordings/{recording_id}/frames/ready")["runs"]
-    assert runs == [[0, 1], [7, 11]], "what was decoded on the way to frame 1, and the pass"
+
+    def ready() -> list[list[int]]:
+        return list(operator.seen(f"/recordings/{recording_id}/frames/ready")["runs"])
+
+    until(lambda: [7, 11] in ready(), ready)
+    assert ready() == [[0, 1], [7, 11]], "what was decoded on the way to frame 1, and the pass"
 
 
-def browser_that_leaves_after(seconds: float) -> Request:
+def waiting_browser() -> Request:
     async def receive() -> dict[str, str]:
-        await asyncio.sleep(seconds)
+        await asyncio.sleep(NEVER_S)
         return {"type": "http.disconnect"}
 
     return Request({"type": "http", "headers": []}, receive)
@@ -39,18 +39,15 @@ def browser_that_leaves_after(seconds: float) -> Request:
 
 def test_work_that_nobody_waits_for_is_told() -> None:
     def work(wanted: CancelCheck) -> str:
-        until = time.monotonic() + 5
-        while time.monotonic() < until:
-            if not wanted():
-                return "gave up"
-            time.sleep(0.01)
-        return "done for nobody"
+        until(lambda: not wanted(), lambda: "done for nobody")
+        return "gave up"
+
+    looks = iter([False, False, True])
 
     class Leaving(Request):
         async def is_disconnected(self) -> bool:
-            return time.monotonic() > left_at
+            return next(looks)
 
-    left_at = time.monotonic() + 0.2
     leaving = Leaving({"type": "http", "headers": []})
     assert asyncio.run(run_unless_cancelled(leaving, work)) == "gave up"
 
@@ -60,4 +57,4 @@ def test_an_error_comes_through() -> None:
         raise ValueError("bad")
 
     with pytest.raises(ValueError, match="bad"):
-        asyncio.run(run_unless_cancelled(browser_that_leaves_after(9), work))
+        asyncio.run(run_unless_cancelled(waiting_browser(), work))

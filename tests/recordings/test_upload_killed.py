@@ -1,25 +1,32 @@
 """A real server, an upload cut in the middle, a kill -9: the rest is sent to the next server."""
 
+import asyncio
 import base64
 import signal
 import socket
-import time
+import struct
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from urllib.parse import urlsplit
 
 import httpx2
 import pytest
+from starlette.requests import ClientDisconnect, Request
 
+from sightline.recordings.uploads.routes import PIECE_BYTES, _pieces
 from tests.browser.server import start
 from tests.support.app import TUS
+from tests.support.waiting import NEVER_S, until
 
 pytestmark = pytest.mark.once
 
 BYTES = {**TUS, "Content-Type": "application/offset+octet-stream"}
 
 
-def sent_in_part(client: httpx2.Client, location: str, content: bytes, much: int) -> None:
-    """A PATCH that announces everything, sends `much` bytes, and hangs up."""
+@contextmanager
+def sent_in_part(client: httpx2.Client, location: str, content: bytes, much: int) -> Iterator[None]:
+    """A PATCH that announces everything, sends `much` bytes, and hangs up at the end of the block."""
     place = urlsplit(str(client.base_url))
     cookies = "; ".join(f"{name}={value}" for name, value in client.cookies.items())
     head = [
@@ -33,51 +40,72 @@ def sent_in_part(client: httpx2.Client, location: str, content: bytes, much: int
     ]
     with socket.create_connection((place.hostname or "", place.port or 0)) as line:
         line.sendall("\r\n".join([*head, "", ""]).encode() + content[:much])
-        time.sleep(0.5)
+        yield
 
 
 def offset_of(client: httpx2.Client, location: str, least: int) -> int:
     """How far the upload is, once `least` bytes are there."""
-    for _ in range(100):
-        offset = int(client.head(location, headers=TUS).headers["Upload-Offset"])
-        if offset >= least:
-            return offset
-        time.sleep(0.1)
-    raise AssertionError(f"{offset} bytes arrived, {least} were sent")
+
+    def offset() -> int:
+        return int(client.head(location, headers=TUS).headers["Upload-Offset"])
+
+    until(lambda: offset() >= least, lambda: f"{offset()} bytes arrived, {least} were sent")
+    return offset()
 
 
 def test_cut_killed_and_resumed(tmp_path: Path, clip: Path) -> None:
-    content = clip.read_bytes()
+    # with an empty box behind the clip, so that a piece of it is stored while the line holds
+    content = clip.read_bytes() + struct.pack(">I4s", 2 * PIECE_BYTES, b"free") + bytes(2 * PIECE_BYTES - 8)
     server = start("serve", tmp_path)
     try:
         server.wait()
-        client = httpx2.Client(base_url=server.url, headers={"X-Sightline": "1"}, timeout=30)
+        client = httpx2.Client(base_url=server.url, headers={"X-Sightline": "1"}, timeout=NEVER_S)
         token = server.sign_in_link().partition("token=")[2]
         assert client.post("/api/session/link", json={"token": token}).status_code == 200
         survey_id = client.post("/api/surveys", json={"name": "Road"}).json()["id"]
         name = base64.b64encode(clip.name.encode()).decode()
         headers = {**TUS, "Upload-Length": str(len(content)), "Upload-Metadata": f"filename {name}"}
         location = client.post(f"/api/surveys/{survey_id}/uploads", headers=headers).headers["Location"]
-        sent_in_part(client, location, content, 6000)
-        assert offset_of(client, location, 6000) == 6000
+        with sent_in_part(client, location, content, sent := PIECE_BYTES + 6000):
+            assert offset_of(client, location, PIECE_BYTES) <= sent
         client.close()
         server.stop(signal.SIGKILL)
 
         server = start("serve", tmp_path)
         server.wait()
         again = httpx2.Client(
-            base_url=server.url, headers={"X-Sightline": "1"}, cookies=client.cookies, timeout=30
+            base_url=server.url, headers={"X-Sightline": "1"}, cookies=client.cookies, timeout=NEVER_S
         )
-        assert offset_of(again, location, 6000) == 6000
-        rest = again.patch(location, content=content[6000:], headers={**BYTES, "Upload-Offset": "6000"})
+        arrived = offset_of(again, location, PIECE_BYTES)
+        assert arrived <= sent
+        headers = {**BYTES, "Upload-Offset": str(arrived)}
+        rest = again.patch(location, content=content[arrived:], headers=headers)
         assert rest.status_code == 204
         recording_id = rest.headers["Sightline-Recording"]
-        for _ in range(600):
-            recording = again.get(f"/api/recordings/{recording_id}").json()
-            if recording["state"] != "ingesting":
-                break
-            time.sleep(0.1)
+
+        def read() -> dict[str, object] | None:
+            found: dict[str, object] = again.get(f"/api/recordings/{recording_id}").json()
+            return found if found["state"] != "ingesting" else None
+
+        recording = until(read)
         again.close()
         assert recording["state"] == "ready" and recording["frame_count"] == 12
     finally:
         server.stop()
+
+
+def test_what_came_just_before_the_line_broke_is_kept() -> None:
+    part = {"type": "http.request", "body": bytes(6000), "more_body": True}
+    messages = iter([part, {"type": "http.disconnect"}])
+
+    async def receive() -> dict[str, object]:
+        return next(messages)
+
+    async def taken() -> list[bytes]:
+        pieces: list[bytes] = []
+        with pytest.raises(ClientDisconnect):
+            async for piece in _pieces(Request({"type": "http", "headers": []}, receive)):
+                pieces.append(piece)
+        return pieces
+
+    assert asyncio.run(taken()) == [bytes(6000)]

@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 import subprocess
 import sys
-import time
 from collections.abc import Iterator
 from datetime import UTC, datetime, timedelta
 from pathlib import Path
@@ -31,6 +30,7 @@ from sightline.settings import load_settings
 from sightline.simulation.scan_strips import strips
 from sightline.simulation.scan_traffic import ScanSite, traffic
 from sightline.surveys.store import create_survey
+from tests.support.waiting import until
 from tests.support.working import run_jobs
 
 SITE = ScanSite(rows=64, misalignment_px=0.3)
@@ -109,11 +109,12 @@ def test_a_killed_stream_of_a_survey_is_taken_up(
     with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE) as live:
         assert live.stdout is not None
         live.stdout.readline()
-        until = time.monotonic() + 30
-        while not (found := streams_of(services)) or not found[0].vehicles or found[0].scan.health is None:
-            assert time.monotonic() < until
-            time.sleep(0.1)
-        assert found[0].state == "running"
+
+        def running() -> bool:
+            found = [one for one in streams_of(services) if one.vehicles and one.scan.health is not None]
+            return [one.state for one in found] == ["running"]
+
+        until(running)
         assert main([*STREAM, *where, "--follow", str(path)]) == 2
         assert "Another stream writes into" in capsys.readouterr().err
         live.kill()

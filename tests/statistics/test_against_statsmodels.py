@@ -1,12 +1,10 @@
-"""The same estimates by statsmodels, where it has them: variance components, regression, bands, shares."""
+"""The same estimates by statsmodels, where it has them: variance components, regression, bands, shares.
+
+It is imported by the tests: half a second that a process which runs none of them need not spend.
+"""
 
 import numpy as np
 import pytest
-import statsmodels.api as sm
-from statsmodels.distributions.empirical_distribution import ECDF, _conf_set
-from statsmodels.regression.mixed_linear_model import MixedLM
-from statsmodels.stats.proportion import proportion_confint
-from statsmodels.stats.weightstats import DescrStatsW
 
 from sightline.statistics.agreement import bland_altman, trend
 from sightline.statistics.distributions import ecdf, share_below, sorted_values
@@ -19,6 +17,8 @@ def test_regression_and_its_band_are_those_of_least_squares() -> None:
     error = 0.01 - 0.05 * (height - 1.5) + rng.normal(0, 0.02, 60)
     found = trend(height, error)
     assert not isinstance(found, str)
+    import statsmodels.api as sm
+
     fit = sm.OLS(error, sm.add_constant(height)).fit()
     assert (found.intercept, found.slope) == pytest.approx(tuple(fit.params))
     assert (found.slope_ci95.low, found.slope_ci95.high) == pytest.approx(tuple(fit.conf_int()[1]))
@@ -30,6 +30,8 @@ def test_bias_has_the_interval_of_a_mean() -> None:
     error = np.random.default_rng(22).normal(0.01, 0.02, 50)
     found = bland_altman(error)
     assert not isinstance(found, str)
+    from statsmodels.stats.weightstats import DescrStatsW
+
     low, high = DescrStatsW(error).tconfint_mean()
     assert (found.bias_ci95.low, found.bias_ci95.high) == pytest.approx((low, high))
 
@@ -38,6 +40,8 @@ def test_cumulative_distribution_has_the_same_band() -> None:
     sample = np.random.default_rng(23).normal(1.2, 0.08, 80)
     found = ecdf(sorted_values(sample))
     assert found is not None
+    from statsmodels.distributions.empirical_distribution import ECDF, _conf_set
+
     share = ECDF(sample)(found.value)
     low, high = _conf_set(share)
     assert np.allclose(found.share, share) and np.allclose(found.low, low) and np.allclose(found.high, high)
@@ -47,6 +51,8 @@ def test_cumulative_distribution_has_the_same_band() -> None:
 def test_shares_have_the_same_interval(limit: float) -> None:
     found = share_below(sorted_values(np.random.default_rng(24).normal(1.2, 0.08, 90)), limit)
     assert found is not None
+    from statsmodels.stats.proportion import proportion_confint
+
     theirs = proportion_confint(found.below, found.n, alpha=0.05, method="beta")
     assert (found.low, found.high) == pytest.approx(theirs, abs=1e-12)
 
@@ -61,6 +67,8 @@ def test_variance_components_of_balanced_repeats_are_those_of_reml() -> None:
     found = gauge(value, item, person)
     exog = (item[:, None] == np.arange(items)).astype(float)
     # in millimetres, for its optimiser knows no scale
+    from statsmodels.regression.mixed_linear_model import MixedLM
+
     fit = MixedLM(1000 * value, exog, groups=person).fit(reml=True)
     assert found.repeatability.sd is not None and found.person_variance is not None
     assert 1000 * found.repeatability.sd == pytest.approx(np.sqrt(fit.scale), rel=1e-3)

@@ -131,18 +131,20 @@ def test_too_few_rows_have_a_reason_and_no_interval() -> None:
     assert one.reason and one.reason.startswith("1 vehicle is too few") and set(one.ci95.values()) == {None}
 
 
-def test_intervals_hold_what_they_promise() -> None:
-    """Coverage of the 95 % interval of MAE and bias over 200 simulated surveys of 60 vehicles."""
+@pytest.mark.parametrize("surveys", [100, pytest.param(200, marks=pytest.mark.proof)])
+def test_intervals_hold_what_they_promise(surveys: int) -> None:
+    """Coverage of the 95 % interval of MAE and bias over simulated surveys of 60 vehicles."""
     rng = np.random.default_rng(7)
     true_mae, inside = 0.02 * (2 / np.pi) ** 0.5, {"mae_m": 0, "bias_m": 0}
-    for _ in range(200):
+    for _ in range(surveys):
         group = error_group(rng.normal(0, 0.02, 60), rng.normal(1.5, 0.1, 60))
         for name, truth in (("mae_m", true_mae), ("bias_m", 0.0)):
             interval = group.ci95[name]
             assert interval
             inside[name] += interval.low <= truth <= interval.high
-    # 200 draws: two standard deviations of a 95 % share are 3 %, and BCa undercovers by about 1 % at n = 60.
-    assert all(0.90 <= count / 200 <= 0.99 for count in inside.values()), inside
+    # BCa undercovers by about 1 % at n = 60; a standard deviation of such a share is 1.7 % of 200 draws, and
+    # 2.4 % of 100: they are held to the same bounds.
+    assert all(0.90 <= count / surveys <= 0.99 for count in inside.values()), inside
 
 
 def heights_csv(folder: Path, text: str) -> Path:

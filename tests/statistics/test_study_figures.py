@@ -48,8 +48,10 @@ def test_a_weight_of_two_is_two_vehicles_of_one_height() -> None:
 
 @pytest.mark.parametrize(
     "nation",
-    [Nation((16,), (8,), 60), Nation((900, 300), (10, 8), 40)],
-    ids=["half of all sites", "two strata"],
+    [
+        pytest.param(Nation((16,), (8,), 60), id="half of all sites"),
+        pytest.param(Nation((900, 300), (10, 8), 40), id="two strata", marks=pytest.mark.proof),
+    ],
 )
 def test_intervals_hold_the_truth_of_a_nation(nation: Nation) -> None:
     """The bench does it for nine nations: 0.951 on the average of them."""

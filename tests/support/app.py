@@ -1,8 +1,12 @@
 """Ground of the API's tests: the app, people of every role signed in, a tiny recording."""
 
 import base64
+import copy
+import shutil
 from collections.abc import Callable, Iterator
+from contextlib import closing
 from dataclasses import dataclass
+from http.cookiejar import CookieJar
 from pathlib import Path
 from typing import Any
 
@@ -23,6 +27,7 @@ from sightline.people.store import create_person, create_sign_in_link
 from sightline.settings import Settings
 from tests.media.clips import painted
 from tests.support.boards import board_clip
+from tests.support.kept import PutBack, Shelf
 from tests.support.working import run_jobs
 
 ROLES: tuple[Role, ...] = ("viewer", "operator", "reviewer", "admin")
@@ -30,23 +35,28 @@ FRAMES, FRAME_WIDTH, FRAME_HEIGHT = 12, 320, 240
 TUS = {"Tus-Resumable": "1.0.0"}
 
 
-@pytest.fixture
-def settings(tmp_path: Path, database_url: str) -> Settings:
-    """Settings of a data folder and a database of this test alone."""
-    data_dir = tmp_path / "data"
+def settings_of(home: Path, database_url: str) -> Settings:
+    """Settings of a data folder and a database for tests alone."""
+    data_dir = home / "data"
     data_dir.mkdir()
     return Settings(
         data_dir=data_dir,
         database_url=database_url,
         media_url=str(data_dir / "media"),
-        frontend_dir=tmp_path / "pages",
+        frontend_dir=home / "pages",
         secret=SecretStr("a secret for tests only"),
         find_passes=False,
     )
 
 
 @pytest.fixture
-def services(settings: Settings, monkeypatch: pytest.MonkeyPatch) -> Iterator[Services]:
+def settings(tmp_path: Path, database_url: str) -> Settings:
+    """Settings of a data folder and a database of this test alone."""
+    return settings_of(tmp_path, database_url)
+
+
+@pytest.fixture
+def services(settings: Settings, laid: "Laid", monkeypatch: pytest.MonkeyPatch) -> Iterator[Services]:
     """The services, stills decoded here: a child each test would cost more than the tests do."""
     monkeypatch.setattr("sightline.infra.services.DecodeHost", lambda _limit_bytes: None)
     opened = open_services(settings)
@@ -109,28 +119,22 @@ def error_of(answer: httpx2.Response) -> str:
     return sentence
 
 
+def browser(app: FastAPI, cookies: CookieJar | None = None) -> Client:
+    """A browser, with the cookies that it has already."""
+    http = TestClient(app, headers={"X-Sightline": "1"}, raise_server_exceptions=False)
+    for cookie in cookies or ():
+        http.cookies.jar.set_cookie(copy.copy(cookie))
+    return Client(http)
+
+
 @pytest.fixture
 def nobody(app: FastAPI) -> Client:
     """A browser in which nobody is signed in."""
-    return Client(TestClient(app, headers={"X-Sightline": "1"}, raise_server_exceptions=False))
+    return browser(app)
 
 
-class SignedIn(dict[str, Client]):
-    """A browser for each role, signed in when a test first takes it."""
-
-    def __init__(self, app: FastAPI, tokens: dict[str, str]) -> None:
-        self._app, self._tokens = app, tokens
-
-    def __missing__(self, role: str) -> Client:
-        http = TestClient(self._app, headers={"X-Sightline": "1"}, raise_server_exceptions=False)
-        client = self[role] = Client(http)
-        client.made("/session/link", {"token": self._tokens[role]})
-        return client
-
-
-@pytest.fixture
-def clients(app: FastAPI, services: Services) -> dict[str, Client]:
-    """A signed-in browser for each role."""
+def sign_in_everybody(app: FastAPI, services: Services) -> dict[str, Client]:
+    """A person of each role, each signed in in a browser of their own."""
     tokens: dict[str, str] = {}
     with services.writing() as session:
         for role in ROLES:
@@ -138,7 +142,18 @@ def clients(app: FastAPI, services: Services) -> dict[str, Client]:
                 session, name=role.title(), email=f"{role}@example.org", role=role, actor=None
             )
             tokens[role] = create_sign_in_link(session, person.id, actor=None)
-    return SignedIn(app, tokens)
+    clients = {role: browser(app) for role in ROLES}
+    for role, client in clients.items():
+        client.made("/session/link", {"token": tokens[role]})
+    return clients
+
+
+@pytest.fixture
+def clients(app: FastAPI, services: Services, laid: "Laid") -> dict[str, Client]:
+    """A signed-in browser for each role."""
+    if not laid.cookies:
+        return sign_in_everybody(app, services)
+    return {role: browser(app, cookies) for role, cookies in laid.cookies.items()}
 
 
 @pytest.fixture
@@ -167,10 +182,14 @@ def work(services: Services) -> Callable[[], list[Job]]:
     return lambda: run_jobs(services)
 
 
-@pytest.fixture
-def survey_id(admin: Client) -> int:
+def add_survey(admin: Client) -> int:
     """A survey in which everybody acts by the role of the account; who belongs to one: `test_members`."""
     return int(admin.made("/surveys", {"name": "Test road", "open_to_all": True})["id"])
+
+
+@pytest.fixture
+def survey_id(admin: Client, laid: "Laid") -> int:
+    return laid.survey_id or add_survey(admin)
 
 
 def announce(client: Client, survey_id: int, name: str, size: int) -> httpx2.Response:
@@ -196,11 +215,17 @@ def upload(client: Client, survey_id: int, path: Path, name: str | None = None) 
 
 
 @pytest.fixture(scope="session")
-def clip(tmp_path_factory: pytest.TempPathFactory) -> Path:
+def numbered(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Twelve small frames that carry their number."""
     path = tmp_path_factory.mktemp("clip") / "road.mp4"
     write_mp4(path, (painted(n, FRAME_WIDTH, FRAME_HEIGHT) for n in range(FRAMES)), 25, crf=14, gop=6)
     return path
+
+
+@pytest.fixture(scope="session")
+def clip(numbered: Path) -> Path:
+    """What `recording_id` is a recording of; the media tests have clips of their own by this name."""
+    return numbered
 
 
 @pytest.fixture(scope="session")
@@ -209,12 +234,73 @@ def boards(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return board_clip(tmp_path_factory.mktemp("boards") / "boards.mp4")
 
 
-@pytest.fixture
-def recording_id(operator: Client, survey_id: int, clip: Path, work: Callable[[], list[Job]]) -> int:
+def add_recording(operator: Client, services: Services, survey_id: int, clip: Path) -> int:
     """A small recording, ingested."""
     made = upload(operator, survey_id, clip)
-    assert [job.state for job in work()] == ["done"]
+    assert [job.state for job in run_jobs(services)] == ["done"]
     return made
+
+
+@pytest.fixture
+def recording_id(operator: Client, services: Services, survey_id: int, clip: Path, laid: "Laid") -> int:
+    """A small recording, ingested."""
+    return laid.recording_id or add_recording(operator, services, survey_id, clip)
+
+
+@dataclass(frozen=True)
+class Laid:
+    """What a test finds when its services are opened: nothing, or people, or a survey or a recording too."""
+
+    cookies: dict[str, CookieJar] | None = None
+    survey_id: int | None = None
+    recording_id: int | None = None
+
+
+class Laying:
+    """Lays people, survey and recording once by way of the API, and puts them back for each other test."""
+
+    def __init__(self, shelf: Shelf, folder: Path, clip: Path) -> None:
+        self._shelf, self._folder, self._clip = shelf, folder, clip
+        self._kept: dict[str, tuple[Laid, PutBack]] = {}
+
+    def lay(self, last: str, settings: Settings) -> Laid:
+        """Put all back up to the `last` of `clients`, `survey_id` and `recording_id`."""
+        home = self._folder / last
+        if last not in self._kept:
+            home.mkdir()
+            self._kept[last] = self._shelf.keep(lambda url: self._lay(last, settings_of(home, url)))
+        laid, put_back = self._kept[last]
+        put_back(settings.database_url)
+        shutil.copytree(home / "data", settings.data_dir, dirs_exist_ok=True)
+        return laid
+
+    def _lay(self, last: str, settings: Settings) -> Laid:
+        with closing(open_services(settings, decode_in_child=False)) as services:
+            app = create_app(services=services)
+            clients = sign_in_everybody(app, services)
+            cookies = {role: client.http.cookies.jar for role, client in clients.items()}
+            if last == "clients":
+                return Laid(cookies)
+            survey_id = add_survey(clients["admin"])
+            if last == "survey_id":
+                return Laid(cookies, survey_id)
+            made = add_recording(clients["operator"], services, survey_id, self._clip)
+            return Laid(cookies, survey_id, made)
+
+
+@pytest.fixture(scope="session")
+def laying(shelf: Shelf, tmp_path_factory: pytest.TempPathFactory, numbered: Path, one_loop: None) -> Laying:
+    return Laying(shelf, tmp_path_factory.mktemp("laid"), numbered)
+
+
+@pytest.fixture
+def laid(request: pytest.FixtureRequest, settings: Settings) -> Laid:
+    """What the test asks for is put back before its services are opened."""
+    for last in ("recording_id", "survey_id", "clients"):
+        if last in request.fixturenames:
+            laying: Laying = request.getfixturevalue("laying")
+            return laying.lay(last, settings)
+    return Laid()
 
 
 def number_of(content: bytes) -> int:

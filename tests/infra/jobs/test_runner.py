@@ -1,8 +1,7 @@
 """One job in this process: every way to end, each with its event, none half there."""
 
 import threading
-import time
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -30,6 +29,7 @@ from sightline.infra.services import Services, open_services
 from sightline.settings import Settings
 from sightline.surveys.store import create_survey, list_surveys
 from tests.infra.jobs import handlers
+from tests.support.waiting import NEVER_S, until
 
 pytestmark = pytest.mark.dialect
 
@@ -62,13 +62,6 @@ def survey_names(factory: SessionFactory) -> list[str]:
     with reading(factory) as session:
         assert verify_records(session).ok
         return [one.name for one in list_surveys(session)]
-
-
-def until(true: Callable[[], bool], seconds: float = 10) -> None:
-    end = time.monotonic() + seconds
-    while not true():
-        assert time.monotonic() < end, "it did not happen in time"
-        time.sleep(0.02)
 
 
 def test_a_job_is_done_with_its_result(runner: Runner, factory: SessionFactory, tmp_path: Path) -> None:
@@ -128,7 +121,7 @@ def test_a_running_job_reports_and_is_cancelled(runner: Runner, factory: Session
     assert (running.state, running.message) == ("running", "Waiting.")
     with writing(factory) as session:
         assert request_job_cancel(session, job.id, actor=None).cancel_requested
-    thread.join(10)
+    thread.join(NEVER_S)
     assert job_now(factory, job).state == "cancelled"
     assert survey_names(factory) == ["test_wait: Cancelled."]
 
@@ -142,7 +135,7 @@ def test_a_stopped_runner_leaves_the_job_to_whoever_stopped_it(
     thread.start()
     until(lambda: job_now(factory, job).state == "running")
     runner.stop()
-    thread.join(10)
+    thread.join(NEVER_S)
     assert sound == [False] and job_now(factory, job).state == "running"
     assert take_back(factory, worker=runner.name, counted=False) == 1
     waiting = job_now(factory, job)
@@ -185,7 +178,7 @@ def test_a_job_that_is_lost_in_the_middle_stops_without_a_trace(
     take_back(factory, worker=runner.name)
     with writing(factory) as session:
         claim_job(session, job.id, worker="another")
-    thread.join(10)
+    thread.join(NEVER_S)
     running = job_now(factory, job)
     assert sound == [False] and (running.state, running.worker) == ("running", "another")
     assert survey_names(factory) == []
@@ -274,8 +267,6 @@ def test_progress_that_found_the_database_busy_is_stored_with_the_next_look(
     monkeypatch.setattr(runner_module, "PROGRESS_S", 0.01)
     with Watch(services.sessions, claimed, threading.Event()) as watch:
         watch.report(0.5, "Half.")
-        until = time.monotonic() + 10
-        while job_now(services.sessions, job).progress != 0.5 and time.monotonic() < until:
-            time.sleep(0.02)
-    assert job_now(services.sessions, job).progress == 0.5 and not busy
+        until(lambda: job_now(services.sessions, job).progress == 0.5)
+    assert not busy
     assert [one for one in caplog.records if one.levelname == "WARNING"] == []
