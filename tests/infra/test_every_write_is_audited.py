@@ -488,6 +488,7 @@ NO_EVENT = {
     "note_api_token_used": "a time stamp of presence",
     "count_against": "tries that are counted, gone within the hour",
     "forget_counted": "tries that count no more",
+    "uncount": "a try that counts no more",
     "note_person_seen": "a time stamp of presence",
     "rehash_password": "the same password under newer hash parameters",
     "claim_job": "which worker process has it",
