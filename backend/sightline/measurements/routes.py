@@ -25,7 +25,7 @@ from sightline.measurements.bodies import (
     measurement_body,
 )
 from sightline.measurements.following.service import followed_text
-from sightline.measurements.records import ClickedFrame, Clicks, Origin
+from sightline.measurements.records import ClickedFrame, Clicks, Measurement, Origin
 
 router = APIRouter()
 
@@ -133,14 +133,15 @@ async def add_measurement(
 ) -> MeasurementBody:
     """Store one height; sending the same `client_key` again gives back the one that is stored.
 
-    A height that cannot be had is stored too, with its reason. Without a road pose this is a conflict.
+    A height that cannot be had is stored too, with its reason. Without a road pose this is a conflict. So is
+    a target that stands measured: that conflict carries the measurement, as every other answer shows it.
     """
     clicks = replace(clicks_of(body, body.target), **asdict(origin), followed=followed)
 
     def work(session: Session) -> MeasurementBody:
         key, again = str(body.client_key), body.repeat_of
-        return measurement_body(
-            service.store_measurement(session, vehicle_id, key, clicks, repeat_of=again, actor=who.id)
+        return _answered(
+            lambda: service.store_measurement(session, vehicle_id, key, clicks, repeat_of=again, actor=who.id)
         )
 
     return await writes.to(partial(store.survey_of_vehicle, vehicle_id=vehicle_id), work)
@@ -170,7 +171,7 @@ async def revise_measurement(
         before = store.require_measurement_revision(session, measurement_id, body.revision)
         clicks = clicks_of(body, body.target or before.values.target)
         clicks = replace(clicks, **asdict(origin), followed=followed)
-        return measurement_body(service.store_revision(session, before, clicks, actor=who.id))
+        return _answered(lambda: service.store_revision(session, before, clicks, actor=who.id))
 
     return await writes.to(_survey_of(measurement_id), work)
 
@@ -199,11 +200,23 @@ async def restore_measurement(
     """A new revision that brings a withdrawn measurement back."""
 
     def work(session: Session) -> MeasurementBody:
-        return measurement_body(
-            store.restore_measurement(session, measurement_id, seen_revision=body.revision, actor=who.id)
+        return _answered(
+            lambda: store.restore_measurement(
+                session, measurement_id, seen_revision=body.revision, actor=who.id
+            )
         )
 
     return await writes.to(_survey_of(measurement_id), work)
+
+
+def _answered(work: Callable[[], Measurement]) -> MeasurementBody:
+    """What is stored, as it goes out; so does the measurement that a conflict carries."""
+    try:
+        return measurement_body(work())
+    except Conflict as error:
+        if isinstance(error.current, Measurement):
+            error.current = measurement_body(error.current)
+        raise
 
 
 def _survey_of(measurement_id: int) -> Callable[[Session], int]:

@@ -7,7 +7,7 @@ from typing import Any
 from fastapi import FastAPI, Request
 from fastapi.exceptions import RequestValidationError
 from fastapi.responses import JSONResponse
-from pydantic_core import to_jsonable_python
+from pydantic import TypeAdapter
 from sqlalchemy.exc import DataError, OperationalError
 from sqlalchemy.exc import TimeoutError as PoolTimeout
 from starlette.exceptions import HTTPException
@@ -41,10 +41,15 @@ def answer(error: SightlineError, headers: dict[str, str] | None = None, **more:
 
 def known(_request: Request, error: Exception) -> JSONResponse:
     assert isinstance(error, SightlineError)
-    current = error.current if isinstance(error, Conflict) else None
-    more = {} if current is None else {"current": to_jsonable_python(current)}
+    current: Any = error.current if isinstance(error, Conflict) else None
+    more = {} if current is None else {"current": _as_answered(current)}
     headers = {"Retry-After": str(RETRY_AFTER_S)} if isinstance(error, Busy) else None
     return answer(error, headers, **more)
+
+
+def _as_answered(current: Any) -> Any:
+    """What a conflict carries goes out as an answer would: what no answer shows, no refusal shows."""
+    return TypeAdapter(type(current)).dump_python(current, mode="json")
 
 
 def malformed(_request: Request, error: Exception) -> JSONResponse:
