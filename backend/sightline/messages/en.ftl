@@ -372,6 +372,7 @@ problem-stopped = Stopped.
 problem-page = Something went wrong in this page. Reload it; if it happens again, contact your administrator.
 problem-offline = The server cannot be reached.
 problem-unreachable = The server could not be reached, so this was not saved. Check the connection and try again.
+problem-unreadable = The answer of the server could not be read, so it is not known whether this was saved. Try again.
 keys-reserved = { $chord } is reserved by the browser; choose another key.
 
 ## Addresses of things that are not there

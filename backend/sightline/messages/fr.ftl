@@ -370,6 +370,7 @@ problem-stopped = L’opération a été arrêtée.
 problem-page = Un problème est survenu dans cette page. Rechargez-la ; s’il se reproduit, prévenez votre administrateur.
 problem-offline = Le serveur est injoignable.
 problem-unreachable = Le serveur était injoignable : ceci n’a pas été enregistré. Vérifiez la connexion et réessayez.
+problem-unreadable = La réponse du serveur n’a pas pu être lue : on ne sait pas si ceci a été enregistré. Réessayez.
 keys-reserved = Le navigateur se réserve { $chord } ; choisissez une autre touche.
 
 ## Adresses de ce qui n’existe pas

@@ -1,5 +1,15 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
-import { ApiError, address, api, connection, explain, onSignedOut, toApiError, tryAgainNow } from "./api";
+import {
+  ApiError,
+  address,
+  api,
+  connection,
+  explain,
+  onSignedOut,
+  PATIENCE_MS,
+  toApiError,
+  tryAgainNow,
+} from "./api";
 import { changeSave, saveState } from "./save";
 
 const answer = (status: number, body: unknown) =>
@@ -156,6 +166,46 @@ describe("a lost connection", () => {
     server.mockResolvedValueOnce(answer(200, []));
     tryAgainNow();
     await expect(done).resolves.toEqual([]);
+  });
+
+  it.each([
+    ["a network's sign-in page in place of the answer", () => new Response("<html>Sign in</html>")],
+    [
+      "an answer that breaks off",
+      () => Object.assign(answer(200, {}), { text: () => Promise.reject(new TypeError()) }),
+    ],
+  ])("is what %s is taken for", async (_what, broken) => {
+    server.mockImplementationOnce(async () => broken());
+    const done = api.ask("GET /surveys");
+    await vi.waitFor(() => expect(connection.value.lost).toBe(true));
+    server.mockResolvedValueOnce(answer(200, []));
+    tryAgainNow();
+    await expect(done).resolves.toEqual([]);
+  });
+
+  it("is what no answer within three minutes is taken for", async () => {
+    vi.useFakeTimers();
+    server.mockImplementationOnce(
+      (_url, init) =>
+        new Promise((_, reject) =>
+          init?.signal?.addEventListener("abort", () => reject(init.signal?.reason)),
+        ),
+    );
+    const done = api.ask("GET /surveys");
+    await vi.advanceTimersByTimeAsync(PATIENCE_MS - 1);
+    expect(connection.value.lost).toBe(false);
+    server.mockResolvedValueOnce(answer(200, []));
+    await vi.advanceTimersByTimeAsync(1);
+    expect(connection.value.lost).toBe(true);
+    tryAgainNow();
+    await expect(done).resolves.toEqual([]);
+    vi.useRealTimers();
+  });
+
+  it("says that it is not known what became of a write that may not be repeated", async () => {
+    server.mockResolvedValueOnce(new Response("<html>Sign in</html>"));
+    const error = await api.write("POST /surveys", {}, { body: { name: "A" } }).catch((e: unknown) => e);
+    expect(error).toMatchObject({ said: { code: "problem-unreadable" } });
   });
 
   it("lets go of a request that is not wanted any more", async () => {

@@ -90,11 +90,11 @@ async function request<T>(
   if (write) changeSave((s) => ({ pending: s.pending + 1, failed: false }));
   try {
     const answer = await send(method, path, body, options, write);
-    const value = await read<T>(answer, options);
+    const value = read<T>(answer, options);
     if (write) changeSave(() => ({ savedAt: new Date() }));
     return value;
   } catch (error) {
-    if (write) changeSave(() => ({ failed: true }));
+    if (write && !options.signal?.aborted) changeSave(() => ({ failed: true }));
     throw error;
   } finally {
     if (write) changeSave((s) => ({ pending: s.pending - 1 }));
@@ -103,6 +103,17 @@ async function request<T>(
 
 /** What a proxy in front of a restarting server answers: the same as no connection. */
 const SERVER_AWAY = [502, 503, 504];
+/** A connection that has brought no answer by then is taken for lost; files may take longer. */
+export const PATIENCE_MS = 180_000;
+
+interface Answer {
+  readonly status: number;
+  readonly ok: boolean;
+  /** Null: not JSON. */
+  readonly body: unknown;
+  /** It is whole, and this program's server may have written it: a network's sign-in page answers 200 to everything. */
+  readonly readable: boolean;
+}
 
 async function send(
   method: string,
@@ -110,13 +121,14 @@ async function send(
   body: unknown,
   options: RequestOptions,
   write: boolean,
-): Promise<Response> {
+): Promise<Answer> {
   const { signal } = options;
   const init: RequestInit = { method, ...contentOf(body), signal, credentials: "same-origin" };
   const mayRepeat = options.retry ?? !["POST", "PATCH"].includes(method);
   for (;;) {
     const answer = await fetchOnce(path, init, mayRepeat);
-    if (answer && !(mayRepeat && SERVER_AWAY.includes(answer.status))) {
+    const away = answer && (SERVER_AWAY.includes(answer.status) || !answer.readable);
+    if (answer && !(mayRepeat && away)) {
       attempt = 0;
       return answer;
     }
@@ -145,43 +157,60 @@ function contentOf(body: unknown): Pick<RequestInit, "headers" | "body"> {
   return { headers, body: JSON.stringify(body) };
 }
 
-/** The answer; null where there is no connection and the request may be repeated. */
-async function fetchOnce(path: string, init: RequestInit, mayRepeat: boolean): Promise<Response | null> {
+/** The whole answer; null where there is no connection and the request may be repeated. */
+async function fetchOnce(path: string, init: RequestInit, mayRepeat: boolean): Promise<Answer | null> {
+  const patience = patienceOf(init);
   try {
-    return await fetch(`/api${path}`, init);
+    return await readWhole(await fetch(`/api${path}`, { ...init, signal: patience.signal }));
   } catch (error) {
     if (init.signal?.aborted) throw error;
     if (mayRepeat) return null;
     throw problemOf("problem-unreachable", {}, 0);
+  } finally {
+    patience.end();
   }
 }
 
-async function read<T>(answer: Response, options: RequestOptions): Promise<T> {
-  if (answer.status === 204) return undefined as T;
+/** Ends a request that is not wanted any more, or that takes too long. */
+function patienceOf({ signal, body }: RequestInit): { signal: AbortSignal; end: () => void } {
+  const late = new AbortController();
+  const stop = (): void => late.abort(signal?.reason);
+  if (signal?.aborted) stop();
+  signal?.addEventListener("abort", stop);
+  const timer = body instanceof FormData ? undefined : setTimeout(() => late.abort(), PATIENCE_MS);
+  const end = (): void => {
+    clearTimeout(timer);
+    signal?.removeEventListener("abort", stop);
+  };
+  return { signal: late.signal, end };
+}
+
+async function readWhole(answer: Response): Promise<Answer> {
+  const { status, ok } = answer;
+  if (status === 204) return { status, ok, body: undefined, readable: true };
   const text = await answer.text();
-  const body = parse(text);
-  if (answer.ok) return body as T;
-  if (answer.status === 401 && !options.allowSignedOut) for (const tell of signedOutListeners) tell();
-  throw toApiError(answer.status, body);
+  try {
+    return { status, ok, body: JSON.parse(text), readable: true };
+  } catch {
+    return { status, ok, body: null, readable: !ok };
+  }
 }
 
-function parse(text: string): unknown {
-  try {
-    return JSON.parse(text);
-  } catch {
-    return null;
-  }
+function read<T>({ status, ok, body, readable }: Answer, options: RequestOptions): T {
+  if (ok && readable) return body as T;
+  if (ok) throw problemOf("problem-unreadable", {}, status);
+  if (status === 401 && !options.allowSignedOut) for (const tell of signedOutListeners) tell();
+  throw toApiError(status, body);
 }
 
 /** The server's error shape as an ApiError; an answer of another shape (a proxy's page) still gives a sentence. */
 export function toApiError(status: number, body: unknown): ApiError {
   const error = (body as { error?: Partial<Said> & { message?: string } } | null)?.error;
   const message =
-    error?.message ??
-    (status >= 500
-      ? say("problem-server", { status: String(status) })
-      : say("problem-refused", { status: String(status) }));
-  const said = error?.code ? { code: error.code, values: error.values ?? {} } : null;
+    typeof error?.message === "string"
+      ? error.message
+      : say(status >= 500 ? "problem-server" : "problem-refused", { status: String(status) });
+  const said = typeof error?.code === "string" ? { code: error.code, values: error.values ?? {} } : null;
   return new ApiError(message, status, said, body);
 }
 

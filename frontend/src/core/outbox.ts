@@ -5,11 +5,15 @@
  * One wish per thing: a change of mind replaces what was wanted. Wishes of one lane go out one after the other, in the
  * order in which they were made, each until the server has it. A repeat is harmless: a new thing carries its key, a change
  * the version that was seen, and a refusal of a version is looked into before anybody is asked.
+ *
+ * Whatever the server answers, a wish is done, waits for the connection, or rests with a reason until it is sent again or
+ * taken back; and the next one goes out. An answer of another shape than its kind's is no answer.
  */
 import { computed, effect, signal } from "@preact/signals";
 import { ApiError, connection, explain, problemOf } from "./api";
 import { say } from "./messages";
 import { newKey } from "./random";
+import { changeSave } from "./save";
 
 export interface Wish<S = unknown, W = unknown, A = unknown> {
   /** The thing it is about; for a new one the key that the server knows it by. */
@@ -42,6 +46,8 @@ export interface Kind<S, W, A> {
   send(wish: Wish<S, W, A>, signal: AbortSignal): Promise<S | null>;
   /** What the server has; `error` is the refusal that made it worth asking. */
   read(wish: Wish<S, W, A>, error: ApiError, signal: AbortSignal): Promise<S | null>;
+  /** Whether an answer is such a thing, with all that is read of it here. */
+  isSaved(answer: unknown): answer is S;
   done(wish: Wish<S, W, A>): boolean;
   /** Another one means that somebody changed it. */
   version(saved: S | null): string | number;
@@ -66,36 +72,49 @@ interface Kept extends Wanted<unknown, unknown, unknown> {
   readonly touched: number;
 }
 
-/** A tab that has not touched its items for so long is gone. */
+/** Where the browser keeps no locks (it does over https only): a tab that has not touched its items for so long is gone. */
 export const ORPHANED_AFTER_MS = 45_000;
 const TOUCH_EVERY_MS = 10_000;
 /** Nothing takes more steps than to restore, to revise, and one for a change that came between. */
 const MOST_STEPS = 4;
 
 type Store = Pick<Storage, "getItem" | "setItem" | "removeItem" | "key" | "length">;
+type Locks = Pick<LockManager, "request"> | undefined;
+
+const browserLocks = (): Locks => (typeof navigator === "undefined" ? undefined : navigator.locks);
+/** A page holds the lock of its name for as long as it is open. */
+const lockOf = (tab: string): string => `sightline.outbox.page.${tab}`;
 
 export class Outbox {
   readonly wishes = signal<ReadonlyMap<string, Wish>>(new Map());
-  /** How many are kept here, on their way or not; and of these how many wait behind others. */
+  /** How many are kept here, on their way or not; of these how many wait behind others; and how many want a decision. */
   readonly counts = computed(() => {
-    const all = [...this.wishes.value.values()].filter(({ state }) => state === "saving" || state === "held");
+    const every = [...this.wishes.value.values()];
+    const all = every.filter(({ state }) => state === "saving" || state === "held");
     const lanes = new Set(all.filter(({ state }) => state === "saving").map(({ lane }) => lane));
-    return { kept: all.length, queued: all.length - lanes.size };
+    return { kept: all.length, queued: all.length - lanes.size, resting: every.length - all.length };
   });
   private readonly kinds = new Map<string, AnyKind>();
   private readonly listeners = new Map<string, Set<Listener>>();
   private readonly lanes = new Map<string, Promise<void>>();
   private readonly orders = new Map<string, number>();
   private readonly refusals = new Map<string, ApiError>();
+  /** What ends the sending of a wish that is taken back. */
+  private readonly sending = new Map<string, AbortController>();
+  /** The tabs of whose end this page will hear. */
+  private readonly watched = new Set<string>();
   private prefix = "";
   private ended = new AbortController();
   private timer: ReturnType<typeof setInterval> | undefined;
 
   constructor(
-    private readonly tab: string = tabName(),
+    private readonly tab: string = browserLocks() ? newKey() : tabName(),
     private readonly storage: () => Store = () => localStorage,
     private readonly now: () => number = Date.now,
-  ) {}
+    private readonly locks: Locks = browserLocks(),
+  ) {
+    locks?.request(lockOf(tab), () => new Promise(() => {})).catch(() => undefined);
+  }
 
   /** Tells how things of a kind are sent. */
   register<S, W, A>(name: string, kind: Kind<S, W, A>): void {
@@ -115,7 +134,21 @@ export class Outbox {
   open(person: number | string | null): void {
     this.close();
     this.prefix = person === null ? "" : `sightline.outbox.${person}.`;
-    if (person !== null) this.adopt();
+    if (person === null) return;
+    const { signal } = this.ended;
+    const told = ({ key }: StorageEvent): void => {
+      if (key?.startsWith(this.prefix)) this.watch();
+    };
+    window.addEventListener("storage", told);
+    signal.addEventListener("abort", () => window.removeEventListener("storage", told));
+    this.adopt((one) => one.tab === this.tab);
+    this.watch();
+    if (this.locks) return;
+    this.adoptOld();
+    this.timer = setInterval(() => {
+      this.touch();
+      this.adoptOld();
+    }, TOUCH_EVERY_MS);
   }
 
   /** Stops sending; what is kept stays kept. */
@@ -125,19 +158,43 @@ export class Outbox {
     clearInterval(this.timer);
     this.timer = undefined;
     this.lanes.clear();
+    this.sending.clear();
+    this.watched.clear();
     this.wishes.value = new Map();
   }
 
-  /** Items left by this tab before a reload, or by a tab that is gone; they are this tab's from now on. */
-  adopt(): Wish[] {
+  /** What the other tabs have kept is this one's as soon as they are gone, closed or killed: then their lock is free. */
+  private watch(): void {
+    if (!this.locks) return;
+    const { signal } = this.ended;
+    for (const { tab } of this.kept()) {
+      if (tab === this.tab || this.watched.has(tab)) continue;
+      this.watched.add(tab);
+      const gone = (): void => {
+        if (signal.aborted) return;
+        this.watched.delete(tab);
+        this.adopt((one) => one.tab === tab);
+        this.watch();
+      };
+      this.locks.request(lockOf(tab), { signal }, gone).catch(() => undefined);
+    }
+  }
+
+  private adoptOld(): void {
+    this.adopt((one) => this.now() - one.touched > ORPHANED_AFTER_MS);
+  }
+
+  /** Items that are this tab's from now on: left by it before a reload, or by a tab that is gone. */
+  private adopt(left: (one: Kept) => boolean): void {
     const orphans = this.kept()
-      .filter((one) => one.tab === this.tab || this.now() - one.touched > ORPHANED_AFTER_MS)
-      .filter((one) => this.kinds.has(one.kind) && !this.wishes.value.has(one.key))
+      .filter((one) => left(one) && this.kinds.has(one.kind) && !this.wishes.value.has(one.key))
       .sort((a, b) => a.order - b.order);
-    return orphans.map(({ order, tab: _tab, touched: _touched, ...wanted }) => {
+    for (const { order, tab: _tab, touched: _touched, ...wanted } of orphans) {
       this.orders.set(wanted.key, order);
-      return this.want(wanted);
-    });
+      // kept by another version of this page, it may be of another shape: then the server is asked what there is
+      const saved = this.kinds.get(wanted.kind)?.isSaved(wanted.saved) ? wanted.saved : null;
+      this.want({ ...wanted, saved });
+    }
   }
 
   of<S, W, A>(kind: string): Wish<S, W, A>[] {
@@ -189,7 +246,11 @@ export class Outbox {
 
   /** What is there instead, in words. */
   theirs({ kind, theirs }: Wish): string {
-    return this.kinds.get(kind)?.words(theirs) ?? "";
+    try {
+      return this.kinds.get(kind)?.words(theirs) ?? "";
+    } catch (error) {
+      return explain(error);
+    }
   }
 
   /** Resolves when it rests: stored (undefined), in conflict or refused. */
@@ -237,7 +298,18 @@ export class Outbox {
         (wish) => wish.lane === lane && wish.state === "saving",
       );
       if (!next || signal.aborted) return;
-      await this.bring(next.key, signal);
+      const stop = new AbortController();
+      const ended = (): void => stop.abort();
+      signal.addEventListener("abort", ended);
+      this.sending.set(next.key, stop);
+      try {
+        await this.bring(next.key, stop.signal);
+      } catch (error) {
+        // a fault of this page in what the server answered must not hold up what waits behind it
+        if (!stop.signal.aborted) this.patch(next.key, { state: "failed", problem: explain(error) });
+      }
+      signal.removeEventListener("abort", ended);
+      if (this.sending.get(next.key) === stop) this.sending.delete(next.key);
     }
   }
 
@@ -257,8 +329,11 @@ export class Outbox {
     if (kind.done(wish)) return this.end(wish, "saved");
     try {
       if (steps > MOST_STEPS) throw problemOf("unsaved-otherwise", {}, 0);
-      const saved = await kind.send(wish, signal);
-      if (!signal.aborted) this.arrived(kind, wish, saved);
+      const saved: unknown = await kind.send(wish, signal);
+      if (signal.aborted) return;
+      if (saved === null ? !kind.done({ ...wish, saved }) : !kind.isSaved(saved))
+        throw problemOf("problem-unreadable", {}, 0);
+      this.arrived(kind, wish, saved);
     } catch (error) {
       if (!signal.aborted) await this.refused(kind, wish, error, signal);
     }
@@ -268,6 +343,7 @@ export class Outbox {
   private arrived(kind: AnyKind, sent: Wish, saved: unknown): void {
     const now = this.get(sent.key);
     if (!now) return;
+    changeSave(() => ({ savedAt: new Date(), failed: false }));
     if (kind.once && now.want === sent.want) this.end({ ...now, saved }, "saved");
     else this.patch(now.key, { saved, want: kind.left ? kind.left(sent.want, now.want) : now.want });
   }
@@ -276,8 +352,7 @@ export class Outbox {
   private async refused(kind: AnyKind, sent: Wish, error: unknown, signal: AbortSignal): Promise<void> {
     const refusal = error instanceof ApiError ? error : new ApiError(explain(error), 0);
     this.refusals.set(sent.key, refusal);
-    const theirs: unknown =
-      refusal.status === 409 ? await kind.read(sent, refusal, signal).catch(() => undefined) : undefined;
+    const theirs = refusal.status === 409 ? await readInstead(kind, sent, refusal, signal) : undefined;
     const now = this.get(sent.key);
     if (signal.aborted || !now) return;
     const problem = explain(refusal);
@@ -299,6 +374,8 @@ export class Outbox {
     } catch {
       // nothing was kept, so nothing is to be removed
     }
+    if (state === "dropped") this.sending.get(wish.key)?.abort();
+    changeSave(() => ({ failed: false })); // of what was refused on the way, nothing is left
     this.tell({ ...wish, state });
   }
 
@@ -315,23 +392,25 @@ export class Outbox {
     this.tell(wish);
   }
 
+  /** A page that cannot show a wish keeps nobody from sending it. */
   private tell(wish: Wish): void {
-    for (const told of this.listeners.get(wish.kind) ?? []) told(wish);
+    for (const told of this.listeners.get(wish.kind) ?? []) {
+      try {
+        told(wish);
+      } catch (error) {
+        console.error(error);
+      }
+    }
   }
 
   private keep(wish: Wish): void {
     const { state: _state, problem: _problem, theirs: _theirs, ...wanted } = wish;
     if (!this.orders.has(wish.key)) this.orders.set(wish.key, Math.max(0, ...this.orders.values()) + 1);
     this.write({ ...wanted, order: this.orders.get(wish.key) ?? 0, tab: this.tab, touched: this.now() });
-    this.timer ??= setInterval(() => this.touch(), TOUCH_EVERY_MS);
   }
 
   private touch(): void {
-    const mine = this.kept().filter((one) => one.tab === this.tab);
-    for (const one of mine) this.write({ ...one, touched: this.now() });
-    if (mine.length > 0) return;
-    clearInterval(this.timer);
-    this.timer = undefined;
+    for (const one of this.kept()) if (one.tab === this.tab) this.write({ ...one, touched: this.now() });
   }
 
   private kept(): Kept[] {
@@ -359,10 +438,26 @@ export class Outbox {
   }
 }
 
+/** What the server has where it refused; undefined where that cannot be had. */
+async function readInstead(
+  kind: AnyKind,
+  sent: Wish,
+  refusal: ApiError,
+  signal: AbortSignal,
+): Promise<unknown> {
+  try {
+    const found: unknown = await kind.read(sent, refusal, signal);
+    return found === null || kind.isSaved(found) ? found : undefined;
+  } catch {
+    return undefined;
+  }
+}
+
 function parse(text: string | null): Kept | null {
   try {
     const one = JSON.parse(text ?? "null") as Kept | null;
-    return one && typeof one.key === "string" && typeof one.kind === "string" ? one : null;
+    const named = one && [one.key, one.kind, one.lane, one.tab].every((name) => typeof name === "string");
+    return named ? one : null;
   } catch {
     return null;
   }
@@ -378,7 +473,7 @@ function until(happens: () => boolean): { happened: Promise<undefined>; stop: ()
   return { happened, stop };
 }
 
-/** A name for this tab that survives a reload of it. */
+/** A name for this tab that survives a reload of it, where no lock tells that the page before is gone. */
 function tabName(): string {
   try {
     const kept = sessionStorage.getItem("sightline.tab") ?? newKey();

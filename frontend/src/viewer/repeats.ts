@@ -5,6 +5,7 @@ import type { Measurement, Target } from "../core/types";
 import { formatHeight } from "../core/units";
 import { STATE_WORDS, TARGET_WORDS } from "../core/words";
 import { type ImagePoint, pair } from "./points";
+import { isMeasurement } from "./values";
 
 export const REPEAT = "repeat";
 
@@ -50,6 +51,7 @@ const repeatKind: Kind<Measurement, RepeatWanted, About> = {
   },
   read: async ({ saved }, _error, signal) =>
     saved && api.ask("GET /measurements/{measurement_id}", { measurement_id: saved.id }, { signal }),
+  isSaved: isMeasurement,
   done: ({ saved, want }) => (saved ? saved.withdrawn === want.withdrawn : want.withdrawn),
   version: (saved) => (saved ? `${saved.id} ${saved.revision}` : 0),
   words: (saved) =>

@@ -1,5 +1,6 @@
 /** What the operator decides about a measurement; everything else in it is the server's. */
 import type { BodyOf } from "../core/routes";
+import { shapeOf } from "../core/shape";
 import type { Made, Measurement, Target } from "../core/types";
 import { fromServer, type ImagePoint, imagePoint, pair, samePoint } from "./points";
 
@@ -42,6 +43,21 @@ export interface Values extends FramePoints {
 export function insetOf({ inset_m, u_inset_m }: Pick<Measurement, "inset_m" | "u_inset_m">): Inset | null {
   return inset_m === null || u_inset_m === null ? null : { inset_m, u_inset_m };
 }
+
+/** Whether an answer is a measurement: what else it holds is only shown. */
+export const isMeasurement = shapeOf<Measurement>({
+  id: "number",
+  revision: "number",
+  vehicle_id: "number",
+  target: "string",
+  frame: "number",
+  contact: "list",
+  target_point: "list",
+  more_frames: "list",
+  flags: "list",
+  withdrawn: "boolean",
+  review: "object",
+});
 
 export function valuesOf(m: Measurement): Values {
   return {

@@ -2,6 +2,7 @@
 import { api } from "../../core/api";
 import { say } from "../../core/messages";
 import { type Kind, outbox } from "../../core/outbox";
+import { shapeOf } from "../../core/shape";
 import { fixed } from "../../core/units";
 import type { WheelPair } from "./types";
 import type { Clicks } from "./wheelPair";
@@ -29,6 +30,14 @@ const pairKind: Kind<WheelPair, Clicks | null, PairAbout> = {
     );
     return found.pairs.find((one) => one.vehicle_id === id) ?? null;
   },
+  isSaved: shapeOf<WheelPair>({
+    id: "number",
+    vehicle_id: "number",
+    frame: "number",
+    first: "list",
+    second: "list",
+    withdrawn: "boolean",
+  }),
   done({ saved, want }) {
     if (!want || !saved || saved.withdrawn) return !want && idOf(saved) === 0;
     return saved.frame === want.frame && `${saved.first} ${saved.second}` === `${want.first} ${want.second}`;

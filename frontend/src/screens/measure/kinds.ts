@@ -22,7 +22,16 @@ import {
   SIDE_WORDS,
   STATE_WORDS,
 } from "../../core/words";
-import { clickBody, madeOf, sameValues, snappedFrom, type Values, valuesOf } from "../../viewer/values";
+import {
+  clickBody,
+  isMeasurement,
+  madeOf,
+  sameValues,
+  snappedFrom,
+  type Values,
+  valuesOf,
+} from "../../viewer/values";
+import { isVehicle } from "../../viewer/vehicle";
 import { type Changes, disputedFields, FIELD_WORDS, type Field } from "./fields";
 
 export const MEASUREMENT = "measurement";
@@ -56,6 +65,7 @@ export const measurementKind = (port: RecordsPort): Kind<Measurement, Values, Me
   // a new one is refused where the target stands measured: the refusal brings what stands
   read: async ({ saved }, error, signal) =>
     saved ? port.read(saved.id, signal) : (currentOf<Measurement>(error) ?? null),
+  isSaved: isMeasurement,
   // what was withdrawn before it was ever stored is nothing to store
   done: ({ saved, want }) => (saved ? sameValues(valuesOf(saved), want) : want.withdrawn),
   version: (saved) => (saved ? `${saved.id} ${saved.revision}` : 0),
@@ -70,6 +80,7 @@ export const vehicleKind = (port: VehiclesPort): Kind<Vehicle, Changes, { id: nu
     if (!found) throw error;
     return found;
   },
+  isSaved: isVehicle,
   done: ({ saved, want }) =>
     saved !== null && (Object.keys(want) as Field[]).every((field) => saved[field] === want[field]),
   version: (saved) => saved?.version ?? 0,

@@ -85,7 +85,17 @@ class Server implements RecordsPort {
   private save(id: number, revision: number, vehicle_id: number, v: Values): Measurement {
     const { target, frame, contact, point, withdrawn } = v;
     const insets = v.inset ?? { inset_m: 0.6, u_inset_m: 0.1 };
-    const clicked = { target, frame, contact, target_point: point, more_frames: v.more, withdrawn };
+    const review = { verdict: "to_review" };
+    const clicked = {
+      target,
+      frame,
+      contact,
+      target_point: point,
+      more_frames: v.more,
+      withdrawn,
+      flags: [],
+      review,
+    };
     const made = { id, revision, vehicle_id, ...clicked, ...insets };
     this.stored.set(id, made as unknown as Measurement);
     return this.get(id);
@@ -114,6 +124,7 @@ function page(server: Server, tab = "a"): { records: Records; box: Outbox } {
     tab,
     () => store,
     () => clock,
+    undefined, // no locks: what is told here of a tab that is gone is its age
   );
   box.register(MEASUREMENT, measurementKind(server));
   const records = new Records(box, 5);

@@ -10,6 +10,8 @@ const start = {
   id: 7,
   recording_id: 1,
   number: 7,
+  first_frame: 30,
+  last_frame: 50,
   version: 1,
   make: null,
   model: null,

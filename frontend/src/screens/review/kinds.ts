@@ -4,6 +4,7 @@ import { say } from "../../core/messages";
 import { type Kind, outbox } from "../../core/outbox";
 import type { Measurement, Verdict } from "../../core/types";
 import { STATE_WORDS } from "../../core/words";
+import { isMeasurement } from "../../viewer/values";
 
 export const VERDICT = "verdict";
 
@@ -39,6 +40,7 @@ const verdictKind: Kind<Measurement, GivenVerdict, VerdictAbout> = {
   },
   read: ({ about: { id } }, _error, signal) =>
     api.ask("GET /measurements/{measurement_id}", { measurement_id: id }, { signal }),
+  isSaved: isMeasurement,
   done({ about, saved, want }) {
     const review = saved?.review;
     // what waits needs no reopening: a verdict that was taken back before it was sent

@@ -3,6 +3,7 @@ import { api } from "../../core/api";
 import { say } from "../../core/messages";
 import { type Kind, outbox } from "../../core/outbox";
 import type { BodyOf } from "../../core/routes";
+import { shapeOf } from "../../core/shape";
 import type {
   DriverSide,
   LineHeight,
@@ -53,6 +54,20 @@ export interface HeightAbout {
 
 type HeightBody = Omit<BodyOf<"POST /scan-vehicles/{vehicle_id}/heights">, "revision">;
 
+const isHeight = shapeOf<LineHeight>({
+  id: "number",
+  revision: "number",
+  vehicle_id: "number",
+  target: "string",
+  contact_line: "number",
+  contact_row_px: "number",
+  target_line: "number",
+  target_row_px: "number",
+  withdrawn: "boolean",
+});
+
+const isScanned = shapeOf<ScanVehicle>({ id: "number", version: "number", deleted: "boolean" });
+
 const heightKind: Kind<LineHeight, HeightWanted, HeightAbout> = {
   once: true,
   send({ about: { id: vehicle_id, target }, saved, want }, signal) {
@@ -66,6 +81,7 @@ const heightKind: Kind<LineHeight, HeightWanted, HeightAbout> = {
     return api.write(route, { vehicle_id }, { body, retry: true, signal });
   },
   read: ({ about: { id, target } }, _error, signal) => readHeight(id, target, signal),
+  isSaved: isHeight,
   done({ saved, want: { clicks, again = 0 } }) {
     if (!saved || saved.withdrawn || !clicks) return !clicks && (!saved || saved.withdrawn);
     return saved.revision > again && sameClicks(clicksOf(saved), clicks);
@@ -146,6 +162,7 @@ const rodKind: Kind<LinePose, RodValues, { scanId: number }> = {
     ),
   read: async ({ about }, _error, signal) =>
     (await api.ask("GET /scans/{scan_id}/line-pose", { scan_id: about.scanId }, { signal })).current,
+  isSaved: shapeOf<LinePose>({ revision: "number", marks: "list" }),
   done: ({ saved, want }) =>
     saved !== null &&
     same<Uncertainties>(want, saved, ["sigma_px", "u_distance_m", "u_lean_rad"]) &&
@@ -218,6 +235,7 @@ const scannedKind: Kind<ScanVehicle, ScannedWanted, ScannedAbout> = {
     return saved && { ...saved, deleted: true, version: version + 1 };
   },
   read: ({ about: { id } }, _error, signal) => readVehicle(id, signal),
+  isSaved: isScanned,
   done: ({ saved, want }) =>
     (want.there === undefined || (saved !== null && saved.deleted !== want.there)) &&
     (!want.boundaries || hasBoundaries(saved, want.boundaries)) &&
@@ -319,6 +337,7 @@ const addedKind: Kind<ScanVehicle, Added, { scanId: number }> = {
       { body: want, retry: true, signal },
     ),
   read: async () => null,
+  isSaved: isScanned,
   done: ({ saved }) => saved !== null,
   version: () => 0,
   words: () => "",
@@ -349,6 +368,7 @@ const verdictKind: Kind<ScanVehicle, Verdict, VerdictAbout> = {
       },
     ),
   read: ({ about: { id } }, _error, signal) => readVehicle(id, signal),
+  isSaved: isScanned,
   done({ about, saved, want }) {
     const m = saved?.measurement;
     if (m?.id !== about.measurementId) return false;
@@ -394,6 +414,7 @@ const heightVerdictKind: Kind<LineHeight, Verdict, HeightVerdictAbout> = {
       { body: { verdict, seen: saved?.review.verdict, ...(reason ? { reason } : {}) }, retry: true, signal },
     ),
   read: ({ about: { vehicleId, target } }, _error, signal) => readHeight(vehicleId, target, signal),
+  isSaved: isHeight,
   done({ about, saved, want }) {
     if (saved?.id !== about.id) return false;
     const { verdict, reason, reviewer } = saved.review;

@@ -181,7 +181,7 @@ describe("judging vehicles of a line scan", () => {
         const m = vehicle["measurement"] as Record<string, unknown>;
         return String(m["id"]) === id ? { ...vehicle, measurement: { ...m, review: { verdict } } } : vehicle;
       });
-      return { verdict };
+      return all.find((vehicle) => String((vehicle["measurement"] as Record<string, unknown>)["id"]) === id);
     });
     model = new ScanModel(3);
     model.stage.view.value = model.stage.view.value.resized({ width: 1000, height: 424 });
@@ -193,6 +193,7 @@ describe("judging vehicles of a line scan", () => {
     const given: string[] = [];
     const height = (id: number, target: string, part: object = {}) => ({
       ...{ id, target, vehicle_id: 2, revision: 1, status: "ok", withdrawn: false, mine: false },
+      ...{ contact_line: 300, contact_row_px: 150, target_line: 310, target_row_px: 40 },
       ...{ review: REVIEW, warnings: [], budget: [], ...part },
     });
     let heights: Record<string, unknown>[] = [

@@ -2,8 +2,10 @@
 import { api } from "../../../core/api";
 import { say } from "../../../core/messages";
 import { type Kind, outbox } from "../../../core/outbox";
+import { shapeOf } from "../../../core/shape";
 import type { Vehicle } from "../../../core/types";
 import { STATE_WORDS } from "../../../core/words";
+import { isVehicle } from "../../../viewer/vehicle";
 
 export const PASS_ADDED = "pass-added";
 export const PASS_THERE = "pass-there";
@@ -37,6 +39,7 @@ const addedKind: Kind<Vehicle, AddedWant, { recordingId: number; surveyId: numbe
     );
   },
   read: async () => null,
+  isSaved: isVehicle,
   done: ({ saved }) => saved !== null,
   version: (saved) => saved?.version ?? 0,
   words: (saved) => (saved ? passWords(saved) : say("measure-deleted")),
@@ -48,6 +51,8 @@ export interface Presence {
   readonly version: number | null;
   readonly vehicle: Vehicle | null;
 }
+
+const isPresence = shapeOf<Presence>({ there: "boolean", vehicle: "nullable" });
 
 const thereKind: Kind<Presence, boolean, { id: number }> = {
   async send({ about: { id: vehicle_id }, saved, want }, signal) {
@@ -67,6 +72,8 @@ const thereKind: Kind<Presence, boolean, { id: number }> = {
     const vehicle = await api.ask("GET /vehicles/{vehicle_id}", { vehicle_id: id }, { signal });
     return { there: true, version: vehicle.version, vehicle };
   },
+  isSaved: (answer): answer is Presence =>
+    isPresence(answer) && (answer.vehicle === null || isVehicle(answer.vehicle)),
   done: ({ saved, want }) => saved?.there === want,
   version: (saved) => (saved ? `${saved.there} ${saved.version}` : ""),
   words: (saved) => (saved?.there && saved.vehicle ? passWords(saved.vehicle) : STATE_WORDS.withdrawn),
@@ -76,6 +83,8 @@ export interface Parts {
   readonly earlier: Vehicle;
   readonly later: Vehicle | null;
 }
+
+const isParts = shapeOf<Parts>({ earlier: "object", later: "nullable" });
 
 const splitKind: Kind<Parts, number, SplitAbout> = {
   once: true,
@@ -87,6 +96,8 @@ const splitKind: Kind<Parts, number, SplitAbout> = {
     earlier: await api.ask("GET /vehicles/{vehicle_id}", { vehicle_id: id }, { signal }),
     later: null,
   }),
+  isSaved: (answer): answer is Parts =>
+    isParts(answer) && isVehicle(answer.earlier) && (answer.later === null || isVehicle(answer.later)),
   // the echo of a split whose answer was lost: the vehicle ends or begins at the cut
   done: ({ saved, want }) => saved !== null && (saved.later !== null || endsAt(saved.earlier, want)),
   version: (saved) => saved?.earlier.version ?? 0,
@@ -120,6 +131,7 @@ const joinedKind: Kind<Vehicle, readonly [number, number], JoinAbout> = {
   },
   read: ({ about: { id } }, _error, signal) =>
     api.ask("GET /vehicles/{vehicle_id}", { vehicle_id: id }, { signal }),
+  isSaved: isVehicle,
   done: ({ saved, want: [first, last] }) => saved?.first_frame === first && saved.last_frame === last,
   version: (saved) => saved?.version ?? 0,
   words: (saved) => (saved ? passWords(saved) : say("measure-deleted")),
