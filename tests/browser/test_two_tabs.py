@@ -3,6 +3,7 @@
 import re
 import time
 from collections.abc import Iterator
+from pathlib import Path
 
 import pytest
 from playwright.sync_api import Browser, BrowserContext, Locator, Page, Route, expect
@@ -118,6 +119,38 @@ def click_roof(page: Page, one: OwnVehicle) -> None:
     click(page, one, "roof")
 
 
+@pytest.mark.parametrize("choice", ["Keep theirs", "Save mine as a new revision"])
+def test_two_people_on_one_target_choose_and_what_comes_after_is_stored(
+    page: Page, colleague: Page, one: OwnVehicle, screenshots: Path, choice: str
+) -> None:
+    """Both have the vehicle open; whoever clicks later sees both heights, and their next click goes out."""
+    opened(page, one)
+    click_roof(colleague, one)
+    until(page, one.vehicle["id"], lambda have: set(have) == {"roof"})
+    theirs = stored(page, one.vehicle["id"])["roof"]
+    row = page.get_by_test_id("measurement-row-roof")
+    page.get_by_test_id("target-roof").click()
+    click(page, one, "contact_rear")
+    expect(page.get_by_test_id("axes")).to_be_visible()
+    x, y = one.pixels["roof"]
+    click_at(page, (x, y + 6))
+    told = page.get_by_test_id("measurement-conflict")
+    expect(told).to_contain_text("Olga Operator")
+    click(page, one, "driver_eye")
+    expect(page.get_by_test_id("measurement-row-driver_eye")).to_have_attribute("data-state", "saved")
+    expect(told).to_contain_text(f"{theirs['height_m']:.3f}")
+    page.screenshot(path=screenshots / "conflict-of-two-people.png")
+    told.get_by_role("button", name=choice).click()
+    expect(told).to_have_count(0)
+    expect(row).to_have_attribute("data-state", "saved")
+    expect(page.get_by_test_id("save-state")).to_contain_text(re.compile(r"saved \d"))
+    now = stored(page, one.vehicle["id"])
+    assert set(now) == {"roof", "driver_eye"}
+    kept = choice == "Keep theirs"
+    assert now["roof"]["revision"] == (1 if kept else 2)
+    assert (now["roof"]["height_m"] == theirs["height_m"]) is kept
+
+
 def revisions(page: Page, one: OwnVehicle) -> list[tuple[str, int]]:
     """(target, revision) of everything the server has of the vehicle, withdrawn or not."""
     vehicle = page.request.get(f"/api/vehicles/{one.vehicle['id']}").json()
@@ -189,3 +222,18 @@ def test_a_click_not_yet_stored_survives_a_reload(page: Page, one: OwnVehicle) -
         < 1
     )
     assert revisions(page, one) == [("roof", 1)]
+
+
+def test_a_click_kept_by_a_closed_tab_is_sent_by_the_next_at_once(
+    context: BrowserContext, page: Page, one: OwnVehicle
+) -> None:
+    opened(page, one)
+    pattern = re.compile(r"/api/vehicles/\d+/measurements$")
+    page.route(pattern, lambda route: route.abort("connectionrefused"))
+    click_roof(page, one)
+    expect(page.get_by_test_id("save-state")).to_contain_text("1 not yet saved")
+    page.close(run_before_unload=False)
+    assert revisions(other := context.new_page(), one) == []
+    opened(other, one)
+    expect(other.get_by_test_id("measurement-row-roof")).to_have_attribute("data-state", "saved")
+    assert revisions(other, one) == [("roof", 1)]

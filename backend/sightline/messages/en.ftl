@@ -1889,7 +1889,14 @@ measure-conflict-kept = Both versions are kept until you choose.
 measure-conflict-mine = mine: { $value }
 measure-conflict-theirs = theirs: { $value }
 measure-conflict-save = Save this
-measure-conflict-both = Theirs ({ $person }): { $theirs }. Yours: { $mine }.
+measure-conflict-changed = { $person } changed this vehicle on { $when }.
+measure-conflict-measured = { $person } measured this target on { $when }.
+measure-conflict-withdrawn = { $person } withdrew this measurement on { $when }.
+measure-conflict-height-theirs = Theirs
+measure-conflict-height-mine = Yours
+measure-conflict-keep-theirs = Keep theirs
+measure-conflict-save-mine = Save mine as a new revision
+measure-conflict-withdraw = Withdraw it
 measure-conflict-somebody = another user
 
 ## Review: the page

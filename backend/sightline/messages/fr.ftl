@@ -1887,7 +1887,14 @@ measure-conflict-kept = Les deux versions sont gardées jusqu’à votre choix.
 measure-conflict-mine = la vôtre : { $value }
 measure-conflict-theirs = l’autre : { $value }
 measure-conflict-save = Enregistrer celle-ci
-measure-conflict-both = L’autre saisie ({ $person }) : { $theirs }. La vôtre : { $mine }.
+measure-conflict-changed = { $person } a modifié ce véhicule le { $when }.
+measure-conflict-measured = { $person } a mesuré cette cible le { $when }.
+measure-conflict-withdrawn = { $person } a retiré cette mesure le { $when }.
+measure-conflict-height-theirs = L’autre
+measure-conflict-height-mine = La vôtre
+measure-conflict-keep-theirs = Garder l’autre
+measure-conflict-save-mine = Enregistrer la mienne comme révision
+measure-conflict-withdraw = Retirer la mesure
 measure-conflict-somebody = un autre utilisateur
 
 ## Vérification : la page

@@ -1,7 +1,7 @@
 /** What the server refused, or somebody else changed meanwhile: both values, and the choice. Nothing is lost before it is made. */
 import { Button, Icon } from "../components";
 import { Said } from "../components/Said";
-import { current } from "../core/address";
+import { current, query } from "../core/address";
 import { say } from "../core/messages";
 import { outbox, type Wish } from "../core/outbox";
 
@@ -62,8 +62,9 @@ function isOpen({ state }: Wish): boolean {
   return state === "conflict" || state === "failed";
 }
 
-/** Measure shows its own beside the vehicle. */
+/** Measure shows beside the open vehicle what is of it. What one has gone on from is shown here. */
 function isShownThere({ page }: Wish): boolean {
   const here = current.value;
-  return here?.place.name === "measure" && page.startsWith(`/surveys/${here.surveyId}/measure`);
+  if (here?.place.name !== "measure") return false;
+  return page === `/surveys/${here.surveyId}/measure?vehicle=${query.value.get("vehicle")}`;
 }

@@ -3,13 +3,16 @@ import { useSignal } from "@preact/signals";
 import { Button, Segments } from "../../components";
 import { say } from "../../core/messages";
 import { outbox } from "../../core/outbox";
+import { useResource } from "../../core/resource";
+import { formatMoment } from "../../core/times";
+import type { HeightAnswer, Measurement } from "../../core/types";
 import { formatHeight } from "../../core/units";
 import { STATE_WORDS } from "../../core/words";
+import { askHeight } from "../../viewer/geometry";
 import { FIELD_WORDS, type Field } from "./fields";
 import { showFact } from "./kinds";
 import type { MeasureModel } from "./model";
 import type { Entry } from "./records";
-import { heightWords } from "./words";
 
 export function VehicleConflict({ model, id }: { model: MeasureModel; id: number }) {
   const draft = model.vehicles.drafts.value.get(id);
@@ -27,7 +30,12 @@ export function VehicleConflict({ model, id }: { model: MeasureModel; id: number
       aria-label={say("measure-conflict")}
       data-testid="vehicle-conflict"
     >
-      <p>{whoOnly(draft.problem)}</p>
+      <p>
+        {say("measure-conflict-changed", {
+          person: theirs.updated_by?.name ?? say("measure-conflict-somebody"),
+          when: formatMoment(theirs.updated_at),
+        })}
+      </p>
       <p class="small muted">{say("measure-conflict-kept")}</p>
       {draft.disputed.map((field) => (
         <div key={field} class="conflict__field">
@@ -58,33 +66,52 @@ export function VehicleConflict({ model, id }: { model: MeasureModel; id: number
   );
 }
 
-export function MeasurementConflict({ entry }: { entry: Entry }) {
-  const theirs = entry.theirs;
+export function MeasurementConflict({ model, entry }: { model: MeasureModel; entry: Entry }) {
+  const { theirs, values } = entry;
+  const mine = useMine(model, entry);
   if (!theirs) return null;
-  const words = theirs.withdrawn ? STATE_WORDS.withdrawn : formatHeight(theirs.height_m, theirs.U95_height_m);
+  const told = {
+    person: theirs.created_by?.name ?? say("measure-conflict-somebody"),
+    when: formatMoment(theirs.created_at),
+  };
   return (
     <div class="conflict" role="alert" data-testid="measurement-conflict">
-      <p>{whoOnly(entry.problem)}</p>
-      <p class="small">
-        {say("measure-conflict-both", {
-          person: theirs.created_by?.name ?? say("measure-conflict-somebody"),
-          theirs: words,
-          mine: entry.values.withdrawn ? STATE_WORDS.withdrawn : heightWords(entry),
-        })}
-      </p>
-      <div class="row">
+      <p>{say(theirs.withdrawn ? "measure-conflict-withdrawn" : "measure-conflict-measured", told)}</p>
+      <dl class="conflict__heights">
+        <dt>{say("measure-conflict-height-theirs")}</dt>
+        <dd>{wordsOf(theirs)}</dd>
+        <dt>{say("measure-conflict-height-mine")}</dt>
+        <dd>{mine}</dd>
+      </dl>
+      <div class="row row--wrap">
         <Button small onClick={() => outbox.resolve(entry.key, "theirs")}>
-          {say("unsaved-take")}
+          {say("measure-conflict-keep-theirs")}
         </Button>
         <Button small onClick={() => outbox.resolve(entry.key, "mine")}>
-          {say("unsaved-keep")}
+          {say(values.withdrawn ? "measure-conflict-withdraw" : "measure-conflict-save-mine")}
         </Button>
       </div>
     </div>
   );
 }
 
-/** Who and when, without the advice to do it again: here nothing has to be done again. */
-function whoOnly(problem: string | null): string {
-  return `${(problem ?? "").split(";")[0]?.replace(/\.$/, "")}.`;
+/** The height of one's own clicks, asked for where the page does not know it any more, as after a reload. */
+function useMine(model: MeasureModel, { key, values, vehicleId, preview }: Entry): string {
+  const recordingId = model.vehicles.get(vehicleId)?.recording_id;
+  const known = preview !== null || values.withdrawn || recordingId === undefined;
+  const answer = useResource<HeightAnswer | null>(
+    async () => (known ? preview : askHeight({ ...values, recordingId, vehicleId })),
+    [key, values, preview],
+  );
+  if (values.withdrawn) return STATE_WORDS.withdrawn;
+  const height = preview ?? answer.data;
+  return height ? wordsOf(height) : (outbox.get(key)?.mine ?? "…");
+}
+
+type Height = Pick<Measurement, "status" | "height_m" | "U95_height_m"> &
+  Partial<Pick<Measurement, "withdrawn">>;
+
+function wordsOf({ status, height_m, U95_height_m, withdrawn }: Height): string {
+  if (withdrawn) return STATE_WORDS.withdrawn;
+  return status === "ok" ? formatHeight(height_m, U95_height_m) : STATE_WORDS.not_measurable;
 }

@@ -45,7 +45,7 @@ export function MeasurementList({ model }: { model: MeasureModel }) {
                         open.value = open.value === entry.key ? null : entry.key;
                       }}
                     />
-                    <Said entry={entry} />
+                    <Said model={model} entry={entry} />
                     <Doubts model={model} entry={entry} />
                     {detail(entry)}
                   </div>
@@ -164,8 +164,8 @@ function Doubts({ model, entry }: { model: MeasureModel; entry: Entry }) {
 }
 
 /** The line under a row, when there is something to say. */
-function Said({ entry }: { entry: Entry }) {
-  if (entry.state === "conflict") return <MeasurementConflict entry={entry} />;
+function Said({ model, entry }: { model: MeasureModel; entry: Entry }) {
+  if (entry.state === "conflict") return <MeasurementConflict model={model} entry={entry} />;
   if (entry.state === "failed") {
     return (
       <div class="height-row__said" role="alert">

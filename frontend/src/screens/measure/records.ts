@@ -8,7 +8,7 @@ import type { Outbox, Wish } from "../../core/outbox";
 import { newKey } from "../../core/random";
 import type { HeightAnswer, Measurement, Vehicle } from "../../core/types";
 import { formatHeight } from "../../core/units";
-import { STATE_WORDS, TARGET_NOUNS } from "../../core/words";
+import { STATE_WORDS } from "../../core/words";
 import { type Values, valuesOf } from "../../viewer/values";
 import { MEASUREMENT, type MeasurementAbout } from "./kinds";
 
@@ -31,6 +31,8 @@ type Clicked = Wish<Measurement, Values, MeasurementAbout>;
 
 export class Records {
   readonly byVehicle = signal<ReadonlyMap<number, readonly Entry[]>>(new Map());
+  /** What people call the vehicles. */
+  private readonly numbers = new Map<number, number>();
   /** No longer told of what the outbox does. */
   readonly close: () => void;
 
@@ -56,6 +58,7 @@ export class Records {
 
   /** Takes in what the server says of a vehicle; what is on its way from here stays as wanted. */
   take(vehicle: Vehicle): void {
+    this.numbers.set(vehicle.id, vehicle.number);
     const now = this.of(vehicle.id);
     const known = new Map(now.map((entry) => [(entry.saved ?? entry.theirs)?.id, entry]));
     const next = vehicle.measurements.map((m) => {
@@ -116,7 +119,7 @@ export class Records {
       kind: MEASUREMENT,
       lane: `vehicle.${vehicleId}`,
       about: { vehicleId },
-      what: TARGET_NOUNS[values.target],
+      what: say("scan-step-height", { target: values.target, vehicle: String(this.numbers.get(vehicleId)) }),
       mine: wordsOf(entry),
       page: `/surveys/${this.surveyId}/measure?vehicle=${vehicleId}`,
       saved,
