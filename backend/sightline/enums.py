@@ -86,6 +86,9 @@ VehicleState = Literal[
     "to_do", "partial", "measured", "not_visible", "rejected", "accepted", "out_of_sample", "discarded"
 ]
 AskedTarget = Literal["roof", "driver_eye", "taillight", "headlight"]
+# How its model was found where sizes told it. size: taken from the models that fit what was measured; seen:
+# then recognised on the vehicle itself
+ModelChosenBy = Literal["size", "seen"]
 # What may be known of a vehicle beside the height of its roof, that the maker states
 KnownTarget = Literal["driver_eye", "taillight", "headlight", "other"]
 SamplingMethod = Literal["every", "nth", "share"]

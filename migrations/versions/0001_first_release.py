@@ -669,6 +669,8 @@ def create_tables() -> None:
         sa.Column("make", sa.String(length=100), nullable=True),
         sa.Column("model", sa.String(length=200), nullable=True),
         sa.Column("year", sa.Integer(), nullable=True),
+        sa.Column("model_chosen_by", sa.String(length=20), nullable=True),
+        sa.Column("model_sizes", sa.String(length=100), nullable=True),
         sa.Column("category", sa.String(length=20), nullable=True),
         sa.Column("manufacturer_height_m", sa.Float(), nullable=True),
         sa.Column("u_manufacturer_height_m", sa.Float(), nullable=True),
@@ -707,6 +709,9 @@ def create_tables() -> None:
             "category IN ('hatchback', 'saloon', 'estate', 'suv', 'multi_purpose', 'pickup', 'van', 'lorry', "
             "'tractor_unit', 'bus', 'recreational_vehicle', 'trailer', 'motorcycle', 'other')",
             name=op.f("ck_vehicles_category_known"),
+        ),
+        sa.CheckConstraint(
+            "model_chosen_by IN ('size', 'seen')", name=op.f("ck_vehicles_model_chosen_by_known")
         ),
         sa.CheckConstraint("direction IN ('right', 'left')", name=op.f("ck_vehicles_direction_known")),
         sa.CheckConstraint(

@@ -7,23 +7,13 @@ import pytest
 from playwright.sync_api import Page, expect
 
 from .server import Server
-from .vehicles import OwnVehicle, own_vehicle
-from .waits import wait_until
+from .vehicles import OwnVehicle, own_vehicle, until_stored
 
 
 def counted(page: Page, survey: int) -> list[int]:
     """How many heights, vehicles and roofs with a known height count, of all verdicts."""
     found = page.request.get(f"/api/statistics?survey={survey}&state=all").json()["counted"]
     return [found[name] for name in ("measurements", "vehicles", "with_reference")]
-
-
-def until_stored(page: Page, vehicle_id: int, field: str, wanted: object) -> None:
-    """Waits until the server has what was typed."""
-
-    def found() -> object:
-        return page.request.get(f"/api/vehicles/{vehicle_id}").json()[field]
-
-    wait_until(page, lambda: found() == wanted, found)
 
 
 @pytest.fixture

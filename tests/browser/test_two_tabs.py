@@ -233,7 +233,8 @@ def test_a_click_kept_by_a_closed_tab_is_sent_by_the_next_at_once(
     click_roof(page, one)
     expect(page.get_by_test_id("save-state")).to_contain_text("1 not yet saved")
     page.close(run_before_unload=False)
-    assert revisions(other := context.new_page(), one) == []
+    other = context.new_page()
+    assert revisions(other, one) == []
     opened(other, one)
     expect(other.get_by_test_id("measurement-row-roof")).to_have_attribute("data-state", "saved")
     assert revisions(other, one) == [("roof", 1)]

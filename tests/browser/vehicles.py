@@ -159,6 +159,15 @@ def until(page: Page, vehicle_id: int, wanted: Callable[[dict[str, dict[str, Any
     wait_until(page, lambda: wanted(stored(page, vehicle_id)), lambda: stored(page, vehicle_id))
 
 
+def until_stored(page: Page, vehicle_id: int, field: str, wanted: object) -> None:
+    """Waits until the server has what was said of a vehicle."""
+
+    def found() -> object:
+        return page.request.get(f"/api/vehicles/{vehicle_id}").json()[field]
+
+    wait_until(page, lambda: found() == wanted, found)
+
+
 def click_at(page: Page, pixel: Pixel) -> None:
     """Moves the pointer to an image pixel and clicks."""
     x, y = on_screen(page, pixel)

@@ -33,10 +33,11 @@ def test_reasons_come_before_anything_is_measured(operator: Client, ground: Grou
     assert "No model in the catalogue" in asked(operator, vehicle)["reason"]
 
 
-def test_tyres_and_lamps_rank_the_models_and_the_wrong_one_is_flagged(
+def test_tyres_rank_the_models_and_the_wrong_one_is_flagged_and_not_listed(
     operator: Client, viewer: Client, ground: Ground
 ) -> None:
     add_model(operator, "Juna", wheelbase_m=2.0, taillight_m=0.74)
+    add_model(operator, "Ayla", wheelbase_m=2.08, taillight_m=0.74)
     add_model(operator, "Taiga", wheelbase_m=2.9, taillight_m=0.74)
     add_model(operator, "Blank")
     vehicle = add_vehicle(operator, ground.recording_id, make="Tesmer", model="Taiga")["id"]
@@ -46,8 +47,38 @@ def test_tyres_and_lamps_rank_the_models_and_the_wrong_one_is_flagged(
     said = asked(viewer, vehicle)
     sizes = {one["size"]: one["value_m"] for one in said["measured"]}
     assert sizes["wheelbase"] == pytest.approx(2.0) and sizes["height"] is None
-    assert [one["entry"]["model"] for one in said["fitting"]] == ["Juna", "Taiga"]
+    assert [one["entry"]["model"] for one in said["fitting"]] == ["Juna", "Ayla"]
+    assert (said["ranked_by"], said["fit"], said["cannot_fit"]) == (["wheelbase"], 2, 1)
     first, chosen = said["fitting"][0], said["chosen"]
     assert not first["cannot"] and first["compared"] == 2
     assert chosen["entry"]["model"] == "Taiga" and chosen["cannot"] and chosen["p"] < said["limit_p"]
     assert operator.get("/vehicles/999999/which-model").status_code == 404
+
+
+def test_no_measured_height_ranks_it_only_strikes_out(
+    operator: Client, viewer: Client, ground: Ground
+) -> None:
+    """The model whose roof is nearest to the measured one was the first of the list, and then its truth."""
+    for model, more in {
+        "Corva": {"height_m": 1.23, "category": "saloon"},
+        "Alto": {"height_m": 1.21, "category": "suv"},
+        "Berta": {"height_m": 1.20, "category": "suv"},
+        "Dora": {"height_m": 1.40, "category": "saloon"},
+    }.items():
+        add_model(operator, model, **more)
+    vehicle = add_vehicle(operator, ground.recording_id)["id"]
+    measure(operator, vehicle, height_m=1.2)
+    said = asked(viewer, vehicle)
+    assert [one["entry"]["model"] for one in said["fitting"]] == ["Alto", "Berta", "Corva"]
+    assert (said["ranked_by"], said["fit"], said["cannot_fit"], said["reason"]) == ([], 3, 1, None)
+    operator.put(f"/vehicles/{vehicle}", {"category": "saloon", "version": 1})
+    assert [one["entry"]["model"] for one in asked(viewer, vehicle)["fitting"]] == ["Corva", "Alto", "Berta"]
+
+
+def test_where_no_model_can_be_it_that_is_said(operator: Client, ground: Ground) -> None:
+    add_model(operator, "Dora", height_m=1.6)
+    vehicle = add_vehicle(operator, ground.recording_id)["id"]
+    measure(operator, vehicle, height_m=1.2)
+    said = asked(operator, vehicle)
+    assert said["fitting"] == [] and said["cannot_fit"] == 1
+    assert said["reason"] == "No model in the catalogue fits what was measured on this vehicle."

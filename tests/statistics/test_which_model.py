@@ -41,6 +41,17 @@ def test_the_class_decides_between_equals_and_does_not_make_a_misfit_fit() -> No
     assert found.order == (1, 0, 2) and found.cannot[2]
 
 
+def test_a_size_that_does_not_rank_strikes_out_and_moves_nobody() -> None:
+    sizes = [[1.50, 2.66], [1.46, 2.62], [1.70, 2.60]]
+    found = fit_models([1.46, 2.60], U, sizes, np.zeros((3, 2)), ranking=[False, True])
+    assert isinstance(found, ModelFits)
+    assert found.order == (2, 1, 0) and list(found.cannot) == [False, False, True]
+    assert list(found.ranks) == [False, True]
+    alone = fit_models([1.46, NAN], U, sizes, np.zeros((3, 2)), ranking=[False, True])
+    assert isinstance(alone, ModelFits)
+    assert alone.order == (0, 1, 2) and list(alone.ranks) == [False, False]
+
+
 def test_nothing_to_compare_is_a_reason() -> None:
     assert "measured on this vehicle yet" in str(fit_models([NAN], [NAN], [[1.4]], [[0.0]]))
     assert "No model in the catalogue" in str(fit_models([1.4], [0.02], [[NAN]], [[0.0]]))

@@ -59,6 +59,7 @@ def invent(folder: Path, survey: Invented, seed: int = 0, *, with_csv: bool = Tr
         "recording_id": np.ones(n, dtype=np.int64),
         "lighting": pa.array(lighting),
         "category": pa.array(words[which]),
+        "model_chosen_by": pa.nulls(n, pa.string()),
         "manufacturer_height_m": roof,
         "check_target": np.zeros(len(ids), dtype=bool),
         "in_sample": ids % survey.sample_one_in == 0,

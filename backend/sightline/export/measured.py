@@ -41,7 +41,7 @@ from sightline.scans.statistics.traffic import ScanTraffic
 from sightline.statistics.corrections import CORRECTIONS
 from sightline.statistics.summary import Grouping
 from sightline.surveys.csv import class_sets_in
-from sightline.vehicles.records import KNOWN
+from sightline.vehicles.records import KNOWN, is_reference
 
 _EPOCH = date(1970, 1, 1).toordinal()
 _READ = (
@@ -70,6 +70,7 @@ class Cars:
     lane: dict[str, int]
     category: dict[str, int]
     class_set: dict[str, int]
+    by_size: dict[str, bool]
     check_target: dict[str, bool]
     known: dict[str, tuple[float, ...]]
 
@@ -118,7 +119,7 @@ def measured_of(files: Files) -> Measured:
     whole = {name: array("q") for name in ("id", "vehicle", "operator", "day", "target", "verdict", "pose")}
     of_car = {
         name: array("q")
-        for name in ("lighting", "filmed_day", "lane", "category", "class_set", "check_target")
+        for name in ("lighting", "filmed_day", "lane", "category", "class_set", "by_size", "check_target")
     }
     lengths = {name: array("d") for name in ("height", "paper", "known", "u_known", "across", *UNCERTAINTY)}
     cameras = _Cameras(files)
@@ -143,6 +144,7 @@ def measured_of(files: Files) -> Measured:
         at_target = 2 * TARGETS.index(target)
         lengths["known"].append(cars.known[car][at_target])
         lengths["u_known"].append(cars.known[car][at_target + 1])
+        of_car["by_size"].append(cars.by_size[car])
         of_car["check_target"].append(cars.check_target[car])
         whole["pose"].append(int(pose))
         lengths["across"].append(float(y) - cameras.across_m(int(pose)) if y else np.nan)
@@ -165,6 +167,7 @@ def measured_of(files: Files) -> Measured:
         uncorrected_height_m=np.frombuffer(lengths["paper"], np.float64),
         known_m=np.frombuffer(lengths["known"], np.float64),
         u_known_m=np.frombuffer(lengths["u_known"], np.float64),
+        by_size=_ints(of_car["by_size"]).astype(np.bool_),
         check_target=_ints(of_car["check_target"]).astype(np.bool_),
         pose_id=_ints(whole["pose"]),
         across_m=np.frombuffer(lengths["across"], np.float64),
@@ -200,10 +203,11 @@ def _cars(files: Files) -> Cars:
         "direction",
         "category",
         "check_target",
+        "model_chosen_by",
         *(name for target in get_args(Target) for name in (KNOWN[target].height, KNOWN[target].u)),
     )
     cars, sets = Cars(**{one.name: {} for one in fields(Cars)}), class_sets_in(files)
-    for id_, recording, lighting, filmed_at, direction, category, check, *known in read_columns(
+    for id_, recording, lighting, filmed_at, direction, category, check, chosen_by, *known in read_columns(
         files, "vehicles.csv", names
     ):
         cars.lighting[id_] = _code(lighting or of_recording.get(recording, ""), LIGHTING)
@@ -212,7 +216,9 @@ def _cars(files: Files) -> Cars:
         cars.category[id_] = _code(category, CATEGORIES)
         cars.class_set[id_] = _code(sets[category] if category else "", CLASS_SETS)
         cars.check_target[id_] = check == "true"
-        cars.known[id_] = tuple(float(cell) if cell else np.nan for cell in known)
+        counts = is_reference(chosen_by)
+        cars.by_size[id_] = not counts
+        cars.known[id_] = tuple(float(cell) if cell and counts else np.nan for cell in known)
     return cars
 
 

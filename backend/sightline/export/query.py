@@ -54,7 +54,8 @@ def revision_pages(session: Session, survey_id: int) -> Iterator[list[tuple[Meas
     v = vehicle_rows.c
     chosen: Select[Any] = (
         measurement_revision_rows()
-        .add_columns(v.number, v.lighting, v.category, v.manufacturer_height_m, v.check_target)
+        .add_columns(v.number, v.lighting, v.category, v.manufacturer_height_m)
+        .add_columns(v.model_chosen_by, v.check_target)
         .join(vehicle_rows, v.id == measurement_series.c.vehicle_id)
         .where(measurement_series.c.survey_id == survey_id, v.deleted_at.is_(None))
         .order_by(measurements.c.series_id, measurements.c.revision)

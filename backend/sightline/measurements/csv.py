@@ -40,6 +40,7 @@ from sightline.infra.csv_package.schema import Cell, Column, Table
 from sightline.measurements.followed_text import frames_of_text
 from sightline.measurements.records import FurtherFrame, Measurement
 from sightline.poses.csv import pose_path
+from sightline.vehicles.records import is_reference
 
 TARGETS: tuple[str, ...] = get_args(Target)
 Record = TypeVar("Record")
@@ -55,6 +56,7 @@ class OfVehicle:
     lighting: str | None
     category: str | None
     manufacturer_height_m: float | None
+    model_chosen_by: str | None
     check_target: bool
 
 
@@ -450,9 +452,13 @@ def _measurement(clicked: Clicked) -> Measurement:
 
 
 def _reference_height_m(clicked: Clicked) -> Cell:
-    """A manufacturer's height is that of the roof; check targets are not pooled with the traffic."""
-    of_traffic = clicked.measurement.values.target == "roof" and not clicked.vehicle.check_target
-    return clicked.vehicle.manufacturer_height_m if of_traffic else None
+    """A maker's height is that of the roof; check targets are not pooled with the traffic, and what was
+    chosen by size is no reference.
+    """
+    vehicle = clicked.vehicle
+    of_traffic = clicked.measurement.values.target == "roof" and not vehicle.check_target
+    counts = of_traffic and is_reference(vehicle.model_chosen_by)
+    return vehicle.manufacturer_height_m if counts else None
 
 
 CLICKS: Table[Clicked] = Table(
@@ -468,7 +474,11 @@ CLICKS: Table[Clicked] = Table(
             lambda c: c.vehicle.lighting,
             enum=get_args(Lighting),
         ),
-        metres("reference_height_m", "manufacturer's height, for roofs of the traffic", _reference_height_m),
+        metres(
+            "reference_height_m",
+            "manufacturer's height, for roofs of the traffic; empty where the model was chosen by size",
+            _reference_height_m,
+        ),
         text(
             "target", "what was measured", lambda c: c.measurement.values.target, required=True, enum=TARGETS
         ),

@@ -1774,7 +1774,18 @@ recent-models-taken = Make and model: { $model }
 recent-models-gone = { $model } is no longer in the catalogue.
 which-model-title = Models that fit
 which-model-cannot = { $model } does not fit: { $differences } (measured minus catalogue). For the right model, differences this large have a probability of { $p }; the limit is { $limit }.
-which-model-row-cannot = does not fit, p = { $p }
+which-model-ranked = Ranked by { $sizes }. Measured heights do not rank: they are compared with the model later.
+which-model-by-name = No length of this vehicle is measured, so the models of its class come first, then by name. Click both tyres (Validation, Road alignment) to rank by wheelbase.
+which-model-shown = The first { $shown } of { $count } are shown.
+which-model-left-out = { $count ->
+    [one] 1 model that does not fit the measured sizes is not shown.
+   *[other] { $count } models that do not fit the measured sizes are not shown.
+}
+model-chosen-by-size = The model was chosen by its sizes ({ $sizes }). Its heights are not used as references until somebody has seen the model on the vehicle.
+model-chosen-see = The model is seen on the vehicle
+model-chosen-seen = The model was chosen by its sizes ({ $sizes }), then seen on the vehicle.
+model-chosen-word-size = by its sizes
+model-chosen-word-seen = seen on the vehicle
 which-model-height = roof
 which-model-length = length
 which-model-width = width
@@ -1805,6 +1816,8 @@ measure-field-last_frame = Last frame
 measure-field-make = Make
 measure-field-model = Model
 measure-field-year = Year
+measure-field-model_chosen_by = How the model was chosen
+measure-field-model_sizes = Sizes that the model was chosen by
 measure-field-category = Category
 measure-field-manufacturer_height_m = Manufacturer’s height
 measure-field-u_manufacturer_height_m = u of the manufacturer’s height
@@ -1854,6 +1867,8 @@ measure-fact = { $field ->
     [make] make { $value }
     [model] model { $value }
     [year] year { $value }
+    [model_chosen_by] model chosen: { $value }
+    [model_sizes] model chosen by: { $value }
     [category] category { $value }
     [manufacturer_height_m] manufacturer’s height { $value }
     [u_manufacturer_height_m] u of the manufacturer’s height { $value }
@@ -3107,6 +3122,10 @@ motion-head-fit-error = Fit error (%)
 statistics-lead = Errors against manufacturers’ heights, and distributions of measured heights.
 statistics-loading = the statistics
 statistics-back = Back to the survey
+statistics-by-size = { $count ->
+    [one] 1 roof has no reference height because its model was chosen by its sizes.
+   *[other] { $count } roofs have no reference height because their models were chosen by their sizes.
+}
 statistics-counted = { $measurements ->
     [one] { $measurements } measurement
    *[other] { $measurements } measurements
@@ -5015,6 +5034,8 @@ vehicles-vehicle-needs-first-last-frame-mark = A vehicle needs its first and las
 vehicles-vehicle-no-leave-out = A vehicle has no { $unknown }; leave it out.
 vehicles-frames-not-span-recording-ends-frame = Frames { $first } to { $last } are not a span of this recording; it ends at frame { $end }.
 vehicles-best-frame-lies-outside-frames-choose = The best frame { $best } is outside frames { $first } to { $last }; choose one of them.
+vehicles-model-size-unknown = { $size } is no size of a model; give some of { $known }.
+vehicles-model-by-size-needs-sizes = A model chosen by size needs the sizes that it was chosen by; add model_sizes.
 vehicles-no-driver-only-eye-choose-another = “No driver seen” is a reason for the driver’s eye, not for { $target }; choose another.
 vehicles-known-height-m-cannot-used-give = A known height of { $height } m is out of range; give it in metres, as in 1.624.
 vehicles-known-height-of-none = A { $target ->
@@ -6168,6 +6189,8 @@ told-quality-its-make-and-model = Its make and model are not filled in, so its w
 told-quality-the-catalogue-has-no = The catalogue has no wheelbase of this model and year.
 told-quality-the-catalogue-has-several = The catalogue has several wheelbases of this model; fill in the year.
 told-quality-the-manufacturer-height-is = The manufacturer's height is not filled in.
+told-quality-its-model-by-size = Its model was chosen by its sizes, so what is known of the model is no reference.
+told-quality-no-model-fits = No model in the catalogue fits what was measured on this vehicle.
 told-quality-the-roof-was-not = The roof was not clicked at its near edge.
 told-quality-adjusted-by-passes-of = Adjusted by { $used } passes of known wheelbase or height.
 told-quality-nothing-is-known-yet = No lengths are known yet: click both tyres of vehicles of a known model, or measure their roofs.

@@ -1772,7 +1772,18 @@ recent-models-taken = Marque et modèle : { $model }
 recent-models-gone = { $model } n’est plus dans le catalogue.
 which-model-title = Modèles qui conviennent
 which-model-cannot = { $model } ne peut convenir : { $differences } (mesuré moins catalogue). Le bon modèle différerait d’autant avec une probabilité de { $p } ; la limite est { $limit }.
-which-model-row-cannot = ne convient pas, p { $p }
+which-model-ranked = Classés par { $sizes }. Les hauteurs mesurées ne classent pas : elles seront comparées au modèle.
+which-model-by-name = Aucune longueur de ce véhicule n’est mesurée : les modèles de sa catégorie viennent d’abord, puis l’ordre alphabétique. Cliquez les deux pneus (Contrôles, Axes de la route) pour classer par empattement.
+which-model-shown = Les { $shown } premiers sur { $count } sont affichés.
+which-model-left-out = { $count ->
+    [one] 1 modèle qui ne convient pas aux dimensions mesurées n’est pas affiché.
+   *[other] { $count } modèles qui ne conviennent pas aux dimensions mesurées ne sont pas affichés.
+}
+model-chosen-by-size = Le modèle a été choisi d’après ses dimensions ({ $sizes }). Ses hauteurs ne servent pas de référence tant que personne n’a vu le modèle sur le véhicule.
+model-chosen-see = Le modèle est vu sur le véhicule
+model-chosen-seen = Le modèle a été choisi d’après ses dimensions ({ $sizes }), puis vu sur le véhicule.
+model-chosen-word-size = d’après ses dimensions
+model-chosen-word-seen = vu sur le véhicule
 which-model-height = toit
 which-model-length = longueur
 which-model-width = largeur
@@ -1803,6 +1814,8 @@ measure-field-last_frame = Dernière image
 measure-field-make = Marque
 measure-field-model = Modèle
 measure-field-year = Année
+measure-field-model_chosen_by = Choix du modèle
+measure-field-model_sizes = Dimensions qui ont servi à choisir le modèle
 measure-field-category = Catégorie
 measure-field-manufacturer_height_m = Hauteur du constructeur
 measure-field-u_manufacturer_height_m = u de la hauteur du constructeur
@@ -1852,6 +1865,8 @@ measure-fact = { $field ->
     [make] marque { $value }
     [model] modèle { $value }
     [year] année { $value }
+    [model_chosen_by] choix du modèle : { $value }
+    [model_sizes] modèle choisi par : { $value }
     [category] catégorie { $value }
     [manufacturer_height_m] hauteur du constructeur { $value }
     [u_manufacturer_height_m] u de la hauteur du constructeur { $value }
@@ -3102,6 +3117,10 @@ motion-head-fit-error = Erreur d’ajust. (%)
 statistics-lead = Erreurs par rapport aux hauteurs du constructeur et distributions des hauteurs mesurées.
 statistics-loading = statistiques
 statistics-back = Retour au relevé
+statistics-by-size = { $count ->
+    [one] 1 toit n’a pas de hauteur de référence car son modèle a été choisi d’après ses dimensions.
+   *[other] { $count } toits n’ont pas de hauteur de référence car leurs modèles ont été choisis d’après leurs dimensions.
+}
 statistics-counted = { $measurements ->
     [one] { $measurements } mesure
    *[other] { $measurements } mesures
@@ -5066,6 +5085,8 @@ vehicles-vehicle-needs-first-last-frame-mark = Un véhicule demande sa première
 vehicles-vehicle-no-leave-out = Un véhicule n’a pas de { $unknown } ; omettez-le.
 vehicles-frames-not-span-recording-ends-frame = Les images { $first } à { $last } ne sont pas une plage de cet enregistrement ; il finit à l’image { $end }.
 vehicles-best-frame-lies-outside-frames-choose = La meilleure image { $best } est hors des images { $first } à { $last } ; choisissez l’une d’elles.
+vehicles-model-size-unknown = { $size } n’est pas une dimension d’un modèle ; donnez-en parmi { $known }.
+vehicles-model-by-size-needs-sizes = Un modèle choisi d’après ses dimensions doit dire lesquelles ; ajoutez model_sizes.
 vehicles-no-driver-only-eye-choose-another = « Aucun conducteur visible » est un motif pour l’œil du conducteur, non pour { $target } ; choisissez-en un autre.
 vehicles-known-height-m-cannot-used-give = Une hauteur connue de { $height } m est inutilisable ; indiquez-la en mètres, par exemple 1,624.
 vehicles-known-height-of-none = { $target ->
@@ -6249,6 +6270,8 @@ told-quality-its-make-and-model = Sa marque et son modèle ne sont pas renseign�
 told-quality-the-catalogue-has-no = Le catalogue n’a pas d’empattement pour ce modèle et cette année.
 told-quality-the-catalogue-has-several = Le catalogue a plusieurs empattements pour ce modèle ; indiquez l’année.
 told-quality-the-manufacturer-height-is = La hauteur du constructeur n’est pas renseignée.
+told-quality-its-model-by-size = Son modèle a été choisi d’après ses dimensions : ce qui est connu du modèle n’est pas une référence.
+told-quality-no-model-fits = Aucun modèle du catalogue ne convient à ce qui a été mesuré sur ce véhicule.
 told-quality-the-roof-was-not = Le toit n’a pas été pointé à son bord proche.
 told-quality-adjusted-by-passes-of = Ajustée par { $used } passages d’empattement ou de hauteur connus.
 told-quality-nothing-is-known-yet = Aucune longueur n’est encore connue : pointez les deux pneus de véhicules d’un modèle connu, ou mesurez leur toit.

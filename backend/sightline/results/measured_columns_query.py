@@ -25,7 +25,7 @@ from sightline.recordings.filming import filming_of, frame_s
 from sightline.recordings.tables import recordings
 from sightline.surveys.classes import sets_of
 from sightline.surveys.store import classes_of_surveys
-from sightline.vehicles.records import KNOWN
+from sightline.vehicles.records import BY_SIZE, KNOWN
 from sightline.vehicles.tables import vehicles
 
 if TYPE_CHECKING:
@@ -45,6 +45,7 @@ UNCERTAINTY = ("inset_m", "u_inset_m", "u_height_m", "u_clicks_m", "u_by_inset_m
 NONE = -1
 # The fields of each target's known height, in the order of TARGETS.
 _KNOWN = tuple(KNOWN[target] for target in get_args(Target))
+_BY_SIZE: ColumnElement[bool] = vehicles.c.model_chosen_by == BY_SIZE
 _SPARSE = 2**20
 _FEW = 20_000  # series: so many are read sooner through the session than another connection is opened
 
@@ -59,7 +60,8 @@ class Measured:
     1970-01-01 (UTC) of the revision's making, 0 unless asked for; `filmed_day`: the day on which
     its pass was filmed, by the clocks of the place, days since 1970-01-01, -1 where nobody has confirmed the
     start of its recording; `known_m`: what was known of the target's height before it was measured, of a roof
-    the maker's; `check_target`: of no vehicle of the traffic; `across_m`: the contact's distance from the
+    the maker's; `by_size`: its vehicle's model was chosen by its sizes, so nothing of it is known for a
+    reference; `check_target`: of no vehicle of the traffic; `across_m`: the contact's distance from the
     camera across the road; lengths in metres, NaN where unknown.
     """
 
@@ -79,6 +81,7 @@ class Measured:
     uncorrected_height_m: Floats
     known_m: Floats
     u_known_m: Floats
+    by_size: NDArray[np.bool_]
     check_target: NDArray[np.bool_]
     pose_id: Ints
     across_m: Floats
@@ -134,6 +137,7 @@ def load_measured_columns(
         uncorrected_height_m=_floats(revisions, "uncorrected_height_m")[row],
         known_m=_known(cars, [names.height for names in _KNOWN], car, target),
         u_known_m=_known(cars, [names.u for names in _KNOWN], car, target),
+        by_size=_ints(cars, "by_size").astype(np.bool_)[car],
         check_target=_ints(cars, "check_target").astype(np.bool_)[car],
         pose_id=pose_id,
         across_m=_floats(revisions, "y_m")[row] - _cameras_across(session, pose_id),
@@ -176,9 +180,15 @@ def _vehicles(survey_ids: Sequence[int] | None) -> Select[Any]:
         v.direction,
         v.category,
         case((v.check_target, 1), else_=0).label("check_target"),
-        *(v[name] for names in _KNOWN for name in (names.height, names.u)),
+        case((_BY_SIZE, 1), else_=0).label("by_size"),
+        *(_if_reference(v[name]) for names in _KNOWN for name in (names.height, names.u)),
     ).join(recordings, recordings.c.id == v.recording_id)
     return query.where(v.deleted_at.is_(None), *_of(v.survey_id, survey_ids))
+
+
+def _if_reference(column: ColumnElement[Any]) -> ColumnElement[Any]:
+    """Of a model chosen by size nothing is a reference."""
+    return case((_BY_SIZE, null()), else_=column).label(column.key)
 
 
 def _revisions(survey_ids: Sequence[int] | None, days: bool) -> Select[Any]:

@@ -129,6 +129,9 @@ class SampleCounts:
     measurements: int
     vehicles: int
     with_reference: Annotated[int, Field(description="Roofs of vehicles with a reference height.")]
+    by_size: Annotated[
+        int, Field(description="Roofs that have none because the model was chosen by its sizes.")
+    ]
     left_out: Annotated[dict[str, int], Field(description="Left out by the review state alone.")]
 
 
@@ -287,7 +290,13 @@ def made_of(
             height_sample(measured.where(rows), sites.where(rows) if sites else None),
         )
     vehicles = measured.vehicle_id[_of_target(measured, only)]
-    counted = SampleCounts(len(vehicles), len(_distinct(vehicles)), len(roofs.reference_m), left_out)
+    counted = SampleCounts(
+        measurements=len(vehicles),
+        vehicles=len(_distinct(vehicles)),
+        with_reference=len(roofs.reference_m),
+        by_size=int(np.count_nonzero(measured.by_size & _of_target(measured, "roof"))),
+        left_out=left_out,
+    )
     errors = errors_of(roofs, choices.correction, choices.rounding)
     return Statistics(
         counted=counted,

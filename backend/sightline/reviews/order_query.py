@@ -16,6 +16,7 @@ from sightline.measurements.tables import measurement_series
 from sightline.measurements.tables import measurements as revision_rows
 from sightline.statistics.agreement import U_MANUFACTURER_M
 from sightline.statistics.review_order import SIGNS, review_order
+from sightline.vehicles.records import is_reference
 from sightline.vehicles.tables import vehicles
 
 #: Measurements whose place is kept, of all surveys and people together: some 300 bytes each.
@@ -61,6 +62,7 @@ def _standing_order(session: Session, survey_id: int, actor: int | None, _end: s
             *(r.series_id, r.target, r.height_m, r.u_height_m, verdict.label("verdict"), own.label("mine")),
             *(maker.c.created_by.label("operator"), vehicles.c.number),
             *(vehicles.c.manufacturer_height_m, vehicles.c.u_manufacturer_height_m),
+            vehicles.c.model_chosen_by,
         )
         .join(vehicles, vehicles.c.id == measurement_series.c.vehicle_id)
         .join(maker, and_(maker.c.series_id == r.series_id, maker.c.revision == 1))
@@ -95,6 +97,8 @@ def _standing_order(session: Session, survey_id: int, actor: int | None, _end: s
 def _error(row: Row[Any]) -> tuple[float, float]:
     """Of a roof against its maker's height, with its standard uncertainty; NaN for anything else."""
     if row.target != "roof" or row.height_m is None or row.manufacturer_height_m is None:
+        return np.nan, np.nan
+    if not is_reference(row.model_chosen_by):
         return np.nan, np.nan
     u_reference_m = row.u_manufacturer_height_m
     u_m = float(U_MANUFACTURER_M) if u_reference_m is None else u_reference_m

@@ -20,7 +20,8 @@ class ModelFits:
     `deviate` (N, K): difference over its u, NaN where the model's size is unknown. `chi_square`, `compared`,
     `p` (N,): sum of squared deviates, their number, and how rare the worst of so many is if the model is the
     right one (NaN, 0, NaN where nothing can be compared). `order`: indices of the models compared, the
-    likeliest first. `cannot` (N,): p below `CANNOT_FIT_P`.
+    likeliest by the sizes that rank first. `ranks` (K,): sizes that rank, were measured and are stated by a
+    model. `cannot` (N,): p below `CANNOT_FIT_P`.
     """
 
     deviate: Floats
@@ -28,6 +29,7 @@ class ModelFits:
     compared: Floats
     p: Floats
     order: tuple[int, ...]
+    ranks: Bools
     cannot: Bools
 
 
@@ -37,12 +39,15 @@ def fit_models(
     sizes_m: ArrayLike,
     u_sizes_m: ArrayLike,
     same_class: ArrayLike | None = None,
+    ranking: ArrayLike | None = None,
 ) -> ModelFits | str:
     """Fit of N models' `sizes_m`, `u_sizes_m` (N, K) to `measured_m`, `u_measured_m` (K,), NaN where unknown,
     metres; or the reason why there is none. `same_class` (N,): 1 the vehicle's own class, 0 another, NaN
-    unknown.
+    unknown. `ranking` (K,): whether a size ranks; left out: all do.
 
-    Ranked by normal likelihood, the class as a prior. A size that a model does not state is taken as that of
+    Ranked by normal likelihood of the sizes that rank, the class as a prior; models that these do not tell
+    apart stay in the order given. A size that does not rank counts in p alone: a height that is held against
+    a model must not choose that model. A size that a model does not state is taken as that of
     any model (mean and standard deviation of those that state it), so that silence is no merit. p is that of
     the largest deviate by Sidak 1967, which holds whatever errors the sizes have in common (one pose).
     """
@@ -59,7 +64,9 @@ def fit_models(
     variance = u_measured**2 + u_sizes**2
     deviate = np.where(known, (measured - sizes) / np.sqrt(variance), np.nan)
     score = np.where(known, deviate**2 + np.log(variance), _of_any(measured, u_measured, sizes, known))
-    total = np.where(used, score, 0.0).sum(axis=1) + _class_score(same_class, len(sizes))
+    wanted = np.ones(len(measured)) if ranking is None else np.asarray(ranking)
+    ranks = used & wanted.astype(np.bool_) & known.any(axis=0)
+    total = np.where(ranks, score, 0.0).sum(axis=1) + _class_score(same_class, len(sizes))
     some = compared > 0
     worst = np.max(np.abs(np.where(known, deviate, 0.0)), axis=1)
     p = np.where(
@@ -72,6 +79,7 @@ def fit_models(
         compared=compared.astype(np.float64),
         p=np.asarray(p),
         order=tuple(ranked),
+        ranks=ranks,
         cannot=some & (p < CANNOT_FIT_P),
     )
 

@@ -15,6 +15,7 @@ from sightline.enums import StatisticsTarget
 from sightline.infra.csv_package.schema import parquet_path
 from sightline.results.measured_columns_query import CATEGORIES, CLASS_SETS, LIGHTING
 from sightline.studies.records import Floats, Ints, StudiedHeights, StudiedPackage
+from sightline.vehicles.records import BY_SIZE
 
 #: The tables that a study reads of a package.
 READ = ("survey.csv", "measurements.csv", "vehicles.csv", "recordings.csv", "classes.csv")
@@ -109,7 +110,8 @@ class StudyTables:
             CREATE TABLE cars AS
             SELECT CAST(v.file_index AS INTEGER) AS package, v.id, coalesce(c.code, -1) AS category,
               coalesce(l.code, -1) AS lighting, coalesce(s.code, -1) AS class_set,
-              v.manufacturer_height_m AS reference_m
+              CASE WHEN v.model_chosen_by IS DISTINCT FROM '{BY_SIZE}' THEN v.manufacturer_height_m END
+                AS reference_m
             FROM {self._of("vehicles.csv")} v
             LEFT JOIN {self._of("recordings.csv")} r ON r.file_index = v.file_index AND r.id = v.recording_id
             LEFT JOIN categories c ON c.word = v.category

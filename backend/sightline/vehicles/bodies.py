@@ -4,7 +4,7 @@ from typing import Annotated
 
 from pydantic import Field
 
-from sightline.enums import Category, Direction, Discarded, DriverSide, Lighting, NotVisible
+from sightline.enums import Category, Direction, Discarded, DriverSide, Lighting, ModelChosenBy, NotVisible
 from sightline.infra.web.bodies import Finite, FrameNumber, In, Text, example
 from sightline.infra.web.quantities import Word
 from sightline.vehicles.records import MOST_HEIGHT_M
@@ -22,6 +22,8 @@ class VehicleFields(In):
     make: Word | None = None
     model: Word | None = None
     year: Annotated[int, Field(ge=1885, le=2100)] | None = None
+    model_chosen_by: ModelChosenBy | None = None
+    model_sizes: Annotated[str, Field(max_length=100)] | None = None
     category: Category | None = None
     manufacturer_height_m: Height = None
     u_manufacturer_height_m: HeightU = None

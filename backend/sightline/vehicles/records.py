@@ -15,6 +15,7 @@ from sightline.enums import (
     JsonObject,
     KnownTarget,
     Lighting,
+    ModelChosenBy,
     NotVisible,
     SideBasis,
     Target,
@@ -53,6 +54,17 @@ KNOWN: dict[Target, KnownFields] = {
 }
 
 
+#: Who takes a model because it fits what was measured says so with this word.
+BY_SIZE: ModelChosenBy = "size"
+
+
+def is_reference(chosen_by: str | None) -> bool:
+    """Whether known heights of a vehicle may be held against measured ones. Not where its model was chosen
+    because it fits them: that would be a circle (DECISIONS.md, 86).
+    """
+    return chosen_by != BY_SIZE
+
+
 @dataclass(frozen=True, slots=True)
 class Vehicle:
     """The facts of a record; its measurements are on its sheet (`measurements`)."""
@@ -67,6 +79,16 @@ class Vehicle:
     make: str | None
     model: str | None
     year: int | None
+    model_chosen_by: Annotated[
+        ModelChosenBy | None,
+        Field(
+            description="size: the model was taken because it fits what was measured, so no height known of "
+            "it is a reference; seen: then it was recognised on the vehicle; null: neither."
+        ),
+    ]
+    model_sizes: Annotated[
+        str | None, Field(description="Of a model chosen by size: by which sizes, a space between them.")
+    ]
     category: Category | None
     manufacturer_height_m: float | None
     u_manufacturer_height_m: float | None
@@ -128,6 +150,11 @@ class Vehicle:
     ]
 
     @property
+    def reference_m(self) -> float | None:
+        """The known height of its roof, if it may be held against a measured one."""
+        return self.manufacturer_height_m if is_reference(self.model_chosen_by) else None
+
+    @property
     def not_visible(self) -> dict[AskedTarget, NotVisible]:
         """Why targets cannot be measured, of those of which somebody said so."""
         return {
@@ -144,6 +171,8 @@ class VehicleChanges(TypedDict, total=False):
     make: str | None
     model: str | None
     year: int | None
+    model_chosen_by: ModelChosenBy | None
+    model_sizes: str | None
     category: Category | None
     manufacturer_height_m: float | None
     u_manufacturer_height_m: float | None

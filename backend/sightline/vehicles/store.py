@@ -2,12 +2,12 @@
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, get_args
 
 from sqlalchemy import ColumnElement, Select, and_, func, select
 from sqlalchemy.orm import Session
 
-from sightline.enums import Direction
+from sightline.enums import Direction, ModelSize
 from sightline.errors import BadInput, Conflict
 from sightline.geometry.sides import driver_side
 from sightline.infra.audit import trail
@@ -20,6 +20,7 @@ from sightline.statistics.sampling import PassTime, headways, is_in_sample
 from sightline.surveys.store import TRAFFIC, asked_of, sampling_of, traffic_of_row
 from sightline.surveys.tables import surveys
 from sightline.vehicles.records import (
+    BY_SIZE,
     KNOWN,
     KNOWN_WITHIN_M,
     MOST_HEIGHT_M,
@@ -109,7 +110,7 @@ def update_vehicle(
     """Change fields. Raises Conflict, naming who and when, if a `version` is not the current one."""
     before = _current(session, vehicle_id, version)
     frame_count = get_row(session, recordings, before["recording_id"], "recording")["frame_count"]
-    change = _checked({**_span(before), **changes}, frame_count)
+    change = _checked({**_checked_with(before), **changes}, frame_count)
     stamps = {"version": before["version"] + 1, "updated_at": now(), "updated_by": actor}
     change_row(session, vehicles, vehicle_id, {**change, **stamps})
     what = trail.changed(before, change, change)
@@ -167,8 +168,10 @@ def _empty() -> dict[str, Any]:
     return {**dict.fromkeys(_FIELDS, None), "notes": "", "origin": "person", "check_target": False}
 
 
-def _span(row: Mapping[str, Any]) -> dict[str, Any]:
-    return {key: row[key] for key in ("first_frame", "last_frame", "best_frame")}
+def _checked_with(row: Mapping[str, Any]) -> dict[str, Any]:
+    """What a change is checked together with."""
+    names = ("first_frame", "last_frame", "best_frame", "model_chosen_by", "model_sizes")
+    return {key: row[key] for key in names}
 
 
 def _checked(fields: Mapping[str, Any], frame_count: int | None) -> dict[str, Any]:
@@ -185,6 +188,7 @@ def _checked(fields: Mapping[str, Any], frame_count: int | None) -> dict[str, An
     for target, name in NOT_VISIBLE.items():
         if values.get(name) == "no_driver" and target != "driver_eye":
             raise BadInput("vehicles-no-driver-only-eye-choose-another", target=target)
+    values["model_sizes"] = _sizes_of_choice(values.get("model_chosen_by"), values.get("model_sizes"))
     for known, names in KNOWN.items():
         height, u_height = values.get(names.height), values.get(names.u)
         if height is not None and not 0 < height <= MOST_HEIGHT_M:
@@ -196,6 +200,17 @@ def _checked(fields: Mapping[str, Any], frame_count: int | None) -> dict[str, An
         if u_height is not None and not 0 <= u_height <= MOST_HEIGHT_M:
             raise BadInput("vehicles-uncertainty-m-cannot-used-give-metres", u_height=format(u_height, "g"))
     return values
+
+
+def _sizes_of_choice(chosen_by: str | None, sizes: str | None) -> str | None:
+    """By which sizes a model was chosen; those of no choice fall away. Raises BadInput."""
+    words = (sizes or "").split()
+    unknown = next((word for word in words if word not in get_args(ModelSize)), None)
+    if unknown is not None:
+        raise BadInput("vehicles-model-size-unknown", size=unknown, known=", ".join(get_args(ModelSize)))
+    if chosen_by == BY_SIZE and not words:
+        raise BadInput("vehicles-model-by-size-needs-sizes")
+    return " ".join(dict.fromkeys(words)) or None if chosen_by is not None else None
 
 
 def vehicle_rows(*where: ColumnElement[bool], deleted: bool = False) -> Select[Any]:

@@ -23,6 +23,7 @@ from sightline.enums import (
     DriverSide,
     KnownTarget,
     Lighting,
+    ModelChosenBy,
     NotVisible,
     VehicleOrigin,
 )
@@ -43,6 +44,9 @@ vehicles = Table(
     Column("make", String(100)),
     Column("model", String(200)),
     Column("year", Integer),
+    # chosen because it fits what was measured, by which sizes; then it is no reference
+    Column("model_chosen_by", String(20)),
+    Column("model_sizes", String(100)),
     Column("category", String(20)),
     Column("manufacturer_height_m", Float),
     Column("u_manufacturer_height_m", Float),
@@ -74,6 +78,7 @@ vehicles = Table(
     Column("deleted_at", UtcDateTime),
     UniqueConstraint("survey_id", "number"),
     enum_check("category", Category),
+    enum_check("model_chosen_by", ModelChosenBy),
     enum_check("lighting", Lighting),
     enum_check("origin", VehicleOrigin),
     enum_check("direction", Direction),

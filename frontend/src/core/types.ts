@@ -71,6 +71,8 @@ export type Sampling = Survey["sampling"];
 export type Quota = Sampling["quotas"][number];
 export type SampleProgress = Schemas["SampleProgress"];
 export type Response = Schemas["Response"];
+export type ModelChosenBy = NonNullable<Schemas["VehicleBody"]["model_chosen_by"]>;
+export type ModelSize = Schemas["MeasuredSize"]["size"];
 export type Discarded = NonNullable<Schemas["VehicleBody"]["discarded"]>;
 export type InsetName = keyof Survey["insets"];
 export type InsetChoice = Schemas["InsetChoice"];
@@ -118,6 +120,8 @@ export type VehicleFields = Pick<
   | "make"
   | "model"
   | "year"
+  | "model_chosen_by"
+  | "model_sizes"
   | "category"
   | "manufacturer_height_m"
   | "u_manufacturer_height_m"

@@ -13,6 +13,7 @@ from sightline.enums import (
     DriverSide,
     KnownTarget,
     Lighting,
+    ModelChosenBy,
     NotVisible,
 )
 from sightline.infra.csv_package.columns import flag, integer, key, metres, text
@@ -52,6 +53,18 @@ VEHICLES: Table[VehicleSheet] = Table(
         text("make", "maker", lambda v: v.make),
         text("model", "model", lambda v: v.model),
         integer("year", "model year", lambda v: v.year),
+        text(
+            "model_chosen_by",
+            "size: the model was chosen because it fits what was measured, so no height known of the vehicle "
+            "is a reference; seen: it was then recognised on the vehicle; empty: neither",
+            lambda v: v.model_chosen_by,
+            enum=get_args(ModelChosenBy),
+        ),
+        text(
+            "model_sizes",
+            "of a model chosen by size: by which sizes, a space between them",
+            lambda v: v.model_sizes,
+        ),
         text("category", "kind of body", lambda v: v.category, enum=get_args(Category)),
         metres("manufacturer_height_m", "overall height the maker states", lambda v: v.manufacturer_height_m),
         metres(

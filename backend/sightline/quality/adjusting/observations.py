@@ -19,8 +19,10 @@ from sightline.quality.checks.store import list_wheel_pairs
 from sightline.statistics.agreement import U_MANUFACTURER_M
 from sightline.vehicles.catalogue.records import CatalogueEntry
 from sightline.vehicles.catalogue.store import catalogue_of_models
+from sightline.vehicles.records import is_reference
 
 _SAME_LENGTH_M = 1e-4
+_BY_SIZE = "Its model was chosen by its sizes, so what is known of the model is no reference."
 _CROWNS = {(inset, u) for _, inset, u in INSET_CHOICES.get("roof", ())[1:]}
 
 
@@ -93,6 +95,8 @@ def _tyres(
         return None
     if not vehicle.make or not vehicle.model:
         return "Its make and model are not filled in, so its wheelbase is unknown."
+    if not is_reference(vehicle.model_chosen_by):
+        return _BY_SIZE
     entries = models.get((vehicle.make.lower(), vehicle.model.lower()), [])
     fitting = [one for one in entries if one.wheelbase_m is not None and one.built_in(vehicle.year)]
     lengths = [one.wheelbase_m for one in fitting if one.wheelbase_m is not None]
@@ -118,6 +122,8 @@ def _roof(vehicle: VehicleSheet) -> ObservedPass | str | None:
         return None
     if vehicle.manufacturer_height_m is None:
         return "The manufacturer's height is not filled in."
+    if vehicle.reference_m is None:
+        return _BY_SIZE
     values = made.values
     if values.inset_m is None or values.u_inset_m is None or (values.inset_m, values.u_inset_m) in _CROWNS:
         return "The roof was not clicked at its near edge."
@@ -129,6 +135,6 @@ def _roof(vehicle: VehicleSheet) -> ObservedPass | str | None:
         point=np.tile([REAR, ROOF], len(values.frames)),
         points_px=np.array(points, dtype=np.float64),
         sigma_px=np.full(len(frames), values.sigma_px),
-        roof=Known(vehicle.manufacturer_height_m, vehicle.u_manufacturer_height_m or float(U_MANUFACTURER_M)),
+        roof=Known(vehicle.reference_m, vehicle.u_manufacturer_height_m or float(U_MANUFACTURER_M)),
         roof_inset=Known(values.inset_m, values.u_inset_m),
     )

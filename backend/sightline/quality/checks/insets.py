@@ -237,7 +237,7 @@ def _rows(session: Session, made: Sequence[Measurement]) -> _Rows:
 
 
 def _from_known(rows: _Rows, known: dict[int, VehicleSheet]) -> Estimate:
-    heights = [known[one.vehicle_id].manufacturer_height_m for one in rows.made]
+    heights = [known[one.vehicle_id].reference_m for one in rows.made]
     u = [known[one.vehicle_id].u_manufacturer_height_m for one in rows.made]
     has = np.array([height is not None for height in heights], dtype=np.bool_)
     if rows.seen is None or not has.any():

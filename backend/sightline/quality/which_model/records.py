@@ -30,7 +30,7 @@ class SizeDifference:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class FittingModel:
-    """A model and how it fits."""
+    """A model and how it fits; `differences` are those of all sizes compared."""
 
     entry: CatalogueEntry
     chi_square: float
@@ -42,10 +42,21 @@ class FittingModel:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class WhichModel:
-    """The models that fit best, the likeliest first, and how the one filled in fits."""
+    """The models that fit, and how the one filled in fits.
+
+    Ranked by lengths, never by a height: heights are what is held against the model afterwards.
+    """
 
     measured: tuple[MeasuredSize, ...]
-    fitting: tuple[FittingModel, ...]
+    fitting: Annotated[
+        tuple[FittingModel, ...], Field(description="Those that fit, the likeliest first; none that cannot.")
+    ]
+    ranked_by: Annotated[
+        tuple[ModelSize, ...],
+        Field(description="The sizes that rank; none: the vehicle's class first, then by name."),
+    ]
+    fit: Annotated[int, Field(description="How many models can be it.")]
+    cannot_fit: Annotated[int, Field(description="How many cannot, and are not among `fitting`.")]
     chosen: Annotated[
         FittingModel | None, Field(description="The row of make and model filled in; of several the best.")
     ]

@@ -11,5 +11,5 @@ router = APIRouter()
 
 @router.get("/vehicles/{vehicle_id}/which-model")
 def which_model(vehicle_id: PathId, who: Viewer, session: Reading) -> WhichModel:
-    """The five models that fit the sizes measured best, and whether the one filled in can fit."""
+    """Models that fit what was measured, ranked by lengths alone, and whether the one filled in can fit."""
     return service.which_model(session, vehicle_id)

@@ -21,6 +21,8 @@ from sightline.vehicles.catalogue.records import CatalogueEntry
 from sightline.vehicles.catalogue.store import all_of_catalogue
 
 MOST_SHOWN = 5
+#: Sizes that rank. No height does: a roof is held against its model's, so it must not choose the model.
+RANKING: frozenset[ModelSize] = frozenset({"length", "width", "wheelbase"})
 # A catalogue size that states no u, metres (estimates; lamps move with load, tyres and trim).
 USUAL_U_M: dict[ModelSize, float] = {
     "height": float(U_MANUFACTURER_M),
@@ -33,7 +35,7 @@ SCALE_U = 0.015  # of a length on the road: what the pose may be off by, a share
 
 
 def which_model(session: Session, vehicle_id: int) -> WhichModel:
-    """The catalogue's models that fit a vehicle best, and whether its own can. Raises NotFound."""
+    """The catalogue's models that fit a vehicle, and whether its own can. Raises NotFound."""
     sheet = get_sheet(session, vehicle_id)
     entries = all_of_catalogue(session)
     measured = (*(_height(sheet, size) for size in TARGET_OF), _wheelbase(session, vehicle_id))
@@ -42,23 +44,37 @@ def which_model(session: Session, vehicle_id: int) -> WhichModel:
     values, u = (_numbers([getattr(one, name) for one in measured]) for name in ("value_m", "u_m"))
     sizes = _numbers([[entry.size(one.size) for one in measured] for entry in entries])
     u_sizes = _numbers([[_u_of(entry, one.size) for one in measured] for entry in entries])
-    fits = fit_models(values, u, sizes, u_sizes, _same_class(sheet, entries))
+    ranking = [one.size in RANKING for one in measured]
+    fits = fit_models(values, u, sizes, u_sizes, _same_class(sheet, entries), ranking)
     if isinstance(fits, str):
         return _nothing(measured, fits)
     shown = [
         _fitting(entries[index], index, fits, measured, np.hypot(u, u_sizes[index])) for index in fits.order
     ]
+    can = [one for one in shown if not one.cannot]
     return WhichModel(
         measured=measured,
-        fitting=tuple(shown[:MOST_SHOWN]),
+        fitting=tuple(can[:MOST_SHOWN]),
+        ranked_by=tuple(one.size for one, ranks in zip(measured, fits.ranks, strict=True) if ranks),
+        fit=len(can),
+        cannot_fit=len(shown) - len(can),
         chosen=next((one for one in shown if _is_chosen(one.entry, sheet)), None),
         limit_p=CANNOT_FIT_P,
-        reason=None,
+        reason=None if can else "No model in the catalogue fits what was measured on this vehicle.",
     )
 
 
 def _nothing(measured: tuple[MeasuredSize, ...], reason: str) -> WhichModel:
-    return WhichModel(measured=measured, fitting=(), chosen=None, limit_p=CANNOT_FIT_P, reason=reason)
+    return WhichModel(
+        measured=measured,
+        fitting=(),
+        ranked_by=(),
+        fit=0,
+        cannot_fit=0,
+        chosen=None,
+        limit_p=CANNOT_FIT_P,
+        reason=reason,
+    )
 
 
 def _height(sheet: VehicleSheet, size: ModelSize) -> MeasuredSize:

@@ -5,7 +5,7 @@ import { CommitField } from "../../components/CommitField";
 import { TypingHold } from "../../components/typing";
 import { say } from "../../core/messages";
 import { canWork } from "../../core/session";
-import type { CatalogueRow, Vehicle } from "../../core/types";
+import type { CatalogueRow, ModelSize, Vehicle } from "../../core/types";
 import { lengthProblem, lengthText, lengthUnit, parseLength } from "../../core/units";
 import {
   CATEGORY_WORDS,
@@ -25,7 +25,7 @@ import type { MeasureModel } from "./model";
 import { ProposalPanel } from "./proposals/ProposalPanel";
 import { noteModel, RecentModels } from "./RecentModels";
 import { SpanEditor } from "./SpanEditor";
-import { CannotFit, useModelFits, WhichModel } from "./WhichModel";
+import { CannotFit, ModelChosen, useModelFits, WhichModel } from "./WhichModel";
 import { WholePassPanel } from "./WholePassParts";
 
 /** What can be chosen, or nothing. */
@@ -98,9 +98,9 @@ function Facts({ model, vehicle }: { model: MeasureModel; vehicle: Vehicle }) {
   );
   const fits = useModelFits(vehicle);
   const make = useRef<HTMLInputElement>(null);
-  const take = (row: CatalogueRow): void => {
+  const take = (row: CatalogueRow, sizes?: readonly ModelSize[]): void => {
     noteModel(row);
-    model.edit(fromCatalogue(row, vehicle), vehicle);
+    model.edit(fromCatalogue(row, vehicle, sizes), vehicle);
   };
   const takeLast = (row: CatalogueRow): void => {
     take(row);
@@ -129,7 +129,7 @@ function Facts({ model, vehicle }: { model: MeasureModel; vehicle: Vehicle }) {
             value={vehicle.make ?? ""}
             query={(text) => text}
             disabled={locked}
-            onChoose={take}
+            onChoose={(row) => take(row)}
             onCommit={(text) => model.edit({ make: text || null })}
           />
           <CatalogueField
@@ -137,10 +137,15 @@ function Facts({ model, vehicle }: { model: MeasureModel; vehicle: Vehicle }) {
             value={vehicle.model ?? ""}
             query={(text) => `${vehicle.make ?? ""} ${text}`.trim()}
             disabled={locked}
-            onChoose={take}
+            onChoose={(row) => take(row)}
             onCommit={(text) => model.edit({ model: text || null })}
           />
           <div class="facts-form__wide">
+            <ModelChosen
+              vehicle={vehicle}
+              locked={locked}
+              onSeen={() => model.edit({ model_chosen_by: "seen" })}
+            />
             <CannotFit fits={fits.data} vehicle={vehicle} />
             <WhichModel found={fits} locked={locked} onChoose={take} />
           </div>

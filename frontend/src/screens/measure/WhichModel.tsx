@@ -1,23 +1,15 @@
-/** The models of the catalogue that fit what was measured: a key goes to the list, a digit or Enter takes a row and
+/** The models of the catalogue that can be the vehicle, ranked by its lengths: a key goes to the list, a digit or Enter takes a row and
  *  returns to the frame. And the word where the model filled in cannot fit. */
 import { useEffect, useRef, useState } from "preact/hooks";
-import { Problem } from "../../components";
+import { Button, Problem } from "../../components";
 import { api } from "../../core/api";
 import { hint, useCommands } from "../../core/commands";
-import { say, wordsOf } from "../../core/messages";
+import { allOf, say } from "../../core/messages";
 import { type Resource, useResource } from "../../core/resource";
-import type { CatalogueRow, FittingModel, ModelFits, Vehicle } from "../../core/types";
+import type { CatalogueRow, FittingModel, ModelFits, ModelSize, Vehicle } from "../../core/types";
 import { formatSmall } from "../../core/units";
 import { yearsOf } from "../../parts/vehicles/ModelYears";
-
-const SIZE_WORDS = wordsOf({
-  height: "which-model-height",
-  length: "which-model-length",
-  width: "which-model-width",
-  wheelbase: "which-model-wheelbase",
-  taillight: "which-model-taillight",
-  headlight: "which-model-headlight",
-});
+import { SIZE_WORDS, sizesWords } from "./sizes";
 
 /** Asked again whenever the record or a height of it was stored. */
 export function useModelFits(vehicle: Vehicle): Resource<ModelFits> {
@@ -30,8 +22,9 @@ export function useModelFits(vehicle: Vehicle): Resource<ModelFits> {
 }
 
 /** "roof +12 mm, wheelbase −40 mm": measured minus catalogue. */
-function differencesOf(fit: FittingModel): string {
+function differencesOf(fit: FittingModel, sizes?: readonly ModelSize[]): string {
   return fit.differences
+    .filter(({ size }) => sizes?.includes(size) ?? true)
     .map(({ size, difference_m }) => {
       const sign = difference_m < 0 ? "−" : "+";
       return `${SIZE_WORDS[size]} ${sign}${formatSmall(Math.abs(difference_m))}`;
@@ -61,10 +54,42 @@ export function CannotFit({ fits, vehicle }: { fits: ModelFits | null; vehicle: 
   );
 }
 
+/** That the model was chosen by its sizes, and the act that makes it a reference: it was seen on the vehicle. */
+export function ModelChosen({ vehicle, locked, onSeen }: ChosenProps) {
+  const { model_chosen_by: by, model_sizes: sizes } = vehicle;
+  if (by === null) return null;
+  const words = sizesWords(sizes ?? "");
+  return (
+    <div class="field__hint model-chosen" data-testid="model-chosen">
+      <p>{say(by === "size" ? "model-chosen-by-size" : "model-chosen-seen", { sizes: words })}</p>
+      {by === "size" && (
+        <Button small disabled={locked} onClick={onSeen}>
+          {say("model-chosen-see")}
+        </Button>
+      )}
+    </div>
+  );
+}
+
+interface ChosenProps {
+  vehicle: Vehicle;
+  locked: boolean;
+  onSeen(): void;
+}
+
+/** By what the list ranks, and how many stand in it no more. */
+function rankWords({ ranked_by, fit, fitting, cannot_fit }: ModelFits): string {
+  const by = ranked_by.map((size) => SIZE_WORDS[size]);
+  const ranked = by.length > 0 ? say("which-model-ranked", { sizes: allOf(by) }) : say("which-model-by-name");
+  const shown = fit > fitting.length ? say("which-model-shown", { shown: fitting.length, count: fit }) : "";
+  const gone = cannot_fit > 0 ? say("which-model-left-out", { count: cannot_fit }) : "";
+  return [ranked, shown, gone].filter(Boolean).join(" ");
+}
+
 interface Props {
   found: Resource<ModelFits>;
   locked: boolean;
-  onChoose(row: CatalogueRow): void;
+  onChoose(row: CatalogueRow, sizes: readonly ModelSize[]): void;
 }
 
 export function WhichModel({ found, locked, onChoose }: Props) {
@@ -80,7 +105,10 @@ export function WhichModel({ found, locked, onChoose }: Props) {
   const choose = (index: number): boolean => {
     const row = rows[index];
     if (!row || locked) return false;
-    onChoose(row.entry);
+    onChoose(
+      row.entry,
+      row.differences.map(({ size }) => size),
+    );
     box.current?.blur();
     return true;
   };
@@ -106,6 +134,11 @@ export function WhichModel({ found, locked, onChoose }: Props) {
       </h4>
       {found.error !== null && <Problem error={found.error} again={() => void found.reload()} />}
       {found.data?.reason && <p class="small muted">{found.data.reason}</p>}
+      {found.data && rows.length > 0 && (
+        <p class="small muted" data-testid="which-model-rank">
+          {rankWords(found.data)}
+        </p>
+      )}
       {rows.length > 0 && (
         <div
           ref={box}
@@ -131,10 +164,7 @@ export function WhichModel({ found, locked, onChoose }: Props) {
               <span>
                 <strong>{row.entry.make}</strong> {row.entry.model}{" "}
                 <span class="muted">{yearsOf(row.entry)}</span>
-                <span class="which-model__why small muted">
-                  {differencesOf(row)}
-                  {row.cannot && ` · ${say("which-model-row-cannot", { p: chance(row.p) })}`}
-                </span>
+                <span class="which-model__why small muted">{differencesOf(row, found.data?.ranked_by)}</span>
               </span>
             </div>
           ))}

@@ -27,6 +27,8 @@ test("heights come with their u and source; what is not known of the model is ta
     make: "Aldara",
     model: "Pico",
     category: "hatchback",
+    model_chosen_by: null,
+    model_sizes: null,
     manufacturer_height_m: 1.47,
     u_manufacturer_height_m: 0.005,
     height_source: "data sheet",
@@ -36,6 +38,16 @@ test("heights come with their u and source; what is not known of the model is ta
     known_headlight_m: null,
     u_known_headlight_m: null,
     known_headlight_source: null,
+  });
+});
+
+test("a model chosen by its sizes says so, and naming it once more does not unsay it", () => {
+  const chosen = fromCatalogue(ROW, CAR, ["height", "wheelbase"]);
+  expect(chosen).toMatchObject({ model_chosen_by: "size", model_sizes: "height wheelbase" });
+  expect(fromCatalogue(ROW, { ...CAR, ...chosen } as Vehicle)).not.toHaveProperty("model_chosen_by");
+  expect(fromCatalogue({ ...ROW, model: "Sol" }, { ...CAR, ...chosen } as Vehicle)).toMatchObject({
+    model_chosen_by: null,
+    model_sizes: null,
   });
 });
 

@@ -9,6 +9,7 @@ import type {
   DriverSide,
   Lighting,
   Measurement,
+  ModelChosenBy,
   NotVisible,
   Vehicle,
 } from "../../core/types";
@@ -33,6 +34,7 @@ import {
 } from "../../viewer/values";
 import { isVehicle } from "../../viewer/vehicle";
 import { type Changes, disputedFields, FIELD_WORDS, type Field } from "./fields";
+import { CHOSEN_BY_WORDS, sizesWords } from "./sizes";
 
 export const MEASUREMENT = "measurement";
 export const VEHICLE = "vehicle";
@@ -99,6 +101,8 @@ export function factWords(changes: Changes): string {
 export function showFact(field: Field, value: unknown): string {
   if (value === null || value === undefined || value === "") return say("measure-fact-empty");
   if (field === "category") return CATEGORY_WORDS[value as Category];
+  if (field === "model_chosen_by") return CHOSEN_BY_WORDS[value as ModelChosenBy];
+  if (field === "model_sizes") return sizesWords(String(value));
   if (field === "lighting") return LIGHTING_NOUNS[value as Lighting];
   if (field === "direction") return DIRECTION_WORDS[value as Direction];
   if (field === "driver_side") return SIDE_WORDS[value as DriverSide];

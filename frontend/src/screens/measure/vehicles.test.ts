@@ -17,6 +17,8 @@ const start = {
   model: null,
   year: null,
   category: null,
+  model_chosen_by: null,
+  model_sizes: null,
   manufacturer_height_m: null,
   u_manufacturer_height_m: null,
   height_source: null,

@@ -120,12 +120,16 @@ const ALWAYS: readonly string[] = ["driver_eye", "taillight"];
 type LeftOut = "to_review" | "reopened" | "rejected" | "accepted" | "fixed";
 
 function countedWords({ counted }: Statistics): string {
-  const { measurements, vehicles, with_reference } = counted;
-  const words = say("statistics-counted", { measurements, vehicles, roofs: with_reference });
+  const { measurements, vehicles, with_reference, by_size } = counted;
+  const words = [
+    say("statistics-counted", { measurements, vehicles, roofs: with_reference }),
+    by_size > 0 ? say("statistics-by-size", { count: by_size }) : "",
+  ];
   const states = Object.entries(counted.left_out).map(([state, count]) =>
     say("statistics-left-out-state", { state: state as LeftOut, count }),
   );
-  return states.length > 0 ? `${words} ${say("statistics-left-out", { states: states.join(", ") })}` : words;
+  if (states.length > 0) words.push(say("statistics-left-out", { states: states.join(", ") }));
+  return words.filter(Boolean).join(" ");
 }
 
 /** No measurement is left: says which are there, and what to do. */

@@ -1,0 +1,22 @@
+/** The sizes of a model in words, and how a vehicle's model was chosen. */
+import { allOf, wordsOf } from "../../core/messages";
+import type { ModelChosenBy, ModelSize } from "../../core/types";
+
+export const SIZE_WORDS: Readonly<Record<ModelSize, string>> = wordsOf({
+  height: "which-model-height",
+  length: "which-model-length",
+  width: "which-model-width",
+  wheelbase: "which-model-wheelbase",
+  taillight: "which-model-taillight",
+  headlight: "which-model-headlight",
+});
+
+export const CHOSEN_BY_WORDS: Readonly<Record<ModelChosenBy, string>> = wordsOf({
+  size: "model-chosen-word-size",
+  seen: "model-chosen-word-seen",
+});
+
+/** "roof and wheelbase", of the words that a record keeps. */
+export function sizesWords(sizes: string): string {
+  return allOf(sizes.split(" ").map((size) => SIZE_WORDS[size as ModelSize] ?? size));
+}
