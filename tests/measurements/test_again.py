@@ -113,6 +113,36 @@ def test_another_inset_is_computed_as_new_revisions_old_beside_new(
     assert viewer.seen(path)["out_of_date"]["heights"] == 0
 
 
+def test_each_height_out_of_date_is_named_with_its_causes_until_it_is_computed_again(
+    operator: Client, viewer: Client, ground: Ground, work: Work
+) -> None:
+    survey = operator.seen(f"/surveys/{ground.survey_id}")
+    words = {name: survey[name] for name in ("name", "site", "description")}
+    path = f"/surveys/{ground.survey_id}"
+
+    def drive(steering: str) -> None:
+        traffic = {"traffic_side": "right", "steering_side": steering, "camera_place": "verge"}
+        version = operator.seen(path)["version"]
+        answer = operator.put(path, json={**words, "version": version, "traffic": traffic})
+        assert answer.status_code == 200, answer.text
+
+    drive("left")
+    both = [add_vehicle(operator, ground.recording_id, direction="right")["id"] for _ in range(2)]
+    eyes = [measure(operator, one, **{**ROOF, "target": "driver_eye"}) for one in both]
+    roof = measure(operator, both[0], **ROOF)
+    assert viewer.seen(f"{path}/computings")["out_of_date"]["measurements"] == {}
+    drive("right")
+    stale = viewer.seen(f"{path}/computings")["out_of_date"]
+    assert stale["heights"] == 2
+    assert stale["measurements"] == {str(one["id"]): ["side"] for one in eyes}
+    say_inset(operator, ground.survey_id, LARGE)
+    stale = viewer.seen(f"{path}/computings")["out_of_date"]
+    assert stale["measurements"][str(roof["id"])] == ["inset"] and stale["heights"] == 3
+    again(operator, ground, work)
+    stale = viewer.seen(f"{path}/computings")["out_of_date"]
+    assert (stale["heights"], stale["measurements"]) == (0, {})
+
+
 def test_only_what_moved_by_more_than_its_u_loses_its_verdict(
     operator: Client, reviewer: Client, ground: Ground, work: Work
 ) -> None:

@@ -1238,6 +1238,11 @@ computing-cause-side = { $count } with another driver’s side
 computing-cause-program = { $count } by another version of Sightline
 computing-start = Compute again
 computing-look = Review and compute again
+computing-which = Which heights
+computing-mark-pose = Out of date: the camera pose has changed since.
+computing-mark-inset = Out of date: the inset has changed since.
+computing-mark-side = Out of date: the driver’s side has changed since.
+computing-mark-program = Out of date: another version of Sightline computed it.
 computing-nothing-changed = No height changed, so nothing was saved.
 computing-done = { $count ->
     [one] One height computed again.

@@ -1236,6 +1236,11 @@ computing-cause-side = { $count } par un autre côté du conducteur
 computing-cause-program = { $count } par une autre version de Sightline
 computing-start = Recalculer
 computing-look = Vérifier et recalculer
+computing-which = Quelles hauteurs
+computing-mark-pose = Périmée : la pose de la caméra a changé depuis.
+computing-mark-inset = Périmée : le retrait a changé depuis.
+computing-mark-side = Périmée : le côté du conducteur a changé depuis.
+computing-mark-program = Périmée : une autre version de Sightline l’a calculée.
 computing-nothing-changed = Aucune hauteur n’a changé : rien n’a été enregistré.
 computing-done = { $count ->
     [one] { $count } hauteur recalculée.

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, fields, replace
 from typing import Any
 
-from sqlalchemy import Text, and_, func, select, type_coerce
+from sqlalchemy import Text, and_, cast, func, select, type_coerce
 from sqlalchemy.orm import Session
 
 from sightline.enums import Target
@@ -82,9 +82,13 @@ def _context(survey: Survey, row: Any, insets: Mapping[str, Inset]) -> ClickCont
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Alike:
-    """So many standing measurements with the same facts; `code_version` computed them."""
+    """So many standing measurements with the same facts; `code_version` computed them.
+
+    `named`: their ids, between commas.
+    """
 
     count: int
+    named: str
     target: Target
     facts: Facts
     has_height: bool
@@ -98,7 +102,15 @@ def alike(session: Session, survey_id: int) -> Iterator[Alike]:
     several = type_coerce(_m.more_frames, Text) != "[]"
     each = (
         select(
-            *(_m.target, _m.pose_id.label("of_pose"), _m.side, _m.side_from, _m.inset_m, _m.u_inset_m),
+            *(
+                _m.series_id,
+                _m.target,
+                _m.pose_id.label("of_pose"),
+                _m.side,
+                _m.side_from,
+                _m.inset_m,
+                _m.u_inset_m,
+            ),
             *(_m.inset_from, several.label("solved"), _m.height_m.is_not(None).label("has_height")),
             *(_m.code_version, vehicles.c.direction, vehicles.c.driver_side),
             *(recordings.c.id.label("recording_id"), recordings.c.name, recordings.c.pose_id),
@@ -114,7 +126,9 @@ def alike(session: Session, survey_id: int) -> Iterator[Alike]:
         .where(recordings.c.deleted_at.is_(None))
         .subquery()
     )
-    query = select(func.count().label("count"), *each.c).group_by(*each.c)
+    shared = [column for column in each.c if column.name != "series_id"]
+    named = func.aggregate_strings(cast(each.c.series_id, Text), ",").label("named")
+    query = select(func.count().label("count"), named, *shared).group_by(*shared)
     for row in session.execute(query):
         facts = Facts(
             pose_id=row.of_pose,
@@ -123,6 +137,7 @@ def alike(session: Session, survey_id: int) -> Iterator[Alike]:
         context = _context(survey, row, survey.insets)
         yield Alike(
             count=row._mapping["count"],
+            named=row.named,
             target=row.target,
             facts=facts,
             has_height=row.has_height,

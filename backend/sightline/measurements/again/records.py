@@ -35,7 +35,8 @@ class OutOfDate:
 
     `heights`: how many in all, by cause in `causes` (one height may have two); `in_line_scans`: those of them
     that were clicked in line scans; `waiting`: those that have no height yet. `other_program`: heights of
-    another version of the program, which may come out alike.
+    another version of the program, which may come out alike. `measurements`: those of recordings by their id,
+    repeats among them, each with its causes.
     """
 
     heights: int
@@ -43,6 +44,7 @@ class OutOfDate:
     waiting: int
     other_program: int
     causes: dict[ComputingCause, int]
+    measurements: dict[int, tuple[ComputingCause, ...]]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -71,12 +71,14 @@ def measurements_out_of_date(session: Session, survey_id: int) -> OutOfDate:
     """
     causes: Counter[ComputingCause] = Counter()
     heights = waiting = other_program = 0
+    named: dict[int, tuple[ComputingCause, ...]] = {}
     for group in alike(session, survey_id):
         found = causes_of_facts(group.facts, _facts_now(group))
         if found:
             heights += group.count
             waiting += 0 if group.has_height else group.count
             causes.update(dict.fromkeys(found, group.count))
+            named |= dict.fromkeys(map(int, group.named.split(",")), found)
         elif group.code_version != code_version():
             other_program += group.count
     return OutOfDate(
@@ -85,6 +87,7 @@ def measurements_out_of_date(session: Session, survey_id: int) -> OutOfDate:
         waiting=waiting,
         other_program=other_program,
         causes=dict(causes),
+        measurements=dict(sorted(named.items())),
     )
 
 

@@ -76,6 +76,7 @@ def out_of_date(session: Session, survey_id: int) -> OutOfDate:
         waiting=found.waiting,
         other_program=found.other_program + other_program,
         causes=dict(causes),
+        measurements=found.measurements,
     )
 
 

@@ -1,31 +1,60 @@
-/** Says, where results are looked at, that stored heights follow from facts that no longer hold. */
+/** Says, wherever heights are shown, that stored ones follow from facts that no longer hold; computes them again. */
 import { useEffect } from "preact/hooks";
-import { Button, Notice } from "../../components";
+import { Button, Notice, Problem } from "../../components";
 import { api } from "../../core/api";
 import { say } from "../../core/messages";
 import { useResource } from "../../core/resource";
+import { canWork } from "../../core/session";
 import { survey } from "../../core/survey";
+import { useComputing } from "./computing";
+import { stale } from "./stale";
 import { causesInWords } from "./words";
 
-export function OutOfDateNotice({ surveyId }: { surveyId: number }) {
+interface NoticeProps {
+  surveyId: number;
+  /** What the page shows of heights is read anew once they were computed. */
+  computed?: (() => Promise<unknown> | unknown) | undefined;
+}
+
+export function OutOfDateNotice({ surveyId, computed }: NoticeProps) {
+  const where = { survey_id: surveyId };
+  // whoever changes an inset, a side or a pose has the survey read again
   const read = useResource(
-    (signal) => api.ask("GET /surveys/{survey_id}/computings", { survey_id: surveyId }, { signal }),
-    [surveyId],
+    (signal) => api.ask("GET /surveys/{survey_id}/computings", where, { signal }),
+    [surveyId, survey.value],
+    { keep: true },
   );
-  // whoever changes an inset or a pose has the survey read again
-  useEffect(() => void read.reload(), [survey.value]);
-  const stale = read.data?.out_of_date;
-  if (!stale || stale.heights === 0) return null;
+  const work = useComputing(() => Promise.all([read.reload(), computed?.()]));
+  const answered = read.data?.out_of_date;
+  useEffect(() => {
+    if (answered) stale.value = { surveyId, found: answered };
+  }, [answered]);
+  // from vehicle to vehicle it stands still while it is asked again
+  const known = stale.value?.surveyId === surveyId ? stale.value.found : null;
+  const found = answered ?? known;
+  if (!found || found.heights === 0) return <Problem error={work.problem} />;
   return (
-    <Notice
-      kind="warning"
-      actions={
-        <Button small href={`/surveys/${surveyId}/checks?tab=again`}>
-          {say("computing-look")}
-        </Button>
-      }
-    >
-      {say("computing-stale", { count: stale.heights, causes: causesInWords(stale.causes) })}
-    </Notice>
+    <>
+      <Problem error={work.problem} />
+      <Notice
+        kind="warning"
+        actions={
+          canWork.value && (
+            <Button
+              small
+              busy={work.busy}
+              onClick={() => void work.run(() => api.write("POST /surveys/{survey_id}/computings", where))}
+            >
+              {say("computing-start")}
+            </Button>
+          )
+        }
+      >
+        <span data-testid="out-of-date">
+          {say("computing-stale", { count: found.heights, causes: causesInWords(found.causes) })}
+        </span>{" "}
+        <a href={`/surveys/${surveyId}/checks?tab=again`}>{say("computing-which")}</a>
+      </Notice>
+    </>
   );
 }

@@ -2,7 +2,7 @@
 import { allOf, say } from "../../core/messages";
 import type { OutOfDate } from "../../core/types";
 
-const CAUSES = ["pose", "inset", "side", "program"] as const;
+export const CAUSES = ["pose", "inset", "side", "program"] as const;
 
 /** "12 by another inset and 3 by another road pose" */
 export function causesInWords(causes: OutOfDate["causes"]): string {

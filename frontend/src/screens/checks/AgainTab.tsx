@@ -1,17 +1,15 @@
 /** Heights computed again: what is out of date, each time it was done, old beside new, and the undo of all. */
-import { useState } from "preact/hooks";
 import { Button, JobProgress, Loading, Notice, Problem, TableScroll } from "../../components";
 import { query, setQuery } from "../../core/address";
 import { api } from "../../core/api";
-import { cancelJob, jobProblem, useJob } from "../../core/jobs";
+import { cancelJob } from "../../core/jobs";
 import { say, wordsOf } from "../../core/messages";
-import { type Resource, useResource } from "../../core/resource";
+import { useResource } from "../../core/resource";
 import { canWork } from "../../core/session";
-import { refreshSurvey } from "../../core/survey";
 import { formatMoment } from "../../core/times";
-import { toast } from "../../core/toasts";
-import type { Computing, Computings, Job } from "../../core/types";
+import type { Computing, Computings } from "../../core/types";
 import { formatCount, formatSmall } from "../../core/units";
+import { useComputing } from "../../parts/again/computing";
 import { causesInWords } from "../../parts/again/words";
 import { ComputedHeightsPanel } from "./ComputedHeightsPanel";
 
@@ -28,7 +26,10 @@ export function AgainTab({ surveyId }: { surveyId: number }) {
     (signal) => api.ask("GET /surveys/{survey_id}/computings", where, { signal }),
     [surveyId],
   );
-  const work = useComputing(read);
+  const work = useComputing((job) => {
+    if (job.state === "done") setQuery({ computing: null });
+    return read.reload();
+  });
   const start = () => work.run(() => api.write("POST /surveys/{survey_id}/computings", where));
   if (!read.data)
     return read.error ? (
@@ -65,32 +66,6 @@ export function AgainTab({ surveyId }: { surveyId: number }) {
       )}
     </>
   );
-}
-
-/** One job at a time; when it ends, what it made is read and shown. */
-function useComputing(read: Resource<Computings>) {
-  const [id, setId] = useState<number | null>(null);
-  const [problem, setProblem] = useState<unknown>(null);
-  const over = async (job: Job) => {
-    setId(null);
-    if (job.state === "failed") setProblem(jobProblem(job, say("computing-job")));
-    if (job.state === "done") {
-      const heights = Number(job.result?.["heights"] ?? 0);
-      toast(heights > 0 ? say("computing-done", { count: heights }) : say("computing-nothing-changed"));
-      setQuery({ computing: null });
-    }
-    await Promise.all([read.reload(), refreshSurvey()]);
-  };
-  const job = useJob(id, (ended) => void over(ended), setProblem);
-  const run = async (ask: () => Promise<Job>) => {
-    setProblem(null);
-    try {
-      setId((await ask()).id);
-    } catch (error) {
-      setProblem(error);
-    }
-  };
-  return { job: id === null ? null : job, problem, run };
 }
 
 function Stale({ found, busy, start }: { found: Computings; busy: boolean; start(): Promise<void> }) {

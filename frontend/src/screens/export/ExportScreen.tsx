@@ -23,6 +23,7 @@ import { toast } from "../../core/toasts";
 import type { ExportPackage, Lighting, Survey } from "../../core/types";
 import { formatBytes } from "../../core/units";
 import { LIGHTING_WORDS } from "../../core/words";
+import { OutOfDateNotice } from "../../parts/again/OutOfDateNotice";
 import { ClassChoice, classWords } from "../../parts/vehicles/ClassChoice";
 import "./export.css";
 
@@ -118,6 +119,7 @@ export default function ExportScreen({ surveyId }: ScreenProps) {
           </Button>
         </div>
       </header>
+      <OutOfDateNotice surveyId={Number(surveyId)} />
       <Choosing wanted={wanted} onChange={setWanted} />
       {counts && counts.to_review + counts.rejected > 0 && (
         <Notice kind="warning">

@@ -8,6 +8,7 @@ import { canWork } from "../../core/session";
 import type { Target } from "../../core/types";
 import { formatLength, inUnits } from "../../core/units";
 import { TARGET_NOUNS, TARGET_WORDS, TARGETS } from "../../core/words";
+import { StaleMarks } from "../../parts/again/StaleMarks";
 import { MeasurementConflict } from "./Conflicts";
 import { InsetChoice } from "./InsetChoice";
 import { MeasurementDetail } from "./MeasurementDetail";
@@ -186,6 +187,7 @@ function Said({ model, entry }: { model: MeasureModel; entry: Entry }) {
   const verdict = m.review.verdict;
   return (
     <>
+      <StaleMarks measurementId={m.id} />
       <FramesSaid m={m} />
       <PassSaid m={m} />
       {m.status !== "ok" && (

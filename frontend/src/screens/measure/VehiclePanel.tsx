@@ -14,6 +14,7 @@ import {
   LIGHTING_WORDS,
   vehicleName,
 } from "../../core/words";
+import { OutOfDateNotice } from "../../parts/again/OutOfDateNotice";
 import { CatalogueField } from "../../parts/vehicles/CatalogueField";
 import { ModelYears } from "../../parts/vehicles/ModelYears";
 import { VehicleConflict } from "./Conflicts";
@@ -22,6 +23,7 @@ import { fromCatalogue } from "./fromCatalogue";
 import { KnownHeights } from "./KnownHeights";
 import { MeasurementList } from "./MeasurementList";
 import type { MeasureModel } from "./model";
+import { readAgain } from "./passes/actions";
 import { ProposalPanel } from "./proposals/ProposalPanel";
 import { noteModel, RecentModels } from "./RecentModels";
 import { SpanEditor } from "./SpanEditor";
@@ -63,6 +65,7 @@ export function VehiclePanel({ model }: { model: MeasureModel }) {
       <VehicleConflict model={model} id={vehicle.id} />
       <ProposalPanel model={model} />
       <WholePassPanel model={model} />
+      <OutOfDateNotice surveyId={model.surveyId} computed={() => readAgain(model)} />
       <MeasurementList model={model} />
       <SpanEditor model={model} vehicle={vehicle} />
       <Facts model={model} vehicle={vehicle} />

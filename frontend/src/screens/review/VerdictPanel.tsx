@@ -15,6 +15,8 @@ import {
   TARGET_WORDS,
   vehicleName,
 } from "../../core/words";
+import { OutOfDateNotice } from "../../parts/again/OutOfDateNotice";
+import { StaleMarks } from "../../parts/again/StaleMarks";
 import { Budget } from "../../parts/vehicles/Budget";
 import { Revisions } from "../../parts/vehicles/Revisions";
 import { cropUrl } from "../../viewer/frames";
@@ -44,6 +46,8 @@ export function VerdictPanel({ model, item }: { model: ReviewModel; item: Review
             <Icon name="info" size={14} /> {say("lots-by-lot")}
           </p>
         )}
+        <StaleMarks measurementId={m.id} />
+        <OutOfDateNotice surveyId={model.surveyId} computed={() => model.load()} />
         {m.reason && <p>{inUnits(m.reason)}</p>}
         {m.flags.map((flag) => (
           <p key={flag} class="small row">

@@ -8,6 +8,7 @@ import type { ScreenProps } from "../../core/places";
 import { useResource } from "../../core/resource";
 import { fixed, formatLength, formatSpeed, lengthScale } from "../../core/units";
 import { TARGET_WORDS } from "../../core/words";
+import { OutOfDateNotice } from "../../parts/again/OutOfDateNotice";
 import { loadPlot } from "../../parts/figures/PlotFigure";
 import { KFigure } from "./KFigure";
 import { type Bounded, CASE_WORDS, type Case, type Sight, sightQuery } from "./model";
@@ -45,6 +46,9 @@ export default function SightScreen(_props: ScreenProps) {
           {only !== null && <Button href={`/surveys/${only}`}>{say("statistics-back")}</Button>}
         </div>
       </header>
+      {query.value.getAll("survey").map((id) => (
+        <OutOfDateNotice key={id} surveyId={Number(id)} computed={found.reload} />
+      ))}
       <SightForm standards={standards.data ?? []} found={data} />
       <Problem error={found.error ?? standards.error} again={found.reload} />
       {!data && found.loading && <Loading what={say("sight-loading")} />}

@@ -5,6 +5,7 @@ import { query } from "../../core/address";
 import { api, fromAddress } from "../../core/api";
 import { say } from "../../core/messages";
 import { useResource } from "../../core/resource";
+import { OutOfDateNotice } from "../../parts/again/OutOfDateNotice";
 import { loadPlot } from "../../parts/figures/PlotFigure";
 import { SameRule } from "../../parts/figures/SameRule";
 import { lotWords } from "../../parts/lots/words";
@@ -49,6 +50,9 @@ export default function StatisticsScreen() {
         </div>
       </header>
       <p class="stat-printonly small">{location.href}</p>
+      {query.value.getAll("survey").map((id) => (
+        <OutOfDateNotice key={id} surveyId={Number(id)} computed={found.reload} />
+      ))}
       {only && <ByLot surveyId={Number(only)} />}
       <FilterBar found={data} />
       <Problem error={found.error} again={found.reload} />
