@@ -124,6 +124,22 @@ def test_reasons(change, words) -> None:
     assert found.solved_inset_m is None and found.height.height_m is None
 
 
+@pytest.mark.parametrize(
+    ("inset", "measured"),
+    [(-0.4, True), (0.3, True), (2.5, True), (2.8, False), (3.44, False), (-0.7, False)],
+)
+def test_an_inset_that_no_vehicle_has_gives_no_height(inset: float, measured: bool) -> None:
+    """A second frame with the roof clicked where it is not: 3.44 m once made a roof 0.25 m too high."""
+    contacts, targets = clicks(SQUARE_ON, (0.0, 1.0), inset=inset, height=1.3)
+    found = measure_frames(pose_of(SQUARE_ON), contacts, targets)
+    if measured:
+        assert found.height.height_m == pytest.approx(1.3, abs=1e-6)
+        assert found.solved_inset_m == pytest.approx(inset, abs=1e-6)
+    else:
+        assert (found.height.status, found.height.height_m) == ("not_measurable", None)
+        assert f"inset of {inset:.2f} m is not plausible" in str(found.height.reason)
+
+
 def test_clicks_that_do_not_belong_together_are_flagged() -> None:
     contacts, targets = clicks(SQUARE_ON, (0.0, 2.0))
     found = measure_frames(pose_of(SQUARE_ON), contacts, targets + np.array([[0, 0], [0, 25.0]]))
