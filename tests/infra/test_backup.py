@@ -21,6 +21,7 @@ from sqlalchemy.orm import Session
 
 from sightline.cli import main
 from sightline.errors import BadInput, Conflict, Damaged, SightlineError
+from sightline.infra.audit.records import Verification
 from sightline.infra.audit.signing import signing_key
 from sightline.infra.audit.tables import audit_events
 from sightline.infra.audit.verification import verify_database
@@ -170,8 +171,10 @@ def test_only_what_is_new_is_copied(filled: Services, tmp_path: Path) -> None:
     put_bytes(filled, b"another picture", ".jpg")
     second = backed_up(filled, tmp_path / "backup")
     assert (second.fresh, len(second.manifest.media)) == (1, 3)
-    assert [path.name for path in (tmp_path / "backup" / STATES).iterdir()] == [second.manifest.state]
-    assert first.state != second.manifest.state
+    assert sorted(path.name for path in (tmp_path / "backup" / STATES).iterdir()) == [
+        first.state,
+        second.manifest.state,
+    ]
     assert not (tmp_path / "backup" / JOURNAL).exists()
 
 
@@ -459,6 +462,27 @@ def test_a_backup_of_another_installation_is_not_replaced(filled: Services, tmp_
     assert path.read_bytes() == before
 
 
+def test_the_two_latest_states_are_kept_and_either_is_restored(
+    filled: Services, tmp_path: Path, new_place: NewPlace
+) -> None:
+    folder = tmp_path / "backup"
+    backed_up(filled, folder)
+    with pytest.raises(BadInput, match="one backup only"):
+        restore_backup(folder, new_place("too soon"), silent, earlier=True)
+    gone = put_bytes(filled, b"soon gone", ".jpg")
+    earlier = backed_up(filled, folder).manifest
+    rows = rows_of(filled.settings.database_url)
+    filled.media.delete(gone)
+    with filled.writing() as session:
+        samples.person(session, "Petra")
+    last = backed_up(filled, folder, pruning=True).manifest
+    assert sorted(path.name for path in (folder / STATES).iterdir()) == [earlier.state, last.state]
+    place = new_place("restored")
+    assert restore_backup(folder, place, silent, earlier=True).manifest == earlier
+    assert rows_of(place.database_url) == rows
+    assert restore_backup(folder, new_place("last"), silent).manifest == last
+
+
 def test_old_media_go_only_when_asked(filled: Services, tmp_path: Path) -> None:
     key = put_bytes(filled, b"soon gone", ".jpg")
     backed_up(filled, tmp_path / "backup")
@@ -469,14 +493,40 @@ def test_old_media_go_only_when_asked(filled: Services, tmp_path: Path) -> None:
 
     assert backed_up(filled, tmp_path / "backup").pruned == 0
     assert files() == 3
-    assert backed_up(filled, tmp_path / "backup", pruning=True).pruned == 1
+    assert backed_up(filled, tmp_path / "backup", pruning=True).pruned == 1  # neither state names it
     assert files() == 2
     check_backup(tmp_path / "backup", silent)
 
 
-def test_a_chain_that_does_not_hold_is_not_restored(
-    filled: Services, tmp_path: Path, new_place: NewPlace
+@pytest.mark.parametrize("good_before", [True, False])
+def test_a_chain_that_does_not_hold_is_not_backed_up(
+    filled: Services, tmp_path: Path, good_before: bool
 ) -> None:
+    folder = tmp_path / "backup"
+    good = backed_up(filled, folder).manifest if good_before else None
+    _forge(filled)
+    said = "still in" if good else "no earlier one"
+    with pytest.raises(Damaged, match=rf"^Audit event 1 of .* was changed .* {said}"):
+        backed_up(filled, folder)
+    assert [path.name for path in (folder / STATES).iterdir()] == ([good.state] if good else [])
+    if good:
+        assert check_backup(folder, silent).manifest == good
+
+
+def test_a_chain_that_does_not_hold_is_not_restored(
+    filled: Services, tmp_path: Path, new_place: NewPlace, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """In a backup of a version that did not look."""
+    _forge(filled)
+    monkeypatch.setattr(make, "verify_records", lambda _: Verification(True, 0, "", None))
+    backed_up(filled, tmp_path / "backup")
+    place = new_place("restored")
+    with pytest.raises(Damaged, match="does not verify"):
+        restore_backup(tmp_path / "backup", place, silent)
+    assert not place.data_dir.exists()
+
+
+def _forge(filled: Services) -> None:
     with filled.engine.begin() as connection:
         if SERVER:
             connection.execute(text("SET LOCAL session_replication_role = replica"))
@@ -484,11 +534,6 @@ def test_a_chain_that_does_not_hold_is_not_restored(
             connection.execute(text("DROP TRIGGER audit_events_refuse_update"))
         first = select(func.min(audit_events.c.id)).scalar_subquery()
         connection.execute(audit_events.update().where(audit_events.c.id == first).values(action="forge"))
-    backed_up(filled, tmp_path / "backup")
-    place = new_place("restored")
-    with pytest.raises(Damaged, match="does not verify"):
-        restore_backup(tmp_path / "backup", place, silent)
-    assert not place.data_dir.exists()
 
 
 def test_by_commands(

@@ -9,7 +9,7 @@ from sqlalchemy import Engine, make_url, text
 from sqlalchemy.exc import OperationalError
 from sqlalchemy.orm import Session
 
-from sightline.errors import BadInput, NoRoom
+from sightline.errors import BadInput, Damaged, NoRoom
 from sightline.infra.audit import trail
 from sightline.infra.audit.verification import verify_records
 from sightline.infra.database.engine import (
@@ -104,11 +104,15 @@ def test_foreign_keys_hold(session: Session) -> None:
         ("database is locked", DatabaseAway, "busy"),
         ("attempt to write a readonly database", DatabaseAway, "permissions"),
         ("connection refused", DatabaseAway, "does not answer"),
+        ("database disk image is malformed", Damaged, "is damaged"),
+        ("malformed database schema (x)", Damaged, "is damaged"),
+        ("Could not decode to UTF-8 column 'name'", Damaged, "is damaged"),
+        ("file is not a database", BadInput, "beginning is damaged"),
     ],
 )
 def test_operational_errors_become_one_sentence(words: str, kind: type, said: str) -> None:
     found = explanation(OperationalError("x", {}, sqlite3.OperationalError(words)))
-    assert type(found) is kind and said in found.message
+    assert found is not None and type(found) is kind and said in found.message
 
 
 def test_a_full_disk_leaves_nothing_half_there(tmp_path: Path) -> None:

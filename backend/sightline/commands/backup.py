@@ -31,8 +31,9 @@ def backup(folder: Path, reading_back: bool, prune: bool, data_dir: Path | None)
     """Back up the database, the media and the keys into DIR, while the server runs.
 
     Into an existing backup only new files are copied. An interrupted backup can be continued; until it is
-    complete, DIR remains the earlier backup. DIR contains the signing key and everyone's data: protect it
-    accordingly.
+    complete, DIR remains the earlier backup. The database is read back first: of a damaged one no backup is
+    made, and the last good one stays. DIR keeps the last two. DIR contains the signing key and everyone's
+    data: protect it accordingly.
     """
     from sightline.infra.backup.make import make_backup
     from sightline.infra.backup.restore import check_backup
@@ -61,7 +62,8 @@ def backup(folder: Path, reading_back: bool, prune: bool, data_dir: Path | None)
     type=click.Path(file_okay=False, path_type=Path),
     help="New or empty folder for the installation.",
 )
-def restore(folder: Path, data_dir: Path) -> None:
+@click.option("--earlier", is_flag=True, help="Restore the state before the last; DIR keeps the last two.")
+def restore(folder: Path, data_dir: Path, earlier: bool) -> None:
     """Restore the backup in DIR into an empty place: data folder, database, media store.
 
     The database is SQLite unless SIGHTLINE_DATABASE_URL names an empty PostgreSQL database (for a backup of
@@ -71,7 +73,7 @@ def restore(folder: Path, data_dir: Path) -> None:
     from sightline.infra.backup.restore import restore_backup
 
     settings = settings_of(data_dir=data_dir)
-    found = restore_backup(folder, settings, progress_told())
+    found = restore_backup(folder, settings, progress_told(), earlier=earlier)
     assert found.audit is not None
     click.echo(
         f"{data_dir}: {_what(found.manifest)}; the audit chain of {found.audit.checked} events holds, head "

@@ -4387,6 +4387,9 @@ backup-place-not-empty = { $place } is not empty; restore into a new or empty pl
 backup-database-not-empty = The PostgreSQL database already has tables; restore into an empty one.
 backup-chains-end-elsewhere = The audit chains in the backup's database do not end as its manifest states; use another backup.
 backup-chain-broken = The database in the backup does not verify: { $problem }
+backup-damaged-kept = { $problem } No new backup was made; the last good one, of { $at } UTC, is still in { $folder }.
+backup-damaged-none-before = { $problem } No backup was made; { $folder } has no earlier one, only copies of the media files.
+backup-no-earlier = { $folder } holds one backup only; leave out --earlier.
 backup-media-missing = { $count ->
     [one] The backup is complete, but a media file that the database refers to is not in the media store: { $names }
    *[other] The backup is complete, but { $count } media files that the database refers to are not in the media store, such as { $names }
@@ -4509,7 +4512,7 @@ geometry-cannot-planned-give-one = A { $what } of { $value } { $unit } is out of
 audit-signing-key-unreadable = { $path } holds no signing key (64 hexadecimal digits); put it back from a backup.
 audit-signing-key-another = This machine's signing key is not the one that the database was signed with; put signing.key back from a backup, or give all machines the same SIGHTLINE_SIGNING_KEY.
 audit-database-made-another-version-verify-one = This database was made by another version; verify it with that version, or open it once with this one (`sightline serve`), which updates it.
-audit-not-sightline-database-name-sightline-db = { $name } is not a Sightline database; name the sightline.db of a data folder.
+audit-not-sightline-database-name-sightline-db = { $name } is not a Sightline database, or its beginning is damaged; name the sightline.db of a data folder, or restore a backup.
 
 ## Errors: csv_package
 
@@ -4555,7 +4558,9 @@ database-database-busy-another-writer-try-again = The database is busy with anot
 database-database-file-cannot-opened-writing-check = The database file cannot be opened for writing; check the folder's permissions.
 database-database-address-cannot-read-use-sqlite = The database address cannot be read; use sqlite:///FILE or postgresql+psycopg://.
 database-no-database-check-name = There is no database { $path }; check its name.
-database-file-not-database-program-give-right = This file is not a Sightline database; give the right file.
+database-file-not-database-program-give-right = This file is not a Sightline database, or its beginning is damaged; give the right file, or restore a backup.
+database-damaged = The database is damaged: parts of its file hold something else. Stop the server, keep a copy of the data folder, and restore the last backup (sightline restore).
+database-damaged-tables = The database is damaged in { $tables }; its { $whole } other tables can be read. Stop the server, keep a copy of the data folder, and restore the last backup (sightline restore).
 database-no-migrations-set-sightline-migrations-folder = There are no migrations in { $folder }; set SIGHTLINE_MIGRATIONS to the folder that has them.
 database-database-made-newer-version-update-one = The database was made by a newer version; update this one before opening it.
 database-no-may-been-removed-go-back = There is no { $word }{ $number }; it may have been removed. Go back and choose another.

@@ -4380,6 +4380,9 @@ backup-place-not-empty = { $place } n’est pas vide ; restaurez dans un empla
 backup-database-not-empty = La base PostgreSQL a déjà des tables ; restaurez dans une base vide.
 backup-chains-end-elsewhere = Les chaînes d’audit de la base sauvegardée ne finissent pas là où le dit son manifeste ; utilisez une autre sauvegarde.
 backup-chain-broken = La base sauvegardée échoue au contrôle : { $problem }
+backup-damaged-kept = { $problem } Aucune nouvelle sauvegarde n’a été faite ; la dernière bonne, du { $at } UTC, est toujours dans { $folder }.
+backup-damaged-none-before = { $problem } Aucune sauvegarde n’a été faite ; { $folder } n’en contient pas d’antérieure, seulement des copies des fichiers médias.
+backup-no-earlier = { $folder } ne contient qu’une sauvegarde ; omettez --earlier.
 backup-media-missing = { $count ->
     [one] La sauvegarde est complète, mais un fichier média que la base nomme n’est pas dans le stockage des médias : { $names }
    *[other] La sauvegarde est complète, mais { $count } fichiers médias que la base nomme ne sont pas dans le stockage des médias, par exemple { $names }
@@ -4505,7 +4508,7 @@ geometry-cannot-planned-give-one = { $what } : { $value } { $unit } est hors pl
 audit-signing-key-unreadable = { $path } ne contient pas de clé de signature (64 chiffres hexadécimaux) ; rétablissez-la depuis une sauvegarde.
 audit-signing-key-another = La clé de signature de cette machine n’est pas celle qui a signé la base de données ; rétablissez signing.key depuis une sauvegarde, ou donnez à toutes les machines le même SIGHTLINE_SIGNING_KEY.
 audit-database-made-another-version-verify-one = Cette base de données a été faite par une autre version ; contrôlez-la avec celle-là, ou ouvrez-la une fois avec celle-ci (`sightline serve`), qui la met à jour.
-audit-not-sightline-database-name-sightline-db = { $name } n’est pas une base de données Sightline ; nommez le sightline.db d’un dossier de données.
+audit-not-sightline-database-name-sightline-db = { $name } n’est pas une base de données de Sightline, ou son début est endommagé ; nommez le fichier sightline.db d’un dossier de données, ou restaurez une sauvegarde.
 
 ## Erreurs : csv_package
 
@@ -4551,7 +4554,9 @@ database-database-busy-another-writer-try-again = La base de données est occup�
 database-database-file-cannot-opened-writing-check = Le fichier de la base de données ne peut pas être ouvert en écriture ; vérifiez les droits du dossier.
 database-database-address-cannot-read-use-sqlite = L’adresse de la base de données est illisible ; utilisez sqlite:///FILE ou postgresql+psycopg://.
 database-no-database-check-name = Il n’y a pas de base de données { $path } ; vérifiez son nom.
-database-file-not-database-program-give-right = Ce fichier n’est pas une base de données de ce programme ; indiquez la bonne.
+database-file-not-database-program-give-right = Ce fichier n’est pas une base de données de Sightline, ou son début est endommagé ; indiquez la bonne, ou restaurez une sauvegarde.
+database-damaged = La base de données est endommagée : des parties de son fichier contiennent autre chose. Arrêtez le serveur, gardez une copie du dossier de données et restaurez la dernière sauvegarde (sightline restore).
+database-damaged-tables = La base de données est endommagée dans { $tables } ; ses { $whole } autres tables sont lisibles. Arrêtez le serveur, gardez une copie du dossier de données et restaurez la dernière sauvegarde (sightline restore).
 database-no-migrations-set-sightline-migrations-folder = Il n’y a pas de migrations dans { $folder } ; réglez SIGHTLINE_MIGRATIONS sur le dossier qui les contient.
 database-database-made-newer-version-update-one = La base de données a été faite par une version plus récente ; mettez celle-ci à jour avant de l’ouvrir.
 database-no-may-been-removed-go-back = Introuvable : { $word ->

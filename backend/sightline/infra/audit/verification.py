@@ -12,7 +12,6 @@ from collections.abc import Iterator
 from typing import Any
 
 from sqlalchemy import Engine, Table, inspect, select
-from sqlalchemy.exc import DatabaseError, OperationalError
 from sqlalchemy.orm import Session
 
 from sightline.errors import BadInput
@@ -31,13 +30,14 @@ from sightline.infra.audit.vouched import (
     marked,
 )
 from sightline.infra.database.engine import (
-    explanation,
+    explained,
     make_engine,
     newest_revision,
     reading,
     session_factory,
     stored_revision,
 )
+from sightline.infra.database.pages import require_whole_pages
 from sightline.infra.database.rows import row_hash
 
 Promises = dict[str, dict[int, str]]
@@ -62,7 +62,7 @@ def verify_records(session: Session) -> Verification:
 def verify_database(url: str, name: str = "This address") -> Verification:
     """The same for a database by its URL, without changing it; `name` is what a refusal calls it.
 
-    Raises BadInput for what is not ours or of another version, DatabaseAway.
+    Raises BadInput for what is not ours or of another version, Damaged by table, DatabaseAway.
     """
     engine = make_engine(url, must_exist=True)
     try:
@@ -70,6 +70,7 @@ def verify_database(url: str, name: str = "This address") -> Verification:
             raise BadInput("audit-not-sightline-database-name-sightline-db", name=name)
         with reading(session_factory(engine)) as session:
             _require_version(session)
+            require_whole_pages(session.connection())
             return verify_records(session)
     finally:
         engine.dispose()
@@ -83,10 +84,9 @@ def _require_version(session: Session) -> None:
 
 def _holds_a_chain(engine: Engine) -> bool:
     try:
-        return inspect(engine).has_table(audit_events.name)
-    except OperationalError as error:
-        raise explanation(error) from error
-    except DatabaseError:
+        with explained():
+            return inspect(engine).has_table(audit_events.name)
+    except BadInput:
         return False
 
 

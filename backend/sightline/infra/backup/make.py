@@ -2,6 +2,9 @@
 
 The database needs media. What it names at its moment is in the first pass, or came during it and is in the
 second; what is in the store and not in the database is harmless. So the database lies between two passes.
+
+The copy of the database is read back, pages and chains, before it counts as a state. One that is damaged is
+none: the last good state stays, and so does the one before a new one.
 """
 
 import os
@@ -14,8 +17,9 @@ from pathlib import Path
 from sqlalchemy.orm import Session
 
 from sightline.enums import KeyFrom
-from sightline.errors import BadInput
+from sightline.errors import BadInput, Damaged
 from sightline.infra.audit.signing import FILE as SIGNING_KEY
+from sightline.infra.audit.verification import verify_records
 from sightline.infra.backup.manifest import (
     FORMAT,
     JOURNAL,
@@ -35,6 +39,7 @@ from sightline.infra.backup.postgres_copy import copy_out
 from sightline.infra.backup.sqlite_copy import copy_sqlite, settle
 from sightline.infra.backup.state import continues, heads_of, needed_media, require_this_version
 from sightline.infra.database.engine import make_engine, reading, session_factory, sqlite_file
+from sightline.infra.database.pages import require_whole_pages
 from sightline.infra.services import Services
 from sightline.infra.version import code_version
 from sightline.infra.web.secret import FILE as SECRET
@@ -64,11 +69,16 @@ class _State:
     tables: dict[str, CopiedTable]
 
 
+class _Unsound(Exception):
+    """The chains of the database that was copied do not hold: why, as a sentence."""
+
+
 def make_backup(services: Services, folder: Path, tell: Tell, *, pruning: bool = False) -> MadeBackup:
     """Back up into a folder, which stays the backup that it was until this one is whole.
 
     `pruning` removes media of earlier backups that this one does not name.
-    Raises BadInput (a folder with other things, another installation's), Conflict, NoRoom, DatabaseAway.
+    Raises BadInput (a folder with other things, another installation's), Conflict, NoRoom, DatabaseAway, and
+    Damaged where the database is: by table, with the state that is kept.
     """
     settings = services.settings
     _require_apart(folder, settings)
@@ -80,7 +90,7 @@ def make_backup(services: Services, folder: Path, tell: Tell, *, pruning: bool =
         name = moment.strftime("%Y%m%dT%H%M%S.%fZ")
         place = folder / STATES / name
         place.mkdir(parents=True, mode=0o700)
-        state = _copy_database(services, place, before, lambda share: tell(0.6 + 0.3 * share, "database"))
+        state = _sound_copy(services, folder, place, before, tell)
         keys = _copy_keys(settings, place)
         copies.take(services.media, lambda share: tell(0.9 + 0.1 * share, "media that came meanwhile"))
         manifest = Manifest(
@@ -100,9 +110,10 @@ def make_backup(services: Services, folder: Path, tell: Tell, *, pruning: bool =
         )
         for made in (place, place.parent):
             sync_folder(made)
+        write_manifest(place, manifest)
         write_manifest(folder, manifest)
         tell(1.0, "whole")
-        return MadeBackup(manifest, copies.fresh, _tidy(folder, manifest, pruning))
+        return MadeBackup(manifest, copies.fresh, _tidy(folder, manifest, before, pruning))
 
 
 def _require_apart(folder: Path, settings: Settings) -> None:
@@ -110,6 +121,21 @@ def _require_apart(folder: Path, settings: Settings) -> None:
     ours, data = folder.absolute().resolve(), settings.data_dir.absolute().resolve()
     if ours.is_relative_to(data) or data.is_relative_to(ours):
         raise BadInput("backup-folder-in-data-folder", folder=folder)
+
+
+def _sound_copy(services: Services, folder: Path, place: Path, before: Manifest | None, tell: Tell) -> _State:
+    """The database copied and read back. Whatever goes wrong, no part of a state is left."""
+    try:
+        return _copy_database(services, place, before, lambda share: tell(0.6 + 0.3 * share, "database"))
+    except BaseException as error:
+        shutil.rmtree(place, ignore_errors=True)
+        if not isinstance(error, _Unsound | Damaged):
+            raise
+        if before is None:
+            raise Damaged("backup-damaged-none-before", problem=str(error), folder=folder) from error
+        raise Damaged(
+            "backup-damaged-kept", problem=str(error), at=before.at[:19].replace("T", " "), folder=folder
+        ) from error
 
 
 def _copy_database(
@@ -125,6 +151,7 @@ def _copy_database(
     engine = make_engine(sqlite_url(place / DATABASE))
     try:
         with reading(session_factory(engine)) as session:
+            require_whole_pages(session.connection())
             state = _described(session, before, {})
     finally:
         engine.dispose()
@@ -136,6 +163,8 @@ def _described(session: Session, before: Manifest | None, tables: dict[str, Copi
     revision = require_this_version(session)
     if before is not None and not continues(session, before.heads):
         raise BadInput("backup-of-another-installation")
+    if (problem := verify_records(session).problem) is not None:
+        raise _Unsound(problem)
     return _State(revision, heads_of(session), needed_media(session), tables)
 
 
@@ -166,10 +195,13 @@ def _kept(path: Path) -> StoredFile:
     return stored_file(path)
 
 
-def _tidy(folder: Path, manifest: Manifest, pruning: bool) -> int:
-    """Remove earlier states and the journal, which the manifest has taken the place of; media if asked."""
+def _tidy(folder: Path, manifest: Manifest, before: Manifest | None, pruning: bool) -> int:
+    """Keep this state and the one before; others, the journal and, if asked, media of neither are removed."""
+    kept = {one.state: one for one in (before, manifest) if one is not None}
     for state in (folder / STATES).iterdir():
-        if state.name != manifest.state:
+        if state.name not in kept:
             shutil.rmtree(state)
+        elif not (state / MANIFEST).is_file():  # of a version that kept one state only
+            write_manifest(state, kept[state.name])
     (folder / JOURNAL).unlink(missing_ok=True)
-    return prune(folder, manifest) if pruning else 0
+    return prune(folder, list(kept.values())) if pruning else 0

@@ -1,7 +1,7 @@
 """What a backup's folder holds and how it is read: `manifest.json`, written last, names every file by hash.
 
     manifest.json            a folder without one is no backup
-    states/TIME/             the database and the keys at one moment
+    states/TIME/             the database and the keys at one moment, with a manifest of its own; the last two
     media/ab/cd/SHA256       media by the hash of their content
     copied.jsonl             which media an unfinished backup has copied
     backup.lock              held while a backup is made
@@ -83,6 +83,7 @@ def write_manifest(folder: Path, manifest: Manifest) -> None:
     text = json.dumps({**content, "sha256": _seal(content)}, indent=1, ensure_ascii=False)
     with atomic_file(folder / MANIFEST) as part:
         part.write_text(text + "\n", encoding="utf-8")
+        part.chmod(0o600)
 
 
 def read_manifest(folder: Path) -> Manifest:
@@ -102,6 +103,16 @@ def read_manifest(folder: Path) -> Manifest:
     if not whole or not _names_are_plain(manifest):
         raise Damaged("backup-manifest-damaged", path=path)
     return manifest
+
+
+def read_earlier(folder: Path) -> Manifest:
+    """The manifest of the state before the last. Raises BadInput where there is none, Damaged."""
+    last = read_manifest(folder).state
+    states = sorted(path.parent for path in (folder / STATES).glob(f"*/{MANIFEST}"))
+    earlier = [state for state in states if state.name != last]
+    if not earlier:
+        raise BadInput("backup-no-earlier", folder=folder)
+    return read_manifest(earlier[-1])
 
 
 def media_file(folder: Path, content_sha256: str) -> Path:

@@ -3,7 +3,7 @@
 import hashlib
 import json
 import os
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import IO
 from uuid import uuid4
@@ -94,9 +94,9 @@ def _journal(path: Path) -> dict[str, StoredFile]:
     return found
 
 
-def prune(folder: Path, manifest: Manifest) -> int:
-    """Remove media that the manifest does not name; how many."""
-    named = {media_file(folder, one.sha256) for one in manifest.media.values()}
+def prune(folder: Path, manifests: Sequence[Manifest]) -> int:
+    """Remove media that no manifest names; how many."""
+    named = {media_file(folder, one.sha256) for manifest in manifests for one in manifest.media.values()}
     gone = [path for path in (folder / MEDIA).glob("??/??/*") if path not in named]
     for path in gone:
         path.unlink()

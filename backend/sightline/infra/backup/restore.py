@@ -14,7 +14,7 @@ from sightline.errors import BadInput, Damaged
 from sightline.infra.audit.records import Verification
 from sightline.infra.audit.verification import verify_records
 from sightline.infra.backup.make import DATABASE, Tell
-from sightline.infra.backup.manifest import STATES, Manifest, read_manifest, require_whole
+from sightline.infra.backup.manifest import STATES, Manifest, read_earlier, read_manifest, require_whole
 from sightline.infra.backup.media_copy import check_media, put_back
 from sightline.infra.backup.postgres_copy import copy_in
 from sightline.infra.backup.state import heads_of
@@ -27,6 +27,7 @@ from sightline.infra.database.engine import (
     sqlite_file,
 )
 from sightline.infra.database.migrations import upgrade
+from sightline.infra.database.pages import require_whole_pages
 from sightline.media.store.local import MediaStore, check_room, copy_whole, open_store
 from sightline.settings import Settings, sqlite_url
 
@@ -57,13 +58,14 @@ def check_backup(folder: Path, tell: Tell) -> ReadBackup:
     return ReadBackup(manifest, audit)
 
 
-def restore_backup(folder: Path, settings: Settings, tell: Tell) -> ReadBackup:
+def restore_backup(folder: Path, settings: Settings, tell: Tell, *, earlier: bool = False) -> ReadBackup:
     """Restore into an empty data folder, database and media store; after an error they are empty again.
 
+    `earlier`: not the last state, but the one before it.
     The database comes last and is kept only if its audit chains hold and end as they did.
     Raises BadInput (a place that is not empty, another kind of database), Damaged by name, NoRoom.
     """
-    manifest = read_manifest(folder)
+    manifest = read_earlier(folder) if earlier else read_manifest(folder)
     data_dir, path = settings.data_dir, sqlite_file(settings.database_url)
     _require_empty(manifest, settings)
     state = _whole_state(folder, manifest, tell, 0.0)
@@ -158,6 +160,7 @@ def _sqlite_in(source: Path, target: Path, manifest: Manifest) -> Verification:
         try:
             migrate(engine)
             with reading(session_factory(engine)) as session:
+                require_whole_pages(session.connection())
                 found = _verified(session, manifest)
         finally:
             engine.dispose()

@@ -5,7 +5,8 @@ from collections.abc import Callable
 from contextlib import closing
 from pathlib import Path
 
-from sightline.infra.database.engine import DatabaseAway
+from sightline.errors import Damaged
+from sightline.infra.database.engine import DatabaseAway, damage_in
 
 _PAGES = 2048  # a step; between steps progress is told and Ctrl-C is heard
 
@@ -14,7 +15,7 @@ def copy_sqlite(source: Path, target: Path, told: Callable[[float], None]) -> No
     """Copy the database at `source` to the new file `target`; `told` gets the share that is done.
 
     The reading transaction is held from before the first step: a step would begin the copy anew wherever
-    somebody wrote between two. Writers do not wait (write-ahead log). Raises DatabaseAway.
+    somebody wrote between two. Writers do not wait (write-ahead log). Raises DatabaseAway, Damaged.
     """
 
     def step(_status: int, left: int, pages: int) -> None:
@@ -30,6 +31,8 @@ def copy_sqlite(source: Path, target: Path, told: Callable[[float], None]) -> No
             read.backup(write, pages=_PAGES, progress=step)
             read.execute("ROLLBACK")
     except sqlite3.Error as error:
+        if damage_in(str(error)) is not None:
+            raise Damaged("database-damaged") from error
         raise DatabaseAway("backup-database-not-copied", path=source, said=str(error)) from error
 
 

@@ -22,7 +22,7 @@ from sqlalchemy import Connection, Engine, create_engine, event, make_url, text
 from sqlalchemy.exc import ArgumentError, DatabaseError, OperationalError
 from sqlalchemy.orm import Session, sessionmaker
 
-from sightline.errors import BadInput, NoRoom, SightlineError
+from sightline.errors import BadInput, Damaged, NoRoom, SightlineError
 
 # Advisory locks are the database's; an installation's are those of its schema.
 _TURN = "pg_advisory_xact_lock{kind}(hashtextextended(current_schema() || :turn, 7419))"
@@ -36,6 +36,8 @@ _EVERYTHING = {"turn": "/everything"}
 # More connections than requests may read at once (infra/web/turns.py), for there are short questions beside.
 _POOL: dict[str, Any] = {"pool_size": 10, "max_overflow": 30, "pool_timeout": 10}
 _WRITING, _UNSYNCED = "sightline_writing", "sightline_unsynced"
+# What SQLite says where pages of its file hold something else; PostgreSQL of a block it cannot read.
+_DAMAGED = ("malformed", "Could not decode to UTF-8", "invalid page in block", "could not read block")
 _sqlite_writer = threading.RLock()
 _REVISION = re.compile(r'^revision\b[^=\n]*= *"([^"]+)"', re.MULTILINE)
 _FOLLOWS = re.compile(r'^down_revision\b[^=\n]*= *"([^"]+)"', re.MULTILINE)
@@ -261,20 +263,24 @@ def engine_of(factory: SessionFactory) -> Engine:
 
 @contextmanager
 def explained() -> Iterator[None]:
-    """Turn the database's operational errors into one sentence: full disk, locked, away."""
+    """Turn the database's own errors into one sentence: full disk, locked, away, damaged, no database."""
     try:
         yield
-    except OperationalError as error:
-        raise explanation(error) from error
     except DatabaseError as error:
-        if "not a database" in str(error.orig):
-            raise BadInput("database-file-not-database-program-give-right") from error
-        raise
+        said = explanation(error)
+        if said is None:
+            raise
+        raise said from error
 
 
-def explanation(error: OperationalError) -> SightlineError:
-    """What an operational error means to the person in front."""
-    words = str(error.orig).lower()
+def explanation(error: DatabaseError) -> SightlineError | None:
+    """What an error of the database means to the person in front; None for a fault of the program."""
+    words = str(error.orig)
+    if (damage := damage_in(words)) is not None:
+        return damage
+    if not isinstance(error, OperationalError):
+        return None
+    words = words.lower()
     if "full" in words or "no space" in words:
         return NoRoom("database-disk-full-nothing-saved-make-room")
     if "locked" in words:
@@ -282,3 +288,12 @@ def explanation(error: OperationalError) -> SightlineError:
     if "unable to open" in words or "readonly" in words:
         return DatabaseAway("database-database-file-cannot-opened-writing-check")
     return DatabaseAway("database-database-not-answer-check-runs-address")
+
+
+def damage_in(words: str) -> SightlineError | None:
+    """The sentence for a file whose content is not a database's any more, by SQLite's words; else None."""
+    if "not a database" in words:
+        return BadInput("database-file-not-database-program-give-right")
+    if any(sign in words for sign in _DAMAGED):
+        return Damaged("database-damaged")
+    return None

@@ -8,7 +8,7 @@ from fastapi import FastAPI, Request
 from fastapi.exceptions import RequestValidationError
 from fastapi.responses import JSONResponse
 from pydantic import TypeAdapter
-from sqlalchemy.exc import DataError, OperationalError
+from sqlalchemy.exc import DatabaseError, DataError
 from sqlalchemy.exc import TimeoutError as PoolTimeout
 from starlette.exceptions import HTTPException
 
@@ -89,8 +89,8 @@ def unexpected(request: Request, error: Exception) -> JSONResponse:
     """Anything else: logged whole for us, one sentence for the person in front."""
     if isinstance(error, PoolTimeout):
         return known(request, Busy("web-server-busy"))
-    if isinstance(error, OperationalError):
-        return answer(explanation(error))
+    if isinstance(error, DatabaseError) and (said := explanation(error)) is not None:
+        return answer(said)
     if isinstance(error, DataError):
         # Out of a query string, a file name or an imported table: the bodies are checked before.
         return answer(BadInput("request-value-not-storable"))
@@ -109,7 +109,7 @@ def install(app: FastAPI) -> None:
     app.add_exception_handler(SightlineError, known)
     app.add_exception_handler(RequestValidationError, malformed)
     app.add_exception_handler(HTTPException, plain_http)
-    app.add_exception_handler(OperationalError, unexpected)
+    app.add_exception_handler(DatabaseError, unexpected)
     app.add_exception_handler(PoolTimeout, unexpected)
     app.add_exception_handler(DataError, unexpected)
     app.add_exception_handler(OSError, unexpected)

@@ -1,0 +1,121 @@
+"""Pages of a SQLite file that hold noise: every command and the server say so, and name the tables."""
+
+import random
+import sqlite3
+from contextlib import closing
+from pathlib import Path
+
+import pytest
+
+from sightline.cli import main
+from sightline.infra.audit.signing import signing_key
+from sightline.infra.backup.manifest import STATES, read_manifest
+from sightline.infra.database.engine import migrate
+from sightline.infra.services import open_services
+from sightline.infra.stored_bytes import put_bytes
+from sightline.settings import Settings
+from tests.support import samples
+
+TABLES = {"one table": ["road_poses"], "three tables": ["measurements", "road_poses", "surveys"]}
+
+
+@pytest.fixture
+def data_dir(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """A data folder with a measurement and a medium, on SQLite, that nobody has open."""
+    for name in ("DATABASE_URL", "MEDIA_URL", "SIGNING_KEY", "SECRET"):
+        monkeypatch.delenv(f"SIGHTLINE_{name}", raising=False)
+    folder = tmp_path / "data"
+    with_services(folder)
+    return folder
+
+
+def with_services(folder: Path) -> None:
+    services = open_services(Settings(data_dir=folder), decode_in_child=False)
+    migrate(services.engine)
+    with services.writing() as session:
+        samples.measure(session, samples.sample(session))
+    put_bytes(services, b"a picture", ".jpg")
+    signing_key(services.settings)
+    services.close()
+    settle(folder / "sightline.db")
+
+
+def settle(path: Path) -> None:
+    """All in the one file, whose pages can then be overwritten."""
+    with closing(sqlite3.connect(path)) as connection:
+        connection.execute("PRAGMA wal_checkpoint(TRUNCATE)").fetchall()
+
+
+def spoil(path: Path, *tables: str) -> None:
+    """Noise over the first page of each table's tree."""
+    with closing(sqlite3.connect(path)) as connection:
+        size = connection.execute("PRAGMA page_size").fetchone()[0]
+        query = "SELECT rootpage FROM sqlite_master WHERE name = ?"
+        pages = [connection.execute(query, (table,)).fetchone()[0] for table in tables]
+    noise = random.Random(5)
+    with path.open("r+b") as file:
+        for page in pages:
+            file.seek((page - 1) * size)
+            file.write(b"\xff" + noise.randbytes(size - 1))
+
+
+def test_every_command_says_what_is_damaged(
+    data_dir: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    spoil(data_dir / "sightline.db", "measurements", "surveys")
+    assert main(["verify", str(data_dir)]) == 1
+    said = capsys.readouterr().err
+    assert "damaged in measurements, surveys; its " in said and said.count("\n") == 1
+    asked = ["--survey", "1", "-o", str(tmp_path / "out"), "--data-dir", str(data_dir)]
+    assert main(["export", *asked]) == 1
+    assert "The database is damaged" in capsys.readouterr().err
+    assert not (tmp_path / "out").exists()
+
+
+@pytest.mark.parametrize("command", ["verify", "export"])
+def test_a_file_whose_beginning_is_noise(
+    data_dir: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str], command: str
+) -> None:
+    with (data_dir / "sightline.db").open("r+b") as file:
+        file.write(random.Random(1).randbytes(8192))
+    rest = {
+        "verify": [str(data_dir)],
+        "export": ["--survey", "1", "-o", str(tmp_path / "out"), "--data-dir", str(data_dir)],
+    }[command]
+    assert main([command, *rest]) == 2
+    said = capsys.readouterr().err
+    assert "its beginning is damaged" in said and "DatabaseError" not in said
+
+
+@pytest.mark.parametrize("harm", ["one table", "three tables", "beginning"])
+def test_a_backup_of_a_damaged_database_leaves_the_last_good_one(
+    data_dir: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str], harm: str
+) -> None:
+    folder, asked = tmp_path / "backup", ["backup", str(tmp_path / "backup"), "--data-dir", str(data_dir)]
+    main(asked)
+    good = read_manifest(folder)
+    if harm == "beginning":
+        with (data_dir / "sightline.db").open("r+b") as file:
+            file.write(random.Random(1).randbytes(8192))
+    else:
+        spoil(data_dir / "sightline.db", *TABLES[harm])
+    capsys.readouterr()
+    assert main(asked) == 1
+    said = capsys.readouterr().err.splitlines()[-1]
+    assert "No new backup was made; the last good one, of 20" in said and str(folder) in said
+    if harm != "beginning":
+        assert f"damaged in {', '.join(TABLES[harm])}; its " in said
+    assert [path.name for path in (folder / STATES).iterdir()] == [good.state]
+    assert main(["verify", str(folder)]) == 0
+    assert main(["restore", str(folder), "--data-dir", str(tmp_path / "restored")]) == 0
+
+
+def test_a_damaged_database_without_an_earlier_backup(
+    data_dir: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    spoil(data_dir / "sightline.db", "measurements")
+    assert main(["backup", str(tmp_path / "backup"), "--data-dir", str(data_dir)]) == 1
+    said = capsys.readouterr().err
+    assert "damaged in measurements" in said and "has no earlier one" in said
+    assert list((tmp_path / "backup" / STATES).iterdir()) == []
+    assert main(["restore", str(tmp_path / "backup"), "--data-dir", str(tmp_path / "x")]) == 2
