@@ -6,6 +6,7 @@ from contextlib import closing
 from pathlib import Path
 
 import pytest
+from fastapi import Response
 
 from sightline.cli import main
 from sightline.infra.audit.signing import signing_key
@@ -13,6 +14,7 @@ from sightline.infra.backup.manifest import STATES, read_manifest
 from sightline.infra.database.engine import migrate
 from sightline.infra.services import open_services
 from sightline.infra.stored_bytes import put_bytes
+from sightline.infra.web.health import ready
 from sightline.settings import Settings
 from tests.support import samples
 
@@ -119,3 +121,21 @@ def test_a_damaged_database_without_an_earlier_backup(
     assert "damaged in measurements" in said and "has no earlier one" in said
     assert list((tmp_path / "backup" / STATES).iterdir()) == []
     assert main(["restore", str(tmp_path / "backup"), "--data-dir", str(tmp_path / "x")]) == 2
+
+
+def test_a_server_does_not_start_on_a_damaged_database(
+    data_dir: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    spoil(data_dir / "sightline.db", "measurements")
+    assert main(["serve", "--port", "0", "--workers", "0", "--data-dir", str(data_dir)]) == 1
+    assert "damaged in measurements; its " in capsys.readouterr().err
+
+
+def test_a_server_on_a_damaged_database_is_not_ready(data_dir: Path) -> None:
+    spoil(data_dir / "sightline.db", "measurements")
+    services = open_services(Settings(data_dir=data_dir), decode_in_child=False)
+    response = Response()
+    found = ready(services, response)
+    services.close()
+    assert response.status_code == 503 and not found.ok
+    assert found.database is not None and "damaged in measurements; its " in found.database

@@ -91,6 +91,7 @@ def serve_on(
     from sightline.infra.database.engine import make_engine, migrate
     from sightline.infra.jobs.workers import start_child_workers
     from sightline.infra.log import begin_log
+    from sightline.infra.page_watch import PageWatch
     from sightline.infra.services import open_services
     from sightline.infra.web.metrics import serve_metrics
     from sightline.people.service import first_sign_in_link
@@ -103,6 +104,7 @@ def serve_on(
     engine.dispose()
     services = open_services(settings)
     stack.callback(services.close)
+    services.part(PageWatch).require_whole()
     link = first_sign_in_link(services)
     if with_demo:
         request_demonstration(services)

@@ -47,9 +47,9 @@ def page_damage(connection: Connection, *, quick: bool = False) -> PageDamage | 
     return PageDamage(tuple(bad), len(names) - len(bad))
 
 
-def require_whole_pages(connection: Connection) -> None:
+def require_whole_pages(connection: Connection, *, quick: bool = False) -> None:
     """Raises Damaged, naming the tables."""
-    if (damage := page_damage(connection)) is not None:
+    if (damage := page_damage(connection, quick=quick)) is not None:
         raise damage.sentence
 
 

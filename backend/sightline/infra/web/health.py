@@ -11,6 +11,7 @@ from sightline.enums import JobState
 from sightline.errors import SightlineError
 from sightline.infra.jobs.store import count_jobs
 from sightline.infra.licences import Library, libraries
+from sightline.infra.page_watch import PageWatch
 from sightline.infra.services import Services
 from sightline.infra.version import code_version
 from sightline.infra.web.bodies import Out
@@ -93,6 +94,7 @@ def _database(services: Services) -> str | None:
     try:
         with services.reading() as session:
             session.execute(text("SELECT 1"))
+        services.part(PageWatch).require_whole()
     except SightlineError as error:
         return error.message
     return None
