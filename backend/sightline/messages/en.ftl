@@ -4441,6 +4441,11 @@ export-missing-named-twice-crops-csv-take = { $path } is missing or named twice 
 export-first-characters-head-prove-little-give = The audit head is too short ({ $count } characters). Enter at least { $least_of_head }.
 export-audit-csv-ends-not-head-kept = audit.csv ends with { $head }, not with the given audit head: it was rewritten, or this is another export.
 export-no-no-whole-export-export-survey = There is no { $checksums }, so this is not a complete export; export the survey again.
+export-package-is-inside = The package is one level down, in { $inner }; give that.
+export-stray-files = { $count ->
+    [one] The system put a file beside those of the package: { $names }
+   *[other] The system put { $count } files beside those of the package: { $names }
+ }. Delete what is named here and check again; no file of the package has been looked at yet.
 export-not-belong-export-take-out-check = { $strange } does not belong to the export; remove it and check again.
 export-changed-after-export-take-whole-export = { $path } was changed after the export; take the whole export again.
 export-checkpoint-form = checkpoint.json is not written as this program writes it; take the whole export again.

@@ -4437,6 +4437,11 @@ export-missing-named-twice-crops-csv-take = { $path } manque ou est nommé deux 
 export-first-characters-head-prove-little-give = Les { $count } premiers caractères d’une tête prouvent peu ; indiquez-en au moins { $least_of_head }.
 export-audit-csv-ends-not-head-kept = audit.csv finit par { $head }, non par la tête conservée : il a été réécrit, ou c’est un autre export.
 export-no-no-whole-export-export-survey = { $checksums } manque : ce n’est pas un export complet ; exportez à nouveau le relevé.
+export-package-is-inside = Le paquet est un niveau plus bas, dans { $inner } ; indiquez celui-là.
+export-stray-files = { $count ->
+    [one] Le système a ajouté un fichier à ceux du paquet : { $names }
+   *[other] Le système a ajouté { $count } fichiers à ceux du paquet : { $names }
+ }. Supprimez ce qui est nommé ici et relancez le contrôle ; aucun fichier du paquet n’a encore été examiné.
 export-not-belong-export-take-out-check = { $strange } n’appartient pas à l’export ; retirez-le et contrôlez à nouveau.
 export-changed-after-export-take-whole-export = { $path } a été modifié après l’export ; reprenez l’export complet.
 export-checkpoint-form = checkpoint.json n’est pas écrit comme ce programme l’écrit ; reprenez l’export complet.

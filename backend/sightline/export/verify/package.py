@@ -33,11 +33,14 @@ from sightline.infra.audit.checkpoints import checkpoint_problem
 from sightline.infra.audit.records import AuditHead, survey_chain
 from sightline.infra.csv_package.files import (
     Files,
+    InFolder,
     Tick,
     checksum_lines,
+    is_stray,
     missing,
     no_tick,
     open_package,
+    package_inside,
     read_whole,
     sum_of,
 )
@@ -100,8 +103,20 @@ class _Found:
 def verify_place(
     place: Path, head: str | None = None, key: str | None = None, tick: Tick = no_tick
 ) -> PackageCheck:
-    """Check an exported folder or ZIP. Raises BadInput for anything else."""
-    return verify_package(open_package(place), head, key, tick)
+    """Check an exported folder or ZIP, in a ZIP also one that lies in a folder. Raises BadInput for anything
+    else, and for a folder that holds a package one level down, which it names.
+    """
+    files = open_package(place)
+    if CHECKSUMS in files.paths or (inner := package_inside(files.paths)) is None:
+        return verify_package(files, head, key, tick)
+    if place.is_dir() or inner.lower().endswith(".zip"):
+        raise BadInput("export-package-is-inside", inner=place / inner)
+    found = verify_package(InFolder(files, inner), head, key, tick)
+    found.notes.append(
+        f"In the ZIP the package lies in the folder {inner}: this is not the file that Sightline wrote, but "
+        "one that somebody packed anew."
+    )
+    return found
 
 
 def verify_package(
@@ -237,6 +252,8 @@ def checksums(files: Files) -> dict[str, Written]:
         sum_, _, path = line.partition("  ")
         listed[path] = sum_
     strange = sorted(there - set(listed) - {CHECKSUMS})
+    if stray := [path for path in strange if is_stray(path)]:
+        raise Damaged("export-stray-files", count=len(stray), names=", ".join(stray))
     if strange:
         raise Damaged("export-not-belong-export-take-out-check", strange=strange[0])
     written: dict[str, Written] = {}

@@ -320,6 +320,41 @@ def missing(path: str) -> Damaged:
     return Damaged("csv_package-missing-take-whole-export-again", path=path)
 
 
+#: What Macs and Windows put beside files that they show or pack.
+_STRAYS = {".ds_store", "thumbs.db", "desktop.ini"}
+
+
+def is_stray(path: str) -> bool:
+    """Whether a file is one that a system left there by itself, and no part of any package."""
+    folders = path.lower().split("/")
+    return folders[-1] in _STRAYS or folders[-1].startswith("._") or "__macosx" in folders[:-1]
+
+
+def package_inside(paths: frozenset[str]) -> str | None:
+    """Where the package is that these files hold one level down: its folder, or the only ZIP; else None."""
+    own = [path for path in paths if not is_stray(path)]
+    folders = [path.partition("/")[0] for path in own if path.count("/") == 1 and path.endswith(CHECKSUMS)]
+    zips = [path for path in own if "/" not in path and path.lower().endswith(".zip")]
+    found = [name for name in folders if f"{name}/{CHECKSUMS}" in paths] or zips
+    return found[0] if len(found) == 1 else None
+
+
+class InFolder:
+    """The files of a package that lies in one folder of a ZIP; those beside the folder keep their paths."""
+
+    def __init__(self, files: Files, folder: str) -> None:
+        self._files = files
+        self._places = {path.removeprefix(f"{folder}/"): path for path in files.paths}
+        self.paths = frozenset(self._places)
+        if len(self.paths) < len(files.paths):
+            raise BadInput("csv_package-holds-file-twice-no-export-take", place=folder)
+
+    def open(self, path: str) -> AbstractContextManager[BinaryIO]:
+        if path not in self._places:
+            raise missing(path)
+        return self._files.open(self._places[path])
+
+
 def open_package(place: Path) -> Files:
     """The files of an exported folder or ZIP. Raises BadInput for anything else."""
     try:
