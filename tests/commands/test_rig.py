@@ -45,9 +45,10 @@ def test_passes_give_the_rig_and_its_lanes(
     ]
     assert found["U95_baseline_m"] == pytest.approx(1.959964 * found["u_baseline_m"], rel=1e-6)
     assert found["lanes"][0]["u_baseline_m"] < found["u_baseline_m"]
-    assert [(one["row"], one["name"], one["reason"]) for one in found["left_out"]] == [
-        (8, "far", "The cell distance_m is not a number; correct it."),
-        (9, "short", f"It has 2 cells, and the header has {len(COLUMNS)}; correct the row."),
+    left_out = [(one["row"], one["name"], one["reason"].split(", ", 1)[-1]) for one in found["left_out"]]
+    assert left_out == [
+        (8, "far", "line 8: distance_m is “far”, which is not a number; correct the cell."),
+        (9, "short", f"line 9 has 2 cells, but the header names {len(COLUMNS)}; fill in the row."),
         (10, "n0", "Another row has the same name; name each pass once."),
     ]
     assert [one["name"] for one in found["passes"]] == [f"n{k}" for k in range(6)]
@@ -59,7 +60,7 @@ def test_the_text_says_it_in_lines(table: Path, capsys: pytest.CaptureFixture[st
     assert said.startswith("baseline at the cameras 593.00 ± ")
     assert "6 passes from 3.00 to 9.50 m: chi-square 0.0 with 4 degrees of freedom" in said
     assert "at 40.00 m: baseline " in said
-    assert "left out row 9 (short): It has 2 cells" in said
+    assert "line 9 has 2 cells" in said
     assert "note: 40.00 m is far outside the passes" in said
 
 
@@ -68,7 +69,7 @@ def test_the_text_says_it_in_lines(table: Path, capsys: pytest.CaptureFixture[st
     [
         ("distance_m,speed_mps\n3,2\n", [], "lacks columns; give distance_m and all columns of one method"),
         ("", [], "lacks columns"),
-        (HEADER + "," + COLUMNS[1] + "\n", [], "has the column distance_m more than once"),
+        (HEADER + "," + COLUMNS[1] + "\n", [], "line 1: the column distance_m is named twice"),
         (HEADER + "\nx,far\n", [], "0 usable passes are too few"),
         (HEADER + "\n", ["--distance", "near"], "--distance near is not a distance to a lane"),
         (HEADER + "\n", ["--distance", "3,1,2"], "is not a distance to a lane"),
@@ -93,5 +94,5 @@ def test_an_unusable_row_is_named_where_too_few_are_left(
     path = tmp_path / "p.csv"
     path.write_text(HEADER + "\nx,far" + "," * (len(COLUMNS) - 2) + "\n")
     assert main(["rig", "calibrate", str(path)]) == 2
-    assert "Row 2 was left out: The cell distance_m is not a number" in capsys.readouterr().err
+    assert "line 2: distance_m is “far”, which is not a number" in capsys.readouterr().err
     assert main(["rig", "calibrate", str(tmp_path / "none.csv")]) == 2

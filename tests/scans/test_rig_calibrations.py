@@ -63,7 +63,11 @@ def test_passes_are_looked_at_and_change_nothing(operator: Client, scan_id: int)
     )
     assert figures["lane"]["u_baseline_m"] < figures["u_baseline_m"]
     assert look["refused"] == [
-        {"row": 8, "name": "odd", "reason": "The cell distance_m is not a number; correct it."}
+        {
+            "row": 8,
+            "name": "odd",
+            "reason": "passes.csv, line 8: distance_m is “near”, which is not a number; correct the cell.",
+        }
     ]
     assert rig_of(operator, scan_id) == before and operator.seen(f"/scans/{scan_id}/rig-calibrations") == []
 

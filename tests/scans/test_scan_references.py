@@ -116,7 +116,7 @@ def test_a_value_that_cannot_be_is_refused(
 
 
 CSV = """number;source;device;speed_kmh;u_speed_kmh;Length (m);u_length_m;run_of
-1;radar;Gun 2;70,0;0,5;;;
+1;radar;Gun 2;70.0;0.5;;;
 2;GPS;;69.5;0.2;4.75;0.01;The Golf
 9;radar;;70;0.5;;;
 3;radar;;70;;;;
@@ -145,7 +145,7 @@ def test_a_csv_is_previewed_and_imported_line_by_line(operator: Client, scan_id:
         6: "source is “sonar”; use one of counter, radar",
         7: "number is “x”",
         8: "Line 2 gives the speed of this vehicle by radar already",
-        9: "“fast” is not a number",
+        9: "refs.csv, line 9: speed_kmh is “fast”, which is not a number",
         10: "speed of 250 m/s is out of range",
     }.items():
         assert said in refused[line], line
@@ -161,7 +161,7 @@ def test_a_csv_is_previewed_and_imported_line_by_line(operator: Client, scan_id:
     assert (first["run_of"], second["run_of"], third["run_of"]) == (None, "The Golf", "The Golf")
     again = sent(operator, scan_id, "import").json()
     assert (again["values"], again["cars"], again["plan"]["counts"]["same"]) == (0, 0, 3)
-    other = CSV.replace("70,0;0,5", "71;0.4").replace("The Golf", "The Polo")
+    other = CSV.replace("70.0;0.5", "71;0.4").replace("The Golf", "The Polo")
     plan = sent(operator, scan_id, "preview", other).json()
     assert plan["counts"]["replaces"] == 3
     words = " ".join(row["words"] for row in plan["rows"] if row["change"] == "replaces")
@@ -177,7 +177,7 @@ def test_a_csv_is_previewed_and_imported_line_by_line(operator: Client, scan_id:
         ),
         ("source,speed_kmh\nradar,70\n", "needs a column “number”"),
         ("number,source\n1,radar\n", "needs a column “number”"),
-        ('number,run_of\n1,"a\n', "cannot be read as CSV near line"),
+        ('number,run_of\n1,"a\n', "line 2: a quote is not closed on its line"),
         (
             "number,run_of\n99,Golf\n",
             "can be used; line 2: This recording has no vehicle 99",

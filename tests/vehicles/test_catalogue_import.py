@@ -1,5 +1,6 @@
 """The catalogue: completion by beginnings of words, and CSV files of other people."""
 
+import unicodedata
 from typing import Any
 
 import pytest
@@ -37,10 +38,49 @@ def test_rows_that_can_be_used_are_stored_and_the_others_named(operator: Client,
     assert (again["added"], again["updated"]) == (0, 0) and again["plan"]["counts"]["same"] == 2
 
 
-def test_a_list_with_semicolons_and_decimal_commas_is_read(operator: Client) -> None:
-    content = b"make;model;height;length;width\nAudi;A3;1,43;4,34;1,82\n"
-    assert send(operator, content).json()["added"] == 1  # type: ignore[attr-defined]
+def test_a_list_with_semicolons_is_read_and_decimal_commas_are_named(operator: Client) -> None:
+    content = b"make;model;height;length;width\nAudi;A3;1.43;4.34;1.82\nAudi;A4;1,43;4.7;1.8\n"
+    done = send(operator, content).json()  # type: ignore[attr-defined]
+    assert (done["added"], done["plan"]["counts"]["refused"]) == (1, 1)
+    assert "line 3: height is “1,43”; write decimals with a point" in done["plan"]["rows"][0]["words"]
     assert operator.seen("/catalogue?q=a3")[0]["height_m"] == 1.43
+
+
+@pytest.mark.parametrize(
+    ("content", "taken", "refused"),
+    [
+        (
+            "make,model,wheelbase_m\nAldo,One,2,785\nAldo,Three,2.6\nBeppo,Van,3,098\n",
+            1,
+            {2: "has 4 cells", 4: "4"},
+        ),
+        (
+            'make,model,height_m\nAldo,"One,1.48\nAldo,Two,1.51\nBeppo,Bus,3.0\n',
+            2,
+            {2: "a quote is not closed"},
+        ),
+        ("make,model,year_from,height_m\nAldo,One,2019²,1.48\nAldo,Two,2018,1.51\n", 1, {2: "“2019²”"}),
+        (
+            'make,model,height_m\nAldo,"One\nand more",1.48\nAldo,Two,1.51\n',
+            1,
+            {2: "not closed", 3: "of the cell"},
+        ),
+    ],
+)
+def test_a_row_that_is_not_sound_is_refused_alone(
+    operator: Client, content: str, taken: int, refused: dict[int, str]
+) -> None:
+    plan = send(operator, content.encode()).json()["plan"]  # type: ignore[attr-defined]
+    told = {row["line"]: row["words"] for row in plan["rows"] if row["change"] == "refused"}
+    assert (plan["counts"]["new"], set(told)) == (taken, set(refused))
+    assert all(said in told[line] for line, said in refused.items())
+
+
+def test_a_name_is_the_same_however_its_marks_are_written(operator: Client) -> None:
+    content = "make,model,year_from,height_m\nCitro\u00ebn,Berlingo,2018,1.80\n\u0160koda,Octavia,2020,1.47\n"
+    assert send(operator, content.encode()).json()["added"] == 2  # type: ignore[attr-defined]
+    again = send(operator, unicodedata.normalize("NFD", content).encode()).json()  # type: ignore[attr-defined]
+    assert (again["added"], again["plan"]["counts"]["same"]) == (0, 2)
 
 
 def test_a_file_that_is_no_table_is_refused_in_words(operator: Client) -> None:
@@ -49,6 +89,7 @@ def test_a_file_that_is_no_table_is_refused_in_words(operator: Client) -> None:
         (b"colour,size\nred,3\n", "make"),
         (b"\x89PNG\r\n\x1a\n\x00\x00", "UTF-8"),
         (b"make,model,height_m\nAudi,A3,high\n", "line 2"),
+        (b"make,model,height_m,height_m\nKia,Rio,1.45,1.46\n", "line 1: the column height_m is named twice"),
     ):
         answer = send(operator, content)
         assert answer.status_code == 422  # type: ignore[attr-defined]
@@ -139,7 +180,7 @@ def test_feet_that_pass_for_metres_are_refused_as_a_whole(operator: Client, view
 
 def test_units_are_read_from_headers_and_columns_are_mapped(operator: Client, viewer: Client) -> None:
     content = (
-        "Marque;Modèle;Height (mm);Length_cm;Wheelbase [in];Couleur\nRenault;Zoe;1562;408,7;101,9;blue\n"
+        "Marque;Modèle;Height (mm);Length_cm;Wheelbase [in];Couleur\nRenault;Zoe;1562;408.7;101.9;blue\n"
     )
     unmapped = preview(operator, content)  # not refused: the page has to show the columns to be mapped
     assert "no column make and no column model" in unmapped["problem"] and unmapped["stored"] == 0
@@ -199,7 +240,6 @@ def test_what_is_exported_is_imported_again(operator: Client, viewer: Client) ->
 @pytest.mark.parametrize(
     ("content", "words"),
     [
-        ("make,model,height_m,height_m\nKia,Rio,1.45,1.46\n", "more than once"),
         ("make,model,height_m\n", "no line of models"),
         ("make,model,height_m,taillight_m\nKia,Rio,1.45,1.9\n", "taillight_m is 1.9 and height_m is 1.45"),
         ("make,model,length_m,wheelbase_m\nKia,Rio,4.1,4.2\n", "wheelbase_m is 4.2 and length_m is 4.1"),

@@ -1,37 +1,134 @@
-"""CSV files that people bring: commas or semicolons between cells, points or commas in numbers."""
+"""The one reader of every CSV that people bring. Each line is a row: no cell holds a line feed.
+
+What is wrong with the table as a whole is raised; what is wrong with one row stands in the row, so that a
+command that gives each row a status refuses that row alone, and every other raises it (`sound_rows`).
+"""
 
 from __future__ import annotations
 
 import csv
-import io
+import math
+import re
+import unicodedata
 from collections.abc import Iterator
-from typing import Any
+from dataclasses import dataclass
 
 from sightline.errors import BadInput
 
-#: (line number in the file, cells) of each row that is not blank.
-Lines = list[tuple[int, list[str]]]
+MOST_BYTES = 200_000_000
+#: Of a height, a length or a reference of a vehicle.
+MOST_M = 20.0
+_USUAL_M = 1.6  # about which vehicles' sizes lie: what tells the unit of a number that is too large
+_UNITS_M = {"mm": 0.001, "cm": 0.01, "in": 0.0254, "ft": 0.3048}
+_LINE_END = re.compile(r"\r\n|\r|\n")
+_QUOTED = re.compile(r'"[^"]*"?')
+_NUMBER = re.compile(r"[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]{1,4})?")
+# What separates thousands or decimals in other countries: "1,48", "1.234,5", "1 234.5", "1'234".
+_SEPARATED = re.compile(r"[+-]?[0-9]+(?:[.,' \u00a0\u2009\u202f\u2019][0-9]+)+")
 
 
-def read_given_csv(data: bytes, name: str, most_bytes: int) -> tuple[list[str], Lines]:
-    """The header, and (line number, cells) of every row that is not blank. Raises BadInput for no CSV."""
-    text = _text(data, name, most_bytes)
-    first = text.partition("\n")[0]
-    semicolons = first.count(";") > first.count(",")
-    reader = csv.reader(io.StringIO(text, newline=""), delimiter=";" if semicolons else ",", strict=True)
-    try:
-        header = [cell.strip() for cell in next(reader, [])]
-        return header, list(_rows(reader))
-    except csv.Error as error:
-        raise BadInput("csv-cannot-read", name=name, line_num=reader.line_num, problem=error) from error
+@dataclass(frozen=True, slots=True)
+class GivenRow:
+    """A row that is not blank: its line in the file, a cell for each column, and what is wrong with it."""
+
+    line: int
+    cells: list[str]
+    problem: BadInput | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class GivenTable:
+    """A table as it was given; texts are in NFC, names of columns without blanks about them."""
+
+    name: str
+    header: list[str]
+    rows: list[GivenRow]
+
+    def require(self, *columns: str) -> None:
+        """Raises BadInput where the header lacks a column."""
+        if not self.header:
+            raise BadInput("csv-empty", name=self.name, needed=", ".join(columns))
+        missing = [one for one in columns if one not in self.header]
+        if missing:
+            raise BadInput(
+                "csv-no-column", name=self.name, missing=", ".join(missing), needed=", ".join(columns)
+            )
+
+    def sound_rows(self) -> Iterator[tuple[int, dict[str, str]]]:
+        """Line and cells by column, without blanks about them. Raises the first row's problem."""
+        for row in self.rows:
+            if row.problem is not None:
+                raise row.problem
+            yield row.line, self.by_column(row)
+
+    def by_column(self, row: GivenRow) -> dict[str, str]:
+        """A row's cells by column, without blanks about them."""
+        return dict(zip(self.header, map(str.strip, row.cells), strict=True))
+
+    def number(self, line: int, column: str, cell: str) -> float:
+        """A finite number of ASCII digits and `.`. Raises BadInput naming line and column."""
+        value = given_number(cell)
+        if value is not None:
+            return value
+        if not cell:
+            raise BadInput("csv-empty-cell", name=self.name, line=line, column=column)
+        if is_separated(cell):
+            raise BadInput("csv-number-separated", name=self.name, line=line, column=column, cell=cell[:40])
+        raise BadInput("csv-not-a-number", name=self.name, line=line, column=column, cell=cell[:40])
+
+    def size_m(self, line: int, column: str, cell: str) -> float:
+        """A size that a vehicle can have, metres. Raises BadInput with the unit that it seems to be in."""
+        value = self.number(line, column, cell)
+        if abs(value) <= MOST_M:
+            return value
+        unit = unit_of(value)
+        raise BadInput(
+            "csv-no-size-of-a-vehicle",
+            name=self.name,
+            line=line,
+            column=column,
+            cell=cell[:40],
+            unit=unit,
+            metres=f"{value * _UNITS_M[unit]:.4g}",
+        )
+
+
+def read_table(data: bytes | str, name: object, most_bytes: int = MOST_BYTES) -> GivenTable:
+    """A table with commas, or with semicolons or tabs where the whole header has them.
+
+    Raises BadInput for what is no UTF-8 text, or whose header is not sound.
+    """
+    lines = enumerate(_LINE_END.split(_text(data, str(name), most_bytes)), start=1)
+    at, first = next(((at, line) for at, line in lines if line.strip(" \t,;")), (0, ""))
+    delimiter = _delimiter(first)
+    header, problem = _cells(first, delimiter, str(name), at)
+    if problem is not None:
+        raise problem
+    header = [cell.strip() for cell in header]
+    while header and not header[-1]:
+        header.pop()
+    twice = next((one for one in header if one and header.count(one) > 1), None)
+    if twice is not None:
+        raise BadInput("csv-column-twice", name=str(name), line=at, column=twice[:60])
+    return GivenTable(str(name), header, list(_rows(lines, str(name), len(header), delimiter)))
 
 
 def given_number(cell: str) -> float | None:
-    """A number with a point or a comma; None for anything else."""
-    try:
-        return float(cell.strip().replace(",", "."))
-    except ValueError:
+    """A finite number of ASCII digits and `.`; None for anything else."""
+    if _NUMBER.fullmatch(cell.strip()) is None:
         return None
+    value = float(cell)
+    return value if math.isfinite(value) else None
+
+
+def is_separated(cell: str) -> bool:
+    """Whether it is a number but for a decimal comma or for what stands between its thousands."""
+    return _SEPARATED.fullmatch(cell.strip()) is not None
+
+
+def unit_of(value: float) -> str:
+    """The unit in which a number is most likely the size of a vehicle."""
+    return min(_UNITS_M, key=lambda unit: abs(math.log(abs(value) * _UNITS_M[unit] / _USUAL_M)))
 
 
 def undefused(cell: str) -> str:
@@ -39,16 +136,54 @@ def undefused(cell: str) -> str:
     return cell[1:] if cell[:1] == "'" and cell[1:2] in ("=", "+", "-", "@") else cell
 
 
-def _rows(reader: Any) -> Iterator[tuple[int, list[str]]]:
-    for cells in reader:
-        if any(cell.strip() for cell in cells):
-            yield reader.line_num, cells
-
-
-def _text(data: bytes, name: str, most_bytes: int) -> str:
+def _text(data: bytes | str, name: str, most_bytes: int) -> str:
     if len(data) > most_bytes:
         raise BadInput("csv-too-large", name=name, most_bytes=most_bytes // 1000000)
     try:
-        return data.decode("utf-8-sig")
+        text = data if isinstance(data, str) else data.decode("utf-8")
     except UnicodeDecodeError:
         raise BadInput("csv-not-utf-8", name=name) from None
+    return unicodedata.normalize("NFC", text.removeprefix("\ufeff"))
+
+
+def _delimiter(header: str) -> str:
+    """A comma, but where the header has none outside of quotes and only one of the other two."""
+    bare = _QUOTED.sub("", header)
+    there = [one for one in ",;\t" if one in bare]
+    return there[0] if len(there) == 1 else ","
+
+
+def _rows(lines: Iterator[tuple[int, str]], name: str, width: int, delimiter: str) -> Iterator[GivenRow]:
+    opened = 0  # line of a quote that was not closed: a later line with a quote astray may be its end
+    for line, text in lines:
+        cells, problem = _cells(text, delimiter, name, line)
+        if problem is not None:
+            opened = line
+        elif not any(map(str.strip, cells)):
+            continue
+        elif opened and _has_a_quote_astray(text, delimiter):
+            problem, opened = BadInput("csv-rest-of-a-cell", name=name, line=line, opened=opened), 0
+        elif any(map(str.strip, cells[width:])):
+            problem = BadInput("csv-more-cells", name=name, line=line, cells=len(cells), columns=width)
+        elif len(cells) < width:
+            problem = BadInput("csv-fewer-cells", name=name, line=line, cells=len(cells), columns=width)
+        yield GivenRow(line, (cells + [""] * width)[:width], problem)
+
+
+def _cells(text: str, delimiter: str, name: str, line: int) -> tuple[list[str], BadInput | None]:
+    """A line's cells, and what is wrong with its quotes."""
+    if '"' not in text:
+        return text.split(delimiter), None
+    try:
+        return next(csv.reader([text], delimiter=delimiter, strict=True)), None
+    except csv.Error as error:
+        if "expected after" in str(error):
+            problem = BadInput("csv-after-a-quote", name=name, line=line)
+        else:
+            problem = BadInput("csv-open-quote", name=name, line=line)
+        return text.split(delimiter), problem
+
+
+def _has_a_quote_astray(text: str, delimiter: str) -> bool:
+    """Whether a quote stands elsewhere than about or within a quoted cell."""
+    return '"' in re.sub(rf'(?:^|(?<={delimiter}))"(?:[^"]|"")*"(?={delimiter}|$)', "", text)

@@ -18,7 +18,7 @@ from sightline.coverage import expanded
 from sightline.enums import JsonObject, ReferenceChange, ReferenceQuantity, ReferenceSource
 from sightline.errors import BadInput
 from sightline.infra.database import Session
-from sightline.infra.given_csv import given_number, read_given_csv, undefused
+from sightline.infra.given_csv import GivenRow, GivenTable, read_table, undefused
 from sightline.messages import say
 from sightline.scans.records import Scan, ScanVehicle
 from sightline.scans.references.passing_times import (
@@ -179,12 +179,12 @@ def _lines(
     session: Session, scan_id: int, data: bytes, name: str, tolerance_s: float
 ) -> tuple[list[_Line], Matching | None]:
     scan = get_scan(session, scan_id)
-    header, rows = read_given_csv(data, name, MOST_BYTES)
-    fields = _fields(header, name)
+    table = read_table(data, name, MOST_BYTES)
+    fields = _fields(table.header, name)
     found = vehicles_of(session, scan_id)
     vehicles = {one.vehicle.number: one.vehicle for one in found}
     matching = _matching(scan, found, name, tolerance_s) if "time" in fields else None
-    lines = [_line(line, cells, fields, vehicles, matching) for line, cells in rows]
+    lines = [_line(table, row, fields, vehicles, matching) for row in table.rows]
     _refuse_repeats(lines)
     standing = _newest(session, scan_id)
     for one in lines:
@@ -273,8 +273,8 @@ def _field(title: str, name: str) -> _Field | None:
 
 
 def _line(
-    line: int,
-    cells: Sequence[str],
+    table: GivenTable,
+    given_row: GivenRow,
     fields: Sequence[_Field | None],
     vehicles: Mapping[int, ScanVehicle],
     matching: Matching | None,
@@ -282,12 +282,12 @@ def _line(
     """A line as read; "new" where it can be used, until it is held against other lines and what stands."""
     named = {
         field: cell.strip()
-        for field, cell in zip(fields, cells, strict=False)
+        for field, cell in zip(fields, given_row.cells, strict=True)
         if field is not None and cell.strip()
     }
     number, source = named.get("number", "")[:20], named.get("source", "").lower()[:40]
     row = ReferenceRow(
-        line,
+        given_row.line,
         number,
         time=named.get("time", "")[:40],
         apart_s=None,
@@ -299,8 +299,10 @@ def _line(
         words="",
     )
     try:
+        if given_row.problem is not None:
+            raise given_row.problem
         vehicle, row = _vehicle(row, vehicles, matching)
-        given = _values(named, source)
+        given = _values(table, given_row, fields, named)
         run_of = undefused(named.get("run_of", "")) or None
         if run_of is not None and len(run_of) > 100:
             raise BadInput("reference-car-too-long")
@@ -320,7 +322,7 @@ def _vehicle(
     if not row.number and row.time and matching is not None:
         number, apart = matching.vehicle_at(matching.instant(row.time), row.time)
         return vehicles[number], replace(row, number=str(number), apart_s=apart, by_time=True)
-    if not row.number.isdigit():
+    if not (row.number.isascii() and row.number.isdigit()):
         raise BadInput("reference-line-no-number", number=row.number or "–")
     if int(row.number) not in vehicles:
         raise BadInput("reference-line-no-vehicle", number=row.number)
@@ -330,16 +332,18 @@ def _vehicle(
     return vehicles[int(row.number)], row
 
 
-def _values(named: Mapping[_Field, str], source: str) -> tuple[ReferenceValues, ...]:
+def _values(
+    table: GivenTable, row: GivenRow, fields: Sequence[_Field | None], named: Mapping[_Field, str]
+) -> tuple[ReferenceValues, ...]:
     """The values of a line, each with its u. Raises BadInput saying what is wrong."""
     numbers: dict[tuple[ReferenceQuantity, bool], float] = {}
-    for field, cell in named.items():
-        if isinstance(field, tuple):
+    for column, field, cell in zip(table.header, fields, row.cells, strict=True):
+        if isinstance(field, tuple) and cell.strip():
             quantity, is_u, unit = field
-            value = given_number(cell)
-            if value is None:
-                raise BadInput("reference-line-not-number", cell=cell[:40])
-            numbers[quantity, is_u] = round(value * unit, 9)
+            in_m = field in (("length", False, 1.0), ("wheelbase", False, 1.0))
+            read = table.size_m if in_m else table.number
+            numbers[quantity, is_u] = round(read(row.line, column, cell.strip()) * unit, 9)
+    source = named.get("source", "").lower()[:40]
     found = []
     for quantity in get_args(ReferenceQuantity):
         value, u = numbers.get((quantity, False)), numbers.get((quantity, True))

@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, fields
 
 from sightline.errors import BadInput
-from sightline.infra.given_csv import given_number, read_given_csv, undefused
+from sightline.infra.given_csv import GivenTable, read_table, undefused
 from sightline.linescan.rig_calibration import VALUES, Common, RigPass, RigPassError, span_of
 
 MOST_BYTES = 1_000_000
@@ -38,56 +38,45 @@ def read_rig_passes(data: bytes, name: str, common: Common) -> GivenPasses:
 
     Raises BadInput where it is no table, has no distances or no way whole, or more than MOST_PASSES rows.
     """
-    header, lines = read_given_csv(data, name, MOST_BYTES)
-    columns = _columns(header, name)
-    if len(lines) > MOST_PASSES:
+    table = read_table(data, name, MOST_BYTES)
+    columns = _columns(table.header, name)
+    if len(table.rows) > MOST_PASSES:
         raise BadInput("rig-passes-too-many", name=name, most=MOST_PASSES)
     passes: list[RigPass] = []
     refused: list[RefusedRow] = []
-    for line, cells in lines:
-        named = {
-            column: undefused(cell.strip()) for column, cell in zip(columns, cells, strict=False) if column
-        }
-        called = named.pop(NAME, "")[:MOST_SIGNS] or str(line)
+    for row in table.rows:
+        named = {column: undefused(row.cells[at].strip()) for column, at in columns.items()}
+        called = named.pop(NAME, "")[:MOST_SIGNS] or str(row.line)
         try:
-            if len(cells) != len(header):
-                raise RigPassError(
-                    f"It has {len(cells)} cells, and the header has {len(header)}; correct the row."
-                )
+            if row.problem is not None:
+                raise row.problem
             if any(one.name == called for one in passes):
                 raise RigPassError("Another row has the same name; name each pass once.")
-            one = _pass(called, named)
+            one = _pass(table, row.line, called, named)
             span_of(one, common)
-        except RigPassError as error:
-            refused.append(RefusedRow(line, called, str(error)))
+        except (BadInput, RigPassError) as error:
+            refused.append(RefusedRow(row.line, called, str(error)))
         else:
             passes.append(one)
     return GivenPasses(tuple(passes), tuple(refused))
 
 
-def _columns(header: Sequence[str], name: str) -> list[str | None]:
-    """The name of each column that is known, None for others."""
+def _columns(header: Sequence[str], name: str) -> dict[str, int]:
+    """Where each column stands that is known."""
     found = [one.lower() for one in header]
     twice = sorted({one for one in found if one in COLUMNS and found.count(one) > 1})
     if twice:
-        raise BadInput("commands-column-more-once-name-each-column", path=name, twice=", ".join(twice))
+        raise BadInput("csv-column-twice", name=name, line=1, column=twice[0])
     whole = any(set(names) <= set(found) for names in VALUES.values())
     if "distance_m" not in found or not whole:
         ways = " | ".join(", ".join(names) for names in VALUES.values())
         raise BadInput("rig-passes-columns", name=name, ways=ways)
-    return [one if one in COLUMNS else None for one in found]
+    return {one: at for at, one in enumerate(found) if one in COLUMNS}
 
 
-def _pass(called: str, cells: Mapping[str, str]) -> RigPass:
-    """Raises RigPassError for a cell that is no number; an empty one is as if its column were not there."""
-    values: dict[str, float] = {}
-    for column, cell in cells.items():
-        if not cell:
-            continue
-        value = given_number(cell)
-        if value is None:
-            raise RigPassError(f"The cell {column} is not a number; correct it.")
-        values[column] = value
+def _pass(table: GivenTable, line: int, called: str, cells: Mapping[str, str]) -> RigPass:
+    """Raises BadInput for a cell that is no number; an empty one is as if its column were not there."""
+    values = {column: table.number(line, column, cell) for column, cell in cells.items() if cell}
     if "distance_m" not in values:
         raise RigPassError("The value distance_m is missing; fill it in.")
     return RigPass(name=called, **values)

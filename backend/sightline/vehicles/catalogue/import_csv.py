@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 from collections import Counter
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, fields, replace
+from dataclasses import dataclass, fields
 from functools import partial
 from statistics import median
 from typing import Any, cast, get_args
@@ -17,7 +17,7 @@ from typing import Any, cast, get_args
 from sightline.enums import CatalogueChange, Category, ModelSize, OnConflict, SizeUnit
 from sightline.errors import BadInput
 from sightline.infra.database import Session
-from sightline.infra.given_csv import Lines, given_number, read_given_csv, undefused
+from sightline.infra.given_csv import GivenRow, GivenTable, given_number, read_table, undefused
 from sightline.messages import Value, say
 from sightline.vehicles.catalogue.records import (
     SIZES,
@@ -121,13 +121,14 @@ def import_csv(
 
 
 def _planned(session: Session, data: bytes, name: str, choices: Choices) -> _Planned:
-    header, lines = read_given_csv(data, name, MOST_BYTES)
-    columns = _columns(header, lines, choices)
+    table = read_table(data, name, MOST_BYTES)
+    lines = table.rows
+    columns = _columns(table, choices)
     known = known_models(session)
     sorter = _Sorter(known, choices.on_conflict)
     missing = _missing(columns, name)
-    for line, cells in () if missing else lines:
-        sorter.sort(line, cells, columns)
+    for line in () if missing else lines:
+        sorter.sort(table, line, columns)
     doubtful = missing or next((one.problem for one in columns if one.problem), None)
     if doubtful is None and not lines:
         doubtful = say("catalogue-no-rows", {"name": name})
@@ -168,20 +169,22 @@ class _Sorter:
         self.rows: list[ImportRow] = []
         self.to_store: list[CatalogueRow] = []
 
-    def sort(self, line: int, cells: Sequence[str], columns: Sequence[ImportColumn]) -> None:
+    def sort(self, table: GivenTable, given: GivenRow, columns: Sequence[ImportColumn]) -> None:
         named = {
             one.field: cell.strip()
-            for one, cell in zip(columns, cells, strict=False)
+            for one, cell in zip(columns, given.cells, strict=True)
             if one.field is not None
         }
         try:
-            row = _row(named, columns)
+            if given.problem is not None:
+                raise given.problem
+            row = _row(table, given.line, named, columns)
         except BadInput as error:
             who = (named.get("make", ""), named.get("model", ""), None)
-            self._note(line, who, "refused", partial(_said, error.code, **error.values))
+            self._note(given.line, who, "refused", partial(_said, error.code, **error.values))
             return
-        change, words = self._change(line, row)
-        self._note(line, (row.make, row.model, row.year_from), change, words)
+        change, words = self._change(given.line, row)
+        self._note(given.line, (row.make, row.model, row.year_from), change, words)
 
     def _change(self, line: int, row: CatalogueRow) -> tuple[CatalogueChange, Words]:
         key = key_of(row)
@@ -273,21 +276,18 @@ def _empty(value: object) -> bool:
     return value is None or value == ""
 
 
-def _columns(header: Sequence[str], lines: Lines, choices: Choices) -> list[ImportColumn]:
+def _columns(table: GivenTable, choices: Choices) -> list[ImportColumn]:
     """What each column is taken for, by choice or by its name; each field once."""
     taken: set[str] = set()
     found: list[ImportColumn] = []
-    for at, title in enumerate(header):
+    for at, title in enumerate(table.header):
         field, unit = _field(title, choices)
         if field in taken:
             field = None
         if field is not None:
             taken.add(field)
-        cells = (row[at] for _, row in lines if at < len(row))
-        column = _column(title, field, unit, cells, choices.unit)
-        if field is not None and header.count(title) > 1:
-            column = replace(column, problem=say("catalogue-column-twice", {"column": title}))
-        found.append(column)
+        cells = (row.cells[at] for row in table.rows if row.problem is None)
+        found.append(_column(title, field, unit, cells, choices.unit))
     return found
 
 
@@ -353,13 +353,17 @@ def _doubt(title: str, size: ModelSize, unit: SizeUnit, values: Sequence[float])
     return say("catalogue-unit-doubtful", {**said, "other": UNIT_WORDS[other], "sign": other})
 
 
-def _row(cells: Mapping[str, str], columns: Sequence[ImportColumn]) -> CatalogueRow:
+def _row(
+    table: GivenTable, line: int, cells: Mapping[str, str], columns: Sequence[ImportColumn]
+) -> CatalogueRow:
     """One row, checked. Raises BadInput saying what is wrong with it."""
-    units = {one.field: one.unit for one in columns if one.unit is not None}
+    of = {one.field: one for one in columns}
     values: dict[str, Any] = {}
     for field, cell in cells.items():
         if field in _LENGTHS:
-            values[field] = _number(cell, field, units.get(field, "m"))
+            value = table.number(line, of[field].header, cell) if cell else None
+            unit = of[field].unit or "m"
+            values[field] = value if value is None or unit == "m" else round(value * METRES[unit], 6)
         elif field in _YEARS:
             values[field] = _year(cell, field)
         elif field == "category":
@@ -372,18 +376,9 @@ def _row(cells: Mapping[str, str], columns: Sequence[ImportColumn]) -> Catalogue
     return row
 
 
-def _number(cell: str, column: str, unit: SizeUnit) -> float | None:
-    if not cell:
-        return None
-    value = given_number(cell)
-    if value is None:
-        raise BadInput("vehicles-which-not-number-give-metres", column=column, cell=cell[:40])
-    return value if unit == "m" else round(value * METRES[unit], 6)
-
-
 def _year(cell: str, column: str) -> int | None:
     if not cell:
         return None
-    if not cell.isdigit() or not 1885 <= int(cell[:9]) <= 2100:
+    if not (cell.isascii() and cell.isdigit()) or not 1885 <= int(cell[:9]) <= 2100:
         raise BadInput("vehicles-which-not-year-give-four-digits", column=column, cell=cell[:40])
     return int(cell)
