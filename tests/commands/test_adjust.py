@@ -105,8 +105,8 @@ def test_what_cannot_be_read_is_left_out_by_name(files, tmp_path, capsys) -> Non
         ("", "empty"),
         ("pass,frame,point,x_px\n1,2,roof,3\n", "y_px"),
         ("pass,frame,point,x_px,y_px\n,2,roof,3,4\n", "row 2"),
-        ("pass,frame,point,x_px,y_px\n1,2,roof,3\n", "row 2"),
-        ("pass,pass,frame,point,x_px,y_px\n", "more than once"),
+        ("pass,frame,point,x_px,y_px\n1,2,roof,3\n", "line 2 has 4 cells"),
+        ("pass,pass,frame,point,x_px,y_px\n", "line 1: the column pass is named twice"),
     ],
 )
 def test_a_table_that_cannot_be_read_is_bad_input(files, tmp_path, capsys, text, word) -> None:  # type: ignore[no-untyped-def]

@@ -64,7 +64,7 @@ def test_in_words_with_what_was_left_out(pose_file, tracks_file, capsys) -> None
     [
         ("1.5,0,target,3,4", "the frame is not a whole number"),
         ("1,0,roof,3,4", "the point roof is not one of contact, second_contact, target"),
-        ("1,,target,3,4", "the cell time_s is not a finite number"),
+        ("1,,target,3,4", "line 2: time_s is empty"),
         ("1,0,target,3", "4 cells"),
     ],
 )

@@ -215,7 +215,10 @@ BAD: dict[str, tuple[Callable[[Path, list[str]], list[str]], str]] = {
         "spaceship, which Sightline does not know",
     ),
     "not a share": (fleet("category\nsuv\n"), "and a column share or registrations"),
-    "a share that is none": (fleet("category,share\nsuv,many\n"), "row 2: share is many"),
+    "a share that is none": (
+        fleet("category,share\nsuv,many\n"),
+        "line 2: share is “many”, which is not a number",
+    ),
     "a negative share": (fleet("category,share\nsuv,-1\nvan,2\n"), "row 2: share is -1"),
     "an empty fleet": (fleet("category,share\n"), "has no row"),
     "a survey without poses": (invented(poses=0), "another has no camera pose"),
@@ -229,7 +232,7 @@ BAD: dict[str, tuple[Callable[[Path, list[str]], list[str]], str]] = {
         fleet("category,share,registrations\nsuv,1,7\n"),
         "keep the one that counts",
     ),
-    "a column twice": (fleet("category,share,share\nsuv,1,0.5\n"), "two columns share"),
+    "a column twice": (fleet("category,share,share\nsuv,1,0.5\n"), "line 1: the column share is named twice"),
     "a number beyond all fleets": (
         fleet("category,registrations\nsuv,1e308\n"),
         "registrations is 1e308",

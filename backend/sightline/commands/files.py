@@ -3,10 +3,12 @@
 import errno
 import json
 import os
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
 from sightline.errors import BadInput, NoRoom
+from sightline.infra.given_csv import GivenTable, read_table
 from sightline.media.atomic import atomic_file
 
 _LARGEST_BYTES = 200_000_000
@@ -15,13 +17,25 @@ _LARGEST_BYTES = 200_000_000
 def read_text(path: Path, what: str) -> str:
     """A UTF-8 text file, its BOM dropped. Raises BadInput naming the file."""
     try:
-        if path.stat().st_size > _LARGEST_BYTES:
-            raise BadInput("commands-larger-200-mb-give", path=path, what=what)
-        return path.read_bytes().decode("utf-8-sig")
-    except FileNotFoundError:
-        raise BadInput("commands-not-exist-give", path=path, what=what) from None
+        return _read_bytes(path, what).decode("utf-8-sig")
     except UnicodeDecodeError:
         raise BadInput("commands-not-utf-8-text-give-saved", path=path, what=what) from None
+
+
+def read_csv(path: Path, needed: Sequence[str]) -> GivenTable:
+    """A table that somebody brings, with the columns needed. Raises BadInput naming the file."""
+    table = read_table(_read_bytes(path, f"a CSV table with the columns {', '.join(needed)}"), path)
+    table.require(*needed)
+    return table
+
+
+def _read_bytes(path: Path, what: str) -> bytes:
+    try:
+        if path.stat().st_size > _LARGEST_BYTES:
+            raise BadInput("commands-larger-200-mb-give", path=path, what=what)
+        return path.read_bytes()
+    except FileNotFoundError:
+        raise BadInput("commands-not-exist-give", path=path, what=what) from None
     except OSError as error:
         raise BadInput("commands-cannot-read-give", path=path, strerror=error.strerror, what=what) from None
 

@@ -1,8 +1,5 @@
 """passes.csv of `sightline adjust` (docs/formats.md): a point a row, lengths on any row of a pass."""
 
-import csv
-import io
-import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -11,13 +8,14 @@ import numpy as np
 
 from sightline.adjustment.adjust import LeftOut
 from sightline.adjustment.observed import POINTS, Known, ObservedPass
-from sightline.commands.files import read_text
+from sightline.commands.files import read_csv
 from sightline.errors import BadInput
+from sightline.infra.given_csv import GivenTable
 
 NEEDED = ("pass", "frame", "point", "x_px", "y_px")
 LENGTHS = ("wheelbase", "roof", "roof_inset")
+SIZES = tuple(f"{name}_m" for name in LENGTHS)
 OPTIONS = ("sigma_px", *(f"{u}{name}_m" for name in LENGTHS for u in ("", "u_")))
-_WHAT = f"a CSV table with the columns {', '.join(NEEDED)}"
 
 
 @dataclass
@@ -32,48 +30,20 @@ class _Pass:
 def read_passes(path: Path) -> tuple[list[ObservedPass], list[LeftOut]]:
     """The passes of a passes.csv, and those that cannot be read. Raises BadInput where the table cannot."""
     found: dict[str, _Pass] = {}
-    for number, cells in _rows(path):
+    table = read_csv(path, NEEDED)
+    for number, cells in table.sound_rows():
         name = cells["pass"]
         if not name:
             raise BadInput("commands-row-without-pass", path=path, row=number)
         one = found.setdefault(name, _Pass())
-        one.problem = one.problem or _take(one, cells, number)
+        one.problem = one.problem or _take(table, one, cells, number)
     for one in found.values():
         one.problem = one.problem or _lone_length(one)
     good = [_observed(name, one) for name, one in found.items() if one.problem is None]
     return good, [LeftOut(name, one.problem) for name, one in found.items() if one.problem is not None]
 
 
-def _rows(path: Path) -> list[tuple[int, dict[str, str]]]:
-    text = read_text(path, _WHAT)
-    try:
-        lines = list(csv.reader(io.StringIO(text, newline=""), strict=True))
-    except csv.Error as error:
-        raise BadInput("commands-not-readable-csv-table-give", path=path, problem=error, what=_WHAT) from None
-    numbered = [
-        (number, cells) for number, cells in enumerate(lines, 1) if any(cell.strip() for cell in cells)
-    ]
-    if not numbered:
-        raise BadInput("commands-empty-give", path=path, what=_WHAT)
-    header = [name.strip() for name in numbered[0][1]]
-    missing = [name for name in NEEDED if name not in header]
-    if missing:
-        hint = "; separate its columns by commas" if ";" in numbered[0][1][0] else ""
-        raise BadInput(
-            "commands-no-column-give", path=path, missing=", ".join(missing), what=_WHAT, hint=hint
-        )
-    twice = sorted({name for name in header if header.count(name) > 1})
-    if twice:
-        raise BadInput("commands-column-more-once-name-each-column", path=path, twice=", ".join(twice))
-    out = []
-    for number, cells in numbered[1:]:
-        if len(cells) != len(header):
-            raise BadInput("commands-row-cells", path=path, row=number, cells=len(cells), columns=len(header))
-        out.append((number, dict(zip(header, (cell.strip() for cell in cells), strict=True))))
-    return out
-
-
-def _take(one: _Pass, cells: Mapping[str, str], number: int) -> str | None:
+def _take(table: GivenTable, one: _Pass, cells: Mapping[str, str], number: int) -> str | None:
     """Add a row to its pass, or say what is wrong with it."""
     values: dict[str, float] = {"sigma_px": 1.0}
     for name in ("frame", "x_px", "y_px", *OPTIONS):
@@ -81,11 +51,10 @@ def _take(one: _Pass, cells: Mapping[str, str], number: int) -> str | None:
         if not text and name in OPTIONS:
             continue
         try:
-            values[name] = float(text)
-        except ValueError:
-            return f"Row {number}: the cell {name} is {'empty' if not text else 'not a number'}."
-        if not math.isfinite(values[name]):
-            return f"Row {number}: the cell {name} is not a finite number."
+            read = table.size_m if name in SIZES else table.number
+            values[name] = read(number, name, text)
+        except BadInput as error:
+            return error.message
     if values["frame"] != round(values["frame"]) or abs(values["frame"]) > 2**53:
         return f"Row {number}: the cell frame is not a whole number."
     if cells["point"] not in POINTS:

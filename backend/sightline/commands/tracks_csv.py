@@ -1,8 +1,5 @@
 """tracks.csv of `sightline height --tracks` (docs/formats.md): one vehicle, a followed point a row."""
 
-import csv
-import io
-import math
 from collections.abc import Mapping
 from dataclasses import asdict
 from pathlib import Path
@@ -10,40 +7,20 @@ from typing import Any
 
 import numpy as np
 
-from sightline.commands.files import read_text
+from sightline.commands.files import read_csv
 from sightline.errors import BadInput
 from sightline.geometry.followed_tracks import POINT_NAMES, Tracks
 from sightline.geometry.whole_pass import WholePass
+from sightline.infra.given_csv import GivenTable
 
 NEEDED = ("frame", "time_s", "point", "x_px", "y_px")
-_WHAT = f"a CSV table with the columns {', '.join(NEEDED)}"
 _DEFAULT_SIGMA_PX = 1.0
 
 
 def read_tracks(path: Path) -> Tracks:
     """The followed points of a tracks.csv. Raises BadInput, naming the row, where it cannot be read."""
-    text = read_text(path, _WHAT)
-    try:
-        lines = [
-            (number, [cell.strip() for cell in cells])
-            for number, cells in enumerate(csv.reader(io.StringIO(text, newline=""), strict=True), 1)
-            if any(cell.strip() for cell in cells)
-        ]
-    except csv.Error as error:
-        raise BadInput("commands-not-readable-csv-table-give", path=path, problem=error, what=_WHAT) from None
-    if not lines:
-        raise BadInput("commands-empty-give", path=path, what=_WHAT)
-    header = lines[0][1]
-    missing = [name for name in NEEDED if name not in header]
-    if missing:
-        hint = "; separate its columns by commas" if ";" in header[0] else ""
-        raise BadInput(
-            "commands-no-column-give", path=path, missing=", ".join(missing), what=_WHAT, hint=hint
-        )
-    twice = sorted({name for name in header if header.count(name) > 1})
-    if twice:
-        raise BadInput("commands-column-more-once-name-each-column", path=path, twice=", ".join(twice))
-    rows = [_numbers(path, number, header, cells) for number, cells in lines[1:]]
+    given = read_csv(path, NEEDED)
+    rows = [_numbers(path, given, line, cells) for line, cells in given.sound_rows()]
     table = np.array(rows, dtype=np.float64).reshape(-1, 7)
     return Tracks(
         frame=table[:, 0].astype(np.int64),
@@ -54,11 +31,8 @@ def read_tracks(path: Path) -> Tracks:
     )
 
 
-def _numbers(path: Path, number: int, header: list[str], cells: list[str]) -> list[float]:
+def _numbers(path: Path, given: GivenTable, number: int, by_name: Mapping[str, str]) -> list[float]:
     """Frame, time, kind of point, x, y, sigma of x and of y of one row."""
-    if len(cells) != len(header):
-        raise BadInput("commands-row-cells", path=path, row=number, cells=len(cells), columns=len(header))
-    by_name = dict(zip(header, cells, strict=True))
     if by_name["point"] not in POINT_NAMES:
         raise BadInput(
             "commands-tracks-point",
@@ -67,26 +41,20 @@ def _numbers(path: Path, number: int, header: list[str], cells: list[str]) -> li
             point=by_name["point"],
             points=", ".join(POINT_NAMES),
         )
-    frame = _number(path, number, by_name, "frame")
+    frame = given.number(number, "frame", by_name["frame"])
     if frame != round(frame) or abs(frame) > 2**53:
         raise BadInput("commands-tracks-frame", path=path, row=number)
-    time_s, x, y = (_number(path, number, by_name, name) for name in ("time_s", "x_px", "y_px"))
-    sigma = _number(path, number, by_name, "sigma_px") if by_name.get("sigma_px") else _DEFAULT_SIGMA_PX
+    time_s, x, y = (given.number(number, name, by_name[name]) for name in ("time_s", "x_px", "y_px"))
+    sigma = (
+        given.number(number, "sigma_px", by_name["sigma_px"])
+        if by_name.get("sigma_px")
+        else _DEFAULT_SIGMA_PX
+    )
     own = [
-        _number(path, number, by_name, name) if by_name.get(name) else sigma
+        given.number(number, name, by_name[name]) if by_name.get(name) else sigma
         for name in ("sigma_x_px", "sigma_y_px")
     ]
     return [frame, time_s, POINT_NAMES.index(by_name["point"]), x, y, *own]
-
-
-def _number(path: Path, number: int, by_name: Mapping[str, str], name: str) -> float:
-    try:
-        value = float(by_name[name])
-    except ValueError:
-        value = math.nan
-    if not math.isfinite(value):
-        raise BadInput("commands-tracks-number", path=path, row=number, name=name)
-    return value
 
 
 COLUMNS = (*NEEDED, "sigma_x_px", "sigma_y_px")

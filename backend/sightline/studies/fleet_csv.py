@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-import csv
-import io
 import math
-from collections.abc import Iterator
 from pathlib import Path
 
 from sightline.errors import BadInput
+from sightline.infra.given_csv import GivenTable, read_table
 from sightline.studies.records import Fleet, SiteFacts
 
 #: What may divide a fleet.
@@ -23,7 +21,8 @@ def read_fleet(path: Path, text: str) -> Fleet:
 
     Raises BadInput in one sentence that names the row or the sum.
     """
-    header, rows = _rows(path, text)
+    table, rows = _rows(path, text)
+    header = table.header
     kind = next((one for one in KINDS if one in header), None)
     several = {"variable", "class"} <= set(header)
     amounts = [one for one in ("share", "registrations") if one in header]
@@ -41,7 +40,7 @@ def read_fleet(path: Path, text: str) -> Fleet:
         of = found.setdefault(variable, {})
         if name in of:
             raise BadInput("studies-fleet-class-twice", path=path, row=at, name=name)
-        of[name] = _amount(path, at, row[amount], amount)
+        of[name] = _amount(path, table, at, row[amount], amount)
     return Fleet(_shares(path, found, amount))
 
 
@@ -74,22 +73,22 @@ def read_sites(path: Path, text: str) -> dict[str, SiteFacts]:
     """What is known of each site: `site`, `stratum`; optional `sites_there` (of its stratum; empty: not
     known) and `traffic` (vehicles in any one unit of time, for all sites or none). Raises BadInput.
     """
-    header, rows = _rows(path, text)
-    if not {"site", "stratum"} <= set(header):
+    table, rows = _rows(path, text)
+    if not {"site", "stratum"} <= set(table.header):
         raise BadInput("studies-sites-header", path=path)
     found: dict[str, SiteFacts] = {}
     there: dict[str, float] = {}
     for at, row in rows:
         site, stratum = row["site"], row["stratum"]
         told = row.get("sites_there", "")
-        sites_there = _whole(path, at, told, "sites_there") if told else math.inf
+        sites_there = _whole(path, table, at, told, "sites_there") if told else math.inf
         if there.setdefault(stratum, sites_there) != sites_there:
             raise BadInput("studies-sites-there-differ", path=path, row=at, stratum=stratum)
         if site in found:
             raise BadInput("studies-fleet-class-twice", path=path, row=at, name=site)
         traffic = row.get("traffic", "")
         found[site] = SiteFacts(
-            stratum, sites_there, _amount(path, at, traffic, "traffic") if traffic else None
+            stratum, sites_there, _amount(path, table, at, traffic, "traffic") if traffic else None
         )
     if len({one.traffic is None for one in found.values()}) > 1 or any(
         one.traffic == 0 for one in found.values()
@@ -98,36 +97,20 @@ def read_sites(path: Path, text: str) -> dict[str, SiteFacts]:
     return found
 
 
-def _rows(path: Path, text: str) -> tuple[list[str], Iterator[tuple[int, dict[str, str]]]]:
-    try:
-        told = [
-            [cell.strip() for cell in row] for row in csv.reader(io.StringIO(text, newline=""), strict=True)
-        ]
-    except csv.Error as error:
-        raise BadInput("studies-not-csv", path=path, why=str(error)) from error
-    header = told[0] if told else []
-    for name in header:
-        if header.count(name) > 1:
-            raise BadInput("commands-column-twice", path=path, name=name)
-    body = [(at, row) for at, row in enumerate(told[1:], start=2) if any(row)]
-    for at, row in body:
-        if len(row) != len(header):
-            raise BadInput("commands-row-cells", path=path, row=at, cells=len(row), columns=len(header))
-    return header, iter([(at, dict(zip(header, row, strict=True))) for at, row in body])
+def _rows(path: Path, text: str) -> tuple[GivenTable, list[tuple[int, dict[str, str]]]]:
+    table = read_table(text, path)
+    return table, list(table.sound_rows())
 
 
-def _whole(path: Path, at: int, cell: str, name: str) -> float:
-    value = _amount(path, at, cell, name)
+def _whole(path: Path, table: GivenTable, at: int, cell: str, name: str) -> float:
+    value = _amount(path, table, at, cell, name)
     if value < 1.0 or value != math.floor(value):
         raise BadInput("studies-not-a-count", path=path, row=at, name=name, cell=cell)
     return value
 
 
-def _amount(path: Path, at: int, cell: str, name: str) -> float:
-    try:
-        value = float(cell)
-    except ValueError:
-        value = math.nan
+def _amount(path: Path, table: GivenTable, at: int, cell: str, name: str) -> float:
+    value = table.number(at, name, cell)
     if not 0.0 <= value <= _MOST:
         raise BadInput("studies-not-an-amount", path=path, row=at, name=name, cell=cell)
     return value
