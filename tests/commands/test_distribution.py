@@ -100,15 +100,15 @@ def test_bad_input_is_one_sentence(
 @pytest.mark.parametrize(
     ("text", "word"),
     [
-        ("height_m,u_height_m,status\n1.2,-0.01,ok\n", "row 2"),
-        ("height_m,u_height_m,status\n1.2,0.01,ok\nabc,0.01,ok\n", "row 3"),
+        ("height_m,u_height_m,status\n1.2,-0.01,ok\n", "line 2"),
+        ("height_m,u_height_m,status\n1.2,0.01,ok\nabc,0.01,ok\n", "line 3"),
         ("height_m,u_height_m,status\n,,not_measurable\n", "no row with a height"),
         ("height_m,u_height_m,shared_group,u_shared_m\n1.2,0.01,a,\n", "u_shared_m"),
         ("", "height_m"),
-        ("height_m,u_height_m,status\n1,15,0.01,ok\n", "row 2 has 4 cells, the header has 3"),
-        ("height_m,u_height_m,status\n1.2,0.01,ok\n1.2,0.01\n", "row 3 has 2 cells"),
-        ("height_m,height_m,u_height_m\n1.2,1.3,0.01\n", "two columns height_m"),
-        ('height_m,u_height_m,status\n"1.2,0.01,ok\n', "cannot be read as a table"),
+        ("height_m,u_height_m,status\n1,15,0.01,ok\n", "line 2 has 4 cells, but the header names 3"),
+        ("height_m,u_height_m,status\n1.2,0.01,ok\n1.2,0.01\n", "line 3 has 2 cells"),
+        ("height_m,height_m,u_height_m\n1.2,1.3,0.01\n", "line 1: the column height_m is named twice"),
+        ('height_m,u_height_m,status\n"1.2,0.01,ok\n', "line 2: a quote is not closed"),
     ],
 )
 def test_rows_that_cannot_be_are_named(

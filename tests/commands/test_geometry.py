@@ -146,6 +146,22 @@ def test_many_clicks(tmp_path, pose_file, capsys) -> None:
     ]  # fmt: skip
 
 
+def test_a_row_of_clicks_that_is_not_sound_is_refused_alone(tmp_path, pose_file, capsys) -> None:
+    good = line("1", clicks()).replace(",", ";")
+    text = (
+        f"{HEADER},sigma_px,reference_height_m;\r".replace(",", ";") + f"{good};1;1.2;\r{good};0,5;1.2\r"
+        f'{good};1;1200\r{good};1;"1.2\r{good};1;1.2;7\r{good};1;1.2\r'
+    )  # fmt: skip
+    rows = table(tmp_path, pose_file, text.encode())
+    assert [r["status"] for r in rows] == ["ok", *["not_measurable"] * 4, "ok"]
+    for row, said in zip(
+        rows[1:5],
+        ("write decimals with a point", "in mm it would be", "not closed", "header names"),
+        strict=True,
+    ):
+        assert said in row["reason"] and row["reason"].startswith("clicks.csv, line ")
+
+
 @pytest.mark.parametrize(
     "option, value",
     [("--sigma", 2), ("--inset", 0.45), ("--u-inset", 0.1), ("--kind", "roof"), ("--side", "far")],

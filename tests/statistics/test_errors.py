@@ -210,8 +210,8 @@ def test_the_command_counts_what_heights_share(tmp_path: Path, capsys: pytest.Ca
 @pytest.mark.parametrize(
     ("columns", "cells", "said"),
     [
-        (",shared_group", ",a", "no column “u_shared_m”"),
-        (",shared_group,u_shared_m", ",a,far", "row 2: u_shared_m"),
+        (",shared_group", ",a", "no column u_shared_m"),
+        (",shared_group,u_shared_m", ",a,far", "line 2: u_shared_m is “far”"),
     ],
 )
 def test_shared_errors_that_are_not_told_are_refused(
@@ -221,3 +221,14 @@ def test_shared_errors_that_are_not_told_are_refused(
     assert main(["errors", str(path)]) == 2
     printed = capsys.readouterr().err
     assert said in printed and printed.count("\n") == 1
+
+
+def test_references_in_another_unit_are_refused(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path = tmp_path / "heights.csv"
+    rows = "".join(f"{i},{1.41 + i / 100:.2f},0.005,{1400 + 10 * i},daytime,ok\n" for i in range(12))
+    path.write_text("id,height_m,u_height_m,reference_height_m,lighting,status\n" + rows)
+    assert main(["errors", str(path)]) == 2
+    assert (
+        "line 2: reference_height_m is “1400”, and no vehicle has more than 20 m; in mm it would be 1.4 m"
+        in (capsys.readouterr().err)
+    )

@@ -13,7 +13,7 @@ from typing import cast, get_args
 
 import numpy as np
 
-from sightline.commands.files import read_text
+from sightline.commands.files import read_csv
 from sightline.coverage import COVERAGE_95
 from sightline.enums import DriverSide, Target
 from sightline.errors import BadInput
@@ -22,6 +22,7 @@ from sightline.geometry.insets import SIDE_UNKNOWN, USUAL_INSETS, inset_name
 from sightline.geometry.multiframe import measure_frames
 from sightline.geometry.ray_intersection import REASONS
 from sightline.geometry.road_pose import RoadPose
+from sightline.infra.given_csv import GivenRow, GivenTable
 
 FIRST = ("contact_x_px", "contact_y_px", "target_x_px", "target_y_px")
 _FURTHER = re.compile(r"(?:contact|target)([2-9]|[1-9]\d)_[xy]_px")
@@ -119,48 +120,36 @@ def heights_csv(pose: RoadPose, path: Path) -> tuple[str, Counts]:
 
 
 def _read(path: Path) -> tuple[list[str], list[_Row]]:
-    what = f"a CSV table with the columns {', '.join(NEEDED)}"
-    text = read_text(path, what)
-    try:
-        lines = [cells for cells in csv.reader(io.StringIO(text, newline=""), strict=True) if cells]
-    except csv.Error as error:
-        raise BadInput("commands-not-readable-csv-table-give", path=path, problem=error, what=what) from None
-    if not lines:
-        raise BadInput("commands-empty-give", path=path, what=what)
-    header = [name.strip() for name in lines[0]]
-    missing = [name for name in NEEDED if name not in header]
-    if missing:
-        hint = "; separate its columns by commas" if ";" in lines[0][0] else ""
-        raise BadInput("commands-no-column-give", path=path, missing=", ".join(missing), what=what, hint=hint)
-    twice = sorted({name for name in header if header.count(name) > 1})
-    if twice:
-        raise BadInput("commands-column-more-once-name-each-column", path=path, twice=", ".join(twice))
-    return header, [_parsed(header, cells) for cells in lines[1:]]
+    table = read_csv(path, NEEDED, path.name)  # reasons are sent on: no folder of ours
+    return table.header, [_parsed(table, row) for row in table.rows]
 
 
-def _parsed(header: list[str], cells: list[str]) -> _Row:
+def _parsed(table: GivenTable, given: GivenRow) -> _Row:
     """One row's numbers; the first cell that cannot be read is the row's reason."""
-    if len(cells) != len(header):
-        problem = f"The row has {len(cells)} cells, the header has {len(header)}."
-        return _Row((cells + [""] * len(header))[: len(header)], problem=problem)
-    by_name = dict(zip(header, cells, strict=True))
-    row = _Row(cells)
-    filled = (_FURTHER.fullmatch(name) for name in header if by_name[name].strip())
+    row = _Row(given.cells)
+    try:
+        if given.problem is not None:
+            raise given.problem
+        _take_numbers(table, given, row)
+    except BadInput as error:
+        row.problem = error.message
+        return row
+    by_name = table.by_column(given)
+    _assume(row, *(by_name.get(name, "") for name in WORDS))
+    return row
+
+
+def _take_numbers(table: GivenTable, given: GivenRow, row: _Row) -> None:
+    by_name = table.by_column(given)
+    filled = (_FURTHER.fullmatch(name) for name, cell in by_name.items() if cell)
     row.frames = tuple(sorted({int(one[1]) for one in filled if one}))
     further = [name.replace("_", f"{k}_", 1) for k in row.frames for name in FIRST]
     for name in (*FIRST, *further, *OPTIONS):
-        text = by_name.get(name, "").strip()
-        if not text and name not in OPTIONS:
-            row.problem = f"The cell {name} is empty."
-            break
-        if text and not _NUMBER.fullmatch(text):
-            row.problem = f"The cell {name} is not a number."
-            break
-        if text:
-            row.values[name] = float(text)
-    if row.problem is None:
-        _assume(row, *(by_name.get(name, "").strip() for name in WORDS))
-    return row
+        cell = by_name.get(name, "")
+        if cell or name not in OPTIONS:
+            row.values[name] = table.number(given.line, name, cell)
+    if reference := by_name.get("reference_height_m"):
+        table.size_m(given.line, "reference_height_m", reference)
 
 
 def _assume(row: _Row, target: str, side: str) -> None:

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import csv
-import io
 import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
@@ -12,18 +10,17 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from sightline.commands.files import read_text
+from sightline.commands.files import read_csv
 from sightline.commands.options import json_option, print_json
 from sightline.errors import BadInput
+from sightline.infra.given_csv import GivenTable
 
 if TYPE_CHECKING:
     from sightline.statistics.comparison import Compared
     from sightline.statistics.total_uncertainty import HeightSample, TotalFigure, TotalUncertainty
 
-_WHAT = "a heights.csv of sightline height"
 _USUAL = "2.5,5,10,15,50,85,90,95,97.5"
 _ALL = "all"
-_MOST_M = 10.0
 
 
 @dataclass
@@ -89,53 +86,33 @@ def read_groups(path: Path, by: str | None) -> tuple[dict[str, Rows], int]:
 
     Raises BadInput naming the row.
     """
-    table = csv.DictReader(io.StringIO(read_text(path, _WHAT), newline=""), strict=True)
-    try:
-        header = [name.strip() for name in table.fieldnames or ()]
-        table.fieldnames = header
-        _refuse_header(path, header, by)
-        groups: dict[str, Rows] = {}
-        left_out = 0
-        for at, row in enumerate(table, start=2):
-            _refuse_row(path, at, row, len(header))
-            if "status" in header and (row["status"] or "").strip() != "ok":
-                left_out += 1
-                continue
-            name = _ALL if by is None else (row[by] or "").strip()
-            _add(groups.setdefault(name, Rows()), row, f"{path}, row {at}")
-    except csv.Error as error:
-        raise BadInput("commands-not-csv", path=path, why=str(error), what=_WHAT) from error
+    table = read_csv(path, ())
+    _refuse_header(table, by)
+    groups: dict[str, Rows] = {}
+    left_out = 0
+    for line, row in table.sound_rows():
+        if row.get("status", "ok") != "ok":
+            left_out += 1
+            continue
+        _add(groups.setdefault(_ALL if by is None else row[by], Rows()), table, line, row)
     if not groups:
         raise BadInput("commands-no-row-with-height", path=path)
     return groups, left_out
 
 
-def _refuse_header(path: Path, header: Sequence[str], by: str | None) -> None:
-    own_u = "u_height_m" if "u_random_m" not in header else "height_m"
+def _refuse_header(table: GivenTable, by: str | None) -> None:
+    own_u = "u_height_m" if "u_random_m" not in table.header else "height_m"
     needed = ["height_m", own_u, *([] if by is None else [by])]
-    if "u_shared_m" in header or "shared_group" in header:
+    if "u_shared_m" in table.header or "shared_group" in table.header:
         needed += ["shared_group", "u_shared_m"]
-    for name in needed:
-        if name not in header:
-            raise BadInput("commands-distribution-needs-column", path=path, name=name)
-    for name in (*needed, "status", "site", "u_random_m", "u_height_m"):
-        if header.count(name) > 1:
-            raise BadInput("commands-column-twice", path=path, name=name)
+    table.require(*dict.fromkeys(needed))
 
 
-def _refuse_row(path: Path, at: int, row: dict[str | Any, Any], columns: int) -> None:
-    """Cells more or fewer than columns: a height may stand under another name."""
-    cells = columns - sum(cell is None for cell in row.values()) + len(row.get(None, ()))
-    if cells != columns and len(row) - (None in row) == columns:
-        raise BadInput("commands-row-cells", path=path, row=at, cells=cells, columns=columns)
-
-
-def _add(rows: Rows, row: dict[str, Any], where: str) -> None:
-    height_m = length_in(row, "height_m", where)
-    random_m = length_in(row, "u_random_m" if (row.get("u_random_m") or "").strip() else "u_height_m", where)
-    group = (row.get("shared_group") or "").strip()
-    said = (row.get("u_shared_m") or "").strip()
-    shared_m = length_in(row, "u_shared_m", where) if said or group else 0.0
+def _add(rows: Rows, table: GivenTable, line: int, row: Mapping[str, str]) -> None:
+    height_m = length_in(table, line, row, "height_m")
+    random_m = length_in(table, line, row, "u_random_m" if row.get("u_random_m") else "u_height_m")
+    group = row.get("shared_group", "")
+    shared_m = length_in(table, line, row, "u_shared_m") if row.get("u_shared_m") or group else 0.0
     if not group:  # an error that is shared with nobody is random
         random_m, shared_m = math.hypot(random_m, shared_m), 0.0
     rows.height_m.append(height_m)
@@ -143,15 +120,16 @@ def _add(rows: Rows, row: dict[str, Any], where: str) -> None:
     rows.shared_group.append(group)
     rows.u_shared_m.append(shared_m)
     if "site" in row:
-        rows.site.append((row["site"] or "").strip())
+        rows.site.append(row["site"])
 
 
-def length_in(row: Mapping[str, Any], name: str, where: str) -> float:
-    """A cell in metres: a height, or an uncertainty. Raises BadInput naming the row."""
-    value = number(row.get(name) or "")
-    least = -_MOST_M if name == "height_m" else 0.0
-    if value is None or not least <= value <= _MOST_M:
-        raise BadInput("commands-row-not-length", where=where, name=name, cell=row.get(name) or "")
+def length_in(table: GivenTable, line: int, row: Mapping[str, str], name: str) -> float:
+    """A cell in metres: a height, or an uncertainty. Raises BadInput naming the line."""
+    cell = row.get(name, "")
+    value = table.size_m(line, name, cell)
+    if value < 0.0 and name.startswith("u_"):
+        where = f"{table.name}, line {line}"
+        raise BadInput("commands-row-not-length", where=where, name=name, cell=cell)
     return value
 
 

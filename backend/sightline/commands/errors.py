@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import csv
-import io
 import json
 from dataclasses import dataclass, field, replace
 from pathlib import Path
@@ -11,9 +9,9 @@ from typing import TYPE_CHECKING, get_args
 
 import click
 
-from sightline.commands.distribution import Rows, length_in, number, sample_of
+from sightline.commands.distribution import Rows, length_in, sample_of
+from sightline.commands.files import read_csv
 from sightline.enums import Rounding
-from sightline.errors import BadInput
 
 if TYPE_CHECKING:
     from sightline.statistics.errors import ErrorGroup
@@ -57,32 +55,23 @@ class _Rows(Rows):
 
 def read_heights(path: Path) -> tuple[_Rows, int]:
     """The rows that have both heights, and how many have not. Raises BadInput, naming the row."""
-    try:
-        text = path.read_text(encoding="utf-8-sig")
-    except (OSError, UnicodeDecodeError) as error:
-        raise BadInput("commands-cannot-read-csv-text-give-heights", path=path) from error
-    rows = csv.DictReader(io.StringIO(text, newline=""))
-    missing = [name for name in NEEDED if name not in (rows.fieldnames or ())]
-    if missing:
-        raise BadInput("commands-no-column-give-heights-csv-made", path=path, missing=missing[0])
-    lacking = sorted({"shared_group", "u_shared_m"} - set(rows.fieldnames or ()))
-    if len(lacking) == 1:
-        raise BadInput("commands-distribution-needs-column", path=path, name=lacking[0])
+    table = read_csv(path, NEEDED)
+    if {"shared_group", "u_shared_m"} & set(table.header):
+        table.require("shared_group", "u_shared_m")
     found, left_out = _Rows(), 0
-    for at, row in enumerate(rows, start=2):
-        height_m, reference_m = number(row["height_m"] or ""), number(row["reference_height_m"] or "")
-        if row["status"] != "ok" or height_m is None or reference_m is None:
+    for line, row in table.sound_rows():
+        if row["status"] != "ok" or not row["height_m"] or not row["reference_height_m"]:
             left_out += 1
             continue
-        found.height_m.append(height_m)
+        found.height_m.append(length_in(table, line, row, "height_m"))
         found.u_random_m.append(0.0)
-        found.reference_m.append(reference_m)
-        found.lighting.append((row.get("lighting") or "").strip())
-        group = (row.get("shared_group") or "").strip()
+        found.reference_m.append(length_in(table, line, row, "reference_height_m"))
+        found.lighting.append(row.get("lighting", ""))
+        group = row.get("shared_group", "")
         found.shared_group.append(group)
-        found.u_shared_m.append(length_in(row, "u_shared_m", f"{path}, row {at}") if group else 0.0)
+        found.u_shared_m.append(length_in(table, line, row, "u_shared_m") if group else 0.0)
         if "site" in row:
-            found.site.append((row["site"] or "").strip())
+            found.site.append(row["site"])
     return found, left_out
 
 

@@ -22,10 +22,12 @@ def read_text(path: Path, what: str) -> str:
         raise BadInput("commands-not-utf-8-text-give-saved", path=path, what=what) from None
 
 
-def read_csv(path: Path, needed: Sequence[str]) -> GivenTable:
-    """A table that somebody brings, with the columns needed. Raises BadInput naming the file."""
-    table = read_table(_read_bytes(path, f"a CSV table with the columns {', '.join(needed)}"), path)
-    table.require(*needed)
+def read_csv(path: Path, needed: Sequence[str], name: str | None = None) -> GivenTable:
+    """A table that somebody brings, with the columns needed. Raises BadInput naming the file, or as told."""
+    what = f"a CSV table with the columns {', '.join(needed)}" if needed else "a CSV table"
+    table = read_table(_read_bytes(path, what), name or path)
+    if needed:
+        table.require(*needed)
     return table
 
 

@@ -30,7 +30,7 @@ class _Pass:
 def read_passes(path: Path) -> tuple[list[ObservedPass], list[LeftOut]]:
     """The passes of a passes.csv, and those that cannot be read. Raises BadInput where the table cannot."""
     found: dict[str, _Pass] = {}
-    table = read_csv(path, NEEDED)
+    table = read_csv(path, NEEDED, path.name)
     for number, cells in table.sound_rows():
         name = cells["pass"]
         if not name:

@@ -4323,18 +4323,10 @@ commands-baseline-or-rig = Give either --baseline (with --u-baseline) or --rig.
 
 ## Errors: commands
 
-commands-empty-give = { $path } is empty; give { $what }.
-commands-no-column-give = { $path } has no column { $missing }; give { $what }{ $hint }.
-commands-column-more-once-name-each-column = { $path } has the column { $twice } more than once; name each column once.
-commands-not-readable-csv-table-give = { $path } is not a readable CSV table ({ $problem }); give { $what }.
 commands-not-percentile = “{ $part }” is not a percentile; give numbers between 0 and 100, such as --percentile 2.5,10,50.
-commands-not-csv = { $path } cannot be read as a table ({ $why }); give { $what }.
 commands-no-row-with-height = { $path } has no row with a height; give a file with rows whose status is ok.
-commands-distribution-needs-column = { $path } has no column “{ $name }”; give a heights.csv with this column.
 commands-rig-file-no-rig = { $path } is not a rig: a JSON object with baseline_m, as `sightline rig calibrate -o` writes it, and with lanes that have a distance_m each.
 commands-row-not-length = { $where }: { $name } “{ $cell }” is not a possible length in metres; correct the cell.
-commands-no-column-give-heights-csv-made = { $path } has no column { $missing }; give a heights.csv made from clicks with reference_height_m.
-commands-cannot-read-csv-text-give-heights = { $path } cannot be read as CSV text; give a heights.csv of sightline height.
 commands-larger-200-mb-give = { $path } is larger than 200 MB; give { $what }.
 commands-not-exist-give = { $path } does not exist; give { $what }.
 commands-not-utf-8-text-give-saved = { $path } is not UTF-8 text; give { $what }, saved as UTF-8.
@@ -4408,8 +4400,6 @@ commands-folder-cannot-written = The folder { $folder } cannot be written ({ $wh
 commands-port-cannot-used-choose-another-port = Port { $port } on { $host } cannot be used ({ $why }); choose another with --port.
 commands-option-not-negative = { $option } must be a finite number of 0 or more; correct it.
 commands-row-without-pass = { $path }, row { $row }: the cell pass is empty; name the pass of every point.
-commands-row-cells = { $path }, row { $row } has { $cells } cells, the header has { $columns }; correct the row.
-commands-column-twice = { $path } has two columns { $name }; keep the one that counts.
 commands-problem-2 = { $place }: { $problem }
 commands-distance-or-speed = Give either --distance or --speed, not both.
 commands-grade-difference-needs-distance = --grade-difference needs a sight distance; give --distance or --speed too.

@@ -4316,18 +4316,10 @@ commands-baseline-or-rig = Donnez soit --baseline (avec --u-baseline), soit --ri
 
 ## Erreurs : commandes
 
-commands-empty-give = { $path } est vide ; indiquez { $what }.
-commands-no-column-give = { $path } n’a pas de colonne { $missing } ; indiquez { $what }{ $hint }.
-commands-column-more-once-name-each-column = { $path } a plus d’une fois la colonne { $twice } ; nommez chaque colonne une seule fois.
-commands-not-readable-csv-table-give = { $path } n’est pas un tableau CSV lisible ({ $problem }) ; indiquez { $what }.
 commands-not-percentile = « { $part } » n’est pas un centile ; indiquez des nombres entre 0 et 100, par exemple --percentile 2.5,10,50.
-commands-not-csv = { $path } ne peut pas être lu comme un tableau ({ $why }) ; indiquez { $what }.
 commands-no-row-with-height = { $path } n’a aucune ligne avec une hauteur ; indiquez un fichier dont des lignes ont le status ok.
-commands-distribution-needs-column = { $path } n’a pas de colonne « { $name } » ; indiquez un heights.csv qui l’a.
 commands-rig-file-no-rig = { $path } n’est pas un dispositif : il faut un objet JSON avec baseline_m, comme l’écrit `sightline rig calibrate -o`, et des voies avec chacune son distance_m.
 commands-row-not-length = { $where } : { $name } « { $cell } » n’est pas une longueur possible en mètres ; corrigez la cellule.
-commands-no-column-give-heights-csv-made = { $path } n’a pas de colonne { $missing } ; indiquez un heights.csv fait à partir de pointés avec reference_height_m.
-commands-cannot-read-csv-text-give-heights = { $path } ne peut pas être lu comme texte CSV ; indiquez un heights.csv de sightline height.
 commands-larger-200-mb-give = { $path } dépasse 200 Mo ; indiquez { $what }.
 commands-not-exist-give = { $path } n’existe pas ; indiquez { $what }.
 commands-not-utf-8-text-give-saved = { $path } n’est pas un texte UTF-8 ; indiquez { $what }, enregistré en UTF-8.
@@ -4401,8 +4393,6 @@ commands-folder-cannot-written = Impossible d’écrire dans le dossier { $folde
 commands-port-cannot-used-choose-another-port = Le port { $port } de { $host } est inutilisable ({ $why }) ; choisissez-en un autre avec --port.
 commands-option-not-negative = { $option } doit être un nombre fini, non négatif ; corrigez.
 commands-row-without-pass = { $path }, ligne { $row } : la cellule pass est vide ; nommez le passage de chaque point.
-commands-row-cells = { $path }, ligne { $row } : { $cells } cellules pour { $columns } dans l’en-tête ; corrigez la ligne.
-commands-column-twice = { $path } a deux colonnes { $name } ; gardez celle qui compte.
 commands-problem-2 = { $place } : { $problem }
 commands-distance-or-speed = Indiquez soit --distance, soit --speed, pas les deux.
 commands-grade-difference-needs-distance = --grade-difference demande une distance de visibilité ; indiquez aussi --distance ou --speed.
