@@ -1,7 +1,12 @@
-"""Pages of a SQLite file that hold noise: every command and the server say so, and name the tables."""
+"""Pages of a SQLite file that hold noise: every command and the server say so, and name the tables. And a
+file on a medium that cannot be written, which is read where it lies.
+"""
 
+import os
 import random
 import sqlite3
+import subprocess
+import sys
 from contextlib import closing
 from pathlib import Path
 
@@ -16,6 +21,7 @@ from sightline.infra.services import open_services
 from sightline.infra.stored_bytes import put_bytes
 from sightline.infra.web.health import ready
 from sightline.settings import Settings
+from sightline.surveys.store import create_survey
 from tests.support import samples
 
 TABLES = {"one table": ["road_poses"], "three tables": ["measurements", "road_poses", "surveys"]}
@@ -36,6 +42,7 @@ def with_services(folder: Path) -> None:
     migrate(services.engine)
     with services.writing() as session:
         samples.measure(session, samples.sample(session))
+        create_survey(session, name="Empty", description="", actor=None)
     put_bytes(services, b"a picture", ".jpg")
     signing_key(services.settings)
     services.close()
@@ -139,3 +146,29 @@ def test_a_server_on_a_damaged_database_is_not_ready(data_dir: Path) -> None:
     services.close()
     assert response.status_code == 503 and not found.ok
     assert found.database is not None and "damaged in measurements; its " in found.database
+
+
+READ_ONLY = """
+set -e
+mount --bind "$1" "$1"
+mount -o remount,ro,bind "$1"
+if touch "$1/x" 2>/dev/null; then exit 99; fi
+run="$3 -m sightline.cli"
+$run verify "$1"
+if $run export --survey Empty -o "$2/out" --data-dir "$1" 2>"$2/said"; then exit 98; fi
+$run backup "$2/backup" --data-dir "$1" || test $? = 1  # the sample names a video that is not there
+$run verify "$2/backup"
+"""
+
+
+def test_a_database_that_cannot_be_written_is_read_where_it_lies(data_dir: Path, tmp_path: Path) -> None:
+    if subprocess.run(["unshare", "-m", "true"], check=False, capture_output=True).returncode:
+        pytest.skip("a read-only mount needs the right to make one")
+    before = sorted(data_dir.rglob("*"))
+    told = ["unshare", "-m", "sh", "-c", READ_ONLY, "sh", str(data_dir), str(tmp_path), sys.executable]
+    done = subprocess.run(told, check=False, capture_output=True, text=True, env=dict(os.environ))
+    assert done.returncode == 0, done.stderr
+    assert done.stdout.count("holds") == 2
+    assert "Every export is recorded in the audit trail" in (tmp_path / "said").read_text()
+    assert not (tmp_path / "out").exists()
+    assert sorted(data_dir.rglob("*")) == before

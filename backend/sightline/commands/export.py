@@ -10,6 +10,7 @@ import click
 
 from sightline.commands.options import data_dir_option, opened_services, progress_told
 from sightline.enums import Category, ClassSet, Lighting
+from sightline.errors import BadInput
 from sightline.messages import SOURCE
 
 _DAY = click.DateTime(["%Y-%m-%d"])
@@ -87,6 +88,8 @@ def export(
         services.reading() as session,
         fresh_folder(output) as folder,
     ):
+        if services.read_only:
+            raise BadInput("export-read-only", folder=services.settings.data_dir)
         staging = Staging(folder)
         survey_id = find_survey(session, survey).id
         built = build(

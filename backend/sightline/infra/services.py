@@ -1,5 +1,8 @@
 """What every process needs: settings, database, media store and frame server, opened once."""
 
+import os
+import shutil
+import tempfile
 from collections.abc import Callable
 from contextlib import AbstractContextManager
 from dataclasses import dataclass, field
@@ -51,6 +54,8 @@ class Services:
     frames: FrameServer
     _parts: dict[Callable[["Services"], Part], Part] = field(default_factory=dict)
     _making: RLock = field(default_factory=RLock)
+    #: for caches and scratch, where the data folder is on a medium that cannot be written
+    _aside: Path | None = None
 
     def reading(self) -> AbstractContextManager[Session]:
         """A session that sees one state of the database and never commits."""
@@ -78,6 +83,11 @@ class Services:
             return cast(P, self._parts[make])
 
     @property
+    def read_only(self) -> bool:
+        """Whether the data folder is on a medium that cannot be written."""
+        return self._aside is not None
+
+    @property
     def scratch(self) -> Path:
         """This process's folder for files on their way to somewhere else, on the disk of the data folder."""
         return self.part(_scratch).folder()
@@ -89,6 +99,8 @@ class Services:
                 part.close()
         self.frames.close()
         self.engine.dispose()
+        if self._aside is not None:
+            shutil.rmtree(self._aside, ignore_errors=True)
 
 
 def open_services(settings: Settings, *, decode_in_child: bool = True) -> Services:
@@ -98,13 +110,17 @@ def open_services(settings: Settings, *, decode_in_child: bool = True) -> Servic
     """
     engine = make_engine(settings.database_url)
     sessions = session_factory(engine)
-    sweep(settings.data_dir / _SCRATCH)
-    cache = settings.data_dir / "cache"
+    aside = None
+    if settings.data_dir.is_dir() and not os.access(settings.data_dir, os.W_OK):
+        aside = Path(tempfile.mkdtemp(prefix="sightline-"))
+    else:
+        sweep(settings.data_dir / _SCRATCH)
+    cache = (aside or settings.data_dir) / "cache"
     store = open_store(settings.media_url, cache / "media")
     pictures = DecodeHost(FRAME_MEMORY_BYTES * 3 // 4) if decode_in_child else None
     server = FrameServer(cache, FRAME_MEMORY_BYTES, FRAME_DISK_BYTES, pictures=pictures)
-    return Services(settings, engine, sessions, store, server)
+    return Services(settings, engine, sessions, store, server, _aside=aside)
 
 
 def _scratch(services: Services) -> Scratch:
-    return Scratch(services.settings.data_dir / _SCRATCH)
+    return Scratch((services._aside or services.settings.data_dir) / _SCRATCH)

@@ -4431,6 +4431,7 @@ export-first-characters-head-prove-little-give = The audit head is too short ({ 
 export-audit-csv-ends-not-head-kept = audit.csv ends with { $head }, not with the given audit head: it was rewritten, or this is another export.
 export-no-no-whole-export-export-survey = There is no { $checksums }, so this is not a complete export; export the survey again.
 export-package-is-inside = The package is one level down, in { $inner }; give that.
+export-read-only = { $folder } cannot be written. Every export is recorded in the audit trail; copy the folder to a disk that can be written, and export from there.
 export-stray-files = { $count ->
     [one] The system put a file beside those of the package: { $names }
    *[other] The system put { $count } files beside those of the package: { $names }
@@ -4554,6 +4555,7 @@ database-database-address-cannot-read-use-sqlite = The database address cannot b
 database-no-database-check-name = There is no database { $path }; check its name.
 database-file-not-database-program-give-right = This file is not a Sightline database, or its beginning is damaged; give the right file, or restore a backup.
 database-damaged = The database is damaged: parts of its file hold something else. Stop the server, keep a copy of the data folder, and restore the last backup (sightline restore).
+database-read-only-with-log = { $path } cannot be written, and its last changes are still in the file beside it that ends in -wal; copy the folder to a disk that can be written, and give that.
 database-damaged-tables = The database is damaged in { $tables }; its { $whole } other tables can be read. Stop the server, keep a copy of the data folder, and restore the last backup (sightline restore).
 database-no-migrations-set-sightline-migrations-folder = There are no migrations in { $folder }; set SIGHTLINE_MIGRATIONS to the folder that has them.
 database-database-made-newer-version-update-one = The database was made by a newer version; update this one before opening it.

@@ -4427,6 +4427,7 @@ export-first-characters-head-prove-little-give = Les { $count } premiers caract�
 export-audit-csv-ends-not-head-kept = audit.csv finit par { $head }, non par la tête conservée : il a été réécrit, ou c’est un autre export.
 export-no-no-whole-export-export-survey = { $checksums } manque : ce n’est pas un export complet ; exportez à nouveau le relevé.
 export-package-is-inside = Le paquet est un niveau plus bas, dans { $inner } ; indiquez celui-là.
+export-read-only = { $folder } est en lecture seule. Chaque export est inscrit au journal d’audit ; copiez le dossier sur un disque inscriptible et exportez de là.
 export-stray-files = { $count ->
     [one] Le système a ajouté un fichier à ceux du paquet : { $names }
    *[other] Le système a ajouté { $count } fichiers à ceux du paquet : { $names }
@@ -4550,6 +4551,7 @@ database-database-address-cannot-read-use-sqlite = L’adresse de la base de don
 database-no-database-check-name = Il n’y a pas de base de données { $path } ; vérifiez son nom.
 database-file-not-database-program-give-right = Ce fichier n’est pas une base de données de Sightline, ou son début est endommagé ; indiquez la bonne, ou restaurez une sauvegarde.
 database-damaged = La base de données est endommagée : des parties de son fichier contiennent autre chose. Arrêtez le serveur, gardez une copie du dossier de données et restaurez la dernière sauvegarde (sightline restore).
+database-read-only-with-log = { $path } est en lecture seule, et ses derniers changements sont encore dans le fichier voisin qui finit par -wal ; copiez le dossier sur un disque inscriptible et indiquez celui-là.
 database-damaged-tables = La base de données est endommagée dans { $tables } ; ses { $whole } autres tables sont lisibles. Arrêtez le serveur, gardez une copie du dossier de données et restaurez la dernière sauvegarde (sightline restore).
 database-no-migrations-set-sightline-migrations-folder = Il n’y a pas de migrations dans { $folder } ; réglez SIGHTLINE_MIGRATIONS sur le dossier qui les contient.
 database-database-made-newer-version-update-one = La base de données a été faite par une version plus récente ; mettez celle-ci à jour avant de l’ouvrir.

@@ -6,7 +6,7 @@ from contextlib import closing
 from pathlib import Path
 
 from sightline.errors import Damaged
-from sightline.infra.database.engine import DatabaseAway, damage_in
+from sightline.infra.database.engine import DatabaseAway, damage_in, read_only_address
 
 _PAGES = 2048  # a step; between steps progress is told and Ctrl-C is heard
 
@@ -23,7 +23,7 @@ def copy_sqlite(source: Path, target: Path, told: Callable[[float], None]) -> No
 
     try:
         with (
-            closing(sqlite3.connect(source, timeout=10, isolation_level=None)) as read,
+            closing(_opened(source)) as read,
             closing(sqlite3.connect(target, isolation_level=None)) as write,
         ):
             read.execute("BEGIN")
@@ -34,6 +34,11 @@ def copy_sqlite(source: Path, target: Path, told: Callable[[float], None]) -> No
         if damage_in(str(error)) is not None:
             raise Damaged("database-damaged") from error
         raise DatabaseAway("backup-database-not-copied", path=source, said=str(error)) from error
+
+
+def _opened(path: Path) -> sqlite3.Connection:
+    address = read_only_address(path)
+    return sqlite3.connect(address or path, uri=address is not None, timeout=10, isolation_level=None)
 
 
 def settle(path: Path) -> None:

@@ -11,6 +11,7 @@ several, each whole, then share one wait for the disk, and nobody may be told of
 import errno
 import os
 import re
+import sqlite3
 import sys
 import threading
 from collections.abc import Callable, Iterator
@@ -83,10 +84,30 @@ def _sqlite_engine(path: str, url: str) -> Engine:
     if path in ("", ":memory:"):
         raise BadInput("database-memory-database-would-lost-name-file")
     Path(path).absolute().parent.mkdir(parents=True, exist_ok=True)
-    engine = create_engine(url, connect_args={"timeout": 10, "check_same_thread": False}, **_POOL)
-    event.listen(engine, "connect", _prepare_sqlite)
+    given: dict[str, Any] = {"timeout": 10, "check_same_thread": False}
+    if (unchanging := read_only_address(Path(path))) is not None:
+        engine = create_engine(
+            url, creator=lambda: sqlite3.connect(unchanging, uri=True, isolation_level=None, **given), **_POOL
+        )
+    else:
+        engine = create_engine(url, connect_args=given, **_POOL)
+        event.listen(engine, "connect", _prepare_sqlite)
     event.listen(engine, "begin", _begin_sqlite)
     return engine
+
+
+def read_only_address(path: Path) -> str | None:
+    """The address by which SQLite reads a file on a medium that nobody can write; None for any other file.
+
+    SQLite then takes no lock and makes no file beside it. Raises DatabaseAway where commits still wait in a
+    log beside the file: they would not be seen.
+    """
+    if not path.is_file() or os.access(path, os.W_OK) or os.access(path.absolute().parent, os.W_OK):
+        return None
+    log = Path(f"{path}-wal")
+    if log.is_file() and log.stat().st_size:
+        raise DatabaseAway("database-read-only-with-log", path=path)
+    return f"{path.absolute().as_uri()}?mode=ro&immutable=1"
 
 
 def _prepare_sqlite(connection: Any, _record: Any) -> None:
