@@ -61,7 +61,7 @@ def statistics(
         samples[name] = sample
     rules = [rule_today(one, samples["driver_eye"], True) for one in standards_of(standards, "driver_eye")]
     errors = errors_of(roofs, choices.correction, choices.rounding)
-    counted = SampleCounts(3 * n, n, n, {"rejected": 7, "to_review": 21} if n else {})
+    counted = SampleCounts(3 * n, n, n, 0, {"rejected": 7, "to_review": 21} if n else {})
     return Statistics(
         counted=counted,
         standards=standards,
