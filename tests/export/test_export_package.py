@@ -24,7 +24,7 @@ from sightline.infra.services import Services
 from sightline.recordings.frames.stills import stills_of
 from sightline.recordings.store import get_recording
 from tests.support.app import Client
-from tests.support.ground import Ground
+from tests.support.ground import Ground, measure
 from tests.support.packages import FORMULA, ground, package, rows, worked, written
 
 __all__ = ["ground", "package", "worked"]
@@ -41,7 +41,12 @@ def test_room_is_looked_at_before_an_export(
 
 
 def test_the_button_makes_a_package_that_holds_everything_and_the_same_state_the_same_bytes(
-    viewer: Client, worked: Ground, work: Callable[[], list[Job]], services: Services, tmp_path: Path
+    viewer: Client,
+    operator: Client,
+    worked: Ground,
+    work: Callable[[], list[Job]],
+    services: Services,
+    tmp_path: Path,
 ) -> None:
     job = viewer.made(f"/surveys/{worked.survey_id}/exports")
     assert [one.state for one in work()] == ["done"]
@@ -78,6 +83,14 @@ def test_the_button_makes_a_package_that_holds_everything_and_the_same_state_the
         "SHA256SUMS",
     }
     assert once.keys() == twice.keys()
+    # it holds all there is until a height is added, and says how many it lacks then
+    assert made[0]["since"] == {"heights": 0, "reviews": 0, "other": 0}
+    first = int(rows(tmp_path / "export", "vehicles.csv")[0]["id"])
+    measure(operator, first, target="headlight")
+    lacks = {"heights": 1, "reviews": 0, "other": 0}
+    assert viewer.seen(f"/surveys/{worked.survey_id}/exports")[0]["since"] == lacks
+    survey = viewer.seen(f"/surveys/{worked.survey_id}")
+    assert survey["since_package"] == lacks and survey["steps"][-1]["state"] != "done"
 
 
 def test_an_export_that_is_cancelled_leaves_nothing(

@@ -17,6 +17,8 @@ from sightline.infra.audit.records import Who
 from sightline.infra.audit.signing import signing_key
 from sightline.infra.web.bodies import In, JobBody, Out, example
 from sightline.infra.web.deps import AskedIn, Exporter, PathId, Reading, Viewer, Wired, Writing
+from sightline.results.overview.package_query import changes_since_packages
+from sightline.results.overview.records import ChangesSince
 from sightline.results.selection import Selection, selection_of
 from sightline.surveys.store import get_survey
 
@@ -53,9 +55,10 @@ class ExportBody(Out):
     signing_key: str = Field(description="The installation's key in force, which signs packages.")
     url: str
     filename: str = Field(description="What the downloaded file is called.")
+    since: Annotated[ChangesSince, Field(description="Added or changed since: it is not in the package.")]
 
 
-def body_of(made: Export, survey: str, signing_key: str) -> ExportBody:
+def body_of(made: Export, survey: str, signing_key: str, since: ChangesSince) -> ExportBody:
     who = None if made.created_by is None else made.created_by
     return ExportBody(
         id=made.id,
@@ -70,6 +73,7 @@ def body_of(made: Export, survey: str, signing_key: str) -> ExportBody:
         signing_key=signing_key,
         url=f"/api/exports/{made.id}.zip",
         filename=filename_of(made, survey),
+        since=since,
     )
 
 
@@ -105,7 +109,9 @@ def make_export(
 def list_exports(survey_id: PathId, who: Viewer, services: Wired, session: Reading) -> list[ExportBody]:
     """The packages that were made of a survey, newest first."""
     name, key = get_survey(session, survey_id).name, signing_key(services.settings).public
-    return [body_of(made, name, key) for made in store.list_exports(session, survey_id)]
+    packages = store.list_exports(session, survey_id)
+    since = changes_since_packages(session, [made.id for made in packages])
+    return [body_of(made, name, key, since[made.id]) for made in packages]
 
 
 @router.get("/exports/{export_id}.zip", response_class=FileResponse)

@@ -4224,6 +4224,19 @@ export-open-both = { $to_review ->
 }
 export-open-note = Each row shows its review status. For a final package, <link>complete the review</link> first.
 export-packages = Packages
+export-outdated = Outdated, { $what } since
+export-since-heights = { $count ->
+    [one] { NUMBER($count) } height
+   *[other] { NUMBER($count) } heights
+}
+export-since-reviews = { $count ->
+    [one] { NUMBER($count) } verdict
+   *[other] { NUMBER($count) } verdicts
+}
+export-since-other = { $count ->
+    [one] { NUMBER($count) } other change
+   *[other] { NUMBER($count) } other changes
+}
 export-loading = packages
 export-none-title = No packages yet
 export-none = Press “Build the package”. It takes seconds to minutes, depending on the number of images. You can continue working.

@@ -4219,6 +4219,19 @@ export-open-both = { $to_review ->
 }
 export-open-note = Chaque ligne indique son état de vérification. Pour une archive définitive, <link>terminez d’abord la vérification</link>.
 export-packages = Archives
+export-outdated = Périmée, depuis : { $what }
+export-since-heights = { $count ->
+    [one] { NUMBER($count) } hauteur
+   *[other] { NUMBER($count) } hauteurs
+}
+export-since-reviews = { $count ->
+    [one] { NUMBER($count) } décision
+   *[other] { NUMBER($count) } décisions
+}
+export-since-other = { $count ->
+    [one] { NUMBER($count) } autre changement
+   *[other] { NUMBER($count) } autres changements
+}
 export-loading = archives
 export-none-title = Aucune archive
 export-none = Appuyez sur « Créer l’archive ». Cela prend de quelques secondes à quelques minutes, selon le nombre d’images. Vous pouvez continuer à travailler.

@@ -95,6 +95,7 @@ const survey: Survey = {
     heights: 0,
     heights_to_review: 0,
   },
+  since_package: null,
 };
 
 const job = (part: Partial<Job>): Job => ({

@@ -13,7 +13,8 @@ from sightline.infra.web.person import Seen
 from sightline.measurements.query import is_current, is_first, verdict, waits, with_verdict
 from sightline.measurements.tables import measurement_series, measurements
 from sightline.recordings.tables import recordings
-from sightline.results.overview.records import Step, SurveyCounts, SurveyOverview
+from sightline.results.overview.package_query import changes_since_packages
+from sightline.results.overview.records import ChangesSince, Step, SurveyCounts, SurveyOverview
 from sightline.results.sampling.query import pass_answers
 from sightline.results.tables import exports
 from sightline.scans.progress_query import no_scans, scan_progress_of
@@ -33,6 +34,7 @@ class _Facts:
     confirmed: int
     posed: int
     exports: int
+    newest_export: int
 
 
 _ALIVE: ColumnElement[bool] = vehicles.c.deleted_at.is_(None)
@@ -59,9 +61,11 @@ def _overviews(session: Session, of: Sequence[Survey]) -> tuple[SurveyOverview, 
             _camera_facts(survey_ids),
             _recording_facts(survey_ids),
             _measurement_facts(survey_ids),
-            _grouped(exports.c.survey_id, survey_ids, [], exports=func.count()),
+            _package_facts(survey_ids),
         )
     ]
+    newest = [facts["newest_export"] for facts in tables[-1].values()]
+    since = changes_since_packages(session, newest)
     tables.append(_answered_vehicles(session, of))
     scanned = scan_progress_of(session, survey_ids)
     overviews = []
@@ -69,17 +73,20 @@ def _overviews(session: Session, of: Sequence[Survey]) -> tuple[SurveyOverview, 
         facts: dict[str, int] = {}
         for table in tables:
             facts.update(table.get(survey.id, {}))
-        overviews.append(_overview(survey, facts, scanned.get(survey.id, no_scans())))
+        since_newest = since.get(facts.get("newest_export", 0))
+        overviews.append(_overview(survey, facts, scanned.get(survey.id, no_scans()), since_newest))
     return tuple(overviews)
 
 
-def _overview(survey: Survey, facts: dict[str, int], scans: ScanProgress) -> SurveyOverview:
+def _overview(
+    survey: Survey, facts: dict[str, int], scans: ScanProgress, since: ChangesSince | None
+) -> SurveyOverview:
     counts = SurveyCounts(**{name: facts.get(name, 0) for name in SurveyCounts.__slots__})
     rest = _Facts(**{name: facts.get(name, 0) for name in _Facts.__slots__})
     # with line scans alone nobody need calibrate a camera: no step is the next one
     only_scans = scans.scans > 0 and rest.cameras == 0 and counts.recordings == 0
-    steps = _steps(counts, rest, only_scans, scans.heights_to_review)
-    return SurveyOverview(survey, counts, steps, scans)
+    steps = _steps(counts, rest, only_scans, scans.heights_to_review, since)
+    return SurveyOverview(survey, counts, steps, scans, since)
 
 
 def _sum(condition: ColumnElement[bool]) -> ColumnElement[Any]:
@@ -111,6 +118,11 @@ def _recording_facts(survey_ids: Sequence[int]) -> Select[Any]:
         confirmed=_sum(and_(ready, recordings.c.lighting.is_not(None), recordings.c.started_at.is_not(None))),
         posed=_sum(and_(ready, recordings.c.pose_id.is_not(None))),
     )
+
+
+def _package_facts(survey_ids: Sequence[int]) -> Select[Any]:
+    newest = func.max(exports.c.id)
+    return _grouped(exports.c.survey_id, survey_ids, [], exports=func.count(), newest_export=newest)
 
 
 def _measurement_facts(survey_ids: Sequence[int]) -> Select[Any]:
@@ -184,11 +196,15 @@ def _by_survey(session: Session, query: Select[Any]) -> dict[int, dict[str, int]
     }
 
 
-def _steps(counts: SurveyCounts, facts: _Facts, only_scans: bool, line_heights: int) -> tuple[Step, ...]:
+def _steps(
+    counts: SurveyCounts, facts: _Facts, only_scans: bool, line_heights: int, since: ChangesSince | None
+) -> tuple[Step, ...]:
     """The order of the work: what is done, the one that is next, those begun and those that wait for it.
 
-    `line_heights`: heights of line scans that wait for review.
+    `line_heights`: heights of line scans that wait for review. `since`: what the newest package lacks; one
+    that lacks anything is outdated, and its step not done.
     """
+    outdated = since is not None and since.makes_outdated
     told: list[tuple[StepKey, bool, bool, str]] = [
         ("camera", facts.calibrated_cameras > 0, facts.cameras > 0, _camera_words(facts)),
         (
@@ -210,7 +226,7 @@ def _steps(counts: SurveyCounts, facts: _Facts, only_scans: bool, line_heights: 
             counts.measurements + line_heights > 0,
             _review_words(counts, line_heights),
         ),
-        ("results", facts.exports > 0, False, _result_words(facts)),
+        ("results", facts.exports > 0 and not outdated, outdated, _result_words(facts)),
     ]
     following = None if only_scans else next((key for key, done, *_ in told if not done), None)
     return tuple(

@@ -31,10 +31,27 @@ class Step:
 
 
 @dataclass(frozen=True, slots=True)
+class ChangesSince:
+    """How many heights and verdicts were added or changed since a package was built, and how many other
+    things that its tables hold (vehicles, recordings, poses, the survey's own facts).
+    """
+
+    heights: int = 0
+    reviews: int = 0
+    other: int = 0
+
+    @property
+    def makes_outdated(self) -> bool:
+        """Whether the package no longer holds what is there."""
+        return self.heights + self.reviews + self.other > 0
+
+
+@dataclass(frozen=True, slots=True)
 class SurveyOverview:
-    """A survey with what it has and what comes next."""
+    """A survey with what it has and what comes next; `since_package`: the newest one, None without any."""
 
     survey: Survey
     counts: SurveyCounts
     steps: tuple[Step, ...]
     scans: ScanProgress
+    since_package: ChangesSince | None

@@ -1,5 +1,7 @@
 """Surveys as they go out: their words, insets, counts, and what to do next."""
 
+from typing import Annotated
+
 from fastapi import APIRouter
 from pydantic import Field
 
@@ -8,7 +10,7 @@ from sightline.geometry.sides import TrafficFacts
 from sightline.infra.web.deps import ActingAs, Operator, PathId, Reading, SurveysSeen, Viewer, Writing
 from sightline.measurements.again.service import ask_for_waiting
 from sightline.results.overview.query import survey_overview, survey_overviews
-from sightline.results.overview.records import Step, SurveyCounts, SurveyOverview
+from sightline.results.overview.records import ChangesSince, Step, SurveyCounts, SurveyOverview
 from sightline.scans.records import ScanProgress
 from sightline.surveys import store
 from sightline.surveys.bodies import FirstSurvey, InsetChanges, NewSurvey, SurveyChange, SurveyFacts
@@ -25,13 +27,17 @@ class SurveyBody(SurveyFacts):
     counts: SurveyCounts
     steps: tuple[Step, ...]
     scans: ScanProgress
+    since_package: Annotated[
+        ChangesSince | None,
+        Field(description="Added or changed since the newest package was built; null without a package."),
+    ]
 
 
 def survey_body(overview: SurveyOverview, role: ActingRole) -> SurveyBody:
     """A survey with its overview as one object."""
     facts = SurveyFacts.model_validate(overview.survey).model_dump(exclude={"inset_choices"})
-    progress = {"my_role": role, "counts": overview.counts, "steps": overview.steps, "scans": overview.scans}
-    return SurveyBody.model_validate({**facts, **progress})
+    progress = {name: getattr(overview, name) for name in ("counts", "steps", "scans", "since_package")}
+    return SurveyBody.model_validate({**facts, "my_role": role, **progress})
 
 
 def _traffic(body: NewSurvey, before: TrafficFacts) -> TrafficFacts:

@@ -23,6 +23,7 @@ import { toast } from "../../core/toasts";
 import type { ExportPackage, Lighting, Survey } from "../../core/types";
 import { formatBytes } from "../../core/units";
 import { LIGHTING_WORDS } from "../../core/words";
+import { Outdated } from "../../parts/again/Outdated";
 import { OutOfDateNotice } from "../../parts/again/OutOfDateNotice";
 import { ClassChoice, classWords } from "../../parts/vehicles/ClassChoice";
 import "./export.css";
@@ -266,7 +267,10 @@ function Packages({ list }: { list: ExportPackage[] }) {
         <tbody>
           {list.map((entry) => (
             <tr key={entry.id}>
-              <td class="nowrap">{formatMoment(entry.created_at)}</td>
+              <td class="nowrap">
+                {formatMoment(entry.created_at)}
+                <Outdated since={entry.since} />
+              </td>
               <td class="nowrap">{entry.created_by?.name ?? "–"}</td>
               <td>{wantedWords(entry.selection) || say("export-of-all")}</td>
               <td class="nowrap">{nameOfLanguage(entry.language)}</td>

@@ -14,6 +14,7 @@ import type { Place, Step, Survey, Target } from "../../core/types";
 import { fixed, formatCount, formatSpeed } from "../../core/units";
 import { STATE_WORDS, TARGET_NOUNS } from "../../core/words";
 import { entryOfStep } from "../../core/work";
+import { Outdated } from "../../parts/again/Outdated";
 import { OutOfDateNotice } from "../../parts/again/OutOfDateNotice";
 import { ClassesDialog } from "./ClassesDialog";
 import { EditSurvey } from "./EditSurvey";
@@ -211,6 +212,7 @@ function StepRow({ step, index, survey }: { step: Step; index: number; survey: S
           <span class="step__state">{STATE_WORDS[step.state]}</span>
         </h2>
         <p>{step.summary}</p>
+        {step.key === "results" && <Outdated since={survey.since_package} />}
         {step.key === "results" && (
           <p>
             <Said

@@ -1,0 +1,84 @@
+/** A package that lacks heights says so: at the step of the overview, and in its row of the list. */
+import { render } from "preact";
+import { afterEach, beforeEach, expect, it, vi } from "vitest";
+import { survey } from "../core/survey";
+import type { Survey } from "../core/types";
+import ExportScreen from "../screens/export/ExportScreen";
+import SurveyScreen from "../screens/survey/SurveyScreen";
+import { FakeServer } from "../testing/server";
+
+const NOTHING = { heights: 0, reviews: 0, other: 0 };
+const SEVEN = { heights: 7, reviews: 0, other: 0 };
+const box = document.createElement("div");
+let server: FakeServer;
+
+const said = (): (string | undefined)[] =>
+  [...box.querySelectorAll('[data-testid="package-outdated"]')].map((one) => one.textContent?.trim());
+
+function open(since: Survey["since_package"]): void {
+  survey.value = {
+    id: 5,
+    name: "Rouen south",
+    place: {},
+    traffic: {},
+    asked: { daytime: [], low_light: [] },
+    counts: { vehicles: 1 },
+    sampling: { method: "every", step: 1, quotas: [] },
+    steps: [{ key: "results", state: since ? "begun" : "waiting", summary: "1 package built." }],
+    scans: { state: "none", summary: "None.", scans: 0 },
+    since_package: since,
+  } as unknown as Survey;
+}
+
+beforeEach(() => {
+  server = new FakeServer("viewer");
+  const none = { heights: 0, in_line_scans: 0, waiting: 0, other_program: 0, causes: {}, measurements: {} };
+  server.on("GET", /\/computings$/, () => ({ out_of_date: none, computings: [] }));
+  server.on("GET", /^\/jobs/, () => []);
+  server.on("GET", /\/(photographs|sample|lots\/summary)/, () => {
+    throw 404;
+  });
+  server.on("GET", /^\/surveys\/5$/, () => survey.value);
+  document.body.append(box);
+});
+
+afterEach(() => {
+  render(null, box);
+  box.remove();
+  survey.value = null;
+  vi.unstubAllGlobals();
+});
+
+it.each([
+  [null, []],
+  [NOTHING, []],
+  [SEVEN, ["Outdated, 7 heights since"]],
+  [{ heights: 1, reviews: 2, other: 3 }, ["Outdated, 1 height, 2 verdicts and 3 other changes since"]],
+])("the step of the overview: %o", async (since, words) => {
+  open(since);
+  render(<SurveyScreen surveyId={5} />, box);
+  await vi.waitFor(() => expect(box.textContent).toContain("1 package built."));
+  expect(said()).toEqual(words);
+});
+
+it("each package of the list says what it lacks itself", async () => {
+  const entry = (id: number, since: typeof NOTHING) => ({
+    id,
+    since,
+    created_at: "2026-11-26T10:00:00Z",
+    created_by: null,
+    size_bytes: 9,
+    sha256: "a".repeat(64),
+    audit_head: "b".repeat(64),
+    selection: { lighting: null, class_sets: [], categories: [], filmed_from: null, filmed_to: null },
+    language: "en",
+    signing_key: "c".repeat(64),
+    url: `/api/exports/${id}.zip`,
+    filename: "a.zip",
+  });
+  server.on("GET", /\/exports$/, () => [entry(2, NOTHING), entry(1, SEVEN)]);
+  render(<ExportScreen surveyId={5} />, box);
+  await vi.waitFor(() => expect(said()).toEqual(["Outdated, 7 heights since"]));
+  const rows = [...box.querySelectorAll("table")][0]?.querySelectorAll("tbody tr");
+  expect(rows?.[1]?.querySelector('[data-testid="package-outdated"]')).not.toBeNull();
+});
