@@ -20,13 +20,14 @@ import { GROUPS } from "../core/work";
 import { keysShown } from "./KeysDialog.state";
 
 export function TopBar() {
+  const place = current.value?.place.name ?? "surveys";
   return (
     <header class="topbar">
       <Crumbs />
       <SaveWord />
       {topTools.value && <div class="topbar__tools">{topTools.value}</div>}
       <span class="topbar__rule" aria-hidden="true" />
-      <Button kind="quiet" href={guideAddress(GUIDE_OF[current.value?.place.name ?? "surveys"])}>
+      <Button kind="quiet" beside={place !== "guide"} href={guideAddress(GUIDE_OF[place])}>
         {say("page-guide")}
       </Button>
       <Button

@@ -17,9 +17,15 @@ export interface ButtonProps {
   /** Makes it a link that looks like a button. */
   href?: string;
   download?: boolean | string;
+  /** Opens beside, in a tab of its own: what was begun on this page stays. */
+  beside?: boolean;
   class?: string;
   onClick?: (event: MouseEvent) => void;
   buttonRef?: Ref<HTMLButtonElement>;
+}
+
+function tabOf({ beside }: ButtonProps) {
+  return beside ? { target: "_blank", rel: "noopener" } : {};
 }
 
 export function Button(props: ButtonProps) {
@@ -41,7 +47,14 @@ export function Button(props: ButtonProps) {
   const title = props.title ?? (children ? undefined : label);
   if (props.href !== undefined && !props.disabled) {
     return (
-      <a class={className} href={props.href} title={title} aria-label={label} download={props.download}>
+      <a
+        class={className}
+        href={props.href}
+        title={title}
+        aria-label={label}
+        download={props.download}
+        {...tabOf(props)}
+      >
         {inside}
       </a>
     );
