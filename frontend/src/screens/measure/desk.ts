@@ -32,6 +32,8 @@ export interface Desk {
   /** What a click comes to is carried out by the tool that dispatched it. */
   dispatch(event: FlowEvent): Effect | null;
   insetOf(target: Target): Inset | null;
+  /** Whether a pointer rests where the contact was clicked, or where that went: no height is asked for there. */
+  atContact(pointer: ImagePoint): boolean;
   /** What is asked for of the open vehicle and was not said to be unseen. */
   asked(): readonly Target[];
   stepName(step: string): string;

@@ -25,7 +25,7 @@ import {
   type Order,
 } from "../../parts/vehicles/passes";
 import { AFTER_CLICK_MS, Geometry } from "../../viewer/geometry";
-import type { ImagePoint } from "../../viewer/points";
+import { type ImagePoint, screenDistance } from "../../viewer/points";
 import { Reel } from "../../viewer/reel";
 import { FrameStage } from "../../viewer/stage";
 import type { Inset } from "../../viewer/values";
@@ -50,6 +50,9 @@ import { Records } from "./records";
 import { SecondFrame } from "./secondFrame";
 import { Vehicles } from "./vehicles";
 import { WholePass } from "./wholePass";
+
+/** A pointer this near to the contact is at it. */
+const AT_CONTACT_PX = 12;
 
 export const filter = stored<Filter>("passes.filter", "all");
 export const order = stored<Order>("passes.order", "number");
@@ -629,6 +632,16 @@ export class MeasureModel implements Desk {
     const of = { vehicleId: this.vehicleId.value, side: this.vehicle.value?.side ?? null };
     this.geometry.showAxes(
       show ? { recordingId, contact, target, inset: this.insetOf(target), ...of } : null,
+    );
+  }
+
+  atContact(pointer: ImagePoint): boolean {
+    const contact = this.contact.value;
+    if (!contact) return false;
+    const view = this.stage.view.value;
+    const clicked = this.snapping.of(this.seenFrame.value, contact)?.from;
+    return [contact, ...(clicked ? [clicked] : [])].some(
+      (at) => screenDistance(view.toScreen(at), view.toScreen(pointer)) <= AT_CONTACT_PX,
     );
   }
 

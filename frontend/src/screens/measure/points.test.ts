@@ -18,6 +18,8 @@ beforeEach(async () => {
   model.vehicles.takeAll([vehicle([])]);
   model.open(vehicle([]));
   await quiet();
+  // a window as large as the picture
+  model.stage.view.value = model.stage.view.value.resized({ width: 640, height: 480 });
 });
 
 afterEach(() => {
@@ -204,6 +206,45 @@ describe("measuring with clicks", () => {
     expect(live()).toBeNull();
   });
 
+  it("asks for no height where the contact was clicked, and shows none when the pointer comes back to it", async () => {
+    const live = () => model.geometry.live.value;
+    model.stage.hover(at(100, 400));
+    model.stage.place(at(100, 400));
+    // the pointer rests where it clicked, then leaves by a hair
+    await vi.advanceTimersByTimeAsync(1000);
+    model.stage.hover(at(103, 396));
+    await vi.advanceTimersByTimeAsync(1000);
+    expect(server.heights).toEqual([]);
+    expect(live()).toBeNull();
+    model.stage.hover(at(100, 380));
+    await quiet();
+    expect(live()?.answer?.height_m).toBe(1.5);
+    model.stage.hover(at(101, 401));
+    expect(live()).toBeNull();
+    // an answer that was on its way says nothing there either
+    model.stage.hover(at(100, 370));
+    model.stage.hover(at(101, 401));
+    await quiet();
+    expect(live()).toBeNull();
+    expect(model.awaiting.value).toBe("point");
+  });
+
+  it("asks for no height where the contact was clicked before it went to the tyre", async () => {
+    server.on("POST", /\/snap$/, () => ({ contact: [140, 430], expected_px: 0.4, reason: null }));
+    model.stage.hover(at(100, 400));
+    model.stage.place(at(100, 400));
+    await quiet();
+    await vi.advanceTimersByTimeAsync(1000);
+    expect(model.contact.value).toEqual([140, 430]);
+    expect(server.heights).toEqual([]);
+    model.stage.hover(at(140, 428));
+    await quiet();
+    expect(server.heights).toEqual([]);
+    model.stage.hover(at(120, 300));
+    await quiet();
+    expect(server.heights.map((one) => one["target_point"])).toEqual([[120, 300]]);
+  });
+
   it("takes a second frame once for all of a vehicle: one contact, then one click for each target", async () => {
     server.on("POST", /second-frame$/, () => ({
       ok: true,
@@ -218,7 +259,12 @@ describe("measuring with clicks", () => {
     await quiet();
     expect(model.reel.player.value?.frame.value).toBe(44);
     expect(model.second.awaiting.value).toBe("contact");
+    const asked = server.heights.length;
     model.stage.place(at(140, 400));
+    model.stage.hover(at(140, 401));
+    await vi.advanceTimersByTimeAsync(1000);
+    // at the tyre no height of the frames together is asked for
+    expect(server.heights.length).toBe(asked);
     for (const point of [at(141, 250), at(130, 300), at(60, 330)]) {
       expect(model.second.awaiting.value).toBe("point");
       model.stage.place(point);

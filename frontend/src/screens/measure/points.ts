@@ -111,7 +111,11 @@ export class Points implements ClickTool {
     const target = flow.value.target;
     const recordingId = reel.player.value?.recordingId;
     if (!point || awaited.value !== "point" || !contact.value || recordingId === undefined || !target) {
-      if (geometry.live.value) geometry.forgetHeight();
+      geometry.forgetHeight();
+      return true;
+    }
+    if (this.desk.atContact(point)) {
+      geometry.forgetHeight();
       return true;
     }
     geometry.wantHeight({

@@ -169,7 +169,11 @@ export class SecondFrame implements ClickTool {
     const contact = this.contact.value;
     const recordingId = reel.player.value?.recordingId;
     if (!point || !values || !contact || this.awaiting.value !== "point" || recordingId === undefined) {
-      if (geometry.live.value) geometry.forgetHeight();
+      geometry.forgetHeight();
+      return true;
+    }
+    if (this.desk.atContact(point)) {
+      geometry.forgetHeight();
       return true;
     }
     const more = [...values.more, { frame: seenFrame.value, contact, point }];
