@@ -19,8 +19,9 @@ CameraPlace = Literal["verge", "median"]
 DriverSide = Literal["near", "far"]
 SideBasis = Literal["said", "direction", "place"]
 InsetSource = Literal["usual", "own"]
-# clicked: both points by hand; confirmed: both as Sightline proposed them, accepted by a person; moved: begun
-# from proposed points (contact or target), at least one of the two put by a person
+# clicked: by hand, the contact perhaps a proposed one where no target was proposed; confirmed: both as
+# Sightline proposed them, accepted by a person; moved: begun from proposed points (contact or target), at
+# least one of the two put by a person
 MadeAsSaid = Literal["clicked", "confirmed", "moved"]
 Made = Literal[MadeAsSaid, "snapped"]
 ProposalKept = Literal["shown", "withheld"]

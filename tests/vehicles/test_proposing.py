@@ -2,14 +2,17 @@
 
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any
+from typing import Any, get_args
 from uuid import uuid4
 
 import numpy as np
 import pytest
 
+from sightline.enums import Made, Point, ProposedPoint, Target
 from sightline.infra.jobs.records import Job
 from sightline.infra.services import Services
+from sightline.measurements.records import Clicks
+from sightline.measurements.service import made_of
 from sightline.media.video.writer import write_mp4
 from sightline.messages import say
 from sightline.statistics.anchoring import shift, verdict
@@ -112,7 +115,9 @@ def test_clicks_are_no_proposals_where_none_stands(
     vehicle_id, wanted = proposed
     path = f"/vehicles/{vehicle_id}/measurements"
     eye = moved({**wanted, "target": "driver_eye"}, 20.0)
-    assert operator.made(path, eye)["made"] == "moved"  # by hand, over the proposed contact
+    # by hand, over the proposed contact: no eye is proposed that it could have been moved from
+    assert operator.made(path, eye)["made"] == "clicked"
+    assert operator.post(path, {**eye, "client_key": str(uuid4()), "made": "moved"}).status_code == 409
     assert operator.post(path, {**wanted, "frame": 5, "made": "moved"}).status_code == 409
     with services.writing() as session:
         replace_proposals(session, ground.recording_id, ground.pose_id, [], actor=None)
@@ -123,6 +128,43 @@ def test_clicks_are_no_proposals_where_none_stands(
         one for one in operator.seen(f"/audit?survey_id={ground.survey_id}") if one["entity"] == "proposals"
     ]
     assert event["action"] == "propose" and event["after"]["points"] == 0
+
+
+PLACES: dict[ProposedPoint, Point] = {"contact_rear": (100.0, 200.0), "roof": (110.0, 120.0)}
+FREE = (130.0, 140.0)
+#: target, contact, target point and what a page says of them; how they were set, None: not those proposed.
+SET: list[tuple[Target, Point, Point, Made, Made | None]] = [
+    ("roof", PLACES["contact_rear"], PLACES["roof"], "clicked", "confirmed"),
+    ("roof", PLACES["contact_rear"], PLACES["roof"], "confirmed", "confirmed"),
+    ("roof", PLACES["contact_rear"], FREE, "moved", "moved"),
+    ("roof", PLACES["contact_rear"], FREE, "clicked", "moved"),
+    ("roof", FREE, PLACES["roof"], "moved", "moved"),
+    ("roof", FREE, FREE, "moved", "moved"),
+    ("roof", FREE, FREE, "clicked", "clicked"),
+    ("roof", FREE, FREE, "snapped", "snapped"),
+    ("roof", PLACES["contact_rear"], FREE, "confirmed", None),
+    # of an eye nothing is proposed
+    ("driver_eye", PLACES["contact_rear"], FREE, "clicked", "clicked"),
+    ("driver_eye", PLACES["contact_rear"], FREE, "snapped", "snapped"),
+    ("driver_eye", FREE, FREE, "clicked", "clicked"),
+    ("driver_eye", PLACES["contact_rear"], FREE, "moved", None),
+    ("driver_eye", PLACES["contact_rear"], FREE, "confirmed", None),
+]
+
+
+@pytest.mark.parametrize(("target", "contact", "point", "said", "made"), SET)
+def test_how_points_were_set_is_what_was_done_to_them(
+    target: Target, contact: Point, point: Point, said: Made, made: Made | None
+) -> None:
+    clicks = Clicks(target=target, contact=contact, target_point=point, made=said)
+    assert made_of(clicks, PLACES) == made
+
+
+@pytest.mark.parametrize("target", get_args(Target))
+@pytest.mark.parametrize("said", ["clicked", "snapped"])
+def test_where_nothing_is_proposed_points_are_never_moved(target: Target, said: Made) -> None:
+    clicks = Clicks(target=target, contact=FREE, target_point=FREE, made=said)
+    assert made_of(clicks, {}) == said
 
 
 def test_another_pose_or_a_cut_pass_takes_proposals_out_of_sight(

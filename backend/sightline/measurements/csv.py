@@ -157,9 +157,10 @@ def _value(m: Measurement, name: str) -> float | None:
 _MADE: Columns = (
     text(
         "made",
-        "how the points on `frame` were set: clicked by hand, snapped: the contact went from a click to the "
-        "tyre found there, confirmed as proposed, or moved: begun from proposed or found points (contact or "
-        "target), at least one of the two put by a person",
+        "how the points on `frame` were set: clicked by hand (the contact perhaps a proposed one, where no "
+        "target was proposed), snapped: the contact went from a click to the tyre found there, confirmed as "
+        "proposed, or moved: begun from proposed or found points (contact or target), at least one of them "
+        "put by a person",
         lambda m: m.values.made,
         required=True,
         enum=get_args(Made),

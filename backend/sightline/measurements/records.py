@@ -180,9 +180,10 @@ class MeasurementValues(HeightOfClicks):
     made: Annotated[
         Made,
         Field(
-            description="Of the first frame's points. clicked: both by hand; snapped: the contact went from "
-            "a click to the tyre found there, the target by hand; confirmed: both as proposed; moved: begun "
-            "from proposed or found points, at least one of the two put by a person."
+            description="Of the first frame's points. clicked: by hand, the contact perhaps a proposed one "
+            "where no target was proposed; snapped: the contact went from a click to the tyre found there, "
+            "the target by hand; confirmed: both as proposed; moved: begun from proposed or found points, at "
+            "least one of the two put by a person."
         ),
     ]
     pose_id: int

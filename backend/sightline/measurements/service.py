@@ -131,12 +131,12 @@ def origin_of(session: Session, vehicle_id: int, client_key: str, clicks: Clicks
     """Clicks with how their points were set, held against what is proposed on their frame: a point exactly
     where one is proposed was not clicked, whatever is said. What was proposed is kept beside them.
 
-    Raises Conflict where clicks said to be confirmed are not those proposed, or where nothing is proposed on
-    the frame of clicks said to be moved; not for a `client_key` that is stored already.
+    Raises Conflict where clicks said to be confirmed are not those proposed, or where nothing is proposed of
+    the target of clicks said to be moved, on their frame; not for a `client_key` that is stored already.
     """
     placed = [one for one in proposals_of_vehicle(session, vehicle_id) if one.frame == clicks.frame]
     places = {one.point: one.point_px for one in placed if one.point_px is not None}
-    made = _made_of(clicks, places)
+    made = made_of(clicks, places)
     if made is None and not is_stored_key(session, client_key):
         raise Conflict("measurements-proposals-not-these")
     contacts = [one for one in placed if one.point.startswith("contact") and one.point_px is not None]
@@ -156,15 +156,19 @@ def origin_of(session: Session, vehicle_id: int, client_key: str, clicks: Clicks
     )
 
 
-def _made_of(clicks: Clicks, places: Mapping[ProposedPoint, Point]) -> Made | None:
-    """None where clicks are not what they are said to be."""
+def made_of(clicks: Clicks, places: Mapping[ProposedPoint, Point]) -> Made | None:
+    """None where clicks are not what they are said to be. A target that nothing is proposed of is clicked,
+    also on a contact that was proposed.
+    """
+    if cast(ProposedPoint, clicks.target) not in places:
+        return None if clicks.made in ("confirmed", "moved") else clicks.made
     contact = any(_same(clicks.contact, at) for point, at in places.items() if point.startswith("contact"))
     target = _same(clicks.target_point, places.get(cast(ProposedPoint, clicks.target)))
     if contact and target:
         return "confirmed"
     if clicks.made == "snapped":
         return "snapped"
-    if clicks.made == "confirmed" or (clicks.made == "moved" and not places):
+    if clicks.made == "confirmed":
         return None
     return "moved" if contact or target or clicks.made == "moved" else "clicked"
 

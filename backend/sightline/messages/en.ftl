@@ -2014,7 +2014,13 @@ review-further-frames = Further frames
 review-distance = Distance
 review-inset = Inset
 review-inset-estimate = { $inset } (u = { $u_inset }, estimate)
-review-clicked-by = Clicked by
+review-points-set = Points
+review-made-by = { $made ->
+    [snapped] contact snapped to the tyre, target clicked by { $person }, { $time }
+    [confirmed] proposed, confirmed by { $person }, { $time }
+    [moved] proposed, moved by { $person }, { $time }
+   *[clicked] clicked by { $person }, { $time }
+}
 
 ## Review: the verdict
 

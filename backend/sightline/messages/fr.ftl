@@ -2012,7 +2012,13 @@ review-further-frames = Autres images
 review-distance = Distance
 review-inset = Retrait
 review-inset-estimate = { $inset } (u = { $u_inset }, estimation)
-review-clicked-by = Pointé par
+review-points-set = Points
+review-made-by = { $made ->
+    [snapped] contact accroché au pneu, cible pointée par { $person }, { $time }
+    [confirmed] proposés, confirmés par { $person }, { $time }
+    [moved] proposés, déplacés par { $person }, { $time }
+   *[clicked] pointés par { $person }, { $time }
+}
 
 ## Vérification : la décision
 

@@ -34,7 +34,6 @@ class _Facts:
     confirmed: int
     posed: int
     exports: int
-    newest_export: int
 
 
 _ALIVE: ColumnElement[bool] = vehicles.c.deleted_at.is_(None)

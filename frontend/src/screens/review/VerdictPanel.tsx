@@ -170,9 +170,10 @@ function Facts({ item }: { item: ReviewItem }) {
           u_inset: formatLength(m.u_inset_m, 2),
         })}
       </dd>
-      <dt>{say("review-clicked-by")}</dt>
-      <dd>
-        {say("revisions-who", {
+      <dt>{say("review-points-set")}</dt>
+      <dd data-testid="review-made">
+        {say("review-made-by", {
+          made: m.made,
           person: m.created_by?.name ?? say("person-unknown"),
           time: formatMoment(m.created_at),
         })}
