@@ -1,5 +1,6 @@
 """Heights computed again: new revisions, old beside new, verdicts kept where little moved, undone whole."""
 
+import shutil
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -347,3 +348,52 @@ def test_what_is_forged_of_it_is_found(computed: Path, forge: Callable[[Path], s
     rederive(computed)
     found = verify_package(FolderFiles(computed))
     assert not found.ok and said in str(found.problem), found.problem
+
+
+def test_the_package_marks_what_is_out_of_date_as_the_pages_do(
+    operator: Client, viewer: Client, services: Services, ground: Ground, work: Work, tmp_path: Path
+) -> None:
+    path = f"/surveys/{ground.survey_id}"
+    survey = operator.seen(path)
+    words = {name: survey[name] for name in ("name", "site", "description")}
+
+    def drive(steering: str) -> None:
+        traffic = {"traffic_side": "right", "steering_side": steering, "camera_place": "verge"}
+        version = operator.seen(path)["version"]
+        assert operator.put(path, json={**words, "version": version, "traffic": traffic}).status_code == 200
+
+    def marked(name: str) -> dict[int, str]:
+        place = written(services, ground.survey_id, tmp_path / name)
+        found = verify_package(FolderFiles(place))
+        assert found.ok, found.problem
+        assert list(rows(place, "measurements.csv")[0])[-1] == "out_of_date"  # appended, no column moved
+        return {int(row["id"]): row["out_of_date"] for row in rows(place, "measurements.csv")}
+
+    drive("left")
+    both = [add_vehicle(operator, ground.recording_id, direction="right")["id"] for _ in range(2)]
+    eye, gone = (measure(operator, one, **{**ROOF, "target": "driver_eye"}) for one in both)
+    roof = measure(operator, both[0], **ROOF)
+    own = measure(operator, both[1])
+    assert set(marked("before").values()) == {""}
+    operator.delete(f"/measurements/{gone['id']}?revision=1")
+    drive("right")
+    say_inset(operator, ground.survey_id, LARGE)
+    assert marked("stale") == {eye["id"]: "side", gone["id"]: "", roof["id"]: "inset", own["id"]: ""}
+    add_pose(services, ground.recording_id, ground.calibration_id, flat_camera())
+    said = {eye["id"]: "pose; side", gone["id"]: "", roof["id"]: "pose; inset", own["id"]: "pose"}
+    assert marked("posed") == said
+    shown = viewer.seen(f"{path}/computings")["out_of_date"]["measurements"]
+    assert {int(id_): "; ".join(causes) for id_, causes in shown.items()} == {
+        id_: causes for id_, causes in said.items() if causes
+    }
+    again(operator, ground, work)
+    assert set(marked("again").values()) == {""}
+
+    for id_, forged in ((roof["id"], ""), (own["id"], "inset"), (gone["id"], "side")):
+        place = tmp_path / f"forged-{id_}"
+        shutil.copytree(tmp_path / "posed", place)
+        edit(place, "measurements.csv", lambda row: row["id"] == str(id_), out_of_date=forged)  # noqa: B023
+        rederive(place)
+        told = verify_package(FolderFiles(place))
+        assert not told.ok and told.problem is not None
+        assert told.problem.startswith(f"measurements.csv: {id_} is not marked as out of date")

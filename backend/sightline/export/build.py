@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import ExitStack
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from itertools import groupby
 from typing import TypeVar
 
@@ -18,6 +18,7 @@ from sightline.cameras.calibrations.csv import CALIBRATIONS, NamedCalibration, c
 from sightline.cameras.calibrations.store import list_calibrations
 from sightline.cameras.csv import CAMERAS
 from sightline.cameras.store import list_cameras
+from sightline.enums import ComputingCause
 from sightline.export.chosen import chosen_vehicles
 from sightline.export.contents import about_of, described, tables_of
 from sightline.export.crops import CROPS, Spots, spots_of, take_crops
@@ -49,6 +50,7 @@ from sightline.infra.database import Session
 from sightline.infra.services import Services
 from sightline.measurements.again.csv import COMPUTINGS
 from sightline.measurements.again.query import list_computings
+from sightline.measurements.again.service import measurements_out_of_date
 from sightline.measurements.csv import (
     BUDGET,
     MEASUREMENTS,
@@ -208,6 +210,7 @@ def _measurements(
 ) -> None:
     """Everything that is told of measurements, in one pass over the revisions."""
     done = 0
+    stale = measurements_out_of_date(session, survey_id).measurements
     with ExitStack() as stack:
         out = _Writers(staging, stack, most)
         for page in revision_pages(session, survey_id):
@@ -222,7 +225,7 @@ def _measurements(
                 if newest.repeat_of is not None:
                     out.repeats.add(newest)
                     continue
-                out.measurement([one for one, _ in revisions], car)
+                out.measurement([one for one, _ in revisions], car, stale.get(newest.id, ()))
                 seen.name(newest.review.reviewer)
                 seen.measurements += 1
                 if not newest.withdrawn:
@@ -244,12 +247,14 @@ class _Writers:
         self._of_poses: dict[int, TableWriter[Clicked]] = {}
         self.repeats = self._opened(REPEATS)
 
-    def measurement(self, revisions: Sequence[Measurement], car: OfVehicle) -> None:
-        """One measurement with all its revisions, the newest last."""
+    def measurement(
+        self, revisions: Sequence[Measurement], car: OfVehicle, out_of_date: tuple[ComputingCause, ...]
+    ) -> None:
+        """One measurement with all its revisions, the newest last, and why that is out of date."""
         for one in revisions:
             self._all.add(one)
         newest = revisions[-1]
-        self._current.add(newest)
+        self._current.add(replace(newest, out_of_date=out_of_date))
         for entry in budget_entries(newest):
             self._budget.add(entry)
         if not newest.withdrawn:

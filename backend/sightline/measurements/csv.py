@@ -37,6 +37,7 @@ from sightline.infra.csv_package.columns import (
     text,
 )
 from sightline.infra.csv_package.schema import Cell, Column, Table
+from sightline.measurements.again.csv import out_of_date
 from sightline.measurements.followed_text import frames_of_text
 from sightline.measurements.records import FurtherFrame, Measurement
 from sightline.poses.csv import pose_path
@@ -402,6 +403,7 @@ MEASUREMENTS: Table[Measurement] = Table(
             enum=get_args(VerdictBasis),
         ),
         integer("lot_id", "of a verdict by lot: the lot", lambda m: m.review.lot_id),
+        out_of_date("recording's road pose", lambda m: m.out_of_date),
     ),
     primary=("id",),
     foreign=(

@@ -29,6 +29,7 @@ from sightline.geometry.height import (
 from sightline.geometry.insets import SIDE_UNKNOWN, inset_name
 from sightline.geometry.multiframe import MultiHeight, measure_frames
 from sightline.geometry.road_pose import RoadPose
+from sightline.geometry.sides import FoundSide
 from sightline.geometry.whole_pass import WholePass, measure_pass
 from sightline.measurements.followed_text import read_text
 from sightline.measurements.records import Clicks, HeightOfClicks
@@ -90,6 +91,13 @@ class PoseCache:
         with self._lock:
             self._poses[pose_id] = pose
         return pose
+
+
+def on_side(clicks: Clicks, side: FoundSide | None) -> Clicks:
+    """Clicks on an eye with the side on which its driver sits, where they say none themselves."""
+    if clicks.target != "driver_eye" or clicks.side is not None or side is None:
+        return clicks
+    return replace(clicks, side=side.side, side_from=side.basis)
 
 
 def filled_in(clicks: Clicks, insets: Mapping[str, Inset], own_sigma_px: float | None = None) -> Clicks:

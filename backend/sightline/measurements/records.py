@@ -8,6 +8,7 @@ from pydantic import Field
 from typing_extensions import TypedDict
 
 from sightline.enums import (
+    ComputingCause,
     DriverSide,
     InsetSource,
     Made,
@@ -274,6 +275,8 @@ class Measurement:
     drift_flag: str | None = None
     #: Derived too: when its first frame was filmed, ISO 8601 with offset; None: the start is not confirmed.
     filmed_at: str | None = None
+    #: Filled in for the package alone: the facts that it follows from and that hold no longer.
+    out_of_date: tuple[ComputingCause, ...] = ()
 
     @property
     def all_flags(self) -> list[str]:

@@ -29,6 +29,7 @@ from sightline.measurements.height_of_clicks import (
     answer,
     filled_in,
     inset_for,
+    on_side,
 )
 from sightline.measurements.records import (
     ClickedFrame,
@@ -272,9 +273,7 @@ def clicks_in_context(clicks: Clicks, context: ClickContext) -> Clicks:
     for further in clicks.more_frames:
         _check_point(f"contact (frame {further.frame})", further.contact)
         _check_point(f"target (frame {further.frame})", further.target_point)
-    if clicks.target == "driver_eye" and clicks.side is None and context.side is not None:
-        clicks = replace(clicks, side=context.side.side, side_from=context.side.basis)
-    return filled_in(clicks, context.insets, context.own_sigma_px)
+    return filled_in(on_side(clicks, context.side), context.insets, context.own_sigma_px)
 
 
 def _check_point(word: str, point: Point) -> None:

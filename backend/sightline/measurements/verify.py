@@ -22,6 +22,7 @@ from sightline.infra.audit.records import Who
 from sightline.infra.csv_package.files import Files, read_columns, read_rows, read_whole
 from sightline.infra.csv_package.files import number as figure_of
 from sightline.infra.csv_package.schema import AnyTable, Table, cell_text
+from sightline.measurements.again.differences import Facts, facts_of
 from sightline.measurements.csv import BUDGET, REVISIONS, budget_entries, clicks_path, with_frames
 from sightline.measurements.height_of_clicks import Answer, answer
 from sightline.measurements.records import (
@@ -51,15 +52,15 @@ _RECOMPUTED = tuple(
     or one.name in ("u_clicks_m", "u_by_inset_m")
 )
 _VERDICT = ("verdict", "review_reason", "reviewer_id", "reviewed_at", "verdict_by", "lot_id")
-_ONLY_CURRENT = ("id", "filmed_at", *_VERDICT)
+_ONLY_CURRENT = ("id", "filmed_at", "out_of_date", *_VERDICT)
 
 
 @dataclass(eq=False)
 class MeasurementEvents:
     """What the events say of measurements, as digests: `revisions` by (measurement, revision), `repeats` by
     repeat, of its newest revision (as `table_of_repeats` has it), `budgets` of newest revisions;
-    `of_vehicle`: whose each measurement is; `frames`: pts, time and CRC-32 of each frame clicked on, by
-    (recording, frame).
+    `of_vehicle`: whose each measurement is; `follows_from`: target and facts of its newest revision;
+    `frames`: pts, time and CRC-32 of each frame clicked on, by (recording, frame).
     """
 
     table_of_repeats: AnyTable
@@ -67,6 +68,7 @@ class MeasurementEvents:
     repeats: dict[int, bytes] = field(default_factory=dict)
     budgets: dict[int, bytes] = field(default_factory=dict)
     of_vehicle: dict[int, int] = field(default_factory=dict)
+    follows_from: dict[int, tuple[Target, Facts]] = field(default_factory=dict)
     frames: dict[tuple[int, int], list[str]] = field(default_factory=dict)
 
     def add(self, number: int, after: Mapping[str, Any]) -> None:
@@ -83,6 +85,7 @@ class MeasurementEvents:
         if made.repeat_of is not None:
             self.repeats[number] = _digest(cells_of(self.table_of_repeats, made))
         else:
+            self.follows_from[number] = made.values.target, facts_of(made.values, made.values.pose_id)
             most = max(2, len(made.values.frames))
             self.revisions[number, made.revision] = _digest(cells_of(with_frames(REVISIONS, most), made))
             self.budgets[number] = _digest([cells_of(BUDGET, one) for one in budget_entries(made)])

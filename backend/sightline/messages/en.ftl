@@ -4649,6 +4649,7 @@ computing-undone-already = This was already undone; compute the heights again to
 computing-undo-the-later-first = Heights were computed again at { $when }; undo that first.
 computing-computings-csv-not-what-event-says = computings.csv: { $id } differs from its audit event; take the whole export again.
 computing-computing-made-other-revisions = computings.csv: { $id } made a different number of revisions than it states; take the whole export again.
+computing-out-of-date-not-so = { $path }: { $id } is not marked as out of date as its facts have it; take the whole export again.
 computing-computing-missing = computings.csv: { $id } is missing, although it has an audit event; take the whole export again.
 computing-verdict-went-over = revisions.csv: revision { $revision } of measurement { $name } has a verdict that was given to another height; take the whole export again.
 measurements-measurement-not-withdrawn-nothing-restore = This measurement is not withdrawn, so there is nothing to restore.

@@ -4683,6 +4683,7 @@ computing-undone-already = Ceci a déjà été annulé ; recalculez les hauteu
 computing-undo-the-later-first = Les hauteurs ont été recalculées le { $when } ; annulez d’abord ce calcul.
 computing-computings-csv-not-what-event-says = computings.csv : { $id } n’est pas ce que dit son événement d’audit ; reprenez l’export complet.
 computing-computing-made-other-revisions = computings.csv : { $id } a fait un autre nombre de révisions qu’il ne dit ; reprenez l’export complet.
+computing-out-of-date-not-so = { $path } : { $id } n’est pas marquée périmée comme ses données le veulent ; reprenez l’export complet.
 computing-computing-missing = computings.csv : { $id } manque, bien que son événement d’audit soit là ; reprenez l’export complet.
 computing-verdict-went-over = revisions.csv : la révision { $revision } de la mesure { $name } a une décision rendue sur une autre hauteur ; reprenez l’export complet.
 measurements-measurement-not-withdrawn-nothing-restore = Cette mesure n’est pas retirée : il n’y a rien à restaurer.

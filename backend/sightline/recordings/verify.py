@@ -46,6 +46,11 @@ class RecordingEvents:
         """A road pose came into force."""
         self.facts.setdefault(number, {})["pose_id"] = pose_id
 
+    def pose_in_force(self, number: int) -> int | None:
+        """The road pose of a recording; None where it has none or was deleted."""
+        pose_id = self.facts.get(number, {}).get("pose_id")
+        return None if pose_id is None else int(pose_id)
+
     def drift_flag(self, number: int, pose_id: int, frames: Sequence[int]) -> str | None:
         """What is said of a height on these frames where the camera had moved since the pose."""
         spans = self.spans.get(number, {}).get(pose_id)

@@ -51,6 +51,7 @@ from sightline.scans.vehicles.listing import ShownVehicle, shown
 from sightline.scans.vehicles.measurement_store import scan_measurement_history
 from sightline.scans.vehicles.review_store import list_scan_reviews
 from sightline.scans.vehicles.store import list_scan_vehicles
+from sightline.surveys.store import get_survey
 
 Rig = Mapping[str, Cell]
 
@@ -469,6 +470,7 @@ def scan_records(session: Session, survey_id: int) -> ScanRecords:
     Deleted scans and vehicles are left out with all that belongs to them, as for heights.
     """
     found = ScanRecords()
+    insets = get_survey(session, survey_id).insets
     for scan in list_scans(session, survey_id):
         found.scans.append(scan)
         standing = standing_references(session, scan.id)
@@ -478,7 +480,7 @@ def scan_records(session: Session, survey_id: int) -> ScanRecords:
         for one in passed:
             found.measurements += scan_measurement_history(session, one.vehicle.id)
         found.name(found.rigs.add_scan(session, scan.id))
-        found.name(found.heights.add_scan(session, scan.id, [one.vehicle.id for one in passed]))
+        found.name(found.heights.add_scan(session, scan.id, [one.vehicle.id for one in passed], insets))
     found.heights.heights.sort(key=lambda one: one.height.id)
     found.heights.reviews.sort(key=lambda one: one.id)
     found.measurements.sort(key=lambda one: one.id)

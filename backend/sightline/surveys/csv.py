@@ -78,6 +78,14 @@ def insets_in_force(survey: Survey) -> list[InForce]:
     return sorted(survey.insets.items())
 
 
+def insets_in(files: Files) -> dict[str, Inset]:
+    """The insets of a package, by target."""
+    return {
+        row["target"]: Inset(float(row["inset_m"]), float(row["u_inset_m"]), unsafe(row["note"]))
+        for row in read_rows(files, INSETS.path)
+    }
+
+
 CLASSES: Table[VehicleClass] = Table(
     "classes",
     "The classes of vehicles: the set that each counts in, and what the EU and FHWA call it.",

@@ -47,7 +47,7 @@ from sightline.infra.csv_package.files import (
 from sightline.infra.csv_package.forms import check_forms, read_json
 from sightline.infra.csv_package.schema import CHECKSUMS, Written
 from sightline.infra.csv_package.verify import check_keys
-from sightline.measurements.again.verify import check_computings
+from sightline.measurements.again.verify import check_computings, check_out_of_date
 from sightline.measurements.csv import CLICKS, CLICKS_FOLDER
 from sightline.measurements.sheets.verify import check_vehicles
 from sightline.measurements.verify import Recomputed, check_frames, check_measurements
@@ -177,6 +177,13 @@ def _check(files: Files, head: str | None, key: str | None, found: _Found, tick:
         files, told.measurements, told.is_gone, told.recordings.drift_flag, heights
     )
     found.heights += check_repeats(files, told.measurements, told.is_gone, heights)
+    check_out_of_date(
+        files,
+        told.measurements.follows_from,
+        told.survey,
+        told.vehicles,
+        told.recordings.pose_in_force,
+    )
     tick(0.5)
     check_vehicles(files, told.vehicles, told.is_gone)
     check_recordings(files, told.recordings)

@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Sequence
 from typing import get_args
 
+from typing_extensions import TypeVar
+
 from sightline.enums import ComputingCause, ComputingKind
-from sightline.infra.csv_package.columns import integer, key, metres, moment, person, text
+from sightline.infra.csv_package.columns import integer, joined, key, metres, moment, person, text
 from sightline.infra.csv_package.schema import Column, Table
 from sightline.measurements.again.records import Computing
 
+R = TypeVar("R")
 _CAUSES: tuple[tuple[ComputingCause, str], ...] = (
     ("pose", "heights that followed from another road pose, or another calibration of a line camera"),
     ("inset", "heights that followed from another inset"),
@@ -16,6 +20,17 @@ _CAUSES: tuple[tuple[ComputingCause, str], ...] = (
     ("program", "heights that another version of the program came to"),
 )
 assert {cause for cause, _ in _CAUSES} == set(get_args(ComputingCause))
+
+
+def out_of_date(pose: str, of: Callable[[R], Sequence[ComputingCause]]) -> Column[R]:
+    """Why a height is out of date; `pose`: what its pose is called here."""
+    return text(
+        "out_of_date",
+        "why the height is out of date, separated by semicolons: pose, inset or side where it follows from "
+        f"another {pose}, another usual inset or another side of the driver than holds now in this package; "
+        "empty: it is not. Compute the heights again in the survey and export it anew",
+        lambda record: joined(of(record)) or None,
+    )
 
 
 def _of_cause(cause: ComputingCause, meaning: str) -> Column[Computing]:

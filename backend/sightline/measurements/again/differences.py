@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, fields
 
-from sightline.enums import ComputingCause, DriverSide, InsetSource, SideBasis
+from sightline.enums import ComputingCause, DriverSide, InsetSource, SideBasis, Target
+from sightline.geometry.sides import FoundSide
+from sightline.measurements.height_of_clicks import filled_in, on_side
 from sightline.measurements.records import Clicks, HeightOfClicks, Measurement, MeasurementValues
+from sightline.surveys.records import Inset
 
 # Half of the last decimal that the package carries: less than that is the same number.
 _SAME_M = 0.5e-6
@@ -53,6 +57,29 @@ def causes_of_facts(then: Facts, now: Facts) -> tuple[ComputingCause, ...]:
     elif not (same_length(then.inset_m, now.inset_m) and same_length(then.u_inset_m, now.u_inset_m)):
         found.append("inset")
     return tuple(found)
+
+
+def causes_now(
+    target: Target,
+    then: Facts,
+    *,
+    pose_id: int | None,
+    side: FoundSide | None,
+    insets: Mapping[str, Inset],
+) -> tuple[ComputingCause, ...]:
+    """Which facts of a stored height no longer hold, with those that hold now: the road pose in force of its
+    recording (None: it has none, and the height stays), where the driver sits, and the survey's insets.
+    """
+    own = then.inset_from == "own"
+    clicks = Clicks(
+        target=target,
+        contact=(0.0, 0.0),  # where the clicks are does not matter
+        target_point=(0.0, 0.0),
+        inset_m=then.inset_m if own else None,
+        u_inset_m=then.u_inset_m if own else None,
+    )
+    in_force = then.pose_id if pose_id is None else pose_id
+    return causes_of_facts(then, facts_of(filled_in(on_side(clicks, side), insets), in_force))
 
 
 def causes_of(then: MeasurementValues, now: MeasurementValues) -> tuple[ComputingCause, ...]:

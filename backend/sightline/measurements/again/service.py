@@ -19,14 +19,11 @@ from sightline.infra.jobs.records import Job
 from sightline.infra.jobs.registry import enqueue
 from sightline.infra.version import code_version
 from sightline.measurements.again.differences import (
-    Facts,
+    causes_now,
     causes_of,
-    causes_of_facts,
-    facts_of,
     verdict_still_holding,
 )
 from sightline.measurements.again.query import (
-    Alike,
     Made,
     alike,
     contexts_of_survey,
@@ -73,7 +70,8 @@ def measurements_out_of_date(session: Session, survey_id: int) -> OutOfDate:
     heights = waiting = other_program = 0
     named: dict[int, tuple[ComputingCause, ...]] = {}
     for group in alike(session, survey_id):
-        found = causes_of_facts(group.facts, _facts_now(group))
+        now = group.context
+        found = causes_now(group.target, group.facts, pose_id=now.pose_id, side=now.side, insets=now.insets)
         if found:
             heights += group.count
             waiting += 0 if group.has_height else group.count
@@ -88,22 +86,6 @@ def measurements_out_of_date(session: Session, survey_id: int) -> OutOfDate:
         other_program=other_program,
         causes=dict(causes),
         measurements=dict(sorted(named.items())),
-    )
-
-
-def _facts_now(group: Alike) -> Facts:
-    """The facts that clicks on such a vehicle would be computed with now; where they are does not matter."""
-    own = group.facts.inset_from == "own"
-    clicks = Clicks(
-        target=group.target,
-        contact=(0.0, 0.0),
-        target_point=(0.0, 0.0),
-        inset_m=group.facts.inset_m if own else None,
-        u_inset_m=group.facts.u_inset_m if own else None,
-    )
-    pose_id = group.context.pose_id
-    return facts_of(
-        clicks_in_context(clicks, group.context), group.facts.pose_id if pose_id is None else pose_id
     )
 
 

@@ -3,16 +3,22 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Mapping, Sequence, Set
+from collections.abc import Callable, Mapping, Sequence, Set
+from dataclasses import fields
 from itertools import groupby
 from typing import Any
 
+from sightline.enums import Target
 from sightline.errors import Damaged
+from sightline.geometry.sides import TrafficFacts, driver_side
 from sightline.infra.csv_package.chain import stamp
+from sightline.infra.csv_package.columns import joined
 from sightline.infra.csv_package.files import Files, read_columns, read_rows
 from sightline.infra.csv_package.files import number as figure_of
 from sightline.infra.csv_package.verify import says
 from sightline.measurements.again.csv import COMPUTINGS
+from sightline.measurements.again.differences import Facts, causes_now
+from sightline.surveys.records import Inset
 
 # Three lengths of six decimals, each rounded.
 _ROUNDING_M = 2e-6
@@ -45,6 +51,30 @@ def check_computings(
         if bad is not None:
             raise Damaged("computing-verdict-went-over", name=name, revision=bad["revision"])
     return kinds
+
+
+def check_out_of_date(
+    files: Files,
+    follows_from: Mapping[int, tuple[Target, Facts]],
+    survey: Mapping[str, Any],
+    vehicles: Mapping[int, Mapping[str, Any]],
+    pose_in_force: Callable[[int], int | None],
+) -> None:
+    """Each measurement is marked as out of date for what its events say, and no other. All from the audit
+    chain: `follows_from` of each measurement, the survey's traffic and insets, the vehicles by number and the
+    road pose in force of a recording. Raises Damaged.
+    """
+    traffic = TrafficFacts(**{one.name: survey.get(one.name) for one in fields(TrafficFacts)})
+    insets = {name: Inset(**told) for name, told in survey["insets"].items()}
+    names = ("id", "vehicle_id", "recording_id", "withdrawn", "out_of_date")
+    for id_, vehicle, recording, withdrawn, said in read_columns(files, "measurements.csv", names):
+        car, pose_id = vehicles.get(int(vehicle), {}), pose_in_force(int(recording))
+        target, then = follows_from[int(id_)]
+        side = driver_side(car.get("driver_side"), car.get("direction"), traffic)
+        stands = withdrawn != "true" and pose_id is not None
+        found = causes_now(target, then, pose_id=pose_id, side=side, insets=insets) if stands else ()
+        if said != joined(found):
+            raise Damaged("computing-out-of-date-not-so", path="measurements.csv", id=id_)
 
 
 def _of_event(event: Mapping[str, Any]) -> dict[str, Any]:

@@ -8,7 +8,7 @@ from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
-from sightline.enums import ComputingCause, ComputingKind
+from sightline.enums import ComputingKind
 from sightline.errors import Conflict, NotFound
 from sightline.infra.database import Session
 from sightline.infra.version import code_version
@@ -26,10 +26,9 @@ from sightline.measurements.again.service import (
 from sightline.measurements.again.store import Changed, add_computing
 from sightline.measurements.store import append_computed_again
 from sightline.scans.again.lines import LineAnswers, LineChanged, line_changes_back, line_changes_to_come
-from sightline.scans.again.query import AlikeLines, alike_lines, computed_line_heights
-from sightline.scans.heights.service import has_another_inset
+from sightline.scans.again.query import alike_lines, computed_line_heights
+from sightline.scans.heights.service import causes_now_of_line
 from sightline.scans.heights.store import append_line_heights_again
-from sightline.surveys.records import Survey
 from sightline.surveys.store import get_survey
 
 _MOST_LISTED = 2000
@@ -64,7 +63,7 @@ def out_of_date(session: Session, survey_id: int) -> OutOfDate:
     causes = Counter(found.causes)
     stale = other_program = 0
     for group in alike_lines(session, survey_id):
-        of_group = _causes(group, survey)
+        of_group = causes_now_of_line(group, superseded=group.superseded, insets=survey.insets)
         if of_group:
             stale += group.count
             causes.update(dict.fromkeys(of_group, group.count))
@@ -78,12 +77,6 @@ def out_of_date(session: Session, survey_id: int) -> OutOfDate:
         causes=dict(causes),
         measurements=found.measurements,
     )
-
-
-def _causes(group: AlikeLines, survey: Survey) -> list[ComputingCause]:
-    another = has_another_inset(group, survey.insets)
-    told: tuple[tuple[ComputingCause, bool], ...] = (("pose", group.superseded), ("inset", another))
-    return [cause for cause, holds in told if holds]
 
 
 def changes_to_come(

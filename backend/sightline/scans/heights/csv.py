@@ -2,12 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, get_args
 
 from sightline.coverage import expanded
-from sightline.enums import DriverSide, InsetSource, JsonObject, MeasurementStatus, ScanVerdict, Target
+from sightline.enums import (
+    ComputingCause,
+    DriverSide,
+    InsetSource,
+    JsonObject,
+    MeasurementStatus,
+    ScanVerdict,
+    Target,
+)
 from sightline.infra.audit.records import Who
 from sightline.infra.csv_package.columns import (
     flag,
@@ -24,6 +32,7 @@ from sightline.infra.csv_package.columns import (
 from sightline.infra.csv_package.files import Staging
 from sightline.infra.csv_package.schema import Column, Table
 from sightline.infra.database import Session
+from sightline.measurements.again.csv import out_of_date
 from sightline.scans.heights.pose_store import line_pose_history
 from sightline.scans.heights.poses import line_pose_result
 from sightline.scans.heights.records import (
@@ -34,7 +43,9 @@ from sightline.scans.heights.records import (
     StoredLinePose,
 )
 from sightline.scans.heights.review_store import reviews_of_scan_heights
+from sightline.scans.heights.service import causes_now_of_line
 from sightline.scans.heights.store import line_height_history_of_scan
+from sightline.surveys.records import Inset
 
 _MADE = "version of the program that computed it"
 _MAKER = "who made it; empty for the program itself"
@@ -56,10 +67,13 @@ class RodMark:
 
 @dataclass(frozen=True, slots=True)
 class ListedHeight:
-    """A revision of a height; `current`: it is the newest of its vehicle and target."""
+    """A revision of a height; `current`: it is the newest of its vehicle and target; `out_of_date`: the
+    facts that it follows from and that hold no longer.
+    """
 
     height: StoredLineHeight
     current: bool
+    out_of_date: tuple[ComputingCause, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -263,6 +277,7 @@ LINE_HEIGHTS: Table[ListedHeight] = Table(
         text("review_reason", _WHY, lambda h: h.height.review.reason),
         person("reviewer_id", _REVIEWER, lambda h: h.height.review.reviewer),
         moment("reviewed_at", "when it was reviewed", lambda h: h.height.review.at),
+        out_of_date("line camera's calibration", lambda h: h.out_of_date),
     ),
     primary=("id",),
     foreign=(
@@ -317,13 +332,18 @@ class HeightRecords:
     budget: list[HeightBudgetEntry] = field(default_factory=list)
     reviews: list[LineHeightReview] = field(default_factory=list)
 
-    def add_scan(self, session: Session, scan_id: int, vehicle_ids: Sequence[int]) -> list[Who | None]:
-        """Add one recording, its vehicles in their order; gives back who stands in the rows."""
+    def add_scan(
+        self, session: Session, scan_id: int, vehicle_ids: Sequence[int], insets: Mapping[str, Inset]
+    ) -> list[Who | None]:
+        """Add one recording, its vehicles in their order; gives back who stands in the rows. `insets`: those
+        of the survey, by name.
+        """
         poses = line_pose_history(session, scan_id)
         self.poses += poses
         for pose in poses:
             self.marks += _marks(pose)
         makers = [pose.created_by for pose in poses]
+        in_force = poses[-1].id if poses else None
         of_vehicle = line_height_history_of_scan(session, scan_id)
         living = set(vehicle_ids)
         judged = [one for one in reviews_of_scan_heights(session, scan_id) if one.vehicle_id in living]
@@ -334,7 +354,13 @@ class HeightRecords:
             newest = {one.values.target: one.id for one in revisions}
             for one in revisions:
                 makers.append(one.created_by)
-                self.heights.append(ListedHeight(one, newest[one.values.target] == one.id))
+                current = newest[one.values.target] == one.id
+                stale = (
+                    causes_now_of_line(one.values, superseded=one.values.pose_id != in_force, insets=insets)
+                    if current and not one.values.withdrawn
+                    else ()
+                )
+                self.heights.append(ListedHeight(one, current, stale))
                 self.budget += [HeightBudgetEntry(height_id=one.id, **entry) for entry in one.values.budget]
         return makers
 

@@ -10,7 +10,7 @@ from dataclasses import asdict, dataclass
 from typing import Protocol
 
 from sightline.coverage import expanded
-from sightline.enums import DriverSide, InsetSource, Target
+from sightline.enums import ComputingCause, DriverSide, InsetSource, Target
 from sightline.errors import BadInput
 from sightline.geometry.insets import SIDE_UNKNOWN
 from sightline.infra.database import Session
@@ -237,6 +237,17 @@ def has_another_inset(stored: WithInset, insets: Mapping[str, Inset]) -> bool:
     return usual is not None and not (
         same_length(stored.inset_m, usual.inset_m) and same_length(stored.u_inset_m, usual.u_inset_m)
     )
+
+
+def causes_now_of_line(
+    stored: WithInset, *, superseded: bool, insets: Mapping[str, Inset]
+) -> tuple[ComputingCause, ...]:
+    """Which facts of a stored height no longer hold; `superseded`: its calibration is not the newest."""
+    told: tuple[tuple[ComputingCause, bool], ...] = (
+        ("pose", superseded),
+        ("inset", has_another_inset(stored, insets)),
+    )
+    return tuple(cause for cause, holds in told if holds)
 
 
 def remarks_on_clicks(values: LineHeightValues) -> list[str]:

@@ -5,18 +5,20 @@ from __future__ import annotations
 import math
 from collections import defaultdict
 from collections.abc import Mapping
-from dataclasses import asdict
+from dataclasses import asdict, dataclass
 from typing import Any, cast
 
-from sightline.enums import Target
+from sightline.enums import ComputingCause, DriverSide, InsetSource, Target
 from sightline.errors import Damaged
+from sightline.infra.csv_package.columns import joined
 from sightline.infra.csv_package.files import Files, read_rows
 from sightline.linescan.line_height import LineHeight
 from sightline.linescan.line_pose import LinePose, LinePoseError
 from sightline.measurements.again.verify import verdict_gone_over
 from sightline.scans.heights.csv import LINE_BUDGET, LINE_HEIGHTS, LINE_MARKS, LINE_POSES
 from sightline.scans.heights.poses import Mark, Rod, solve
-from sightline.scans.heights.service import RowClicks, answer
+from sightline.scans.heights.service import RowClicks, answer, causes_now_of_line
+from sightline.surveys.csv import insets_in
 
 Row = Mapping[str, str]
 # Half of the last decimal that a CSV carries, and a hair for the rounding of the last binary digit.
@@ -29,6 +31,7 @@ def check_line_heights(files: Files, told_poses: Mapping[int, Mapping[str, Any]]
 
     `told_poses`: what the audit events say of each calibration, its marks too.
     """
+    _out_of_date(files)
     marks: dict[int, list[Row]] = defaultdict(list)
     for row in read_rows(files, LINE_MARKS.path):
         marks[int(row["pose_id"])].append(row)
@@ -41,6 +44,39 @@ def check_line_heights(files: Files, told_poses: Mapping[int, Mapping[str, Any]]
             "scans-calibration-no-row", path=LINE_MARKS.path, marks=min(marks), path_2=LINE_POSES.path
         )
     return len(poses) + _heights(files, poses)
+
+
+@dataclass(frozen=True, slots=True)
+class _Inset:
+    """What a row says of a height's inset."""
+
+    target: Target
+    side: DriverSide | None
+    inset_from: InsetSource
+    inset_m: float
+    u_inset_m: float
+
+
+def _out_of_date(files: Files) -> None:
+    """Standing heights are marked for another calibration or inset than the newest, and no other is."""
+    insets = insets_in(files)
+    newest: dict[str, tuple[int, str]] = {}
+    for row in read_rows(files, LINE_POSES.path):
+        newest[row["scan_id"]] = max(newest.get(row["scan_id"], (0, "")), (int(row["revision"]), row["id"]))
+    in_force = {pose_id for _, pose_id in newest.values()}
+    for row in read_rows(files, LINE_HEIGHTS.path):
+        found: tuple[ComputingCause, ...] = ()
+        if row["current"] == "true" and row["withdrawn"] != "true":
+            stored = _Inset(
+                cast(Target, row["target"]),
+                cast(DriverSide | None, row["side"] or None),
+                cast(InsetSource, row["inset_from"]),
+                float(row["inset_m"]),
+                float(row["u_inset_m"]),
+            )
+            found = causes_now_of_line(stored, superseded=row["pose_id"] not in in_force, insets=insets)
+        if row["out_of_date"] != joined(found):
+            raise Damaged("computing-out-of-date-not-so", path=LINE_HEIGHTS.path, id=row["id"])
 
 
 def check_verdicts_gone_over(
