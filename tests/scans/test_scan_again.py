@@ -320,6 +320,34 @@ def test_the_package_tells_of_it_and_is_verified(computed: Path) -> None:
     assert len({row["created_by_id"] for row in mine}) == 1
 
 
+def test_the_package_marks_lines_heights_that_are_out_of_date_and_a_forged_mark_is_found(
+    operator: Client, services: Services, vehicle: ScanMeasurement, work: Work, tmp_path: Path
+) -> None:
+    roof = click(operator, vehicle.vehicle_id)
+    own = click(operator, vehicle.vehicle_id, target="taillight", inset_m=0.0, u_inset_m=0.1)
+
+    def marked(name: str) -> dict[int, str]:
+        place = written(services, vehicle.survey_id, tmp_path / name)
+        found = verify_package(FolderFiles(place))
+        assert found.ok, found.problem
+        return {int(row["id"]): row["out_of_date"] for row in rows(place, "line_heights.csv")}
+
+    assert marked("before") == {roof["id"]: "", own["id"]: ""}
+    say_inset(operator, vehicle.survey_id, LARGE)
+    assert marked("inset") == {roof["id"]: "inset", own["id"]: ""}
+    operator.put(f"/scans/{vehicle.scan_id}/line-pose", rod(1, scale=1.02))
+    assert marked("rod") == {roof["id"]: "pose; inset", own["id"]: "pose"}
+    assert stale_of(operator, vehicle.survey_id)["in_line_scans"] == 2
+    again(operator, vehicle.survey_id, work)
+    assert set(marked("again").values()) == {""}
+    place = tmp_path / "rod"
+    edit(place, "line_heights.csv", lambda row: row["id"] == str(own["id"]), out_of_date="")
+    rederive(place)
+    told = verify_package(FolderFiles(place))
+    assert told.problem is not None
+    assert told.problem.startswith(f"line_heights.csv: {own['id']} is not marked as out of date")
+
+
 def _a_verdict_goes_over(place: Path) -> str:
     changed = {"verdict_of_id": "1", "verdict": "accepted"}
     given = rows(place, "line_heights.csv")[0]

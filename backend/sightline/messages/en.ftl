@@ -5615,6 +5615,17 @@ opened-size = { $folder } { NUMBER($files) } files, { NUMBER($mb, maximumSignifi
 opened-filter = Show
 opened-filter-all = all
 opened-filter-differs = those that differ
+opened-filter-stale = those out of date
+opened-stale-count = { $count ->
+    [one] { NUMBER($count) } height is out of date: it follows from a camera pose, an inset or a driver’s side that was changed after it was computed. It counts as it stands.
+   *[other] { NUMBER($count) } heights are out of date: they follow from a camera pose, an inset or a driver’s side that was changed after they were computed. They count as they stand.
+}
+opened-stale-mark = out of date
+opened-stale = { $cause ->
+    [pose] Out of date: the camera pose was changed after it was computed.
+    [inset] Out of date: the inset was changed after it was computed.
+   *[side] Out of date: the driver’s side was changed after it was computed.
+}
 opened-before = Previous
 opened-after = Next
 opened-range = { NUMBER($from) } to { NUMBER($to) } of { NUMBER($count) }
@@ -6667,6 +6678,7 @@ report-count-measurements = measurements
 report-count-not-visible = targets not visible
 report-count-used = counted in the results
 report-count-left-out = excluded
+report-count-out-of-date = out of date (out_of_date in the tables says why)
 report-count-scanned = scanned vehicles
 report-count-scanned-used = accepted of them
 report-span = { $day } { $first } to { $last } ({ $zone })

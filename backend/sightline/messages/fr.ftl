@@ -5670,6 +5670,17 @@ opened-size = { $folder } { NUMBER($files) } fichiers, { NUMBER($mb, maximumSign
 opened-filter = Afficher
 opened-filter-all = toutes
 opened-filter-differs = celles qui diffèrent
+opened-filter-stale = celles qui sont périmées
+opened-stale-count = { $count ->
+    [one] { NUMBER($count) } hauteur est périmée : elle découle d’une pose de la caméra, d’un retrait ou d’un côté du conducteur modifié après son calcul. Elle compte telle quelle.
+   *[other] { NUMBER($count) } hauteurs sont périmées : elles découlent d’une pose de la caméra, d’un retrait ou d’un côté du conducteur modifié après leur calcul. Elles comptent telles quelles.
+}
+opened-stale-mark = périmée
+opened-stale = { $cause ->
+    [pose] Périmée : la pose de la caméra a été modifiée après son calcul.
+    [inset] Périmée : le retrait a été modifié après son calcul.
+   *[side] Périmée : le côté du conducteur a été modifié après son calcul.
+}
 opened-before = Précédent
 opened-after = Suivant
 opened-range = { NUMBER($from) } à { NUMBER($to) } sur { NUMBER($count) }
@@ -6771,6 +6782,7 @@ report-count-measurements = mesures
 report-count-not-visible = cibles non visibles
 report-count-used = comptées dans les résultats
 report-count-left-out = écartées
+report-count-out-of-date = périmées (out_of_date dans les tables dit pourquoi)
 report-count-scanned = véhicules balayés
 report-count-scanned-used = dont validés
 report-span = { $day } de { $first } à { $last } ({ $zone })

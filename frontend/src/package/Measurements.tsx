@@ -18,6 +18,7 @@ export function Measurements({ found }: { found: Opened }) {
     <section class="opened__section" id="measurements">
       <h2 class="opened__name">{say("opened-measurements")}</h2>
       {found.measurements.length === 0 && <p class="opened__quiet">{say("opened-measurements-none")}</p>}
+      <Stale count={found.measurements.filter(isStale).length} />
       {found.measurements.length > 0 && (
         <>
           <div class="opened__tools">
@@ -32,6 +33,7 @@ export function Measurements({ found }: { found: Opened }) {
               >
                 <option value="">{say("opened-filter-all")}</option>
                 <option value="differs">{say("opened-filter-differs")}</option>
+                <option value="stale">{say("opened-filter-stale")}</option>
                 {["roof", "driver_eye", "taillight", "headlight", "other"].map((target) => (
                   <option key={target} value={target}>
                     {targetWord(target)}
@@ -63,8 +65,25 @@ export function Measurements({ found }: { found: Opened }) {
   );
 }
 
+const CAUSES = ["pose", "inset", "side"] as const;
+
+/** Whether a height follows from facts that no longer held when the package was made. */
+function isStale(row: Row): boolean {
+  return Boolean(row["out_of_date"]);
+}
+
+function Stale({ count }: { count: number }) {
+  if (count === 0) return null;
+  return (
+    <p class="opened__wrong" data-stale={count}>
+      {say("opened-stale-count", { count })}
+    </p>
+  );
+}
+
 function matches(row: Row, filter: string): boolean {
   if (filter === "") return true;
+  if (filter === "stale") return isStale(row);
   return filter === "differs"
     ? (again.value.get(row["id"] ?? "")?.differs.length ?? 0) > 0
     : row["target"] === filter;
@@ -155,6 +174,7 @@ function Line({ row, isOutside, isChosen, choose }: LineProps) {
         {row["height_m"]
           ? say("opened-height", { height_m: row["height_m"], U95_m: row["U95_height_m"] ?? "" })
           : say("opened-height-none")}
+        {isStale(row) && <div class="opened__wrong">{say("opened-stale-mark")}</div>}
       </td>
       <td
         class={
@@ -200,6 +220,11 @@ function Detail({ row, found }: { row: Row; found: Opened }) {
       </div>
       {row["reason"] && <p>{row["reason"]}</p>}
       {row["flags"] && <p class="opened__quiet">{row["flags"]}</p>}
+      {CAUSES.filter((cause) => row["out_of_date"]?.split("; ").includes(cause)).map((cause) => (
+        <p key={cause} class="opened__wrong" data-stale-cause={cause}>
+          {say("opened-stale", { cause })}
+        </p>
+      ))}
       {mine && mine.differs.length > 0 && (
         <p class="opened__wrong">{say("opened-differs", { named: mine.differs.join(", ") })}</p>
       )}

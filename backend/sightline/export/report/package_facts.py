@@ -76,6 +76,7 @@ def report_facts(files: Files, made: PackageStatistics, written: Mapping[str, Wr
             (said("report-count-not-visible"), _not_visible(files)),
             (said("report-count-used"), found.counted.measurements),
             (said("report-count-left-out"), exclusions),
+            *_out_of_date(files),
             *_scanned(made),
         ),
         place=place_in(files),
@@ -112,6 +113,13 @@ def _not_visible(files: Files) -> int:
     return sum(
         sum(map(bool, row)) for row in read_columns(files, "vehicles.csv", tuple(NOT_VISIBLE.values()))
     )
+
+
+def _out_of_date(files: Files) -> tuple[tuple[str, int], ...]:
+    """Heights that follow from facts that hold no longer, where there are any."""
+    tables = ("measurements.csv", "line_heights.csv")
+    count = sum(bool(cell) for path in tables for (cell,) in read_columns(files, path, ("out_of_date",)))
+    return ((said("report-count-out-of-date"), count),) if count else ()
 
 
 def _scanned(made: PackageStatistics) -> tuple[tuple[str, int], ...]:
