@@ -343,7 +343,8 @@ _HEIGHT: Columns = (
     ),
     integer(
         "verdict_of_revision",
-        "the revision before it whose verdict holds for this one too: it moved by no more than its u",
+        "the revision before it whose verdict holds for this one too: computed again, it moved by no more "
+        "than its u, or its points were put back where they were",
         lambda m: m.verdict_of_revision,
     ),
 )

@@ -267,7 +267,7 @@ class Measurement:
     review: ReviewState
     #: What computed this revision again; the clicks are those of `created_by`.
     computing_id: int | None = None
-    #: Of a revision computed again: the one before it whose verdict holds for it too.
+    #: Of a revision computed again, or put back: the one before it whose verdict holds for it too.
     verdict_of_revision: int | None = None
     #: The revision that the verdict was given to.
     judged_revision: int | None = None

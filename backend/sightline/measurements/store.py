@@ -19,6 +19,7 @@ from sightline.infra.audit.hashing import content_hash, plain
 from sightline.infra.audit.records import name_or_somebody
 from sightline.infra.database.rows import add_row, add_rows, missing, name_of, row_content
 from sightline.infra.database.types import columns_of, now
+from sightline.measurements.again.differences import same_height
 from sightline.measurements.click_context_query import frames_by_number
 from sightline.measurements.derived_query import TELLING, derived_from
 from sightline.measurements.query import (
@@ -343,8 +344,13 @@ def append_measurement_revision(
     action: str,
     actor: int | None,
 ) -> Measurement:
-    """Write the revision after `before` with its audit event, and give it back."""
+    """Write the revision after `before` with its audit event, and give it back.
+
+    Points put back where they were, so that the height is what it was, bring the verdict back that stood on
+    it: an undone change and a withdrawal undone leave a review as it was. A fix has a verdict of its own.
+    """
     _check(_ground_of(session, before.vehicle_id, values), values)
+    carried = None if withdrawn or action == "fix" else _verdict_that_stood(session, before.id, values)
     then = {name: getattr(before.values, name) for name in _IN_EVENTS} | {"revision": before.revision}
     return _append(
         session,
@@ -355,7 +361,23 @@ def append_measurement_revision(
         before=then,
         action=action,
         actor=actor,
+        verdict_of_revision=carried,
     )
+
+
+def _verdict_that_stood(session: Session, series_id: int, values: MeasurementValues) -> int | None:
+    """The newest judged of the revisions with this very content: the one that its verdict was given to."""
+    (contact_x, contact_y), (target_x, target_y) = values.contact, values.target_point
+    query = (
+        measurement_revision_rows()
+        .where(measurements.c.series_id == series_id, measurements.c.frame == values.frame)
+        .where(measurements.c.contact_x_px == contact_x, measurements.c.contact_y_px == contact_y)
+        .where(measurements.c.target_x_px == target_x, measurements.c.target_y_px == target_y)
+        .order_by(measurements.c.revision.desc())
+    )
+    alike = (measurement_of_row(row) for row in session.execute(query))
+    judged = (one.judged_revision for one in alike if same_height(one.values, values))
+    return next((revision for revision in judged if revision is not None), None)
 
 
 def _append(
@@ -368,8 +390,10 @@ def _append(
     before: JsonObject | None,
     action: str,
     actor: int | None,
+    verdict_of_revision: int | None = None,
 ) -> Measurement:
     stamps: dict[str, Any] = {"series_id": series_id, "revision": revision, "withdrawn": withdrawn}
+    stamps["verdict_of_revision"] = verdict_of_revision
     stamps |= {"created_at": now(), "created_by": actor}
     row_id = add_row(session, measurements, {**_row_of(values), **stamps})
     made, content = _as_stored(session, row_id)

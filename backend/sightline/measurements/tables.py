@@ -131,7 +131,7 @@ measurements = Table(
     Column("withdrawn", Boolean, nullable=False),
     # what computed it again, the clicks being those of the revision before; `created_by` is who clicked
     Column("computing_id", ForeignKey("computings.id"), index=True),
-    # the revision before it whose verdict holds for this one too
+    # the revision before it whose verdict holds for this one too: hardly moved, or put back where it was
     Column("verdict_of_revision", Integer),
     Column("created_at", UtcDateTime, nullable=False),
     Column("created_by", ForeignKey("people.id")),

@@ -93,6 +93,14 @@ def causes_of(then: MeasurementValues, now: MeasurementValues) -> tuple[Computin
     return () if alike and (then.status, then.flags) == (now.status, now.flags) else ("program",)
 
 
+def same_height(then: MeasurementValues, now: MeasurementValues) -> bool:
+    """Whether a revision has the very clicks of another and, by the same facts, its numbers."""
+    clicked = [
+        (one.target, one.first_clicks, one.more_frames, one.followed, one.sigma_px) for one in (then, now)
+    ]
+    return clicked[0] == clicked[1] and not causes_of(then, now)
+
+
 def same_length(one: float | None, other: float | None) -> bool:
     if one is None or other is None:
         return one is other

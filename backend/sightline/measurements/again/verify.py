@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections import Counter
 from collections.abc import Callable, Mapping, Sequence, Set
 from dataclasses import fields
@@ -22,6 +23,8 @@ from sightline.surveys.records import Inset
 
 # Three lengths of six decimals, each rounded.
 _ROUNDING_M = 2e-6
+_SAME = ("target", "status", "followed", "sigma_px", "pose_id")
+_POINT = re.compile(r"(frame|contact|target)\d*(_[xy]_px)?")
 Row = Mapping[str, str]
 
 
@@ -29,8 +32,9 @@ def check_computings(
     files: Files, events: Mapping[int, Mapping[str, Any]], revisions: Mapping[int, int]
 ) -> dict[str, str]:
     """Computings are those of their events, by number, made as many `revisions` as they say, and a verdict
-    went over only to a measurement that hardly moved, to one put back, or was a rejection; the kind of each
-    by its number, for what else they computed. Raises Damaged.
+    went over only to a measurement that hardly moved, to one put back, or was a rejection, and without a
+    computing only to the height that it stood on; the kind of each by its number, for what else they
+    computed. Raises Damaged.
     """
     kinds: dict[str, str] = {}
     for row in read_rows(files, COMPUTINGS.path):
@@ -47,7 +51,8 @@ def check_computings(
     for name, group in groupby(read_rows(files, "revisions.csv"), key=lambda row: row["measurement_id"]):
         of_one = list(group)
         judged = [int(row["verdict_of_revision"] or 0) for row in of_one]
-        bad = verdict_gone_over(of_one, judged, kinds, {int(n) for one, n in rejected if one == name})
+        refused = {int(n) for one, n in rejected if one == name}
+        bad = verdict_gone_over(of_one, judged, kinds, refused, put_back)
         if bad is not None:
             raise Damaged("computing-verdict-went-over", name=name, revision=bad["revision"])
     return kinds
@@ -96,26 +101,51 @@ def _rejections(files: Files) -> set[tuple[str, str]]:
 
 
 def verdict_gone_over(
-    rows: Sequence[Row], judged: Sequence[int], kinds: Mapping[str, str], rejected: Set[int]
+    rows: Sequence[Row],
+    judged: Sequence[int],
+    kinds: Mapping[str, str],
+    rejected: Set[int],
+    same: Callable[[Row, Row], bool] | None = None,
 ) -> Row | None:
     """The first of one height's revisions, oldest first, whose verdict was given to another height.
 
     `judged`: of each the revision whose verdict holds for it too, 0 for none; `kinds`: of each computing by
-    its number; `rejected`: the revisions whose last verdict is a rejection.
+    its number; `rejected`: the revisions whose last verdict is a rejection; `same`: whether a row, made by no
+    computing, is an earlier one put back; None: no verdict goes over to such a row.
     """
-    for before, row, of in zip([None, *rows], rows, judged, strict=False):
+    for at, (row, of) in enumerate(zip(rows, judged, strict=True)):
         if not of:
             continue
         computing = row["computing_id"]
-        holds = (
-            before is not None
-            and computing in kinds
-            and of < int(row["revision"])
-            and (kinds[computing] == "undo" or of in rejected or _hardly_moved(before, row))
-        )
+        if not computing:
+            stood_on = [
+                then for then, its in zip(rows[:at], judged, strict=False) if of in (_number(then), its)
+            ]
+            holds = same is not None and any(same(then, row) for then in stood_on)
+        else:
+            holds = (
+                at > 0
+                and computing in kinds
+                and of < _number(row)
+                and (kinds[computing] == "undo" or of in rejected or _hardly_moved(rows[at - 1], row))
+            )
         if not holds:
             return row
     return None
+
+
+def _number(row: Row) -> int:
+    return int(row["revision"])
+
+
+def put_back(then: Row, row: Row) -> bool:
+    """Whether a height stands on the very clicks and numbers of an earlier revision."""
+    if any(then[name] != row[name] for name in row if name in _SAME or _POINT.fullmatch(name)):
+        return False
+    lengths = ((figure_of(one["height_m"]), figure_of(one["u_height_m"])) for one in (then, row))
+    return all(
+        a is b if a is None or b is None else abs(a - b) <= _ROUNDING_M for a, b in zip(*lengths, strict=True)
+    )
 
 
 def _hardly_moved(before: Row, row: Row) -> bool:
