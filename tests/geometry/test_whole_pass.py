@@ -10,6 +10,7 @@ from scipy.stats import kstest
 
 from sightline.coverage import COVERAGE_95
 from sightline.geometry.followed_tracks import EXACT_PX, Following, Tracks
+from sightline.geometry.multiframe import measure_frames
 from sightline.geometry.road_pose import BoardOnRoad, RoadPose
 from sightline.geometry.whole_pass import measure_pass
 from tests.geometry.passing import CONTACT, FAR, FPS, NEAR, TARGET, Drawn, bound, covariance, frames_of, look
@@ -45,6 +46,30 @@ def test_exact_points_give_exact_numbers(lens, row_time, way) -> None:
     assert found.acceleration_mps2.value == pytest.approx(0.8, abs=1e-5)
     assert found.dropped == ()
     assert found.frames == len(np.unique(tracks.frame))
+
+
+@pytest.mark.parametrize(
+    ("inset", "measured"),
+    [(-0.4, True), (0.3, True), (2.5, True), (2.8, False), (3.44, False), (-0.7, False)],
+)
+def test_an_inset_that_no_vehicle_has_gives_no_height_and_says_what_two_frames_say(inset, measured) -> None:
+    car = Drawn(inset=inset, height=1.3)
+    tracks = tracks_of(FAR, car, sigma=0.05)
+    found = measure_pass(pose_of(FAR), tracks, ALONE, None)
+    if measured:
+        assert found.height.height_m == pytest.approx(1.3, abs=1e-6)
+        assert found.inset_m.value == pytest.approx(inset, abs=1e-5)
+        return
+    assert (found.height.status, found.height.height_m) == ("not_measurable", None)
+    assert found.inset_m is None and found.wheelbase_m is None and found.covariance == ()
+    both = np.intersect1d(tracks.frame[tracks.point == CONTACT], tracks.frame[tracks.point == TARGET])
+    first, last = both[[0, -1]]
+    contacts, targets = (
+        [tracks.points_px[(tracks.frame == n) & (tracks.point == of)][0] for n in (first, last)]
+        for of in (CONTACT, TARGET)
+    )
+    assert found.height.reason == measure_frames(pose_of(FAR), contacts, targets, 0.05, None).height.reason
+    assert f"inset of {inset:.2f} m is not plausible" in found.height.reason
 
 
 @settings(max_examples=25)

@@ -25,10 +25,23 @@ INSET_CHOICES: dict[Target, tuple[tuple[InsetPlace, float, float], ...]] = {
     "roof": (("near_edge", 0.30, 0.10), ("crown", 0.85, 0.10)),
 }
 
+# No vehicle is wider; below 0 what scatter and a body that bulges past its wheels may make of an inset.
+LEAST_INSET_M, MOST_INSET_M = -0.5, 2.6
+
 # An eye of which nobody knows the side lies somewhere here: to look for it on other frames, for no height.
 EITHER_SIDE_M, U_EITHER_SIDE_M = 0.80, 0.40
 
 SIDE_UNKNOWN = "The driver's side (near or far) is not set, and the height of the eye depends on it; set it."
+
+
+def implausible_inset(inset_m: float) -> str | None:
+    """Why an inset that was solved for, m, gives no height: no vehicle has it. None where one may."""
+    if LEAST_INSET_M < inset_m < MOST_INSET_M:
+        return None
+    return (
+        f"The computed inset of {inset_m:.2f} m is not plausible for a road vehicle "
+        f"({LEAST_INSET_M} to {MOST_INSET_M} m): contact and target must be the same points in every frame."
+    )
 
 
 def inset_name(target: Target, side: DriverSide | None) -> InsetName | None:

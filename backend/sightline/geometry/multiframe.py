@@ -18,6 +18,7 @@ from sightline.geometry.arrays import Floats, skew
 from sightline.geometry.board_errors import board_parts
 from sightline.geometry.camera import project_with_jacobians, undistort
 from sightline.geometry.height import BudgetEntry, Height, left_out, not_measurable
+from sightline.geometry.insets import implausible_inset
 from sightline.geometry.ray_intersection import (
     BAD_SIGMA,
     BELOW_ROAD,
@@ -31,8 +32,6 @@ from sightline.geometry.road_pose import RoadPose
 
 U_HEADING_RAD = float(np.deg2rad(1.0))  # how well a board is set parallel to the traffic (estimate)
 LEAST_TRAVEL_M = 0.15
-# No vehicle is wider; below 0 what scatter and a body that bulges past its wheels may make of an inset.
-LEAST_INSET_M, MOST_INSET_M = -0.5, 2.6
 _UNSETTLED = "The clicks do not fit one moving vehicle; click the same two points in every frame."
 _ROUNDS = 50
 # Settled: left to gain of 1 + chi-square; its root is the step left in uncertainties (scaled by the misfit).
@@ -282,13 +281,9 @@ def _reported(
         )
     if height <= 0:
         return MultiHeight(not_measurable(REASONS[BELOW_ROAD]))
-    if not LEAST_INSET_M < inset < MOST_INSET_M:
-        return MultiHeight(
-            not_measurable(
-                f"The computed inset of {inset:.2f} m is not plausible for a road vehicle "
-                f"({LEAST_INSET_M} to {MOST_INSET_M} m): click the same two points in every frame."
-            )
-        )
+    reason = implausible_inset(inset)
+    if reason is not None:
+        return MultiHeight(not_measurable(reason))
     variances = np.sum(list(found[0].values()), axis=0)
     u_heading_out, _, u_inset, u_height = (float(v) for v in np.sqrt(variances[frames + 1 :]))
     x, y = float(theta[0]), float(theta[1])

@@ -27,6 +27,7 @@ from sightline.geometry.followed_tracks import (
     noise_parts,
 )
 from sightline.geometry.height import BudgetEntry, Height, left_out, not_measurable
+from sightline.geometry.insets import implausible_inset
 from sightline.geometry.multiframe import LEAST_TRAVEL_M, U_HEADING_RAD
 from sightline.geometry.pass_model import (
     ACCELERATION,
@@ -418,6 +419,9 @@ def _reported(
 ) -> WholePass:
     if fit.unknowns[HEIGHT] <= 0:
         return WholePass(not_measurable(REASONS[BELOW_ROAD]), dropped=dropped)
+    reason = implausible_inset(float(fit.unknowns[INSET]))
+    if reason is not None:
+        return WholePass(not_measurable(reason), dropped=dropped)
     own, shared = _sources(pose, following, priors, fit)
     total = np.sum([*own.values(), *shared.values()], axis=0)
     freedom = 2 * len(tracks.frame) - len(fit.free) + len(priors)
@@ -477,8 +481,6 @@ def _flags(pose: RoadPose, inset: Solved, chance: float) -> tuple[str, ...]:
     out = left_out(pose)
     if chance < _DISORDER:
         out.append("The followed points deviate from straight, level travel by more than their uncertainty.")
-    if not -0.5 < inset.value < 2.6:
-        out.append("The computed inset is not plausible for a road vehicle; check the points.")
     if inset.u > 0.3:
         out.append("The frames are too close together to determine the inset well.")
     return tuple(out)

@@ -8,7 +8,7 @@ from functools import cache
 from operator import attrgetter
 from typing import Any
 
-from sqlalchemy import Row, Select, and_, bindparam, func, select
+from sqlalchemy import Row, Select, and_, bindparam, exists, func, select
 from sqlalchemy.orm import Session
 
 from sightline.cameras.calibrations.tables import calibrations
@@ -31,7 +31,7 @@ from sightline.measurements.query import (
     measurement_revision_rows,
 )
 from sightline.measurements.records import FurtherFrame, Measurement, MeasurementValues, ReviewState
-from sightline.measurements.tables import measurement_series, measurements
+from sightline.measurements.tables import measurement_series, measurements, reviews
 from sightline.poses.tables import road_poses
 from sightline.recordings.frames.store import missing_frame
 from sightline.recordings.frames.tables import frames
@@ -349,8 +349,11 @@ def append_measurement_revision(
     Points put back where they were, so that the height is what it was, bring the verdict back that stood on
     it: an undone change and a withdrawal undone leave a review as it was. A fix has a verdict of its own.
     """
-    _check(_ground_of(session, before.vehicle_id, values), values)
-    carried = None if withdrawn or action == "fix" else _verdict_that_stood(session, before.id, values)
+    ground = _ground_of(session, before.vehicle_id, values, series_id=before.id)
+    _check(ground, values)
+    carried = None
+    if ground.judged and not withdrawn and action != "fix":
+        carried = _verdict_that_stood(session, before.id, values)
     then = {name: getattr(before.values, name) for name in _IN_EVENTS} | {"revision": before.revision}
     return _append(
         session,
@@ -539,7 +542,9 @@ def _repeated(session: Session, vehicle_id: int, repeat_of: int | None, target: 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class _Ground:
-    """What a revision is checked against. `known_*`: the measurement stored with the same client key."""
+    """What a revision is checked against. `known_*`: the measurement stored with the same client key;
+    `judged`: whether a verdict was ever given to the measurement that is revised.
+    """
 
     survey_id: int
     recording_id: int
@@ -547,6 +552,7 @@ class _Ground:
     known_id: int | None
     known_vehicle_id: int | None
     standing_id: int | None
+    judged: bool
     pose_survey_id: int | None
     has_calibration: bool
     frames: dict[int, tuple[int, int]]  # pts and crc32
@@ -563,6 +569,7 @@ def _ground_query() -> Select[Any]:
             *(vehicles.c.survey_id, vehicles.c.recording_id, vehicles.c.deleted_at),
             *(known.c.id.label("known_id"), known.c.vehicle_id.label("known_vehicle_id")),
             _standing().scalar_subquery().label("standing_id"),
+            exists().where(reviews.c.series_id == bindparam("of_series")).label("judged"),
             road_poses.c.survey_id.label("pose_survey_id"),
             calibrations.c.id.label("calibration_id"),
             *(frames.c.n, frames.c.pts, frames.c.crc32),
@@ -577,13 +584,19 @@ def _ground_query() -> Select[Any]:
 
 
 def _ground_of(
-    session: Session, vehicle_id: int, values: MeasurementValues, client_key: str | None = None
+    session: Session,
+    vehicle_id: int,
+    values: MeasurementValues,
+    client_key: str | None = None,
+    *,
+    series_id: int = 0,
 ) -> _Ground:
-    """All of it in one query. Raises NotFound for a vehicle that never was."""
+    """All of it in one query; `series_id`: what is revised. Raises NotFound for a vehicle that never was."""
     asked = {
         "of_vehicle": vehicle_id,
         "of_target": values.target,
         "of_key": client_key,
+        "of_series": series_id,
         "of_pose": values.pose_id,
         "of_calibration": values.calibration_id,
         "clicked": values.frames,
@@ -599,6 +612,7 @@ def _ground_of(
         known_id=row.known_id,
         known_vehicle_id=row.known_vehicle_id,
         standing_id=row.standing_id,
+        judged=row.judged,
         pose_survey_id=row.pose_survey_id,
         has_calibration=row.calibration_id is not None,
         frames={of.n: (of.pts, of.crc32) for of in rows if of.n is not None},
@@ -643,6 +657,7 @@ def _grounds_of(session: Session, survey_id: int, fresh: Sequence[NewMeasurement
             known_id=known.get(one.client_key, (None, None))[0],
             known_vehicle_id=known.get(one.client_key, (None, None))[1],
             standing_id=stands.get((one.vehicle_id, one.values.target)),
+            judged=False,
             pose_survey_id=poses.get(one.values.pose_id),
             has_calibration=one.values.calibration_id in lenses,
             frames=frames_of[recording_of[one.vehicle_id]],
