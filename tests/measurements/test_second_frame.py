@@ -10,11 +10,13 @@ from uuid import uuid4
 import pytest
 
 from sightline.commands.clicks import heights_csv
+from sightline.enums import Target
 from sightline.export.build import build
 from sightline.geometry.documents import pose_from_dict
 from sightline.infra.csv_package.files import Staging
 from sightline.infra.services import Services
-from tests.support.app import Client, error_of
+from sightline.measurements.second_frame import Candidate, Spot, chosen_frames
+from tests.support.app import FRAME_HEIGHT, FRAME_WIDTH, FRAMES, Client, error_of
 from tests.support.ground import Ground, add_vehicle, lay_ground, pixel
 from tests.support.mutations import Package, checked, load, with_sums
 
@@ -143,6 +145,147 @@ def test_a_speed_clicked_before_proposes_the_frame(operator: Client, ground: Gro
     third = operator.made(path, {**two_frames(), "vehicle_id": vehicle_id})
     assert third["frame"] not in (2, 7)
     assert third["u_then_m"] < third["u_now_m"] if third["ok"] else "would not help" in third["reason"]
+
+
+# A vehicle that goes to the right, 0.36 m a frame: metres ahead of its contact, behind its side plane, up.
+POINTS = {
+    "roof": (1.2, 0.3, 1.45),
+    "driver_eye": (1.6, 0.45, 1.16),
+    "taillight": (-0.6, 0.05, 0.8),
+    "headlight": (3.0, 0.05, 0.7),
+    "other": (-2.9, 0.05, 0.7),  # at the end of a trailer
+}
+STEP_M = 0.36
+MARGIN_PX = 0.02 * FRAME_WIDTH
+
+
+def seen_on(target: str, frame: int, start_m: float) -> tuple[list[float], list[float]]:
+    """Contact and target point on a frame of a vehicle whose contact is at `start_m` on frame 2."""
+    x = start_m + STEP_M * (frame - 2)
+    ahead, behind, up = POINTS[target]
+    return pixel(x, 0.0, 0.0), pixel(x + ahead, behind, up)
+
+
+def frames_showing(target: str, start_m: float) -> set[int]:
+    """The frames of the clip with both points in the picture, and not at its border."""
+    size = (FRAME_WIDTH - 1, FRAME_HEIGHT - 1)
+    return {
+        frame
+        for frame in range(FRAMES)
+        if all(
+            MARGIN_PX <= value <= most - MARGIN_PX
+            for point in seen_on(target, frame, start_m)
+            for value, most in zip(point, size, strict=True)
+        )
+    }
+
+
+def frame_for(
+    operator: Client, ground: Ground, start_m: float, *asked: str, u_inset_m: float = 0.1, **span: int
+) -> Any:
+    """What is answered of targets clicked on frame 2 of a vehicle whose speed is known from another."""
+    vehicle = int(add_vehicle(operator, ground.recording_id, **{"last_frame": 11, **span})["id"])
+    stored_on_two(operator, vehicle, target="other")
+    contact = seen_on(asked[0], 2, start_m)[0]
+    first, *others = (
+        {
+            "target": target,
+            "target_point": seen_on(target, 2, start_m)[1],
+            "inset_m": POINTS[target][1],
+            "u_inset_m": u_inset_m,
+        }
+        for target in asked
+    )
+    body = {**first, "frame": 2, "contact": contact, "vehicle_id": vehicle, "others": others}
+    return operator.made(f"/recordings/{ground.recording_id}/geometry/second-frame", body)
+
+
+def test_one_frame_is_chosen_that_shows_all_that_was_measured(operator: Client, ground: Ground) -> None:
+    """The taillight alone would be looked for where the driver's eye has left the picture."""
+    start_m = -1.0
+    alone = frame_for(operator, ground, start_m, "taillight")
+    assert alone["ok"] and alone["others"] == []
+    assert alone["frame"] in frames_showing("taillight", start_m) - frames_showing("driver_eye", start_m)
+    order = ("taillight", "roof", "driver_eye")
+    found = frame_for(operator, ground, start_m, *order)
+    answers = [found, *found["others"]]
+    assert [one["target"] for one in answers] == list(order) and all(one["ok"] for one in answers)
+    shown = set.intersection(*(frames_showing(one, start_m) for one in order))
+    assert {one["frame"] for one in answers} < shown and len({one["frame"] for one in answers}) == 1
+    for one in answers:
+        spot = next(spot for spot in one["spots"] if spot["frame"] == one["frame"])
+        contact, point = seen_on(one["target"], one["frame"], start_m)
+        assert spot["contact"] == pytest.approx(contact, abs=0.05)
+        assert spot["target_point"] == pytest.approx(point, abs=0.05)
+        assert one["u_then_m"] <= 0.95 * one["u_now_m"]
+        assert {spot["frame"] for spot in one["spots"]} <= frames_showing(one["target"], start_m)
+
+
+def test_each_has_its_own_frame_where_none_shows_all(operator: Client, ground: Ground) -> None:
+    start_m = 0.0
+    found = frame_for(operator, ground, start_m, "headlight", "other", u_inset_m=0.4)
+    (other,) = found["others"]
+    both = frames_showing("headlight", start_m) & frames_showing("other", start_m)
+    assert both == {2}  # the one that was clicked
+    assert found["ok"] and found["frame"] in frames_showing("headlight", start_m) - both
+    assert other["ok"] and other["frame"] in frames_showing("other", start_m) - both
+
+
+def test_a_target_that_no_frame_shows_is_said_and_the_others_are_asked_for(
+    operator: Client, ground: Ground
+) -> None:
+    """After frame 2, where the pass begins, the headlight has left the picture."""
+    start_m = 0.0
+    assert not {frame for frame in frames_showing("headlight", start_m) if frame > 2}
+    found = frame_for(operator, ground, start_m, "headlight", "taillight", "roof", first_frame=2)
+    assert (found["ok"], found["frame"], found["spots"]) == (False, None, [])
+    assert found["reason"] == "No other frame of the pass shows both points; use a single frame."
+    assert found["source"] == "measured"
+    frames = {one["frame"] for one in found["others"]}
+    assert len(frames) == 1 and frames < frames_showing("roof", start_m) & frames_showing(
+        "taillight", start_m
+    )
+
+
+def spot(frame: int, u_m: float, travel_m: float = 1.0, kmh: float | None = None) -> Spot:
+    return Spot(
+        frame=frame,
+        travel_m=travel_m,
+        contact=(0.0, 0.0),
+        target_point=(0.0, 0.0),
+        u_height_m=u_m,
+        U95_height_m=1.96 * u_m,
+        u_solved_inset_m=0.1,
+        assumed_kmh=kmh,
+    )
+
+
+def candidate(target: Target, *spots: Spot, sure: set[int] | None = None) -> Candidate:
+    """Known to 40 mm so far."""
+    frames = {one.frame for one in spots} if sure is None else sure
+    return Candidate(target=target, u_now_m=0.040, spots=spots, sure=frozenset(frames))
+
+
+def test_which_frame_is_chosen() -> None:
+    roof = candidate("roof", spot(5, 0.030), spot(7, 0.018), spot(9, 0.010))
+    light = candidate("taillight", spot(7, 0.020), spot(9, 0.030), spot(11, 0.005))
+    # 7 leaves 0.45 and 0.50 of the two; 9 leaves 0.25 and 0.75, less than half of what 11 gains the light
+    assert chosen_frames([roof]) == [9] and chosen_frames([light]) == [11]
+    assert chosen_frames([roof, light]) == chosen_frames([light, roof]) == [7, 7]
+    # a third that no frame helps has none, and the two keep theirs
+    idle = candidate("driver_eye", spot(7, 0.039), spot(9, 0.041))
+    assert chosen_frames([roof, idle, light]) == [7, None, 7]
+    # where the frame for both would gain little, each has its own
+    weak = candidate("taillight", spot(7, 0.036), spot(11, 0.005))
+    assert chosen_frames([roof, weak]) == [9, 11]
+    # of frames about as good the one with the shorter way
+    alike = candidate("roof", spot(7, 0.0103, travel_m=-0.8), spot(9, 0.010, travel_m=1.6))
+    assert chosen_frames([alike]) == [7]
+    # an assumed speed: a frame that would not show it at another speed is not asked for
+    assumed = candidate("roof", spot(7, 0.020, kmh=50.0), spot(7, 0.004, kmh=80.0), spot(9, 0.010, kmh=50.0))
+    assert chosen_frames([assumed]) == [9]
+    unsure = candidate("roof", *assumed.spots, sure={7})
+    assert chosen_frames([unsure]) == [7]
 
 
 def test_why_no_second_frame_would_help(operator: Client, ground: Ground, vehicle_id: int) -> None:

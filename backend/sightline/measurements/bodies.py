@@ -113,11 +113,27 @@ Follow = Annotated[
 ]
 
 
+class OtherTarget(In):
+    """Another target that stands on the same frame and tyre contact."""
+
+    target: Target
+    target_point: Point
+    more_frames: MoreFrames = Field(default_factory=list)
+    sigma_px: SigmaPx | None = None
+    inset_m: InsetM | None = None
+    u_inset_m: UInsetM | None = None
+
+
 class SecondFrameWanted(ClicksIn):
     """What is clicked so far; the best frame to click next is looked for in the vehicle's pass."""
 
     target: Target
     vehicle_id: VehicleId
+    others: list[OtherTarget] = Field(
+        default_factory=list,
+        max_length=7,
+        description="What is clicked after it: one frame for all of them is chosen where one shows them all.",
+    )
 
 
 SnappedFrom = Annotated[

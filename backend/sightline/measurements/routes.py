@@ -1,6 +1,6 @@
 """Measurements: each click pair is stored at once; a correction is a new revision."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import asdict, replace
 from functools import partial
 from typing import Annotated
@@ -20,6 +20,7 @@ from sightline.measurements.assist.service import is_from
 from sightline.measurements.bodies import (
     ChangedMeasurement,
     ClicksIn,
+    FurtherClicks,
     MeasurementBody,
     NewMeasurement,
     measurement_body,
@@ -72,13 +73,17 @@ def clicks_of(body: ClicksIn, target: Target) -> Clicks:
         frame=body.frame,
         contact=body.contact,
         target_point=body.target_point,
-        more_frames=tuple(
-            ClickedFrame(frame=further.frame, contact=further.contact, target_point=further.target_point)
-            for further in body.more_frames
-        ),
+        more_frames=clicked_frames(body.more_frames),
         sigma_px=body.sigma_px,
         inset_m=body.inset_m,
         u_inset_m=body.u_inset_m,
+    )
+
+
+def clicked_frames(more: Sequence[FurtherClicks]) -> tuple[ClickedFrame, ...]:
+    """The further frames of a body."""
+    return tuple(
+        ClickedFrame(frame=one.frame, contact=one.contact, target_point=one.target_point) for one in more
     )
 
 

@@ -15,7 +15,7 @@ import numpy as np
 import numpy.typing as npt
 
 from sightline.coverage import COVERAGE_95
-from sightline.enums import Point, TravelSource
+from sightline.enums import Point, Target, TravelSource
 from sightline.errors import BadInput
 from sightline.geometry.follow import textured
 from sightline.geometry.gain import second_frame_gain
@@ -24,6 +24,7 @@ from sightline.geometry.insets import EITHER_SIDE_M, U_EITHER_SIDE_M
 from sightline.geometry.road import road_point
 from sightline.geometry.road_pose import RoadPose
 from sightline.geometry.travel import BodyTracker, body_of, further_gain
+from sightline.infra.by_name import filled_from
 from sightline.infra.database import Session
 from sightline.infra.services import Services
 from sightline.measurements.click_context_query import click_context
@@ -59,20 +60,55 @@ class Spot:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Proposal:
-    """The frame proposed, or why none would help; `spots` are all frames that could be used, by number."""
+class FrameForTarget:
+    """The frame proposed for one target, or why none would help; `spots` are all frames that could be used,
+    by number.
+    """
 
+    target: Target
     ok: bool
     reason: str | None = None
     frame: int | None = None
-    source: TravelSource | None = None
-    words: str = ""
-    u_now_m: float | None
-    U95_now_m: float | None
+    u_now_m: float | None = None
+    U95_now_m: float | None = None
     u_then_m: float | None = None
     U95_then_m: float | None = None
     u_solved_inset_m: float | None = None
     spots: tuple[Spot, ...] = ()
+
+
+@dataclass(frozen=True, kw_only=True)
+class Proposal(FrameForTarget):
+    """That of the target asked about, what it rests on, and those of the others, as they were asked about."""
+
+    source: TravelSource | None = None
+    words: str = ""
+    others: tuple[FrameForTarget, ...] = ()
+
+
+@dataclass(frozen=True, kw_only=True)
+class Candidate:
+    """A target and the frames that show it with its contact. `u_now_m`: of its height so far, None without
+    one, for the `reason`; `sure`: frames of `spots` that show both whatever speed is assumed.
+    """
+
+    target: Target
+    u_now_m: float | None
+    reason: str | None = None
+    spots: tuple[Spot, ...] = ()
+    sure: frozenset[int] = frozenset()
+
+    @property
+    def helpful(self) -> dict[int, Spot]:
+        """By frame what makes the height notably better there."""
+        best: dict[int, Spot] = {}
+        for spot in self.spots:
+            usual = spot.assumed_kmh in (None, ASSUMED_KMH[1])
+            known = best.get(spot.frame)
+            if usual and spot.frame in self.sure and (known is None or spot.u_height_m < known.u_height_m):
+                best[spot.frame] = spot
+        most = _WORTH * (self.u_now_m or 0.0)
+        return {frame: spot for frame, spot in best.items() if spot.u_height_m <= most}
 
 
 @dataclass(frozen=True)
@@ -89,42 +125,130 @@ def proposal(
     session: Session,
     recording_id: int,
     clicks: Clicks,
+    others: Sequence[Clicks] = (),
     *,
     vehicle_id: int,
     actor: int | None,
 ) -> Proposal:
-    """The frame that would gain most beside those clicked, of the vehicle's pass.
+    """The frame that would gain most beside those clicked, of the vehicle's pass; `others`: targets on the
+    same frame and contact, for all of which one frame is chosen where it can be.
 
     Raises NotFound, Conflict without a road pose, BadInput for a vehicle of another recording.
     """
     context = click_context(session, recording_id, actor, vehicle_id=vehicle_id)
     pose, _, _ = pose_in_force(session, context)
-    clicks = clicks_in_context(clicks, context)
-    if clicks.inset_m is None:
-        clicks = replace(clicks, inset_m=EITHER_SIDE_M, u_inset_m=U_EITHER_SIDE_M)
+    asked = [_with_an_inset(clicks_in_context(one, context)) for one in (clicks, *others)]
     vehicle = get_sheet(session, vehicle_id)
     if vehicle.recording_id != recording_id:
         raise BadInput("measurements-vehicle-not-recording-choose-one-passes")
-    u_now, reason = _now(pose, clicks)
-    if u_now is None:
-        return refused(reason or "There is no height yet; click contact and target first.")
+    now = [_now(pose, one) for one in asked]
+    first = next((one for one, (u_m, _) in zip(asked, now, strict=True) if u_m is not None), None)
+    if first is None:
+        return _answered([_refused(one.target, *of) for one, of in zip(asked, now, strict=True)])
     opened = stills_of(services).open(recording_id)
-    n, taken = clicks.frame, set(clicks.frames)
-    span = _span(vehicle, n, len(opened.media))
-    known = _known_travels(services, opened, pose, clicks, vehicle, span)
-    spots = [
-        spot
-        for travels in known
-        for frame, travel in _in_sight(pose, clicks, travels.by_frame, taken)
-        if (spot := _spot(pose, clicks, frame, travel, travels.kmh)) is not None
+    span = _span(vehicle, first.frame, len(opened.media))
+    known = _known_travels(services, opened, pose, first, vehicle, span)
+    candidates = candidates_of(pose, asked, now, known)
+    frames = chosen_frames(candidates)
+    found = [
+        _offered(one, frame, len(span) > len(set(of.frames)))
+        for one, frame, of in zip(candidates, frames, asked, strict=True)
     ]
-    return _chosen(u_now, known[0].source, sorted(spots, key=lambda spot: spot.frame), len(span) > len(taken))
+    return _answered(found, known[0].source)
 
 
-def refused(reason: str, u_now_m: float | None = None) -> Proposal:
-    """No frame, and why."""
+def _with_an_inset(clicks: Clicks) -> Clicks:
+    """An eye of unknown side is looked for where either side has it."""
+    if clicks.inset_m is not None:
+        return clicks
+    return replace(clicks, inset_m=EITHER_SIDE_M, u_inset_m=U_EITHER_SIDE_M)
+
+
+def candidates_of(
+    pose: RoadPose,
+    asked: Sequence[Clicks],
+    now: Sequence[tuple[float | None, str | None]],
+    known: Sequence[Travels],
+) -> list[Candidate]:
+    """Where each of the targets could be clicked again; `now`: the uncertainty of each so far, or why there
+    is none. Frames are looked at closely where they show all of them, and as many where they show the one.
+    """
+    seen = [[_in_sight(pose, one, travels.by_frame) for travels in known] for one in asked]
+    sure = [frozenset.intersection(*of_one) or of_one[_usual(known)] for of_one in seen]
+    shown = [one for one, (u_m, _) in zip(sure, now, strict=True) if one and u_m is not None]
+    for_all = frozenset.intersection(*shown) if shown else frozenset()
+    out = []
+    for one, of_one, certain, (u_m, reason) in zip(asked, seen, sure, now, strict=True):
+        close = (_thinned(certain) | _thinned(for_all)) if u_m is not None else frozenset()
+        spots = [
+            spot
+            for travels, visible in zip(known, of_one, strict=True)
+            for frame in sorted(close & visible)
+            if (spot := _spot(pose, one, frame, travels.by_frame[frame], travels.kmh)) is not None
+        ]
+        spots.sort(key=lambda spot: spot.frame)
+        out.append(Candidate(target=one.target, u_now_m=u_m, reason=reason, spots=tuple(spots), sure=certain))
+    return out
+
+
+def _usual(known: Sequence[Travels]) -> int:
+    """Which of the travels counts where one has to."""
+    return next((at for at, one in enumerate(known) if one.kmh == ASSUMED_KMH[1]), 0)
+
+
+def _thinned(frames: frozenset[int]) -> frozenset[int]:
+    """Enough to choose from, spread over the way."""
+    return frozenset(sorted(frames)[:: max(1, -(-len(frames) // _MOST_SPOTS))])
+
+
+def chosen_frames(candidates: Sequence[Candidate]) -> list[int | None]:
+    """The frame for each: one and the same where a frame serves all that a second frame helps, leaving each
+    of them half of what its own best would gain; else each its own. None: no frame helps it.
+    """
+    helpful = [one.helpful for one in candidates]
+    helped = [(one, frames) for one, frames in zip(candidates, helpful, strict=True) if frames]
+    shared = [frozenset(_serving(one, frames)) for one, frames in helped]
+    common = frozenset.intersection(*shared) if shared else frozenset()
+    if common:
+        frame = _best({n: _together(helped, n) for n in common})
+        return [frame if frames else None for frames in helpful]
+    return [_best(_own(frames)) if frames else None for frames in helpful]
+
+
+def _serving(one: Candidate, frames: dict[int, Spot]) -> list[int]:
+    least = min(spot.u_height_m for spot in frames.values())
+    most = ((one.u_now_m or 0.0) + least) / 2
+    return [frame for frame, spot in frames.items() if spot.u_height_m <= most]
+
+
+def _own(frames: dict[int, Spot]) -> dict[int, tuple[float, float]]:
+    return {frame: (spot.u_height_m, abs(spot.travel_m)) for frame, spot in frames.items()}
+
+
+def _together(helped: Sequence[tuple[Candidate, dict[int, Spot]]], n: int) -> tuple[float, float]:
+    """What frame n leaves of the uncertainties on average, and how far the vehicle has come there."""
+    left = [frames[n].u_height_m / (one.u_now_m or 1.0) for one, frames in helped]
+    return sum(left) / len(left), abs(helped[0][1][n].travel_m)
+
+
+def _best(rated: dict[int, tuple[float, float]]) -> int:
+    """Of (uncertainty, way) by frame: of those about as good as the best, the one with the shortest way."""
+    least = min(u for u, _ in rated.values())
+    return min((n for n in rated if rated[n][0] <= _AS_GOOD * least), key=lambda n: (rated[n][1], n))
+
+
+def _refused(target: Target, u_now_m: float | None, reason: str | None) -> FrameForTarget:
     U95 = None if u_now_m is None else COVERAGE_95 * u_now_m
-    return Proposal(ok=False, reason=reason, u_now_m=u_now_m, U95_now_m=U95)
+    reason = reason or "There is no height yet; click contact and target first."
+    return FrameForTarget(target=target, ok=False, reason=reason, u_now_m=u_now_m, U95_now_m=U95)
+
+
+def _answered(found: Sequence[FrameForTarget], source: TravelSource | None = None) -> Proposal:
+    first, *others = found
+    said = filled_from(Proposal, first, source=None, words="", others=tuple(others))
+    if source is None or not any(one.ok for one in found):
+        return said
+    return replace(said, source=source, words=_WORDS[source])
 
 
 def _now(pose: RoadPose, clicks: Clicks) -> tuple[float | None, str | None]:
@@ -261,20 +385,29 @@ def _box(clicks: Clicks, shape: tuple[int, ...]) -> tuple[float, float, float, f
     )
 
 
-def _in_sight(
-    pose: RoadPose, clicks: Clicks, travels: dict[int, float], taken: set[int]
-) -> list[tuple[int, float]]:
-    """(frame, travel) of frames that may show both points: a first look, without any uncertainty."""
+def _in_sight(pose: RoadPose, clicks: Clicks, travels: dict[int, float]) -> frozenset[int]:
+    """Frames that show both points, not too close to the border, and are not clicked: without any
+    uncertainty.
+    """
     body = body_of(pose, clicks.contact, clicks.target_point, clicks.assumed()[1], np.empty((0, 2)))
     if isinstance(body, str):
-        return []
-    out = []
-    for frame, travel in travels.items():
-        there = body.pixels(pose, travel)
-        if frame not in taken and np.isfinite(there).all() and pose.camera.inside(there).all():
-            out.append((frame, travel))
-    # enough to choose from, spread over the way
-    return out[:: max(1, -(-len(out) // _MOST_SPOTS))]
+        return frozenset()
+    taken = set(clicks.frames)
+    return frozenset(
+        frame
+        for frame, travel in travels.items()
+        if frame not in taken and _well_inside(pose, body.pixels(pose, travel))
+    )
+
+
+def _well_inside(pose: RoadPose, points_px: npt.ArrayLike) -> bool:
+    """Whether points (N, 2) lie in the picture and away from its border, where they are hard to click."""
+    camera, points = pose.camera, np.asarray(points_px, dtype=np.float64)
+    if not np.isfinite(points).all():
+        return False
+    edge = _EDGE_SHARE * camera.width_px
+    most = np.array([camera.width_px - 1 - edge, camera.height_px - 1 - edge])
+    return bool(((points >= edge) & (points <= most)).all())
 
 
 def _spot(pose: RoadPose, clicks: Clicks, frame: int, travel_m: float, kmh: float | None) -> Spot | None:
@@ -294,12 +427,8 @@ def _spot(pose: RoadPose, clicks: Clicks, frame: int, travel_m: float, kmh: floa
         if gain is None:
             return None
         contact, point, u, u_inset = gain.contact_px, gain.target_px, gain.u_double_m, gain.u_inset_m
-    edge = _EDGE_SHARE * pose.camera.width_px
-    for x, y in (contact, point):
-        if not (
-            edge <= x <= pose.camera.width_px - 1 - edge and edge <= y <= pose.camera.height_px - 1 - edge
-        ):
-            return None
+    if not _well_inside(pose, (contact, point)):
+        return None
     return Spot(
         frame=frame,
         travel_m=travel_m,
@@ -312,31 +441,32 @@ def _spot(pose: RoadPose, clicks: Clicks, frame: int, travel_m: float, kmh: floa
     )
 
 
-def _chosen(u_now: float, source: TravelSource, spots: list[Spot], more_frames: bool) -> Proposal:
-    """The best of the frames, and in words what it rests on."""
+def _offered(one: Candidate, frame: int | None, more_frames: bool) -> FrameForTarget:
+    """The frame with what it would give, or in words why none does."""
+    if one.u_now_m is None:
+        return _refused(one.target, None, one.reason)
     if not more_frames:
-        return refused("The pass has no other frame; extend it by its first or last frame.", u_now)
-    if not spots:
-        return refused("No other frame of the pass shows both points; use a single frame.", u_now)
-    usual = [spot for spot in spots if spot.assumed_kmh in (None, ASSUMED_KMH[1])] or spots
-    least = min(spot.u_height_m for spot in usual)
-    best = min(
-        (spot for spot in usual if spot.u_height_m <= _AS_GOOD * least), key=lambda spot: abs(spot.travel_m)
-    )
-    if best.u_height_m > _WORTH * u_now:
-        now, then = (1000 * COVERAGE_95 * u for u in (u_now, best.u_height_m))
-        return refused(f"A second frame does not help: {now:.0f} mm now, {then:.0f} mm with it.", u_now)
-    return Proposal(
+        reason = "The pass has no other frame; extend it by its first or last frame."
+        return _refused(one.target, one.u_now_m, reason)
+    if not one.spots:
+        reason = "No other frame of the pass shows both points; use a single frame."
+        return _refused(one.target, one.u_now_m, reason)
+    if frame is None:
+        least = min(spot.u_height_m for spot in one.spots)
+        now, then = (1000 * COVERAGE_95 * u for u in (one.u_now_m, least))
+        reason = f"A second frame does not help: {now:.0f} mm now, {then:.0f} mm with it."
+        return _refused(one.target, one.u_now_m, reason)
+    best = one.helpful[frame]
+    return FrameForTarget(
+        target=one.target,
         ok=True,
-        frame=best.frame,
-        source=source,
-        words=_WORDS[source],
-        u_now_m=u_now,
-        U95_now_m=COVERAGE_95 * u_now,
+        frame=frame,
+        u_now_m=one.u_now_m,
+        U95_now_m=COVERAGE_95 * one.u_now_m,
         u_then_m=best.u_height_m,
         U95_then_m=best.U95_height_m,
         u_solved_inset_m=best.u_solved_inset_m,
-        spots=tuple(spots),
+        spots=one.spots,
     )
 
 

@@ -1,5 +1,7 @@
 """Geometry while clicking: axes, ladder and height, computed here and nowhere else."""
 
+from dataclasses import replace
+
 from fastapi import APIRouter
 
 from sightline.geometry.ruler import Ruler
@@ -8,7 +10,7 @@ from sightline.measurements import second_frame
 from sightline.measurements.bodies import SecondFrameWanted
 from sightline.measurements.height_of_clicks import Answer
 from sightline.measurements.preview.bodies import AxesWanted, HeightWanted
-from sightline.measurements.routes import clicks_of
+from sightline.measurements.routes import clicked_frames, clicks_of
 from sightline.measurements.service import height_at, ruler_at
 
 router = APIRouter()
@@ -33,9 +35,22 @@ def best_second_frame(
 ) -> second_frame.Proposal:
     """The frame of the pass on which clicking the same two points again would gain most, or why none would.
 
+    With `others` one frame for all of them, where one shows them all well; else each has its own, or none.
     Where the points are expected there is a proposal to look at: it is stored only when it is clicked.
     """
-    clicks = clicks_of(body, body.target)
+    first = clicks_of(body, body.target)
+    others = [
+        replace(
+            first,
+            target=one.target,
+            target_point=one.target_point,
+            more_frames=clicked_frames(one.more_frames),
+            sigma_px=one.sigma_px,
+            inset_m=one.inset_m,
+            u_inset_m=one.u_inset_m,
+        )
+        for one in body.others
+    ]
     return second_frame.proposal(
-        services, session, recording_id, clicks, vehicle_id=body.vehicle_id, actor=who.id
+        services, session, recording_id, first, others, vehicle_id=body.vehicle_id, actor=who.id
     )
