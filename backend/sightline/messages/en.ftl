@@ -1701,6 +1701,7 @@ measure-second-hint = { $nth ->
 measure-second-hint-care = { $hint }. { $care }
 measure-second-nothing-yet = Measure a target first. Then you can add a second frame.
 measure-second-no-use = A second frame does not help.
+measure-second-none = { $target }: { $reason }
 measure-second-clicked-already = You have already used this frame. Choose another.
 measure-second-expected = Expected here
 measure-second-expected-at = at { $speed }

@@ -1699,6 +1699,7 @@ measure-second-hint = { $nth ->
 measure-second-hint-care = { $hint }. { $care }
 measure-second-nothing-yet = Mesurez d’abord une cible. Vous pourrez ensuite ajouter une deuxième image.
 measure-second-no-use = Une deuxième image n’apporte rien.
+measure-second-none = { $target } : { $reason }
 measure-second-clicked-already = Vous avez déjà utilisé cette image. Choisissez-en une autre.
 measure-second-expected = Attendu ici
 measure-second-expected-at = à { $speed }

@@ -109,6 +109,7 @@ export type HeightAnswer = Schemas["Answer"];
 /** The second frame proposed: where both points are expected and what it gains. */
 export type FollowedAnswer = Schemas["FollowedAnswer"];
 export type SecondFrameAnswer = Schemas["Proposal"];
+export type FrameForTarget = Schemas["FrameForTarget"];
 
 export type Measurement = Schemas["MeasurementBody"];
 export type Vehicle = Schemas["VehicleBody"];

@@ -170,13 +170,19 @@ export function askHeight({
   );
 }
 
-/** The frame that would gain most beside those that are clicked. */
+/** The frame that would gain most beside those that are clicked, and that of others on the same frame and contact. */
 export function askSecondFrame(
   recordingId: number,
   vehicleId: number,
   values: Values,
+  others: readonly Values[] = [],
 ): Promise<SecondFrameAnswer> {
-  const body = { ...clickBody(values), target: values.target, vehicle_id: vehicleId };
+  const beside = others.map((one) => {
+    const { frame: _frame, contact: _contact, follow: _follow, ...rest } = clickBody(one);
+    return { ...rest, target: one.target };
+  });
+  const { follow: _follow, ...first } = clickBody(values);
+  const body = { ...first, target: values.target, vehicle_id: vehicleId, others: beside };
   return api.ask(
     "POST /recordings/{recording_id}/geometry/second-frame",
     { recording_id: recordingId },

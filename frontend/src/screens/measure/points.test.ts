@@ -1,5 +1,7 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
 import { connection, tryAgainNow } from "../../core/api";
+import { toasts } from "../../core/toasts";
+import type { Target } from "../../core/types";
 import { FakeServer, recording, vehicle } from "../../testing/server";
 import { imagePoint, pair } from "../../viewer/points";
 import { MeasureModel } from "./model";
@@ -12,6 +14,7 @@ const quiet = () => vi.advanceTimersByTimeAsync(20);
 beforeEach(async () => {
   vi.useFakeTimers();
   localStorage.clear();
+  toasts.value = [];
   server = new FakeServer();
   model = new MeasureModel(1);
   model.reel.recordings.value = [recording()];
@@ -107,7 +110,8 @@ describe("measuring with clicks", () => {
 
   it("asks for all three on a second frame by one key, in order, with the contact clicked once", async () => {
     const spot = { frame: 52, contact: [140, 400], target_point: [141, 250], assumed_kmh: null, travel_m: 1 };
-    server.on("POST", /second-frame$/, () => ({ ok: true, frame: 52, source: "followed", spots: [spot] }));
+    const there = { ok: true, frame: 52, spots: [spot] };
+    server.on("POST", /second-frame$/, () => ({ ...there, source: "followed", others: [there, there] }));
     for (const point of [at(100, 400), at(101, 250), at(90, 300), at(20, 330)]) {
       model.points.place(point);
       await quiet();
@@ -246,12 +250,12 @@ describe("measuring with clicks", () => {
   });
 
   it("takes a second frame once for all of a vehicle: one contact, then one click for each target", async () => {
+    const there = { ok: true, frame: 44, spots: [] };
     server.on("POST", /second-frame$/, () => ({
-      ok: true,
-      frame: 44,
-      spots: [],
+      ...there,
       source: "measured",
       words: "",
+      others: [there, there],
     }));
     for (const point of [at(100, 400), at(101, 250), at(90, 300), at(20, 330)]) model.points.place(point);
     await quiet();
@@ -277,6 +281,83 @@ describe("measuring with clicks", () => {
       ["driver_eye", [{ frame: 44, contact: [140, 400], target_point: [130, 300] }]],
       ["taillight", [{ frame: 44, contact: [140, 400], target_point: [60, 330] }]],
     ]);
+  });
+
+  /** All three on frame 40; what is answered to a wish for a second frame, and what was asked with it. */
+  async function secondOf(
+    first: object,
+    ...others: object[]
+  ): Promise<{ target: string; others: unknown[] }> {
+    let wanted = { target: "", others: [] as unknown[] };
+    server.on("POST", /second-frame$/, (_match, body) => {
+      wanted = body as typeof wanted;
+      return { ...first, source: "measured", words: "", others };
+    });
+    for (const point of [at(100, 400), at(101, 250), at(90, 300), at(20, 330)]) model.points.place(point);
+    await quiet();
+    await model.second.start();
+    await quiet();
+    return wanted;
+  }
+  const on = (target: Target, frame: number) => ({ target, ok: true, frame, spots: [] });
+  const aim = () => [
+    model.second.now.value?.target,
+    model.reel.player.value?.frame.value,
+    model.second.awaiting.value,
+  ];
+
+  it("goes to the frame of each target, and clicks the contact once on each of them", async () => {
+    const wanted = await secondOf(on("roof", 44), on("driver_eye", 36), on("taillight", 44));
+    expect(wanted).toMatchObject({
+      target: "roof",
+      others: [
+        { target: "driver_eye", target_point: [90, 300], more_frames: [] },
+        { target: "taillight", target_point: [20, 330], more_frames: [] },
+      ],
+    });
+    expect(aim()).toEqual(["roof", 44, "contact"]);
+    model.stage.place(at(140, 400));
+    model.stage.place(at(141, 250));
+    // the taillight comes first: it is on the frame that is seen, with the contact that stands there
+    expect(aim()).toEqual(["taillight", 44, "point"]);
+    model.stage.place(at(60, 330));
+    await quiet();
+    expect(aim()).toEqual(["driver_eye", 36, "contact"]);
+    model.stage.place(at(70, 400));
+    model.stage.place(at(60, 300));
+    await quiet();
+    expect(model.second.now.value).toBeNull();
+    expect([...server.stored.values()].map((m) => [m.target, m.more_frames])).toEqual([
+      ["roof", [{ frame: 44, contact: [140, 400], target_point: [141, 250] }]],
+      ["driver_eye", [{ frame: 36, contact: [70, 400], target_point: [60, 300] }]],
+      ["taillight", [{ frame: 44, contact: [140, 400], target_point: [60, 330] }]],
+    ]);
+  });
+
+  it("says which target has no second frame and asks for the others only", async () => {
+    const reason = "No other frame of the pass shows both points; use a single frame.";
+    const none = { ok: false, frame: null, reason, spots: [] };
+    await secondOf({ ...none, target: "roof" }, on("driver_eye", 44), { ...none, target: "taillight" });
+    expect(toasts.value.map((one) => one.text)).toEqual([`Roof: ${reason} Taillight: ${reason}`]);
+    expect(aim()).toEqual(["driver_eye", 44, "contact"]);
+    model.stage.place(at(140, 400));
+    model.stage.place(at(130, 300));
+    await quiet();
+    expect(model.second.now.value).toBeNull();
+    expect([...server.stored.values()].map((m) => m.more_frames?.length)).toEqual([0, 1, 0]);
+  });
+
+  it("goes on where somebody went by hand if the next target is seen there, else to its own frame", async () => {
+    const spots = [{ frame: 47, contact: [1, 2], target_point: [3, 4], assumed_kmh: null, travel_m: 1 }];
+    await secondOf(on("roof", 44), { ...on("driver_eye", 44), spots }, on("taillight", 44));
+    model.reel.player.value?.go(47);
+    await quiet();
+    model.stage.place(at(140, 400));
+    model.stage.place(at(141, 250));
+    expect(aim()).toEqual(["driver_eye", 47, "point"]);
+    model.stage.place(at(130, 300));
+    await quiet();
+    expect(aim()).toEqual(["taillight", 44, "contact"]);
   });
 
   it("turns the driver to the other side by one key, and keeps it with the vehicle", async () => {

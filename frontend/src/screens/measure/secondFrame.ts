@@ -6,7 +6,8 @@ import { computed, signal } from "@preact/signals";
 import { explain } from "../../core/api";
 import { say } from "../../core/messages";
 import { toast } from "../../core/toasts";
-import type { SecondFrameAnswer, Target } from "../../core/types";
+import type { FrameForTarget, SecondFrameAnswer, Target } from "../../core/types";
+import { TARGET_WORDS } from "../../core/words";
 import { askSecondFrame } from "../../viewer/geometry";
 import { type ImagePoint, samePoint } from "../../viewer/points";
 import { framesOf, ofFrames, pointsOn, type Values } from "../../viewer/values";
@@ -18,6 +19,8 @@ import type { Entry } from "./records";
 export interface Going {
   readonly key: string;
   readonly target: Target;
+  /** The frame that shows it, and where. */
+  readonly offer: FrameForTarget;
   readonly answer: SecondFrameAnswer;
 }
 
@@ -35,6 +38,8 @@ export class SecondFrame implements ClickTool {
   /** The measurement that was stored or looked at last: the one that the key is meant for. */
   last: string | null = null;
   private readonly clicked = signal<{ frame: number; contact: ImagePoint } | null>(null);
+  /** The frames of those that are still to be clicked, by their keys. */
+  private readonly offers = new Map<string, FrameForTarget>();
   private asked = 0;
   readonly active = computed(() => this.now.value !== null);
 
@@ -54,7 +59,7 @@ export class SecondFrame implements ClickTool {
 
   /** Where the points are expected on the frame that is seen. */
   readonly spots = computed(() =>
-    (this.now.value?.answer.spots ?? []).filter((spot) => spot.frame === this.desk.seenFrame.value),
+    (this.now.value?.offer.spots ?? []).filter((spot) => spot.frame === this.desk.seenFrame.value),
   );
 
   readonly hint = computed<string | null>(() => {
@@ -79,7 +84,10 @@ export class SecondFrame implements ClickTool {
     return going ? this.desk.entries.value.find((entry) => entry.key === going.key) : undefined;
   }
 
-  /** Looks for the frame that gains most beside those clicked and goes there. */
+  /**
+   * Looks for the frame that gains most beside those clicked, one for all of the vehicle where one shows them all,
+   * and goes there. A target that no frame helps is said to have none, and is not asked for.
+   */
   async start(key = this.meant()): Promise<void> {
     const entry = key === null ? undefined : this.desk.records.find(key);
     const recordingId = this.desk.reel.player.value?.recordingId;
@@ -91,11 +99,16 @@ export class SecondFrame implements ClickTool {
     this.asked += 1;
     const turn = this.asked;
     this.looking.value = true;
+    const others = this.fewer(entry, framesOf(entry.values).length + 1);
+    const values = others.map((other) => other.values);
     try {
-      const answer = await askSecondFrame(recordingId, entry.vehicleId, entry.values);
+      const answer = await askSecondFrame(recordingId, entry.vehicleId, entry.values, values);
       if (turn !== this.asked || this.desk.vehicleId.value !== entry.vehicleId) return;
-      if (!answer.ok || answer.frame === null) toast(answer.reason ?? say("measure-second-no-use"));
-      else this.go(entry, answer, answer.frame);
+      const offers = [entry, ...others].map(({ key }, i) => ({ key, offer: [answer, ...answer.others][i] }));
+      for (const { key, offer } of offers) if (offer?.ok) this.offers.set(key, offer);
+      const none = offers.flatMap(({ offer }) => (offer && !offer.ok ? [noFrame(offer)] : []));
+      if (none.length > 0) toast(none.join(" "));
+      this.goOn(answer, entry);
     } catch (error) {
       if (turn === this.asked) toast(explain(error), { kind: "problem" });
     } finally {
@@ -103,10 +116,26 @@ export class SecondFrame implements ClickTool {
     }
   }
 
-  private go(entry: Entry, answer: SecondFrameAnswer, frame: number): void {
+  /** The next to be clicked: `entry` itself, else those on the frame that is seen, in their order. */
+  private goOn(answer: SecondFrameAnswer, entry: Entry, stay = false): void {
+    const seen = this.desk.seenFrame.value;
+    const left = [entry, ...this.together(entry)].filter(({ key }) => this.offers.has(key));
+    const frameOf = (key: string): number | null => {
+      const offer = this.offers.get(key);
+      return stay && offer?.spots.some((spot) => spot.frame === seen) ? seen : (offer?.frame ?? null);
+    };
+    const next = left.find(({ key }) => key === entry.key || frameOf(key) === seen) ?? left[0];
+    const offer = next && this.offers.get(next.key);
+    const frame = next && frameOf(next.key);
+    if (!next || !offer || frame === null || frame === undefined) {
+      this.offers.clear();
+      this.clicked.value = null;
+      return;
+    }
     this.desk.dispatch({ type: "select", selection: null });
+    this.now.value = { key: next.key, target: next.values.target, offer, answer };
+    if (frame === seen) return;
     this.desk.geometry.forgetHeight();
-    this.now.value = { key: entry.key, target: entry.values.target, answer };
     this.desk.reel.player.value?.stop();
     this.desk.reel.player.value?.go(frame);
     this.desk.stage.focus();
@@ -115,6 +144,7 @@ export class SecondFrame implements ClickTool {
   leave(): void {
     this.asked += 1;
     this.looking.value = false;
+    this.offers.clear();
     if (!this.now.value) return;
     const first = this.entry?.values.frame;
     this.now.value = null;
@@ -128,6 +158,7 @@ export class SecondFrame implements ClickTool {
     this.now.value = null;
     this.clicked.value = null;
     this.looking.value = false;
+    this.offers.clear();
     this.last = null;
     this.asked += 1;
   }
@@ -185,7 +216,7 @@ export class SecondFrame implements ClickTool {
     const more = [...entry.values.more, { frame, contact, point }];
     const live = this.desk.geometry.live.value;
     const fits = live && samePoint(live.wish.more?.at(-1)?.point ?? null, point);
-    const answer = this.now.value?.answer;
+    const going = this.now.value;
     this.now.value = null;
     this.desk.geometry.forgetHeight();
     this.change(
@@ -196,30 +227,17 @@ export class SecondFrame implements ClickTool {
       fits ? (live.answer ?? null) : null,
     );
     this.last = entry.key;
-    const next = this.alike(entry, frame);
-    // once for all of a vehicle: the contact stands, so that each of the others is one click
-    if (next && answer) {
-      this.now.value = { key: next.key, target: next.values.target, answer: { ...answer, spots: [] } };
-      void this.expect(next);
-    } else this.clicked.value = null;
+    this.offers.delete(entry.key);
+    // on the frame of the one before the contact stands, so that the next is one click; a frame that somebody
+    // chose by hand is gone on with where it shows the next too
+    if (going) this.goOn(going.answer, entry, frame !== going.offer.frame);
   }
 
-  /** Where the next target is expected on the frame that is gone on with; without an answer it is clicked all the same. */
-  private async expect(entry: Entry): Promise<void> {
-    const recordingId = this.desk.reel.player.value?.recordingId;
-    if (recordingId === undefined) return;
-    try {
-      const { spots } = await askSecondFrame(recordingId, entry.vehicleId, entry.values);
-      const going = this.now.value;
-      if (going?.key === entry.key) this.now.value = { ...going, answer: { ...going.answer, spots } };
-    } catch {
-      // the rings are a help only: what cannot be stored is said by the outbox
-    }
-  }
-
-  /** The next target in order that stands on the same tyre contact and has no points on this frame yet. */
-  private alike(entry: Entry, frame: number): Entry | undefined {
-    return this.together(entry).find(({ key, values }) => key !== entry.key && !pointsOn(values, frame));
+  /** The others that stand on the same tyre contact and on fewer frames than so many. */
+  private fewer(entry: Entry, frames: number): Entry[] {
+    return this.together(entry).filter(
+      ({ key, values }) => key !== entry.key && framesOf(values).length < frames,
+    );
   }
 
   /** The measurements on the same frame and tyre contact, itself among them, in the order in which they are asked for. */
@@ -271,18 +289,18 @@ export class SecondFrame implements ClickTool {
     void this.storing().rest(entry.key);
   }
 
-  /** The selected measurement, else the first with fewest frames of those that go with the last one. */
+  /** Of those on fewest frames that go with the selected measurement, or the last: the selected one, else the first. */
   private meant(): string | null {
     const { flow, entries } = this.desk;
     const standing = entries.value.filter((entry) => !entry.values.withdrawn);
-    const known = (key: string | null | undefined): boolean => standing.some((entry) => entry.key === key);
-    const selected = flow.value.selection?.key ?? null;
-    if (known(selected)) return selected;
-    const last = standing.find((entry) => entry.key === this.last) ?? standing.at(-1);
-    if (!last) return null;
-    const all = this.together(last);
+    const known = (key: string | null | undefined) => standing.find((entry) => entry.key === key);
+    const selected = known(flow.value.selection?.key);
+    const from = selected ?? known(this.last) ?? standing.at(-1);
+    if (!from) return null;
+    const all = this.together(from);
     const fewest = Math.min(...all.map((entry) => framesOf(entry.values).length));
-    return all.find((entry) => framesOf(entry.values).length === fewest)?.key ?? last.key;
+    const few = all.filter((entry) => framesOf(entry.values).length === fewest);
+    return (few.find((entry) => entry === selected) ?? few[0] ?? from).key;
   }
 
   /** A contact on this frame of a measurement that stands on the same tyre contact in the first frame. */
@@ -295,4 +313,11 @@ export class SecondFrame implements ClickTool {
     }
     return null;
   }
+}
+
+function noFrame({ target, reason }: FrameForTarget): string {
+  return say("measure-second-none", {
+    target: TARGET_WORDS[target],
+    reason: reason ?? say("measure-second-no-use"),
+  });
 }
