@@ -1,15 +1,25 @@
 """Measuring on two frames by one key: the frame is proposed, both points clicked, the inset solved."""
 
 import math
+import re
 from pathlib import Path
-from typing import Any
+from typing import Any, get_args
 
 import pytest
 from playwright.sync_api import Page, expect
 
 from .picture import on_screen
 from .server import Server
-from .vehicles import OwnVehicle, own_vehicle, whole_passes
+from .vehicles import (
+    TARGETS,
+    OwnVehicle,
+    SceneName,
+    click_at,
+    own_vehicle,
+    stored,
+    until,
+    whole_passes,
+)
 
 
 def far_vehicle(page: Page, server: Server) -> OwnVehicle:
@@ -97,6 +107,80 @@ def test_two_frames_by_one_key(page: Page, demonstration: Server, screenshots: P
     page.keyboard.press("Escape")
     shown_frame(page, frame)
     assert measured(page, vehicle["id"])["revision"] == 3
+
+
+IN_HINT = {"roof": "roof", "driver_eye": "driver’s eye", "taillight": "taillight"}
+
+
+def test_each_target_is_asked_for_on_a_frame_that_shows_it(
+    page: Page, demonstration: Server, screenshots: Path
+) -> None:
+    """What is asked for after the first target is in the picture too: clicks beside it would be believed."""
+    own = far_vehicle(page, demonstration)
+    vehicle, truth = own.vehicle["id"], own.truth
+    page.goto(own.address)
+    shown_frame(page, own.frame)
+    hint = page.locator("#measure-hint")
+    expect(hint).to_contain_text("click where the tyre meets the road")
+    for name in ("contact_rear", *TARGETS):
+        click_at(page, own.pixels[name])
+    until(page, vehicle, lambda found: set(found) == set(TARGETS))
+    before = stored(page, vehicle)
+
+    page.keyboard.press("s")
+    left = set(TARGETS)
+    while left:
+        expect(hint).to_contain_text("Second frame: click the same")
+        frame = int(str(page.get_by_test_id("frame-view").get_attribute("aria-label")).split()[-1])
+        assert frame != own.frame
+        shown_frame(page, frame)
+        true = pixels(truth, frame)
+        if "tyre contact" in hint.inner_text():
+            click(page, true["contact_rear"])
+        expect(hint).to_contain_text(re.compile("the same (roof|driver’s eye|taillight) point"))
+        words = hint.inner_text()
+        target = next(one for one in left if f"the same {IN_HINT[one]} point" in words)
+        in_picture(true, "contact_rear", target)
+        click(page, true[target])
+        until(page, vehicle, lambda found, one=target: bool(found[one]["more_frames"]))  # type: ignore[misc]
+        left.remove(target)
+        if left:
+            expect(hint).not_to_contain_text(f"the same {IN_HINT[target]} point")
+    expect(hint).not_to_contain_text("Second frame")
+    page.screenshot(path=screenshots / "second-frame-of-each.png")
+    for target, one in stored(page, vehicle).items():
+        assert one["status"] == "ok", (target, one["reason"])
+        assert one["u_height_m"] < before[target]["u_height_m"]
+        assert abs(one["height_m"] - truth["true_heights_m"][target]) <= one["U95_height_m"]
+        assert abs(one["solved_inset_m"] - truth["insets_m"][target]) <= 1.96 * one["u_solved_inset_m"]
+
+
+def test_every_frame_that_is_proposed_shows_the_target(page: Page, demonstration: Server) -> None:
+    """All passes of both scenes: against where the scene put the vehicle, which the program does not know."""
+    asked = answered = 0
+    for scene in get_args(SceneName):
+        for truth in whole_passes(demonstration, scene):
+            own = own_vehicle(page, demonstration, scene, truth)
+            targets = [{"target": one, "target_point": own.pixels[one]} for one in TARGETS]
+            first = {**targets[0], "frame": own.frame, "contact": own.pixels["contact_rear"]}
+            found = page.request.post(
+                f"/api/recordings/{own.vehicle['recording_id']}/geometry/second-frame",
+                headers={"X-Sightline": "1"},
+                data={**first, "vehicle_id": own.vehicle["id"], "others": targets[1:]},
+            ).json()
+            for one in (found, *found["others"]):
+                asked += 1
+                if one["ok"]:
+                    answered += 1
+                    in_picture(pixels(truth, one["frame"]), "contact_rear", one["target"])
+                else:
+                    assert one["reason"] and one["frame"] is None
+    assert asked >= 3 and answered >= asked / 2
+
+
+def in_picture(true: dict[str, list[float]], *names: str) -> None:
+    """A frame's truth names the points that are in the picture, and no others."""
+    assert set(names) <= set(true), (names, sorted(true))
 
 
 def measured(page: Page, vehicle_id: int) -> dict[str, Any]:
