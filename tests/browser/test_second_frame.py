@@ -67,6 +67,10 @@ def test_two_frames_by_one_key(page: Page, demonstration: Server, screenshots: P
     expect(hint).to_contain_text("Taillight")
     click(page, first[contact])
     expect(hint).not_to_contain_text("click where the tyre meets the road")
+    point_at(page, [first[contact][0], 20.0])  # no lamp is as high as the sky
+    expect(page.get_by_test_id("live-height")).to_have_text("–")
+    point_at(page, first[target])
+    expect(page.get_by_test_id("live-height")).to_contain_text("±")
     click(page, first[target])
     row = page.get_by_test_id(f"measurement-row-{target}")
     expect(row).to_have_attribute("data-state", "saved")

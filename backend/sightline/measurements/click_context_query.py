@@ -9,6 +9,7 @@ from sqlalchemy import ScalarSelect, Select, and_, bindparam, exists, select
 from sqlalchemy.orm import Session
 
 from sightline.geometry.sides import FoundSide, driver_side
+from sightline.enums import Category
 from sightline.infra.database.rows import missing
 from sightline.measurements.tables import click_sigmas
 from sightline.poses.tables import road_poses
@@ -47,6 +48,7 @@ class ClickContext:
     not_visible: frozenset[str]
     discarded: bool
     own_sigma_px: float | None
+    category: Category | None = None
     proposed: bool = False
     frames: Mapping[int, Frame] = field(default_factory=dict)
 
@@ -116,7 +118,7 @@ def _query() -> Select[Any]:
             recordings.c.width_px,
             recordings.c.height_px,
             *(surveys.c.insets, *(surveys.c[name] for name in TRAFFIC)),
-            *(vehicles.c.direction, vehicles.c.driver_side, vehicles.c.discarded),
+            *(vehicles.c.direction, vehicles.c.driver_side, vehicles.c.discarded, vehicles.c.category),
             *(vehicles.c[name] for name in NOT_VISIBLE.values()),
             _own_sigma().label("own_sigma_px"),
             exists().where(proposals.c.vehicle_id == vehicles.c.id).label("proposed"),
@@ -147,6 +149,7 @@ def _context(session: Session, query: Select[Any], asked: Mapping[str, Any]) -> 
         discarded=row.discarded is not None,
         side=driver_side(row.driver_side, row.direction, traffic_of_row(row._mapping)),
         own_sigma_px=row.own_sigma_px,
+        category=row.category,
         proposed=bool(row.proposed),
         frames={
             of.n: Frame(n=of.n, pts=of.pts, time_s=of.time_s, key=of.key, crc32=of.crc32)

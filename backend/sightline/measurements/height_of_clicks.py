@@ -71,6 +71,10 @@ class Answer(HeightOfClicks):
     chance: Annotated[
         float | None, Field(description="Of a whole pass: that its points would disagree more by chance.")
     ] = None
+    of_class: Annotated[
+        bool,
+        Field(description="False: such a target lies elsewhere on vehicles of the class; a slip, if clicked."),
+    ] = True
     single: Annotated[SingleFrame | None, Field(description="Beside a height from several frames.")] = None
 
 

@@ -46,6 +46,7 @@ from sightline.measurements.store import (
     revise_current_measurement,
 )
 from sightline.poses.store import get_pose
+from sightline.statistics.plausible import is_of_class
 from sightline.vehicles.proposing.store import proposals_of_vehicle
 from sightline.vehicles.records import VehicleChanges
 from sightline.vehicles.store import update_vehicle
@@ -74,7 +75,10 @@ def height_at(
     """
     context = click_context(session, recording_id, actor, vehicle_id=vehicle_id)
     pose, _, _ = pose_in_force(session, context)
-    return answer(pose, clicks_in_context(clicks, context))
+    found = answer(pose, clicks_in_context(clicks, context))
+    if found.height_m is None:
+        return found
+    return replace(found, of_class=is_of_class(clicks.target, found.height_m, context.category))
 
 
 def ruler_at(

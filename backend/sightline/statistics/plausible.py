@@ -69,6 +69,11 @@ def doubts(
     )
 
 
+def is_of_class(target: Target, height_m: float, category: Category | None) -> bool:
+    """Whether a target of the class, of any where it is not known, lies at such a height."""
+    return not _range({target: Height(height_m, 0.0)}, category)
+
+
 def _order(heights: Mapping[Target, Height]) -> list[Doubt]:
     """Nothing lies above the roof, and no headlight above the driver's eye."""
     found = []

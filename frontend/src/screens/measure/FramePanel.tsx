@@ -222,8 +222,10 @@ function LiveHeight({ model }: { model: MeasureModel }) {
   );
 }
 
+/** A dash where no such target is: on the grass or the sky a height would be a number of nothing. */
 function words(answer: HeightAnswer | null, problem: string | null): string {
   if (!answer) return problem ?? "";
+  if (answer.of_class === false) return "–";
   return answer.status === "ok"
     ? formatHeight(answer.height_m, answer.U95_height_m)
     : (answer.reason ?? STATE_WORDS.not_measurable);
