@@ -55,6 +55,31 @@ def test_a_height_is_the_truth_and_the_stored_one_is_the_live_one(
     assert stored["review"]["verdict"] == "to_review"
 
 
+@pytest.mark.parametrize(
+    ("category", "height_m", "of_class"),
+    [
+        (None, 1.45, True),
+        (None, 3.8, True),
+        (None, 0.4, False),
+        ("hatchback", 1.45, True),
+        ("hatchback", 3.8, False),
+        ("hatchback", 0.3, False),
+        ("van", 2.4, True),
+        ("lorry", 3.8, True),
+    ],
+)
+def test_a_height_that_no_target_of_the_class_has_is_told(
+    operator: Client, ground: Ground, category: str | None, height_m: float, of_class: bool
+) -> None:
+    """The page then shows a dash at the pointer: on grass or sky it would be a number of nothing."""
+    vehicle = add_vehicle(operator, ground.recording_id, category=category)
+    said = operator.made(
+        f"/recordings/{ground.recording_id}/geometry/height",
+        {**clicks(height_m), "vehicle_id": vehicle["id"]},
+    )
+    assert (said["of_class"], said["height_m"]) == (of_class, pytest.approx(height_m, abs=1e-9))
+
+
 def test_what_is_left_out_comes_from_the_survey(operator: Client, ground: Ground, vehicle_id: int) -> None:
     survey = operator.seen(f"/surveys/{ground.survey_id}")
     survey["insets"]["roof"] = {"inset_m": 0.1234567, "u_inset_m": 0.05, "note": "measured here"}

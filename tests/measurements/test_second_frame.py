@@ -278,6 +278,9 @@ def test_which_frame_is_chosen() -> None:
     # where the frame for both would gain little, each has its own
     weak = candidate("taillight", spot(7, 0.036), spot(11, 0.005))
     assert chosen_frames([roof, weak]) == [9, 11]
+    # where no frame serves all, those share one that can
+    eye = candidate("driver_eye", spot(5, 0.012), spot(7, 0.020))
+    assert chosen_frames([eye, weak, roof]) == [7, 11, 7]
     # of frames about as good the one with the shorter way
     alike = candidate("roof", spot(7, 0.0103, travel_m=-0.8), spot(9, 0.010, travel_m=1.6))
     assert chosen_frames([alike]) == [7]

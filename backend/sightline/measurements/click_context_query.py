@@ -8,8 +8,8 @@ from typing import Any
 from sqlalchemy import ScalarSelect, Select, and_, bindparam, exists, select
 from sqlalchemy.orm import Session
 
-from sightline.geometry.sides import FoundSide, driver_side
 from sightline.enums import Category
+from sightline.geometry.sides import FoundSide, driver_side
 from sightline.infra.database.rows import missing
 from sightline.measurements.tables import click_sigmas
 from sightline.poses.tables import road_poses

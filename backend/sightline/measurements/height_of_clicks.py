@@ -73,7 +73,9 @@ class Answer(HeightOfClicks):
     ] = None
     of_class: Annotated[
         bool,
-        Field(description="False: such a target lies elsewhere on vehicles of the class; a slip, if clicked."),
+        Field(
+            description="False: such a target lies elsewhere on vehicles of the class; a slip, if clicked."
+        ),
     ] = True
     single: Annotated[SingleFrame | None, Field(description="Beside a height from several frames.")] = None
 

@@ -171,15 +171,17 @@ def candidates_of(
     known: Sequence[Travels],
 ) -> list[Candidate]:
     """Where each of the targets could be clicked again; `now`: the uncertainty of each so far, or why there
-    is none. Frames are looked at closely where they show all of them, and as many where they show the one.
+    is none. Of many frames some are looked at closely: the same ones of all, and as many that show them all.
     """
     seen = [[_in_sight(pose, one, travels.by_frame) for travels in known] for one in asked]
     sure = [frozenset.intersection(*of_one) or of_one[_usual(known)] for of_one in seen]
     shown = [one for one, (u_m, _) in zip(sure, now, strict=True) if one and u_m is not None]
     for_all = frozenset.intersection(*shown) if shown else frozenset()
+    step = -(-max(map(len, sure)) // _MOST_SPOTS) or 1
     out = []
     for one, of_one, certain, (u_m, reason) in zip(asked, seen, sure, now, strict=True):
-        close = (_thinned(certain) | _thinned(for_all)) if u_m is not None else frozenset()
+        some = {frame for frame in certain if frame % step == 0} or _thinned(certain)
+        close = frozenset(some) | _thinned(for_all) if u_m is not None else frozenset()
         spots = [
             spot
             for travels, visible in zip(known, of_one, strict=True)
@@ -202,17 +204,29 @@ def _thinned(frames: frozenset[int]) -> frozenset[int]:
 
 
 def chosen_frames(candidates: Sequence[Candidate]) -> list[int | None]:
-    """The frame for each: one and the same where a frame serves all that a second frame helps, leaving each
-    of them half of what its own best would gain; else each its own. None: no frame helps it.
+    """The frame for each, as few of them as can be: one frame for those that it leaves half of what their own
+    best would gain, the frame that serves most of them first. None: no frame helps it.
     """
     helpful = [one.helpful for one in candidates]
-    helped = [(one, frames) for one, frames in zip(candidates, helpful, strict=True) if frames]
-    shared = [frozenset(_serving(one, frames)) for one, frames in helped]
-    common = frozenset.intersection(*shared) if shared else frozenset()
-    if common:
-        frame = _best({n: _together(helped, n) for n in common})
-        return [frame if frames else None for frames in helpful]
-    return [_best(_own(frames)) if frames else None for frames in helpful]
+    waiting = {
+        at: set(_serving(one, frames))
+        for at, (one, frames) in enumerate(zip(candidates, helpful, strict=True))
+        if frames
+    }
+    chosen: list[int | None] = [None] * len(candidates)
+    while waiting:
+        served = {n: [at for at in waiting if n in waiting[at]] for n in set.union(*waiting.values())}
+        most = max(map(len, served.values()))
+        rated = {
+            n: _together([(candidates[at], helpful[at][n]) for at in those])
+            for n, those in served.items()
+            if len(those) == most
+        }
+        frame = _best(rated)
+        for at in served[frame]:
+            chosen[at] = frame
+            del waiting[at]
+    return chosen
 
 
 def _serving(one: Candidate, frames: dict[int, Spot]) -> list[int]:
@@ -221,14 +235,10 @@ def _serving(one: Candidate, frames: dict[int, Spot]) -> list[int]:
     return [frame for frame, spot in frames.items() if spot.u_height_m <= most]
 
 
-def _own(frames: dict[int, Spot]) -> dict[int, tuple[float, float]]:
-    return {frame: (spot.u_height_m, abs(spot.travel_m)) for frame, spot in frames.items()}
-
-
-def _together(helped: Sequence[tuple[Candidate, dict[int, Spot]]], n: int) -> tuple[float, float]:
-    """What frame n leaves of the uncertainties on average, and how far the vehicle has come there."""
-    left = [frames[n].u_height_m / (one.u_now_m or 1.0) for one, frames in helped]
-    return sum(left) / len(left), abs(helped[0][1][n].travel_m)
+def _together(those: Sequence[tuple[Candidate, Spot]]) -> tuple[float, float]:
+    """What a frame leaves of the uncertainties on average, and how far the vehicle has come there."""
+    left = [spot.u_height_m / (one.u_now_m or 1.0) for one, spot in those]
+    return sum(left) / len(left), abs(those[0][1].travel_m)
 
 
 def _best(rated: dict[int, tuple[float, float]]) -> int:

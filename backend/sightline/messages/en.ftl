@@ -1693,7 +1693,7 @@ measure-second-hint = { $nth ->
     [elsewhere] go to another frame of the pass
     [contact] click the same tyre contact
     [roof] click the same roof point
-    [driver_eye] click the same driver’s eye point
+    [driver_eye] click the same driver’s eye point; if it is hidden, go to another frame
     [taillight] click the same taillight point
     [headlight] click the same headlight point
    *[other] click the same other point

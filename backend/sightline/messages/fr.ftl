@@ -1691,7 +1691,7 @@ measure-second-hint = { $nth ->
     [elsewhere] allez à une autre image du passage
     [contact] cliquez sur le même contact du pneu
     [roof] cliquez sur le même point du toit
-    [driver_eye] cliquez sur le même point de l’œil du conducteur
+    [driver_eye] cliquez sur le même point de l’œil du conducteur ; s’il est caché, allez à une autre image
     [taillight] cliquez sur le même point du feu arrière
     [headlight] cliquez sur le même point du projecteur
    *[other] cliquez sur le même point de l’autre cible
