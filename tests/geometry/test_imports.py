@@ -5,6 +5,7 @@ import pytest
 
 from sightline.errors import BadInput
 from sightline.geometry.imports import read_camera
+from sightline.geometry.verdict import lens_warnings, reach
 from tests.geometry.scenes import shared
 
 OPENCV_YAML = """%YAML:1.0
@@ -99,6 +100,116 @@ def test_several_cameras() -> None:
     assert read_camera(two, "chain.yaml", which="cam1").camera.fx_px == 600
     with pytest.raises(BadInput, match="cam7"):
         read_camera(two, "chain.yaml", which="cam7")
+
+
+ECHO = "header:\n  stamp: {sec: 17, nanosec: 83}\n  frame_id: road\n" + ROS_TOPIC
+
+
+def test_messages_of_one_topic_are_one_camera() -> None:
+    """`ros2 topic echo` ends each message in ---; messages that differ by their stamp alone are the same."""
+    once = read_camera(ECHO + "---\n", "echo.yaml")
+    assert (once.camera.fx_px, once.camera.name, once.notes) == (500, "road", ())
+    twice = read_camera(f"{ECHO}---\n{ECHO.replace('sec: 17', 'sec: 18')}---\n", "echo.yaml")
+    assert (twice.camera.fx_px, twice.notes) == (500, ())
+
+
+def test_messages_that_differ_are_cameras_of_their_own() -> None:
+    zoomed = ECHO.replace("500.0", "700.0")
+    first = read_camera(f"{ECHO}---\n{zoomed}---\n", "echo.yaml")
+    assert first.camera.fx_px == 500 and "road, 2; road was read" in first.notes[0]
+    assert read_camera(f"{ECHO}---\n{zoomed}", "echo.yaml", which="2").camera.fx_px == 700
+
+
+STEREO_NUMBERED = """%YAML:1.0
+---
+image_width: 640
+image_height: 480
+M1: !!opencv-matrix {rows: 3, cols: 3, dt: d, data: [500., 0., 320., 0., 501., 240., 0., 0., 1.]}
+D1: !!opencv-matrix {rows: 1, cols: 5, dt: d, data: [-0.3, 0.1, 0.001, -0.002, 0.05]}
+M2: !!opencv-matrix {rows: 3, cols: 3, dt: d, data: [600., 0., 310., 0., 601., 230., 0., 0., 1.]}
+D2: !!opencv-matrix {rows: 1, cols: 5, dt: d, data: [-0.2, 0.05, 0., 0., 0.]}
+"""
+STEREO_NESTED = f"left:\n  {ROS.replace(chr(10), chr(10) + '  ')}\nright:\n  " + ROS.replace(
+    "500, 0, 320", "600, 0, 310"
+).replace("narrow_stereo", "narrow_right").replace("-0.3", "-0.2").replace("\n", "\n  ")
+STEREO_JSON = """{"image_size": [640, 480], "cameraMatrix1": [[500, 0, 320], [0, 501, 240], [0, 0, 1]],
+"distCoeffs1": [[-0.3, 0.1, 0.001, -0.002, 0.05]], "cameraMatrix2": [[600, 0, 310], [0, 601, 230], [0, 0, 1]],
+"distCoeffs2": [[-0.2, 0.05, 0, 0, 0]], "R": [[1, 0, 0], [0, 1, 0], [0, 0, 1]], "T": [[-0.1], [0], [0]]}"""
+STEREO_SIDED = (
+    STEREO_JSON.replace("Matrix1", "Matrix_left")
+    .replace("Matrix2", "Matrix_right")
+    .replace("distCoeffs1", "left_dist_coeffs")
+    .replace("distCoeffs2", "right_dist_coeffs")
+)
+
+
+@pytest.mark.parametrize("text", [STEREO_NUMBERED, STEREO_NESTED, STEREO_JSON, STEREO_SIDED])
+def test_a_stereo_file_says_which_eye_and_lets_one_choose(text: str) -> None:
+    left = read_camera(text, "rig.yaml")
+    assert left.camera.fx_px == 500 and left.camera.distortion[0] == -0.3
+    assert "left, right; left was read" in left.notes[0]
+    for which in ("right", "Right", "2", "r"):
+        right = read_camera(text, "rig.yaml", which=which)
+        assert right.camera.fx_px == 600 and right.camera.distortion[0] == -0.2
+        assert right.notes == ()
+    with pytest.raises(BadInput, match="it holds left, right"):
+        read_camera(text, "rig.yaml", which="middle")
+
+
+def test_a_camera_that_was_never_calibrated_is_refused() -> None:
+    unset = ROS_TOPIC.replace("[-0.3, 0.1, 0.001, -0.002, 0.05]", "[0.0, 0.0, 0.0, 0.0, 0.0]").replace(
+        "[500.0, 0.0, 320.0, 0.0, 501.0, 240.0, 0.0, 0.0, 1.0]", str([0.0] * 9)
+    )
+    with pytest.raises(BadInput, match="is not calibrated"):
+        read_camera(unset, "info.yaml")
+
+
+def test_a_lens_of_zeros_is_taken_with_a_warning() -> None:
+    plain = ROS.replace("plumb_bob", "rational_polynomial").replace(
+        "cols: 5, data: [-0.3, 0.1, 0.001, -0.002, 0.05]", "cols: 8, data: [0, 0, 0, 0, 0, 0, 0, 0]"
+    )
+    read = read_camera(plain, "left.yaml")
+    assert read.camera.fx_px == 500 and not read.camera.distortion.any()
+    assert "without any distortion" in read.notes[0]
+
+
+def test_a_part_of_the_picture_shifts_the_principal_point() -> None:
+    """ROS: the matrix is that of the whole picture, whatever part of it the camera sends."""
+    roi = "roi: {x_offset: 100, y_offset: 40, width: 400, height: 300, do_rectify: false}\n"
+    part = read_camera(ROS_TOPIC + roi, "info.yaml")
+    assert (part.camera.width_px, part.camera.height_px) == (400, 300)
+    assert (part.camera.cx_px, part.camera.cy_px, part.camera.fx_px) == (220, 200, 500)
+    assert "400x300 px from (100, 40) of 640x480" in part.notes[0]
+    whole = read_camera(ROS_TOPIC + roi, "info.yaml", size=(640, 480))
+    assert (whole.camera.width_px, whole.camera.cx_px) == (640, 320)
+
+
+@pytest.mark.parametrize(
+    "roi",
+    ["0, y_offset: 0, width: 0, height: 0", "0, y_offset: 0, width: 640, height: 480"],
+)
+def test_a_roi_of_the_whole_picture_changes_nothing(roi: str) -> None:
+    read = read_camera(f"{ROS_TOPIC}roi: {{x_offset: {roi}}}\n", "info.yaml")
+    assert (read.camera.width_px, read.camera.cx_px, read.notes) == (640, 320, ())
+
+
+@pytest.mark.parametrize(
+    "roi", ["300, y_offset: 0, width: 400, height: 300", "10, y_offset: 0, width: 0, height: 0",
+            "0.5, y_offset: 0, width: 100, height: 100"],
+)  # fmt: skip
+def test_a_roi_that_cannot_be_is_refused(roi: str) -> None:
+    with pytest.raises(BadInput, match="does not fit the picture's size"):
+        read_camera(f"{ROS_TOPIC}roi: {{x_offset: {roi}}}\n", "info.yaml")
+
+
+def test_a_lens_that_turns_back_is_said_as_after_a_calibration() -> None:
+    """r (1 - 0.75 r^2) turns back at r = 2/3, where it is 4/9; the picture's corner lies at 0.8."""
+    folding = ROS.replace("[-0.3, 0.1, 0.001, -0.002, 0.05]", "[-0.75, 0, 0, 0, 0]")
+    read = read_camera(folding, "left.yaml")
+    assert reach(read.camera) == pytest.approx((4 / 9) / np.hypot(320.5 / 500, 240.5 / 501), rel=1e-4)
+    assert read.notes == lens_warnings(read.camera)
+    assert "cannot be inverted in the corners" in read.notes[0]
+    assert read_camera(ROS, "left.yaml").notes == ()
 
 
 def test_size_can_be_given() -> None:

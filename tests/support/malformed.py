@@ -58,7 +58,9 @@ CAMERA_FILES: dict[str, bytes] = {
     "no_width.yaml": opencv(size=(0, 720)).encode(),
     "half_a_pixel.yaml": opencv(size=(1280.5, 720)).encode(),
     "turned_size.yaml": opencv(size=(720, 1280)).encode(),
-    "enormous.json": b'{"image_width": 1' + b"0" * 400 + b', "image_height": 720, "camera_matrix": [[900,0,640],'
+    "enormous.json": b'{"image_width": 1'
+    + b"0" * 400
+    + b', "image_height": 720, "camera_matrix": [[900,0,640],'
     b'[0,900,360],[0,0,1]], "distortion_coefficients": [0.1,0,0,0,0]}',
     # files
     "written_twice.yaml": (
@@ -117,7 +119,10 @@ def _times(path: Path, time_of: Callable[[int], int], count: int = 50) -> Path:
 
 
 def _two_sizes(path: Path) -> None:
-    parts = [write(path.with_name(f"part{k}.ts"), Spec("x", size=s), 25) for k, s in enumerate([(320, 240), (640, 480)])]
+    parts = [
+        write(path.with_name(f"part{k}.ts"), Spec("x", size=s), 25)
+        for k, s in enumerate([(320, 240), (640, 480)])
+    ]
     path.write_bytes(b"".join(p.read_bytes() for p in parts))
     for part in parts:
         part.unlink()
@@ -128,7 +133,9 @@ def videos(folder: Path) -> dict[str, Path]:
     plain = write(folder / "plain.mp4", Spec("x"), 50).read_bytes()
     front = write(folder / "front.mp4", Spec("x", muxer=(("movflags", "+faststart"),)), 50).read_bytes()
     moved = write(folder / "moved.ts", Spec("x", options=X264_B, b_frames=3), 50).read_bytes()
-    avi = write(folder / "plain.avi", Spec("x", codec="mjpeg", pix_fmt="yuvj420p", options=()), 30).read_bytes()
+    avi = write(
+        folder / "plain.avi", Spec("x", codec="mjpeg", pix_fmt="yuvj420p", options=()), 30
+    ).read_bytes()
     mkv = write(folder / "plain.mkv", Spec("x"), 50).read_bytes()
     strh = avi.index(b"strhvids") + 8  # scale is 16 bytes further, rate 20
     middle = len(moved) // 2 // 188 * 188
@@ -141,9 +148,7 @@ def videos(folder: Path) -> dict[str, Path]:
         "million_frames.mp4": _field(plain, b"stts", 8, struct.pack(">I", 2**31 - 1)),
         "unknown_codec.mp4": _changed(plain, b"avc1", b"zzzz"),
         "encrypted.mp4": _changed(plain, b"avc1\x00\x00\x00\x00", b"encv\x00\x00\x00\x00"),
-        "turned_by_30.mp4": _field(
-            plain, b"tkhd", 40, struct.pack(">5i", 56756, 32768, 0, -32768, 56756)
-        ),
+        "turned_by_30.mp4": _field(plain, b"tkhd", 40, struct.pack(">5i", 56756, 32768, 0, -32768, 56756)),
         "mirrored.mp4": _field(plain, b"tkhd", 40, struct.pack(">5i", -65536, 0, 0, 0, 65536)),
         "text_mode.mp4": front.replace(b"\n", b"\r\n"),
         "front_cut.mp4": front[: len(front) * 2 // 3],

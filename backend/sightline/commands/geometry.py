@@ -159,7 +159,7 @@ def _calibration_text(checked: CheckedCalibration, output: Path) -> str:
     "--model", type=click.Choice(get_args(LensModel)), help="Lens model, if the file does not state it."
 )
 @click.option("--size", "size_text", metavar="WxH", help="Picture size, if the file does not state it.")
-@click.option("--which", help="Camera to use from a file with several.")
+@click.option("--which", help="Camera to use from a file with several: left, right or its name.")
 @_JSON
 def import_camera(
     file: Path, output: Path, model: Any, size_text: str | None, which: str | None, as_json: bool

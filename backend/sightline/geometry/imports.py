@@ -1,12 +1,14 @@
 """Cameras from other tools' files: OpenCV YAML/JSON, ROS camera_info, Kalibr camchains, mrcal .cameramodel.
 
 All of them put pixel (0, 0) at the centre of the top-left pixel, as we do. What has no counterpart here
-(other projections, skew, thin prisms) is refused in a sentence, never approximated.
+(other projections, skew, thin prisms) is refused in a sentence, never approximated. A file may hold several
+cameras: a Kalibr chain, two eyes of a stereo rig, several YAML documents; which one was read is said.
 """
 
 import ast
 import json
-from collections.abc import Mapping
+import re
+from collections.abc import Hashable, Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -18,10 +20,11 @@ from sightline.errors import BadInput
 from sightline.geometry.arrays import Floats
 from sightline.geometry.camera import Camera
 from sightline.geometry.documents import CAMERA_FORMAT, camera_from_dict
+from sightline.geometry.verdict import lens_warnings, reach
 
-_MATRIX_KEYS = ("camera_matrix", "cameramatrix", "k", "intrinsic_matrix", "intrinsics", "mtx", "m1", "k1")
+_MATRIX_KEYS = ("camera_matrix", "cameramatrix", "k", "intrinsic_matrix", "intrinsics", "mtx", "m")
 _LENS_KEYS = (
-    "distortion_coefficients", "dist_coeffs", "distcoeffs", "dist_coeff", "distortion", "d", "dist", "d1",
+    "distortion_coefficients", "dist_coeffs", "distcoeffs", "dist_coeff", "distortion", "d", "dist",
 )  # fmt: skip
 _SIZE_KEYS = ("image_size", "imagesize", "resolution", "img_size", "size", "imagersize")
 _WIDTH_KEYS = ("image_width", "width", "width_px", "imagewidth")
@@ -29,6 +32,13 @@ _HEIGHT_KEYS = ("image_height", "height", "height_px", "imageheight")
 _BROWN_WORDS = {"plumb_bob", "rational_polynomial", "radtan", "brown", "brown_conrady", "opencv"}
 _FISHEYE_WORDS = {"equidistant", "fisheye", "kannala_brandt", "kannala_brandt4"}
 _LARGEST_TANGENTIAL = 0.005  # a real lens's p1, p2 stay well below
+_FOCAL_OF_WIDTH = (0.05, 1000.0)  # from a fisheye of 180 degrees and more to the longest telescope
+_LEAST_REACH = 0.25  # of the picture's radius: a model that turns back before that is none of this camera
+# A name of one of several cameras in one file's keys: M1, cameraMatrix2, D_left, right_camera_matrix, LEFT.K.
+_SIDE_BEHIND = re.compile(r"(.+?)[_.\-/ ]?(left|right|[0-9]|(?<=[_.\-/ ])[lr])")
+_SIDE_BEFORE = re.compile(r"(left|right)[_.\-/ ]?(.+)")
+_SIDES = {"l": "left", "r": "right", "1": "left", "2": "right"}  # 1 and 2 where a file holds just those
+_NAMES = ("camera_name", "name", "frame_id")
 
 
 @dataclass(frozen=True)
@@ -51,8 +61,31 @@ class _Found:
     rms_px: float | None = None
 
 
+class _WrittenTwice(ValueError):
+    """A key that stands twice in one mapping."""
+
+
+def _require_single(keys: Iterable[str]) -> None:
+    seen: set[str] = set()
+    for key in keys:
+        if key in seen:
+            raise _WrittenTwice(key)
+        seen.add(key)
+
+
+def _single(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+    _require_single(key for key, _ in pairs)
+    return dict(pairs)
+
+
 class _Loader(yaml.SafeLoader):
-    """Safe YAML that also reads OpenCV's matrices; without aliases, which can make a small file huge."""
+    """Safe YAML that also reads OpenCV's matrices; without aliases, which can make a small file huge, and
+    without keys written twice, of which the last would win.
+    """
+
+    def construct_mapping(self, node: yaml.MappingNode, deep: bool = False) -> dict[Hashable, Any]:
+        _require_single(str(key.value) for key, _ in node.value)
+        return super().construct_mapping(node, deep=deep)
 
     def compose_node(self, parent: yaml.Node | None, index: int) -> yaml.Node | None:
         if self.check_event(yaml.AliasEvent):
@@ -79,56 +112,166 @@ def read_camera(
     """The camera in another tool's file. Raises BadInput in one sentence that names the file.
 
     model: for files of four coefficients that do not say which they are; size: for files without the
-    picture's size; which: the camera's key in a Kalibr chain of several.
+    picture's size; which: the camera's name in a file of several ("left", "cam1", or the place of its YAML
+    document, from 1).
     """
-    data = _parsed(text, file_name)
+    documents = _parsed(text, file_name)
+    notes: list[str] = []
+    cameras = _cameras(documents)
+    data = _chosen(cameras, file_name, which, notes)
     if data.get("format") == CAMERA_FORMAT:
         return Imported(camera_from_dict(data, file_name))
-    notes: list[str] = []
     if "lensmodel" in data:
         found = _mrcal(data, file_name)
-    elif any(isinstance(v, Mapping) and "camera_model" in v for v in data.values()):
-        found = _kalibr(data, file_name, which, notes)
+    elif "camera_model" in data:
+        found = _kalibr(data, file_name)
     else:
-        found = _opencv_or_ros(data, file_name)
-    return Imported(_checked(found, file_name, model, size, notes), tuple(notes))
+        found = _opencv_or_ros(data, file_name, size, notes)
+    camera = _checked(found, file_name, model, size, notes)
+    return Imported(camera, (*notes, *lens_warnings(camera)))
 
 
-def _parsed(text: str, file_name: str) -> dict[str, Any]:
+def _parsed(text: str, file_name: str) -> list[dict[str, Any]]:
+    """The file's documents: one, or several in a YAML file that holds `---`."""
     text = text.lstrip("\ufeff")
     try:
         if "lensmodel" in text:
-            data = ast.literal_eval(text.strip())
+            documents = [ast.literal_eval(text.strip())]
         elif text.lstrip().startswith("{"):
-            data = json.loads(text)
+            documents = [json.loads(text, object_pairs_hook=_single)]
         else:
             lines = text.splitlines()
             body = lines[1:] if lines and lines[0].startswith("%YAML") else lines
-            data = yaml.load("\n".join(body), _Loader)
+            documents = [one for one in yaml.load_all("\n".join(body), _Loader) if one is not None]
+    except _WrittenTwice as twice:
+        raise BadInput("geometry-key-written-twice", file_name=file_name, key=str(twice)) from None
     except (ValueError, SyntaxError, yaml.YAMLError, RecursionError, MemoryError):
         raise BadInput("geometry-no-readable-camera-file-give-opencv", file_name=file_name) from None
-    if not isinstance(data, dict) or not data:
+    if not documents or not all(isinstance(one, dict) and one for one in documents):
         raise BadInput("geometry-holds-no-camera-give-opencv-yaml", file_name=file_name)
-    return {str(key): value for key, value in data.items()}
+    return [{str(key): value for key, value in one.items()} for one in documents]
+
+
+def _cameras(documents: list[dict[str, Any]]) -> dict[str, dict[str, Any]]:
+    """Every camera by its name. Messages of one topic that say the same are one camera."""
+    found: dict[str, dict[str, Any]] = {}
+    for place, document in enumerate(documents, start=1):
+        for name, one in (_within(document) or {_own_name(document): document}).items():
+            if any(_intrinsics(one) == _intrinsics(other) for other in found.values()):
+                continue
+            found[str(place) if name in found or not name else name] = one
+    return found
+
+
+def _own_name(document: Mapping[str, Any]) -> str:
+    header = document.get("header")
+    inner = {**header, **document} if isinstance(header, Mapping) else document
+    return str(_first(inner, _NAMES) or "")
+
+
+def _intrinsics(camera: Mapping[str, Any]) -> dict[str, Any]:
+    """What a camera says without what tells two messages of one camera apart."""
+    return {key: value for key, value in camera.items() if key not in ("header", "timestamp")}
+
+
+def _within(document: Mapping[str, Any]) -> dict[str, dict[str, Any]]:
+    """The cameras inside one document, by name: mappings of their own, or keys that end in a side or a
+    number; empty where the document is one camera.
+    """
+    own = {key: dict(v) for key, v in document.items() if isinstance(v, Mapping) and _holds_camera(v)}
+    if own:
+        shared = {key: v for key, v in document.items() if not isinstance(v, Mapping)}
+        return {"" if key == "camera_info" else key: {**shared, **one} for key, one in own.items()}
+    known = {*_MATRIX_KEYS, *_LENS_KEYS, *_SIZE_KEYS, *_WIDTH_KEYS, *_HEIGHT_KEYS, "distortion_model"}
+    shared, sided = {}, dict[str, dict[str, Any]]()
+    for key, value in document.items():
+        base, side = _side_of(key)
+        if side and base in known and isinstance(value, list | Mapping | int | float | str):
+            sided.setdefault(side, {})[base] = value
+        else:
+            shared[key] = value
+    sided = {
+        side: one for side, one in sided.items() if isinstance(_first(one, _MATRIX_KEYS), list | Mapping)
+    }
+    if not sided:
+        return {}
+    words = _SIDES if set(sided) <= {"1", "2"} else {"l": "left", "r": "right"}
+    return {words.get(side, side): {**shared, **one} for side, one in sided.items()}
+
+
+def _holds_camera(value: Mapping[Any, Any]) -> bool:
+    matrix = _first(value, _MATRIX_KEYS)
+    return "camera_model" in value or isinstance(matrix, list | Mapping)
+
+
+def _side_of(key: str) -> tuple[str, str]:
+    """(`camera_matrix`, `left`) of `left_camera_matrix`, (`m`, `1`) of `M1`; the side is "" where none is."""
+    lower = key.lower()
+    if lower in ("mtxl", "mtxr", "distl", "distr", "kl", "kr", "dl", "dr"):
+        return lower[:-1], lower[-1]
+    if match := _SIDE_BEFORE.fullmatch(lower):
+        return match[2], match[1]
+    if match := _SIDE_BEHIND.fullmatch(lower):
+        return match[1], match[2]
+    return lower, ""
+
+
+def _chosen(
+    cameras: Mapping[str, dict[str, Any]], file_name: str, which: str | None, notes: list[str]
+) -> dict[str, Any]:
+    """The camera that is asked for, or the first; of several, which one is said."""
+    names = {name or "1": name for name in cameras}
+    told = ", ".join(names)
+    wanted = next(iter(names)) if which is None else which.strip().lower()
+    if set(names) == {"left", "right"}:
+        wanted = _SIDES.get(wanted, wanted)
+    key = next((one for one in names if one.lower() == wanted.lower()), None)
+    if key is None:
+        raise BadInput("geometry-holds-no-camera-holds", file_name=file_name, which=which, cameras=told)
+    if which is None and len(names) > 1:
+        notes.append(
+            f"{file_name} holds several cameras: {told}; {key} was read (ask for another by its name, --which)."
+        )
+    name = names[key]
+    one = cameras[name]
+    return one if not name or _first(one, _NAMES) else {**one, "camera_name": name}
 
 
 def _numbers(value: Any, what: str, file_name: str) -> Floats:
     """A flat array out of a list, nested lists, or {rows, cols, data}."""
+    shape = None
     if isinstance(value, Mapping):
+        shape = value.get("rows"), value.get("cols")
         value = value.get("data")
     try:
+        if _has_truth(value):
+            raise TypeError
         out = np.array(value, dtype=np.float64).ravel()
-    except (TypeError, ValueError):
+    except (TypeError, ValueError, OverflowError):
         raise BadInput(
             "geometry-not-list-numbers-export-file-again", file_name=file_name, what=what
         ) from None
     if not np.isfinite(out).all():
         raise BadInput("geometry-holds-values-not-finite-calibrate-again", file_name=file_name, what=what)
+    if shape and all(isinstance(n, int) for n in shape) and shape[0] * shape[1] != len(out):
+        raise BadInput(
+            "geometry-rows-and-columns-contradict",
+            file_name=file_name,
+            what=what,
+            rows=shape[0],
+            columns=shape[1],
+            count=len(out),
+        )
     return out
 
 
+def _has_truth(value: Any) -> bool:
+    """Whether a list holds yes or no, which NumPy would take for 1 and 0."""
+    return isinstance(value, bool) or (isinstance(value, list) and any(_has_truth(one) for one in value))
+
+
 def _first(data: Mapping[str, Any], keys: tuple[str, ...]) -> Any:
-    lower = {key.lower(): value for key, value in data.items()}
+    lower = {str(key).lower(): value for key, value in data.items()}
     return next((lower[key] for key in keys if lower.get(key) is not None), None)
 
 
@@ -161,13 +304,15 @@ def _model_word(word: Any, file_name: str) -> LensModel | None:
     raise BadInput("geometry-distortion-model-not-supported-plumb-bob", file_name=file_name, word=word)
 
 
-def _opencv_or_ros(data: Mapping[str, Any], file_name: str) -> _Found:
-    inner = data.get("camera_info")
-    data = inner if isinstance(inner, Mapping) else data
+def _opencv_or_ros(
+    data: Mapping[str, Any], file_name: str, wanted: tuple[int, int] | None, notes: list[str]
+) -> _Found:
     raw, lens = _first(data, _MATRIX_KEYS), _first(data, _LENS_KEYS)
     if raw is None:
         raise BadInput("geometry-holds-no-camera-matrix-camera-matrix", file_name=file_name)
     k = _numbers(raw, "the camera matrix", file_name)
+    if not k.any():
+        raise BadInput("geometry-camera-not-calibrated", file_name=file_name)
     if len(k) != 9 or abs(k[8] - 1) > 1e-6 or np.abs(k[[3, 6, 7]]).max() > 1e-9:
         raise BadInput("geometry-camera-matrix-must-3x3-0-0", file_name=file_name)
     if abs(k[1]) > 1e-6 * abs(k[0]):
@@ -180,27 +325,64 @@ def _opencv_or_ros(data: Mapping[str, Any], file_name: str) -> _Found:
     model = _model_word(data.get("distortion_model"), file_name)
     if model is None and "fisheye_model" in data:
         model = "fisheye" if data["fisheye_model"] else "brown"
+    size = _size(data, file_name)
+    part = _part_read(data, file_name, size, wanted, notes)
+    if part is not None:
+        k[2], k[5], size = k[2] - part[0], k[5] - part[1], part[2:]
+    values = np.zeros(5) if lens is None else _numbers(lens, "the distortion", file_name)
+    if lens is not None and len(values) and not values.any():
+        notes.append(
+            f"All distortion coefficients in {file_name} are 0: a lens without any distortion, which few "
+            "have; check that this camera was calibrated."
+        )
     rms = _first(data, ("rms_px", "rms", "avg_reprojection_error", "reprojection_error"))
     return _Found(
         matrix=k[[0, 4, 2, 5]],
-        lens=np.zeros(5) if lens is None else _numbers(lens, "the distortion", file_name),
+        lens=values,
         model="brown" if lens is None and model is None else model,
-        size=_size(data, file_name),
-        name=str(data.get("camera_name") or data.get("name") or ""),
-        rms_px=float(rms) if isinstance(rms, int | float) and np.isfinite(rms) else None,
+        size=size,
+        name=str(_first(data, _NAMES[:2]) or ""),
+        rms_px=float(rms) if isinstance(rms, float) and np.isfinite(rms) else None,
     )
 
 
-def _kalibr(data: Mapping[str, Any], file_name: str, which: str | None, notes: list[str]) -> _Found:
-    cameras = {k: v for k, v in data.items() if isinstance(v, Mapping) and "camera_model" in v}
-    name = which or next(iter(cameras))
-    if name not in cameras:
-        raise BadInput(
-            "geometry-holds-no-camera-holds", file_name=file_name, which=which, cameras=", ".join(cameras)
-        )
-    if which is None and len(cameras) > 1:
-        notes.append(f"{file_name} holds {', '.join(cameras)}; {name} was taken.")
-    one = cameras[name]
+def _part_read(
+    data: Mapping[str, Any],
+    file_name: str,
+    full: tuple[int, int] | None,
+    wanted: tuple[int, int] | None,
+    notes: list[str],
+) -> tuple[int, int, int, int] | None:
+    """Left, top, width and height of the part of the picture that the camera sent (ROS `roi`), pixels; None
+    for the whole, which is also taken where its size is `wanted`.
+
+    A camera_info's matrix is that of the whole picture; the principal point of the part is shifted by its
+    left and top.
+    """
+    roi = data.get("roi")
+    if not isinstance(roi, Mapping):
+        return None
+    numbers = _numbers(
+        [roi.get(key) or 0 for key in ("x_offset", "y_offset", "width", "height")], "the roi", file_name
+    )
+    left, top, width, height = (int(v) for v in numbers)
+    if not numbers.any() or (full is not None and (left, top, width, height) == (0, 0, *full)):
+        return None
+    inside = full is not None and left + width <= full[0] and top + height <= full[1]
+    whole_numbers = bool((numbers == np.rint(numbers)).all())
+    if full is None or not inside or not whole_numbers or min(width, height) < 2 or min(left, top) < 0:
+        raise BadInput("geometry-roi-contradicts-size", file_name=file_name)
+    if wanted == full:
+        notes.append(f"{file_name}: the camera is that of the whole picture, as asked for, not of its roi.")
+        return None
+    notes.append(
+        f"{file_name} is of a part of the picture (roi): {width}x{height} px from ({left}, {top}) of "
+        f"{full[0]}x{full[1]} px; the camera is that of the part (--size {full[0]}x{full[1]} for the whole)."
+    )
+    return left, top, width, height
+
+
+def _kalibr(one: Mapping[str, Any], file_name: str) -> _Found:
     if one["camera_model"] != "pinhole":
         raise BadInput(
             "geometry-camera-model-not-supported-calibrate-pinhole",
@@ -214,7 +396,7 @@ def _kalibr(data: Mapping[str, Any], file_name: str, which: str | None, notes: l
     lens = _numbers(one.get("distortion_coeffs") or [], "distortion_coeffs", file_name)
     model: LensModel | None = "brown" if word == "none" else _model_word(word, file_name)
     lens = np.zeros(5) if word == "none" else lens
-    return _Found(intrinsics, lens, model, _size(one, file_name), name)
+    return _Found(intrinsics, lens, model, _size(one, file_name), str(one.get("camera_name") or ""))
 
 
 def _mrcal(data: Mapping[str, Any], file_name: str) -> _Found:
@@ -244,12 +426,17 @@ def _checked(
         raise BadInput("geometry-not-say-how-large-pictures-add", file_name=file_name)
     if fx <= 0 or fy <= 0:
         raise BadInput("geometry-focal-lengths-must-positive-numbers-pixels", file_name=file_name)
+    shortest, longest = (share * max(size) for share in _FOCAL_OF_WIDTH)
+    if not (shortest <= min(fx, fy) and max(fx, fy) <= longest):
+        raise BadInput(
+            "geometry-focal-length-not-of-these-pixels", file_name=file_name, focal=f"{fx:.6g}", width=size[0]
+        )
     if not (-size[0] < cx < 2 * size[0] and -size[1] < cy < 2 * size[1]):
         raise BadInput("geometry-principal-point-lies-far-outside-picture", file_name=file_name)
     chosen = found.model or model or _guess(found.lens, file_name, notes)
     name = found.name or file_name.rsplit("/", 1)[-1].rsplit(".", 1)[0]
     lens = _trimmed(found.lens, chosen, file_name)
-    return Camera(
+    camera = Camera(
         name=name,
         width_px=size[0],
         height_px=size[1],
@@ -261,6 +448,9 @@ def _checked(
         distortion=lens,
         rms_px=found.rms_px,
     )
+    if reach(camera) < _LEAST_REACH:
+        raise BadInput("geometry-lens-turns-back-early", file_name=file_name)
+    return camera
 
 
 def _guess(lens: Floats, file_name: str, notes: list[str]) -> LensModel:

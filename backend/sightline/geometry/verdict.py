@@ -146,6 +146,18 @@ def _precision(camera: Camera) -> list[str]:
     relative = float(max(sigma[0] / camera.fx_px, sigma[1] / camera.fy_px))
     if relative > 0.01:
         out.append(f"The focal length is known to {relative:.1%} only; take more views, tilted and near.")
+    return [*out, *_axis(camera)]
+
+
+def lens_warnings(camera: Camera) -> tuple[str, ...]:
+    """What a lens alone gives to say, calibrated here or imported: where its axis lies, whether its pixels are
+    square, and whether it turns back inside the picture.
+    """
+    return (*_axis(camera), *_corners(camera))
+
+
+def _axis(camera: Camera) -> list[str]:
+    out = []
     off = max(
         abs(camera.cx_px - (camera.width_px - 1) / 2) / camera.width_px,
         abs(camera.cy_px - (camera.height_px - 1) / 2) / camera.height_px,
@@ -159,15 +171,21 @@ def _precision(camera: Camera) -> list[str]:
 
 def _corners(camera: Camera) -> list[str]:
     """Not a reason for distrust: clicks out there are refused, those elsewhere are as good as ever."""
-    x = max(camera.cx_px + 0.5, camera.width_px - 0.5 - camera.cx_px) / camera.fx_px
-    y = max(camera.cy_px + 0.5, camera.height_px - 0.5 - camera.cy_px) / camera.fy_px
-    reach = camera.limit.table_step * (len(camera.limit.table_gain) - 1)
-    if reach >= 0.999 * float(np.hypot(x, y)):
+    if reach(camera) >= 0.999:
         return []
     return [
         "The lens model cannot be inverted in the corners of the image, so nothing is measured "
         "there; add images that reach the corners."
     ]
+
+
+def reach(camera: Camera) -> float:
+    """How far from its axis a lens can be inverted, as a share of the distance to the picture's farthest
+    corner; 1.05 where the model turns back nowhere in the picture (`geometry.lens_limit`).
+    """
+    x = max(camera.cx_px + 0.5, camera.width_px - 0.5 - camera.cx_px) / camera.fx_px
+    y = max(camera.cy_px + 0.5, camera.height_px - 0.5 - camera.cy_px) / camera.fy_px
+    return camera.limit.table_step * (len(camera.limit.table_gain) - 1) / float(np.hypot(x, y))
 
 
 def _small_squares(evidence: Evidence) -> list[str]:

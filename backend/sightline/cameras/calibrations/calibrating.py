@@ -169,9 +169,16 @@ def summary_of(camera: Camera, used: int, given: int) -> str:
 
 
 def import_calibration(
-    services: Services, camera_id: int, file_name: str, content: bytes, actor: int
+    services: Services,
+    camera_id: int,
+    file_name: str,
+    content: bytes,
+    actor: int,
+    which: str | None = None,
 ) -> Calibration:
-    """Take intrinsics from another tool's file. Raises BadInput, naming the file and what is wrong in it."""
+    """Take intrinsics from another tool's file, the camera `which` of several. Raises BadInput, naming the file
+    and what is wrong in it.
+    """
     if len(content) > MOST_IMPORT_BYTES:
         raise BadInput("cameras-too-large-calibration-file-choose-file", file_name=file_name)
     try:
@@ -180,7 +187,7 @@ def import_calibration(
         raise BadInput("cameras-not-text-file-choose-calibration-yaml", file_name=file_name) from error
     from sightline.geometry.imports import read_camera  # with its YAML only when it is asked for
 
-    imported = read_camera(text, file_name)
+    imported = read_camera(text, file_name, which=which)
     camera = imported.camera
     # What had to be guessed (the lens model, which of several cameras) is said wherever the camera is used.
     warnings = [*imported.notes, *([] if camera.covariance is not None else [NO_COVARIANCE])]

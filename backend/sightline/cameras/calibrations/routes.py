@@ -1,6 +1,8 @@
 """Calibrations: imported, looked at."""
 
-from fastapi import APIRouter, Response, UploadFile
+from typing import Annotated
+
+from fastapi import APIRouter, Query, Response, UploadFile
 
 from sightline.cameras.calibrations import calibrating, store
 from sightline.cameras.calibrations.bodies import CalibrationBody, calibration_body, camera_document
@@ -13,12 +15,18 @@ router = APIRouter()
 
 @router.post("/cameras/{camera_id}/calibrations/import", status_code=201)
 def import_calibration(
-    camera_id: PathId, file: UploadFile, who: Operator, services: Wired
+    camera_id: PathId,
+    file: UploadFile,
+    who: Operator,
+    services: Wired,
+    which: Annotated[
+        str | None, Query(max_length=100, description="The camera to read from a file of several.")
+    ] = None,
 ) -> CalibrationBody:
     """Take intrinsics from OpenCV YAML or JSON, ROS camera_info, Kalibr or mrcal."""
     name = clean_name(file.filename or "calibration")
     content = whole_file(file, calibrating.MOST_IMPORT_BYTES, name)
-    made = calibrating.import_calibration(services, camera_id, name, content, who.id)
+    made = calibrating.import_calibration(services, camera_id, name, content, who.id, which)
     return calibration_body(made)
 
 
