@@ -130,7 +130,7 @@ M2: !!opencv-matrix {rows: 3, cols: 3, dt: d, data: [600., 0., 310., 0., 601., 2
 D2: !!opencv-matrix {rows: 1, cols: 5, dt: d, data: [-0.2, 0.05, 0., 0., 0.]}
 """
 STEREO_NESTED = f"left:\n  {ROS.replace(chr(10), chr(10) + '  ')}\nright:\n  " + ROS.replace(
-    "500, 0, 320", "600, 0, 310"
+    "500, 0, 320, 0, 501", "600, 0, 310, 0, 601"
 ).replace("narrow_stereo", "narrow_right").replace("-0.3", "-0.2").replace("\n", "\n  ")
 STEREO_JSON = """{"image_size": [640, 480], "cameraMatrix1": [[500, 0, 320], [0, 501, 240], [0, 0, 1]],
 "distCoeffs1": [[-0.3, 0.1, 0.001, -0.002, 0.05]], "cameraMatrix2": [[600, 0, 310], [0, 601, 230], [0, 0, 1]],

@@ -1,4 +1,4 @@
-"""Malformed files made up by someone who had not read the readers: camera files and videos, each with its fault.
+"""Malformed camera files and videos, made up by someone who had not read the readers, each with its fault.
 
 `python -m tests.support.malformed OUT` writes them all, to be tried by hand.
 """
@@ -82,11 +82,11 @@ CAMERA_FILES: dict[str, bytes] = {
     # Kalibr and mrcal
     "three_intrinsics.yaml": b"cam0:\n  camera_model: pinhole\n  intrinsics: [900.5, 901.2, 640.2]\n"
     b"  distortion_model: radtan\n  distortion_coeffs: [-0.1, 0.02, 0, 0]\n  resolution: [1280, 720]\n",
-    "omni.yaml": b"cam0:\n  camera_model: omni\n  intrinsics: [1.2, 900.5, 901.2, 640.2, 358.9]\n"
+    "omni.yaml": b"cam0:\n  camera_model: omni\n  intrinsics: [1.2, 900.5, 901.2, 640.2, 358]\n"
     b"  distortion_model: radtan\n  distortion_coeffs: [-0.1, 0.02, 0, 0]\n  resolution: [1280, 720]\n",
-    "short.cameramodel": b"{'lensmodel': 'LENSMODEL_OPENCV8', 'intrinsics': [900.5, 901.2, 640.2, 358.9, 0.1],"
+    "short.cameramodel": b"{'lensmodel': 'LENSMODEL_OPENCV8', 'intrinsics': [900.5, 901.2, 640, 358, 0.1],"
     b" 'imagersize': [1280, 720]}\n",
-    "code.cameramodel": b"{'lensmodel': __import__('os').getcwd(), 'intrinsics': [1], 'imagersize': [1, 1]}\n",
+    "code.cameramodel": b"{'lensmodel': __import__('os').getcwd(), 'imagersize': [1, 1]}\n",
 }
 
 
@@ -118,12 +118,8 @@ def _times(path: Path, time_of: Callable[[int], int], count: int = 50) -> Path:
     return path
 
 
-def _two_sizes(path: Path) -> None:
-    parts = [
-        write(path.with_name(f"part{k}.ts"), Spec("x", size=s), 25)
-        for k, s in enumerate([(320, 240), (640, 480)])
-    ]
-    path.write_bytes(b"".join(p.read_bytes() for p in parts))
+def _join(path: Path, parts: list[Path]) -> None:
+    path.write_bytes(b"".join(part.read_bytes() for part in parts))
     for part in parts:
         part.unlink()
 
@@ -137,7 +133,7 @@ def videos(folder: Path) -> dict[str, Path]:
         folder / "plain.avi", Spec("x", codec="mjpeg", pix_fmt="yuvj420p", options=()), 30
     ).read_bytes()
     mkv = write(folder / "plain.mkv", Spec("x"), 50).read_bytes()
-    strh = avi.index(b"strhvids") + 8  # scale is 16 bytes further, rate 20
+    rate = avi.index(b"vids") + 24  # the scale lies four bytes before it
     middle = len(moved) // 2 // 188 * 188
     made = {
         "no_timescale.mp4": _field(plain, b"mdhd", 12, struct.pack(">I", 0)),
@@ -154,8 +150,8 @@ def videos(folder: Path) -> dict[str, Path]:
         "front_cut.mp4": front[: len(front) * 2 // 3],
         "two_in_one.mp4": plain + plain,
         "mail_header.mp4": b"Content-Type: video/mp4\r\nContent-Transfer-Encoding: binary\r\n\r\n" + plain,
-        "no_rate.avi": avi[: strh + 20] + bytes(4) + avi[strh + 24 :],
-        "million_a_second.avi": avi[: strh + 16] + struct.pack("<2I", 1, 10**6) + avi[strh + 24 :],
+        "no_rate.avi": avi[:rate] + bytes(4) + avi[rate + 4 :],
+        "million_a_second.avi": avi[: rate - 4] + struct.pack("<2I", 1, 10**6) + avi[rate + 4 :],
         "byte_more.ts": moved[: middle + 40] + b"\x55" + moved[middle + 40 :],
         "packets_lost.ts": moved[:middle] + moved[middle + 188 * 12 :],
         "started_again.ts": moved + moved,
@@ -166,9 +162,19 @@ def videos(folder: Path) -> dict[str, Path]:
         (folder / name).write_bytes(content)
     for name in ("plain.mp4", "front.mp4", "moved.ts", "plain.avi", "plain.mkv"):
         (folder / name).unlink()
-    _two_sizes(folder / "two_sizes.ts")
+    sizes = ((320, 240), (640, 480))
+    _join(
+        folder / "two_sizes.ts",
+        [write(folder / f"part{k}.ts", Spec("x", size=size), 25) for k, size in enumerate(sizes)],
+    )
     _times(folder / "hours_missing.ts", lambda n: 3600 * n + (10 * 3600 * 90_000 if n >= 25 else 0))
-    _times(folder / "clock_set_back.ts", lambda n: 3600 * n + (0 if n < 25 else -20 * 3600) + 90_000)
+    _join(
+        folder / "clock_set_back.ts",
+        [
+            _times(folder / f"part{k}.ts", lambda n, begin=begin: 3600 * n + begin * 90_000, 25)
+            for k, begin in enumerate((20, 1))
+        ],
+    )
     write(folder / "one_frame.mp4", Spec("x"), 1)
     return {p.name: p for p in sorted(folder.iterdir())}
 

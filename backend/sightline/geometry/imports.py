@@ -230,7 +230,8 @@ def _chosen(
         raise BadInput("geometry-holds-no-camera-holds", file_name=file_name, which=which, cameras=told)
     if which is None and len(names) > 1:
         notes.append(
-            f"{file_name} holds several cameras: {told}; {key} was read (ask for another by its name, --which)."
+            f"{file_name} holds several cameras: {told}; {key} was read "
+            "(ask for another by its name, --which)."
         )
     name = names[key]
     one = cameras[name]

@@ -150,8 +150,8 @@ def _precision(camera: Camera) -> list[str]:
 
 
 def lens_warnings(camera: Camera) -> tuple[str, ...]:
-    """What a lens alone gives to say, calibrated here or imported: where its axis lies, whether its pixels are
-    square, and whether it turns back inside the picture.
+    """What is to be said of a lens alone, calibrated here or imported: where its axis lies, whether its
+    pixels are square, and whether it turns back inside the picture.
     """
     return (*_axis(camera), *_corners(camera))
 

@@ -176,8 +176,9 @@ def import_calibration(
     actor: int,
     which: str | None = None,
 ) -> Calibration:
-    """Take intrinsics from another tool's file, the camera `which` of several. Raises BadInput, naming the file
-    and what is wrong in it.
+    """Take intrinsics from another tool's file, the camera `which` of several.
+
+    Raises BadInput, naming the file and what is wrong in it.
     """
     if len(content) > MOST_IMPORT_BYTES:
         raise BadInput("cameras-too-large-calibration-file-choose-file", file_name=file_name)
