@@ -35,6 +35,16 @@ def json_option(command: Command) -> Command:
     return click.option("--json", "as_json", is_flag=True, help="Print one JSON object.")(command)
 
 
+def stream_option(command: Command) -> Command:
+    """`--stream`: which of a video's pictures is read."""
+    return click.option(
+        "--stream",
+        "stream_number",
+        type=click.IntRange(1),
+        help="Which picture of a video with several, from 1 (default: the first that moves).",
+    )(command)
+
+
 def settings_of(**overrides: object) -> Settings:
     """The settings of the environment with the options given. Raises BadInput naming the variable."""
     from pydantic import ValidationError

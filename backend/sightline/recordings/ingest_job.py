@@ -10,6 +10,7 @@ from typing import Any
 from sightline.enums import Lighting
 from sightline.errors import Conflict, NotFound
 from sightline.infra.database import Session
+from sightline.infra.database.types import now
 from sightline.infra.jobs import registry
 from sightline.infra.jobs.records import Job
 from sightline.infra.jobs.recovery import STOPPED as CANCELLED
@@ -28,6 +29,10 @@ PASSES = "passes"
 STOPPED = "The import was cancelled; start it again or delete the recording."
 # Mean luminance (0-255) below which low light is proposed; people decide.
 LOW_LIGHT_BELOW = 60.0
+IN_FUTURE = (
+    "The file states that it was begun on {:%Y-%m-%d at %H:%M} UTC, which is in the future; the camera's "
+    "clock is wrong, and no start is proposed."
+)
 
 
 def queue_ingest(session: Session, recording: Recording, actor: int | None) -> Job:
@@ -152,6 +157,9 @@ def facts_of(found: Ingested, working_copy: str | None) -> Facts:
     """What is stored of an ingest beside the frame table."""
     facts, report = found.facts, found.report
     times = found.frames.time_s
+    begun, ahead = found.stated.begun_at, False
+    if begun is not None and begun > now():
+        begun, ahead = None, True
     duration_s = float(times.max() - times.min()) + (1.0 / report.rate_hz if report.rate_hz else 0.0)
     kept: dict[str, Any] = {
         "duplicates": report.duplicates,
@@ -164,6 +172,7 @@ def facts_of(found: Ingested, working_copy: str | None) -> Facts:
         "interlaced": facts.interlaced,
         "pixel_format": facts.pixel_format,
         "focal_35mm_mm": found.stated.focal_35mm_mm,
+        "clock_doubt": report.clock_doubt,
     }
     if working_copy is not None:
         kept["working_copy"] = working_copy
@@ -174,11 +183,11 @@ def facts_of(found: Ingested, working_copy: str | None) -> Facts:
         codec=facts.codec,
         container=facts.container,
         vfr=report.vfr,
-        notes=list(report.notes),
+        notes=[*report.notes, *([IN_FUTURE.format(found.stated.begun_at)] if ahead else [])],
         report=kept,
         thumbs=[thumb.n for thumb in found.thumbnails],
         lighting_proposed=_lighting(found),
-        start_proposed=found.stated.begun_at,
+        start_proposed=begun,
     )
 
 

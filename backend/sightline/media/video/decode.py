@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from contextlib import closing
+from contextlib import closing, suppress
 from dataclasses import dataclass, field
 from fractions import Fraction
+from itertools import islice
 from pathlib import Path
 
 import av
@@ -23,6 +24,7 @@ MAX_ASPECT = 4
 DECODER_THREADS = 4
 NO_PTS = -(2**63)
 _READ_FAILURES = 8
+_LOOKED_AT = 1000  # packets of several pictures that are looked at to see which of them move
 _WAY_OUT = "convert it to MP4 with H.264 or choose another file"
 
 
@@ -30,6 +32,7 @@ _WAY_OUT = "convert it to MP4 with H.264 or choose another file"
 class VideoFacts:
     """What a container says of its picture; sizes are upright and in square pixels, counts are only claims.
 
+    `stream`: the picture that was read, from 1, of those in the file; `others` says what the rest are.
     `rotation_deg` is the clockwise turn applied to the decoded frame, `sample_aspect` the width of a
     coded pixel over its height. `rate_hz`, `duration_s` and `reported_frames` are the header's and None
     where it is silent.
@@ -51,6 +54,8 @@ class VideoFacts:
     pixel_format: str
     full_range: bool
     interlaced: bool
+    stream: int = 1
+    others: tuple[str, ...] = ()
 
     @property
     def layout_note(self) -> str | None:
@@ -109,20 +114,30 @@ def _way_out(reason: str) -> str:
     return "choose a video file"
 
 
-def video_stream(container: InputContainer, name: str, threads: int = DECODER_THREADS) -> VideoStream:
-    """The stream that holds the picture, checked before anything is decoded.
+def video_stream(
+    container: InputContainer, name: str, threads: int = DECODER_THREADS, number: int | None = None
+) -> VideoStream:
+    """The stream that holds the picture, checked before anything is decoded: the `number`-th of the file's
+    pictures, from 1, or else the first that moves and is not switched off (where all are off, the first that
+    moves).
 
     How a decoder fills up damaged pictures depends on the race of its threads; with `threads` = 1 it is the
     same every time. Sound pictures never differ.
 
-
-    Raises BadInput for sound without a picture, a codec nobody here can decode, and dimensions out of
-    bounds.
+    Raises BadInput for sound without a picture, no or a still picture of that number, a codec nobody here can
+    decode, and dimensions out of bounds.
     """
-    streams = [s for s in container.streams.video if not _is_cover(s)]
-    if not streams:
+    moving = _moving(container)
+    if not moving:
         raise BadInput("video-holds-no-moving-picture-only-sound", name=name)
-    stream = streams[0]
+    stream = next((one for one in moving if not _is_off(container, one)), moving[0])
+    if number is not None:
+        every = container.streams.video
+        if not 1 <= number <= len(every):
+            raise BadInput("video-no-such-stream", name=name, number=number, count=len(every))
+        stream = every[number - 1]
+        if stream not in moving:
+            raise BadInput("video-stream-is-a-still", name=name, number=number)
     context = stream.codec_context
     if context is None:
         raise BadInput("video-uses-video-codec-cannot-decoded-here", name=name)
@@ -135,7 +150,51 @@ def video_stream(container: InputContainer, name: str, threads: int = DECODER_TH
 
 def _is_cover(stream: VideoStream) -> bool:
     """A cover picture in a sound file counts as a video stream in FFmpeg."""
-    return bool(stream.disposition & av.stream.Disposition.attached_pic)
+    kinds = av.stream.Disposition
+    return bool(stream.disposition & (kinds.attached_pic | kinds.timed_thumbnails | kinds.still_image))
+
+
+def _moving(container: InputContainer) -> list[VideoStream]:
+    """The file's pictures but for covers; of several, those of more than one frame, if any has.
+
+    Some programs write a cover as an ordinary first stream. The packets are looked at in a second reader, so
+    that this one stays where it is.
+    """
+    streams = [one for one in container.streams.video if not _is_cover(one)]
+    if len(streams) < 2:
+        return streams
+    counts = dict.fromkeys((one.index for one in streams), 0)
+    options = {"format_whitelist": FORMATS, "protocol_whitelist": "file", "max_pixels": str(MAX_PIXELS)}
+    with suppress(av.error.FFmpegError), closing(av.open(container.name, options=options)) as again:
+        wanted = [one for one in again.streams.video if one.index in counts]
+        for packet in islice(again.demux(wanted), _LOOKED_AT):
+            counts[packet.stream.index] += packet.size > 0
+            if min(counts.values()) > 1:
+                break
+    return [one for one in streams if counts[one.index] > 1] or streams
+
+
+def _is_off(container: InputContainer, stream: VideoStream) -> bool:
+    """Whether an MP4 or QuickTime track is not enabled (FFmpeg tells that as its default); no other container
+    that is read here switches tracks off.
+    """
+    return "mp4" in container.format.name and not stream.disposition & av.stream.Disposition.default
+
+
+def _others(container: InputContainer, read: VideoStream) -> tuple[str, ...]:
+    """What the file's other pictures are, as "2 (h264, 640x480)"."""
+    if len(container.streams.video) < 2:
+        return ()
+    moving, told = _moving(container), []
+    for number, one in enumerate(container.streams.video, start=1):
+        if one is read:
+            continue
+        context = one.codec_context
+        words = ["unknown codec"] if context is None else [context.name, f"{context.width}x{context.height}"]
+        words += [] if one in moving else ["a still picture"]
+        words += ["switched off"] if one in moving and _is_off(container, one) else []
+        told.append(f"{number} ({', '.join(words)})")
+    return tuple(told)
 
 
 def _check_size(name: str, width: int, height: int, aspect: Fraction | None) -> None:
@@ -247,6 +306,8 @@ def facts_of(container: InputContainer, stream: VideoStream, first: av.VideoFram
         pixel_format=first.format.name,
         full_range=int(first.color_range) == 2 or first.format.name.startswith("yuvj") or first.format.is_rgb,
         interlaced=bool(first.interlaced_frame),
+        stream=1 + list(container.streams.video).index(stream),
+        others=_others(container, stream),
     )
 
 
@@ -258,14 +319,17 @@ def _duration_s(container: InputContainer, stream: VideoStream) -> float | None:
     return None
 
 
-def frames_of(path: Path, name: str | None = None) -> Iterator[tuple[int, int, Gray]]:
-    """Frame by frame (n, pts, gray) from the first to the last, upright; for command-line clips.
+def frames_of(
+    path: Path, name: str | None = None, number: int | None = None
+) -> Iterator[tuple[int, int, Gray]]:
+    """Frame by frame (n, pts, gray) from the first to the last, upright, of the picture that `video_stream`
+    takes; for command-line clips.
 
     Where the stream holds no time stamps, pts is n. Raises BadInput like `probe`.
     """
     name = name or path.name
     with closing(open_container(path, name)) as container:
-        stream = video_stream(container, name)
+        stream = video_stream(container, name, number=number)
         layout: Layout | None = None
         n = 0
         for frame in decoded(container, stream):

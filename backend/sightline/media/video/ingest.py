@@ -30,6 +30,7 @@ from sightline.media.video.decode import (
 from sightline.media.video.picture import Layout, layout_of, luma_crc
 from sightline.media.video.remux import WorkingCopy, make_copy, needs_copy
 from sightline.media.video.report import IngestReport, report_of
+from sightline.media.video.sniff import extent_of
 from sightline.media.video.stated import Stated, stated_of
 from sightline.media.video.thumbnails import ROOM_BYTES, Thumbnail, ThumbnailWriter
 
@@ -107,22 +108,27 @@ def ingest(
     folder = work_dir or path.parent
     copy: WorkingCopy | None = None
     container = open_container(path, name)
-    stated = stated_of(container)  # of the file as it came: a working copy has lost it
+    stated = stated_of(container, path)  # of the file as it came: a working copy has lost it
     if needs_copy(container.format.name):
         container.close()
         copy = make_copy(path, folder, name, is_cancelled, keep_times=True)
         container = open_container(copy.path, name)
     watch = _Watch(on_progress, is_cancelled, name)
-    result = _ingest_open(container, path, copy, watch, thumb_dir)
+    result = _ingest_open(container, path, copy, watch, thumb_dir, stated)
     if copy is None and bool(np.any(result.frames.pts == NO_PTS)):
         copy = make_copy(path, folder, name, is_cancelled, keep_times=False)
-        result = _ingest_open(open_container(copy.path, name), path, copy, watch, thumb_dir)
+        result = _ingest_open(open_container(copy.path, name), path, copy, watch, thumb_dir, stated)
     on_progress(1.0)
     return replace(result, stated=stated)
 
 
 def _ingest_open(
-    container: InputContainer, path: Path, copy: WorkingCopy | None, watch: _Watch, thumb_dir: Path
+    container: InputContainer,
+    path: Path,
+    copy: WorkingCopy | None,
+    watch: _Watch,
+    thumb_dir: Path,
+    stated: Stated,
 ) -> Ingested:
     """Decode an open container to its end and close it; a damaged one again, so that it can be repeated."""
     damage = Damage()
@@ -143,7 +149,7 @@ def _ingest_open(
     return Ingested(
         facts=facts,
         frames=table,
-        report=report_of(facts, table.pts, table.time_s, table.crc32, damage, copy),
+        report=report_of(facts, table.pts, table.time_s, table.crc32, damage, copy, stated, extent_of(path)),
         thumbnails=thumbs.finish(),
         media_path=media_path,
         is_working_copy=copy is not None,

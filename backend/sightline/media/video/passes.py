@@ -49,6 +49,7 @@ def find_passes(
     is_cancelled: Cancelled = lambda: False,
     threads: int = 1,
     name: str | None = None,
+    stream_number: int | None = None,
 ) -> PassSearch:
     """The vehicle passes of a recording.
 
@@ -61,11 +62,12 @@ def find_passes(
     PassesCancelled.
     """
     name = name or path.name
-    finder, frames, width_px = _searched(path, name, rate_hz, square_at, on_progress, is_cancelled, threads)
+    how = (is_cancelled, threads, stream_number)
+    finder, frames, width_px = _searched(path, name, rate_hz, square_at, on_progress, *how)
     wander = finder.wander
     passes = () if wander.hopeless else finder.finish()
     if not wander.hopeless and finder.runs_down:
-        finder, _, _ = _searched(path, name, rate_hz, None, lambda _: None, is_cancelled, threads)
+        finder, _, _ = _searched(path, name, rate_hz, None, lambda _: None, *how)
         passes = finder.finish()
     on_progress(1.0)
     return PassSearch(passes, frames, _notes(wander, width_px))
@@ -79,12 +81,13 @@ def _searched(
     on_progress: Progress,
     is_cancelled: Cancelled,
     threads: int,
+    stream_number: int | None,
 ) -> tuple[PassFinder, int, int]:
     """A finder that has seen every picture, their number and width; `square_at` None: rows and columns
     exchanged.
     """
     with closing(open_container(path, name)) as container:
-        stream = video_stream(container, name, threads)
+        stream = video_stream(container, name, threads, stream_number)
         rate = rate_hz or float(stream.average_rate or 25)
         stride = max(1, round(rate / PICTURES_HZ))
         damage, size, layout, n, width_px = Damage(), max(path.stat().st_size, 1), None, -1, 0

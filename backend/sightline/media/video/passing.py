@@ -16,14 +16,16 @@ from sightline.media.video.decode import (
 from sightline.media.video.picture import layout_of, upright_gray
 
 
-def frames_between(path: Path, first: int, last: int, size_px: tuple[int, int], name: str) -> list[PassFrame]:
+def frames_between(
+    path: Path, first: int, last: int, size_px: tuple[int, int], name: str, stream_number: int | None = None
+) -> list[PassFrame]:
     """Frames `first` to `last`, upright, as far as the video has them; `size_px`: width and height.
 
     Raises BadInput for what is no video, one of another size, or one without times.
     """
     out: list[PassFrame] = []
     with closing(open_container(path, name)) as container:
-        stream = video_stream(container, name)
+        stream = video_stream(container, name, number=stream_number)
         layout, n = None, -1
         for frame in decoded(container, stream):
             layout = layout or layout_of(frame, stream.sample_aspect_ratio)

@@ -106,6 +106,7 @@ def propose_in_video(
     is_cancelled: Cancelled = lambda: False,
     threads: int = 1,
     name: str | None = None,
+    stream_number: int | None = None,
 ) -> Iterator[tuple[int, Proposals | str]]:
     """Index in `passes` and what is proposed of each, or the key of why nothing is, as the video goes on.
 
@@ -114,7 +115,7 @@ def propose_in_video(
     """
     name = name or path.name
     with closing(open_container(path, name)) as container:
-        stream = video_stream(container, name, threads)
+        stream = video_stream(container, name, threads, stream_number)
         collector = _Collector(passes, pose, rate_hz or float(stream.average_rate or 25))
         damage, layout, n, size = Damage(), None, -1, max(path.stat().st_size, 1)
         for frame in decoded(container, stream, damage):

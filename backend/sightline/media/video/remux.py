@@ -26,6 +26,8 @@ from sightline.media.store.local import check_room
 from sightline.media.video.decode import Damage, frame_pts, frames_of_packet, open_container, video_stream
 
 TICKS_HZ = 90_000
+CLOCK_TICKS = 2**33  # an MPEG clock has 33 bits: at 90 kHz it begins again after 26.5 hours
+_LONGEST_STEP = 2**31 - 1  # ticks between two samples that an MP4 reader understands: 6.6 hours
 _NO_INDEX = {"mpegts", "mpeg", "h264", "hevc"}
 _IN_MP4 = {"h264", "hevc", "mpeg4", "mpeg1video", "mpeg2video"}
 if TYPE_CHECKING:
@@ -62,7 +64,7 @@ def make_copy(
     ranks = _ranks(order)
     delay = max((i - rank for i, rank in enumerate(ranks)), default=0)
 
-    def number(i: int, packet: _VideoPacket) -> bool:
+    def number(i: int, packet: _VideoPacket) -> bool | None:
         packet.pts, packet.dts, packet.duration = ranks[i] + delay, i, 1
         packet.time_base = 1 / rate
         return True
@@ -77,10 +79,19 @@ def make_copy(
 
 def _try_with_times(path: Path, folder: Path, name: str, is_cancelled: Cancelled) -> WorkingCopy | None:
     last_dts: int | None = None
+    turn = 0
 
-    def check(_: int, packet: _VideoPacket) -> bool:
-        nonlocal last_dts
-        if packet.pts is None or packet.dts is None or (last_dts is not None and packet.dts <= last_dts):
+    def check(_: int, packet: _VideoPacket) -> bool | None:
+        nonlocal last_dts, turn
+        if packet.pts is None or packet.dts is None:
+            # A trimmed stream may begin within a picture, whose time went with its beginning.
+            return None if last_dts is None and not packet.is_keyframe else False
+        if last_dts is None and min(packet.pts, packet.dts) < 0:
+            turn = CLOCK_TICKS  # the reader counts down to 0 what comes before the clock's end
+        elif last_dts is not None and packet.dts + turn < last_dts - CLOCK_TICKS // 2:
+            turn += CLOCK_TICKS
+        packet.pts, packet.dts = packet.pts + turn, packet.dts + turn
+        if last_dts is not None and not 0 < packet.dts - last_dts <= _LONGEST_STEP:
             return False
         last_dts = packet.dts
         return True
@@ -95,10 +106,10 @@ def _write(
     path: Path,
     folder: Path,
     name: str,
-    prepare: Callable[[int, _VideoPacket], bool],
+    prepare: Callable[[int, _VideoPacket], bool | None],
     is_cancelled: Cancelled,
 ) -> Path:
-    """Copy packets; ValueError if `prepare` says no to one."""
+    """Copy packets, but those to which `prepare` says None; ValueError if it says no to one."""
     with closing(open_container(path, name)) as source:
         stream = video_stream(source, name)
         suffix = "mp4" if stream.codec_context.name in _IN_MP4 else "mkv"
@@ -111,7 +122,10 @@ def _write(
             out.time_base = Fraction(1, TICKS_HZ)
             for i, packet in enumerate(_packets(source, stream)):
                 check_cancelled(is_cancelled, name)
-                if not prepare(i, packet):
+                wanted = prepare(i, packet)
+                if wanted is None:
+                    continue
+                if not wanted:
                     raise ValueError("time stamps are not in order")
                 packet.stream = out
                 container.mux(packet)
@@ -151,12 +165,20 @@ def _display_order(path: Path, name: str, is_cancelled: Cancelled) -> tuple[list
 
 
 def _ranks(order: list[int | None]) -> list[int]:
-    """A place for every packet: those without a frame come right after the packet before them."""
+    """A place for every packet: those without a frame come right after the packet before them.
+
+    In a stream that reorders, those right behind the first frame's are its leading pictures, which refer to
+    one that was cut away: they come before it, or it would be shown too early by as many frames.
+    """
+    shown = [place for place in order if place is not None]
+    first = next((i for i, place in enumerate(order) if place is not None), 0)
+    second = next((i for i, place in enumerate(order) if place is not None and i > first), 0)
+    leading = range(first + 1, second) if shown != sorted(shown) else range(0)
     places: list[tuple[int, int]] = []
     last = -1
     for i, place in enumerate(order):
         last = place if place is not None else last
-        places.append((last, 0 if place is not None else i + 1))
+        places.append((-1 if i in leading else last, 0 if place is not None else i + 1))
     ranks = [0] * len(order)
     for rank, i in enumerate(sorted(range(len(order)), key=lambda j: places[j])):
         ranks[i] = rank

@@ -3,23 +3,32 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
 from sightline.media.video.decode import Damage, VideoFacts
 from sightline.media.video.remux import WorkingCopy
+from sightline.media.video.sniff import Extent
+from sightline.media.video.stated import Stated
 
 RATE_TOLERANCE = 0.02
 ROUNDING = 1.001
 JITTER = 0.05
 # Containers that write down how long they are but not how many frames; other durations may be estimates.
 DURATION_IN_HEADER = ("matroska,webm",)
+SLOWED = 1.5  # filmed so many times faster than played, or slower: not the trembling of a telephone's rate
+MOST_HZ = 2000.0  # no camera that films a road takes more pictures a second
+GAP = 5.0  # usual steps without a picture, and at least
+GAP_S = 0.25
+ClockDoubt = Literal["slow_motion", "impossible_rate", "no_rate"]
 
 
 @dataclass(frozen=True)
 class IngestReport:
     """`vfr`: the time between frames varies. `duplicates`: frames whose picture equals the one before.
+    `clock_doubt`: why the times are not those of filming, so that no motion is measured from them.
 
     `unordered`: frames whose time stamp is not later than the one before. `damaged`: something could not
     be read. `rate_hz` is measured from the time stamps (None for fewer than two frames). `notes`:
@@ -32,6 +41,7 @@ class IngestReport:
     damaged: bool
     rate_hz: float | None
     notes: tuple[str, ...]
+    clock_doubt: ClockDoubt | None = None
 
 
 def report_of(
@@ -41,8 +51,11 @@ def report_of(
     crc32: NDArray[np.uint32],
     damage: Damage,
     copy: WorkingCopy | None,
+    stated: Stated,
+    extent: Extent,
 ) -> IngestReport:
     """The report of a finished decode; arrays are those of the frame table, shape (N,)."""
+    doubt = clock_doubt_of(time_s, stated)
     vfr = _varies(np.sort(pts))
     duplicates = int(np.count_nonzero(crc32[1:] == crc32[:-1]))
     unordered = int(np.count_nonzero(np.diff(pts) <= 0))
@@ -50,14 +63,101 @@ def report_of(
     notes = [
         *_shape_notes(facts),
         *_time_notes(facts, time_s, rate, vfr, copy),
+        *_clock_notes(doubt, time_s, stated),
+        *_gap_notes(time_s),
         *_order_notes(duplicates, unordered),
         *_damage_notes(facts, len(pts), damage),
         *_duration_notes(facts, pts, time_s),
+        *_extent_notes(extent, time_s),
     ]
-    damaged = damage.any or _cut_short(facts, pts, time_s)
     return IngestReport(
-        vfr=vfr, duplicates=duplicates, unordered=unordered, damaged=damaged, rate_hz=rate, notes=tuple(notes)
+        vfr=vfr,
+        duplicates=duplicates,
+        unordered=unordered,
+        damaged=damage.any or extent.missing > 0 or _cut_short(facts, pts, time_s),
+        rate_hz=rate,
+        notes=tuple(notes),
+        clock_doubt=doubt,
     )
+
+
+def clock_doubt_of(time_s: NDArray[np.float64], stated: Stated) -> ClockDoubt | None:
+    """Why frame times (N,) are not those of filming, by their usual step and what the file states; None where
+    nothing speaks against them.
+    """
+    played_hz = _played_hz(time_s)
+    if stated.no_rate:
+        return "no_rate"
+    if played_hz is None or len(time_s) < 3:
+        return None
+    if played_hz > MOST_HZ:
+        return "impossible_rate"
+    if stated.filmed_hz is None:
+        return "slow_motion" if stated.to_be_slow else None
+    return None if 1 / SLOWED < stated.filmed_hz / played_hz < SLOWED else "slow_motion"
+
+
+def _played_hz(time_s: NDArray[np.float64]) -> float | None:
+    """Pictures a second by the usual step from one to the next, infinite where it is 0; None for one picture."""
+    if len(time_s) < 2:
+        return None
+    step_s = float(np.median(np.diff(np.sort(time_s))))
+    return 1.0 / step_s if step_s > 0 else float("inf")
+
+
+def _clock_notes(doubt: ClockDoubt | None, time_s: NDArray[np.float64], stated: Stated) -> list[str]:
+    played_hz = _played_hz(time_s)
+    if doubt is None or played_hz is None:
+        return []
+    if doubt == "no_rate":
+        return [
+            f"The file states no frame rate: {played_hz:.4g} frames per second are assumed, so do not trust its "
+            "times; no motion is measured from them."
+        ]
+    if doubt == "impossible_rate":
+        rate = "an endless number of" if played_hz == float("inf") else f"{played_hz:.6g}"
+        return [
+            f"The time stamps give {rate} frames per second, which no camera films; its times are "
+            "not to be trusted, and no motion is measured from them."
+        ]
+    if stated.filmed_hz is None:
+        how = "The file states that it is to be shown in slow motion"
+    else:
+        how = f"The file states that it was filmed at {stated.filmed_hz:.4g} frames per second"
+    return [
+        f"{how}; its times play {played_hz:.4g} per second. Heights of single frames hold, but no speed or "
+        "motion is measured: have it saved with the times of filming."
+    ]
+
+
+def _gap_notes(time_s: NDArray[np.float64]) -> list[str]:
+    """Where pictures are missing, as after lost packets or between two recordings in one file."""
+    steps = np.diff(np.sort(time_s))
+    if len(steps) < 3:
+        return []
+    gaps = np.flatnonzero(steps > max(GAP_S, GAP * float(np.median(steps))))
+    if len(gaps) == 0:
+        return []
+    longest = int(gaps[np.argmax(steps[gaps])])
+    count = "once" if len(gaps) == 1 else f"{len(gaps)} times"
+    return [
+        f"No pictures for a while, {count}; the longest time is {steps[longest]:.2f} s after frame {longest}."
+    ]
+
+
+def _extent_notes(extent: Extent, time_s: NDArray[np.float64]) -> list[str]:
+    notes = []
+    if extent.missing:
+        notes.append(
+            f"The file was cut short: {extent.missing} bytes are missing at its end. {len(time_s)} frames, "
+            f"{float(time_s.max()):.2f} s, are there; copy it again for the rest."
+        )
+    if extent.another:
+        notes.append(
+            "The file holds another recording behind this one, which is not read; split it, and give each "
+            "as a file of its own."
+        )
+    return notes
 
 
 def _varies(pts: NDArray[np.int64]) -> bool:
@@ -80,6 +180,12 @@ def _rate_hz(time_s: NDArray[np.float64]) -> float | None:
 
 def _shape_notes(facts: VideoFacts) -> list[str]:
     notes = []
+    if facts.others:
+        one = "another picture" if len(facts.others) == 1 else f"{len(facts.others)} other pictures"
+        notes.append(
+            f"The file holds {one}: {', '.join(facts.others)}; {facts.stream} ({facts.codec}, "
+            f"{facts.width_px}x{facts.height_px}) was read. For another, save it as a file of its own."
+        )
     if facts.layout_note:
         notes.append(f"The frames were {facts.layout_note}, as their header states.")
     if facts.interlaced:

@@ -6,6 +6,8 @@ people need to be told which of these it is.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from dataclasses import dataclass
 from pathlib import Path
 
 HEAD_BYTES = 4096
@@ -18,6 +20,7 @@ _STILLS = (
     (b"MM\x00*", "is a TIFF picture, not a video"),
     (b"II+\x00", "is a TIFF picture, not a video"),
 )
+_FIRST_BOXES = (b"ftyp", b"moov", b"mdat", b"wide", b"free", b"skip")
 STILL_BRANDS = (b"heic", b"heix", b"mif1", b"avif", b"avis", b"msf1")
 _PLAYLISTS = (
     b"#EXTM3U",
@@ -97,22 +100,99 @@ def _is_text(head: bytes) -> bool:
 
 def _cut_before_index(path: Path, head: bytes) -> str | None:
     """An MP4 or MOV without its `moov` box: the recorder was switched off or the copy was broken off."""
-    if head[4:8] not in (b"ftyp", b"moov", b"mdat", b"wide", b"free", b"skip"):
+    if head[4:8] not in _FIRST_BOXES:
         return None
     end = path.stat().st_size
-    offset = 0
-    with path.open("rb") as file:
-        for _ in range(10_000):
-            file.seek(offset)
-            box = file.read(16)
-            if len(box) < 8:
-                break
-            size = int.from_bytes(box[:4], "big")
-            if size == 1:
-                size = int.from_bytes(box[8:16], "big")
-            if box[4:8] in (b"moov", b"moof"):
-                return "is cut off in the middle of its index (moov)" if offset + size > end else None
-            if size < 8:
-                break
-            offset += size
+    for box in boxes(path):
+        if box.kind in (b"moov", b"moof"):
+            return "is cut off in the middle of its index (moov)" if box.end > end else None
     return "is cut off before its index (moov) was written"
+
+
+@dataclass(frozen=True)
+class Box:
+    """A part of an MP4 or QuickTime file at its top level, bytes from the file's start; `end` as it states."""
+
+    kind: bytes
+    start: int
+    end: int
+
+
+def boxes(path: Path, most: int = 200_000) -> Iterator[Box]:
+    """The parts of an MP4 or QuickTime file in order, up to the first that states no size (it reaches to the
+    file's end) or none that can be; nothing of other files.
+    """
+    length, start = path.stat().st_size, 0
+    with path.open("rb") as file:
+        for _ in range(most):
+            file.seek(start)
+            head = file.read(16)
+            if len(head) < 8 or not head[4:8].isascii():
+                return
+            size = int.from_bytes(head[:4], "big")
+            if size == 1:
+                size = int.from_bytes(head[8:16], "big")
+            elif size == 0:
+                size = length - start
+            if size < 8:
+                return
+            yield Box(head[4:8], start, start + size)
+            start += size
+
+
+def states_no_rate(path: Path) -> bool:
+    """Whether an AVI file's video stream states a rate of 0, for which readers take one of their own."""
+    with path.open("rb") as file:
+        head = file.read(HEAD_BYTES)
+    stream = head.find(b"strh")
+    if head[:4] != b"RIFF" or stream < 0 or head[stream + 8 : stream + 12] != b"vids":
+        return False
+    scale, rate = head[stream + 28 : stream + 32], head[stream + 32 : stream + 36]
+    return not any(scale) or not any(rate)
+
+
+@dataclass(frozen=True)
+class Extent:
+    """Whether a file is as long as it states: `missing` bytes, where it was cut short, and whether it holds
+    `another` recording behind its own, which nobody reads.
+    """
+
+    missing: int = 0
+    another: bool = False
+
+
+def extent_of(path: Path) -> Extent:
+    """The extent of an MP4, QuickTime, AVI or Matroska file, as its own parts state it."""
+    length = path.stat().st_size
+    with path.open("rb") as file:
+        head = file.read(64)
+    if head[:4] == b"RIFF":
+        return Extent(missing=max(0, 8 + int.from_bytes(head[4:8], "little") - length))
+    if head[:4] == b"\x1aE\xdf\xa3":
+        return Extent(missing=max(0, _matroska_end(head) - length))
+    if head[4:8] not in _FIRST_BOXES:
+        return Extent()
+    found = list(boxes(path))
+    return Extent(
+        missing=max(0, found[-1].end - length) if found else 0,
+        another=sum(one.kind == b"moov" for one in found) > 1,
+    )
+
+
+def _matroska_end(head: bytes) -> int:
+    """Where a Matroska file's one segment ends, or 0 where it does not say (a live recording)."""
+    size, at = _vint(head, 4)
+    at += size
+    if head[at : at + 4] != b"\x18S\x80g":
+        return 0
+    size, begin = _vint(head, at + 4)
+    return 0 if size < 0 else begin + size
+
+
+def _vint(data: bytes, at: int) -> tuple[int, int]:
+    """EBML's number at a place, and where it ends; -1 for "unknown" and for what is none (RFC 8794, 4)."""
+    if at >= len(data) or data[at] == 0:
+        return -1, at
+    width = 9 - data[at].bit_length()
+    value = int.from_bytes(data[at : at + width], "big") & (1 << 7 * width) - 1
+    return (-1 if value == (1 << 7 * width) - 1 else value), at + width
