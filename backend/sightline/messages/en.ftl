@@ -4796,6 +4796,7 @@ video-claims-pixels-width-height-which-not = { $name } states a pixel aspect rat
 video-not-video-read-here-convert-mp4 = { $name } is not a video that can be read here; convert it to MP4 with H.264 or choose another file.
 video-holds-no-picture-decoded-codec-convert = { $name } contains no picture that can be decoded (codec { $codec }); convert it to MP4 with H.264 or choose another file.
 video-no-times-follow = { $name } does not state the times of its frames, so a vehicle cannot be followed in it; convert it to MP4.
+video-times-not-of-filming = The times of { $name } are not those of filming, so no motion is measured from them; its notes say why. Have it saved with the times of filming.
 video-holds-no-picture-decoded-convert-mp4 = { $name } contains no picture that can be decoded; convert it to MP4 with H.264 or choose another file.
 video-recording-ended-decoder-times-set-aside = This recording crashed the decoder { $count } times and is not tried again; convert it to MP4 with H.264 and upload it again.
 video-decoder-ended-again-again-look-memory = The decoder crashed repeatedly; check the memory of this server.

@@ -4836,6 +4836,7 @@ video-claims-pixels-width-height-which-not = { $name } annonce des pixels au rap
 video-not-video-read-here-convert-mp4 = { $name } n’est pas une vidéo lisible ici ; convertissez-le en MP4 avec H.264 ou choisissez un autre fichier.
 video-holds-no-picture-decoded-codec-convert = { $name } ne contient aucune image décodable (codec { $codec }) ; convertissez-le en MP4 avec H.264 ou choisissez un autre fichier.
 video-no-times-follow = { $name } ne donne pas l’instant de ses images : un véhicule ne peut pas y être suivi ; convertissez-le en MP4.
+video-times-not-of-filming = Les instants de { $name } ne sont pas ceux de la prise de vue : aucun mouvement n’en est mesuré ; ses remarques disent pourquoi. Faites-la enregistrer avec les instants de la prise de vue.
 video-holds-no-picture-decoded-convert-mp4 = { $name } ne contient aucune image décodable ; convertissez-le en MP4 avec H.264 ou choisissez un autre fichier.
 video-recording-ended-decoder-times-set-aside = Cet enregistrement a fait planter le décodeur { $count } fois et est mis de côté ; convertissez-le en MP4 avec H.264 et envoyez-le à nouveau.
 video-decoder-ended-again-again-look-memory = Le décodeur s’est arrêté plusieurs fois de suite ; vérifiez la mémoire de cette machine.

@@ -14,6 +14,7 @@ from sightline.infra.jobs.store import latest_jobs_of_scans
 from sightline.infra.services import Services
 from sightline.linescan.parts import Rig
 from sightline.media.strips.stored_reader import ReaderCache, StripReader
+from sightline.media.video.report import require_clock_of_filming
 from sightline.recordings.store import get_recording, recording_media_in_use
 from sightline.recordings.uploads.records import Upload
 from sightline.recordings.uploads.store import get_upload, upload_content_waits
@@ -83,6 +84,7 @@ def create_from_video(
     rate_hz = recording.report.get("rate_hz")
     if recording.vfr or not rate_hz:
         raise BadInput("scans-frames-uneven-times-line-scan-needs", name=recording.name)
+    require_clock_of_filming(recording.report.get("clock_doubt"), recording.name)
     cuts = (source.cut_1_px, source.cut_2_px)
     what = "columns" if source.cut_along == "columns" else "rows"
     size_px = recording.width_px if what == "columns" else recording.height_px

@@ -18,6 +18,7 @@ from sightline.measurements.followed_text import text_of
 from sightline.measurements.height_of_clicks import Answer, answer
 from sightline.measurements.records import Clicks
 from sightline.measurements.service import clicks_in_context, pose_in_force
+from sightline.media.video.report import require_clock_of_filming
 from sightline.recordings.frames.stills import stills_of
 from sightline.vehicles.proposing.records import PointProposal
 from sightline.vehicles.proposing.store import proposals_of_vehicle
@@ -116,6 +117,7 @@ def _followed(
         proposed = _other_tyre(proposals_of_vehicle(session, vehicle_id), clicks)
     stills = stills_of(services)
     opened = stills.open(vehicle.recording_id)
+    require_clock_of_filming(opened.recording.report.get("clock_doubt"), opened.recording.name)
     first = max(min(vehicle.first_frame, clicks.frame), clicks.frame - MOST_FRAMES)
     last = min(max(vehicle.last_frame, clicks.frame), clicks.frame + MOST_FRAMES, len(opened.media) - 1)
     frames = [

@@ -3,6 +3,8 @@
 from contextlib import closing
 from pathlib import Path
 
+import numpy as np
+
 from sightline.errors import BadInput
 from sightline.geometry.follow_pass import PassFrame
 from sightline.media.video.decode import (
@@ -14,6 +16,8 @@ from sightline.media.video.decode import (
     video_stream,
 )
 from sightline.media.video.picture import layout_of, upright_gray
+from sightline.media.video.report import clock_doubt_of, require_clock_of_filming
+from sightline.media.video.stated import stated_of
 
 
 def frames_between(
@@ -21,7 +25,8 @@ def frames_between(
 ) -> list[PassFrame]:
     """Frames `first` to `last`, upright, as far as the video has them; `size_px`: width and height.
 
-    Raises BadInput for what is no video, one of another size, or one without times.
+    Raises BadInput for what is no video, one of another size, without times, or whose times are not those of
+    filming.
     """
     out: list[PassFrame] = []
     with closing(open_container(path, name)) as container:
@@ -47,4 +52,6 @@ def frames_between(
             if pts == NO_PTS or base is None:
                 raise BadInput("video-no-times-follow", name=name)
             out.append(PassFrame(n, float(pts * base), upright_gray(frame, layout)))
+        stated = stated_of(container, path)
+    require_clock_of_filming(clock_doubt_of(np.array([one.time_s for one in out]), stated), name)
     return out

@@ -8,6 +8,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from sightline.errors import BadInput
 from sightline.media.video.decode import Damage, VideoFacts
 from sightline.media.video.remux import WorkingCopy
 from sightline.media.video.sniff import Extent
@@ -97,8 +98,14 @@ def clock_doubt_of(time_s: NDArray[np.float64], stated: Stated) -> ClockDoubt | 
     return None if 1 / SLOWED < stated.filmed_hz / played_hz < SLOWED else "slow_motion"
 
 
+def require_clock_of_filming(doubt: object, name: str) -> None:
+    """Raise BadInput before a motion is measured from times in doubt (`IngestReport.clock_doubt`)."""
+    if doubt is not None:
+        raise BadInput("video-times-not-of-filming", name=name)
+
+
 def _played_hz(time_s: NDArray[np.float64]) -> float | None:
-    """Pictures a second by the usual step from one to the next, infinite where it is 0; None for one picture."""
+    """Pictures a second by the usual step from one to the next, endless where it is 0; None for one alone."""
     if len(time_s) < 2:
         return None
     step_s = float(np.median(np.diff(np.sort(time_s))))
@@ -111,8 +118,8 @@ def _clock_notes(doubt: ClockDoubt | None, time_s: NDArray[np.float64], stated: 
         return []
     if doubt == "no_rate":
         return [
-            f"The file states no frame rate: {played_hz:.4g} frames per second are assumed, so do not trust its "
-            "times; no motion is measured from them."
+            f"The file states no frame rate: {played_hz:.4g} frames per second are assumed, so do not trust "
+            "its times; no motion is measured from them."
         ]
     if doubt == "impossible_rate":
         rate = "an endless number of" if played_hz == float("inf") else f"{played_hz:.6g}"

@@ -111,7 +111,7 @@ def _cut_before_index(path: Path, head: bytes) -> str | None:
 
 @dataclass(frozen=True)
 class Box:
-    """A part of an MP4 or QuickTime file at its top level, bytes from the file's start; `end` as it states."""
+    """A part of an MP4 or QuickTime file at its top level, in bytes from its start; `end` as it states."""
 
     kind: bytes
     start: int

@@ -1,0 +1,276 @@
+"""What other people's recorders write: clocks that wrap, covers, several pictures, slow motion, cut files."""
+
+from __future__ import annotations
+
+import json
+from contextlib import closing
+from dataclasses import replace
+from datetime import UTC, datetime
+from fractions import Fraction
+from pathlib import Path
+
+import av
+import numpy as np
+import pytest
+
+from sightline.cli import main
+from sightline.errors import BadInput
+from sightline.media.video.decode import frames_of
+from sightline.media.video.frames import FrameServer
+from sightline.media.video.ingest import Ingested
+from sightline.media.video.passing import frames_between
+from sightline.media.video.report import clock_doubt_of
+from sightline.media.video.stated import Stated
+from sightline.recordings.ingest_job import facts_of
+from tests.media.clips import X264_B, X264_OPEN, Spec, painted, read_number, write
+from tests.media.conftest import Clip, Ingest, media_of
+
+CLOCK_S = 2**33 / 90_000
+
+
+def moved(source: Path, target: Path, by_s: float, container: str) -> Path:
+    """The same packets, `by_s` later, on a clock of 33 bits that begins again at its end."""
+    with closing(av.open(str(source))) as read, closing(av.open(str(target), "w", format=container)) as out:
+        stream = read.streams.video[0]
+        copy = out.add_stream_from_template(stream)
+        for packet in read.demux(stream):
+            if packet.dts is None:
+                continue
+            shift = round(by_s / packet.time_base)
+            packet.pts, packet.dts, packet.stream = packet.pts + shift, packet.dts + shift, copy
+            out.mux(packet)
+    return target
+
+
+def numbers(result: Ingested, server: FrameServer) -> list[int]:
+    media = media_of(result)
+    return [read_number(server.gray(media, n)) for n in range(len(media))]
+
+
+@pytest.mark.parametrize("container", ["mpegts", "mpeg"])
+@pytest.mark.parametrize(("rate", "before_s"), [(25, 2.0), (25, 4.4), (25, 0.1), (1, 80.0)])
+def test_a_clock_that_begins_again_loses_no_frame(
+    rate: int, before_s: float, container: str, tmp_path: Path, take_in: Ingest, server: FrameServer
+) -> None:
+    """The clock of an MPEG stream ends every 26.5 hours; FFmpeg counts down to 0 what begins within a minute
+    of its end.
+    """
+    codec = {} if container == "mpegts" else {"codec": "mpeg2video", "options": ()}
+    spec = Spec("x", rate=Fraction(rate), gop=25, b_frames=2, **codec)  # type: ignore[arg-type]
+    if container == "mpeg" and rate == 1:
+        pytest.skip("MPEG-2 has no rate of one picture a second")
+    source = write(tmp_path / ("plain.ts" if container == "mpegts" else "plain.mkv"), spec, 120)
+    wraps = moved(source, tmp_path / "wraps.ts", CLOCK_S - before_s, container)
+    result = take_in(wraps)
+    assert result.frames.time_s == pytest.approx(np.arange(120) / rate, abs=2e-3)
+    assert numbers(result, server) == list(range(120))
+    assert result.report.rate_hz == pytest.approx(rate, rel=1e-4)
+
+
+def two_pictures(
+    path: Path, counts: tuple[int, int], on: tuple[bool, bool] | None = None, cover: bool = False
+) -> Path:
+    """A file of two pictures, of 320x240 and 640x480: the second shows its numbers from 1000 on."""
+    with closing(av.open(str(path), "w")) as out:
+        streams = []
+        for k, (width, height) in enumerate(((320, 240), (640, 480))):
+            still = cover and k == 0
+            stream = out.add_stream("mjpeg" if still else "libx264", rate=25)
+            stream.width, stream.height = width, height
+            stream.pix_fmt = "yuvj420p" if still else "yuv420p"
+            if on is not None:
+                stream.disposition = av.stream.Disposition.default if on[k] else av.stream.Disposition(0)
+            streams.append(stream)
+        for k, stream in enumerate(streams):
+            for n in range(counts[k]):
+                picture = painted(n + 1000 * k, stream.width, stream.height)
+                frame = av.VideoFrame.from_ndarray(picture, format="bgr24")
+                frame.pts, frame.time_base = n, Fraction(1, 25)
+                out.mux(stream.encode(frame))
+            out.mux(stream.encode(None))
+    return path
+
+
+@pytest.mark.parametrize("on", [None, (False, True)])
+@pytest.mark.parametrize("ending", ["mp4", "mkv"])
+def test_a_cover_before_the_video_is_no_video(
+    ending: str, on: tuple[bool, bool] | None, tmp_path: Path, take_in: Ingest, server: FrameServer
+) -> None:
+    """A cover as an ordinary first stream, marked as nothing; FFmpeg switches the second off by default."""
+    result = take_in(two_pictures(tmp_path / f"cover_first.{ending}", (1, 90), on, cover=True))
+    assert numbers(result, server) == list(range(1000, 1090))
+    assert (result.facts.width_px, result.facts.stream) == (640, 2)
+    assert any("1 (mjpeg, 320x240, a still picture)" in note and "2 (h264" in note
+               for note in result.report.notes)  # fmt: skip
+
+
+def test_of_two_moving_pictures_the_first_is_read_and_said(
+    tmp_path: Path, take_in: Ingest, server: FrameServer
+) -> None:
+    result = take_in(two_pictures(tmp_path / "two.mp4", (30, 30), (True, True)))
+    assert numbers(result, server) == list(range(30))
+    note = next(note for note in result.report.notes if "another picture" in note)
+    assert "2 (h264, 640x480)" in note and "1 (h264, 320x240) was read" in note
+
+
+def test_one_that_is_switched_off_is_left_alone(tmp_path: Path, take_in: Ingest, server: FrameServer) -> None:
+    result = take_in(two_pictures(tmp_path / "off.mp4", (30, 30), (False, True)))
+    assert numbers(result, server) == list(range(1000, 1030))
+    assert any("1 (h264, 320x240, switched off)" in note for note in result.report.notes)
+
+
+def test_a_single_picture_says_nothing_of_others(clip: Clip, take_in: Ingest) -> None:
+    result = take_in(clip(Spec("cfr.mp4")))
+    assert result.facts.others == () and not any("picture" in note for note in result.report.notes)
+
+
+def test_the_command_line_lets_one_choose(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path = two_pictures(tmp_path / "two.mp4", (30, 30), (True, True))
+    chosen = [read_number(gray) for _, _, gray in frames_of(path, number=2)]
+    assert chosen == list(range(1000, 1030))
+    assert main(["passes", str(path), "--stream", "2", "--json"]) == 0
+    assert json.loads(capsys.readouterr().out)["passes"] == []
+    assert main(["passes", str(path), "--stream", "3"]) == 2
+    assert "has no picture 3; it holds 2" in capsys.readouterr().err
+    cover = two_pictures(tmp_path / "cover.mp4", (1, 30), cover=True)
+    assert main(["passes", str(cover), "--stream", "1"]) == 2
+    assert "is a still picture" in capsys.readouterr().err
+
+
+def packs(data: bytes) -> list[int]:
+    """Where the packs of an MPEG program stream begin."""
+    found, at = [], data.find(b"\x00\x00\x01\xba")
+    while at >= 0:
+        found.append(at)
+        at = data.find(b"\x00\x00\x01\xba", at + 4)
+    return found
+
+
+@pytest.mark.parametrize("share", [0.2, 0.35, 0.5])
+@pytest.mark.parametrize(
+    "spec",
+    [
+        Spec("x", codec="mpeg2video", options=(), b_frames=2, gop=12, container="mpeg"),
+        Spec("x", codec="mpeg2video", options=(), b_frames=2, gop=12, container="vob", rate=Fraction(30)),
+        Spec("x", codec="mpeg1video", options=(), b_frames=2, gop=15, container="mpeg"),
+        Spec("x", options=X264_OPEN, b_frames=3, container="mpeg"),
+        Spec("x", options=X264_B, b_frames=3, container="mpeg"),
+    ],
+)
+def test_a_trimmed_program_stream_keeps_its_times(
+    spec: Spec, share: float, tmp_path: Path, take_in: Ingest, server: FrameServer
+) -> None:
+    """The pictures that led the first whole one refer to one that was cut away: two of them shifted it by 67
+    to 80 ms.
+    """
+    data = write(tmp_path / "whole.mpg", spec, 100).read_bytes()
+    begins = packs(data)
+    path = tmp_path / "trimmed.mpg"
+    path.write_bytes(data[begins[int(share * len(begins))] :])
+    result = take_in(path)
+    shown = np.array(numbers(result, server))
+    assert len(shown) >= 25
+    assert result.frames.time_s == pytest.approx((shown - shown[0]) / float(spec.rate), abs=2e-3)
+
+
+FRAGMENTS = (("movflags", "frag_keyframe+empty_moov"),)
+
+
+@pytest.mark.parametrize(
+    ("name", "muxer"), [("fragments.mp4", FRAGMENTS), ("front.mp4", (("movflags", "+faststart"),)),
+                        ("a.mkv", ()), ("a.avi", ())],
+)  # fmt: skip
+def test_a_file_cut_short_says_so_and_how_much_is_there(
+    name: str, muxer: tuple[tuple[str, str], ...], clip: Clip, tmp_path: Path, take_in: Ingest
+) -> None:
+    whole = clip(Spec(name, muxer=muxer), 80)
+    assert not take_in(whole).report.damaged
+    assert not any("cut short" in note for note in take_in(whole).report.notes)
+    path = tmp_path / f"cut_{name}"
+    path.write_bytes(whole.read_bytes()[: whole.stat().st_size * 7 // 10])
+    result = take_in(path)
+    count, end_s = len(result.frames), float(result.frames.time_s.max())
+    assert 30 <= count < 80 and result.report.damaged
+    note = next(note for note in result.report.notes if "cut short" in note)
+    assert f"{count} frames, {end_s:.2f} s, are there" in note
+
+
+def test_a_live_recording_without_a_length_is_not_called_cut(
+    clip: Clip, tmp_path: Path, take_in: Ingest
+) -> None:
+    live = clip(Spec("live.mkv", muxer=(("live", "1"),)), 30)
+    assert not any("cut short" in note for note in take_in(live).report.notes)
+
+
+def tagged(path: Path, tags: dict[str, str], rate: int = 30) -> Path:
+    with closing(av.open(str(path), "w", options={"movflags": "use_metadata_tags"})) as out:
+        stream = out.add_stream("libx264", rate=rate)
+        stream.width, stream.height, stream.pix_fmt = 320, 240, "yuv420p"
+        out.metadata.update(tags)
+        for n in range(40):
+            out.mux(stream.encode(av.VideoFrame.from_ndarray(painted(n), format="bgr24")))
+        out.mux(stream.encode(None))
+    return path
+
+
+SONY = (
+    b'<?xml version="1.0"?><NonRealTimeMeta><VideoFormat><VideoFrame videoCodec="AVC" captureFps="119.88p"'
+    b' formatFps="29.97p"/></VideoFormat></NonRealTimeMeta>'
+)
+
+
+@pytest.mark.parametrize(
+    ("tags", "said"),
+    [
+        ({"com.android.capture.fps": "120.000000"}, "filmed at 120 frames per second"),
+        ({"com.android.capture.fps": "1.000000"}, "filmed at 1 frames per second"),
+        ({"com.maker.CaptureFrameRate": "240 fps"}, "filmed at 240 frames per second"),
+        ({"com.apple.quicktime.full-frame-rate-playback-intent": "0"}, "shown in slow motion"),
+        ({"com.android.capture.fps": "30.000000"}, None),
+        ({"com.android.capture.fps": "24.0"}, None),
+        ({"com.android.capture.fps": "fast"}, None),
+        ({"com.apple.quicktime.full-frame-rate-playback-intent": "1"}, None),
+    ],
+)
+def test_slow_motion_is_said_and_no_motion_is_measured(
+    tags: dict[str, str], said: str | None, tmp_path: Path, take_in: Ingest
+) -> None:
+    path = tagged(tmp_path / "a.mp4", tags)
+    result = take_in(path)
+    assert result.frames.time_s == pytest.approx(np.arange(40) / 30, abs=1e-4)  # as played: never guessed
+    assert result.report.clock_doubt == ("slow_motion" if said else None)
+    assert facts_of(result, None).report["clock_doubt"] == result.report.clock_doubt
+    assert [said in note for note in result.report.notes] == [True] if said else result.report.notes == ()
+    if said is None:
+        assert len(frames_between(path, 5, 20, (320, 240), path.name)) == 16
+        return
+    with pytest.raises(BadInput, match="not those of filming"):
+        frames_between(path, 5, 20, (320, 240), path.name)
+
+
+def test_slow_motion_of_sony_stands_beside_the_index(tmp_path: Path, take_in: Ingest) -> None:
+    path = tagged(tmp_path / "C0001.MP4", {})
+    with path.open("ab") as file:
+        file.write((8 + len(SONY)).to_bytes(4, "big") + b"meta" + SONY)
+    result = take_in(path)
+    assert result.stated.filmed_hz == 119.88 and result.report.clock_doubt == "slow_motion"
+
+
+@pytest.mark.parametrize(
+    ("step_s", "filmed_hz", "doubt"),
+    [(1 / 30, 48.0, "slow_motion"), (1 / 30, 44.0, None), (1 / 30, 19.0, "slow_motion"), (1 / 30, 21.0, None),
+     (1 / 1900, None, None), (1 / 2100, None, "impossible_rate"), (0.0, None, "impossible_rate")],
+)  # fmt: skip
+def test_where_a_clock_is_doubted(step_s: float, filmed_hz: float | None, doubt: str | None) -> None:
+    assert clock_doubt_of(np.arange(30) * step_s, Stated(filmed_hz=filmed_hz)) == doubt
+
+
+def test_a_start_in_the_future_is_no_start(tmp_path: Path, take_in: Ingest) -> None:
+    found = take_in(tagged(tmp_path / "a.mp4", {}))
+    past = replace(found, stated=Stated(begun_at=datetime(2020, 5, 3, 6, 10, tzinfo=UTC)))
+    assert facts_of(past, None).start_proposed == datetime(2020, 5, 3, 6, 10, tzinfo=UTC)
+    assert facts_of(past, None).notes == list(found.report.notes)
+    ahead = replace(found, stated=Stated(begun_at=datetime(2240, 2, 6, 6, 28, 15, tzinfo=UTC)))
+    facts = facts_of(ahead, None)
+    assert facts.start_proposed is None
+    assert "2240-02-06 at 06:28 UTC, which is in the future" in facts.notes[-1]
