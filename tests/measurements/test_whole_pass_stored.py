@@ -16,10 +16,14 @@ import pytest
 
 from sightline.geometry.follow_pass import FollowedPass, Lost
 from sightline.geometry.followed_tracks import CONTACT, SECOND, TARGET, Following, Tracks
+from sightline.infra.database.rows import change_row
 from sightline.infra.services import Services
 from sightline.measurements.following import service
 from sightline.measurements.store import get_measurement
 from sightline.quality.repeats.clicks import alone
+from sightline.recordings.frames.stills import stills_of
+from sightline.recordings.store import get_recording
+from sightline.recordings.tables import recordings
 from tests.measurements.test_second_frame import HEIGHT_M, INSET_M, exported, on_frame, rewritten
 from tests.support.app import FRAME_HEIGHT, FRAME_WIDTH, Client, error_of
 from tests.support.ground import Ground, add_vehicle, lay_ground, pixel
@@ -103,6 +107,28 @@ def test_asking_answers_points_reasons_and_the_height_and_stores_nothing(
     assert {one["point"] for one in said["points"]} == {"contact", "second_contact", "target"}
     assert followed[0]["frames"] == list(range(12)) and followed[0]["target"] == "driver_eye"
     assert operator.seen(f"/vehicles/{vehicle_id}")["measurements"] == []
+
+
+def test_no_pass_is_followed_by_times_that_are_not_those_of_filming(
+    operator: Client,
+    services: Services,
+    ground: Ground,
+    vehicle_id: int,
+    followed: list[dict[str, Any]],
+) -> None:
+    with services.writing() as session:
+        report = {**get_recording(session, ground.recording_id).report, "clock_doubt": "slow_motion"}
+        change_row(session, recordings, ground.recording_id, {"report": report})
+    stills_of(services).forget(ground.recording_id)
+    refused = operator.post(f"/vehicles/{vehicle_id}/follow", clicks(second_contact=second()))
+    assert "are not those of filming" in error_of(refused)
+    body = {"client_key": str(uuid4()), **clicks()}
+    of_pass = {**body, "follow": {"second_contact": None}}
+    stored = operator.post(f"/vehicles/{vehicle_id}/measurements", of_pass)
+    assert "are not those of filming" in error_of(stored)
+    assert followed == []
+    of_one_frame = operator.made(f"/vehicles/{vehicle_id}/measurements", body)
+    assert of_one_frame["followed"] is None and of_one_frame["height_m"] is not None
 
 
 def test_what_is_stored_is_what_was_shown_with_all_its_points(

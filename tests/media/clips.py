@@ -91,6 +91,18 @@ def write(path: Path, spec: Spec, count: int | None = None) -> Path:
     return path
 
 
+def tagged(path: Path, tags: dict[str, str], rate: int = 30) -> Path:
+    """Forty small frames in a file that carries these tags."""
+    with closing(av.open(str(path), "w", options={"movflags": "use_metadata_tags"})) as out:
+        stream = out.add_stream("libx264", rate=rate)
+        stream.width, stream.height, stream.pix_fmt = 320, 240, "yuv420p"
+        out.metadata.update(tags)
+        for n in range(40):
+            out.mux(stream.encode(av.VideoFrame.from_ndarray(painted(n), format="bgr24")))
+        out.mux(stream.encode(None))
+    return path
+
+
 def uneven(n: int) -> int:
     """Time stamps of a telephone: 20 to 60 ms apart, in order."""
     return sum(1800 + (k * 7919) % 3600 for k in range(n))

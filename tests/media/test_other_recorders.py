@@ -22,7 +22,7 @@ from sightline.media.video.passing import frames_between
 from sightline.media.video.report import clock_doubt_of
 from sightline.media.video.stated import Stated
 from sightline.recordings.ingest_job import facts_of
-from tests.media.clips import X264_B, X264_OPEN, Spec, painted, read_number, write
+from tests.media.clips import X264_B, X264_OPEN, Spec, painted, read_number, tagged, write
 from tests.media.conftest import Clip, Ingest, media_of
 
 CLOCK_S = 2**33 / 90_000
@@ -200,17 +200,6 @@ def test_a_live_recording_without_a_length_is_not_called_cut(
 ) -> None:
     live = clip(Spec("live.mkv", muxer=(("live", "1"),)), 30)
     assert not any("cut short" in note for note in take_in(live).report.notes)
-
-
-def tagged(path: Path, tags: dict[str, str], rate: int = 30) -> Path:
-    with closing(av.open(str(path), "w", options={"movflags": "use_metadata_tags"})) as out:
-        stream = out.add_stream("libx264", rate=rate)
-        stream.width, stream.height, stream.pix_fmt = 320, 240, "yuv420p"
-        out.metadata.update(tags)
-        for n in range(40):
-            out.mux(stream.encode(av.VideoFrame.from_ndarray(painted(n), format="bgr24")))
-        out.mux(stream.encode(None))
-    return path
 
 
 SONY = (

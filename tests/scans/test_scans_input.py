@@ -14,6 +14,7 @@ from sightline.infra.jobs.recovery import take_back
 from sightline.infra.jobs.store import claim_job, queued_jobs
 from sightline.infra.services import Services
 from sightline.media.video.writer import write_mp4
+from tests.media.clips import tagged
 from tests.support.app import Client, error_of, upload
 from tests.support.scanning_ground import RIG, pictures, tiff, upload_strip
 
@@ -117,6 +118,21 @@ def test_two_columns_or_rows_of_a_video_are_a_scan(
     assert [job.state for job in work()] == ["done"]
     read = operator.seen(f"/scans/{turned['id']}")
     assert (read["state"], read["cut_along"], read["rows_px"]) == ("ready", "rows_right_up", 160)
+
+
+def test_slow_motion_is_no_line_scan(operator: Client, survey_id: int, tmp_path: Path, work: Work) -> None:
+    """Filmed at 120, played at 30: a line scan of it would have a quarter of its line rate."""
+    slow = tagged(tmp_path / "slow.mp4", {"com.android.capture.fps": "120.0"})
+    recording = upload(operator, survey_id, slow)
+    work()
+    said = operator.seen(f"/recordings/{recording}")
+    assert said["state"] == "ready"
+    assert any("filmed at 120 frames per second; its times play 30" in note for note in said["notes"])
+    body = {"recording_id": recording, "cut_1_px": 40, "cut_2_px": 100, "baseline_m": 1.5, "find": None}
+    refused = operator.post(f"/surveys/{survey_id}/scans/from-video", body)
+    assert refused.status_code == 422
+    assert "times of slow.mp4 are not those of filming" in error_of(refused)
+    assert operator.seen(f"/surveys/{survey_id}/scans") == []
 
 
 def _bar(n: int) -> Picture:

@@ -54,6 +54,7 @@ class VideoFacts:
     pixel_format: str
     full_range: bool
     interlaced: bool
+    left_turned_deg: float = 0.0
     stream: int = 1
     others: tuple[str, ...] = ()
 
@@ -306,6 +307,7 @@ def facts_of(container: InputContainer, stream: VideoStream, first: av.VideoFram
         pixel_format=first.format.name,
         full_range=int(first.color_range) == 2 or first.format.name.startswith("yuvj") or first.format.is_rgb,
         interlaced=bool(first.interlaced_frame),
+        left_turned_deg=layout.left_turned_deg,
         stream=1 + list(container.streams.video).index(stream),
         others=_others(container, stream),
     )

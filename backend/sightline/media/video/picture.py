@@ -7,6 +7,7 @@ calibration speak of the same pixels.
 
 from __future__ import annotations
 
+import math
 import struct
 import threading
 from dataclasses import dataclass, replace
@@ -34,7 +35,8 @@ class Layout:
     """How coded pixels become upright ones: transpose, then flip, then stretch to square pixels.
 
     `coded_width_px` x `coded_height_px` is the decoded frame; `width_px` x `height_px` the picture
-    everybody sees. `sample_aspect` is the width of a coded pixel over its height.
+    everybody sees. `sample_aspect` is the width of a coded pixel over its height. `left_turned_deg` is
+    what the header asks for beyond the nearest quarter turn, and is not done.
     """
 
     coded_width_px: int
@@ -43,6 +45,7 @@ class Layout:
     flip_x: bool = False
     flip_y: bool = False
     sample_aspect: Fraction = Fraction(1)
+    left_turned_deg: float = 0.0
 
     @property
     def square_width_px(self) -> int:
@@ -75,7 +78,7 @@ class Layout:
 
 def layout_of(frame: av.VideoFrame, sample_aspect: Fraction | None) -> Layout:
     """The layout of a stream by its first frame (which carries the display matrix) and its pixel aspect."""
-    transpose, flip_x, flip_y = _turns(frame)
+    transpose, flip_x, flip_y, left_deg = _turns(frame)
     aspect = sample_aspect if sample_aspect and sample_aspect > 0 else Fraction(1)
     return Layout(
         coded_width_px=frame.width,
@@ -84,19 +87,23 @@ def layout_of(frame: av.VideoFrame, sample_aspect: Fraction | None) -> Layout:
         flip_x=flip_x,
         flip_y=flip_y,
         sample_aspect=aspect,
+        left_turned_deg=left_deg,
     )
 
 
-def _turns(frame: av.VideoFrame) -> tuple[bool, bool, bool]:
-    """(transpose, flip_x, flip_y) of the display matrix: x' = a x + c y, y' = b x + d y (ISO 14496-12)."""
+def _turns(frame: av.VideoFrame) -> tuple[bool, bool, bool, float]:
+    """(transpose, flip_x, flip_y) of the display matrix, x' = a x + c y, y' = b x + d y (ISO 14496-12), and
+    the degrees that are left of its turn.
+    """
     side_data: Any = frame.side_data  # the stub knows no key type
     matrix = side_data.get(SideDataType.DISPLAYMATRIX)
     if matrix is None:
-        return False, False, False
+        return False, False, False, 0.0
     a, b, _, c, d = struct.unpack("=5i", bytes(matrix)[:20])
+    left_deg = math.degrees(math.atan2(min(abs(a), abs(b)), max(abs(a), abs(b))))
     if abs(a) + abs(d) >= abs(b) + abs(c):
-        return False, a < 0, d < 0
-    return True, c < 0, b < 0
+        return False, a < 0, d < 0, left_deg
+    return True, c < 0, b < 0, left_deg
 
 
 def upright(frame: av.VideoFrame, layout: Layout) -> Bgr:

@@ -21,6 +21,7 @@ JITTER = 0.05
 DURATION_IN_HEADER = ("matroska,webm",)
 SLOWED = 1.5  # filmed so many times faster than played, or slower: not the trembling of a telephone's rate
 MOST_HZ = 2000.0  # no camera that films a road takes more pictures a second
+LEAST_TURN_DEG = 0.5
 GAP = 5.0  # usual steps without a picture, and at least
 GAP_S = 0.25
 ClockDoubt = Literal["slow_motion", "impossible_rate", "no_rate"]
@@ -188,13 +189,18 @@ def _rate_hz(time_s: NDArray[np.float64]) -> float | None:
 def _shape_notes(facts: VideoFacts) -> list[str]:
     notes = []
     if facts.others:
-        one = "another picture" if len(facts.others) == 1 else f"{len(facts.others)} other pictures"
+        count = "another picture" if len(facts.others) == 1 else f"{len(facts.others)} other pictures"
         notes.append(
-            f"The file holds {one}: {', '.join(facts.others)}; {facts.stream} ({facts.codec}, "
-            f"{facts.width_px}x{facts.height_px}) was read. For another, save it as a file of its own."
+            f"The file holds {count}: {', '.join(facts.others)}; {facts.stream} ({facts.codec}, "
+            f"{facts.width_px}x{facts.height_px}) was read. To read another, save it as a file of its own."
         )
     if facts.layout_note:
         notes.append(f"The frames were {facts.layout_note}, as their header states.")
+    if facts.left_turned_deg > LEAST_TURN_DEG:
+        notes.append(
+            f"The header turns the picture by {facts.left_turned_deg:.0f} degrees more, which is not done: "
+            "only quarter turns are, so that pixels stay as they were filmed."
+        )
     if facts.interlaced:
         notes.append("The recording is interlaced: moving edges are combed, prefer a progressive recording.")
     return notes
