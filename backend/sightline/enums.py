@@ -114,6 +114,8 @@ ScanDirection = Literal["camera_1_first", "camera_2_first"]
 AxlesBy = Literal["machine", "person"]
 LaneBy = Literal["machine", "person"]
 TimeAxis = Literal["width", "height"]
+# Why the times of a video are not those of filming.
+ClockDoubt = Literal["slow_motion", "impossible_rate", "no_rate"]
 # of a video: columns for traffic to the left or right; rows for traffic up or down, roofs to one side
 CutAlong = Literal["columns", "rows_left_up", "rows_right_up"]
 #: How a pass of a staff or a board tells of the baseline at its distance.

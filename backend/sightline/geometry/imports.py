@@ -223,7 +223,7 @@ def _chosen(
     names = {name or "1": name for name in cameras}
     told = ", ".join(names)
     wanted = next(iter(names)) if which is None else which.strip().lower()
-    if set(names) == {"left", "right"}:
+    if set(names) == set(_SIDES.values()):
         wanted = _SIDES.get(wanted, wanted)
     key = next((one for one in names if one.lower() == wanted.lower()), None)
     if key is None:
@@ -240,7 +240,7 @@ def _chosen(
 
 def _numbers(value: Any, what: str, file_name: str) -> Floats:
     """A flat array out of a list, nested lists, or {rows, cols, data}."""
-    shape = None
+    shape: tuple[Any, Any] = None, None
     if isinstance(value, Mapping):
         shape = value.get("rows"), value.get("cols")
         value = value.get("data")
@@ -254,13 +254,14 @@ def _numbers(value: Any, what: str, file_name: str) -> Floats:
         ) from None
     if not np.isfinite(out).all():
         raise BadInput("geometry-holds-values-not-finite-calibrate-again", file_name=file_name, what=what)
-    if shape and all(isinstance(n, int) for n in shape) and shape[0] * shape[1] != len(out):
+    rows, columns = shape
+    if isinstance(rows, int) and isinstance(columns, int) and rows * columns != len(out):
         raise BadInput(
             "geometry-rows-and-columns-contradict",
             file_name=file_name,
             what=what,
-            rows=shape[0],
-            columns=shape[1],
+            rows=rows,
+            columns=columns,
             count=len(out),
         )
     return out

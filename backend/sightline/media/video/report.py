@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
+from sightline.enums import ClockDoubt
 from sightline.errors import BadInput
 from sightline.media.video.decode import Damage, VideoFacts
 from sightline.media.video.remux import WorkingCopy
@@ -24,7 +24,6 @@ MOST_HZ = 2000.0  # no camera that films a road takes more pictures a second
 LEAST_TURN_DEG = 0.5
 GAP = 5.0  # usual steps without a picture, and at least
 GAP_S = 0.25
-ClockDoubt = Literal["slow_motion", "impossible_rate", "no_rate"]
 
 
 @dataclass(frozen=True)

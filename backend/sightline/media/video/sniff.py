@@ -119,15 +119,17 @@ class Box:
 
 
 def boxes(path: Path, most: int = 200_000) -> Iterator[Box]:
-    """The parts of an MP4 or QuickTime file in order, up to the first that states no size (it reaches to the
-    file's end) or none that can be; nothing of other files.
+    """The parts of an MP4 or QuickTime file in order, up to the first whose size cannot be (one without a
+    size reaches to the file's end); nothing of other files.
     """
     length, start = path.stat().st_size, 0
     with path.open("rb") as file:
         for _ in range(most):
+            if start >= length:
+                return
             file.seek(start)
             head = file.read(16)
-            if len(head) < 8 or not head[4:8].isascii():
+            if len(head) < 8 or (start == 0 and head[4:8] not in _FIRST_BOXES):
                 return
             size = int.from_bytes(head[:4], "big")
             if size == 1:
@@ -170,8 +172,6 @@ def extent_of(path: Path) -> Extent:
         return Extent(missing=max(0, 8 + int.from_bytes(head[4:8], "little") - length))
     if head[:4] == b"\x1aE\xdf\xa3":
         return Extent(missing=max(0, _matroska_end(head) - length))
-    if head[4:8] not in _FIRST_BOXES:
-        return Extent()
     found = list(boxes(path))
     return Extent(
         missing=max(0, found[-1].end - length) if found else 0,
