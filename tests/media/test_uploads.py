@@ -73,16 +73,82 @@ def test_a_broken_connection_keeps_what_arrived(tmp_path: Path) -> None:
     assert upload_parts.offset(tmp_path, "u1") == 5000
 
 
-def test_two_connections_do_not_write_at_once(tmp_path: Path) -> None:
+def silent(upload_dir: Path, said: list[str], first: bytes) -> threading.Thread:
+    """A connection that sends something, then holds its lock and gives empty chunks only; lives in a thread."""
+
+    def nothing_more() -> Iterator[bytes]:
+        yield first
+        said.append("wrote")
+        while True:
+            time.sleep(0.01)
+            yield b""
+
+    def hold() -> None:
+        with pytest.raises(Conflict, match="newer connection"):
+            upload_parts.append(upload_dir, "u1", len(DATA), 0, nothing_more())
+        said.append("let go")
+
+    thread = threading.Thread(target=hold)
+    thread.start()
+    until(lambda: said)
+    return thread
+
+
+def test_a_newer_connection_takes_over_from_a_silent_one(tmp_path: Path) -> None:
+    upload_parts.create(tmp_path, "u1", len(DATA))
+    said: list[str] = []
+    older = silent(tmp_path, said, DATA[:5000])
+    assert upload_parts.append(tmp_path, "u1", len(DATA), 5000, pieces(DATA[5000:])) == len(DATA)
+    older.join()
+    assert said == ["wrote", "let go"]
+    whole = upload_parts.finish(tmp_path, "u1", len(DATA))
+    assert whole.path.read_bytes() == DATA
+    upload_parts.discard(tmp_path, "u1")
+    assert not list(tmp_path.iterdir())
+
+
+def test_a_stray_request_takes_nothing_over(tmp_path: Path) -> None:
     upload_parts.create(tmp_path, "u1", len(DATA))
 
     def meddled() -> Iterator[bytes]:
         yield DATA[:100]
-        with pytest.raises(Conflict, match="Another connection"):
-            upload_parts.append(tmp_path, "u1", len(DATA), 100, [b"x"])
+        with pytest.raises(Conflict, match="at byte 100, not 50"):
+            upload_parts.append(tmp_path, "u1", len(DATA), 50, [b"x"])
         yield DATA[100:200]
 
     assert upload_parts.append(tmp_path, "u1", len(DATA), 0, meddled()) == 200
+
+
+def test_another_process_takes_over(tmp_path: Path) -> None:
+    upload_parts.create(tmp_path, "u1", len(DATA))
+    (tmp_path / "rest").write_bytes(DATA[5000:])
+    script = (
+        "import sys, pathlib\n"
+        "from sightline.media.store import upload_parts\n"
+        "folder = pathlib.Path(sys.argv[1])\n"
+        "rest = (folder / 'rest').read_bytes()\n"
+        "print(upload_parts.append(folder, 'u1', 5000 + len(rest), 5000, [rest]))\n"
+    )
+    said: list[str] = []
+    older = silent(tmp_path, said, DATA[:5000])
+    done = subprocess.run([sys.executable, "-c", script, tmp_path], capture_output=True, text=True, check=True)
+    older.join()
+    assert int(done.stdout) == len(DATA) and said == ["wrote", "let go"]
+    assert upload_parts.finish(tmp_path, "u1", len(DATA)).path.read_bytes() == DATA
+
+
+def test_who_does_not_let_go_is_waited_for_no_longer(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(upload_parts, "TAKE_OVER_S", 0.1)
+    upload_parts.create(tmp_path, "u1", len(DATA))
+
+    def stuck() -> Iterator[bytes]:
+        with pytest.raises(Conflict, match="Another connection"):
+            upload_parts.append(tmp_path, "u1", len(DATA), 0, [b"x"])
+        yield DATA[:100]
+
+    with pytest.raises(Conflict, match="newer connection"):
+        upload_parts.append(tmp_path, "u1", len(DATA), 0, stuck())
+    assert upload_parts.offset(tmp_path, "u1") == 0
 
 
 def test_a_full_disk_keeps_what_was_there(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

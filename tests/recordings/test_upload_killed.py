@@ -2,6 +2,7 @@
 
 import asyncio
 import base64
+import hashlib
 import signal
 import socket
 import struct
@@ -41,6 +42,32 @@ def sent_in_part(client: httpx2.Client, location: str, content: bytes, much: int
     with socket.create_connection((place.hostname or "", place.port or 0)) as line:
         line.sendall("\r\n".join([*head, "", ""]).encode() + content[:much])
         yield
+
+
+def test_a_silent_connection_is_taken_over(tmp_path: Path, clip: Path) -> None:
+    """The line of the first PATCH stays open and says nothing more; the next one is not made to wait for it."""
+    content = clip.read_bytes() + struct.pack(">I4s", 2 * PIECE_BYTES, b"free") + bytes(2 * PIECE_BYTES - 8)
+    server = start("serve", tmp_path)
+    try:
+        server.wait()
+        client = httpx2.Client(base_url=server.url, headers={"X-Sightline": "1"}, timeout=NEVER_S)
+        token = server.sign_in_link().partition("token=")[2]
+        assert client.post("/api/session/link", json={"token": token}).status_code == 200
+        survey_id = client.post("/api/surveys", json={"name": "Road"}).json()["id"]
+        name = base64.b64encode(clip.name.encode()).decode()
+        headers = {**TUS, "Upload-Length": str(len(content)), "Upload-Metadata": f"filename {name}"}
+        location = client.post(f"/api/surveys/{survey_id}/uploads", headers=headers).headers["Location"]
+        with sent_in_part(client, location, content, PIECE_BYTES + 6000):
+            at = offset_of(client, location, PIECE_BYTES)
+            rest = {**BYTES, "Upload-Offset": str(at)}
+            answer = client.patch(location, content=content[at:], headers=rest)
+            assert answer.status_code == 204, answer.text
+            recording = client.get(f"/api/recordings/{answer.headers['Sightline-Recording']}").json()
+        assert recording["size_bytes"] == len(content)
+        assert recording["sha256"] == hashlib.sha256(content).hexdigest()
+        client.close()
+    finally:
+        server.stop()
 
 
 def offset_of(client: httpx2.Client, location: str, least: int) -> int:

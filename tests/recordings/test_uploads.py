@@ -229,6 +229,77 @@ def test_abandoned_uploads_go_after_a_week(operator: Client, survey_id: int, ser
     assert operator.seen(f"/surveys/{survey_id}/uploads") == []
 
 
+def test_announced_uploads_have_a_limit_for_each_person(
+    operator: Client, admin: Client, survey_id: int, services: Services, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(service, "MOST_ANNOUNCED", 3)
+    locations = [announce(operator, survey_id, "a.mp4", 100).headers["Location"] for _ in range(3)]
+    refused = announce(operator, survey_id, "a.mp4", 100)
+    assert refused.status_code == 429
+    assert error_of(refused) == "You have 3 uploads that are not complete; finish or cancel some first."
+    assert announce(admin, survey_id, "a.mp4", 100).status_code == 201
+    assert len(operator.seen(f"/surveys/{survey_id}/uploads")) == 4
+    assert operator.http.delete(locations[0], headers=TUS).status_code == 204
+    assert announce(operator, survey_id, "a.mp4", 100).status_code == 201
+
+
+def test_who_announced_and_never_sent_is_not_locked_out_for_ever(
+    operator: Client, survey_id: int, services: Services, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(service, "MOST_ANNOUNCED", 2)
+    begun = announce(operator, survey_id, "begun.mp4", 100).headers["Location"]
+    assert send(operator, begun, 0, b"x" * 50).status_code == 204
+    announce(operator, survey_id, "never.mp4", 100)
+    assert announce(operator, survey_id, "c.mp4", 100).status_code == 429
+    monkeypatch.setattr(service, "NEVER_CAME_S", 0.0)
+    assert announce(operator, survey_id, "c.mp4", 100).status_code == 201
+    names = [one["filename"] for one in operator.seen(f"/surveys/{survey_id}/uploads")]
+    assert names == ["begun.mp4", "c.mp4"]
+
+
+def test_after_a_restore_announced_uploads_go_without_a_word_at_every_start(
+    operator: Client,
+    survey_id: int,
+    services: Services,
+    monkeypatch: pytest.MonkeyPatch,
+    caplog: pytest.LogCaptureFixture,
+) -> None:
+    announce(operator, survey_id, "a.mp4", 100)
+    for path in service.upload_folder(services).iterdir():
+        path.unlink()
+    service.recover_uploads(services)
+    assert len(operator.seen(f"/surveys/{survey_id}/uploads")) == 1 and not caplog.records
+    monkeypatch.setattr(service, "NEVER_CAME_S", 0.0)
+    service.recover_uploads(services)
+    assert operator.seen(f"/surveys/{survey_id}/uploads") == [] and not caplog.records
+
+
+@pytest.mark.parametrize("whole", [False, True])
+def test_who_is_taken_out_in_the_middle_of_a_patch_is_refused(
+    operator: Client,
+    admin: Client,
+    survey_id: int,
+    clip: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    whole: bool,
+) -> None:
+    """Also where all bytes had come: nothing becomes a recording."""
+    content = clip.read_bytes()
+    location = announce(operator, survey_id, "a.mp4", len(content)).headers["Location"]
+    people = {one["email"]: one["id"] for one in admin.seen("/people")}
+    write, operator_id = upload_parts._write_all, people["operator@example.org"]
+
+    def taken_out(handle: int, chunk: bytes) -> None:
+        write(handle, chunk)
+        assert admin.put(f"/people/{operator_id}", {"active": False}).status_code == 200
+
+    monkeypatch.setattr(upload_parts, "_write_all", taken_out)
+    answer = send(operator, location, 0, content if whole else content[:4000])
+    assert answer.status_code == 401, answer.text
+    error_of(answer)
+    assert admin.seen(f"/surveys/{survey_id}/recordings") == []
+
+
 @pytest.mark.once
 @pytest.mark.parametrize(
     ("headers", "status"),

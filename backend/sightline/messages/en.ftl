@@ -4721,6 +4721,7 @@ store-upload-not-complete-bytes-arrived-continue = The upload is not complete: {
 store-upload-stands-byte-not-continue = The upload is at byte { $have }, not { $at }; continue from there.
 store-upload-name-already-under-way-start = An upload with this name is already under way; start a new one.
 store-upload-being-written-another-connection-try = Another connection is writing this upload; try again.
+store-upload-goes-on-over-newer-connection = This upload goes on over a newer connection; this one has ended.
 store-more-bytes-came-announced-start-upload = More bytes arrived than the { $size } announced; start the upload again.
 
 ## Errors: strips
@@ -4888,6 +4889,7 @@ recordings-belongs-another-survey-choose-one-surveys-2 = The { $word } { $row_id
 recordings-road-pose-pictures-x-px-x = The camera pose { $pose_id } is for pictures of { $posed } x { $posed_2 } px and { $name } has { $filmed } x { $filmed_2 } px; choose a pose made at the recording's size.
 recordings-frames-found-now-not-those-measured = The frames found now are not those that were measured; upload the video as a new one.
 recordings-uploads-speak-tus-1-0-0 = Uploads speak tus 1.0.0; send the header Tus-Resumable: 1.0.0.
+recordings-too-many-uploads-announced = You have { $most } uploads that are not complete; finish or cancel some first.
 recordings-upload-not-say-how-long-file = The upload does not state the length of the file; send the header Upload-Length.
 recordings-bytes-upload-come-application-offset-octet = The bytes of an upload come as application/offset+octet-stream; send that Content-Type.
 recordings-upload-not-name-file-send-filename = The upload does not name its file; send filename in the header Upload-Metadata.

@@ -182,6 +182,10 @@ class require:
         self.scope = scope
 
     async def __call__(self, who: Annotated[Asking, Depends(asking)], role: ActingAs) -> Person:
+        return self.check(who, role)
+
+    def check(self, who: Asking, role: ActingRole) -> Person:
+        """The person, where role and scope suffice. Raises NotAllowed."""
         if RANK[role] < RANK[self.role]:
             raise NotAllowed("web-needs-role-you-ask-admin", needed=self.role, role=role)
         if who.scopes is not None and self.scope not in who.scopes:
@@ -204,7 +208,8 @@ Stopper = Annotated[Person, Depends(require("viewer", "measure"))]
 Exporter = Annotated[Person, Depends(require("viewer", "export"))]
 InPerson = Annotated[Person, Depends(require("viewer", None))]
 Operator = Annotated[Person, Depends(require("operator", "measure"))]
-Uploader = Annotated[Person, Depends(require("operator", "upload"))]
+_UPLOADER = require("operator", "upload")
+Uploader = Annotated[Person, Depends(_UPLOADER)]
 OperatorInPerson = Annotated[Person, Depends(require("operator", None))]
 Reviewer = Annotated[Person, Depends(require("reviewer", "review"))]
 Manager = Annotated[Person, Depends(require("manager", None))]
@@ -213,3 +218,13 @@ Admin = Annotated[Person, Depends(require("admin", None))]
 # Ids are 32-bit in PostgreSQL; a larger number is a malformed id and not a database error.
 PathId = Annotated[int, Path(ge=1, le=2**31 - 1)]
 PathFrame = Annotated[int, Path(ge=0, le=2**31 - 1)]
+
+
+def require_uploader_still(request: Request) -> None:
+    """Ask again, in the middle of a long request and in a thread, what `Uploader` asked at its beginning.
+
+    Raises:
+        NotSignedIn, NotFound, NotAllowed: signed out, taken out of the survey, or given a lesser role since.
+    """
+    who = _asking(request)
+    _UPLOADER.check(who, access_of(request).role(request, who.person, ()))

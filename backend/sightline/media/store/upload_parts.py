@@ -2,6 +2,10 @@
 
 An upload is one file in the upload folder, `ID.part`, with the bytes that have arrived. Its length is the
 offset; there is no other record that could disagree with it. How many bytes there will be, the caller knows.
+
+One connection writes a part at a time, over all processes: it holds the file's lock. A connection may go
+silent for ever, so a newer one at the same offset takes over: it puts its name into `ID.writer`, the older one
+sees that with its next chunk (an empty one says only that nothing came) and lets go.
 """
 
 from __future__ import annotations
@@ -14,11 +18,15 @@ from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
+from uuid import uuid4
 
 from sightline.errors import BadInput, Conflict, NotFound
 from sightline.media.store.local import check_room, no_room_told, sha256_of, sync_folder
 
 SYNC_EVERY_BYTES = 64 << 20
+#: how long a newer connection waits until the older one has let go
+TAKE_OVER_S = 10.0
+LOOK_S = 0.05
 _ID = re.compile(r"[A-Za-z0-9_-]{1,64}")
 
 
@@ -54,23 +62,34 @@ def offset(upload_dir: Path, upload_id: str) -> int:
     return _part(upload_dir, upload_id).stat().st_size
 
 
+def silent_s(upload_dir: Path, upload_id: str) -> float | None:
+    """How many seconds ago something was added last; None for a part that is not there."""
+    try:
+        return time.time() - _path(upload_dir, upload_id).stat().st_mtime
+    except FileNotFoundError:
+        return None
+
+
 def append(upload_dir: Path, upload_id: str, size: int, at: int, chunks: Iterable[bytes]) -> int:
     """Write the chunks of an upload of `size` bytes behind byte `at` and return the new offset.
 
-    What arrived is on disk when this returns.
+    What arrived is on disk when this returns. Who was writing until now ends with Conflict and writes nothing
+    more; to be noticed while nothing comes, `chunks` gives empty ones in the meantime.
 
-    Raises Conflict if `at` is not the offset or somebody else is writing, BadInput if more comes than
+    Raises Conflict if `at` is not the offset or a newer connection took over, BadInput if more comes than
     was announced (nothing of the chunk that overflows is kept), NoRoom on a full disk. Whatever arrived
     before stays, also if `chunks` itself raises: ask for the offset and go on from there.
     """
-    with _locked(_part(upload_dir, upload_id)) as handle:
+    part = _part(upload_dir, upload_id)
+    _require_offset(part.stat().st_size, at)  # a stray request takes nothing over
+    with _taken_over(part) as (handle, writer):
         have = os.fstat(handle).st_size
-        if at != have:
-            raise Conflict("store-upload-stands-byte-not-continue", have=have, at=at)
+        _require_offset(have, at)
         os.lseek(handle, have, os.SEEK_SET)
         synced = have
         try:
             for chunk in chunks:
+                _require_last_writer(part, writer)
                 if have + len(chunk) > size:
                     raise BadInput("store-more-bytes-came-announced-start-upload", size=size)
                 with no_room_told("the rest of this upload"):
@@ -82,6 +101,11 @@ def append(upload_dir: Path, upload_id: str, size: int, at: int, chunks: Iterabl
         finally:
             os.fsync(handle)
     return have
+
+
+def _require_offset(have: int, at: int) -> None:
+    if at != have:
+        raise Conflict("store-upload-stands-byte-not-continue", have=have, at=at)
 
 
 def _write_all(handle: int, chunk: bytes) -> None:
@@ -105,7 +129,9 @@ def finish(upload_dir: Path, upload_id: str, size: int) -> FinishedUpload:
 
 def discard(upload_dir: Path, upload_id: str) -> None:
     """Remove an upload and what has arrived of it; nothing happens if it is not there."""
-    _path(upload_dir, upload_id).unlink(missing_ok=True)
+    part = _path(upload_dir, upload_id)
+    part.unlink(missing_ok=True)
+    _writer(part).unlink(missing_ok=True)
 
 
 def sweep(upload_dir: Path, older_than_s: float) -> list[str]:
@@ -136,15 +162,53 @@ def _not_there() -> NotFound:
     return NotFound("store-no-such-upload-finished-given-up")
 
 
+def _writer(part: Path) -> Path:
+    """Where the connection that came last has its name."""
+    return part.with_suffix(".writer")
+
+
+def _require_last_writer(part: Path, name: str) -> None:
+    """Raises Conflict where a newer connection came, NotFound where the upload was given up."""
+    try:
+        last = _writer(part).read_text("ascii")
+    except FileNotFoundError as error:
+        raise _not_there() from error
+    if last != name:
+        raise Conflict("store-upload-goes-on-over-newer-connection")
+
+
 @contextmanager
-def _locked(part: Path) -> Iterator[int]:
-    """The part opened for writing by one process and thread at a time; the lock dies with its holder."""
+def _taken_over(part: Path) -> Iterator[tuple[int, str]]:
+    """The part opened for writing by one process and thread at a time, and this writer's name.
+
+    The lock dies with its holder. Raises Conflict where the older writer does not let go, or a still newer
+    one came.
+    """
+    name = uuid4().hex
     handle = os.open(part, os.O_WRONLY)
     try:
-        try:
-            fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
-        except BlockingIOError as error:
-            raise Conflict("store-upload-being-written-another-connection-try") from error
-        yield handle
+        with no_room_told("this upload"):
+            replaced = part.with_suffix(f".{name}")
+            try:
+                replaced.write_text(name, "ascii")
+                replaced.replace(_writer(part))
+            finally:
+                replaced.unlink(missing_ok=True)
+        end = time.monotonic() + TAKE_OVER_S
+        while not _is_locked(handle):
+            if time.monotonic() >= end:
+                raise Conflict("store-upload-being-written-another-connection-try")
+            time.sleep(LOOK_S)
+            _require_last_writer(part, name)
+        _require_last_writer(part, name)
+        yield handle, name
     finally:
         os.close(handle)
+
+
+def _is_locked(handle: int) -> bool:
+    try:
+        fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except BlockingIOError:
+        return False
+    return True

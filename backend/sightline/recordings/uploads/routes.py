@@ -1,8 +1,11 @@
 """Resumable uploads: tus 1.0 (tus.io/protocols/resumable-upload), creation and termination."""
 
+import asyncio
 import base64
 import binascii
-from collections.abc import AsyncIterator, Iterator
+import time
+from contextlib import aclosing
+from collections.abc import AsyncGenerator, AsyncIterator, Callable, Iterator
 from datetime import datetime
 from typing import Annotated
 
@@ -15,7 +18,7 @@ from sightline.enums import UploadPurpose
 from sightline.errors import BadInput, SightlineError
 from sightline.infra.services import Services
 from sightline.infra.web.bodies import Out
-from sightline.infra.web.deps import OPEN, PathId, Uploader, Viewer, Wired
+from sightline.infra.web.deps import OPEN, PathId, Uploader, Viewer, Wired, require_uploader_still
 from sightline.infra.web.uploaded import clean_name
 from sightline.recordings.uploads import service, store
 from sightline.recordings.uploads.records import Upload
@@ -25,6 +28,10 @@ router = APIRouter()
 VERSION = "1.0.0"
 MAX_BYTES = 2**40
 PIECE_BYTES = 1 << 20
+#: so long nothing comes until that is said: a newer connection may have taken over
+QUIET_S = 0.5
+#: how often it is asked whether the person may still send, while bytes come
+ASK_AGAIN_S = 2.0
 CONTENT_TYPE = "application/offset+octet-stream"
 
 
@@ -130,8 +137,12 @@ async def continue_upload(
     upload = await anyio.to_thread.run_sync(_upload, services, upload_id)
     pieces = _pieces(request)
 
+    def still_allowed() -> None:
+        require_uploader_still(request)
+
     def take() -> tuple[int, int | None]:
-        at = service.take_bytes(services, upload, upload_offset, _in_thread(pieces))
+        allowed = _while_allowed(_in_thread(pieces), still_allowed)
+        at = service.take_bytes(services, upload, upload_offset, allowed)
         return at, service.upload_arrived_whole(services, upload) if at == upload.size_bytes else None
 
     try:
@@ -139,6 +150,8 @@ async def continue_upload(
     except ClientDisconnect:
         # Nobody hears this answer; what arrived is kept, and the client asks for the offset when it is back.
         return Response(status_code=204, headers={"Tus-Resumable": VERSION})
+    finally:
+        await pieces.aclose()
     return Response(status_code=204, headers=_progress(offset, recording_id))
 
 
@@ -161,21 +174,54 @@ def _progress(offset: int, recording_id: int | None) -> dict[str, str]:
     return headers
 
 
-async def _pieces(request: Request) -> AsyncIterator[bytes]:
-    """The body in pieces of about a megabyte, the rest of it also if the line breaks."""
+async def _pieces(request: Request) -> AsyncGenerator[bytes]:
+    """The body in pieces of about a megabyte, the rest of it also if the line breaks; b"" while it is silent."""
     gathered = bytearray()
     try:
-        async for chunk in request.stream():
-            gathered += chunk
-            if len(gathered) >= PIECE_BYTES:
-                yield bytes(gathered)
-                gathered.clear()
+        async with aclosing(_with_silence(request.stream())) as chunks:
+            async for chunk in chunks:
+                gathered += chunk
+                if not chunk:
+                    yield b""
+                elif len(gathered) >= PIECE_BYTES:
+                    yield bytes(gathered)
+                    gathered.clear()
     except ClientDisconnect:
         if gathered:
             yield bytes(gathered)
         raise
     if gathered:
         yield bytes(gathered)
+
+
+async def _with_silence(chunks: AsyncIterator[bytes]) -> AsyncGenerator[bytes]:
+    """The chunks that are not empty, and an empty one whenever none came for a while."""
+    coming: asyncio.Task[bytes | None] | None = None
+    try:
+        while True:
+            coming = coming or asyncio.create_task(_next(chunks))
+            if not (await asyncio.wait({coming}, timeout=QUIET_S))[0]:
+                yield b""
+                continue
+            chunk, coming = coming.result(), None
+            if chunk is None:
+                return
+            if chunk:
+                yield chunk
+    finally:
+        if coming is not None:
+            coming.cancel()
+
+
+def _while_allowed(pieces: Iterator[bytes], still_allowed: Callable[[], None]) -> Iterator[bytes]:
+    """The pieces as long as the person may send them: asked every few seconds, and behind the last one."""
+    asked = time.monotonic()
+    for piece in pieces:
+        if time.monotonic() - asked >= ASK_AGAIN_S:
+            still_allowed()
+            asked = time.monotonic()
+        yield piece
+    still_allowed()
 
 
 def _in_thread(pieces: AsyncIterator[bytes]) -> Iterator[bytes]:

@@ -7,11 +7,13 @@ recording, the end of the upload and the ingest job are one transaction.
 
 import logging
 from collections.abc import Iterable
+from datetime import timedelta
 from pathlib import Path
 
 from sightline.enums import UploadPurpose
-from sightline.errors import Conflict, NotFound, SightlineError
+from sightline.errors import Conflict, NotFound, SightlineError, TooMany
 from sightline.infra.database import Session
+from sightline.infra.database.types import now
 from sightline.infra.services import Services
 from sightline.infra.stored_bytes import suffix_of
 from sightline.media.store import upload_parts
@@ -33,6 +35,10 @@ log = logging.getLogger(__name__)
 
 FOLDER = "uploads"
 GIVEN_UP_S = 7 * 24 * 3600.0
+#: one that was announced and of which no byte came, or whose bytes are gone (a restored database has none)
+NEVER_CAME_S = 24 * 3600.0
+#: of one person at a time, unfinished
+MOST_ANNOUNCED = 200
 
 
 def upload_folder(services: Services) -> Path:
@@ -49,8 +55,17 @@ def begin_upload(
     *,
     purpose: UploadPurpose = "video",
 ) -> Upload:
-    """Announce a file. Raises NotFound (survey), BadInput (empty), NoRoom, before a byte is sent."""
+    """Announce a file.
+
+    Raises, before a byte is sent: NotFound (survey), BadInput (empty), NoRoom, TooMany (announced, not sent).
+    """
+    with services.reading() as session:
+        is_full = len(unfinished_uploads(session, maker=actor)) >= MOST_ANNOUNCED
+    if is_full:
+        give_up_uploads(services, maker=actor)
     with services.writing() as session:
+        if len(unfinished_uploads(session, maker=actor)) >= MOST_ANNOUNCED:
+            raise TooMany("recordings-too-many-uploads-announced", most=MOST_ANNOUNCED)
         upload = create_upload(
             session,
             survey_id,
@@ -194,17 +209,33 @@ def abandon_upload(services: Services, upload_id: int, actor: int | None) -> Non
 
 def recover_uploads(services: Services) -> None:
     """After a start: finish uploads that were complete when it was killed, give up abandoned ones."""
+    give_up_uploads(services)
     with services.reading() as session:
         waiting = unfinished_uploads(session)
-    abandoned = set(upload_parts.sweep(upload_folder(services), GIVEN_UP_S))
     for upload in waiting:
         try:
-            if part_name(upload.id) in abandoned:
-                abandon_upload(services, upload.id, None)
-            elif upload_arrived(services, upload) == upload.size_bytes:
+            if _bytes_here(services, upload) == upload.size_bytes:
                 upload_arrived_whole(services, upload)
         except SightlineError as error:
             log.warning("upload %s cannot be finished: %s", upload.id, error.message)
+
+
+def give_up_uploads(services: Services, *, maker: int | None = None) -> None:
+    """Forget uploads, of one person or of all, to which nothing was added for a week or nothing came for a day."""
+    with services.reading() as session:
+        waiting = unfinished_uploads(session, maker=maker)
+    for upload in waiting:
+        silent_s = upload_parts.silent_s(upload_folder(services), part_name(upload.id))
+        old = now() - upload.created_at > timedelta(seconds=NEVER_CAME_S)
+        never_came = old and _bytes_here(services, upload) == 0
+        if (silent_s or 0.0) < GIVEN_UP_S and not never_came:
+            continue
+        try:
+            abandon_upload(services, upload.id, None)
+        except SightlineError as error:
+            log.warning("upload %s cannot be given up: %s", upload.id, error.message)
+    if maker is None:
+        upload_parts.sweep(upload_folder(services), GIVEN_UP_S)
 
 
 def part_name(upload_id: int) -> str:

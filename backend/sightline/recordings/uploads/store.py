@@ -46,11 +46,15 @@ def get_upload(session: Session, upload_id: int) -> Upload:
     return _upload(row)
 
 
-def unfinished_uploads(session: Session, survey_id: int | None = None) -> tuple[Upload, ...]:
-    """The uploads that can go on, of one survey or of all."""
+def unfinished_uploads(
+    session: Session, survey_id: int | None = None, *, maker: int | None = None
+) -> tuple[Upload, ...]:
+    """The uploads that can go on, of one survey or of all, by one person or by all."""
     query = _uploads().where(uploads.c.finished_at.is_(None)).order_by(uploads.c.id)
     if survey_id is not None:
         query = query.where(uploads.c.survey_id == survey_id)
+    if maker is not None:
+        query = query.where(uploads.c.created_by == maker)
     return tuple(_upload(row) for row in session.execute(query).mappings())
 
 
