@@ -8,6 +8,8 @@ import os
 import signal
 import subprocess
 import sys
+import threading
+import time
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -16,6 +18,7 @@ import pytest
 from sightline.errors import BadInput, Conflict, NoRoom, NotFound
 from sightline.media.store import local, upload_parts
 from tests.media.conftest import ROOT
+from tests.support.waiting import until
 
 DATA = os.urandom(200_000)
 
@@ -131,7 +134,9 @@ def test_another_process_takes_over(tmp_path: Path) -> None:
     )
     said: list[str] = []
     older = silent(tmp_path, said, DATA[:5000])
-    done = subprocess.run([sys.executable, "-c", script, tmp_path], capture_output=True, text=True, check=True)
+    done = subprocess.run(
+        [sys.executable, "-c", script, tmp_path], capture_output=True, text=True, check=True
+    )
     older.join()
     assert int(done.stdout) == len(DATA) and said == ["wrote", "let go"]
     assert upload_parts.finish(tmp_path, "u1", len(DATA)).path.read_bytes() == DATA

@@ -274,7 +274,7 @@ def test_after_a_restore_announced_uploads_go_without_a_word_at_every_start(
     assert operator.seen(f"/surveys/{survey_id}/uploads") == [] and not caplog.records
 
 
-@pytest.mark.parametrize("whole", [False, True])
+@pytest.mark.parametrize(("whole", "status"), [(False, 404), (True, 404), (False, 401)])
 def test_who_is_taken_out_in_the_middle_of_a_patch_is_refused(
     operator: Client,
     admin: Client,
@@ -282,20 +282,31 @@ def test_who_is_taken_out_in_the_middle_of_a_patch_is_refused(
     clip: Path,
     monkeypatch: pytest.MonkeyPatch,
     whole: bool,
+    status: int,
 ) -> None:
     """Also where all bytes had come: nothing becomes a recording."""
     content = clip.read_bytes()
     location = announce(operator, survey_id, "a.mp4", len(content)).headers["Location"]
     people = {one["email"]: one["id"] for one in admin.seen("/people")}
     write, operator_id = upload_parts._write_all, people["operator@example.org"]
+    members = f"/surveys/{survey_id}/members"
+    assert admin.put(f"{members}/{people['admin@example.org']}", {"role": "manager"}).status_code == 200
+    assert admin.put(f"{members}/{operator_id}", {"role": "operator"}).status_code == 200
+    assert admin.put(f"/surveys/{survey_id}/open-to-all", {"open_to_all": False}).status_code == 200
 
     def taken_out(handle: int, chunk: bytes) -> None:
         write(handle, chunk)
-        assert admin.put(f"/people/{operator_id}", {"active": False}).status_code == 200
+        off = {"name": "Operator", "role": "operator", "active": False}
+        changed = (
+            admin.put(f"/people/{operator_id}", off)
+            if status == 401
+            else admin.delete(f"{members}/{operator_id}")
+        )
+        assert changed.status_code == 200, changed.text
 
     monkeypatch.setattr(upload_parts, "_write_all", taken_out)
     answer = send(operator, location, 0, content if whole else content[:4000])
-    assert answer.status_code == 401, answer.text
+    assert answer.status_code == status, answer.text
     error_of(answer)
     assert admin.seen(f"/surveys/{survey_id}/recordings") == []
 

@@ -4755,7 +4755,7 @@ store-upload-not-complete-bytes-arrived-continue = L’envoi n’est pas complet
 store-upload-stands-byte-not-continue = L’envoi en est à l’octet { $have }, non { $at } ; poursuivez à partir de là.
 store-upload-name-already-under-way-start = Un envoi de ce nom est déjà en cours ; commencez-en un nouveau.
 store-upload-being-written-another-connection-try = Cet envoi est en cours d’écriture par une autre connexion ; réessayez.
-store-upload-goes-on-over-newer-connection = Cet envoi se poursuit par une connexion plus récente ; celle-ci est terminée.
+store-upload-goes-on-over-newer-connection = Cet envoi se poursuit par une connexion plus récente ; celle-ci est terminée.
 store-more-bytes-came-announced-start-upload = Plus d’octets sont arrivés que les { $size } annoncés ; recommencez l’envoi.
 
 ## Erreurs : bandes
@@ -4934,7 +4934,7 @@ recordings-belongs-another-survey-choose-one-surveys-2 = { $word ->
 recordings-road-pose-pictures-x-px-x = La pose { $pose_id } de la caméra vaut pour des images de { $posed } x { $posed_2 } px et { $name } a { $filmed } x { $filmed_2 } px ; choisissez une pose faite à la taille de l’enregistrement.
 recordings-frames-found-now-not-those-measured = Les images trouvées maintenant ne sont pas celles qui ont été mesurées ; envoyez la vidéo comme nouvelle.
 recordings-uploads-speak-tus-1-0-0 = Les envois parlent tus 1.0.0 ; envoyez l’en-tête Tus-Resumable: 1.0.0.
-recordings-too-many-uploads-announced = Vous avez { $most } envois incomplets ; terminez ou annulez-en d’abord.
+recordings-too-many-uploads-announced = Vous avez { $most } envois incomplets ; terminez ou annulez-en d’abord.
 recordings-upload-not-say-how-long-file = L’envoi ne dit pas la longueur du fichier ; envoyez l’en-tête Upload-Length.
 recordings-bytes-upload-come-application-offset-octet = Les octets d’un envoi arrivent en application/offset+octet-stream ; envoyez ce Content-Type.
 recordings-upload-not-name-file-send-filename = L’envoi ne nomme pas son fichier ; envoyez filename dans l’en-tête Upload-Metadata.

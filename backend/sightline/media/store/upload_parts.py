@@ -4,8 +4,8 @@ An upload is one file in the upload folder, `ID.part`, with the bytes that have 
 offset; there is no other record that could disagree with it. How many bytes there will be, the caller knows.
 
 One connection writes a part at a time, over all processes: it holds the file's lock. A connection may go
-silent for ever, so a newer one at the same offset takes over: it puts its name into `ID.writer`, the older one
-sees that with its next chunk (an empty one says only that nothing came) and lets go.
+silent for ever, so a newer one at the same offset takes over: it puts its name into `ID.writer`, the older
+one sees that with its next chunk (an empty one says only that nothing came) and lets go.
 """
 
 from __future__ import annotations

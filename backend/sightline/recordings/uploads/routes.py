@@ -4,8 +4,8 @@ import asyncio
 import base64
 import binascii
 import time
-from contextlib import aclosing
 from collections.abc import AsyncGenerator, AsyncIterator, Callable, Iterator
+from contextlib import aclosing
 from datetime import datetime
 from typing import Annotated
 
@@ -175,7 +175,7 @@ def _progress(offset: int, recording_id: int | None) -> dict[str, str]:
 
 
 async def _pieces(request: Request) -> AsyncGenerator[bytes]:
-    """The body in pieces of about a megabyte, the rest of it also if the line breaks; b"" while it is silent."""
+    """The body in pieces of about a megabyte, the rest of it also if the line breaks; b"" in silence."""
     gathered = bytearray()
     try:
         async with aclosing(_with_silence(request.stream())) as chunks:

@@ -221,7 +221,7 @@ def recover_uploads(services: Services) -> None:
 
 
 def give_up_uploads(services: Services, *, maker: int | None = None) -> None:
-    """Forget uploads, of one person or of all, to which nothing was added for a week or nothing came for a day."""
+    """Forget uploads, of one person or of all: no byte came for a day, or nothing was added for a week."""
     with services.reading() as session:
         waiting = unfinished_uploads(session, maker=maker)
     for upload in waiting:
