@@ -23,6 +23,7 @@ import sightline.export.routes
 import sightline.infra.audit.routes
 import sightline.infra.jobs.routes
 import sightline.infra.web.health
+import sightline.job_handlers
 import sightline.measurements.assist.routes
 import sightline.measurements.following.routes
 import sightline.measurements.preview.routes

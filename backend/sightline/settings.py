@@ -39,7 +39,8 @@ class Settings(BaseSettings):
     #: folder keeps one of its own
     signing_key: SecretStr | None = None
     secure_cookies: bool = False
-    #: jobs done side by side by the processes that `serve` starts (0: it starts none) or `sightline worker`
+    #: jobs done side by side by the processes that `serve` starts (0: it starts none) or `sightline worker`;
+    #: one process more takes short jobs alone, so that they never wait behind long ones
     workers: int = Field(default=2, ge=0, le=64)
     #: on PostgreSQL: how long a worker process may be silent before its job is given to another one
     heartbeat_limit_s: float = Field(default=5.0, ge=0.5, le=600)

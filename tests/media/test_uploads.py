@@ -77,7 +77,7 @@ def test_a_broken_connection_keeps_what_arrived(tmp_path: Path) -> None:
 
 
 def silent(upload_dir: Path, said: list[str], first: bytes) -> threading.Thread:
-    """A connection that sends something, then holds its lock and gives empty chunks only; lives in a thread."""
+    """A connection that sends something, then holds its lock and gives empty chunks only; in a thread."""
 
     def nothing_more() -> Iterator[bytes]:
         yield first

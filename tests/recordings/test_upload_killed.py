@@ -45,7 +45,7 @@ def sent_in_part(client: httpx2.Client, location: str, content: bytes, much: int
 
 
 def test_a_silent_connection_is_taken_over(tmp_path: Path, clip: Path) -> None:
-    """The line of the first PATCH stays open and says nothing more; the next one is not made to wait for it."""
+    """The line of the first PATCH stays open and says nothing more; the next one goes on at once."""
     content = clip.read_bytes() + struct.pack(">I4s", 2 * PIECE_BYTES, b"free") + bytes(2 * PIECE_BYTES - 8)
     server = start("serve", tmp_path)
     try:

@@ -4,7 +4,7 @@ from sightline.demo.request import KIND
 from sightline.infra.jobs import registry
 
 
-@registry.handler(KIND)
+@registry.handler(KIND, long=True)
 def make_demonstration(context: registry.JobContext) -> registry.Outcome:
     """Render, solve and store everything, unless the survey is there."""
     from sightline.demo.build import make

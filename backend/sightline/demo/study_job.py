@@ -4,7 +4,7 @@ from sightline.demo.request import STUDY_KIND
 from sightline.infra.jobs import registry
 
 
-@registry.handler(STUDY_KIND)
+@registry.handler(STUDY_KIND, long=True)
 def make_demonstration_study(context: registry.JobContext) -> registry.Outcome:
     """Simulate and store each site that is not there."""
     from sightline.demo.invented import make

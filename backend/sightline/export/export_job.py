@@ -60,7 +60,7 @@ def check_language(language: str) -> None:
         raise BadInput("no-such-language", language=language, known=", ".join(languages()))
 
 
-@registry.handler(KIND)
+@registry.handler(KIND, long=True)
 def export(context: registry.JobContext) -> registry.Outcome:
     """Build the package, keep it in the media store, and note it with the head of the audit chain."""
     survey_id = int(context.payload["survey_id"])

@@ -17,7 +17,7 @@ from sightline.studies.stored import KIND
 _COMPUTED, _PACKED = 0.85, 0.92  # of the whole work, by progress
 
 
-@registry.handler(KIND)
+@registry.handler(KIND, long=True)
 def compute_study(context: registry.JobContext) -> registry.Outcome:
     """Compute the study that was asked for."""
     language = str(context.payload.get("language", SOURCE))

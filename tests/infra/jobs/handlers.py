@@ -65,5 +65,11 @@ def wait(context: registry.JobContext) -> registry.Outcome:
     raise registry.Cancelled("said", sentence="Cancelled.")
 
 
+@registry.handler("test_long", long=True)
+def go_on(context: registry.JobContext) -> registry.Outcome:
+    """The same as `test_wait`, of a kind that keeps others waiting."""
+    return wait(context)
+
+
 if __name__ == "__main__":
     run_workers(load_settings(), parent=int(sys.argv[1]), load_handlers=lambda: None)

@@ -247,3 +247,26 @@ def test_the_servers_worker_is_started_again_and_stops_with_it(settings: Setting
 
 def test_no_worker_where_none_is_asked_for(settings: Settings) -> None:
     assert start_child_workers(settings.model_copy(update={"workers": 0})) is None
+
+
+def test_a_short_job_starts_while_long_ones_run_and_wait(
+    factory: SessionFactory, tmp_path: Path, start: Callable[[], "subprocess.Popen[bytes]"]
+) -> None:
+    """One place for everything: a long job has it for ever, two more wait, and the short one is done."""
+
+    def state(job: Job) -> str:
+        with reading(factory) as session:
+            return get_job(session, job.id).state
+
+    with writing(factory) as session:
+        place = {"survey_id": None, "actor": None}
+        long = [registry.enqueue(session, "test_long", {}, **place) for _ in range(3)]
+    start()
+    until(lambda: state(long[0]) == "running")
+    short = [enqueue(factory, tmp_path, 0, f"short {n}") for n in range(3)]
+    assert [wait_for_end(factory, job).state for job in short] == ["done"] * 3
+    assert [state(job) for job in long] == ["running", "queued", "queued"]
+    with writing(factory) as session:
+        request_job_cancel(session, long[0].id, actor=None)
+    until(lambda: state(long[1]) == "running")
+    assert state(long[2]) == "queued"

@@ -36,8 +36,8 @@ class JobEngine(Protocol):
     def hand_out(self, sessions: SessionFactory, processes: Sequence[WorkerProcess]) -> None:
         """Give waiting jobs to idle worker processes, where those do not fetch them themselves."""
 
-    def work(self, runner: Runner, orders: socket.socket) -> None:
-        """In a worker process: do jobs until told to stop."""
+    def work(self, runner: Runner, orders: socket.socket, *, short_only: bool) -> None:
+        """In a worker process: do jobs until told to stop, `short_only`: none that are long."""
 
 
 def engine_of_session(session: Session) -> JobEngine:

@@ -13,6 +13,7 @@ from sqlalchemy.orm import Session
 
 from sightline.infra.database.engine import SessionFactory, reading
 from sightline.infra.jobs.recovery import take_back
+from sightline.infra.jobs.registry import is_long
 from sightline.infra.jobs.runner import Runner
 from sightline.infra.jobs.store import queued_jobs
 from sightline.infra.jobs.workers import WorkerProcess, on_stop, watch_supervisor
@@ -43,17 +44,27 @@ class OneMachine:
         return True
 
     def hand_out(self, sessions: SessionFactory, processes: Sequence[WorkerProcess]) -> None:
-        """The oldest waiting jobs, one to each idle process."""
-        idle = [process for process in processes if process.is_idle]
+        """One waiting job to each idle process that may have it: the short ones first, then the oldest."""
+        # whoever takes only short ones chooses first, so that the others are left for the long ones
+        idle = sorted(
+            (process for process in processes if process.is_idle), key=lambda one: not one.short_only
+        )
         if not idle:
             return
         with reading(sessions) as session:
             waiting = queued_jobs(session)
         handed_out = {process.job_id for process in processes}
-        for process, job_id in zip(idle, (n for n in waiting if n not in handed_out), strict=False):
-            process.give(job_id)
+        short, long = (
+            [job_id for job_id, kind in waiting.items() if job_id not in handed_out and is_long(kind) is one]
+            for one in (False, True)
+        )
+        for process in idle:
+            if short:
+                process.give(short.pop(0))
+            elif long and not process.short_only:
+                process.give(long.pop(0))
 
-    def work(self, runner: Runner, orders: socket.socket) -> None:
+    def work(self, runner: Runner, orders: socket.socket, *, short_only: bool) -> None:
         """Do the jobs whose ids come in lines; say when done."""
         job_ids: SimpleQueue[int | None] = SimpleQueue()
 

@@ -23,6 +23,7 @@ from sqlalchemy.orm import Session
 from sightline.errors import SightlineError
 from sightline.infra.database.engine import SessionFactory, writing
 from sightline.infra.jobs.recovery import put_back
+from sightline.infra.jobs.registry import is_long
 from sightline.infra.jobs.runner import Runner
 from sightline.infra.jobs.store import get_job
 from sightline.infra.jobs.workers import WorkerProcess, watch_supervisor
@@ -31,6 +32,10 @@ from sightline.settings import Settings
 log = logging.getLogger("sightline.worker")
 
 TASK = QUEUE = "sightline"
+#: deliveries of long jobs; one process of each supervisor never looks here
+LONG_QUEUE = "sightline-long"
+#: what a process that looks at both queues takes first
+SHORT_FIRST = 10
 BEATS = 5
 _DELIVERED = "SELECT id FROM procrastinate_jobs WHERE task_name = :task AND status = 'doing'"
 _OF_JOB = text(f"{_DELIVERED} AND (args ->> 'job_id')::bigint = :job_id")
@@ -50,7 +55,9 @@ class OnPostgres:
     def deliver(self, session: Session, job_id: int) -> None:
         """Defer over the session's connection: whoever listens is told at the commit."""
         connection = session.connection().connection.driver_connection
-        deferrer = _deferring().configure_task(TASK, queue=QUEUE, connection=connection)
+        long = is_long(get_job(session, job_id).kind)
+        queue, priority = (LONG_QUEUE, 0) if long else (QUEUE, SHORT_FIRST)
+        deferrer = _deferring().configure_task(TASK, queue=queue, priority=priority, connection=connection)
         deferrer.defer(job_id=job_id)
 
     def withdraw(self, session: Session, job_id: int) -> None:
@@ -65,13 +72,13 @@ class OnPostgres:
     def hand_out(self, sessions: SessionFactory, processes: Sequence[WorkerProcess]) -> None:
         """The processes fetch their jobs themselves."""
 
-    def work(self, runner: Runner, orders: socket.socket) -> None:
+    def work(self, runner: Runner, orders: socket.socket, *, short_only: bool) -> None:
         """Fetch and do jobs, one at a time."""
         watch_supervisor(orders, lambda _line: None)
-        asyncio.run(_work(runner))
+        asyncio.run(_work(runner, [QUEUE] if short_only else [QUEUE, LONG_QUEUE]))
 
 
-async def _work(runner: Runner) -> None:
+async def _work(runner: Runner, queues: list[str]) -> None:
     settings = runner.services.settings
     url = make_url(settings.database_url).set(drivername="postgresql")
     conninfo = url.render_as_string(hide_password=False)
@@ -90,7 +97,7 @@ async def _work(runner: Runner) -> None:
         limit_s = settings.heartbeat_limit_s
         working = asyncio.create_task(
             app.run_worker_async(
-                queues=[QUEUE],
+                queues=queues,
                 concurrency=1,
                 delete_jobs="always",
                 install_signal_handlers=False,
@@ -110,7 +117,9 @@ async def _work(runner: Runner) -> None:
 async def _look_for_stalled(app: App, sessions: SessionFactory, limit_s: float) -> None:
     while True:
         await asyncio.sleep(limit_s / BEATS)
-        for stalled in await app.job_manager.get_stalled_jobs(queue=QUEUE, seconds_since_heartbeat=limit_s):
+        for stalled in await app.job_manager.get_stalled_jobs(
+            task_name=TASK, seconds_since_heartbeat=limit_s
+        ):
             try:
                 await asyncio.to_thread(take_up_stalled, sessions, stalled)
             except SightlineError as error:

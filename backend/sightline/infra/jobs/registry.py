@@ -73,25 +73,27 @@ class Registered:
     run: Handler
     failed: Failed | None
     on_cancel: OnCancel | None
+    long: bool = False
 
 
 _handlers: dict[str, Registered] = {}
 
 
 def handler(
-    kind: str, *, failed: Failed | None = None, on_cancel: OnCancel | None = None
+    kind: str, *, failed: Failed | None = None, on_cancel: OnCancel | None = None, long: bool = False
 ) -> Callable[[Handler], Handler]:
     """Register the function that does jobs of this kind.
 
     `failed(session, job, sentence)` cleans up after a job that began, `on_cancel(session, job)` after
-    one that was cancelled before it began.
+    one that was cancelled before it began. `long`: it goes through whole videos or surveys; such jobs wait
+    behind all others, and one place of the workers is never theirs.
     """
 
     def register(function: Handler) -> Handler:
         known = _handlers.get(kind)
         if known is not None and known.run.__qualname__ != function.__qualname__:
             raise ValueError(f"two handlers for jobs of kind {kind}")
-        _handlers[kind] = Registered(function, failed, on_cancel)
+        _handlers[kind] = Registered(function, failed, on_cancel, long)
         return function
 
     return register
@@ -100,6 +102,12 @@ def handler(
 def registered(kind: str) -> Registered | None:
     """Who does jobs of this kind."""
     return _handlers.get(kind)
+
+
+def is_long(kind: str) -> bool:
+    """Whether jobs of this kind keep others waiting; of a kind that nobody here knows, they may."""
+    known = registered(kind)
+    return known is None or known.long
 
 
 def cancel(session: Session, job: Job, actor: int) -> Job:

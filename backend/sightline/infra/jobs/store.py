@@ -180,11 +180,10 @@ def running_jobs(session: Session, *, worker: str | None = None) -> tuple[Job, .
     return tuple(_job(row) for row in session.execute(query.order_by(jobs.c.id)).mappings())
 
 
-def queued_jobs(session: Session) -> tuple[int, ...]:
-    """The ids of the jobs that wait, oldest first."""
-    return tuple(
-        session.execute(select(jobs.c.id).where(jobs.c.state == "queued").order_by(jobs.c.id)).scalars()
-    )
+def queued_jobs(session: Session) -> dict[int, str]:
+    """The kinds of the jobs that wait by the jobs' ids, oldest first."""
+    query = select(jobs.c.id, jobs.c.kind).where(jobs.c.state == "queued").order_by(jobs.c.id)
+    return {int(job_id): str(kind) for job_id, kind in session.execute(query)}
 
 
 def requeue_job(session: Session, job: Job) -> Job:

@@ -71,8 +71,8 @@ def worker_name() -> str:
 class WorkerProcess:
     """The supervisor's side of one worker process."""
 
-    def __init__(self, pid: int, name: str, orders: socket.socket) -> None:
-        self.pid, self.name, self.orders = pid, name, orders
+    def __init__(self, pid: int, name: str, orders: socket.socket, *, short_only: bool) -> None:
+        self.pid, self.name, self.orders, self.short_only = pid, name, orders, short_only
         self.job_id: int | None = None
         self.is_idle = False
         self.started = time.monotonic()
@@ -107,7 +107,10 @@ class WorkerProcess:
 
 
 class Supervisor:
-    """Keeps as many worker processes as the settings say; single-threaded, so that it may fork."""
+    """Keeps as many worker processes as the settings say, and one more that takes no long job.
+
+    Single-threaded, so that it may fork.
+    """
 
     def __init__(self, settings: Settings, parent: int | None = None) -> None:
         self.settings = settings
@@ -150,10 +153,14 @@ class Supervisor:
             return False
 
     def _fill(self) -> None:
-        while len(self._processes) < max(1, self.settings.workers) and time.monotonic() >= self._fork_after:
-            self._processes.append(self._fork())
+        for short_only, places in ((False, max(1, self.settings.workers)), (True, 1)):
+            while (
+                sum(process.short_only is short_only for process in self._processes) < places
+                and time.monotonic() >= self._fork_after
+            ):
+                self._processes.append(self._fork(short_only))
 
-    def _fork(self) -> WorkerProcess:
+    def _fork(self, short_only: bool) -> WorkerProcess:
         self._database.dispose()  # no connection may be known on both sides
         ours, theirs = socket.socketpair()
         name = worker_name()
@@ -161,9 +168,9 @@ class Supervisor:
         if pid == 0:
             for other in [ours, *(process.orders for process in self._processes)]:
                 other.close()
-            be_worker(self.settings, name, theirs)
+            be_worker(self.settings, name, theirs, short_only=short_only)
         theirs.close()
-        return WorkerProcess(pid, name, ours)
+        return WorkerProcess(pid, name, ours, short_only=short_only)
 
     def _hand_out(self) -> None:
         self._engine.hand_out(self._sessions, self._processes)
@@ -211,7 +218,7 @@ class Supervisor:
         self._trying(self._take_back_ended)
 
 
-def be_worker(settings: Settings, name: str, orders: socket.socket) -> None:
+def be_worker(settings: Settings, name: str, orders: socket.socket, *, short_only: bool) -> None:
     """In a forked process: do jobs under this name. Never returns."""
     status = 1
     try:
@@ -219,7 +226,7 @@ def be_worker(settings: Settings, name: str, orders: socket.socket) -> None:
         signal.signal(signal.SIGTERM, signal.SIG_DFL)
         # This process is itself the one that a hostile file may end.
         services = open_services(settings, decode_in_child=False)
-        engine_of(services.engine.dialect.name).work(Runner(services, name), orders)
+        engine_of(services.engine.dialect.name).work(Runner(services, name), orders, short_only=short_only)
         status = 0
     except SightlineError as error:
         log.warning("a worker process ends: %s", error.message)

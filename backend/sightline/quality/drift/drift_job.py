@@ -44,7 +44,7 @@ class _Check:
     time_s: Callable[[int], float]
 
 
-@registry.handler(DRIFT)
+@registry.handler(DRIFT, long=True)
 def look_for_drift(context: registry.JobContext) -> registry.Outcome:
     """Compare frames over the recording with those of the pose, and store what was found."""
     recording_id, pose_id = int(context.payload["recording_id"]), int(context.payload["pose_id"])

@@ -63,7 +63,7 @@ def start(services: Services, camera_id: int, wish: CalibrationRequest, actor: i
         )
 
 
-@registry.handler(CALIBRATE)
+@registry.handler(CALIBRATE, long=True)
 def run_calibration(context: JobContext) -> Finish:
     """Detect where that was not done yet, fit, and store the result as the camera's current calibration."""
     services = context.services

@@ -12,7 +12,7 @@ from sightline.scans.again.service import AllAnswers, changes_to_come, compute_a
 _WRITING = 0.9  # of the progress; writing is one transaction that tells none
 
 
-@handler(KIND)
+@handler(KIND, long=True)
 def run_compute_again(context: JobContext) -> Outcome:
     """Compute outside the transaction; in it only what changed meanwhile is computed once more."""
     asked, survey_id = context.payload, context.job.survey_id

@@ -54,7 +54,7 @@ class Planned:
     cause: Cause
 
 
-@registry.handler(FIND)
+@registry.handler(FIND, long=True)
 def find_vehicles(context: JobContext) -> Finish:
     """Look through both strips once and measure every vehicle; all is stored with the job's end."""
     services = context.services

@@ -47,7 +47,7 @@ def request_passes(session: Session, recording_id: int, *, actor: int) -> Job:
     )
 
 
-@registry.handler(KIND)
+@registry.handler(KIND, long=True)
 def look_for_passes(context: JobContext) -> Finish:
     """Look through the video once; what is new is stored with the job's end."""
     services = context.services

@@ -48,7 +48,7 @@ def request_proposals(session: Session, recording_id: int, *, actor: int) -> Job
     )
 
 
-@registry.handler(KIND)
+@registry.handler(KIND, long=True)
 def make_proposals(context: JobContext) -> Finish:
     """Look through the video once; what is proposed takes, with the job's end, the place of all before."""
     services, recording_id = context.services, context.job.recording_id
