@@ -39,6 +39,9 @@ class Settings(BaseSettings):
     #: folder keeps one of its own
     signing_key: SecretStr | None = None
     secure_cookies: bool = False
+    #: addresses or networks of the proxies in front, with commas ("*": whoever reaches the port): only what
+    #: they say of a caller's address and of https is believed
+    proxies: str = ""
     #: jobs done side by side by the processes that `serve` starts (0: it starts none) or `sightline worker`;
     #: one process more takes short jobs alone, so that they never wait behind long ones
     workers: int = Field(default=2, ge=0, le=64)

@@ -188,6 +188,20 @@ def test_every_part_of_the_checkpoint_is_bound(package: Path, change: dict[str, 
     assert not found.ok and "checkpoint.json" in str(found.problem)
 
 
+@pytest.mark.once
+@pytest.mark.parametrize("name", ["place", "chains", "count"])
+def test_a_checkpoints_numbers_have_one_form(package: Path, name: str) -> None:
+    """8.0 is 8 to whoever computes with it, and other bytes: one of the two is refused."""
+    document = json.loads((package / "checkpoint.json").read_text())
+    assert check(package).ok
+    held = document["leaf"] if name == "count" else document
+    held[name] = float(held[name])
+    (package / "checkpoint.json").write_text(json.dumps(document, indent=2) + "\n")
+    reseal(package, seal=False)
+    found = check(package)
+    assert not found.ok and "checkpoint.json" in str(found.problem)
+
+
 FORMS: dict[str, tuple[str, Callable[[bytes], bytes], str]] = {
     "ends of lines": ("vehicles.csv", lambda b: b.replace(b"\n", b"\r\n"), "is not written as"),
     "quotes": ("insets.csv", lambda b: b.replace(b"roof", b'"roof"', 1), "is not written as"),

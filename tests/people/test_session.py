@@ -80,6 +80,16 @@ def test_password_then_sign_in(app: FastAPI, operator: Client) -> None:
     assert other.get("/session").status_code == 200
 
 
+@pytest.mark.parametrize(
+    "new", [" " * 10, "a" * 12, "aAaAaAaAaA", "a b a b a b", "\t \u00a0\u2003 \t \u00a0 \t\t", "1" * 1000]
+)
+def test_spaces_or_one_sign_alone_are_no_password(operator: Client, new: str) -> None:
+    refused = operator.put("/session/password", {"new": new})
+    assert refused.status_code == 422
+    assert "3 different characters" in error_of(refused)
+    assert operator.seen("/session")["needs_password"] is True
+
+
 def test_a_link_for_a_forgotten_password_needs_no_current_one(
     app: FastAPI, services: Services, operator: Client
 ) -> None:

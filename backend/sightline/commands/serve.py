@@ -18,6 +18,7 @@ from sightline.commands.options import data_dir_option, settings_of
 from sightline.errors import BadInput
 
 if TYPE_CHECKING:
+    import uvicorn
     from fastapi import FastAPI
 
     from sightline.infra.services import Services
@@ -51,7 +52,10 @@ def run(
     host: str | None, port: int | None, workers: int | None, with_demo: bool, data_dir: Path | None
 ) -> None:
     """Serve until stopped (SIGINT, SIGTERM). Raises BadInput when the port is taken."""
+    from sightline.infra.private import keep_private
+
     settings = settings_of(data_dir=data_dir, host=host, port=port, workers=workers or None)
+    keep_private(settings)
     with ExitStack() as stack:
         # What the start makes stays for good: collecting in between finds nothing, and takes its time.
         gc.disable()
@@ -122,7 +126,7 @@ def serve_on(
 
     gc.freeze()
     gc.enable()
-    answer(listener, app, link, answering)
+    answer(listener, web_config(app, settings), link, answering)
 
 
 def only_server(folder: Path) -> IO[bytes]:
@@ -151,8 +155,29 @@ def request_demonstration(services: Services) -> None:
         )
 
 
+def web_config(app: FastAPI, settings: Settings) -> uvicorn.Config:
+    """How uvicorn answers; who says that it is a proxy is believed only where the settings name it."""
+    import uvicorn
+
+    return uvicorn.Config(
+        app,
+        log_level="warning",
+        access_log=False,
+        proxy_headers=bool(settings.proxies),
+        forwarded_allow_ips=settings.proxies,
+        server_header=False,
+        timeout_graceful_shutdown=3,
+        # longer than browsers and proxies (Caddy: 120 s) keep a connection that rests: who closes it first
+        # may cut off a request that is just being sent
+        timeout_keep_alive=150,
+    )
+
+
 def answer(
-    listener: socket.socket, app: FastAPI, link: str | None, answering: Callable[[], None] | None = None
+    listener: socket.socket,
+    config: uvicorn.Config,
+    link: str | None,
+    answering: Callable[[], None] | None = None,
 ) -> None:
     """Say where we are and run the web server until it is told to stop.
 
@@ -166,17 +191,6 @@ def answer(
             if answering is not None:
                 asyncio.get_running_loop().call_later(AFTER_START_S, answering)
 
-    config = uvicorn.Config(
-        app,
-        log_level="warning",
-        access_log=False,
-        proxy_headers=True,
-        server_header=False,
-        timeout_graceful_shutdown=3,
-        # longer than browsers and proxies (Caddy: 120 s) keep a connection that rests: who closes it first
-        # may cut off a request that is just being sent
-        timeout_keep_alive=150,
-    )
     host, port = listener.getsockname()[:2]
     shown = "localhost" if host in ("127.0.0.1", "::1", "0.0.0.0", "::") else host
     address = f"http://{shown}:{port}"

@@ -4821,6 +4821,7 @@ video-cannot-written-without-frames = { $name } cannot be written without frames
 
 people-email-password-not-fit-together-check = Wrong e-mail or password. Try again.
 people-password-characters-choose-another = A password has { $min_password } to { $max_password } characters; choose another.
+people-password-one-sign = A password has at least { $least } different characters besides spaces; choose another.
 people-current-password-not-right-type-again = The current password is wrong; enter it again.
 people-no-active-account-check-address = There is no active account for { $email }; check the address.
 people-too-many-failed-sign-ins-wait = Too many failed sign-ins; wait five minutes and try again.

@@ -4861,6 +4861,7 @@ video-cannot-written-without-frames = { $name } ne peut pas être écrit sans im
 
 people-email-password-not-fit-together-check = E-mail ou mot de passe incorrect. Réessayez.
 people-password-characters-choose-another = Un mot de passe a de { $min_password } à { $max_password } caractères ; choisissez-en un autre.
+people-password-one-sign = Un mot de passe a au moins { $least } caractères différents, sans compter les espaces ; choisissez-en un autre.
 people-current-password-not-right-type-again = Le mot de passe actuel est incorrect ; saisissez-le à nouveau.
 people-no-active-account-check-address = Il n’y a pas de compte actif pour { $email } ; vérifiez l’adresse.
 people-too-many-failed-sign-ins-wait = Trop d’échecs de connexion ; attendez cinq minutes et réessayez.

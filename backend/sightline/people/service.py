@@ -28,6 +28,8 @@ from sightline.people.token_store import api_token_by_text, note_api_token_used
 
 MIN_PASSWORD = 10
 MAX_PASSWORD = 1000
+#: signs that differ and are no spaces; ten spaces or ten times an a are long, and the first that anybody tries
+LEAST_DIFFERENT = 3
 FIRST_ADMIN = ("Admin", "admin@sightline.local")
 PER_ACCOUNT = Limit("sign-ins to an account from an address", 5, 300)
 # Not enough to try a list on everybody.
@@ -147,13 +149,15 @@ def change_password(
     """Set a password and end all other sessions. Whoever came by a one-time link need not know the old one.
 
     Raises:
-        BadInput: the new one is too short or too long.
+        BadInput: the new one is too short or too long, or spaces or one sign alone.
         NotAllowed: the current one is missing or wrong.
     """
     if not MIN_PASSWORD <= len(new) <= MAX_PASSWORD:
         raise BadInput(
             "people-password-characters-choose-another", min_password=MIN_PASSWORD, max_password=MAX_PASSWORD
         )
+    if len(set("".join(new.split()).casefold())) < LEAST_DIFFERENT:
+        raise BadInput("people-password-one-sign", least=LEAST_DIFFERENT)
     with services.reading() as session:
         stored = password_hash_of(session, person.id)
     if stored is not None and not by_link and not matches(stored, current or ""):

@@ -97,7 +97,14 @@ def checkpoint_problem(document: Mapping[str, Any], chain: str, end: AuditHead) 
     """Why a package's checkpoint does not vouch for the end of its chain; None where it does."""
     try:
         leaf = {"chain": chain, "count": end.count, "hash": end.hash}
-        if list(document) != [*_STATEMENT, "signature", "leaf", "place", "path", "keys"]:
+        if not _is_whole(document) or list(document) != [
+            *_STATEMENT,
+            "signature",
+            "leaf",
+            "place",
+            "path",
+            "keys",
+        ]:
             return Damaged("export-checkpoint-form")
         if document["format"] != FORMAT or not is_signed(document):
             return Damaged("export-checkpoint-signature")
@@ -107,6 +114,17 @@ def checkpoint_problem(document: Mapping[str, Any], chain: str, end: AuditHead) 
         return None if are_handed_on(document["keys"], document["key"]) else Damaged("export-checkpoint-keys")
     except (KeyError, TypeError, ValueError):
         return Damaged("export-checkpoint-form")
+
+
+def _is_whole(value: Any) -> bool:
+    """Whether every number is a whole one, written as such: 8.0 and true count as 8 and 1 and are not the same
+    bytes.
+    """
+    if isinstance(value, Mapping):
+        return all(_is_whole(one) for one in value.values())
+    if isinstance(value, list | tuple):
+        return all(_is_whole(one) for one in value)
+    return not isinstance(value, float | bool)
 
 
 def _is_lower(path: Sequence[str]) -> bool:

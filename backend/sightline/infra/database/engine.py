@@ -15,7 +15,7 @@ import sqlite3
 import sys
 import threading
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import Any
 
@@ -83,14 +83,15 @@ def make_engine(url: str, *, must_exist: bool = False) -> Engine:
 def _sqlite_engine(path: str, url: str) -> Engine:
     if path in ("", ":memory:"):
         raise BadInput("database-memory-database-would-lost-name-file")
-    Path(path).absolute().parent.mkdir(parents=True, exist_ok=True)
+    Path(path).absolute().parent.mkdir(parents=True, exist_ok=True, mode=0o700)
     given: dict[str, Any] = {"timeout": 10, "check_same_thread": False}
     if (unchanging := read_only_address(Path(path))) is not None:
         engine = create_engine(
             url, creator=lambda: sqlite3.connect(unchanging, uri=True, isolation_level=None, **given), **_POOL
         )
     else:
-        engine = create_engine(url, connect_args=given, **_POOL)
+        file = Path(path).absolute()
+        engine = create_engine(url, creator=lambda: _connect_private(file, given), **_POOL)
         event.listen(engine, "connect", _prepare_sqlite)
     event.listen(engine, "begin", _begin_sqlite)
     return engine
@@ -108,6 +109,13 @@ def read_only_address(path: Path) -> str | None:
     if log.is_file() and log.stat().st_size:
         raise DatabaseAway("database-read-only-with-log", path=path)
     return f"{path.absolute().as_uri()}?mode=ro&immutable=1"
+
+
+def _connect_private(path: Path, given: dict[str, Any]) -> sqlite3.Connection:
+    """A file that is not there is made for this account alone; those that SQLite puts beside it are as it is."""
+    with suppress(OSError):
+        os.close(os.open(path, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o600))
+    return sqlite3.connect(path, **given)
 
 
 def _prepare_sqlite(connection: Any, _record: Any) -> None:

@@ -24,6 +24,7 @@ from sightline.infra.database.engine import make_engine, migrate, session_factor
 from sightline.infra.jobs.engine import engine_of
 from sightline.infra.jobs.recovery import take_back
 from sightline.infra.jobs.runner import Runner
+from sightline.infra.private import keep_private
 from sightline.infra.services import open_services
 from sightline.settings import Settings
 
@@ -38,6 +39,7 @@ SHORT_LIFE_S = 1.0
 def run_workers(settings: Settings, *, parent: int | None = None, load_handlers: Callable[[], None]) -> None:
     """Supervise worker processes until told to stop (SIGTERM, SIGINT) or until `parent` is gone. Blocks."""
     with ending_with(parent):
+        keep_private(settings)
         engine = make_engine(settings.database_url)
         migrate(engine)
         engine.dispose()

@@ -43,7 +43,8 @@ def known(_request: Request, error: Exception) -> JSONResponse:
     assert isinstance(error, SightlineError)
     current: Any = error.current if isinstance(error, Conflict) else None
     more = {} if current is None else {"current": _as_answered(current)}
-    headers = {"Retry-After": str(RETRY_AFTER_S)} if isinstance(error, Busy) else None
+    # whatever is away or busy may be asked again, and a program should know when
+    headers = {"Retry-After": str(RETRY_AFTER_S)} if error.status == 503 else None
     return answer(error, headers, **more)
 
 
@@ -90,7 +91,7 @@ def unexpected(request: Request, error: Exception) -> JSONResponse:
     if isinstance(error, PoolTimeout):
         return known(request, Busy("web-server-busy"))
     if isinstance(error, DatabaseError) and (said := explanation(error)) is not None:
-        return answer(said)
+        return known(request, said)
     if isinstance(error, DataError):
         # Out of a query string, a file name or an imported table: the bodies are checked before.
         return answer(BadInput("request-value-not-storable"))
