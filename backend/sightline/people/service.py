@@ -28,7 +28,7 @@ from sightline.people.token_store import api_token_by_text, note_api_token_used
 
 MIN_PASSWORD = 10
 MAX_PASSWORD = 1000
-#: signs that differ and are no spaces; ten spaces or ten times an a are long, and the first that anybody tries
+#: signs that differ and are no spaces: ten times one sign is long, and the first that anybody tries
 LEAST_DIFFERENT = 3
 FIRST_ADMIN = ("Admin", "admin@sightline.local")
 PER_ACCOUNT = Limit("sign-ins to an account from an address", 5, 300)

@@ -112,7 +112,7 @@ def read_only_address(path: Path) -> str | None:
 
 
 def _connect_private(path: Path, given: dict[str, Any]) -> sqlite3.Connection:
-    """A file that is not there is made for this account alone; those that SQLite puts beside it are as it is."""
+    """A file that is not there is made for this account alone; SQLite's files beside it get the same mode."""
     with suppress(OSError):
         os.close(os.open(path, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o600))
     return sqlite3.connect(path, **given)
