@@ -66,6 +66,8 @@ import sightline.vehicles.catalogue.routes
 import sightline.vehicles.passes.routes
 import sightline.vehicles.proposing.routes
 from sightline.errors import NotFound
+from sightline.infra.audit import trail
+from sightline.infra.clock_watch import ClockWatch
 from sightline.infra.services import Services, open_services
 from sightline.infra.web import error_handlers, pages
 from sightline.infra.web.access import Access
@@ -184,7 +186,7 @@ def create_app(settings: Settings | None = None, services: Services | None = Non
     @asynccontextmanager
     async def lifespan(_app: FastAPI) -> AsyncIterator[None]:
         # Beside the first requests: finishing a large upload takes long, and nobody shall wait for it.
-        recovering = asyncio.create_task(asyncio.to_thread(_recover, services))
+        recovering = asyncio.create_task(asyncio.to_thread(_recover, services, app.state.clock))
         yield
         await recovering
         if own:
@@ -200,6 +202,7 @@ def create_app(settings: Settings | None = None, services: Services | None = Non
         redoc_url=None,
     )
     app.state.services = services
+    app.state.clock = ClockWatch()
     app.state.write_gate = WriteGate()
     app.state.readers = Turns(READERS)
     app.state.sign_in = SignIn(
@@ -217,12 +220,14 @@ def create_app(settings: Settings | None = None, services: Services | None = Non
     app.state.metrics = CollectorRegistry()
     turns = {"reading": app.state.readers, "writing": app.state.write_gate}
     app.state.metrics.register(InstallationMetrics(services, turns))
-    app.add_middleware(Watching, metrics=RequestMetrics(app.state.metrics))
+    app.add_middleware(Watching, metrics=RequestMetrics(app.state.metrics), clock=app.state.clock)
     return app
 
 
-def _recover(services: Services) -> None:
+def _recover(services: Services, clock: ClockWatch) -> None:
     try:
+        with services.reading() as session:
+            clock.begin_behind(trail.newest_moment(session))
         recover_uploads(services)
     except Exception:
         log.exception("unfinished uploads were not looked through")

@@ -117,7 +117,7 @@ def checkpoint_problem(document: Mapping[str, Any], chain: str, end: AuditHead) 
 
 
 def _is_whole(value: Any) -> bool:
-    """Whether every number is written as a whole one: 8.0 counts as 8, true as 1, and the bytes are others."""
+    """Whether every number is written as a whole one: 8.0 counts as 8, true as 1, in other bytes."""
     if isinstance(value, Mapping):
         return all(_is_whole(one) for one in value.values())
     if isinstance(value, list | tuple):

@@ -173,6 +173,13 @@ def listing(
     return tuple(_event(row) for row in session.execute(query))
 
 
+def newest_moment(session: Session) -> datetime | None:
+    """When the newest event was written, by the clock of then; None where there is none."""
+    query = select(audit_events.c.at).order_by(audit_events.c.id.desc()).limit(1)
+    at = session.execute(query).scalar_one_or_none()
+    return None if at is None else datetime.fromisoformat(at)
+
+
 def one_event(session: Session, entity: str, event_id: int) -> AuditEvent | None:
     """One event of this kind; None where there is none."""
     c = audit_events.c

@@ -9,6 +9,7 @@ from sqlalchemy import text
 
 from sightline.enums import JobState
 from sightline.errors import SightlineError
+from sightline.infra.clock_watch import ClockSetBack
 from sightline.infra.jobs.store import count_jobs
 from sightline.infra.licences import Library, libraries
 from sightline.infra.page_watch import PageWatch
@@ -46,6 +47,9 @@ class SystemState(Out):
     decoder: int | None = Field(description="Process that decodes stills; null while none is needed.")
     memory_bytes: int | None = Field(description="Held by this process; null where it cannot be told.")
     jobs: dict[JobState, int]
+    clock_set_back: ClockSetBack | None = Field(
+        description="The last time that this machine's clock went back; null: it did not since the start."
+    )
 
 
 @router.get("/health", dependencies=[OPEN])
@@ -81,6 +85,7 @@ def system(who: Admin, services: Wired, request: Request) -> SystemState:
         decoder=services.frames.process_id,
         memory_bytes=_memory_bytes(),
         jobs=jobs,
+        clock_set_back=request.app.state.clock.set_back,
     )
 
 

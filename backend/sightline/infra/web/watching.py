@@ -11,6 +11,7 @@ from prometheus_client import CollectorRegistry, Counter, Gauge, Histogram
 from starlette.datastructures import Headers, MutableHeaders
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
+from sightline.infra.clock_watch import ClockWatch
 from sightline.infra.log import REQUEST
 
 log = logging.getLogger("sightline.requests")
@@ -44,13 +45,14 @@ class RequestMetrics:
 class Watching:
     """The outermost of all: what guards and handlers refuse is counted too."""
 
-    def __init__(self, app: ASGIApp, metrics: RequestMetrics) -> None:
-        self.app, self.metrics = app, metrics
+    def __init__(self, app: ASGIApp, metrics: RequestMetrics, clock: ClockWatch) -> None:
+        self.app, self.metrics, self.clock = app, metrics, clock
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         if scope["type"] != "http":
             await self.app(scope, receive, send)
             return
+        self.clock.look()
         number = number_of(Headers(scope=scope).get(HEADER))
         status = 500
 

@@ -4,6 +4,7 @@ import { Loading, Problem } from "../../components";
 import { api } from "../../core/api";
 import { say } from "../../core/messages";
 import { useEvery, useResource } from "../../core/resource";
+import { formatMoment } from "../../core/times";
 import { formatBytes, formatCount } from "../../core/units";
 import { STATE_WORDS } from "../../core/words";
 import { Checkpoints } from "./Checkpoints";
@@ -57,6 +58,14 @@ export default function SystemScreen() {
                     writing: state.writers_waiting,
                   })}
                 </Fact>
+                {state.clock_set_back && (
+                  <Fact term={say("system-clock")}>
+                    {say("system-clock-back", {
+                      seconds: state.clock_set_back.by_s,
+                      when: formatMoment(state.clock_set_back.noticed_at),
+                    })}
+                  </Fact>
+                )}
               </dl>
             </div>
           </section>
