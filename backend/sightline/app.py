@@ -71,6 +71,7 @@ from sightline.infra.clock_watch import ClockWatch
 from sightline.infra.services import Services, open_services
 from sightline.infra.web import error_handlers, pages
 from sightline.infra.web.access import Access
+from sightline.infra.web.ballast import Ballast, RoomForDeleting
 from sightline.infra.web.bearer import Bearers
 from sightline.infra.web.bodies import ErrorBody
 from sightline.infra.web.cookie import SignIn
@@ -213,9 +214,13 @@ def create_app(settings: Settings | None = None, services: Services | None = Non
     app.state.bearers = Bearers(Tokens(services, app.state.attempts))
     app.state.demo_survey_id = demo_survey_id
     error_handlers.install(app)
+    ballast = Ballast(settings.data_dir)
+    if not services.read_only:
+        ballast.take()
     pages.install(app, settings)
     app.add_middleware(Spoken)
     app.add_middleware(GZipMiddleware, minimum_size=1000, compresslevel=5)
+    app.add_middleware(RoomForDeleting, ballast=ballast)
     app.add_middleware(Guard)
     app.state.metrics = CollectorRegistry()
     turns = {"reading": app.state.readers, "writing": app.state.write_gate}

@@ -88,8 +88,14 @@ class Conflict(SightlineError):
 
 
 class TooMany(SightlineError):
+    """`retry_after_s`: when the same may be tried again, where that is known."""
+
     status = 429
     kind = "too_many"
+
+    def __init__(self, code: str, *, retry_after_s: int | None = None, **values: object) -> None:
+        super().__init__(code, **values)
+        self.retry_after_s = retry_after_s
 
 
 class Busy(SightlineError):

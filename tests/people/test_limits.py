@@ -2,6 +2,7 @@
 
 import threading
 from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from datetime import timedelta
 
 import pytest
@@ -9,11 +10,12 @@ from fastapi import FastAPI
 from fastapi.testclient import TestClient
 
 from sightline.app import create_app
+from sightline.errors import NoRoom
 from sightline.infra.database.types import now
 from sightline.infra.limits import store as limits
 from sightline.infra.limits.store import Limit, count_against, forget_counted
 from sightline.infra.services import Services, open_services
-from tests.support.app import Client
+from tests.support.app import Client, error_of
 
 pytestmark = pytest.mark.dialect
 
@@ -60,6 +62,65 @@ def test_an_office_behind_one_address_signs_in(
     answers = [both[n % 2].post("/session/link", {"token": f"guess {n}"}).status_code for n in range(5)]
     assert answers == [401] * 3 + [429] * 2
     assert both[0].post("/session", body).status_code == 429
+
+
+def test_an_address_is_slowed_down_and_not_shut_out(
+    both: list[Client], operator: Client, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Beyond the limit one try in five seconds, also for who is right; then that one is in."""
+    monkeypatch.setattr("sightline.people.service.PER_ADDRESS", Limit("failures of a network", 3, 300))
+    body = {"email": "operator@example.org", "password": "a password for tests"}
+    operator.put("/session/password", {"new": body["password"]})
+    begun = now()
+    at: Callable[[float], None] = lambda s: monkeypatch.setattr(  # noqa: E731
+        limits, "now", lambda: begun + timedelta(seconds=s)
+    )
+    at(0)
+    assert [both[n % 2].post("/session/link", {"token": f"{n}"}).status_code for n in range(3)] == [401] * 3
+    at(2)
+    refused = both[1].post("/session", body)
+    assert refused.status_code == 429 and refused.headers["Retry-After"] == "3"
+    assert error_of(refused) == "Many sign-ins from your network failed; try again in 3 s."
+    at(5)
+    assert both[1].post("/session/link", {"token": "again"}).status_code == 401
+    assert both[0].post("/session", body).headers["Retry-After"] == "5"
+    at(10)
+    assert both[0].post("/session", body).status_code == 200
+
+
+def test_an_account_says_when_it_may_be_tried_again(
+    both: list[Client], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    begun = now()
+    at: Callable[[float], None] = lambda s: monkeypatch.setattr(  # noqa: E731
+        limits, "now", lambda: begun + timedelta(seconds=s)
+    )
+    for second in range(5):
+        at(second)
+        assert wrong(both[0]) == 401
+    at(100)
+    body = {"email": "operator@example.org", "password": "not this one"}
+    assert both[1].post("/session", body).headers["Retry-After"] == "200"
+    at(301)
+    assert wrong(both[1]) == 401
+
+
+def test_with_a_full_disk_people_sign_in_and_are_counted_all_the_same(
+    app: FastAPI, operator: Client, services: Services, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    body = {"email": "operator@example.org", "password": "a password for tests"}
+    operator.put("/session/password", {"new": body["password"]})
+
+    @contextmanager
+    def full(*_given: object, **_more: object) -> Iterator[None]:
+        raise NoRoom("database-disk-full-nothing-saved-make-room")
+        yield
+
+    monkeypatch.setattr(type(services), "writing", full)
+    client = Client(TestClient(app, headers={"X-Sightline": "1"}))
+    assert client.post("/session", body).status_code == 200
+    assert client.get("/surveys").status_code == 200
+    assert [wrong(client) for _ in range(6)] == [401] * 5 + [429]
 
 
 def test_a_session_that_was_ended_ends_in_the_other_process(both: list[Client], operator: Client) -> None:

@@ -42,7 +42,7 @@ class ClockWatch:
                 self._note(shown, by_s)
 
     def begin_behind(self, newest: datetime | None) -> None:
-        """At a start: the newest thing that is stored is no younger than now, or the clock went back since."""
+        """At a start: what is stored is of the past, or the clock went back; `newest` is its last moment."""
         with self._lock:
             shown = types.now()
             if newest is not None and (by_s := (newest - shown).total_seconds()) >= LEAST_S:

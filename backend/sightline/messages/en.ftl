@@ -4600,6 +4600,7 @@ jobs-job-given-another-worker-one-stops = Job { $id } was given to another worke
 
 ## Errors: web
 
+web-disk-not-writable = The data folder cannot be written ({ $why }); check the disk and its rights.
 web-server-busy = The server is busy and nothing was done; try again in a few seconds.
 web-you-not-signed-sign-try-again = You are not signed in; sign in and try again.
 web-token-does-not-hold = This token is not valid: it is wrong, has expired or was revoked. Create a new one in Account.
@@ -4823,6 +4824,7 @@ video-cannot-written-without-frames = { $name } cannot be written without frames
 
 people-email-password-not-fit-together-check = Wrong e-mail or password. Try again.
 people-password-characters-choose-another = A password has { $min_password } to { $max_password } characters; choose another.
+people-sign-ins-slowed-down = Many sign-ins from your network failed; try again in { $seconds } s.
 people-password-one-sign = A password has at least { $least } different characters besides spaces; choose another.
 people-current-password-not-right-type-again = The current password is wrong; enter it again.
 people-no-active-account-check-address = There is no active account for { $email }; check the address.

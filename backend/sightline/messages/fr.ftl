@@ -4620,6 +4620,7 @@ jobs-job-given-another-worker-one-stops = La tâche { $id } a été confiée à 
 
 ## Erreurs : web
 
+web-disk-not-writable = Le dossier des données ne peut pas être écrit ({ $why }) ; vérifiez le disque et ses droits.
 web-server-busy = Le serveur est occupé et rien n’a été fait ; réessayez dans quelques secondes.
 web-you-not-signed-sign-try-again = Vous n’êtes pas connecté ; connectez-vous et réessayez.
 web-token-does-not-hold = Ce jeton n’est pas valable : il est faux, expiré ou révoqué ; créez-en un nouveau dans Compte.
@@ -4863,6 +4864,7 @@ video-cannot-written-without-frames = { $name } ne peut pas être écrit sans im
 
 people-email-password-not-fit-together-check = E-mail ou mot de passe incorrect. Réessayez.
 people-password-characters-choose-another = Un mot de passe a de { $min_password } à { $max_password } caractères ; choisissez-en un autre.
+people-sign-ins-slowed-down = Beaucoup de connexions depuis votre réseau ont échoué ; réessayez dans { $seconds } s.
 people-password-one-sign = Un mot de passe a au moins { $least } caractères différents, sans compter les espaces ; choisissez-en un autre.
 people-current-password-not-right-type-again = Le mot de passe actuel est incorrect ; saisissez-le à nouveau.
 people-no-active-account-check-address = Il n’y a pas de compte actif pour { $email } ; vérifiez l’adresse.

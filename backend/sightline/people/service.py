@@ -1,11 +1,14 @@
 """Accounts at work: signing in with a password or a one-time link, passwords (Argon2), the first admin."""
 
+from contextlib import suppress
 from functools import cache
 
 from argon2 import PasswordHasher
 from argon2.exceptions import InvalidHashError, VerifyMismatchError
+from cachetools import TTLCache
 
-from sightline.errors import BadInput, NotAllowed, NotSignedIn, TooMany
+from sightline.errors import BadInput, NoRoom, NotAllowed, NotSignedIn, TooMany
+from sightline.infra.database import Session
 from sightline.infra.limits import store as limits
 from sightline.infra.limits.store import Limit
 from sightline.infra.services import Services
@@ -34,6 +37,8 @@ FIRST_ADMIN = ("Admin", "admin@sightline.local")
 PER_ACCOUNT = Limit("sign-ins to an account from an address", 5, 300)
 # Not enough to try a list on everybody.
 PER_ADDRESS = Limit("sign-ins, links and wrong tokens from an address", 50, 300)
+#: beyond that one try in so many seconds: an address may be that of a whole office, and is not shut out
+PACE_S = 5.0
 
 _hasher = PasswordHasher()
 
@@ -47,34 +52,54 @@ def _nobodys_hash() -> str:
 class Attempts:
     """Counts failed sign-ins per account and address, and per address alone, over all processes.
 
-    What was right counts no more: one address may be that of a whole office.
+    What was right counts no more: one address may be that of a whole office. An account from one address is
+    shut out for a while, an address slowed down. With a full disk the count is this process's own.
     """
 
     def __init__(self, services: Services) -> None:
         self._services = services
+        self._without_disk: TTLCache[str, int] = TTLCache(4096, PER_ACCOUNT.seconds)
 
     def begin(self, email: str, address: str) -> None:
         """Count an attempt before it is tried, so that many at once do not slip through. Raises TooMany."""
-        self._count((PER_ACCOUNT, _account(email, address)), (PER_ADDRESS, address))
+        self._count(address, _account(email, address))
 
     def begin_secret(self, address: str) -> None:
         """The same for a link or a token, which name no account. Raises TooMany."""
-        self._count((PER_ADDRESS, address))
+        self._count(address, None)
 
     def succeeded(self, email: str, address: str) -> None:
         """Forget the failures of this account from this address, and that this one was tried."""
-        with self._services.writing() as session:
+        self._without_disk.pop(_account(email, address), None)
+        with suppress(NoRoom), self._services.writing() as session:
             limits.forget_counted(session, PER_ACCOUNT, _account(email, address))
             limits.uncount(session, PER_ADDRESS, address)
 
-    def _count(self, *against: tuple[Limit, str]) -> None:
+    def _count(self, address: str, account: str | None) -> None:
         # Looked at first: who is refused makes nobody wait for the turn to write.
         with self._services.reading() as session:
-            if not all(limits.has_room(session, *one) for one in against):
-                raise TooMany("people-too-many-failed-sign-ins-wait")
-        with self._services.writing() as session:
-            if not all(limits.count_against(session, *one) for one in against):
-                raise TooMany("people-too-many-failed-sign-ins-wait")
+            _require_room(session, address, account)
+        try:
+            with self._services.writing() as session:
+                _require_room(session, address, account)
+                limits.count(session, PER_ADDRESS, address)
+                if account is not None:
+                    limits.count(session, PER_ACCOUNT, account)
+        except NoRoom:
+            self._count_without_disk(account or address)
+
+    def _count_without_disk(self, of: str) -> None:
+        tried = self._without_disk.get(of, 0)
+        if tried >= PER_ACCOUNT.most:
+            raise TooMany("people-too-many-failed-sign-ins-wait", retry_after_s=PER_ACCOUNT.seconds)
+        self._without_disk[of] = tried + 1
+
+
+def _require_room(session: Session, address: str, account: str | None) -> None:
+    if account is not None and (seconds := limits.wait_s(session, PER_ACCOUNT, account)):
+        raise TooMany("people-too-many-failed-sign-ins-wait", retry_after_s=seconds)
+    if seconds := limits.wait_s(session, PER_ADDRESS, address, pace_s=PACE_S):
+        raise TooMany("people-sign-ins-slowed-down", seconds=seconds, retry_after_s=seconds)
 
 
 def _account(email: str, address: str) -> str:
@@ -109,7 +134,7 @@ def sign_in(services: Services, attempts: Attempts, email: str, password: str, a
 
     Raises:
         NotSignedIn: they do not fit, or the account is switched off (which of the two is not said).
-        TooMany: five failures within five minutes.
+        TooMany: five failures within five minutes, or fifty from the address and one just now.
     """
     attempts.begin(email, address)
     with services.reading() as session:
@@ -118,10 +143,12 @@ def sign_in(services: Services, attempts: Attempts, email: str, password: str, a
     if not matches(stored, password) or person is None:
         raise NotSignedIn("people-email-password-not-fit-together-check")
     attempts.succeeded(email, address)
-    with services.writing() as session:
+    # With a full disk these wait for another time: who makes room has to get in.
+    with suppress(NoRoom), services.writing() as session:
         if stored is not None and _hasher.check_needs_rehash(stored):
             rehash_password(session, person.id, _hasher.hash(password))
         note_person_seen(session, person.id)
+    with services.reading() as session:
         return get_person(session, person.id)
 
 

@@ -1,6 +1,7 @@
 """So much of something within so long, over every process of the app: a moving window in the database."""
 
 import hashlib
+import math
 from dataclasses import dataclass
 from datetime import timedelta
 
@@ -32,6 +33,36 @@ def has_room(session: Session, limit: Limit, of: str, amount: int = 1) -> bool:
     c = counted.c
     inside = select(func.coalesce(func.sum(c.amount), 0)).where(c.key == limit.key(of), c.at > since)
     return int(session.execute(inside).scalar_one()) + amount <= limit.most
+
+
+def wait_s(session: Session, limit: Limit, of: str, *, pace_s: float | None = None) -> int:
+    """In how many whole seconds one more may be counted; 0: at once.
+
+    With `pace_s` a key beyond its limit is slowed down to one in so many seconds, not shut out until the
+    window has moved on.
+    """
+    if has_room(session, limit, of):
+        return 0
+    c, present = counted.c, now()
+    inside = (c.key == limit.key(of), c.at > present - timedelta(seconds=limit.seconds))
+    if pace_s is not None:
+        newest = session.execute(select(func.max(c.at)).where(*inside)).scalar_one()
+        left = pace_s - (present - newest).total_seconds()
+        return max(0, math.ceil(min(left, pace_s)))
+    over = 1 - limit.most
+    rows = session.execute(select(c.at, c.amount).where(*inside).order_by(c.at)).all()
+    over += sum(amount for _, amount in rows)
+    for at, amount in rows:
+        over -= amount
+        if over <= 0:
+            return max(1, math.ceil(limit.seconds - (present - at).total_seconds()))
+    return limit.seconds
+
+
+def count(session: Session, limit: Limit, of: str) -> None:
+    """Count one more, whether there is room or not."""
+    session.execute(delete(counted).where(counted.c.at <= now() - timedelta(seconds=LONGEST_S)))
+    session.execute(insert(counted), {"key": limit.key(of), "at": now(), "amount": 1})
 
 
 def count_against(session: Session, limit: Limit, of: str, amount: int = 1) -> bool:

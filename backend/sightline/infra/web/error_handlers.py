@@ -12,7 +12,7 @@ from sqlalchemy.exc import DatabaseError, DataError
 from sqlalchemy.exc import TimeoutError as PoolTimeout
 from starlette.exceptions import HTTPException
 
-from sightline.errors import BadInput, Busy, Conflict, NoRoom, NotFound, SightlineError
+from sightline.errors import BadInput, Busy, Conflict, NoRoom, NotFound, SightlineError, TooMany
 from sightline.infra.database.engine import explanation
 
 log = logging.getLogger(__name__)
@@ -44,7 +44,10 @@ def known(_request: Request, error: Exception) -> JSONResponse:
     current: Any = error.current if isinstance(error, Conflict) else None
     more = {} if current is None else {"current": _as_answered(current)}
     # whatever is away or busy may be asked again, and a program should know when
-    headers = {"Retry-After": str(RETRY_AFTER_S)} if error.status == 503 else None
+    after_s = RETRY_AFTER_S if error.status == 503 else None
+    if isinstance(error, TooMany):
+        after_s = error.retry_after_s
+    headers = None if after_s is None else {"Retry-After": str(after_s)}
     return answer(error, headers, **more)
 
 

@@ -15,8 +15,10 @@ from sightline.infra.licences import Library, libraries
 from sightline.infra.page_watch import PageWatch
 from sightline.infra.services import Services
 from sightline.infra.version import code_version
+from sightline.infra.web.ballast import try_to_write
 from sightline.infra.web.bodies import Out
 from sightline.infra.web.deps import OPEN, Admin, Wired
+from sightline.infra.web.error_handlers import FULL
 from sightline.infra.web.turns import Turns
 
 router = APIRouter()
@@ -32,6 +34,7 @@ class Readiness(Out):
     ok: bool
     database: str | None = Field(description="Why the database cannot be used; null: it can.")
     media: str | None = Field(description="Why the media store cannot be used; null: it can.")
+    disk: str | None = Field(description="Why nothing can be written into the data folder; null: it can.")
 
 
 class SystemState(Out):
@@ -60,9 +63,12 @@ async def health() -> Health:
 
 @router.get("/ready", dependencies=[OPEN])
 def ready(services: Wired, response: Response) -> Readiness:
-    """Whether database and media store answer: 503 where one does not. A proxy then asks another process."""
-    found = Readiness(ok=True, database=_database(services), media=_media(services))
-    found.ok = found.database is None and found.media is None
+    """Whether database and media store answer and the disk takes a file: 503 where one does not.
+
+    A proxy then asks another process.
+    """
+    found = Readiness(ok=True, database=_database(services), media=_media(services), disk=_disk(services))
+    found.ok = found.database is None and found.media is None and found.disk is None
     response.status_code = 200 if found.ok else 503
     return found
 
@@ -111,6 +117,16 @@ def _media(services: Services) -> str | None:
     except SightlineError as error:
         return error.message
     return None
+
+
+def _disk(services: Services) -> str | None:
+    if services.read_only:
+        return None  # it was started to read what lies there
+    try:
+        has_room = try_to_write(services.settings.data_dir)
+    except OSError as error:
+        return SightlineError("web-disk-not-writable", why=error.strerror or str(error)).message
+    return None if has_room else FULL.message
 
 
 def _memory_bytes() -> int | None:
