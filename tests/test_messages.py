@@ -98,7 +98,7 @@ def complaint(call: ast.Call, known: dict[str, set[str]]) -> str | None:
         return None if isinstance(code, ast.Attribute | ast.Subscript) else "its code is not written out"
     if code.value not in known:
         return f"en.ftl has no “{code.value}”"
-    given = {one.arg for one in call.keywords} - {"current"}  # a conflict's, no value
+    given = {one.arg for one in call.keywords} - {"current", "retry_after_s"}  # no values
     return None if given == known[code.value] else f"“{code.value}” takes {sorted(known[code.value])}"
 
 

@@ -187,7 +187,7 @@ def create_app(settings: Settings | None = None, services: Services | None = Non
     @asynccontextmanager
     async def lifespan(_app: FastAPI) -> AsyncIterator[None]:
         # Beside the first requests: finishing a large upload takes long, and nobody shall wait for it.
-        recovering = asyncio.create_task(asyncio.to_thread(_recover, services, app.state.clock))
+        recovering = asyncio.create_task(asyncio.to_thread(_recover, services, app.state.clock, ballast))
         yield
         await recovering
         if own:
@@ -215,8 +215,6 @@ def create_app(settings: Settings | None = None, services: Services | None = Non
     app.state.demo_survey_id = demo_survey_id
     error_handlers.install(app)
     ballast = Ballast(settings.data_dir)
-    if not services.read_only:
-        ballast.take()
     pages.install(app, settings)
     app.add_middleware(Spoken)
     app.add_middleware(GZipMiddleware, minimum_size=1000, compresslevel=5)
@@ -229,8 +227,10 @@ def create_app(settings: Settings | None = None, services: Services | None = Non
     return app
 
 
-def _recover(services: Services, clock: ClockWatch) -> None:
+def _recover(services: Services, clock: ClockWatch, ballast: Ballast) -> None:
     try:
+        if not services.read_only:
+            ballast.take()
         with services.reading() as session:
             clock.begin_behind(trail.newest_moment(session))
         recover_uploads(services)

@@ -84,7 +84,8 @@ def test_a_line_is_one_object() -> None:
 
 
 def test_alive_is_not_ready(viewer: Client, services: Services, monkeypatch: pytest.MonkeyPatch) -> None:
-    assert viewer.http.get("/api/ready").json() == {"ok": True, "database": None, "media": None}
+    whole = {"ok": True, "database": None, "media": None, "disk": None}
+    assert viewer.http.get("/api/ready").json() == whole
 
     def away(_key: str) -> bool:
         raise StorageAway("store-media-storage-did-not-answer-check", key="k", name="Timeout")

@@ -213,6 +213,24 @@ def caught_in_the_middle(me: Person, disk: Path) -> str:
     return "done"
 
 
+def makes_room(me: Person, disk: Path) -> str:
+    """With the disk full to the byte: /api/ready says so, one signs in, and what is deleted makes room."""
+    password = f"a password {uuid4().hex}"
+    me.asked("PUT", "/api/session/password", json={"new": password})
+    email = me.asked("GET", "/api/session")["person"]["email"]
+    upload(me)
+    newest = max(me.seen(f"/api/surveys/{me.survey}/recordings"), key=lambda one: one["id"])
+    fill(disk, 0)
+    if me.http.get("/api/ready").status_code != 503:
+        return "500: /api/ready says that all is well"
+    try:
+        me.asked("POST", "/api/session", json={"email": email, "password": password})
+        me.asked("DELETE", f"/api/recordings/{newest['id']}")
+    except Refused as refused:
+        return f"500: {refused.status}: {refused.sentence}"
+    return "done"
+
+
 def told(title: str, me: Person, before: Callable[[], None] = lambda: None) -> dict[str, str]:
     print(f"-- {title} --", flush=True)
     found = {}
@@ -272,6 +290,9 @@ def main() -> None:
             for left_kb in LEFT_KB:
                 of = told(f"{left_kb} KB left", me, partial(fill, disk, left_kb))
                 full |= {f"{name} with {left_kb} KB": outcome for name, outcome in of.items()}
+            os.remove(disk / FILLER)
+            full["who makes room"] = makes_room(me, disk)
+            print(f"who makes room: {full['who makes room']}", flush=True)
             os.remove(disk / FILLER)
             full["export that finds the disk full in the middle"] = caught_in_the_middle(me, disk)
             os.remove(disk / FILLER)
