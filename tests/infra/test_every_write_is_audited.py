@@ -487,6 +487,7 @@ WRITES: dict[str, tuple[Write, Callable[[Session, Sample, Any], Any]]] = {
 NO_EVENT = {
     "note_api_token_used": "a time stamp of presence",
     "count_against": "tries that are counted, gone within the hour",
+    "count_tried": "tries that are counted, gone within the hour",
     "forget_counted": "tries that count no more",
     "uncount": "a try that counts no more",
     "note_person_seen": "a time stamp of presence",

@@ -82,9 +82,9 @@ class Attempts:
         try:
             with self._services.writing() as session:
                 _require_room(session, address, account)
-                limits.count(session, PER_ADDRESS, address)
+                limits.count_tried(session, PER_ADDRESS, address)
                 if account is not None:
-                    limits.count(session, PER_ACCOUNT, account)
+                    limits.count_tried(session, PER_ACCOUNT, account)
         except NoRoom:
             self._count_without_disk(account or address)
 

@@ -115,7 +115,8 @@ def _connect_private(path: Path, given: dict[str, Any]) -> sqlite3.Connection:
     """A file that is not there is made for this account alone; SQLite's files beside it get the same mode."""
     with suppress(OSError):
         os.close(os.open(path, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o600))
-    return sqlite3.connect(path, **given)
+    made: sqlite3.Connection = sqlite3.connect(path, **given)
+    return made
 
 
 def _prepare_sqlite(connection: Any, _record: Any) -> None:

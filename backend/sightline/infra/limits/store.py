@@ -48,18 +48,18 @@ def wait_s(session: Session, limit: Limit, of: str, *, pace_s: float | None = No
     if pace_s is not None:
         newest = session.execute(select(func.max(c.at)).where(*inside)).scalar_one()
         left = pace_s - (present - newest).total_seconds()
-        return max(0, math.ceil(min(left, pace_s)))
+        return max(0, math.ceil(float(min(left, pace_s))))
     over = 1 - limit.most
     rows = session.execute(select(c.at, c.amount).where(*inside).order_by(c.at)).all()
     over += sum(amount for _, amount in rows)
     for at, amount in rows:
         over -= amount
         if over <= 0:
-            return max(1, math.ceil(limit.seconds - (present - at).total_seconds()))
+            return max(1, math.ceil(float(limit.seconds - (present - at).total_seconds())))
     return limit.seconds
 
 
-def count(session: Session, limit: Limit, of: str) -> None:
+def count_tried(session: Session, limit: Limit, of: str) -> None:
     """Count one more, whether there is room or not."""
     session.execute(delete(counted).where(counted.c.at <= now() - timedelta(seconds=LONGEST_S)))
     session.execute(insert(counted), {"key": limit.key(of), "at": now(), "amount": 1})
