@@ -116,7 +116,11 @@ def test_with_a_full_disk_people_sign_in_and_are_counted_all_the_same(
         raise NoRoom("database-disk-full-nothing-saved-make-room")
         yield
 
+    scopes = {"name": "a program", "scopes": ["read"], "days": 1}
+    token = operator.made("/session/tokens", scopes)["text"]
     monkeypatch.setattr(type(services), "writing", full)
+    program = Client(TestClient(app, headers={"Authorization": f"Bearer {token}"}))
+    assert program.get("/surveys").status_code == 200
     client = Client(TestClient(app, headers={"X-Sightline": "1"}))
     assert client.post("/session", body).status_code == 200
     assert client.get("/surveys").status_code == 200

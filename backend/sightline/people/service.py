@@ -119,10 +119,11 @@ class Tokens:
             return api_token_by_text(session, text)
 
     def spend(self, token: ApiToken, requests: int) -> bool:
-        """Count requests of a token; False where there are too many."""
-        with self._services.writing() as session:
+        """Count requests of a token; False where there are too many. With a full disk none is counted."""
+        with suppress(NoRoom), self._services.writing() as session:
             note_api_token_used(session, token.id)
             return limits.count_against(session, PER_TOKEN, str(token.id), requests)
+        return True
 
     def count_wrong(self, address: str) -> None:
         """Count a wrong token. Raises TooMany."""
