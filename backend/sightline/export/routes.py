@@ -123,7 +123,5 @@ def download_export(export_id: PathId, who: Exporter, services: Wired) -> FileRe
     path = services.media.local_path(made.media_key)
     headers = {
         "Content-Disposition": f"attachment; filename={quote(filename_of(made, name))}",
-        "ETag": f'"{made.sha256}"',
-        "Cache-Control": "private, max-age=31536000, immutable",
     }
     return FileResponse(path, media_type="application/zip", headers=headers)

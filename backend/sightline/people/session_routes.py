@@ -74,7 +74,10 @@ def who_am_i(who: Viewer, request: Request, services: Wired) -> Me:
 
 @router.delete("/session", status_code=204, dependencies=[OPEN])
 def sign_out(request: Request, response: Response, services: Wired) -> None:
-    """Sign out, everywhere: a copy of the cookie is worth nothing afterwards. Done also without a session."""
+    """Sign out, everywhere: a copy of the cookie is worth nothing afterwards. Done also without a session.
+
+    The browser is told to let go of everything it kept of this site, where it listens (over HTTPS).
+    """
     cookies = _cookies(request)
     person = cookies.person_of(request)
     if person is not None:
@@ -82,6 +85,7 @@ def sign_out(request: Request, response: Response, services: Wired) -> None:
             store.end_sessions(session, person.id, actor=person.id)
         cookies.forget()
     cookies.end(response)
+    response.headers["Clear-Site-Data"] = '"cache"'
 
 
 @router.put("/session/password")

@@ -133,12 +133,10 @@ def download_video(recording_id: PathId, who: Exporter, services: Wired) -> File
     with services.reading() as session:
         recording = store.get_recording(session, recording_id)
     path = services.media.local_path(recording.media_key)
-    headers = {"ETag": f'"{recording.sha256}"', "Cache-Control": "private, no-cache"}
     # never shown within the app's own origin, whatever was uploaded as a video
     return FileResponse(
         path,
         media_type="application/octet-stream",
-        headers=headers,
         filename=_file_name(recording.name, path.suffix),
     )
 

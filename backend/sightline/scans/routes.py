@@ -148,7 +148,7 @@ def scan_tile(
     request: Request,
     gain: Annotated[float, Query(ge=0.1, le=50, description="Brighter, to look at only.")] = 1.0,
 ) -> Response:
-    """Lines 1024 index .. of a zoom level as JPEG: time to the right, all rows; `?v=` makes it immutable."""
+    """Lines 1024 index .. of a zoom level as JPEG: time to the right, all rows."""
     with services.reading() as session:
         scan = store.get_scan(session, scan_id)
     etag = f'"s{(scan.first_sha256 if camera == 1 else scan.second_sha256) or ""}-{level}.{index}.{gain:g}"'

@@ -207,10 +207,7 @@ def _found(services: Services, who: Person, study_id: int, result_id: int) -> tu
 
 
 def _file(services: Services, key: str, kind: str, name: str) -> FileResponse:
-    headers = {
-        "Content-Disposition": f"attachment; filename={quote(name)}",
-        "Cache-Control": "private, max-age=31536000, immutable",
-    }
+    headers = {"Content-Disposition": f"attachment; filename={quote(name)}"}
     return FileResponse(services.media.local_path(key), media_type=kind, headers=headers)
 
 

@@ -1,13 +1,18 @@
-"""Pictures that never change: sent once, and answered by their ETag afterwards."""
+"""Pictures that never change: sent once, and answered by their ETag afterwards.
+
+A browser may keep them but asks each time: who signed out, or was taken out of the survey, is not shown what the
+browser holds. What else is of a survey (packages, reports, photographs) is not kept at all: the guard's no-store.
+"""
 
 from collections.abc import Callable, Mapping
 from typing import Any
 
 from fastapi import Request, Response
 
-CACHING = "private, max-age=31536000, immutable"
+CACHING = "private, no-cache"
 _SAME = {"description": "The picture that the browser has is the right one."}
-JPEG: dict[int | str, dict[str, Any]] = {200: {"content": {"image/jpeg": {}}}, 304: _SAME}
+PHOTOGRAPH: dict[int | str, dict[str, Any]] = {200: {"content": {"image/jpeg": {}}}}
+JPEG = {**PHOTOGRAPH, 304: _SAME}
 PNG: dict[int | str, dict[str, Any]] = {200: {"content": {"image/png": {}}}, 304: _SAME}
 
 
@@ -25,7 +30,7 @@ def unchanged(etag: str) -> Response:
 def picture_response(
     content: bytes, media_type: str, etag: str, identity: Mapping[str, str] | None = None
 ) -> Response:
-    """The picture, to be kept by the browser for ever; `identity` are headers that say which one it is."""
+    """The picture, to be kept by the browser and asked for again; `identity` are headers that say which it is."""
     headers = {"ETag": etag, "Cache-Control": CACHING, **(identity or {})}
     return Response(content, media_type=media_type, headers=headers)
 

@@ -72,14 +72,14 @@ async def still(
     request: Request,
     display: Shown = "plain",
 ) -> Response:
-    """Frame n as JPEG; `?v=` its checksum makes the address as immutable as the picture."""
+    """Frame n as JPEG; what the browser has of it is confirmed (304) without decoding anything."""
 
     def work(wanted: CancelCheck) -> Response:
         kind = "" if display == "plain" else f"-{display}"
         etag = f'"{stills_of(services).crc(recording_id, n):08x}{kind}"'
-        stills_of(services).announce_request(recording_id, n)
         if is_held(request, etag):
             return unchanged(etag)
+        stills_of(services).announce_request(recording_id, n)
         return picture(stills_of(services).still(recording_id, n, display, wanted), "image/jpeg", etag)
 
     return await run_unless_cancelled(request, work)

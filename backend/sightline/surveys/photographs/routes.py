@@ -3,14 +3,14 @@
 from datetime import datetime
 from typing import Annotated
 
-from fastapi import APIRouter, Form, Query, Request, Response, UploadFile
+from fastapi import APIRouter, Form, Query, Response, UploadFile
 from pydantic import Field
 
 from sightline.infra.audit.records import Who
 from sightline.infra.web.bodies import In, Out
 from sightline.infra.web.deps import Operator, PathId, Reading, Viewer, Wired, Writing
 from sightline.infra.web.named import PhotographId
-from sightline.infra.web.pictures import JPEG, jpeg_once
+from sightline.infra.web.pictures import PHOTOGRAPH
 from sightline.infra.web.uploaded import clean_name, whole_file
 from sightline.surveys.photographs import service, store
 from sightline.surveys.photographs.records import Photograph
@@ -114,10 +114,9 @@ def restore_photograph(photograph_id: PathId, who: Operator, session: Writing) -
     return body_of(store.restore_photograph(session, photograph_id, actor=who.id))
 
 
-@router.get("/photographs/{photograph_id}.jpg", response_class=Response, responses=JPEG)
-def photograph_file(photograph_id: PathId, who: Viewer, services: Wired, request: Request) -> Response:
-    """The photograph as JPEG."""
+@router.get("/photographs/{photograph_id}.jpg", response_class=Response, responses=PHOTOGRAPH)
+def photograph_file(photograph_id: PathId, who: Viewer, services: Wired) -> Response:
+    """The photograph as JPEG, which no browser keeps."""
     with services.reading() as session:
         one = store.get_photograph(session, photograph_id)
-    etag = f'"{one.sha256[:32]}"'
-    return jpeg_once(request, etag, lambda: service.photograph_content(services, one))
+    return Response(service.photograph_content(services, one), media_type="image/jpeg")
