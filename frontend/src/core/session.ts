@@ -36,11 +36,31 @@ export async function loadSession(): Promise<void> {
   if (me.value === undefined) me.value = found;
 }
 
+/** Whose things this page may still hold, where their session ended by itself. */
+let leftBy: number | null = null;
+
+/** Goes on as the person who signed in. What the page holds of somebody else is dropped with it: it is loaded anew. */
+export function enter(answer: Me, to: string): void {
+  if (leftBy !== null && leftBy !== answer.person.id) {
+    location.replace(to);
+    return;
+  }
+  me.value = answer;
+  navigate(to, { replace: true });
+}
+
+/** Signs out; the page is loaded anew, so that nothing of a survey stays in its memory. */
 export async function signOut(): Promise<void> {
   await api.ask("DELETE /session");
   me.value = null;
   navigate("/sign-in");
+  location.reload();
 }
+
+// a page that the browser kept whole behind a later one would come back with what it showed
+window.addEventListener("pageshow", (event) => {
+  if (event.persisted) location.reload();
+});
 
 const personId = computed(() => me.value?.person.id ?? null);
 // what a person left unsaved is sent as theirs, and as nobody else's
@@ -52,6 +72,7 @@ effect(() => {
 onSignedOut(() => {
   if (pathname.value === "/sign-in") return;
   const back = location.pathname + location.search;
+  leftBy = me.value?.person.id ?? leftBy;
   me.value = null;
   navigate(`/sign-in?next=${encodeURIComponent(back)}`, { replace: true });
 });

@@ -2,7 +2,7 @@
 import { problemOf, toApiError } from "../core/api";
 import { displayQuery } from "./display";
 
-/** Address of a frame; with its checksum it may be kept for ever. */
+/** Address of a frame; its checksum tells the frames of a recording that was read anew from those before. */
 export function frameUrl(recordingId: number, frame: number, crc?: number, isBright = false): string {
   const parts = [crc === undefined ? "" : `v=${crc}`, displayQuery(isBright)].filter(Boolean);
   const query = parts.length > 0 ? `?${parts.join("&")}` : "";

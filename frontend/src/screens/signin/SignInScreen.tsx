@@ -3,8 +3,7 @@ import { Button, Loading, Mark, Notice, TextField } from "../../components";
 import { navigate, query } from "../../core/address";
 import { ApiError, api, explain } from "../../core/api";
 import { say } from "../../core/messages";
-import { me, safeNext } from "../../core/session";
-import type { Me } from "../../core/types";
+import { enter, me, safeNext } from "../../core/session";
 import { formatHeight } from "../../core/units";
 import "./signin.css";
 
@@ -25,18 +24,14 @@ export default function SignInScreen() {
   );
 }
 
-function enter(answer: Me): void {
-  me.value = answer;
-  navigate(safeNext(query.value.get("next")), { replace: true });
-}
-
 /** The link signs in by itself; only what goes wrong needs a word. */
 function LinkSignIn({ token }: { token: string }) {
   const [problem, setProblem] = useState<unknown>(null);
   const go = async () => {
     setProblem(null);
     try {
-      enter(await api.ask("POST /session/link", {}, { body: { token }, allowSignedOut: true }));
+      const answer = await api.ask("POST /session/link", {}, { body: { token }, allowSignedOut: true });
+      enter(answer, safeNext(query.value.get("next")));
     } catch (error) {
       setProblem(error);
     }
@@ -72,7 +67,8 @@ function PasswordSignIn() {
     setBusy(true);
     setProblem(null);
     try {
-      enter(await api.ask("POST /session", {}, { body: { email, password }, allowSignedOut: true }));
+      const answer = await api.ask("POST /session", {}, { body: { email, password }, allowSignedOut: true });
+      enter(answer, safeNext(query.value.get("next")));
     } catch (error) {
       setProblem(error);
       setBusy(false);
