@@ -40,7 +40,7 @@ def test_frames_and_packages_are_not_shown_from_the_cache(browser: Browser, tmp_
 
         page.goto(f"/surveys/{survey}")
         expect(page.get_by_role("heading", name="Closed road")).to_be_visible()
-        page.locator(".topbar__person").get_by_role("button").first.click()
+        page.locator(".topbar__person").click()
         page.get_by_role("button", name="Sign out").click()
         expect(page.get_by_role("heading", name="Sign in")).to_be_visible()
         assert statuses(page, addresses) == [401, 401]

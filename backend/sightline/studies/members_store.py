@@ -1,15 +1,25 @@
-"""Who sees a study: its members, everybody where it is open to all, and administrators."""
+"""Who sees a study: members who see each of its surveys, everybody where it is open to all, and administrators.
+
+What belongs to a survey is asked for at each computing, opening and download, not when the study was made.
+"""
+
+from collections.abc import Iterable
 
 from sqlalchemy import delete, select
 from sqlalchemy.orm import Session
 
+from sightline.enums import ActingRole
+from sightline.errors import NotAllowed
 from sightline.infra.audit import trail
 from sightline.infra.audit.records import Who
 from sightline.infra.database.people import people
 from sightline.infra.database.rows import add_row, change_row, get_row, missing
+from sightline.infra.web.access import RANK
 from sightline.infra.web.person import Person
+from sightline.studies.records import StudyResult
 from sightline.studies.tables import studies, study_members
-from sightline.surveys.members.store import seen_studies
+from sightline.surveys.members.store import roles_by_thing, seen_studies, seen_surveys
+from sightline.surveys.store import survey_names
 
 _m = study_members.c
 
@@ -19,6 +29,25 @@ def require_study(session: Session, person: Person, study_id: int) -> None:
     seen = seen_studies(session, person)
     if seen is not None and study_id not in seen:
         raise missing("study", study_id)
+
+
+def require_surveys(
+    session: Session, person: Person, survey_ids: Iterable[int], least: ActingRole = "viewer"
+) -> None:
+    """Raises NotAllowed where the person is less than this in one of the surveys, at this moment."""
+    ids = dict.fromkeys(survey_ids)
+    roles = roles_by_thing(session, person, "surveys", ids)
+    if any(one not in roles for one in ids):
+        raise NotAllowed("studies-needs-each-survey")
+    less = next((one for one in ids if RANK[roles[one]] < RANK[least]), None)
+    if less is not None:
+        raise NotAllowed("studies-open-needs-managers", name=survey_names(session)[less][0])
+
+
+def sees_result(session: Session, person: Person, result: StudyResult) -> bool:
+    """Whether a person who sees the study sees each survey that went into a result, or everybody does."""
+    seen = seen_surveys(session, person)
+    return seen is None or result.heads.keys() <= seen or is_open_to_all(session, result.study_id)
 
 
 def list_study_members(session: Session, study_id: int) -> tuple[Who, ...]:

@@ -47,6 +47,8 @@ from sightline.studies.members_store import (
     open_study_to_all,
     remove_study_member,
     require_study,
+    require_surveys,
+    sees_result,
 )
 from sightline.studies.records import StoredStudy, StudyFacts, StudyResult
 from sightline.studies.stored import ask_to_compute, checked, heads_of
@@ -60,7 +62,7 @@ router = APIRouter()
 def list_studies(who: Viewer, session: Reading) -> list[ListedStudy]:
     """The studies that the person sees, newest first."""
     seen = seen_studies(session, who)
-    return [_listed(session, one) for one in store.list_studies(session) if seen is None or one.id in seen]
+    return [_listed(session, who, one) for one in store.list_studies(session) if seen is None or one.id in seen]
 
 
 @router.post("/studies", status_code=201)
@@ -76,7 +78,7 @@ def get_study(study_id: PathId, who: Viewer, session: Reading) -> StudyPage:
     """A study with what was computed of it last."""
     require_study(session, who, study_id)
     study = store.get_study(session, study_id)
-    result = store.newest_result(session, study_id)
+    result = _newest(session, who, study_id)
     job = None if study.job_id is None else JobBody.model_validate(get_job(session, study.job_id))
     return StudyPage(
         study=_body(session, study),
@@ -88,15 +90,19 @@ def get_study(study_id: PathId, who: Viewer, session: Reading) -> StudyPage:
 @router.put("/studies/{study_id}")
 def change_study(study_id: PathId, body: StudyChange, who: Operator, session: Writing) -> StudyBody:
     """Put other facts in their place; what was computed stays until it is computed again."""
-    require_study(session, who, study_id)
+    before = _worked_on(session, who, study_id)
     facts = checked(session, _seen(session, who, body.record()))
+    if is_open_to_all(session, study_id):
+        known = {one.survey_id for one in before.facts.surveys}
+        added = [one.survey_id for one in facts.surveys if one.survey_id not in known]
+        require_surveys(session, who, added, "manager")
     return _body(session, store.update_study(session, study_id, facts, version=body.version, actor=who.id))
 
 
 @router.delete("/studies/{study_id}", status_code=204)
 def remove_study(study_id: PathId, version: int, who: Operator, session: Writing) -> Response:
     """Take it from the list; its results stay stored."""
-    require_study(session, who, study_id)
+    _worked_on(session, who, study_id)
     store.remove_study(session, study_id, version=version, actor=who.id)
     return Response(status_code=204)
 
@@ -104,7 +110,7 @@ def remove_study(study_id: PathId, version: int, who: Operator, session: Writing
 @router.post("/studies/{study_id}/computings", status_code=202)
 def compute_study(study_id: PathId, who: Operator, session: Writing, asked_in: AskedIn) -> JobBody:
     """Compute figures, package and report in the background, the report in the language of the request."""
-    require_study(session, who, study_id)
+    _worked_on(session, who, study_id)
     return JobBody.model_validate(ask_to_compute(session, study_id, language=asked_in, actor=who.id))
 
 
@@ -113,7 +119,7 @@ def compare_studies(study_id: PathId, other_id: PathId, who: Viewer, session: Re
     """A study's figures less those of another, both as they were computed last, with total intervals."""
     for one in (study_id, other_id):
         require_study(session, who, one)
-    (second, newer), (first, older) = (_computed(session, one) for one in (study_id, other_id))
+    (second, newer), (first, older) = (_computed(session, who, one) for one in (study_id, other_id))
     if study_id == other_id:
         raise BadInput("studies-compared-with-itself", name=second.facts.name)
     names = survey_names(session)
@@ -159,8 +165,8 @@ def list_members_of_study(study_id: PathId, who: Viewer, session: Reading) -> St
 def add_member_of_study(
     study_id: PathId, person_id: PathId, who: OperatorInPerson, session: Writing
 ) -> StudyMembersBody:
-    """Let a person see the study; what they may do there is their account's role."""
-    require_study(session, who, study_id)
+    """Let a person see the study, while they see each of its surveys; there they act by their account's role."""
+    _worked_on(session, who, study_id)
     add_study_member(session, study_id, person_id, actor=who.id)
     return _members(session, study_id)
 
@@ -170,15 +176,21 @@ def remove_member_of_study(
     study_id: PathId, person_id: PathId, who: OperatorInPerson, session: Writing
 ) -> StudyMembersBody:
     """Take a person out; what they did stays theirs."""
-    require_study(session, who, study_id)
+    _worked_on(session, who, study_id)
     remove_study_member(session, study_id, person_id, actor=who.id)
     return _members(session, study_id)
 
 
 @router.put("/studies/{study_id}/open-to-all")
 def open_study(study_id: PathId, body: Openness, who: OperatorInPerson, session: Writing) -> StudyMembersBody:
-    """Open it to everybody who signs in, or close it to all but members and administrators."""
-    require_study(session, who, study_id)
+    """Open it to everybody who signs in, or close it to all but members and administrators.
+
+    Who opens it manages each survey that it takes or that went into a result of it.
+    """
+    study = _worked_on(session, who, study_id)
+    if body.open_to_all:
+        shown = {one.survey_id for one in study.facts.surveys} | store.surveys_of_results(session, study_id)
+        require_surveys(session, who, sorted(shown), "manager")
     open_study_to_all(session, study_id, body.open_to_all, actor=who.id)
     return _members(session, study_id)
 
@@ -191,9 +203,25 @@ def _members(session: Session, study_id: int) -> StudyMembersBody:
     )
 
 
-def _computed(session: Session, study_id: int) -> tuple[StoredStudy, StudyResult]:
+def _worked_on(session: Session, who: Person, study_id: int) -> StoredStudy:
+    """A study that is changed or computed. Raises NotFound where the person does not see it, NotAllowed where
+    they do not see each of its surveys at this moment.
+    """
+    require_study(session, who, study_id)
+    study = store.get_study(session, study_id)
+    require_surveys(session, who, (one.survey_id for one in study.facts.surveys))
+    return study
+
+
+def _newest(session: Session, who: Person, study_id: int) -> StudyResult | None:
+    """What was computed last, if anything, and the person sees each survey that went into it."""
+    found = store.newest_result(session, study_id)
+    return found if found is not None and sees_result(session, who, found) else None
+
+
+def _computed(session: Session, who: Person, study_id: int) -> tuple[StoredStudy, StudyResult]:
     """Raises BadInput for a study without figures."""
-    study, result = store.get_study(session, study_id), store.newest_result(session, study_id)
+    study, result = store.get_study(session, study_id), _newest(session, who, study_id)
     if result is None:
         raise BadInput("studies-compared-without-figures", name=study.facts.name)
     return study, result
@@ -202,8 +230,10 @@ def _computed(session: Session, study_id: int) -> tuple[StoredStudy, StudyResult
 def _found(services: Services, who: Person, study_id: int, result_id: int) -> tuple[StoredStudy, StudyResult]:
     with services.reading() as session:
         require_study(session, who, study_id)
-        study = store.get_study(session, study_id)
-        return study, store.get_study_result(session, study_id, result_id)
+        study, result = store.get_study(session, study_id), store.get_study_result(session, study_id, result_id)
+        if not sees_result(session, who, result):
+            raise missing("result", result_id)
+        return study, result
 
 
 def _file(services: Services, key: str, kind: str, name: str) -> FileResponse:
@@ -243,8 +273,8 @@ def _body(session: Session, study: StoredStudy) -> StudyBody:
     )
 
 
-def _listed(session: Session, study: StoredStudy) -> ListedStudy:
-    result = store.newest_result(session, study.id)
+def _listed(session: Session, who: Person, study: StoredStudy) -> ListedStudy:
+    result = _newest(session, who, study.id)
     return ListedStudy(
         id=study.id,
         name=study.facts.name,

@@ -126,6 +126,12 @@ def newest_result(session: Session, study_id: int) -> StudyResult | None:
     return None if row is None else _result(session, row)
 
 
+def surveys_of_results(session: Session, study_id: int) -> frozenset[int]:
+    """Every survey that went into any result of a study."""
+    query = select(study_results.c.heads).where(study_results.c.study_id == study_id)
+    return frozenset(int(one) for heads in session.execute(query).scalars() for one in heads)
+
+
 def _seen(session: Session, study_id: int, version: int) -> dict[str, Any]:
     before = get_row(session, studies, study_id, "study", studies.c.deleted_at.is_(None))
     if before["version"] != version:

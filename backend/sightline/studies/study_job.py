@@ -11,6 +11,8 @@ from sightline.infra.database import Session
 from sightline.infra.jobs import registry
 from sightline.media.store.local import key_of, sha256_of
 from sightline.messages import SOURCE
+from sightline.people.store import get_person
+from sightline.studies.members_store import require_surveys
 from sightline.studies.store import add_study_result, get_study
 from sightline.studies.stored import KIND
 
@@ -28,7 +30,8 @@ def result_of(context: registry.JobContext, study_id: int, language: str = SOURC
     """Figures from one state of the database and what is made of them; what stores them; the report is in
     a language.
 
-    Raises BadInput in one sentence where surveys, fleet and sites do not fit.
+    Raises BadInput in one sentence where surveys, fleet and sites do not fit, NotAllowed where who asked for
+    it does not see each survey any more.
     """
     # the figures' and the report's libraries: a server that starts has no use for them.
     from sightline.infra.csv_package.files import Staging, zip_folder
@@ -41,6 +44,9 @@ def result_of(context: registry.JobContext, study_id: int, language: str = SOURC
     services = context.services
     with services.reading() as session:
         stored = get_study(session, study_id)
+        if context.actor is not None:
+            asked_by = get_person(session, context.actor)
+            require_surveys(session, asked_by, (one.survey_id for one in stored.facts.surveys))
         found = compute(
             session,
             stored,

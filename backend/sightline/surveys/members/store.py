@@ -32,14 +32,22 @@ def seen_surveys(session: Session, person: Person) -> Seen:
 
 
 def seen_studies(session: Session, person: Person) -> Seen:
-    """The studies that a person sees, by the same rule; None for all (an admin)."""
+    """The studies that a person sees: those open to all, and those they belong to while they see each survey
+    that these take; None for all (an admin).
+    """
     if person.role == "admin":
         return None
     load_tables()
     studies, belongs = metadata.tables["studies"].c, metadata.tables["study_members"].c
     mine = select(belongs.study_id).where(belongs.person_id == person.id)
-    query = select(studies.id).where(or_(studies.open_to_all, studies.id.in_(mine)))
-    return frozenset(session.execute(query).scalars())
+    query = select(studies.id, studies.open_to_all, studies.surveys)
+    query = query.where(studies.deleted_at.is_(None), or_(studies.open_to_all, studies.id.in_(mine)))
+    seen = seen_surveys(session, person) or frozenset()
+    return frozenset(
+        row.id
+        for row in session.execute(query)
+        if row.open_to_all or all(one["survey_id"] in seen for one in row.surveys)
+    )
 
 
 def role_in_survey(session: Session, person: Person, survey_id: int) -> ActingRole | None:
