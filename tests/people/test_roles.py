@@ -245,7 +245,7 @@ MATRIX = {
     "GET /audit/events": "viewer",
     "GET /audit/people": "viewer",
     "GET /audit": "viewer",
-    "POST /audit/verify": "viewer",
+    "POST /audit/verify": "admin",
     "GET /audit/checkpoints": "admin",
     "POST /audit/checkpoints": "admin",
     "GET /audit/checkpoints/{checkpoint_id}/checkpoint.json": "admin",

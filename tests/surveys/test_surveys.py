@@ -106,8 +106,8 @@ def test_the_audit_trail(operator: Client, viewer: Client, admin: Client, survey
     assert viewer.get("/audit?limit=0").status_code == 422
 
 
-def test_a_tampered_row_is_found(viewer: Client, survey_id: int, services: Services) -> None:
-    good = viewer.made("/audit/verify")
+def test_a_tampered_row_is_found(admin: Client, survey_id: int, services: Services) -> None:
+    good = admin.made("/audit/verify")
     assert good["ok"] is True and good["checked"] > 0 and good["problem"] is None
     with services.engine.begin() as connection:
         if connection.dialect.name == "sqlite":
@@ -120,7 +120,7 @@ def test_a_tampered_row_is_found(viewer: Client, survey_id: int, services: Servi
         else:
             connection.execute(text("SET LOCAL session_replication_role = replica"))
         connection.execute(text("UPDATE audit_events SET action = 'nothing' WHERE id = 2"))
-    bad = viewer.made("/audit/verify")
+    bad = admin.made("/audit/verify")
     assert bad["ok"] is False and bad["problem"]
 
 

@@ -4609,7 +4609,6 @@ web-token-never = Tokens cannot do this; sign in in the browser and do it there.
 web-token-too-many-requests = More than { NUMBER($most) } requests within a minute with this token; wait a minute.
 members-last-manager = A survey needs a manager; make another member manager first.
 audit-checkpoint-none = This checkpoint does not exist: choose one from the list on the System page.
-audit-problem-ask-admin = The audit trail is not intact; ask an administrator to check it.
 web-needs-role-you-ask-admin = This needs the role { $needed }; your role is { $role }. Ask an administrator.
 web-larger-mb-make-smaller-try-again = { $name } is larger than { $most_bytes } MB; make it smaller and try again.
 

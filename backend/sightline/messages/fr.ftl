@@ -4629,7 +4629,6 @@ web-token-never = Aucun jeton ne permet ceci ; connectez-vous dans le navigate
 web-token-too-many-requests = Plus de { NUMBER($most) } requêtes en une minute avec ce jeton ; attendez une minute et continuez.
 members-last-manager = Un relevé garde un gestionnaire ; nommez-en d’abord un autre.
 audit-checkpoint-none = Ce point de contrôle n’existe pas : choisissez-en un dans la liste de la page Système.
-audit-problem-ask-admin = Le journal d’audit n’est pas intègre ; demandez à un administrateur de le contrôler.
 web-needs-role-you-ask-admin = Il faut pour cela le rôle { $needed ->
     [viewer] lecteur
     [operator] opérateur

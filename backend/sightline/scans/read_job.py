@@ -65,7 +65,7 @@ def read_scan(context: JobContext) -> Finish:
         note_scan_read(session, scan_id, facts, actor=context.actor)
         place: dict[str, Any] = {"survey_id": scan.survey_id, "actor": context.actor}
         if scan.source != "video":
-            registry.enqueue(session, TIDY, {"scan_id": scan_id}, **{**place, "survey_id": None})
+            registry.enqueue(session, TIDY, {"scan_id": scan_id}, **place)
         method = context.payload.get("find")
         if method:
             registry.enqueue(session, FIND, {"method": method, "search": True}, scan_id=scan_id, **place)

@@ -35,8 +35,9 @@ _CHAINS = {
     "study_result": "studies",
     "study_member": "studies",
 }
-#: Chains of no survey that everybody who signs in may read.
-_FOR_EVERYBODY = ("catalogue", SETTINGS)
+#: The chain of no survey that everybody who signs in may read: checkpoints name every survey, tokens and jobs of
+#: the settings' chain are other people's.
+_FOR_EVERYBODY = "catalogue"
 #: What an event is about: the row's id, what it said before and what it says after.
 Change = tuple[int | None, Mapping[str, Any] | None, Mapping[str, Any] | None]
 
@@ -153,7 +154,7 @@ def listing(
 ) -> tuple[AuditEvent, ...]:
     """Events, newest first, of a person, of a day (UTC), or `among` some; `before_id` turns the page.
 
-    `seen`: only what is of these surveys, of the catalogue and of settings, not of people.
+    `seen`: only what is of these surveys and of the catalogue.
     """
     query = _events().order_by(audit_events.c.id.desc()).limit(min(max(limit, 1), 1000))
     if survey_id is not None:
@@ -188,9 +189,11 @@ def one_event(session: Session, entity: str, event_id: int) -> AuditEvent | None
 
 
 def in_sight(seen: Collection[int]) -> ColumnElement[bool]:
-    """Events that may be read by whoever sees these surveys; accounts and studies are for administrators."""
+    """Events that may be read by whoever sees these surveys; accounts, studies and settings are for
+    administrators.
+    """
     c = audit_events.c
-    return or_(c.survey_id.in_(seen), and_(c.survey_id.is_(None), c.chain.in_(_FOR_EVERYBODY)))
+    return or_(c.survey_id.in_(seen), and_(c.survey_id.is_(None), c.chain == _FOR_EVERYBODY))
 
 
 def for_export(session: Session, survey_id: int | None = None) -> tuple[AuditEvent, ...]:

@@ -71,7 +71,7 @@ def named_events(
 
 
 def acting_people(session: Session, seen: Collection[int] | None = None) -> tuple[Who, ...]:
-    """Those who did something, by name; `seen`: to these surveys, the catalogue or settings."""
+    """Those who did something, by name; `seen`: to these surveys or the catalogue."""
     acted = select(_e.actor_id) if seen is None else select(_e.actor_id).where(trail.in_sight(seen))
     query = select(people.c.id, people.c.name).where(people.c.id.in_(acted))
     return tuple(Who(row.id, row.name) for row in session.execute(query.order_by(people.c.name)))

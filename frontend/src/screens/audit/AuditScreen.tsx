@@ -6,6 +6,7 @@ import { query, setQuery } from "../../core/address";
 import { api, explain, fromAddress } from "../../core/api";
 import { say } from "../../core/messages";
 import { useResource } from "../../core/resource";
+import { me } from "../../core/session";
 import { formatClock, formatDay } from "../../core/times";
 import type { AuditCheck, AuditEvent, NamedEvent } from "../../core/types";
 import { changesOf } from "./changes";
@@ -14,7 +15,7 @@ import "./audit.css";
 
 const PAGE = 100;
 
-/** Who did what, when, from what to what; newest first. The chain of hashes can be checked here. */
+/** Who did what, when, from what to what; newest first. Administrators can check the chain of hashes here. */
 export default function AuditScreen() {
   const filters = filtersOf();
   const [older, setOlder] = useState<NamedEvent[]>([]);
@@ -56,7 +57,7 @@ export default function AuditScreen() {
           <h1>{say("page-audit")}</h1>
           <p class="page__lead">{say("audit-lead")}</p>
         </div>
-        <Verify />
+        {me.value?.person.role === "admin" && <Verify />}
       </header>
       <Filters />
       <Problem error={first.error} again={first.reload} />
