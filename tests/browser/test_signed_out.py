@@ -1,4 +1,4 @@
-"""What the browser keeps of a survey is shown neither after signing out nor to the next person on the computer."""
+"""What the browser keeps of a survey is shown neither after signing out nor to the next person."""
 
 from pathlib import Path
 

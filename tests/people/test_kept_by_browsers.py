@@ -1,4 +1,4 @@
-"""What a browser may keep of a survey, and what it must ask for again: nobody is shown what is kept who may not see it."""
+"""What a browser may keep of a survey, and what it must ask for again."""
 
 from collections.abc import Callable
 

@@ -310,6 +310,8 @@ def test_people_see_the_studies_that_they_belong_to(
     assert [one["name"] for one in found["members"]] == ["Operator"] and not found["open_to_all"]
     person = next(one["id"] for one in found["others"] if one["name"] == "Viewer")
     assert operator.put(f"{address}/members/{person}").status_code == 200
+    assert viewer.seen("/studies") == []  # not before they see its survey
+    assert operator.put(f"/surveys/{survey['id']}/members/{person}", {"role": "viewer"}).status_code == 200
     assert [one["name"] for one in viewer.seen("/studies")] == ["One"]
     assert viewer.seen(address)["study"]["name"] == "One" and viewer.seen(f"/jobs/{job}")["id"] == job
     assert operator.delete(f"{address}/members/{person}").status_code == 200

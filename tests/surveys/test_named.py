@@ -59,7 +59,10 @@ NO_THING = {
 
 @dataclass(frozen=True)
 class Place:
-    """Where a number stands: in which request, under which names; `table` is what it names, if anything."""
+    """Where a number stands: in which request, under which names; `table` is what it names, if anything.
+
+    where: "path", "query", or the kind of the body.
+    """
 
     method: str
     path: str
@@ -88,6 +91,15 @@ def numbers(schema: Any, schemas: Any, keys: tuple[str, ...] = ()) -> Iterator[t
         yield keys, schema.get(KEY)
     for where, part in inner:
         yield from numbers(part, schemas, where)
+
+
+def in_paths(description: dict[str, Any]) -> Iterator[Place]:
+    """Every number in a path that names a thing of a survey, or a study or what is of one."""
+    for path, methods in description["paths"].items():
+        for kind, name in re.findall(r"/([a-z-]+)/\{(\w+_id)\}", path):
+            if kind in TABLES:
+                for method in methods:
+                    yield Place(method, path, "path", (name,), TABLES[kind])
 
 
 def places(description: dict[str, Any]) -> Iterator[Place]:

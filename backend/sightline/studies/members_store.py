@@ -1,4 +1,4 @@
-"""Who sees a study: members who see each of its surveys, everybody where it is open to all, and administrators.
+"""Who sees a study: members who see each of its surveys, all where it is open to all, and administrators.
 
 What belongs to a survey is asked for at each computing, opening and download, not when the study was made.
 """

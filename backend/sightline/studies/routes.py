@@ -62,7 +62,9 @@ router = APIRouter()
 def list_studies(who: Viewer, session: Reading) -> list[ListedStudy]:
     """The studies that the person sees, newest first."""
     seen = seen_studies(session, who)
-    return [_listed(session, who, one) for one in store.list_studies(session) if seen is None or one.id in seen]
+    return [
+        _listed(session, who, one) for one in store.list_studies(session) if seen is None or one.id in seen
+    ]
 
 
 @router.post("/studies", status_code=201)
@@ -165,7 +167,7 @@ def list_members_of_study(study_id: PathId, who: Viewer, session: Reading) -> St
 def add_member_of_study(
     study_id: PathId, person_id: PathId, who: OperatorInPerson, session: Writing
 ) -> StudyMembersBody:
-    """Let a person see the study, while they see each of its surveys; there they act by their account's role."""
+    """Let a person see the study while they see each of its surveys; their account's role counts there."""
     _worked_on(session, who, study_id)
     add_study_member(session, study_id, person_id, actor=who.id)
     return _members(session, study_id)
@@ -230,7 +232,10 @@ def _computed(session: Session, who: Person, study_id: int) -> tuple[StoredStudy
 def _found(services: Services, who: Person, study_id: int, result_id: int) -> tuple[StoredStudy, StudyResult]:
     with services.reading() as session:
         require_study(session, who, study_id)
-        study, result = store.get_study(session, study_id), store.get_study_result(session, study_id, result_id)
+        study, result = (
+            store.get_study(session, study_id),
+            store.get_study_result(session, study_id, result_id),
+        )
         if not sees_result(session, who, result):
             raise missing("result", result_id)
         return study, result

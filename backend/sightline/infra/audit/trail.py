@@ -35,8 +35,8 @@ _CHAINS = {
     "study_result": "studies",
     "study_member": "studies",
 }
-#: The chain of no survey that everybody who signs in may read: checkpoints name every survey, tokens and jobs of
-#: the settings' chain are other people's.
+#: The chain of no survey that everybody who signs in may read. Not that of settings: its checkpoints name
+#: every survey, its tokens and jobs are other people's.
 _FOR_EVERYBODY = "catalogue"
 #: What an event is about: the row's id, what it said before and what it says after.
 Change = tuple[int | None, Mapping[str, Any] | None, Mapping[str, Any] | None]

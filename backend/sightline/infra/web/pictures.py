@@ -1,7 +1,8 @@
 """Pictures that never change: sent once, and answered by their ETag afterwards.
 
-A browser may keep them but asks each time: who signed out, or was taken out of the survey, is not shown what the
-browser holds. What else is of a survey (packages, reports, photographs) is not kept at all: the guard's no-store.
+A browser may keep them but asks each time: who signed out, or was taken out of the survey, is not shown what
+the browser holds. What else is of a survey (packages, reports, photographs) it does not keep at all: the guard's
+no-store.
 """
 
 from collections.abc import Callable, Mapping
@@ -30,7 +31,7 @@ def unchanged(etag: str) -> Response:
 def picture_response(
     content: bytes, media_type: str, etag: str, identity: Mapping[str, str] | None = None
 ) -> Response:
-    """The picture, to be kept by the browser and asked for again; `identity` are headers that say which it is."""
+    """The picture, to be kept and asked for again; `identity` are headers that say which one it is."""
     headers = {"ETag": etag, "Cache-Control": CACHING, **(identity or {})}
     return Response(content, media_type=media_type, headers=headers)
 
