@@ -1,4 +1,4 @@
-"""A study is no way around membership: who computes, opens or downloads it sees its surveys at that moment."""
+"""A study is no way around membership: who computes, opens or downloads it sees its surveys just then."""
 
 from collections.abc import Callable
 

@@ -149,7 +149,7 @@ def test_everything_that_a_route_names_leads_to_its_survey(services: Services) -
         for table, id_ in rows.items():
             assert members.roles_by_thing(session, one.olga, table, [id_, 999]) == {id_: "manager"}, table
             assert members.roles_by_thing(session, one.rene, table, [id_]) == {}, table
-        for table in set(THINGS.values()):
+        for table in set(THINGS.values()) - {"studies"}:
             assert members.roles_by_thing(session, one.rene, table, [999]) == {}, table
             columns = metadata.tables[table].c
             assert table == "surveys" or "survey_id" in columns or "camera_id" in columns, table

@@ -59,10 +59,7 @@ NO_THING = {
 
 @dataclass(frozen=True)
 class Place:
-    """Where a number stands: in which request, under which names; `table` is what it names, if anything.
-
-    where: "path", "query", or the kind of the body.
-    """
+    """Where a number stands: in which request, under which names; `table` is what it names, if anything."""
 
     method: str
     path: str
@@ -91,15 +88,6 @@ def numbers(schema: Any, schemas: Any, keys: tuple[str, ...] = ()) -> Iterator[t
         yield keys, schema.get(KEY)
     for where, part in inner:
         yield from numbers(part, schemas, where)
-
-
-def in_paths(description: dict[str, Any]) -> Iterator[Place]:
-    """Every number in a path that names a thing of a survey, or a study or what is of one."""
-    for path, methods in description["paths"].items():
-        for kind, name in re.findall(r"/([a-z-]+)/\{(\w+_id)\}", path):
-            if kind in TABLES:
-                for method in methods:
-                    yield Place(method, path, "path", (name,), TABLES[kind])
 
 
 def places(description: dict[str, Any]) -> Iterator[Place]:
@@ -135,7 +123,7 @@ def everything(session: Session, people: tuple[str, str]) -> tuple[samples.Sampl
         "measurement_series": measured.id,
         "lots": samples.lot_of(session, one, measured.id).id,
         "uploads": upload.id,
-        "studies": samples.study(session, one).id,
+        "studies": samples.study_with_member(session, one).id,
     }
 
 
@@ -149,7 +137,7 @@ class Asking:
 
     def ask(self, place: Place, number: int) -> Any:
         def known(found: re.Match[str]) -> str:
-            number = 2 if found[1] == "frames" else self.mine[TABLES[found[1]]]
+            number = 2 if found[1] == "frames" else self.mine[THINGS[found[1]]]
             return f"/{found[1]}/{number}"
 
         path = re.sub(r"/([a-z-]+)/\{\w+\}", known, place.path)
@@ -158,7 +146,6 @@ class Asking:
         return self.client.http.request(place.method, path, json=place.body(number))
 
 
-TABLES = {**THINGS, "studies": "studies"}
 NOT_THERE = 4711
 
 

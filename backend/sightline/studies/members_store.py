@@ -18,17 +18,10 @@ from sightline.infra.web.access import RANK
 from sightline.infra.web.person import Person
 from sightline.studies.records import StudyResult
 from sightline.studies.tables import studies, study_members
-from sightline.surveys.members.store import roles_by_thing, seen_studies, seen_surveys
+from sightline.surveys.members.store import roles_by_thing, seen_surveys
 from sightline.surveys.store import survey_names
 
 _m = study_members.c
-
-
-def require_study(session: Session, person: Person, study_id: int) -> None:
-    """Raises NotFound for a study that the person does not see: whether there is one is not told either."""
-    seen = seen_studies(session, person)
-    if seen is not None and study_id not in seen:
-        raise missing("study", study_id)
 
 
 def require_surveys(

@@ -46,7 +46,6 @@ from sightline.studies.members_store import (
     list_study_others,
     open_study_to_all,
     remove_study_member,
-    require_study,
     require_surveys,
     sees_result,
 )
@@ -78,7 +77,6 @@ def add_study(body: NewStudy, who: Operator, session: Writing) -> StudyBody:
 @router.get("/studies/{study_id}")
 def get_study(study_id: PathId, who: Viewer, session: Reading) -> StudyPage:
     """A study with what was computed of it last."""
-    require_study(session, who, study_id)
     study = store.get_study(session, study_id)
     result = _newest(session, who, study_id)
     job = None if study.job_id is None else JobBody.model_validate(get_job(session, study.job_id))
@@ -119,8 +117,6 @@ def compute_study(study_id: PathId, who: Operator, session: Writing, asked_in: A
 @router.get("/studies/{study_id}/beside/studies/{other_id}")
 def compare_studies(study_id: PathId, other_id: PathId, who: Viewer, session: Reading) -> BesideBody:
     """A study's figures less those of another, both as they were computed last, with total intervals."""
-    for one in (study_id, other_id):
-        require_study(session, who, one)
     (second, newer), (first, older) = (_computed(session, who, one) for one in (study_id, other_id))
     if study_id == other_id:
         raise BadInput("studies-compared-with-itself", name=second.facts.name)
@@ -159,7 +155,6 @@ def _seen(session: Session, who: Person, facts: StudyFacts) -> StudyFacts:
 @router.get("/studies/{study_id}/members")
 def list_members_of_study(study_id: PathId, who: Viewer, session: Reading) -> StudyMembersBody:
     """Who sees the study beside administrators."""
-    require_study(session, who, study_id)
     return _members(session, study_id)
 
 
@@ -206,10 +201,9 @@ def _members(session: Session, study_id: int) -> StudyMembersBody:
 
 
 def _worked_on(session: Session, who: Person, study_id: int) -> StoredStudy:
-    """A study that is changed or computed. Raises NotFound where the person does not see it, NotAllowed where
-    they do not see each of its surveys at this moment.
+    """A study that is changed or computed. Raises NotAllowed where the person does not see each of its surveys
+    at this moment.
     """
-    require_study(session, who, study_id)
     study = store.get_study(session, study_id)
     require_surveys(session, who, (one.survey_id for one in study.facts.surveys))
     return study
@@ -231,7 +225,6 @@ def _computed(session: Session, who: Person, study_id: int) -> tuple[StoredStudy
 
 def _found(services: Services, who: Person, study_id: int, result_id: int) -> tuple[StoredStudy, StudyResult]:
     with services.reading() as session:
-        require_study(session, who, study_id)
         study, result = (
             store.get_study(session, study_id),
             store.get_study_result(session, study_id, result_id),

@@ -45,9 +45,12 @@ THINGS: Mapping[str, str] = {
     "line-heights": "line_heights",
     "exports": "exports",
     "jobs": "jobs",
+    "studies": "studies",
 }
-#: Kinds that are of no survey (a study has members of its own), or that the path finds within another.
-APART = frozenset({"people", "catalogue", "members", "studies", "results", "tokens", "checkpoints"})
+#: Kinds that are of no survey, or that the path finds within another.
+APART = frozenset({"people", "catalogue", "members", "results", "tokens", "checkpoints"})
+#: Looked at each time: who sees a study follows from its members and from those of each of its surveys.
+NEVER_BELIEVED = "studies"
 # How long another process may still believe what it read; in this one, changes count at once.
 BELIEVED_S = 2.0
 MOST_BELIEVED = 65536
@@ -131,7 +134,8 @@ class Access:
         with self._lock:
             # What was read before a change must not be believed after it.
             if age == self._age:
-                self._known.update({(person.id, one): roles[one] for one in unknown})
+                believed = (one for one in unknown if one[0] != NEVER_BELIEVED)
+                self._known.update({(person.id, one): roles[one] for one in believed})
         return roles
 
 
@@ -157,4 +161,5 @@ _WORDS = {
     "scan_measurements": "measurement",
     "road_poses": "pose",
     "line_heights": "height",
+    "studies": "study",
 }

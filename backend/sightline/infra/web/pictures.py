@@ -1,8 +1,8 @@
 """Pictures that never change: sent once, and answered by their ETag afterwards.
 
 A browser may keep them but asks each time: who signed out, or was taken out of the survey, is not shown what
-the browser holds. What else is of a survey (packages, reports, photographs) it does not keep at all: the guard's
-no-store.
+the browser holds. What else is of a survey (packages, reports, photographs) it does not keep at all: the
+guard's no-store.
 """
 
 from collections.abc import Callable, Mapping

@@ -60,8 +60,8 @@ def roles_by_thing(
 ) -> dict[int, ActingRole]:
     """What a person is in the survey of each row of a table, by the row's id; left out: what they do not see.
 
-    A row of no survey (a job of the installation) is met with the role of the account, one of a study (its
-    job) so by who sees the study. One statement, two where there are rows of studies.
+    A row of no survey (a job of the installation) is met with the role of the account, a study and what is of
+    one (its job) so by who sees the study. One statement, two where there are rows of studies.
     """
     load_tables()
     row = metadata.tables[table]
@@ -87,18 +87,22 @@ def roles_by_thing(
 
 
 def _study_of(row: FromClause) -> ColumnElement[int | None]:
-    """The study of a table's rows, for those that may be of one."""
-    own: ColumnElement[Any] = row.c.get("study_id", null())
+    """The study of a table's rows, for those that are one or may be of one."""
+    own: ColumnElement[Any] = row.c.id if row is metadata.tables["studies"] else row.c.get("study_id", null())
     return own.label("study_id")
 
 
 def _survey_of(row: FromClause) -> ColumnElement[int]:
-    """The survey of a table's rows: their own column, or their camera's (calibrations and images)."""
+    """The survey of a table's rows: their own column, or their camera's (calibrations and images); a study
+    is of none.
+    """
     if row is surveys:
         return surveys.c.id
     own: ColumnElement[int] | None = row.c.get("survey_id")
     if own is not None:
         return own
+    if row is metadata.tables["studies"]:
+        return null()
     cameras = metadata.tables["cameras"]
     return select(cameras.c.survey_id).where(cameras.c.id == row.c.camera_id).scalar_subquery()
 
