@@ -1,5 +1,6 @@
 import { afterEach, describe, expect, it, vi } from "vitest";
-import { loadSession, me } from "./session";
+import { api } from "./api";
+import { enter, loadSession, me } from "./session";
 import type { Me } from "./types";
 
 const ADA = { person: { id: 1, name: "Ada Byron", role: "admin" } } as Me;
@@ -25,5 +26,34 @@ describe("who is signed in", () => {
     vi.stubGlobal("fetch", async () => new Response(JSON.stringify({ error }), { status: 401 }));
     await loadSession();
     expect(me.value).toBeNull();
+  });
+});
+
+describe("who signs in on a page that was somebody else's", () => {
+  const BEN = { person: { id: 2, name: "Ben", role: "viewer" } } as Me;
+
+  /** The server says that nobody is signed in, as where the session ended by itself. */
+  async function ended(): Promise<void> {
+    const error = { kind: "not_signed_in", code: "x", values: {}, message: "Sign in." };
+    vi.stubGlobal("fetch", async () => new Response(JSON.stringify({ error }), { status: 401 }));
+    await api.ask("GET /surveys").catch(() => {});
+  }
+
+  it("loads it anew: it may hold what they may not see", async () => {
+    const loaded = vi.spyOn(location, "replace").mockImplementation(() => {});
+    me.value = ADA;
+    await ended();
+    enter(BEN, "/surveys/1");
+    expect(loaded).toHaveBeenCalledWith("/surveys/1");
+    expect(me.value).toBeNull();
+  });
+
+  it("goes on in it where they are the same", async () => {
+    const loaded = vi.spyOn(location, "replace").mockImplementation(() => {});
+    me.value = ADA;
+    await ended();
+    enter(ADA, "/surveys/1");
+    expect(loaded).not.toHaveBeenCalled();
+    expect([me.value, location.pathname]).toEqual([ADA, "/surveys/1"]);
   });
 });

@@ -92,7 +92,7 @@ def _study_of(row: FromClause) -> ColumnElement[int | None]:
     return own.label("study_id")
 
 
-def _survey_of(row: FromClause) -> ColumnElement[int]:
+def _survey_of(row: FromClause) -> ColumnElement[Any]:
     """The survey of a table's rows: their own column, or their camera's (calibrations and images); a study
     is of none.
     """
