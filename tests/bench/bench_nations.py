@@ -19,11 +19,11 @@ from scipy import optimize, stats
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
 
+from sightline.statistics.drawn import Drawn, share_of
 from sightline.statistics.shared_errors import SharedErrors
-from sightline.statistics.study_figures import Drawn, StudyFigures, share_of
 from sightline.statistics.survey_design import Design
 from sightline.statistics.survey_weights import Margin, calibrated
-from sightline.statistics.total_uncertainty import HeightSample
+from sightline.statistics.total_uncertainty import HeightSample, TotalUncertainty
 
 PERCENTS = (2.5, 10.0, 50.0, 90.0, 97.5)
 CLASS_M = np.array([1.13, 1.30])  # mean height of cars, of tall ones
@@ -114,7 +114,7 @@ def coverage(nation: Nation, nations: int, seed: int = 13) -> tuple[np.ndarray, 
     held, half = [], []
     for _ in range(nations):
         truth, sample, design, is_tall = simulated(nation, rng)
-        figures = StudyFigures(sample, design)
+        figures = TotalUncertainty(sample, design)
         found = [*(figures.percentile(p) for p in PERCENTS), figures.mean(), share_of(Drawn(design), is_tall)]
         low = np.array([one.U95_low for one in found])
         high = np.array([one.U95_high for one in found])

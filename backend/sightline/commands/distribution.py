@@ -17,7 +17,8 @@ from sightline.infra.given_csv import GivenTable
 
 if TYPE_CHECKING:
     from sightline.statistics.comparison import Compared
-    from sightline.statistics.total_uncertainty import HeightSample, TotalFigure, TotalUncertainty
+    from sightline.statistics.figures import Figure
+    from sightline.statistics.total_uncertainty import HeightSample, TotalUncertainty
 
 _USUAL = "2.5,5,10,15,50,85,90,95,97.5"
 _ALL = "all"
@@ -180,7 +181,7 @@ def _json(found: TotalUncertainty, percents: Sequence[tuple[str, float]]) -> dic
     }
 
 
-def _figure(one: TotalFigure) -> dict[str, float | str | None]:
+def _figure(one: Figure) -> dict[str, float | str | None]:
     ends: dict[str, float | str | None] = {
         "value": one.value,
         "U95_low": one.U95_low,
@@ -254,16 +255,20 @@ def _text(name: str, found: TotalUncertainty, percents: Sequence[tuple[str, floa
 def _lines(found: TotalUncertainty, percents: Sequence[tuple[str, float]]) -> Iterator[str]:
     for name, percent in percents:
         one = found.percentile(percent)
-        yield f"{'P' + name:>8} {one.value:>9.4f} {_ends(one):>20} {one.raw:>9.4f}{_reason(one)}"
+        yield f"{'P' + name:>8} {_height(one.value):>9} {_ends(one):>20} {one.raw:>9.4f}{_reason(one)}"
     for label, figure in (("mean", found.mean()), ("SD", found.sd())):
         yield f"{label:>8} {figure.value:>9.4f} {_ends(figure):>20} {'':>9}{_reason(figure)}".rstrip()
 
 
-def _ends(one: TotalFigure) -> str:
+def _ends(one: Figure) -> str:
     if one.U95_low is None or one.U95_high is None:
         return "-"
     return f"{one.U95_low:.4f} to {one.U95_high:.4f}"
 
 
-def _reason(one: TotalFigure) -> str:
+def _height(value_m: float | None) -> str:
+    return "-" if value_m is None else f"{value_m:.4f}"
+
+
+def _reason(one: Figure) -> str:
     return "" if one.reason is None else f"  {one.reason}"

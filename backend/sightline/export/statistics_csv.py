@@ -14,9 +14,9 @@ from sightline.infra.csv_package.schema import Cell, Column, Row, Table
 from sightline.results.survey_statistics import Statistics, standards_of
 from sightline.statistics.distributions import Ecdf
 from sightline.statistics.errors import ErrorGroup
+from sightline.statistics.figures import Figure
 from sightline.statistics.known_errors import KnownErrors
 from sightline.statistics.summary import Distribution, Errors
-from sightline.statistics.total_uncertainty import TotalFigure
 
 Cells = dict[str, Cell]
 FOLDER = "statistics/"
@@ -486,7 +486,7 @@ def _rule_rows(found: Statistics) -> Iterator[Cells]:
         }
 
 
-def _total_cells(one: TotalFigure) -> Cells:
+def _total_cells(one: Figure) -> Cells:
     return {"value": one.value, "low": one.U95_low, "high": one.U95_high, "reason": one.reason}
 
 

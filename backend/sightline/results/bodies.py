@@ -18,11 +18,11 @@ from sightline.results.survey_statistics import SampleCounts
 from sightline.statistics.agreement import BlandAltman, ReferencePart
 from sightline.statistics.distributions import Percentile
 from sightline.statistics.errors import Interval
+from sightline.statistics.figures import TotalFigure, TotalPercentile
 from sightline.statistics.known_errors import Inside
 from sightline.statistics.paper import PaperColumn
 from sightline.statistics.rules import RuleToday
 from sightline.statistics.standards import Standard
-from sightline.statistics.total_uncertainty import TotalFigure, TotalPercentile
 
 
 class ErrorGroupBody(Out):

@@ -8,7 +8,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from sightline.enums import ComparisonVerdict
-from sightline.statistics.total_uncertainty import TotalFigure, TotalUncertainty, difference
+from sightline.statistics.figures import Figure, TotalFigure
+from sightline.statistics.total_uncertainty import TotalUncertainty, difference
 
 
 @dataclass(frozen=True)
@@ -48,7 +49,7 @@ def _figure(found: TotalFigure | str) -> TotalFigure:
     return TotalFigure(float("nan"), None, None, found) if isinstance(found, str) else found
 
 
-def difference_of_figures(first: TotalFigure, second: TotalFigure) -> Compared:
+def difference_of_figures(first: Figure, second: Figure) -> Compared:
     """Two figures of samples that share no error, by their own intervals: the second less the first.
 
     Zou and Donner 2008: each end is as far as the two ends that lie that way are together.
@@ -56,7 +57,9 @@ def difference_of_figures(first: TotalFigure, second: TotalFigure) -> Compared:
     return _judged(_apart(first, second))
 
 
-def _apart(first: TotalFigure, second: TotalFigure) -> TotalFigure:
+def _apart(first: Figure, second: Figure) -> TotalFigure:
+    if first.value is None or second.value is None:
+        return _figure((first.reason if first.value is None else second.reason) or "")
     value = second.value - first.value
     if first.U95_low is None or first.U95_high is None or second.U95_low is None or second.U95_high is None:
         return TotalFigure(value, None, None, first.reason or second.reason)

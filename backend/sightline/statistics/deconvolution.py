@@ -28,7 +28,7 @@ _PAD = 2.0  # spreads beyond the outermost values: as far as intervals of small 
 _STEPS = 60
 _STILL, _STILL_WEIGHT, _LONGEST = 1e-5, 0.01, 2.0
 _FIRST_WEIGHT, _WEIGHTS, _LIGHTER = 10.0, (1e-4, 1e7), 0.1  # of the penalty; large: a normal distribution
-_LEAST_VALUES = 8
+_LEAST_VALUES = 6
 _LEAST_SPREAD = 1e-6  # metres; less is the rounding of equal values
 
 
@@ -109,7 +109,7 @@ class SmoothDensity:
 
 def smooth_density(heights_m: Floats, noise: Noise, weight: Floats | None = None) -> SmoothDensity | None:
     """The density behind heights_m (N,), sorted, metres, that carry errors like `noise`; None for fewer than
-    8 heights, and for heights without a spread. weight: (N,), how many vehicles each height stands for;
+    6 heights, and for heights without a spread. weight: (N,), how many vehicles each height stands for;
     they count as so many heights of equal weight as tell a mean as well (Kish 1965, 11.7).
 
     Penalised composite link model (Eilers 2007).

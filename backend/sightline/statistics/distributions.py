@@ -26,12 +26,15 @@ _LEAST_SPREAD = 1e-9  # metres; less is the rounding of equal values
 
 @dataclass(frozen=True)
 class Percentile:
-    """A percentile with its interval; where the sample is too small for one, `reason` stands in its place."""
+    """A percentile with its interval of sampling; where the sample is smaller than an interval `needs`, there
+    is neither, and `reason` says how many are needed and there.
+    """
 
     percent: float
-    value: float
+    value: float | None
     low: float | None
     high: float | None
+    needs: int
     reason: str | None = None
 
 
@@ -111,11 +114,19 @@ def _percentile(
     ordered: Floats, percent: float, value: float, ranks: tuple[int, int], confidence: float
 ) -> Percentile:
     n, (low, high) = len(ordered), ranks
+    needs = vehicles_for_interval(percent, confidence)
     if low < 0 or high >= n:
-        needed = vehicles_for_interval(percent, confidence)
-        why = f"an interval of this percentile needs at least {needed} vehicles; {there_are(n)}"
-        return Percentile(percent, value, None, None, why)
-    return Percentile(percent, value, float(ordered[low]), float(ordered[high]))
+        return Percentile(percent, None, None, None, needs, too_few_for(percent, n, confidence=confidence))
+    return Percentile(percent, value, float(ordered[low]), float(ordered[high]), needs)
+
+
+def too_few_for(percent: float, n: int, like: int | None = None, confidence: float = CONFIDENCE) -> str:
+    """Why a percentile of n vehicles has no value: how many it needs, and how many there are. like: as how
+    many of equal weight they count.
+    """
+    needs = vehicles_for_interval(percent, confidence)
+    alike = "" if like is None or like == n else f", as good as {like} of equal weight"
+    return f"P{percent:g} needs {needs}; {there_are(n)}{alike}"
 
 
 def vehicles_for_interval(percent: float, confidence: float = CONFIDENCE) -> int:

@@ -7,10 +7,10 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from sightline.statistics.study_figures import StudyFigures, StudyPercentile
+from sightline.statistics.figures import TotalPercentile
 from sightline.statistics.survey_design import Design
 from sightline.statistics.survey_weights import Margin
-from sightline.statistics.total_uncertainty import HeightSample, TotalPercentile, TotalUncertainty
+from sightline.statistics.total_uncertainty import HeightSample, TotalUncertainty
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -18,13 +18,13 @@ Ints = NDArray[np.int64]
 
 def mixed_percentile(
     sample: HeightSample, code: Ints, shares: Sequence[float], percent: float
-) -> StudyPercentile | TotalPercentile:
+) -> TotalPercentile:
     """A percentile, 0 < percent < 100, of a fleet in which class c has the share `shares`[c], from heights of
     each class, with its total 95 % interval.
 
     code (N,): the class of each height of the sample (N,). Each height weighs shares[c] / n_c
-    (post-stratification: Särndal, Swensson & Wretman 1992, 7.6); the interval is that of a study
-    (`StudyFigures`: Woodruff 1952, Korn & Graubard 1998) of this one place, all of whose sites were seen.
+    (post-stratification: Särndal, Swensson & Wretman 1992, 7.6) in this one place, all of whose sites were
+    seen.
     Shares are taken as exact. Raises ValueError where a class with a share has no height.
     """
     shares_ = np.asarray(shares, dtype=np.float64)
@@ -36,8 +36,6 @@ def mixed_percentile(
     of, n = np.searchsorted(used, code[keep]), int(keep.sum())
     fleet = shares_[used] / shares_.sum()
     chosen = sample.where(np.flatnonzero(keep))
-    if n < 2:
-        return TotalUncertainty(chosen).percentile(percent)
     nowhere = np.zeros(n, dtype=np.int64)
     design = Design(
         weight=(fleet / counts[used])[of],
@@ -47,4 +45,4 @@ def mixed_percentile(
         margins=(Margin(of, fleet),),
         drawn=np.ones(n),
     )
-    return StudyFigures(chosen, design).percentile(percent)
+    return TotalUncertainty(chosen, design).percentile(percent)

@@ -11,7 +11,8 @@ from sightline.coverage import COVERAGE_95
 from sightline.enums import Rounding, Target
 from sightline.statistics.distributions import share_interval
 from sightline.statistics.errors import ErrorGroup, error_table
-from sightline.statistics.total_uncertainty import HeightSample, TotalFigure, TotalUncertainty
+from sightline.statistics.figures import TotalFigure
+from sightline.statistics.total_uncertainty import HeightSample, TotalUncertainty
 
 Floats = NDArray[np.float64]
 

@@ -11,8 +11,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sightline.enums import RuleVerdict
+from sightline.statistics.figures import Figure
 from sightline.statistics.standards import Standard
-from sightline.statistics.total_uncertainty import HeightSample, TotalFigure, TotalUncertainty
+from sightline.statistics.total_uncertainty import HeightSample, TotalUncertainty
 
 Floats = NDArray[np.float64]
 
@@ -57,7 +58,7 @@ def rule_today(standard: Standard, sample: HeightSample, by_class: bool) -> Rule
 
 
 def rule_of_draws(
-    standard: Standard, n: int, by_class: bool, found: TotalFigure, draws: tuple[float, Floats] | str
+    standard: Standard, n: int, by_class: bool, found: Figure, draws: tuple[float, Floats] | str
 ) -> RuleToday:
     """The verdict on a percentile that was found of n heights: its interval, and its value with draws of its
     error (D,), metres, or the reason why there are none.
@@ -66,16 +67,17 @@ def rule_of_draws(
     """
     if isinstance(draws, str):
         return unknown_rule(standard, n, by_class, found.value, draws)
-    lower = float(np.mean(draws[0] + draws[1] < standard.height_m))
+    value, error = draws
+    lower = float(np.mean(value + error < standard.height_m))
     verdict, risk = _verdict(lower)
     return RuleToday(
         standard=standard,
         n=n,
         by_class=by_class,
-        value_m=found.value,
+        value_m=value,
         U95_low_m=found.U95_low,
         U95_high_m=found.U95_high,
-        difference_m=found.value - standard.height_m,
+        difference_m=value - standard.height_m,
         lower=lower,
         risk=risk,
         verdict=verdict,

@@ -40,14 +40,21 @@ class SharedErrors:
         """The rows that are `chosen` (M,), by number, a slice, or (N,), by truth."""
         return SharedErrors(self.group[chosen], self.u_m[chosen], self.names)
 
-    def variance_of_mean_m2(self) -> float:
-        """Variance of the mean of heights of which these (N,) are a sample; 0 of fewer than 2.
+    def variance_of_mean_m2(self, weight: Floats | None = None) -> float:
+        """Variance of the mean of heights of which these (N,) are a sample; 0 of fewer than 2. weight (N,):
+        of each height, None: all alike.
 
         Over pairs of different heights, so that few heights do not make one group look larger than it is.
         """
         n = len(self.group)
-        sums, squares = self._by_group()
-        return max(float((sums**2 - squares).sum()) / (n * (n - 1)), 0.0) if n > 1 else 0.0
+        if n < 2:
+            return 0.0
+        if weight is None:
+            sums, squares = self._by_group()
+            return max(float((sums**2 - squares).sum()) / (n * (n - 1)), 0.0)
+        sums, squares = SharedErrors(self.group, self.u_m * weight)._by_group()
+        pairs = float(weight.sum() ** 2 - weight @ weight)
+        return max(float((sums**2 - squares).sum()) / pairs, 0.0)
 
     def spread_m2(self) -> float:
         """Variance that differences between groups are expected to add to the spread of the heights."""

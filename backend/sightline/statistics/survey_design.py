@@ -3,7 +3,7 @@
 The textbook's estimators (Cochran 1977; Särndal, Swensson & Wretman 1992; Wolter 2007): Taylor linearisation
 with finite populations of sites and a second stage, and the stratified jackknife. Checked against R's package
 `survey` on its published examples (`tests/statistics/test_survey_design.py`). The intervals of a study go
-further (`study_figures`): they hold errors of measurement too, and few sites of unequal size.
+further (`total_uncertainty`): they hold errors of measurement too, and few sites of unequal size.
 """
 
 from __future__ import annotations

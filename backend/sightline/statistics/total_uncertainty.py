@@ -4,11 +4,15 @@ What an interval holds: the sample; sites as clusters, where heights of several 
 that many heights share (`shared_errors`); the random error of each height, which widens a distribution and is
 taken out of the value (`deconvolution`). Their distributions are propagated by draws, always the same ones.
 One site, or no word of sites, gives intervals for that place and those days alone.
+
+One engine serves a survey and a study: a survey is a study of one stratum in which all heights weigh alike.
 """
+
+from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import cache, cached_property, lru_cache
+from functools import cached_property
 
 import numpy as np
 import scipy
@@ -17,42 +21,26 @@ from numpy.typing import NDArray
 from sightline.coverage import COVERAGE_95
 from sightline.enums import IntervalPart
 from sightline.statistics.deconvolution import SmoothDensity, noise_of, smooth_density
+from sightline.statistics.distributions import PERCENTILES, too_few_for, vehicles_for_interval
+from sightline.statistics.drawn import Drawn, Sampled, ordered
+from sightline.statistics.draws import LEVELS, OTHER, TAIL, ends_of, normal_draws
+from sightline.statistics.figures import TotalFigure, TotalPercentile
 from sightline.statistics.shared_errors import SharedErrors
-from sightline.statistics.sites import Sites, pooled_variance, sites_of
+from sightline.statistics.sites import sites_of
+from sightline.statistics.study_plan import Components
+from sightline.statistics.survey_design import Design
 from sightline.statistics.wording import holding, there_are
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
-_TAIL = 0.025
-_LEVELS = (np.arange(4000) + 0.5) / 4000  # one draw in each of so many equally likely parts of a distribution
-# Spread evenly against the levels and each other: multiples of irrational numbers, modulo 1; always the same.
-_OTHER = np.argsort((np.arange(4000) + 0.5) * 0.4142135623730951 % 1.0, kind="stable")
 _SHAPE = 0.1  # of a correction for random error: what a density of another shape may change it by (k = 1)
 _SMOOTHED = 0.5  # spreads, on either side of a percentile: heights by which sites are compared there
 _WINDOW = 0.10  # of all heights, on either side of a percentile: those that say which groups it rests on
 _LEAST_IN_WINDOW = 25
 _MEAN_OF_INSET = 0.5  # of an assumed inset's variance: its mean's, the rest is the vehicles' own
 _LARGEST = 30.0  # of the logarithm of a variance's ratio, beyond which numbers end
-_LEAST_BEYOND = 1.0  # heights that must be expected beyond a percentile for it to have an interval
-
-
-@cache
-def normal_draws() -> Floats:
-    """(4000,) normal deviates (JCGM 101:2008, 6.4.7), spread evenly against `_LEVELS`."""
-    return np.asarray(scipy.special.ndtri((np.arange(4000) + 0.5) * 0.6180339887498949 % 1.0), np.float64)
-
-
-@lru_cache(maxsize=256)
-def student_draws(freedom: float) -> Floats:
-    """(4000,) quantiles of Student's t with so many degrees of freedom, at `_LEVELS`, ascending.
-
-    Own method: the upper half, mirrored.
-    """
-    upper = np.asarray(scipy.special.stdtrit(freedom, _LEVELS[len(_LEVELS) // 2 :]), np.float64)
-    found = np.concatenate([-upper[::-1], upper])
-    found.setflags(write=False)
-    return found
+_NODES = 20_000  # at which smooth functions of more heights are computed
 
 
 @dataclass(frozen=True, eq=False)
@@ -67,7 +55,7 @@ class HeightSample:
     shared: tuple[SharedErrors, ...] = ()
     site: Ints | None = None
 
-    def where(self, chosen: Ints | NDArray[np.bool_]) -> "HeightSample":
+    def where(self, chosen: Ints | NDArray[np.bool_]) -> HeightSample:
         """The rows that are `chosen` (M,), by number, or (N,), by truth."""
         shared = tuple(one.where(chosen) for one in self.shared)
         site = None if self.site is None else self.site[chosen]
@@ -103,56 +91,41 @@ def sample_of_measurements(
     return HeightSample(height_m, random, tuple(one for one in shared if np.any(one.u_m > 0.0)), site)
 
 
-@dataclass(frozen=True)
-class TotalFigure:
-    """A figure of the true heights with its 95 % interval; `reason` says why there is none."""
-
-    value: float
-    U95_low: float | None
-    U95_high: float | None
-    reason: str | None = None
-
-
-@dataclass(frozen=True)
-class TotalPercentile(TotalFigure):
-    """A percentile of the true heights, metres; `raw`: the plain percentile of the measured ones (linear
-    between heights, Hyndman & Fan 1996, type 7, as NumPy, R and spreadsheets have it).
+@dataclass(frozen=True, eq=False)
+class _Confidence:
+    """What is known of a percentile: its value and its error's draws (D,), ascending, metres, and the design
+    effect.
     """
 
-    percent: float = 50.0
-    raw: float = 0.0
-
-
-@dataclass(frozen=True)
-class _Local:
-    """A percentile of the measured heights: where, their density there, each height's influence (N,) on the
-    percentile of the true ones, how much the correction widens it, and the correction.
-    """
-
-    p: float
-    at_m: float
-    density: float
-    own: Floats
-    of_correction: Floats
-    widened: float
-    correction_m: float
+    value_m: float
+    error_m: Floats
+    effect: float
 
 
 class TotalUncertainty:
     """Figures of one sample of heights (N,), N > 0, each with its total uncertainty.
 
-    Coverage of the intervals by simulation: `tests/bench/bench_coverage.py`, DECISIONS.md 31.
+    design: what each height stands for and how sites were drawn; None: all heights weigh alike, and the
+    sample's own sites are some of many; where there is a design, the sample's own are not read. Coverage of
+    the intervals by simulation: docs/proofs.md, DECISIONS.md 31.
     """
 
-    def __init__(self, sample: HeightSample) -> None:
+    def __init__(self, sample: HeightSample, design: Design | None = None) -> None:
         order = np.argsort(sample.height_m, kind="stable")
-        sample = sample.where(order)
-        self._height_m = sample.height_m
-        self._shared = sample.shared
-        self._sites = sites_of(sample.site)
-        spread_m2 = sum(one.spread_m2() for one in sample.shared)
-        # Sites show by their differences what their shared errors were; a sample without sites does not.
-        unknown = sum(one.variance_of_spread_m4() for one in sample.shared) if self._sites is None else 0.0
+        design = ordered(_one_stratum(sample) if design is None else design, order)
+        self._height_m = sample.height_m[order]
+        self._shared = tuple(one.where(order) for one in sample.shared)
+        self._drawn = Drawn(design, self._shared)
+        self._site = design.site
+        share = design.weight / design.weight.sum()
+        self._alike = bool(np.ptp(share) <= 1e-12 * share.max())
+        self._share = np.full(len(share), 1.0 / len(share)) if self._alike else share
+        # Heights of equal weight that would tell a mean as well (Kish 1965, 11.7).
+        self._n = float(self.n) if self._alike else 1.0 / float(share @ share)
+        spread_m2 = sum(one.spread_m2() for one in self._shared)
+        # Sites show by their differences what their shared errors were; a sample of one site does not.
+        compares = self._drawn.compares_sites
+        unknown = 0.0 if compares else sum(one.variance_of_spread_m4() for one in self._shared)
         self._u_spread_m2 = float(np.sqrt(unknown))
         self._noise = noise_of(sample.u_random_m, spread_m2)
         self._noise_m2 = self._noise.variance_m2
@@ -161,7 +134,24 @@ class TotalUncertainty:
     @cached_property
     def _density(self) -> SmoothDensity | None:
         """Of the true heights; a mean needs none."""
-        return smooth_density(self._height_m, self._noise)
+        return smooth_density(self._height_m, self._noise, None if self._alike else self._share)
+
+    @cached_property
+    def _cell(self) -> Ints:
+        """The density's cell of each height, (N,)."""
+        assert self._density is not None
+        return self._density.cell_of(self._height_m)
+
+    @cached_property
+    def _middle(self) -> Floats:
+        """The share below the middle of each height's own, (N,)."""
+        return np.cumsum(self._share) - 0.5 * self._share
+
+    @cached_property
+    def _smooth_parts(self) -> tuple[Floats, Ints, Floats]:
+        """Nodes (M,), metres, the node of each height (N,), and the share of heights at each node (M,)."""
+        nodes_m, node = _nodes(self._height_m)
+        return nodes_m, node, np.bincount(node, self._share).astype(np.float64)
 
     @property
     def n(self) -> int:
@@ -171,14 +161,15 @@ class TotalUncertainty:
     @property
     def sites(self) -> int | None:
         """How many sites are the clusters; None where heights stand for one place."""
-        return None if self._sites is None else len(self._sites.count)
+        there = int(np.count_nonzero(np.bincount(self._site)))
+        return there if self._drawn.compares_sites else None
 
     @property
     def holds(self) -> tuple[IntervalPart, ...]:
         """What the intervals hold."""
         parts: dict[IntervalPart, bool] = {
             "sampling": True,
-            "sites": self._sites is not None,
+            "sites": self.sites is not None,
             "shared_errors": bool(self._shared),
             "random_error": self._random,
         }
@@ -196,39 +187,96 @@ class TotalUncertainty:
         return holding([words[part] for part in self.holds], self.sites)
 
     def percentile(self, percent: float) -> TotalPercentile:
-        """A percentile, 0 < percent < 100, metres.
+        """THE percentile, 0 < percent < 100, metres: of the true heights, with its total 95 % interval.
 
         The value is the sample's (Hyndman & Fan 1996, type 8) with the correction of `deconvolution`. Its
         interval without sites is that of order statistics (David & Nagaraja 2003, 7.1), read between ranks;
-        with sites it is Student's, as much longer on one side as that of order statistics is.
+        with sites it is Student's, as much longer on one side as that of order statistics is. Percentiles
+        never run backwards: values and intervals are put in order (Chernozhukov, Fernández-Val & Galichon,
+        Biometrika 96, 2009). Without support there is a count in place of a value.
         """
-        raw = float(np.quantile(self._height_m, percent / 100.0))
-        draws = self.percentile_draws(percent)
-        if isinstance(draws, str):
-            value = float(np.quantile(self._height_m, percent / 100.0, method="median_unbiased"))
-            return TotalPercentile(value, None, None, draws, percent=percent, raw=raw)
-        value, error = draws
-        low, high = _ends(error)
-        return TotalPercentile(value, value + low, value + high, percent=percent, raw=raw)
+        raw = float(self._quantile(percent / 100.0, 0.5, -1.0))
+        needs = vehicles_for_interval(percent)
+        found = self._known(percent)
+        if isinstance(found, str):
+            value = self._at(percent / 100.0) if self._supported(percent) else None
+            return TotalPercentile(percent, value, None, None, raw, needs, found)
+        low, high = ends_of(found.error_m)
+        value = found.value_m
+        return TotalPercentile(percent, value, value + low, value + high, raw, needs, effect=found.effect)
 
     def percentile_draws(self, percent: float) -> tuple[float, Floats] | str:
-        """A percentile's value and draws of its error (D,), metres, or the reason why there are none."""
-        p = percent / 100.0
-        needed = int(np.ceil(_LEAST_BEYOND / min(p, 1.0 - p)))
-        if self._density is None or self.n < needed:
-            return self._too_few(max(needed, 8))
-        here = self._local(p, self._density)
-        sampled = self._order_statistics(p, self._density) - here.at_m
-        u_m2 = (_SHAPE * here.correction_m) ** 2
-        u_m2 += (here.correction_m * self._u_spread_m2 / max(self._noise_m2, 1e-12)) ** 2
-        if self._sites is None:
-            near = self._near(p)
-            u_m2 += sum(one.where(near).variance_of_mean_m2() for one in self._shared)
-            draws = here.widened * sampled
-        else:
-            draws, unseen = self._between_sites(here, sampled, self._sites)
-            u_m2 += unseen
-        return here.at_m + here.correction_m, draws + np.sqrt(u_m2) * normal_draws()
+        """A percentile's value and draws of its error (D,), metres, ascending, or the reason why there are
+        none.
+
+        The same as `percentile`'s.
+        """
+        found = self._known(percent)
+        return found if isinstance(found, str) else (found.value_m, found.error_m)
+
+    @cached_property
+    def _in_order(self) -> dict[float, _Confidence]:
+        """Those of `PERCENTILES` that have support, none below one of a smaller percent: the distributions of
+        what is known of each, put in order at every level (monotone rearrangement).
+        """
+        there = [one for one in PERCENTILES if self._supported(one)]
+        found = [self._confidence(one / 100.0) for one in there]
+        if not found:
+            return {}
+        values = np.sort([one.value_m for one in found])
+        possible = np.sort(np.array([one.value_m + one.error_m for one in found]), axis=0)
+        return {
+            percent: _Confidence(float(value), draws - value, one.effect)
+            for percent, value, draws, one in zip(there, values, possible, found, strict=True)
+        }
+
+    def _known(self, percent: float) -> _Confidence | str:
+        if not self._supported(percent):
+            return too_few_for(percent, self.n, int(self._n + 1e-9))
+        if self._density is None:
+            return "the heights are all the same"
+        if percent in self._in_order:
+            return self._in_order[percent]
+        own = self._confidence(percent / 100.0)
+        possible, value = own.value_m + own.error_m, own.value_m
+        for other, one in self._in_order.items():  # between its neighbours
+            keep = np.minimum if other > percent else np.maximum
+            possible = keep(possible, one.value_m + one.error_m)
+            value = float(keep(value, one.value_m))
+        return _Confidence(value, possible - value, own.effect)
+
+    def _supported(self, percent: float) -> bool:
+        return vehicles_for_interval(percent) <= int(self._n + 1e-9)
+
+    def _confidence(self, p: float) -> _Confidence:
+        assert self._density is not None
+        at, slope = self._at(p), self._density.measured_density(self._at(p))
+        own = np.asarray((p - (self._height_m <= at)) / slope, dtype=np.float64)
+        # Between ranks the share below is one of few numbers and its variance not quite p (1 - p).
+        own *= np.sqrt(p * (1.0 - p)) / slope / max(self._deviation(own), 1e-12)
+        of_correction = self._density.correction_influence_m(p)[self._cell]
+        smooth = self._smooth_influence(at, self._density) + of_correction
+        found = self._drawn.sampled(own + of_correction, smooth)
+        plain_m2 = p * (1.0 - p) / slope**2
+        correction = self._density.correction_m(p)
+        u_m2 = self._unseen(found, self._near(p)) + (_SHAPE * correction) ** 2
+        u_m2 += (correction * self._u_spread_m2 / max(self._noise_m2, 1e-12)) ** 2
+        draws = self._draws(found, self._order_statistics(p, self._density) - at, plain_m2)
+        error = np.sort(draws + np.sqrt(u_m2) * normal_draws())
+        return _Confidence(at + correction, error, found.variance * self.n / plain_m2)
+
+    def _draws(self, found: Sampled, sampled: Floats, plain_m2: float) -> Floats:
+        """Draws (D,) of a percentile's error by its design: those of order statistics, `sampled` (D,), as
+        much wider as the design makes them; what comes of sites is Student's, and longer on no side.
+        plain_m2: the variance of one height drawn by itself.
+        """
+        if not self._drawn.compares_sites:
+            wider = found.variance * (self._n - 1.0) / plain_m2
+            return np.asarray(sampled * np.sqrt(max(wider, 0.0)), dtype=np.float64)
+        low, high = ends_of(sampled)
+        draws = found.draws()
+        longer = np.where(draws < 0.0, -low, high) / (COVERAGE_95 * np.sqrt(plain_m2 / self._n))
+        return np.asarray(draws * np.sqrt(found.within * longer**2 + 1.0 - found.within), dtype=np.float64)
 
     def named_effects_m(self, percent: float) -> dict[int, float]:
         """What one standard uncertainty of each error that other samples know (a road pose's) moves a
@@ -239,23 +287,36 @@ class TotalUncertainty:
         near = self._near(percent / 100.0)
         found: dict[int, float] = {}
         for one in self._shared:
-            found |= one.where(near).named_of_mean_m(np.ones(len(near)))
+            found |= one.where(near).named_of_mean_m(self._share[near])
         return found
+
+    def components(self, percent: float) -> Components | None:
+        """What makes a percentile uncertain, for the plan of another study; None where it has no interval.
+
+        What sites differ by beyond sampling within them is taken from the variance that they show (moments,
+        Cochran 1954), their road poses' errors included.
+        """
+        p = percent / 100.0
+        if self._density is None or not self._supported(percent):
+            return None
+        at = self._at(p)
+        smooth = self._smooth_influence(at, self._density)
+        sampling = float(np.sqrt(p * (1.0 - p))) / self._density.measured_density(at)
+        found = self._drawn.sampled(smooth, smooth)
+        return Components(sampling, self._drawn.between(smooth), float(np.sqrt(found.unseen)))
 
     def mean(self) -> TotalFigure:
         """The mean height, metres: random errors leave it as it is."""
-        value = float(self._height_m.mean())
+        value = float(self._height_m.mean() if self._alike else self._share @ self._height_m)
         if self.n < 2:
             return TotalFigure(value, None, None, self._too_few(2))
         influence = self._height_m - value
-        if self._sites is None:
-            draws = _student(float(self._height_m.var(ddof=1)) / self.n, self.n - 1.0)
-            u_m2 = sum(one.variance_of_mean_m2() for one in self._shared)
-        else:
-            pooled = pooled_variance(self._sites, influence, influence, self._shared)
-            draws, u_m2 = _student(pooled.variance, pooled.freedom), pooled.unseen
-        low, high = _ends(draws + np.sqrt(u_m2) * normal_draws())
-        return TotalFigure(value, value + low, value + high)
+        found = self._drawn.sampled(influence)
+        u_m2 = self._unseen(found, np.arange(self.n))
+        low, high = ends_of(found.draws() + np.sqrt(u_m2) * normal_draws())
+        plain = float(self._share @ np.square(influence)) / self.n
+        effect = found.variance / plain if plain > 0.0 else None
+        return TotalFigure(value, value + low, value + high, effect=effect)
 
     def sd(self) -> TotalFigure:
         """The standard deviation of the true heights, metres: what the errors added to it is taken out.
@@ -264,22 +325,17 @@ class TotalUncertainty:
         """
         if self.n < 3:
             return TotalFigure(0.0, None, None, self._too_few(3))
-        measured_m2 = float(self._height_m.var(ddof=1))
-        influence = np.square(self._height_m - self._height_m.mean())
-        influence -= influence.mean()
-        if self._sites is None:
-            draws = _student(float(influence.var()) / self.n, self.n - 1.0)
-        else:
-            pooled = pooled_variance(self._sites, influence, influence, ())
-            draws = _student(pooled.variance, pooled.freedom)
+        apart = np.square(self._height_m - self._share @ self._height_m)
+        measured_m2 = float(self._share @ apart) * self.n / (self.n - 1)
+        found = self._drawn.sampled(apart - self._share @ apart, height=False)
         draws = (
-            measured_m2 * np.expm1(np.minimum(draws / max(measured_m2, 1e-12), _LARGEST))
+            measured_m2 * np.expm1(np.minimum(found.draws() / max(measured_m2, 1e-12), _LARGEST))
             + self._u_spread_m2 * normal_draws()
         )
         value = measured_m2 - self._noise_m2
-        low, high = _ends(draws)
-        found = np.sqrt(np.maximum([value, value + low, value + high], 0.0))
-        return TotalFigure(float(found[0]), float(found[1]), float(found[2]))
+        low, high = ends_of(draws)
+        ends = np.sqrt(np.maximum([value, value + low, value + high], 0.0))
+        return TotalFigure(float(ends[0]), float(ends[1]), float(ends[2]))
 
     def share_below(self, limit_m: float) -> TotalFigure:
         """The share of the true heights below a limit, 0 to 1.
@@ -287,94 +343,110 @@ class TotalUncertainty:
         Sampling by Jeffreys' interval (Brown, Cai & DasGupta 2001), of the heights that a sample without
         sites would need for the same variance (Korn & Graubard 1998).
         """
-        plain = float(np.mean(self._height_m < limit_m))
+        plain = float(self._share @ (self._height_m < limit_m))
         if self._density is None:
-            return TotalFigure(plain, None, None, self._too_few(8))
+            return TotalFigure(plain, None, None, self._too_few(vehicles_for_interval(50.0)))
         correction = self._density.share_correction(limit_m)
         n = self._effective_n(plain, limit_m)
-        draws = scipy.special.betaincinv(n * plain + 0.5, n * (1.0 - plain) + 0.5, _LEVELS) - plain
+        draws = scipy.special.betaincinv(n * plain + 0.5, n * (1.0 - plain) + 0.5, LEVELS) - plain
         near = self._near(plain)
-        shared_m2 = sum(one.where(near).variance_of_mean_m2() for one in self._shared)
-        u2 = (self._density.true_density(limit_m) ** 2) * (shared_m2 if self._sites is None else 0.0)
-        u2 += (_SHAPE * correction) ** 2
-        low, high = _ends(draws + np.sqrt(u2) * normal_draws())
+        compares = self._drawn.compares_sites
+        shared_m2 = 0.0 if compares else self._unseen(Sampled(0.0, 1.0, 0.0), near)
+        u2 = self._density.true_density(limit_m) ** 2 * shared_m2 + (_SHAPE * correction) ** 2
+        low, high = ends_of(draws + np.sqrt(u2) * normal_draws())
         value = float(np.clip(plain + correction, 0.0, 1.0))
         return TotalFigure(value, max(value + low, 0.0), min(value + high, 1.0))
 
     def _effective_n(self, share: float, limit_m: float) -> float:
-        if self._sites is None or not 0.0 < share < 1.0:
-            return float(self.n)
+        compares = self._drawn.compares_sites
+        if not 0.0 < share < 1.0 or (self._alike and not compares):
+            return self._n
         influence = np.asarray((self._height_m < limit_m) - share, dtype=np.float64)
-        pooled = pooled_variance(self._sites, influence, influence, ())
-        wider = float(scipy.special.stdtrit(pooled.freedom, 1.0 - _TAIL)) / COVERAGE_95
-        return min(share * (1.0 - share) / max(pooled.variance * wider**2, 1e-12), float(self.n))
+        found = self._drawn.sampled(influence, height=False)
+        wider = float(scipy.special.stdtrit(found.freedom, 1.0 - TAIL)) / COVERAGE_95 if compares else 1.0
+        return min(share * (1.0 - share) / max(found.variance * wider**2, 1e-12), float(self.n))
 
     def _too_few(self, needed: int) -> str:
         if self.n >= needed:
             return "the heights are all the same"
-        return f"its interval needs at least {needed} heights; {there_are(self.n)}"
+        return f"needs {needed} heights; {there_are(self.n)}"
 
-    def _local(self, p: float, density: SmoothDensity) -> _Local:
-        at = float(np.quantile(self._height_m, p, method="median_unbiased"))
-        slope = density.measured_density(at)
-        own = np.asarray((p - (self._height_m <= at)) / slope, dtype=np.float64)
-        # Between ranks the count below is a whole number and its variance not quite p (1 - p).
-        own *= np.sqrt(p * (1.0 - p)) / slope / max(float(own.std()), 1e-12)
-        of_correction = density.correction_influence_m(p)[density.cell_of(self._height_m)]
-        both = own + of_correction
-        return _Local(
-            p=p,
-            at_m=at,
-            density=slope,
-            own=own,
-            of_correction=of_correction,
-            widened=float(both.std() / max(own.std(), 1e-12)),
-            correction_m=density.correction_m(p),
-        )
+    def _unseen(self, found: Sampled, near: Ints) -> float:
+        """Variance of what heights share that sites do not show; of one site, all of it, by the rows `near`
+        (M,) that the figure rests on.
+        """
+        if self._drawn.compares_sites:
+            return found.unseen
+        weight = None if self._alike else self._share[near]
+        return sum(one.where(near).variance_of_mean_m2(weight) for one in self._shared)
+
+    def _deviation(self, values: Floats) -> float:
+        """The standard deviation of values (N,), as they weigh."""
+        apart = values - self._share @ values
+        return float(np.sqrt(self._share @ np.square(apart)))
+
+    def _at(self, p: float) -> float:
+        """Percentile p of the measured heights, without bias of the median (Hyndman & Fan 1996, type 8)."""
+        return float(self._quantile(p, -1.0 / 6.0, 1.0 / 3.0))
+
+    def _quantile(self, p: float, first: float, more: float) -> float:
+        """The height at rank p (n + `more`) + `first` + 1/2 of n that weigh alike (Hyndman & Fan 1996);
+        weighted, n is as many as tell a mean as well.
+        """
+        n = self._n
+        place = np.array([(p * (n + more) + first) / n])
+        return float(np.interp(place, self._middle, self._height_m)[0])
 
     def _order_statistics(self, p: float, density: SmoothDensity) -> Floats:
         """Percentile p of the measured heights by its confidence distribution, (D,).
 
         The height of rank x lies above it with probability 1 - I_p(x, n - x + 1), which is read between whole
-        ranks too. Beyond the outermost height the limit lies where, by the smooth density, the outermost of n
-        would reach the percentile with the probability wanted.
+        ranks too, and weighted ones. Beyond the outermost height the limit lies where, by the smooth density,
+        the outermost of n would reach the percentile with the probability wanted.
         """
-        n, ordered = self.n, self._height_m
+        n, heights = self._n, self._height_m
         reach = 5.0 * np.sqrt(n * p * (1.0 - p)) + 6.0
-        rank = np.linspace(max(n * p - reach, 1.0), min(n * p + reach, float(n)), 500)
+        rank = np.linspace(max(n * p - reach, 1.0), min(n * p + reach, n), 500)
         level = 1.0 - scipy.special.betainc(rank, n - rank + 1.0, p)
-        at = np.interp(np.interp(_LEVELS, level, rank), np.arange(1, n + 1), ordered)
-        low, high = (1.0 - p) ** n > _LEVELS, 1.0 - p**n < _LEVELS
+        at = np.interp((np.interp(LEVELS, level, rank) - 0.5) / n, self._middle, heights)
+        low, high = (1.0 - p) ** n > LEVELS, 1.0 - p**n < LEVELS
         middle = float(density.measured_quantile_m(p))
-        at[low] = ordered[0] - (density.measured_quantile_m(1.0 - _LEVELS[low] ** (1.0 / n)) - middle)
-        at[high] = ordered[-1] + (middle - density.measured_quantile_m((1.0 - _LEVELS[high]) ** (1.0 / n)))
+        at[low] = heights[0] - (density.measured_quantile_m(1.0 - LEVELS[low] ** (1.0 / n)) - middle)
+        at[high] = heights[-1] + (middle - density.measured_quantile_m((1.0 - LEVELS[high]) ** (1.0 / n)))
         return np.asarray(at, dtype=np.float64)
 
-    def _between_sites(self, here: _Local, sampled: Floats, sites: Sites) -> tuple[Floats, float]:
-        """Draws (D,) of a percentile's error by what sites differ in, and the variance they do not show."""
-        influence = here.own + here.of_correction
-        smooth = self._smooth_influence(here) + here.of_correction
-        pooled = pooled_variance(sites, influence, smooth, self._shared)
-        ends = _ends(sampled)
-        plain = COVERAGE_95 * np.sqrt(here.p * (1.0 - here.p) / self.n) / here.density
-        draws = _student(pooled.variance, pooled.freedom)
-        longer = np.where(draws < 0.0, -ends[0], ends[1]) / plain
-        return draws * np.sqrt(pooled.within * longer**2 + 1.0 - pooled.within), pooled.unseen
-
-    def _smooth_influence(self, here: _Local) -> Floats:
+    def _smooth_influence(self, at: float, density: SmoothDensity) -> Floats:
         """Influence (N,) of each height on the percentile of heights smoothed by half their spread."""
-        assert self._density is not None
-        width = _SMOOTHED * self._density.spread_m
-        away = (here.at_m - self._height_m) / width
+        nodes_m, node, share = self._smooth_parts
+        width = _SMOOTHED * density.spread_m
+        away = (at - nodes_m) / width
         below = scipy.special.ndtr(away)
-        density = float(np.exp(-0.5 * away**2).mean()) / (width * np.sqrt(2.0 * np.pi))
-        return np.asarray((below.mean() - below) / density, dtype=np.float64)
+        slope = float(share @ np.exp(-0.5 * away**2)) / (width * np.sqrt(2.0 * np.pi))
+        return np.asarray(((share @ below - below) / slope)[node], dtype=np.float64)
 
     def _near(self, p: float) -> Ints:
         """Rows whose ranks lie about p."""
-        half = max(int(_WINDOW * self.n), _LEAST_IN_WINDOW)
-        middle = int(p * self.n)
-        return np.arange(max(middle - half, 0), min(middle + half + 1, self.n))
+        half = max(_WINDOW, _LEAST_IN_WINDOW / self._n)
+        first, last = np.searchsorted(self._middle, [p - half - 1e-12, p + half + 1e-12])
+        return np.arange(first, last)
+
+
+def _one_stratum(sample: HeightSample) -> Design:
+    """A survey as a design: one stratum of many sites, of which the sample's are some, all heights alike."""
+    n = len(sample.height_m)
+    nowhere, sites = np.zeros(n, dtype=np.int64), sites_of(sample.site)
+    return Design(np.ones(n), nowhere, nowhere if sites is None else sites.code, np.array([np.inf]))
+
+
+def _nodes(height_m: Floats) -> tuple[Floats, Ints]:
+    """Heights (M,) at which smooth functions of sorted heights (N,) are computed, and which each has, (N,):
+    their own of few, of many those of fine steps over their range.
+    """
+    if len(height_m) <= _NODES:
+        return height_m, np.arange(len(height_m))
+    step = (height_m[-1] - height_m[0]) / _NODES
+    node = np.minimum(((height_m - height_m[0]) / max(step, 1e-12)).astype(np.int64), _NODES - 1)
+    return height_m[0] + (np.arange(_NODES) + 0.5) * step, node
 
 
 @dataclass(frozen=True)
@@ -422,15 +494,5 @@ def difference(one: TotalUncertainty, other: TotalUncertainty, percent: float) -
     if isinstance(first, str) or isinstance(second, str):
         return first if isinstance(first, str) else str(second)
     value = second[0] - first[0]
-    low, high = _ends(second[1] - first[1][_OTHER])
+    low, high = ends_of(second[1] - first[1][OTHER])
     return TotalFigure(value, value + low, value + high)
-
-
-def _student(variance: float, freedom: float) -> Floats:
-    """Draws (D,) of an error of this estimated variance, ascending."""
-    return np.asarray(student_draws(freedom) * np.sqrt(variance), dtype=np.float64)
-
-
-def _ends(draws: Floats) -> tuple[float, float]:
-    low, high = np.quantile(draws, [_TAIL, 1.0 - _TAIL])
-    return float(low), float(high)

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 from typing import Any
 
 from sightline.statistics.comparison import difference_of_figures
-from sightline.statistics.total_uncertainty import TotalFigure
+from sightline.statistics.figures import TotalFigure
 from sightline.studies.records import StudyDifference, StudyResult
 
 Row = Mapping[str, Any]

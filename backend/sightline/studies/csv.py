@@ -8,7 +8,7 @@ from typing import get_args
 from sightline.enums import ComparisonVerdict, RuleVerdict
 from sightline.infra.csv_package.columns import flag, integer, metres, number, text
 from sightline.infra.csv_package.schema import Cells, Table
-from sightline.statistics.study_figures import StudyFigure, StudyPercentile
+from sightline.statistics.figures import TotalFigure, TotalPercentile
 from sightline.studies.records import Study
 
 _N = integer("n", "how many heights (of classes: vehicles) it rests on", required=True, minimum=0)
@@ -218,7 +218,7 @@ def _years(study: Study) -> Iterator[Cells]:
         }
 
 
-def _told(one: StudyFigure | StudyPercentile, n: int, unit: str = "_m") -> Cells:
+def _told(one: TotalFigure | TotalPercentile, n: int, unit: str = "_m") -> Cells:
     found: Cells = {
         (f"value{unit}" if unit else "share"): one.value,
         f"low{unit}": one.U95_low,

@@ -12,9 +12,9 @@ from numpy.typing import NDArray
 
 from sightline.enums import ComparisonVerdict, JsonObject, StatisticsTarget
 from sightline.infra.audit.records import Who
+from sightline.statistics.figures import TotalFigure, TotalPercentile
 from sightline.statistics.rules import RuleToday
 from sightline.statistics.standards import Standard
-from sightline.statistics.study_figures import StudyFigure, StudyPercentile
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -92,9 +92,9 @@ class TargetFigures:
     n: int
     sites: int
     weighting_effect: float | None = None
-    mean: StudyFigure | None = None
-    sd: StudyFigure | None = None
-    percentiles: list[StudyPercentile] = field(default_factory=list)
+    mean: TotalFigure | None = None
+    sd: TotalFigure | None = None
+    percentiles: list[TotalPercentile] = field(default_factory=list)
     reason: str | None = None
 
 
@@ -105,7 +105,7 @@ class ClassShare:
     group: str
     category: str
     n: int
-    share: StudyFigure
+    share: TotalFigure
     fleet: float | None
 
 
@@ -116,7 +116,7 @@ class ErrorFigure:
     group: str
     figure: str
     n: int
-    value: StudyFigure
+    value: TotalFigure
 
 
 @dataclass(frozen=True)
@@ -179,7 +179,7 @@ class Curve:
     """Percentiles of one target from low to high, each with its interval: its distribution, to be drawn."""
 
     target: StatisticsTarget
-    points: list[StudyPercentile]
+    points: list[TotalPercentile]
 
 
 @dataclass(frozen=True)

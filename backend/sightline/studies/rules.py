@@ -12,7 +12,7 @@ from sightline.results.measured_columns_query import CATEGORIES, CLASS_SETS
 from sightline.results.survey_statistics import RULE_OF
 from sightline.statistics.rules import RuleToday, rule_of_draws, unknown_rule
 from sightline.statistics.standards import Standard
-from sightline.statistics.study_figures import StudyFigures
+from sightline.statistics.total_uncertainty import TotalUncertainty
 from sightline.studies.records import StudiedHeights, StudyRule
 from sightline.studies.weighted import Weighted
 
@@ -20,7 +20,7 @@ _Classes = tuple[tuple[Category, ...], tuple[ClassSet, ...]]
 
 
 def rules_of_all(
-    target: StatisticsTarget, of: Weighted, figures: StudyFigures | None, standards: Sequence[Standard]
+    target: StatisticsTarget, of: Weighted, figures: TotalUncertainty | None, standards: Sequence[Standard]
 ) -> dict[int, StudyRule]:
     """The rule of every standard that states one for this target and whose class is that of all heights, or
     where no class is known, by the standard's place among them. figures: of all heights.
@@ -60,7 +60,11 @@ def _asked(target: StatisticsTarget, standards: Sequence[Standard]) -> dict[int,
 
 
 def _made(
-    target: StatisticsTarget, standard: Standard, of: Weighted, figures: StudyFigures | None, by_class: bool
+    target: StatisticsTarget,
+    standard: Standard,
+    of: Weighted,
+    figures: TotalUncertainty | None,
+    by_class: bool,
 ) -> StudyRule:
     by_pose_m = {} if figures is None else figures.named_effects_m(standard.percent or 50.0)
     return StudyRule(target, _rule(standard, of, figures, by_class), by_pose_m)
@@ -73,7 +77,7 @@ def _are(rows: StudiedHeights, classes: _Classes) -> NDArray[np.bool_]:
     return of_set | np.isin(rows.category, [CATEGORIES.index(one) for one in categories])
 
 
-def _rule(standard: Standard, of: Weighted, figures: StudyFigures | None, by_class: bool) -> RuleToday:
+def _rule(standard: Standard, of: Weighted, figures: TotalUncertainty | None, by_class: bool) -> RuleToday:
     if figures is None:
         none = "no accepted heights of its class"
         return unknown_rule(standard, of.n, by_class, None, (of.reason if of.n else None) or none)

@@ -16,11 +16,11 @@ from sightline.enums import StatisticsTarget
 from sightline.errors import BadInput
 from sightline.results.standards_store import joined_standards
 from sightline.statistics.comparison import difference_of_figures
+from sightline.statistics.figures import Figure
 from sightline.statistics.standards import Standard
-from sightline.statistics.study_figures import StudyFigures
 from sightline.statistics.study_plan import Components, U95_of, plan
 from sightline.statistics.survey_design import weighting_effect
-from sightline.statistics.total_uncertainty import TotalFigure
+from sightline.statistics.total_uncertainty import TotalUncertainty
 from sightline.studies.places import Places, places_of
 from sightline.studies.records import (
     Curve,
@@ -186,7 +186,8 @@ def _of_target(
     found.targets.append(_target_figures(target, of, figures, places))
     if figures is not None:
         if asked.curves:
-            found.curves.append(Curve(target, [figures.percentile(percent) for percent in _CURVE]))
+            points = [figures.percentile(percent) for percent in _CURVE]
+            found.curves.append(Curve(target, [one for one in points if one.value is not None]))
         found.plans += _plans(target, figures, asked.goal_m, float(places.sites_there.sum()))
     rules = rules_of_all(target, of, figures, standards)
     del figures  # as large as all heights, and so are those of a class
@@ -196,7 +197,7 @@ def _of_target(
 
 
 def _target_figures(
-    target: StatisticsTarget, of: Weighted, figures: StudyFigures | None, places: Places
+    target: StatisticsTarget, of: Weighted, figures: TotalUncertainty | None, places: Places
 ) -> TargetFigures:
     at = int(np.count_nonzero(np.bincount(places.of_survey[of.rows.package]))) if of.n else 0
     if figures is None or of.design is None:
@@ -213,7 +214,7 @@ def _target_figures(
 
 
 def _plans(
-    target: StatisticsTarget, figures: StudyFigures, goal_m: float, sites_there: float
+    target: StatisticsTarget, figures: TotalUncertainty, goal_m: float, sites_there: float
 ) -> list[PlannedStudy]:
     told = figures.components(_PLANNED_PERCENT)
     if told is None:
@@ -252,7 +253,7 @@ def _years(
 
 def _of_year(
     year: int, rows: StudiedHeights, surveys: Sequence[StudiedSurvey], asked: Plan
-) -> tuple[Weighted, StudyFigures | None]:
+) -> tuple[Weighted, TotalUncertainty | None]:
     """The heights of one year's surveys as a study of its own."""
     here = [n for n, one in enumerate(surveys) if one.year == year]
     own = np.full(len(surveys), -1, dtype=np.int64)
@@ -266,7 +267,7 @@ def _of_year(
 def _differences(
     target: StatisticsTarget,
     years: tuple[int, int],
-    both: tuple[tuple[Weighted, StudyFigures | None], tuple[Weighted, StudyFigures | None]],
+    both: tuple[tuple[Weighted, TotalUncertainty | None], tuple[Weighted, TotalUncertainty | None]],
 ) -> list[YearDifference]:
     (of_first, first), (of_second, second) = both
     none = YearDifference(
@@ -284,7 +285,7 @@ def _differences(
     )
     if first is None or second is None:
         return [none] if of_first.n and of_second.n else []
-    pairs: list[tuple[float | None, TotalFigure, TotalFigure]] = [
+    pairs: list[tuple[float | None, Figure, Figure]] = [
         (percent, first.percentile(percent), second.percentile(percent)) for percent in PERCENTS
     ]
     pairs.append((None, first.mean(), second.mean()))
@@ -296,7 +297,7 @@ def _differences(
             replace(
                 none,
                 percent=percent,
-                value=told.value,
+                value=None if np.isnan(told.value) else told.value,
                 U95_low=told.U95_low,
                 U95_high=told.U95_high,
                 verdict=one.verdict,

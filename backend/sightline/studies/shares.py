@@ -5,9 +5,10 @@ from __future__ import annotations
 import numpy as np
 
 from sightline.results.measured_columns_query import CATEGORIES, LIGHTING
+from sightline.statistics.drawn import Drawn, share_of
 from sightline.statistics.error_totals import ErrorTotals
+from sightline.statistics.figures import TotalFigure
 from sightline.statistics.shared_errors import SharedErrors
-from sightline.statistics.study_figures import Drawn, StudyFigure, share_of
 from sightline.studies.places import Places, design_of
 from sightline.studies.records import ClassShare, ErrorFigure, Fleet, Floats, Ints, StudiedHeights
 from sightline.studies.weighted import LEAST, sample_of, where
@@ -62,7 +63,7 @@ def error_figures(rows: StudiedHeights, places: Places) -> list[ErrorFigure]:
     return found
 
 
-def _figures_of(error: Floats, drawn: Drawn, totals: ErrorTotals) -> dict[str, StudyFigure]:
+def _figures_of(error: Floats, drawn: Drawn, totals: ErrorTotals) -> dict[str, TotalFigure]:
     share = drawn.design.weight / drawn.design.weight.sum()
     bias, square = float(share @ error), float(share @ error**2)
     mse, mae, sd = totals.mse(), totals.mae(), totals.sd()
@@ -70,7 +71,7 @@ def _figures_of(error: Floats, drawn: Drawn, totals: ErrorTotals) -> dict[str, S
     rmse = [float(np.sqrt(max(one, 0.0))) for one in (square, *mse)]
     return {
         "bias_m": drawn.figure(bias, error - bias, height=True),
-        "mae_m": StudyFigure(float(share @ np.abs(error)), mae.low, mae.high),
-        "rmse_m": StudyFigure(rmse[0], rmse[1], rmse[2]),
-        "sd_m": StudyFigure(sd_m, sd.low, sd.high),
+        "mae_m": TotalFigure(float(share @ np.abs(error)), mae.low, mae.high),
+        "rmse_m": TotalFigure(rmse[0], rmse[1], rmse[2]),
+        "sd_m": TotalFigure(sd_m, sd.low, sd.high),
     }

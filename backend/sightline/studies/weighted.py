@@ -10,10 +10,10 @@ from numpy.typing import NDArray
 
 from sightline.errors import BadInput
 from sightline.results.measured_columns_query import CATEGORIES, LIGHTING
-from sightline.statistics.study_figures import StudyFigures, lonely_strata, ordered
+from sightline.statistics.drawn import lonely_strata, ordered
 from sightline.statistics.survey_design import Design
 from sightline.statistics.survey_weights import Margin, calibrated
-from sightline.statistics.total_uncertainty import HeightSample, sample_of_measurements
+from sightline.statistics.total_uncertainty import HeightSample, TotalUncertainty, sample_of_measurements
 from sightline.studies.places import Places, design_of
 from sightline.studies.records import Fleet, Ints, StudiedHeights
 
@@ -33,10 +33,10 @@ class Weighted:
         """How many heights."""
         return len(self.rows.height_m)
 
-    def figures(self) -> StudyFigures:
+    def figures(self) -> TotalUncertainty:
         """Ready for figures; only where there is a design."""
         assert self.design is not None
-        return StudyFigures(sample_of(self.rows), self.design)
+        return TotalUncertainty(sample_of(self.rows), self.design)
 
     def domain(self, chosen: NDArray[np.bool_]) -> Weighted:
         """The chosen heights (N,) with the weights that they have among all: of classes, not of a fleet."""

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-import numpy as np
 from matplotlib.axes import Axes
 
 from sightline.enums import LengthUnit, StatisticsTarget
@@ -107,12 +106,8 @@ def _cumulative(
 
 def _whiskers(axes: Axes, found: Distribution, scale: Scale) -> None:
     """The marked percentiles with their intervals, their values along the right edge."""
-    chosen = [one for one in found.percentiles if one.percent in _MARKED]
-    for one in chosen:
-        axes.plot(scale.factor * one.value, one.percent, "o", color=INK, markersize=2.6, zorder=4)
-        if one.low is not None and one.high is not None:
-            ends = scale.factor * np.array([one.low, one.high])
-            axes.plot(ends, [one.percent] * 2, "|-", color=INK, linewidth=0.8, markersize=4.5, zorder=4)
+    chosen = [one for one in found.percentiles if one.percent in _MARKED and one.value is not None]
+    marks.whiskers(axes, chosen, scale.factor)
     edge = axes.secondary_yaxis("right")
     edge.set_yticks([one.percent for one in chosen], labels=[_valued(one, scale) for one in chosen])
     edge.tick_params(length=2.5, labelsize=NOTE_PT, labelcolor=INK)
@@ -164,12 +159,7 @@ def _side_by_side(
 
     def draw(axes: Axes) -> None:
         for k, (_, found) in enumerate(rows):
-            at = {one.percent: scale.factor * one.value for one in found.percentiles}
-            axes.plot([at[5.0], at[95.0]], [k, k], color=INK, linewidth=0.8)
-            axes.plot([at[15.0], at[85.0]], [k, k], color=INK, linewidth=3.2, solid_capstyle="butt")
-            axes.plot(
-                at[50.0], k, "o", color="white", markeredgecolor=INK, markersize=4.2, markeredgewidth=0.9
-            )
+            marks.spread_row(axes, k, found.percentiles, scale.factor)
         words = [f"{_short(heading(group_word(grouping, one)))}  ({count(found.n)})" for one, found in rows]
         axes.set_yticks(range(len(rows)), labels=words)
         _room_on_the_left(axes)

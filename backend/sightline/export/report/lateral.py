@@ -5,7 +5,8 @@ from __future__ import annotations
 from matplotlib.axes import Axes
 
 from sightline.enums import LengthUnit
-from sightline.export.report.canvas import FULL, INK, Drawing, Sheet, svg
+from sightline.export.report import marks
+from sightline.export.report.canvas import FULL, Drawing, Sheet, svg
 from sightline.export.report.facts import ReportFacts
 from sightline.export.report.pictures import Pictures
 from sightline.export.report.said import said
@@ -31,12 +32,7 @@ def lateral_figure(result: Statistics, unit: LengthUnit) -> dict[str, Drawing | 
 
     def draw(axes: Axes) -> None:
         for k, (_, one) in enumerate(rows):
-            at = {each.percent: scale.factor * each.value for each in one.percentiles}
-            axes.plot([at[5.0], at[95.0]], [k, k], color=INK, linewidth=0.8)
-            axes.plot([at[15.0], at[85.0]], [k, k], color=INK, linewidth=3.2, solid_capstyle="butt")
-            axes.plot(
-                at[50.0], k, "o", color="white", markeredgecolor=INK, markersize=4.2, markeredgewidth=0.9
-            )
+            marks.spread_row(axes, k, one.percentiles, scale.factor)
         axes.set_yticks(range(len(rows)), labels=[f"{word}  ({count(one.n)})" for word, one in rows])
         axes.set_ylim(len(rows) - 0.4, -0.6)
         axes.tick_params(axis="y", length=0)

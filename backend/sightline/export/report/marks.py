@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from sightline.export.report.canvas import FAINT, INK, MUTED, NOTE_PT
 from sightline.export.report.labels import Named
-from sightline.statistics.distributions import Density, Ecdf
+from sightline.statistics.distributions import Density, Ecdf, Percentile
 
 Floats = NDArray[np.float64]
 _TEXT_MM = 2.7  # what an upright word needs beside the next
@@ -68,6 +68,27 @@ def density_curve(axes: Axes, density: Density, style: LineStyle, factor: float,
         axes.fill_between(x, low, high, color=INK, alpha=0.11, linewidth=0)
     axes.plot(x, y, label=word, **style.line())
     return Named(x, y, word)
+
+
+def whiskers(axes: Axes, found: Sequence[Percentile], factor: float) -> None:
+    """Percentiles that have a value, at their per cent, with their intervals."""
+    for one in found:
+        if one.value is not None:
+            axes.plot(factor * one.value, one.percent, "o", color=INK, markersize=2.6, zorder=4)
+        if one.low is not None and one.high is not None:
+            ends = [factor * one.low, factor * one.high]
+            axes.plot(ends, [one.percent] * 2, "|-", color=INK, linewidth=0.8, markersize=4.5, zorder=4)
+
+
+def spread_row(axes: Axes, row: int, found: Sequence[Percentile], factor: float) -> None:
+    """A group as a row: median, middle 70 % and middle 90 %, as far as it has the vehicles for them."""
+    at = {one.percent: factor * one.value for one in found if one.value is not None}
+    if 5.0 in at and 95.0 in at:
+        axes.plot([at[5.0], at[95.0]], [row, row], color=INK, linewidth=0.8)
+    if 15.0 in at and 85.0 in at:
+        axes.plot([at[15.0], at[85.0]], [row, row], color=INK, linewidth=3.2, solid_capstyle="butt")
+    if 50.0 in at:
+        axes.plot(at[50.0], row, "o", color="white", markeredgecolor=INK, markersize=4.2, markeredgewidth=0.9)
 
 
 def limits(axes: Axes, drawn: Sequence[Limit]) -> list[Bbox]:

@@ -26,12 +26,13 @@ from sightline.results.survey_statistics import standards_of
 from sightline.statistics.agreement import BlandAltman, ReferencePart
 from sightline.statistics.distributions import Percentile, Share
 from sightline.statistics.errors import ALL_FIGURES, GROUPS, ErrorGroup, Interval
+from sightline.statistics.figures import Figure, TotalFigure, TotalPercentile
 from sightline.statistics.known_errors import KnownErrors
 from sightline.statistics.paper import PAPER
 from sightline.statistics.rules import RuleToday
 from sightline.statistics.standards import Standard
 from sightline.statistics.summary import Distribution, Target
-from sightline.statistics.total_uncertainty import TotalFigure, TotalFigures, TotalPercentile
+from sightline.statistics.total_uncertainty import TotalFigures
 
 _GLANCE = (5.0, 15.0, 50.0, 85.0, 95.0)
 _SURE = (10.0, 50.0)
@@ -316,7 +317,7 @@ def percentile_interval(found: Percentile | None, scale: Scale) -> Values | None
     return {"low": scale.number(found.low), "high": scale.number(found.high)}
 
 
-def total_interval(found: TotalFigure | None, scale: Scale) -> Values | None:
+def total_interval(found: Figure | None, scale: Scale) -> Values | None:
     """The total interval of a figure, where it has one."""
     if found is None or found.U95_low is None or found.U95_high is None:
         return None

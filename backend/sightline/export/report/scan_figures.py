@@ -6,7 +6,7 @@ from matplotlib.axes import Axes
 
 from sightline.enums import LengthUnit
 from sightline.export.report import marks
-from sightline.export.report.canvas import HALF, INK, Drawing, svg
+from sightline.export.report.canvas import HALF, Drawing, svg
 from sightline.export.report.marks import MAIN
 from sightline.export.report.said import Called, said
 from sightline.export.report.units import SPEED, WAY, Scale, count, fixed
@@ -43,15 +43,11 @@ def _cumulative(one: Spread, scale: Scale) -> Drawing:
     name, curve = NAMES[one.quantity], one.ecdf
     assert curve is not None
     title = said("report-fig-scanned", quantity=name)
-    chosen = [each for each in one.percentiles if each.percent in _MARKED]
+    chosen = [each for each in one.percentiles if each.percent in _MARKED and each.value is not None]
 
     def draw(axes: Axes) -> None:
         marks.steps(axes, curve, MAIN, scale.factor)
-        for each in chosen:
-            axes.plot(scale.factor * each.value, each.percent, "o", color=INK, markersize=2.6, zorder=4)
-            if each.low is not None and each.high is not None:
-                ends = [scale.factor * each.low, scale.factor * each.high]
-                axes.plot(ends, [each.percent] * 2, "|-", color=INK, linewidth=0.8, markersize=4.5, zorder=4)
+        marks.whiskers(axes, chosen, scale.factor)
         axes.set(
             xlabel=f"{name[:1].upper()}{name[1:]} ({scale.sign})",
             ylabel=said("report-fig-share"),

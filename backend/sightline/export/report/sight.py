@@ -21,8 +21,8 @@ from sightline.results.survey_statistics import Filter, Statistics, standards_of
 from sightline.sightdistance.distances import GREEN_BOOK
 from sightline.sightdistance.workbench import Bounded
 from sightline.statistics.distributions import PERCENTILES
+from sightline.statistics.figures import TotalPercentile
 from sightline.statistics.standards import Standard
-from sightline.statistics.total_uncertainty import TotalFigure
 
 FIGURE = "crest-k"
 # Where the standard states no rule that the survey has a percentile of: that of AASHTO's heights.
@@ -153,7 +153,7 @@ def _rule(standard: Standard, usual: float) -> float:
     return standard.percent if standard.percent in PERCENTILES else usual
 
 
-def _percentile(result: Statistics, target: StatisticsTarget, at: float) -> TotalFigure | None:
+def _percentile(result: Statistics, target: StatisticsTarget, at: float) -> TotalPercentile | None:
     found = result.targets.get(target)
     if found is None or found.total is None:
         return None

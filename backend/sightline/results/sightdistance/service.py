@@ -35,9 +35,10 @@ from sightline.sightdistance.workbench import (
     shares_of_fleet,
     sight_distance,
 )
+from sightline.statistics.figures import TotalPercentile
 from sightline.statistics.fleet import mixed_percentile
 from sightline.statistics.shared_errors import correlation_of
-from sightline.statistics.total_uncertainty import TotalFigure, TotalUncertainty
+from sightline.statistics.total_uncertainty import TotalUncertainty
 
 _UNITS: dict[LengthUnit, UnitSystem] = {"m": METRIC, "ft": US_CUSTOMARY}
 # Design speeds as tables print them: 30 to 130 km/h, 20 to 80 mph.
@@ -113,9 +114,15 @@ def distance_of(question: SightQuestion, speed_mps: float) -> SightDistance:
     return sight_distance(question.kind, speed_mps, units)
 
 
-def bounded_of(found: TotalFigure | None) -> Bounded | None:
-    """A percentile as a height with its total interval, or with the reason why it has none."""
-    return None if found is None else Bounded(found.value, found.U95_low, found.U95_high, found.reason)
+def bounded_of(found: TotalPercentile | None) -> Bounded | None:
+    """A percentile as a height with its total interval, or with the reason why it has none; None without a
+    value.
+    """
+    return (
+        None
+        if found is None or found.value is None
+        else Bounded(found.value, found.U95_low, found.U95_high, found.reason)
+    )
 
 
 def _road(

@@ -55,7 +55,8 @@ def curve_drawing(curve: Curve, standards: Sequence[Standard], unit: LengthUnit)
 
 def _limits(curve: Curve, standards: Sequence[Standard], unit: LengthUnit) -> list[Limit]:
     """Standards within the figure; those of one height share a rule."""
-    low, high = curve.points[0].value - _REACH_M, curve.points[-1].value + _REACH_M
+    known = [one.value for one in curve.points if one.value is not None]
+    low, high = known[0] - _REACH_M, known[-1] + _REACH_M
     names: dict[float, list[str]] = {}
     for one in standards:
         if low <= one.height_m <= high:

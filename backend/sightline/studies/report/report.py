@@ -21,9 +21,8 @@ from sightline.export.report.units import HEIGHT, SMALL, Scale, decimal, fixed, 
 from sightline.export.report.words import GROUPS, TARGETS, group_word
 from sightline.results.standards_store import joined_standards
 from sightline.results.survey_statistics import standards_of
+from sightline.statistics.figures import Figure
 from sightline.statistics.standards import Standard
-from sightline.statistics.study_figures import StudyFigure, StudyPercentile
-from sightline.statistics.total_uncertainty import TotalFigure
 from sightline.studies.consequence import consequence
 from sightline.studies.records import (
     ErrorFigure,
@@ -148,7 +147,7 @@ def _surveys(stored: StoredStudy, study: Study) -> list[Json]:
     ]
 
 
-def _figure(one: TotalFigure | None, scale: Scale, name: str = "value") -> Values:
+def _figure(one: Figure | None, scale: Scale, name: str = "value") -> Values:
     """A figure with its interval."""
     if one is None:
         return {name: None, "ci95": None}
@@ -178,7 +177,7 @@ def _rows(one: TargetFigures) -> list[Json]:
     if one.mean is None or one.sd is None:
         return []
     scale = HEIGHT[_UNIT]
-    named: list[tuple[str, StudyFigure | StudyPercentile, str | None]] = [
+    named: list[tuple[str, Figure, str | None]] = [
         (decimal(f"P{found.percent:g}"), found, scale.number(found.raw)) for found in one.percentiles
     ]
     rows: list[Json] = []

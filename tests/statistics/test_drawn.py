@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
+from sightline.statistics.drawn import Drawn, lonely_strata, share_of
 from sightline.statistics.shared_errors import SharedErrors
-from sightline.statistics.study_figures import Drawn, StudyFigures, lonely_strata, share_of
 from sightline.statistics.study_plan import Components, U95_of, plan, vehicles_needed
 from sightline.statistics.survey_design import Design
 from sightline.statistics.total_uncertainty import HeightSample, TotalUncertainty
@@ -22,24 +22,10 @@ def sampled_sites(sites: int, each: int, seed: int = 5) -> tuple[HeightSample, D
     return sample, design
 
 
-def test_equal_weights_give_a_survey_s_own_figures() -> None:
-    sample, design = sampled_sites(12, 50)
-    mine, theirs = StudyFigures(sample, design), TotalUncertainty(sample)
-    for one, other in (
-        *((mine.percentile(p), theirs.percentile(p)) for p in (5.0, 10.0, 50.0, 95.0)),
-        (mine.mean(), theirs.mean()),
-        (mine.sd(), theirs.sd()),
-    ):
-        assert one.value == pytest.approx(other.value, abs=3e-4)
-        assert one.U95_high is not None and one.U95_low is not None
-        assert other.U95_high is not None and other.U95_low is not None
-        assert one.U95_high - one.U95_low == pytest.approx(other.U95_high - other.U95_low, rel=0.06)
-
-
 def test_a_weight_of_two_is_two_vehicles_of_one_height() -> None:
     sample, design = sampled_sites(10, 40)
     weight = np.where(np.arange(400) % 4 == 0, 2.0, 1.0)
-    weighted = StudyFigures(sample, Design(weight, design.stratum, design.site, design.sites_there))
+    weighted = TotalUncertainty(sample, Design(weight, design.stratum, design.site, design.sites_there))
     twice = np.repeat(np.arange(400), weight.astype(int))
     plain = TotalUncertainty(sample.where(twice))
     assert weighted.mean().value == pytest.approx(plain.mean().value, abs=1e-12)
@@ -62,7 +48,7 @@ def test_intervals_hold_the_truth_of_a_nation(nation: Nation) -> None:
 def test_all_sites_of_a_stratum_leave_sampling_within_them_alone() -> None:
     sample, design = sampled_sites(10, 40)
     all_seen = Design(design.weight, design.stratum, design.site, np.array([10.0]))
-    few, every = StudyFigures(sample, design).mean(), StudyFigures(sample, all_seen).mean()
+    few, every = TotalUncertainty(sample, design).mean(), TotalUncertainty(sample, all_seen).mean()
     assert every.U95_high is not None and few.U95_high is not None
     half = every.U95_high - every.value
     # sampling within sites and the sites' own poses are left: 61 mm / sqrt(400), 5 mm / sqrt(10)

@@ -1,0 +1,193 @@
+"""What a design makes of a figure's influences: its variance, within sites and between them.
+
+Vehicles stand for others by their weights, sites are drawn within strata of a known or unknown number, and
+weights that were made to meet the fleet take from a height what its classes explain. Few and unequal sites
+are held as in `sites`. A survey is a design of one stratum and equal weights.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+import scipy
+from numpy.typing import NDArray
+
+from sightline.coverage import COVERAGE_95
+from sightline.statistics.draws import TAIL, ends_of, normal_draws, student_draws
+from sightline.statistics.figures import TotalFigure
+from sightline.statistics.shared_errors import SharedErrors
+from sightline.statistics.sites import Sites, pooled_variance
+from sightline.statistics.survey_design import Design
+from sightline.statistics.survey_weights import residuals
+
+Floats = NDArray[np.float64]
+Ints = NDArray[np.int64]
+
+_MANY = 1e6  # degrees of freedom of a variance that is as good as known
+
+
+@dataclass(frozen=True)
+class Sampled:
+    """Variance of a weighted figure by its design, its degrees of freedom, and the variance of shared errors
+    that differences between sites do not show.
+
+    within: the share of the variance that comes of sampling within sites.
+    """
+
+    variance: float
+    freedom: float
+    unseen: float
+    within: float = 1.0
+
+    def draws(self) -> Floats:
+        """Draws (D,) of an error of this estimated variance, ascending."""
+        return np.asarray(student_draws(self.freedom) * np.sqrt(self.variance), dtype=np.float64)
+
+
+def lonely_strata(design: Design) -> list[int]:
+    """The strata that have one site of several: differences between their sites cannot be seen."""
+    n = np.bincount(design.stratum_of_site(), minlength=len(design.sites_there))
+    return [h for h in range(len(n)) if n[h] == 1 and design.sites_there[h] > 1.0]
+
+
+@dataclass(frozen=True, eq=False)
+class _Stratum:
+    """The rows of a stratum with their sites; part: what it weighs; seen: the share of its sites; own: the
+    variance of its mean, of heights of variance 1 within sites; moved: what shared errors move the sites by.
+    """
+
+    rows: Ints | slice
+    sites: Sites
+    part: float
+    seen: float
+    own: float
+    moved: list[Floats]
+
+
+class Drawn:
+    """A design made ready for many figures of the same rows (N,). shared: errors (N,) that act on heights."""
+
+    def __init__(self, design: Design, shared: tuple[SharedErrors, ...] = ()) -> None:
+        self.design, self._shared = design, shared
+        self._drawn = design.weight if design.drawn is None else design.drawn
+        whole = float(design.weight.sum())
+        self._strata = []
+        for h in range(len(design.sites_there)):
+            chosen = np.flatnonzero(design.stratum == h)
+            if not len(chosen):
+                continue
+            rows = slice(None) if len(chosen) == len(design.weight) else chosen
+            sites = _sites(design.site[rows], design.weight[rows])
+            part = float(design.weight[rows].sum()) / whole
+            j = len(sites.count)
+            told = [one.where(rows) for one in shared]
+            moved = [one.by_site_m(sites.code, j, sites.weight) for one in told]
+            seen = min(j / float(design.sites_there[h]), 1.0)
+            own_weight = design.weight[rows]
+            own = float(np.square(own_weight).sum()) / float(own_weight.sum()) ** 2
+            self._strata.append(_Stratum(rows=rows, sites=sites, part=part, seen=seen, own=own, moved=moved))
+        self._of_all_m2 = sum(float(np.square(one.of_mean_m(design.weight)).sum()) for one in shared)
+
+    def sampled(self, influence: Floats, smooth: Floats | None = None, *, height: bool = True) -> Sampled:
+        """Variance of a weighted mean of which `influence` (N,) is each height's influence, in its unit
+        squared.
+
+        Within strata as `sites.pooled_variance`; of a stratum of which part f was seen, 1 - f of the variance
+        between sites and f of that within them counts (Särndal, Swensson & Wretman 1992, 4.3), with degrees
+        of freedom by Satterthwaite. smooth: (N,), as there. height: shared errors act as on heights.
+        """
+        own = residuals(influence, self._drawn, self.design.margins)
+        even = own if smooth is None else residuals(smooth, self._drawn, self.design.margins)
+        if np.abs(own).max(initial=0.0) < 1e-12:  # the weights were made to meet it
+            return Sampled(0.0, _MANY, 0.0)
+        variance, squares, seen, inside = 0.0, 0.0, 0.0, 0.0
+        for one in self._strata:
+            here, freedom = _within(one.sites, own[one.rows])
+            within = here
+            if len(one.sites.count) > 1 and one.seen < 1.0:
+                moved = one.moved if height else []
+                found = pooled_variance(one.sites, own[one.rows], even[one.rows], (), here / one.own, moved)
+                here, freedom = (1.0 - one.seen) * found.variance + one.seen * here, found.freedom
+                within = (1.0 - one.seen) * found.within * found.variance + one.seen * within
+                seen += one.part**2 * (1.0 - one.seen) * found.seen
+            inside += one.part**2 * within
+            variance += one.part**2 * here
+            squares += (one.part**2 * here) ** 2 / freedom
+        unseen = max(self._of_all_m2 - seen, 0.0) if height else 0.0
+        freedom = variance**2 / squares if squares > 0.0 else _MANY
+        return Sampled(variance, freedom, unseen, min(inside / max(variance, 1e-300), 1.0))
+
+    @property
+    def compares_sites(self) -> bool:
+        """Whether differences between sites are part of its variances."""
+        return any(len(one.sites.count) > 1 and one.seen < 1.0 for one in self._strata)
+
+    def between(self, influence: Floats) -> float:
+        """Standard deviation of sites within strata, of figures with this influence (N,), beyond sampling."""
+        variances, weights = [], []
+        for one in self._strata:
+            if len(one.sites.count) > 1:
+                own = influence[one.rows]
+                apart = np.square(own - one.sites.means(own)[one.sites.code])
+                inner = np.bincount(one.sites.code, apart) / np.maximum(one.sites.count - 1.0, 1.0)
+                sampling = float(np.mean(inner / one.sites.effective_count))
+                variances.append(float(one.sites.means(own).var(ddof=1)) - sampling)
+                weights.append(len(one.sites.count) - 1.0)
+        found = float(np.average(variances, weights=weights)) if weights else 0.0
+        return float(np.sqrt(max(found, 0.0)))
+
+    def figure(self, value: float, influence: Floats, *, height: bool = False) -> TotalFigure:
+        """A figure with this value and influence (N,), with Student's interval (Cochran 1977, 2.8)."""
+        found = self.sampled(influence, height=height)
+        low, high = ends_of(found.draws() + np.sqrt(found.unseen) * normal_draws())
+        return TotalFigure(value, value + low, value + high)
+
+
+def _sites(site: Ints, weight: Floats) -> Sites:
+    code = (np.cumsum(np.bincount(site) > 0) - 1)[site]
+    return Sites(code, np.bincount(code).astype(np.float64), weight)
+
+
+def _within(sites: Sites, influence: Floats) -> tuple[float, float]:
+    """Variance of the weighted mean by sampling within sites, with its degrees of freedom."""
+    assert sites.weight is not None
+    n, freedom = len(influence), max(len(influence) - len(sites.count), 1)
+    apart = np.square(influence - sites.means(influence)[sites.code])
+    found = float(np.square(sites.weight) @ apart) / float(sites.weight.sum()) ** 2
+    return found * n / freedom, float(freedom)
+
+
+def ordered(design: Design, order: Ints | NDArray[np.bool_]) -> Design:
+    """The same design for the rows of `order`, (M,) by number or (N,) by truth.
+
+    Own method: all columns alike.
+    """
+    return Design(
+        weight=design.weight[order],
+        stratum=design.stratum[order],
+        site=design.site[order],
+        sites_there=design.sites_there,
+        units_there=design.units_there,
+        margins=tuple(one.where(order) for one in design.margins),
+        drawn=None if design.drawn is None else design.drawn[order],
+    )
+
+
+def share_of(drawn: Drawn, chosen: NDArray[np.bool_]) -> TotalFigure:
+    """The share of the fleet that is `chosen` (N,), 0 to 1, with its interval: sampling and sites.
+
+    By the Beta distribution of as many vehicles as would tell it as well (Korn & Graubard 1998).
+    """
+    share = drawn.design.weight / drawn.design.weight.sum()
+    value = float(share @ chosen)
+    found = drawn.sampled(np.asarray(chosen - value, dtype=np.float64), height=False)
+    if found.variance == 0.0 and 0.0 < value < 1.0:
+        return TotalFigure(value, value, value)
+    plain = value * (1.0 - value) / len(chosen)
+    longer = float(scipy.special.stdtrit(found.freedom, 1.0 - TAIL)) / COVERAGE_95
+    n = value * (1.0 - value) / max(found.variance * longer**2, 1e-300) if plain > 0.0 else len(chosen)
+    n = min(n, 10.0 * len(chosen))
+    low, high = scipy.special.betaincinv(n * value + 0.5, n * (1.0 - value) + 0.5, [TAIL, 1.0 - TAIL])
+    effect = found.variance / plain if plain > 0.0 else None
+    return TotalFigure(value, float(min(low, value)), float(max(high, value)), effect=effect)

@@ -1,0 +1,40 @@
+"""A figure with its total interval, and a percentile that may lack the heights to be one."""
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class TotalFigure:
+    """A figure of the true heights with its 95 % interval; `reason` says why there is none.
+
+    effect: the design effect, of sampling alone: how much the variance exceeds that of as many vehicles drawn
+    one by one.
+    """
+
+    value: float
+    U95_low: float | None
+    U95_high: float | None
+    reason: str | None = None
+    effect: float | None = None
+
+
+@dataclass(frozen=True)
+class TotalPercentile:
+    """A percentile of the true heights, metres, with its 95 % interval.
+
+    raw: the plain percentile of the measured heights (linear between heights, Hyndman & Fan 1996, type 7, as
+    NumPy, R and spreadsheets have it). Without support, where fewer heights are there than an interval of the
+    percentile `needs`, there is no value either, and `reason` says how many are needed and there.
+    """
+
+    percent: float
+    value: float | None
+    U95_low: float | None
+    U95_high: float | None
+    raw: float
+    needs: int
+    reason: str | None = None
+    effect: float | None = None
+
+
+Figure = TotalFigure | TotalPercentile
