@@ -41,9 +41,9 @@ def answer(capsys: pytest.CaptureFixture[str], *arguments: object) -> dict:
 
 
 def test_groups_figures_and_rows_without_a_height(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    path = written(tmp_path, more=",,,not_measurable,daytime,,,,\r\n")
+    path = written(tmp_path, n=480, more=",,,not_measurable,daytime,,,,\r\n")
     found = answer(capsys, path, "--by", "lighting", "--percentile", "2.5,10, 50")
-    assert {name: one["n"] for name, one in found.items()} == {"low_light": 80, "daytime": 160}
+    assert {name: one["n"] for name, one in found.items()} == {"low_light": 160, "daytime": 320}
     for one in found.values():
         assert list(one["percentiles"]) == ["2.5", "10", "50"]
         for figure in (one["mean_m"], one["sd_m"], *one["percentiles"].values()):
@@ -170,7 +170,7 @@ def test_a_comparison_of_few_heights_says_what_is_missing(
 ) -> None:
     found = compared(capsys, two_years(tmp_path, 0.0, n=5))
     one = found["percentiles"]["10"]
-    assert one["value"] is None and one["verdict"] is None and "needs at least" in one["reason"]
+    assert one["value"] is None and one["verdict"] is None and one["reason"] == "P10 needs 36; there are 5"
     assert (
         main(["distribution", str(two_years(tmp_path, 0.0)), "--by", "year", "--compare", "2020,2026"]) == 0
     )

@@ -35,16 +35,20 @@ def heights(services: Services, target: str) -> np.ndarray[Any, Any]:
     return np.array([tuple(row) for row in rows], dtype=[("height_m", float), ("category", "U20")])
 
 
-def total(viewer: Client, survey: int, target: str, percent: float) -> dict[str, Any]:
-    """A percentile of true heights with its total interval, as the statistics page has it."""
-    targets = viewer.get(f"/statistics?survey={survey}").json()["targets"]
-    found = next(one["total"]["percentiles"] for one in targets if one["target"] == target)
-    return next(one for one in found if one["percent"] == percent)
+def rule(viewer: Client, survey: int, what: str, percent: float) -> dict[str, Any]:
+    """THE figure of a rule, as the statistics page has it."""
+    rules = viewer.get(f"/statistics?survey={survey}").json()["rules"]
+    return next(
+        one for one in rules if one["standard"]["what"] == what and one["standard"]["percent"] == percent
+    )
 
 
 def assert_same(crest: dict[str, Any], figure: dict[str, Any]) -> None:
-    assert (crest["value"], crest["low"], crest["high"]) == pytest.approx(
-        (figure["value"], figure["U95_low"], figure["U95_high"]), abs=1e-12
+    """To the last digit."""
+    assert (crest["value"], crest["low"], crest["high"]) == (
+        figure["value_m"],
+        figure["U95_low_m"],
+        figure["U95_high_m"],
     )
 
 
@@ -53,35 +57,36 @@ def test_crests_by_the_standard_and_by_the_survey(services: Services, survey: in
     standard, of_survey = found["cases"]
     assert [round(standard["crest"]["constant_m"]["value"]), found["distance"]["design_m"]] == [658, 185]
     assert standard["comparison"] is None and standard["crest"]["constant_m"]["low"] is None
-    eye, thing = (
-        total(viewer, survey, target, percent) for target, percent in (("driver_eye", 10), ("taillight", 5))
-    )
+    eye = rule(viewer, survey, "eye_car", 10)
+    thing = rule(viewer, survey, "object_stopping", 5)
     crest = of_survey["crest"]
     assert_same(crest["eye_m"], eye)
     assert_same(crest["object_m"], thing)
-    raw = float(np.quantile(heights(services, "driver_eye")["height_m"], 0.10))
+    cars = [heights(services, target) for target in ("driver_eye", "taillight")]
+    cars = [one[np.isin(one["category"], ("hatchback", "saloon", "suv"))] for one in cars]
+    raw = float(np.quantile(cars[0]["height_m"], 0.10))
     assert crest["eye_m"]["value"] == pytest.approx(raw, abs=0.01)
-    constant = float(crest_constants_m(eye["value"], thing["value"]))
+    constant = float(crest_constants_m(eye["value_m"], thing["value_m"]))
     assert crest["constant_m"]["value"] == pytest.approx(constant)
     assert crest["k_m"]["low"] < crest["k_m"]["value"] < crest["k_m"]["high"]
     assert of_survey["comparison"]["verdict"] == "shorter"  # the seed's taillights are high
     hundred = found["speeds_mps"].index(pytest.approx(100 / 3.6))
     assert standard["k_m"][hundred]["value"] == pytest.approx(52.0, abs=0.05)
     assert found["distances_m"][hundred] == 185
-    assert (found["eyes"], found["objects"]) == (
-        len(heights(services, "driver_eye")),
-        len(heights(services, "taillight")),
-    )
+    assert found["by_class"] and (found["eyes"], found["objects"]) == (len(cars[0]), len(cars[1]))
+    assert eye["n"] == found["eyes"] and thing["n"] == found["objects"]
 
 
 def test_another_fleet_of_one_class_is_that_class(services: Services, survey: int, viewer: Client) -> None:
-    found = viewer.get(ASKED.format(survey=survey) + "&share=suv:100&share=van:0").json()
+    found = viewer.get(ASKED.format(survey=survey) + "&share=suv:100&share=van:0&object_percent=10").json()
     eyes = heights(services, "driver_eye")
     suv = np.quantile(eyes["height_m"][eyes["category"] == "suv"], 0.10, method="median_unbiased")
     mix = found["cases"][2]
     assert mix["name"] == "mix"
     assert mix["crest"]["eye_m"]["value"] == pytest.approx(float(suv), abs=0.01)
-    alone = viewer.get(ASKED.format(survey=survey) + "&category=suv").json()["cases"][1]["crest"]["eye_m"]
+    alone = viewer.get(ASKED.format(survey=survey) + "&category=suv&object_percent=10").json()["cases"][1][
+        "crest"
+    ]["eye_m"]
     assert mix["crest"]["eye_m"]["value"] == pytest.approx(alone["value"], abs=0.003)
     assert {one["category"] for one in found["classes"]} == {"hatchback", "saloon", "suv", "van"}
 
@@ -93,11 +98,26 @@ def test_they_go_by_class(services: Services, survey: int, viewer: Client) -> No
         ("&class_set=light_trucks", ("van",)),
         ("&class_set=light_trucks&category=suv", ("suv", "van")),
     ):
-        found = viewer.get(ASKED.format(survey=survey) + query).json()
+        found = viewer.get(ASKED.format(survey=survey) + query + "&eye_percent=15&object_percent=15").json()
         mine = eyes["height_m"][np.isin(eyes["category"], kept)]
         assert found["eyes"] == len(mine)
-        quantile = np.quantile(mine, 0.10, method="median_unbiased")
+        quantile = np.quantile(mine, 0.15, method="median_unbiased")
         assert found["cases"][1]["crest"]["eye_m"]["value"] == pytest.approx(float(quantile), abs=0.01)
+
+
+def test_a_class_of_too_few_gives_the_count_in_place_of_a_crest(survey: int, viewer: Client) -> None:
+    found = viewer.get(ASKED.format(survey=survey) + "&category=suv").json()
+    of_survey = found["cases"][1]
+    assert of_survey["crest"] is None and of_survey["missing"] == [] and not found["by_class"]
+    n = found["objects"]
+    assert 0 < n < 72
+    assert of_survey["too_few"] == [{"target": "taillight", "reason": f"P5 needs 72; there are {n}"}]
+
+
+def test_eyes_of_trucks_are_read_by_the_rule_of_trucks(survey: int, viewer: Client) -> None:
+    found = viewer.get(ASKED.format(survey=survey) + "&eye_what=eye_truck").json()
+    assert found["eyes"] == 0 and found["cases"][1]["missing"] == ["driver_eye"]  # the seed has none
+    assert viewer.get(ASKED.format(survey=survey) + "&eye_what=vehicle").status_code == 422
 
 
 def test_feet_take_the_other_set_of_formulas(survey: int, viewer: Client) -> None:

@@ -269,7 +269,8 @@ def test_empty_one_and_few_have_reasons(viewer: Client, services: Services) -> N
     assert overall["figures"]["sd_m"] == none
     roof = found["targets"][3]["raw"]
     assert [one["low"] for one in roof["percentiles"]] == [None] * 11
-    assert "needs at least 183" in roof["percentiles"][0]["reason"]
+    assert roof["percentiles"][0]["reason"] == "P2 needs 183; there is 1"
+    assert [one["value"] for one in roof["percentiles"]] == [None] * 11
     assert "at least 10" in found["targets"][3]["density"]["reason"]
 
 

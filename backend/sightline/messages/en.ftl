@@ -3065,7 +3065,6 @@ motion-distance-gap = Distance gap, rear to front
 motion-headway = Headway, front to front
 motion-percentile = P{ $percent } = { $value }
 motion-percentile-interval = P{ $percent } = { $value } ({ $low } to { $high })
-motion-percentile-none = P{ $percent } = { $value } (too few vehicles for an interval)
 motion-spread-says = { $count ->
     [one] Cumulative distribution of { $count } vehicle; { $percentiles } { $unit }
    *[other] Cumulative distribution of { $count } vehicles; { $percentiles } { $unit }
@@ -5302,6 +5301,10 @@ sight-case-survey = the survey
 sight-case-mix = the other fleet
 sight-sentence = Result
 sight-missing = No heights of this target match the filter: { $targets }. Measure and accept some, or show all states.
+sight-too-few = Too few heights for the percentile: { $targets }.
+sight-too-few-of = { $target }, { $reason }
+sight-read-class = of the class that each rule names
+sight-read-all = of all vehicles that match
 sight-verdict-alike = { $case ->
     [mix] With the other fleet’s heights
     [study] With the study’s heights
@@ -5324,7 +5327,7 @@ sight-verdict-unknown = { $case ->
 } (eye { $eye }, object { $object }) the crest constant is { $constant } instead of { $standard }, a change of K by { $change }. There is no interval ({ $reason }), so its significance is unknown.
 sight-cases-title = Crests
 sight-cases-distance = { $speed }: { $formula } = { $distance }, rounded up to { $design }
-sight-cases-note = { NUMBER($eyes) } eyes and { NUMBER($objects) } objects. Heights are true heights. Below each value: its total 95 % interval, for sampling, errors that heights share (camera pose, mean inset) and random error; errors of eye and object that come from the same camera pose are counted together; the standard’s heights and the fleet’s shares are taken as exact. Lengths are for the grade difference entered; the last column is the visible distance on a crest built to the standard.
+sight-cases-note = { NUMBER($eyes) } eyes and { NUMBER($objects) } objects, { $whose }. Heights are true heights. Below each value: its total 95 % interval, for sampling, errors that heights share (camera pose, mean inset) and random error; errors of eye and object that come from the same camera pose are counted together; the standard’s heights and the fleet’s shares are taken as exact. Lengths are for the grade difference entered; the last column is the visible distance on a crest built to the standard.
 sight-interval = { $low } to { $high }
 sight-no-interval = no interval
 sight-column-eye = Eye ({ $unit })
@@ -6351,7 +6354,8 @@ told-statistics-the-errors-variance-is = The reference heights alone explain the
 told-statistics-a-variance-needs-at = A variance needs at least 2 heights.
 told-statistics-the-measurement-own-variance = The variance of the measurement is larger than that of the heights, so it cannot be removed.
 told-statistics-heights-as-the-paper = Heights as in Dupuis et al. (inset 0), without a correction.
-told-statistics-an-interval-of-this = an interval of this percentile needs at least { $needed } vehicles; { $there_are }
+told-statistics-percentile-needs = P{ $percent } needs { $needed }; { $there_are }
+told-statistics-percentile-needs-alike = P{ $percent } needs { $needed }; { $there_are }, as good as { $like } of equal weight
 told-statistics-a-density-needs-at = A density needs at least { $least_for_density } vehicles; { $there_are }.
 told-statistics-all-values-are-the = All values are the same; a density needs values that differ.
 told-statistics-no-vehicle-in-this = no counted height of this group has a reference height
@@ -6396,9 +6400,8 @@ told-statistics-taillights-of-cars = taillights of cars
 told-statistics-design-value-of-the = design value of the time
 told-statistics-the-abstract-of-barker = the abstract of Barker and Yue, Australian Road Research 21(2), 1991
 told-statistics-ral-ras-l-before = RAL (formerly RAS-L)
-told-statistics-its-interval-needs-at = its interval needs at least { $needed } heights that differ; there are { $n }
 told-statistics-they-speak-of = { $listed }; they apply to { $where }
-told-statistics-its-interval-needs-at-least = its interval needs at least { $needed } heights; { $there_are }
+told-statistics-needs-heights = needs { $needed } heights; { $there_are }
 told-statistics-differences-between-sites = differences between { $sites } sites
 told-statistics-errors-that-heights-share = errors that heights share
 told-statistics-random-error-taken-out = random error (removed from the values)
@@ -6929,11 +6932,15 @@ report-lateral-all = All
 ## Report: sight distance
 
 report-sight = Sight distance
-report-sight-words = A crest keeps a sight distance S if its length per percent of grade, K, is at least S²/C. C depends only on the heights of eye and object: C = 100 (√(2 eye) + √(2 object))². The standard is { $standard } (eye { $eye }, object { $object }). The survey’s heights are percentile { $eye_percent } of the eyes and percentile { $object_percent } of the taillights’ lower edges{ $rule ->
+report-sight-words = A crest keeps a sight distance S if its length per percent of grade, K, is at least S²/C. C depends only on the heights of eye and object: C = 100 (√(2 eye) + √(2 object))². The standard is { $standard } (eye { $eye }, object { $object }). The survey’s heights are percentile { $eye_percent } of the eyes and percentile { $object_percent } of the taillights’ lower edges{ $classes ->
+    [class] , of the class that the rule names
+   *[all] , of all vehicles
+ }{ $rule ->
     [own] , the rule of that standard according to its sources
    *[usual] , and, where the standard states no rule, that of AASHTO’s heights
  }. S is the stopping sight distance ({ $source }), rounded up as in design tables.
 report-sight-missing = There is no crest for the survey’s own heights: no accepted heights of { $targets }.
+report-sight-too-few = There is no crest for the survey’s own heights: { $targets }.
 report-sight-table = K of crests for the standard’s heights and for the survey’s, in { $unit } per percent.
 report-design-speed = Design speed
 report-stopping = Stopping distance

@@ -3060,7 +3060,6 @@ motion-distance-gap = Distance intervéhiculaire, arrière à avant
 motion-headway = Temps intervéhiculaire, avant à avant
 motion-percentile = P{ $percent } = { $value }
 motion-percentile-interval = P{ $percent } = { $value } ({ $low } à { $high })
-motion-percentile-none = P{ $percent } = { $value } (trop peu de véhicules pour un intervalle)
 motion-spread-says = { $count ->
     [one] Fonction de répartition de { $count } véhicule ; { $percentiles } { $unit }
    *[other] Fonction de répartition de { $count } véhicules ; { $percentiles } { $unit }
@@ -5353,6 +5352,10 @@ sight-case-survey = le relevé
 sight-case-mix = l’autre parc
 sight-sentence = Signification
 sight-missing = Le filtre n’en laisse aucune hauteur : { $targets }. Mesurez et validez-en, ou affichez tous les états.
+sight-too-few = Trop peu de hauteurs pour le centile : { $targets }.
+sight-too-few-of = { $target }, { $reason }
+sight-read-class = de la classe que nomme chaque règle
+sight-read-all = de tous les véhicules retenus
 sight-verdict-alike = { $case ->
     [mix] Avec les hauteurs de l’autre parc
     [study] Avec les hauteurs de l’étude
@@ -5375,7 +5378,7 @@ sight-verdict-unknown = { $case ->
 } (œil { $eye }, obstacle { $object }), la constante d’angle saillant est { $constant } au lieu de { $standard }, soit un écart de K de { $change }. Il n’y a pas d’intervalle ({ $reason }) : on ne peut dire si c’est plus que le hasard.
 sight-cases-title = Angles saillants
 sight-cases-distance = { $speed } : { $formula } = { $distance }, arrondi par excès à { $design }
-sight-cases-note = Yeux : { NUMBER($eyes) }, obstacles : { NUMBER($objects) }. Les hauteurs sont les vraies. Sous chaque valeur, son intervalle total à 95 %, qui comprend l’échantillonnage, les erreurs que des hauteurs partagent (pose de la caméra, retrait moyen) et l’erreur aléatoire ; les erreurs de l’œil et de l’obstacle dues à la même pose de caméra comptent ensemble ; les hauteurs de la norme et les parts du parc sont supposées exactes. Les longueurs valent pour la différence de déclivités ; la dernière colonne est ce que l’on voit sur un angle saillant construit selon les hauteurs de la norme.
+sight-cases-note = Yeux : { NUMBER($eyes) }, obstacles : { NUMBER($objects) }, { $whose }. Les hauteurs sont les vraies. Sous chaque valeur, son intervalle total à 95 %, qui comprend l’échantillonnage, les erreurs que des hauteurs partagent (pose de la caméra, retrait moyen) et l’erreur aléatoire ; les erreurs de l’œil et de l’obstacle dues à la même pose de caméra comptent ensemble ; les hauteurs de la norme et les parts du parc sont supposées exactes. Les longueurs valent pour la différence de déclivités ; la dernière colonne est ce que l’on voit sur un angle saillant construit selon les hauteurs de la norme.
 sight-interval = { $low } à { $high }
 sight-no-interval = pas d’intervalle
 sight-column-eye = Œil ({ $unit })
@@ -6446,7 +6449,8 @@ told-statistics-the-errors-variance-is = Les hauteurs de référence expliquent 
 told-statistics-a-variance-needs-at = Une variance demande au moins 2 hauteurs.
 told-statistics-the-measurement-own-variance = La variance de la mesure dépasse celle des hauteurs ; elle ne peut être retirée.
 told-statistics-heights-as-the-paper = Hauteurs comme dans Dupuis et al. (retrait 0), sans correction.
-told-statistics-an-interval-of-this = un intervalle de ce centile demande au moins { $needed } véhicules ; { $there_are }
+told-statistics-percentile-needs = P{ $percent } en demande { $needed } ; { $there_are }
+told-statistics-percentile-needs-alike = P{ $percent } en demande { $needed } ; { $there_are }, autant que { $like } de même poids
 told-statistics-a-density-needs-at = Une densité demande au moins { $least_for_density } véhicules ; { $there_are }.
 told-statistics-all-values-are-the = Toutes les valeurs sont égales ; une densité en demande de différentes.
 told-statistics-no-vehicle-in-this = aucune hauteur comptée de ce groupe n’a de référence
@@ -6491,9 +6495,8 @@ told-statistics-taillights-of-cars = feux arrière de voitures
 told-statistics-design-value-of-the = valeur de conception de l’époque
 told-statistics-the-abstract-of-barker = le résumé de Barker et Yue, Australian Road Research 21(2), 1991
 told-statistics-ral-ras-l-before = RAL (auparavant RAS-L)
-told-statistics-its-interval-needs-at = son intervalle demande au moins { $needed } hauteurs qui diffèrent ; il y en a { $n }
 told-statistics-they-speak-of = { $listed } ; ils valent pour { $where }
-told-statistics-its-interval-needs-at-least = son intervalle demande au moins { $needed } hauteurs ; { $there_are }
+told-statistics-needs-heights = demande { $needed } hauteurs ; { $there_are }
 told-statistics-differences-between-sites = écarts entre { $sites } sites
 told-statistics-errors-that-heights-share = erreurs communes aux hauteurs
 told-statistics-random-error-taken-out = erreur aléatoire (retirée des valeurs)
@@ -7033,11 +7036,15 @@ report-lateral-all = Toutes
 ## Rapport : la distance de visibilité
 
 report-sight = Distance de visibilité
-report-sight-words = Un sommet de côte offre une distance de visibilité S si sa longueur par pour cent de pente, K, vaut au moins S²/C ; C découle des seules hauteurs de l’œil et de l’objet, C = 100 (√(2 œil) + √(2 objet))². La norme est { $standard } (œil { $eye }, objet { $object }). Les hauteurs du relevé sont le centile { $eye_percent } des yeux et le centile { $object_percent } des bords inférieurs des feux arrière{ $rule ->
+report-sight-words = Un sommet de côte offre une distance de visibilité S si sa longueur par pour cent de pente, K, vaut au moins S²/C ; C découle des seules hauteurs de l’œil et de l’objet, C = 100 (√(2 œil) + √(2 objet))². La norme est { $standard } (œil { $eye }, objet { $object }). Les hauteurs du relevé sont le centile { $eye_percent } des yeux et le centile { $object_percent } des bords inférieurs des feux arrière{ $classes ->
+    [class] , de la classe que nomme la règle
+   *[all] , de tous les véhicules
+ }{ $rule ->
     [own] , règle de cette norme d’après ses sources
    *[usual] , et là où la norme ne donne pas de règle, celle des hauteurs de l’AASHTO
  }. S est la distance de visibilité d’arrêt ({ $source }), arrondie vers le haut comme dans les tables de conception.
 report-sight-missing = Il n’y a pas de sommet de côte d’après les hauteurs du relevé : rien ne compte ici pour { $targets }.
+report-sight-too-few = Il n’y a pas de sommet de côte d’après les hauteurs du relevé : { $targets }.
 report-sight-table = K des sommets de côte d’après les hauteurs de la norme et celles du relevé, en { $unit } par pour cent.
 report-design-speed = Vitesse de référence
 report-stopping = Distance d’arrêt

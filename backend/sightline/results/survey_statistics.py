@@ -55,7 +55,7 @@ from sightline.statistics.lateral import Lateral, lateral_positions
 from sightline.statistics.rules import RuleToday, rule_today
 from sightline.statistics.standards import STANDARDS, Standard
 from sightline.statistics.summary import Errors, Grouping, Roofs, Target, errors_of, target_of
-from sightline.statistics.total_uncertainty import HeightSample, sample_of_measurements
+from sightline.statistics.total_uncertainty import HeightSample, TotalUncertainty, sample_of_measurements
 from sightline.surveys.store import survey_names
 
 SHOWN: tuple[StatisticsTarget, ...] = get_args(StatisticsTarget)
@@ -81,6 +81,7 @@ RULE_OF: dict[StandardHeight, tuple[StatisticsTarget, tuple[tuple[Category, ...]
     "headlight": ("headlight", _CARS),
     "vehicle": ("roof", _CARS),
 }
+_EYE_PERCENT, _OBJECT_PERCENT = 10.0, 5.0  # AASHTO's
 _EPOCH = date(1970, 1, 1)
 
 
@@ -137,7 +138,10 @@ class SampleCounts:
 
 @dataclass(frozen=True, eq=False)
 class Statistics:
-    """Everything a statistics page shows; each target's shares are in the order of its `standards_of`."""
+    """Everything a statistics page shows; each target's shares are in the order of its `standards_of`.
+
+    sight: an eye and an object by one standard's rules, which crests are computed from (`sight_pair`).
+    """
 
     counted: SampleCounts
     standards: tuple[Standard, ...]
@@ -146,6 +150,7 @@ class Statistics:
     surveys: dict[int, str]
     operators: dict[int, str]
     rules: tuple[RuleToday, ...] = ()
+    sight: tuple[RuleToday, RuleToday] | None = None
     known_errors: tuple[KnownErrors, ...] = ()
     lateral: Lateral | None = None
     comparison: ComparedSurveys | None = None
@@ -185,7 +190,7 @@ def _made(session: Session, last_hash: str, chosen: Filter, choices: StatisticsO
         "lighting": Grouping(measured.lighting, LIGHTING),
         "category": Grouping(measured.category, CATEGORIES),
         "class_set": Grouping(measured.class_set, CLASS_SETS),
-        "site": _named(measured.survey_id, {id_: site or name for id_, (name, site) in places.items()}),
+        "site": _by_site(measured, places),
         "operator": _named(measured.operator_id, named),
     }
     choosable = {id_: name for id_, (name, _) in places.items()}
@@ -297,6 +302,10 @@ def made_of(
         by_size=int(np.count_nonzero(measured.by_size & _of_target(measured, "roof"))),
         left_out=left_out,
     )
+    rules: tuple[RuleToday, ...] = ()
+    sight = None
+    if choices.correction == "inset" and only is None:
+        rules, sight = _rules(measured, against, sites)
     errors = errors_of(roofs, choices.correction, choices.rounding)
     return Statistics(
         counted=counted,
@@ -307,29 +316,72 @@ def made_of(
         operators=operators,
         known_errors=_known_errors(((measured, sites), (checks, of_checks)), errors, choices),
         lateral=_lateral(measured.where(_of_target(measured, only))),
-        rules=_rules(measured, against, sites) if choices.correction == "inset" and only is None else (),
+        rules=rules,
+        sight=sight,
         comparison=compared_surveys(
             measured, {name: _of_target(measured, name) for name in targets}, named_surveys, height_sample
         ),
     )
 
 
-def _rules(measured: Measured, table: Sequence[Standard], sites: Grouping | None) -> tuple[RuleToday, ...]:
+def _rules(
+    measured: Measured, table: Sequence[Standard], sites: Grouping | None
+) -> tuple[tuple[RuleToday, ...], tuple[RuleToday, RuleToday] | None]:
     """The rule of every standard that states one, on the heights of its class; of all, where no class is
     known.
     """
-    found = []
-    for standard in table:
-        if standard.percent is None or standard.what not in RULE_OF:
-            continue
-        target, classes = RULE_OF[standard.what]
-        rows = _of_target(measured, target)
-        by_class = bool(np.any(measured.category[rows] != NONE))
-        if by_class:
-            rows = rows & of_classes(measured, *classes)
-        sample = height_sample(measured.where(rows), sites.where(rows) if sites else None)
-        found.append(rule_today(standard, sample, by_class))
-    return tuple(one for one in found if one is not None)
+    stated = [one for one in table if one.percent is not None and one.what in RULE_OF]
+    pair = sight_pair(table)
+    asked = {one.what for one in (*stated, *(pair or ()))}
+    of_each = {what: figures_of_rule(measured, what, sites) for what in asked}
+    found = [rule_today(one, *of_each[one.what]) for one in stated]
+    rules = tuple(one for one in found if one is not None)
+    if pair is None:
+        return rules, None
+    eye, thing = (rule_today(one, *of_each[one.what]) for one in pair)
+    return rules, None if eye is None or thing is None else (eye, thing)
+
+
+def sight_pair(table: Sequence[Standard]) -> tuple[Standard, Standard] | None:
+    """The first eye and object of one standard, else the first of each; where the standard states no rule,
+    with that of AASHTO's heights.
+    """
+    eyes, objects = standards_of(table, "driver_eye"), standards_of(table, "taillight")
+    if not eyes or not objects:
+        return None
+    same = ((eye, thing) for eye in eyes for thing in objects if eye.name == thing.name)
+    eye, thing = next(same, (eyes[0], objects[0]))
+    return (
+        replace(eye, percent=eye.percent or _EYE_PERCENT),
+        replace(thing, percent=thing.percent or _OBJECT_PERCENT),
+    )
+
+
+def figures_of_rule(
+    measured: Measured, what: StandardHeight, sites: Grouping | None, *, by_class: bool = True
+) -> tuple[TotalUncertainty | None, bool]:
+    """THE population that a standard's height is read on, ready for its figure: the heights of its target and
+    class, of all where no class is known; None: there are none. Beside it: whether others were left out by
+    class. by_class: False leaves every class in, as where a person chose.
+    """
+    target, classes = RULE_OF[what]
+    rows = _of_target(measured, target)
+    by_class = by_class and bool(np.any(measured.category[rows] != NONE))
+    if by_class:
+        rows = rows & of_classes(measured, *classes)
+    if not rows.any():
+        return None, by_class
+    sample = height_sample(measured.where(rows), sites.where(rows) if sites else None)
+    return TotalUncertainty(sample), by_class
+
+
+def sites_of(session: Session, measured: Measured) -> Grouping:
+    """The sites of heights (N,), by name: the clusters of every figure of them."""
+    return _by_site(measured, survey_names(session))
+
+
+def _by_site(measured: Measured, places: Mapping[int, tuple[str, str]]) -> Grouping:
+    return _named(measured.survey_id, {id_: site or name for id_, (name, site) in places.items()})
 
 
 def _lateral(measured: Measured) -> Lateral:

@@ -125,8 +125,9 @@ def too_few_for(percent: float, n: int, like: int | None = None, confidence: flo
     many of equal weight they count.
     """
     needs = vehicles_for_interval(percent, confidence)
-    alike = "" if like is None or like == n else f", as good as {like} of equal weight"
-    return f"P{percent:g} needs {needs}; {there_are(n)}{alike}"
+    if like is None or like == n:
+        return f"P{percent:g} needs {needs}; {there_are(n)}"
+    return f"P{percent:g} needs {needs}; {there_are(n)}, as good as {like} of equal weight"
 
 
 def vehicles_for_interval(percent: float, confidence: float = CONFIDENCE) -> int:

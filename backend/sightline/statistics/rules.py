@@ -1,19 +1,21 @@
 """A standard's own rule on today's heights, and what may be said of the difference.
 
-A standard's height is a percentile of a class of vehicles. The verdict is a decision rule with guard bands as
-wide as the total uncertainty (JCGM 106:2012, 8.3): "lower" or "higher" is said only where the probability
-that it is not so is at most 2.5 %; between them the two are not told apart.
+A standard's height is a percentile of a class of vehicles. THE figure of a survey or a study is that
+percentile of its true heights, of the class that the rule names, with its total 95 % interval, unrounded:
+pages, reports, packages and the command line say this one, and name any other by what it is. The verdict is a
+decision rule with guard bands as wide as the total uncertainty (JCGM 106:2012, 8.3): "lower" or "higher" is
+said only where the probability that it is not so is at most 2.5 %; between them the two are not told apart.
 """
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import NDArray
 
 from sightline.enums import RuleVerdict
-from sightline.statistics.figures import Figure
 from sightline.statistics.standards import Standard
-from sightline.statistics.total_uncertainty import HeightSample, TotalUncertainty
+from sightline.statistics.total_uncertainty import TotalUncertainty
 
 Floats = NDArray[np.float64]
 
@@ -27,7 +29,8 @@ class RuleToday:
 
     n: heights of the class; by_class: whether heights of other classes could be left out; lower: the
     probability that the true percentile lies below the standard's height; risk: that the verdict is wrong,
-    None where the two are not told apart. Without an interval `verdict` is "unknown" and `reason` says why.
+    None where the two are not told apart; by_pose_m: what one standard uncertainty of each road pose moves
+    the percentile by, by the pose's number. Without an interval `verdict` is "unknown" and `reason` says why.
     """
 
     standard: Standard
@@ -41,46 +44,37 @@ class RuleToday:
     risk: float | None
     verdict: RuleVerdict
     reason: str | None = None
+    by_pose_m: Mapping[int, float] = field(default_factory=dict)
 
 
-def rule_today(standard: Standard, sample: HeightSample, by_class: bool) -> RuleToday | None:
-    """The rule of a standard on the heights of its class; None where it states no percentile.
+def rule_today(standard: Standard, found: TotalUncertainty | None, by_class: bool) -> RuleToday | None:
+    """The rule of a standard on the heights of its class, None: there are none; None where it states no
+    percentile.
 
     JCGM 106:2012, 8.3.
     """
     if standard.percent is None:
         return None
-    if not len(sample.height_m):
+    if found is None:
         return unknown_rule(standard, 0, by_class, None, "no accepted heights of its class")
-    found = TotalUncertainty(sample)
-    draws = found.percentile_draws(standard.percent)
-    return rule_of_draws(standard, found.n, by_class, found.percentile(standard.percent), draws)
-
-
-def rule_of_draws(
-    standard: Standard, n: int, by_class: bool, found: Figure, draws: tuple[float, Floats] | str
-) -> RuleToday:
-    """The verdict on a percentile that was found of n heights: its interval, and its value with draws of its
-    error (D,), metres, or the reason why there are none.
-
-    JCGM 106:2012, 8.3.
-    """
+    figure, draws = found.percentile(standard.percent), found.percentile_draws(standard.percent)
     if isinstance(draws, str):
-        return unknown_rule(standard, n, by_class, found.value, draws)
+        return unknown_rule(standard, found.n, by_class, figure.value, draws)
     value, error = draws
     lower = float(np.mean(value + error < standard.height_m))
     verdict, risk = _verdict(lower)
     return RuleToday(
         standard=standard,
-        n=n,
+        n=found.n,
         by_class=by_class,
         value_m=value,
-        U95_low_m=found.U95_low,
-        U95_high_m=found.U95_high,
+        U95_low_m=figure.U95_low,
+        U95_high_m=figure.U95_high,
         difference_m=value - standard.height_m,
         lower=lower,
         risk=risk,
         verdict=verdict,
+        by_pose_m=found.named_effects_m(standard.percent),
     )
 
 

@@ -133,13 +133,10 @@ class PlannedStudy:
 
 @dataclass(frozen=True)
 class StudyRule:
-    """A standard's rule on the heights of its class in the fleet; by_pose_m: what one standard uncertainty of
-    each road pose moves its percentile by, metres.
-    """
+    """A standard's rule on the heights of its class in the fleet."""
 
     target: StatisticsTarget
     rule: RuleToday
-    by_pose_m: Mapping[int, float] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)

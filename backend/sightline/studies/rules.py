@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from sightline.enums import Category, ClassSet, StatisticsTarget
 from sightline.results.measured_columns_query import CATEGORIES, CLASS_SETS
 from sightline.results.survey_statistics import RULE_OF
-from sightline.statistics.rules import RuleToday, rule_of_draws, unknown_rule
+from sightline.statistics.rules import rule_today, unknown_rule
 from sightline.statistics.standards import Standard
 from sightline.statistics.total_uncertainty import TotalUncertainty
 from sightline.studies.records import StudiedHeights, StudyRule
@@ -66,8 +66,14 @@ def _made(
     figures: TotalUncertainty | None,
     by_class: bool,
 ) -> StudyRule:
-    by_pose_m = {} if figures is None else figures.named_effects_m(standard.percent or 50.0)
-    return StudyRule(target, _rule(standard, of, figures, by_class), by_pose_m)
+    if figures is None:
+        none = "no accepted heights of its class"
+        return StudyRule(
+            target, unknown_rule(standard, of.n, by_class, None, (of.reason if of.n else None) or none)
+        )
+    found = rule_today(standard, figures, by_class)
+    assert found is not None  # only standards that state a percentile are asked for
+    return StudyRule(target, found)
 
 
 def _are(rows: StudiedHeights, classes: _Classes) -> NDArray[np.bool_]:
@@ -75,13 +81,3 @@ def _are(rows: StudiedHeights, classes: _Classes) -> NDArray[np.bool_]:
     categories, sets = classes
     of_set = np.isin(rows.class_set, [CLASS_SETS.index(one) for one in sets])
     return of_set | np.isin(rows.category, [CATEGORIES.index(one) for one in categories])
-
-
-def _rule(standard: Standard, of: Weighted, figures: TotalUncertainty | None, by_class: bool) -> RuleToday:
-    if figures is None:
-        none = "no accepted heights of its class"
-        return unknown_rule(standard, of.n, by_class, None, (of.reason if of.n else None) or none)
-    percent = standard.percent or 50.0
-    return rule_of_draws(
-        standard, of.n, by_class, figures.percentile(percent), figures.percentile_draws(percent)
-    )

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 
 from matplotlib.axes import Axes
 
-from sightline.enums import CrestVerdict, LengthUnit, StatisticsTarget
+from sightline.enums import CrestVerdict, LengthUnit
 from sightline.export.report import marks
 from sightline.export.report.canvas import FULL, INK, MUTED, Drawing, svg
 from sightline.export.report.facts import ReportFacts
@@ -16,17 +16,13 @@ from sightline.export.report.settable import Json, Values
 from sightline.export.report.units import HEIGHT, SPEED, Scale, count, decimal, limit, percent
 from sightline.export.report.words import TARGETS
 from sightline.results.sightdistance.records import CaseOfHeights, SightQuestion
-from sightline.results.sightdistance.service import bounded_of, case_of, design_speeds, distance_of
-from sightline.results.survey_statistics import Filter, Statistics, standards_of
+from sightline.results.sightdistance.service import case_of, design_speeds, distance_of, exact, height_of_rule
+from sightline.results.survey_statistics import Filter, Statistics
 from sightline.sightdistance.distances import GREEN_BOOK
 from sightline.sightdistance.workbench import Bounded
-from sightline.statistics.distributions import PERCENTILES
-from sightline.statistics.figures import TotalPercentile
 from sightline.statistics.standards import Standard
 
 FIGURE = "crest-k"
-# Where the standard states no rule that the survey has a percentile of: that of AASHTO's heights.
-_EYE_PERCENT, _OBJECT_PERCENT = 10.0, 5.0
 _SPEED_MPS: dict[LengthUnit, float] = {"m": 100 / 3.6, "ft": 60 * 0.44704}
 _SENTENCES: dict[CrestVerdict, str] = {
     "alike": "sight-verdict-alike",
@@ -49,15 +45,25 @@ def sight(facts: ReportFacts, pictures: Pictures) -> Values | None:
         "object": limit(thing.height_m, facts.unit),
         "eye_percent": decimal(f"{question.eye_percent:g}"),
         "object_percent": decimal(f"{question.object_percent:g}"),
-        "own_rule": None not in (eye.percent, thing.percent),
+        "own_rule": all(one in facts.statistics.standards for one in (eye, thing)),
+        "classes": _classes(facts.statistics),
         "source": told(GREEN_BOOK),
         "missing": [TARGETS[target] for target in survey.missing],
+        "too_few": [
+            said("sight-too-few-of", target=TARGETS[one.target], reason=told(one.reason))
+            for one in survey.too_few
+        ],
         "sentence": crest_sentence(question, standard, survey),
         "rows": _rows(question, standard, survey, facts.unit),
         "figures": pictures.figures([FIGURE]),
         "constant": _with_interval(None if survey.crest is None else survey.crest.constant_m, scale),
     }
     return values
+
+
+def _classes(result: Statistics) -> str:
+    """Whose heights the percentiles are of: "class" where others were left out, else "all"."""
+    return "class" if result.sight is not None and all(one.by_class for one in result.sight) else "all"
 
 
 def consequence(facts: ReportFacts) -> str | None:
@@ -101,33 +107,24 @@ _Cases = tuple[Standard, Standard, SightQuestion, CaseOfHeights, CaseOfHeights]
 
 def _cases(result: Statistics, unit: LengthUnit) -> _Cases | None:
     """The standard that is compared with, what is asked, its case and the survey's."""
-    pair = _pair(result)
-    if pair is None:
+    if result.sight is None:
         return None
-    eye, thing = pair
+    eye, thing = (one.standard for one in result.sight)
     question = question_of(eye, thing, unit)
-    standard = case_of(question, "standard", Bounded(eye.height_m), Bounded(thing.height_m))
-    survey = case_of(
-        question,
-        "survey",
-        bounded_of(_percentile(result, "driver_eye", question.eye_percent)),
-        bounded_of(_percentile(result, "taillight", question.object_percent)),
-        (
-            _by_pose_m(result, "driver_eye", question.eye_percent),
-            _by_pose_m(result, "taillight", question.object_percent),
-        ),
-    )
+    standard = case_of(question, "standard", exact(eye.height_m), exact(thing.height_m))
+    survey = case_of(question, "survey", *map(height_of_rule, result.sight))
     return eye, thing, question, standard, survey
 
 
 def question_of(eye: Standard, thing: Standard, unit: LengthUnit) -> SightQuestion:
-    """What a standard's eye and object are asked on a crest."""
+    """What a standard's eye and object are asked on a crest, each read by the percentile that it states."""
+    assert eye.percent is not None and thing.percent is not None
     return SightQuestion(
         chosen=Filter(),
         eye_m=eye.height_m,
         object_m=thing.height_m,
-        eye_percent=_rule(eye, _EYE_PERCENT),
-        object_percent=_rule(thing, _OBJECT_PERCENT),
+        eye_percent=eye.percent,
+        object_percent=thing.percent,
         object_target="taillight",
         kind="stopping",
         speed_mps=_SPEED_MPS[unit],
@@ -137,32 +134,6 @@ def question_of(eye: Standard, thing: Standard, unit: LengthUnit) -> SightQuesti
         shares={},
         unit=unit,
     )
-
-
-def _pair(result: Statistics) -> tuple[Standard, Standard] | None:
-    """The first eye and object of one standard, else the first of each."""
-    eyes, objects = standards_of(result.standards, "driver_eye"), standards_of(result.standards, "taillight")
-    if not eyes or not objects:
-        return None
-    same = ((eye, thing) for eye in eyes for thing in objects if eye.name == thing.name)
-    return next(same, (eyes[0], objects[0]))
-
-
-def _rule(standard: Standard, usual: float) -> float:
-    """The percentile that a standard's value stands for, where statistics hold it."""
-    return standard.percent if standard.percent in PERCENTILES else usual
-
-
-def _percentile(result: Statistics, target: StatisticsTarget, at: float) -> TotalPercentile | None:
-    found = result.targets.get(target)
-    if found is None or found.total is None:
-        return None
-    return next((one for one in found.total.percentiles if one.percent == at), None)
-
-
-def _by_pose_m(result: Statistics, target: StatisticsTarget, at: float) -> Mapping[int, float]:
-    found = result.targets.get(target)
-    return {} if found is None else found.by_pose_m.get(at, {})
 
 
 def crest_sentence(

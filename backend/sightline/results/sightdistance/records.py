@@ -8,7 +8,14 @@ from typing import Annotated
 
 from pydantic import Field
 
-from sightline.enums import Category, LengthUnit, SightCase, SightKind, StatisticsTarget
+from sightline.enums import (
+    Category,
+    EyeRule,
+    LengthUnit,
+    SightCase,
+    SightKind,
+    StatisticsTarget,
+)
 from sightline.results.survey_statistics import Filter
 from sightline.sightdistance.curves import CurveLength
 from sightline.sightdistance.distances import SightDistance
@@ -20,8 +27,10 @@ class SightQuestion:
     """What is asked: which measurements, the standard's heights, the rule that reads the survey's, and the
     road.
 
-    object_target None: the object's height is the standard's in every case, as where the object is a whole
-    vehicle. shares: a fleet's, by class; empty: no what-if. unit: which of the two sets of formulas.
+    eye_what: whose rule the eyes are read by, which names their class; objects are read by that of passenger
+    cars; where classes are chosen, both are of these. object_target None: the object's height is the
+    standard's in every case, as where the object is a whole vehicle. shares: a fleet's, by class; empty: no
+    what-if. unit: which of the two sets of formulas.
     """
 
     chosen: Filter
@@ -37,12 +46,21 @@ class SightQuestion:
     radius_m: float
     shares: Mapping[Category, float]
     unit: LengthUnit
+    eye_what: EyeRule = "eye_car"
+
+
+@dataclass(frozen=True)
+class WithoutFigure:
+    """A target whose percentile has no value, and why: fewer heights than it needs, and how many."""
+
+    target: StatisticsTarget
+    reason: str
 
 
 @dataclass(frozen=True)
 class CaseOfHeights:
-    """One pair of heights; without `crest`, `missing` says what nobody measured. `comparison` is with the
-    standard.
+    """One pair of heights; without `crest`, `missing` says what nobody measured, and `too_few` what has
+    too few heights for its percentile. `comparison` is with the standard.
     """
 
     name: SightCase
@@ -50,6 +68,7 @@ class CaseOfHeights:
     comparison: Comparison | None
     k_m: Annotated[tuple[Bounded, ...], Field(description="K at each of `speeds_mps`.")]
     missing: tuple[StatisticsTarget, ...] = ()
+    too_few: tuple[WithoutFigure, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -70,8 +89,11 @@ class SightDistances:
     speeds_mps: tuple[float, ...]
     distances_m: tuple[float, ...]
     cases: tuple[CaseOfHeights, ...]
-    eyes: int
-    objects: int
+    eyes: Annotated[int, Field(description="That the survey's percentile is of.")]
+    objects: Annotated[int, Field(description="That the survey's percentile is of.")]
+    by_class: Annotated[
+        bool, Field(description="Whether they are of the class that the rule names; else all that match.")
+    ]
     classes: tuple[ClassOfFleet, ...]
     sag_k_m: float
     sag: CurveLength

@@ -7,6 +7,7 @@ from fastapi import APIRouter, Query
 from sightline.enums import (
     Category,
     ClassSet,
+    EyeRule,
     LengthUnit,
     Lighting,
     SightKind,
@@ -38,6 +39,9 @@ def sight_distances_of_measurements(
     state: StatisticsState = "accepted",
     eye_m: Annotated[Number, Query(description="The standard's eye.")] = 1.08,
     object_m: Annotated[Number, Query(description="The standard's object.")] = 0.60,
+    eye_what: Annotated[
+        EyeRule, Query(description="Whose rule the eyes are read by: it names their class.")
+    ] = "eye_car",
     eye_percent: Annotated[Percent, Query(description="The rule that reads the survey's eyes.")] = 10.0,
     object_percent: Annotated[Percent, Query(description="The rule that reads its objects.")] = 5.0,
     object_target: Annotated[
@@ -76,6 +80,7 @@ def sight_distances_of_measurements(
         radius_m=radius_m,
         shares=_shares(share),
         unit=unit,
+        eye_what=eye_what,
     )
     return sight_distances(session, question)
 

@@ -1,20 +1,20 @@
 """From a survey's heights to sight distances: percentiles by a standard's rule, crests, and what they change.
 
 The page asks with a session (`sight_distances`); the report has the statistics of its package at hand and
-takes `case_of` with their percentiles. Both give the same figures: those of true heights, with total
-uncertainty.
+takes `case_of` with its rules' figures. Both give THE figure (`statistics.rules`): of true heights, of the
+class that the rule names, with total uncertainty.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import replace
+from dataclasses import dataclass, field, replace
 from typing import get_args
 
 import numpy as np
 
 from sightline.coverage import COVERAGE_95
-from sightline.enums import Category, LengthUnit, SightCase, StatisticsTarget
+from sightline.enums import Category, LengthUnit, SightCase, StandardHeight, StatisticsTarget
 from sightline.errors import BadInput
 from sightline.infra.database import Session
 from sightline.results.measured_columns_query import CATEGORIES, NONE, Measured
@@ -23,8 +23,15 @@ from sightline.results.sightdistance.records import (
     ClassOfFleet,
     SightDistances,
     SightQuestion,
+    WithoutFigure,
 )
-from sightline.results.survey_statistics import height_sample, measured_columns
+from sightline.results.survey_statistics import (
+    RULE_OF,
+    figures_of_rule,
+    height_sample,
+    measured_columns,
+    sites_of,
+)
 from sightline.sightdistance.curves import crest_constant, sag_k_m, sag_length, sightline_offset_m
 from sightline.sightdistance.distances import METRIC, US_CUSTOMARY, SightDistance, UnitSystem
 from sightline.sightdistance.workbench import (
@@ -37,59 +44,116 @@ from sightline.sightdistance.workbench import (
 )
 from sightline.statistics.figures import TotalPercentile
 from sightline.statistics.fleet import mixed_percentile
+from sightline.statistics.rules import RuleToday
 from sightline.statistics.shared_errors import correlation_of
 from sightline.statistics.total_uncertainty import TotalUncertainty
 
 _UNITS: dict[LengthUnit, UnitSystem] = {"m": METRIC, "ft": US_CUSTOMARY}
+# Whose rule an object is read by: the first of its target in the table of rules, that of passenger cars.
+_OBJECT_RULE: dict[StatisticsTarget, StandardHeight] = {
+    target: what for what, (target, _) in reversed(RULE_OF.items())
+}
 # Design speeds as tables print them: 30 to 130 km/h, 20 to 80 mph.
 _SPEEDS: dict[LengthUnit, tuple[int, int, int]] = {"m": (30, 131, 10), "ft": (20, 81, 5)}
+
+
+@dataclass(frozen=True)
+class HeightRead:
+    """A percentile as a height on the road: with its interval; or `reason`, why it has no value. by_pose_m:
+    what one standard uncertainty of each road pose moves it by.
+    """
+
+    height_m: Bounded | None
+    reason: str | None = None
+    by_pose_m: Mapping[int, float] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class _Read:
+    """Heights of one target as a rule reads them: the figure, of how many, whether of the rule's class."""
+
+    height: HeightRead | None
+    n: int
+    by_class: bool
+
+
+def exact(height_m: float) -> HeightRead:
+    """A height that is taken as exact, as a standard's."""
+    return HeightRead(Bounded(height_m))
+
+
+def height_of_rule(rule: RuleToday) -> HeightRead | None:
+    """THE figure of a standard's rule as a height on the road; None where nobody measured its class."""
+    if rule.n == 0:
+        return None
+    if rule.value_m is None:
+        return HeightRead(None, rule.reason)
+    return HeightRead(
+        Bounded(rule.value_m, rule.U95_low_m, rule.U95_high_m, rule.reason), by_pose_m=rule.by_pose_m
+    )
+
+
+def height_of(found: TotalPercentile, by_pose_m: Mapping[int, float] | None = None) -> HeightRead:
+    """A percentile as a height on the road."""
+    if found.value is None:
+        return HeightRead(None, found.reason)
+    return HeightRead(
+        Bounded(found.value, found.U95_low, found.U95_high, found.reason), None, by_pose_m or {}
+    )
 
 
 def sight_distances(session: Session, question: SightQuestion) -> SightDistances:
     """What the measurements of a filter mean for a road. Raises BadInput for values or shares that cannot
     be.
     """
-    eyes = measured_columns(session, replace(question.chosen, target="driver_eye"))
     target = question.object_target
+    eyes = measured_columns(session, replace(question.chosen, target="driver_eye"))
     objects = None if target is None else measured_columns(session, replace(question.chosen, target=target))
-    eye = _plain(eyes, question.eye_percent)
-    thing = None if objects is None else _plain(objects, question.object_percent)
-    by_pose = _by_pose_m(eyes, question.eye_percent), _by_pose_m(objects, question.object_percent)
+    eye = _read(session, question, eyes, question.eye_what, question.eye_percent)
+    thing = _Read(None, 0, False)
+    if objects is not None and target is not None:
+        thing = _read(session, question, objects, _OBJECT_RULE[target], question.object_percent)
     cases = [
-        case_of(question, "standard", Bounded(question.eye_m), Bounded(question.object_m)),
-        case_of(question, "survey", eye, thing, by_pose),
+        case_of(question, "standard", exact(question.eye_m), exact(question.object_m)),
+        case_of(question, "survey", eye.height, thing.height),
     ]
     if question.shares:
-        eye = _mixed(eyes, question.shares, question.eye_percent)
-        thing = None if objects is None else _mixed(objects, question.shares, question.object_percent)
-        cases.append(case_of(question, "mix", eye, thing, by_pose))
-    return _road(question, tuple(cases), eyes, objects)
+        mixed = _mixed(eyes, question.shares, question.eye_percent)
+        of_mix = None if objects is None else _mixed(objects, question.shares, question.object_percent)
+        cases.append(case_of(question, "mix", mixed, of_mix))
+    return _road(question, tuple(cases), (eyes, objects), (eye, thing))
 
 
 def case_of(
-    question: SightQuestion,
-    name: SightCase,
-    eye: Bounded | None,
-    thing: Bounded | None,
-    by_pose_m: tuple[Mapping[int, float], Mapping[int, float]] = ({}, {}),
+    question: SightQuestion, name: SightCase, eye: HeightRead | None, thing: HeightRead | None
 ) -> CaseOfHeights:
     """One pair of heights as a crest; None: nobody measured it (of an object: the standard's is taken).
 
-    by_pose_m: what one standard uncertainty of each road pose moves eye and object by: errors of both that
-    come from the same pose and board are the same errors, and count together in the interval.
+    Errors of both that come from the same pose and board are the same errors, and count together in the
+    interval.
     """
     target = question.object_target
     if thing is None and target is None:
-        thing = Bounded(question.object_m)
-    if eye is None or thing is None:
-        missing: list[StatisticsTarget] = ["driver_eye"] if eye is None else []
-        if thing is None and target is not None:
-            missing.append(target)
-        return CaseOfHeights(name=name, crest=None, comparison=None, k_m=(), missing=tuple(missing))
+        thing = exact(question.object_m)
+    named: list[tuple[StatisticsTarget, HeightRead | None]] = [("driver_eye", eye)]
+    named += [] if target is None else [(target, thing)]
+    if eye is None or thing is None or eye.height_m is None or thing.height_m is None:
+        return CaseOfHeights(
+            name=name,
+            crest=None,
+            comparison=None,
+            k_m=(),
+            missing=tuple(what for what, one in named if one is None),
+            too_few=tuple(
+                WithoutFigure(what, one.reason or "")
+                for what, one in named
+                if one is not None and one.height_m is None
+            ),
+        )
     standard = crest_constant(question.eye_m, question.object_m).constant_m
     seen_m = distance_of(question, question.speed_mps).design_m
-    together = correlation_of(*by_pose_m, _u_m(eye), _u_m(thing))
-    crest = crest_of(eye, thing, seen_m, question.difference_percent, standard, together)
+    together = correlation_of(eye.by_pose_m, thing.by_pose_m, _u_m(eye.height_m), _u_m(thing.height_m))
+    crest = crest_of(eye.height_m, thing.height_m, seen_m, question.difference_percent, standard, together)
     return CaseOfHeights(
         name=name,
         crest=crest,
@@ -114,19 +178,11 @@ def distance_of(question: SightQuestion, speed_mps: float) -> SightDistance:
     return sight_distance(question.kind, speed_mps, units)
 
 
-def bounded_of(found: TotalPercentile | None) -> Bounded | None:
-    """A percentile as a height with its total interval, or with the reason why it has none; None without a
-    value.
-    """
-    return (
-        None
-        if found is None or found.value is None
-        else Bounded(found.value, found.U95_low, found.U95_high, found.reason)
-    )
-
-
 def _road(
-    question: SightQuestion, cases: tuple[CaseOfHeights, ...], eyes: Measured, objects: Measured | None
+    question: SightQuestion,
+    cases: tuple[CaseOfHeights, ...],
+    measured: tuple[Measured, Measured | None],
+    read: tuple[_Read, _Read],
 ) -> SightDistances:
     distance = distance_of(question, question.speed_mps)
     speeds = design_speeds(question.unit)
@@ -136,9 +192,10 @@ def _road(
         speeds_mps=speeds,
         distances_m=tuple(distance_of(question, speed).design_m for speed in speeds),
         cases=cases,
-        eyes=len(eyes),
-        objects=0 if objects is None else len(objects),
-        classes=_classes(eyes, objects),
+        eyes=read[0].n,
+        objects=read[1].n,
+        by_class=any(one.by_class for one in read),
+        classes=_classes(*measured),
         sag_k_m=sag_k_m(distance.design_m, question.headlight_m),
         sag=sag_length(distance.design_m, question.difference_percent, question.headlight_m),
         offset_m=sightline_offset_m(question.radius_m, distance.design_m) if fits else None,
@@ -152,19 +209,19 @@ def _u_m(found: Bounded) -> float:
     return (found.high - found.low) / (2.0 * COVERAGE_95)
 
 
-def _by_pose_m(measured: Measured | None, percent: float) -> dict[int, float]:
-    if measured is None or not len(measured):
-        return {}
-    return TotalUncertainty(height_sample(measured)).named_effects_m(percent)
+def _read(
+    session: Session, question: SightQuestion, measured: Measured, what: StandardHeight, percent: float
+) -> _Read:
+    """THE figure of a rule, of its class; of the classes that a person chose, where they did."""
+    chosen = question.chosen
+    own = bool(chosen.categories or chosen.class_sets)
+    found, by_class = figures_of_rule(measured, what, sites_of(session, measured), by_class=not own)
+    if found is None:
+        return _Read(None, 0, by_class)
+    return _Read(height_of(found.percentile(percent), found.named_effects_m(percent)), found.n, by_class)
 
 
-def _plain(measured: Measured, percent: float) -> Bounded | None:
-    if not len(measured):
-        return None
-    return bounded_of(TotalUncertainty(height_sample(measured)).percentile(percent))
-
-
-def _mixed(measured: Measured, shares: Mapping[Category, float], percent: float) -> Bounded | None:
+def _mixed(measured: Measured, shares: Mapping[Category, float], percent: float) -> HeightRead | None:
     """Of a fleet with other shares. Raises BadInput for a class that nobody measured."""
     if not len(measured):
         return None
@@ -175,7 +232,9 @@ def _mixed(measured: Measured, shares: Mapping[Category, float], percent: float)
     unseen = [word for word, share, n in zip(CATEGORIES, asked, counts, strict=True) if share > 0 and not n]
     if unseen:
         raise BadInput("sightdistance-class-unseen", category=unseen[0])
-    return bounded_of(mixed_percentile(height_sample(known), known.category, asked, percent))
+    sample = height_sample(known)
+    by_pose_m = TotalUncertainty(sample).named_effects_m(percent)
+    return height_of(mixed_percentile(sample, known.category, asked, percent), by_pose_m)
 
 
 def _classes(eyes: Measured, objects: Measured | None) -> tuple[ClassOfFleet, ...]:

@@ -6,7 +6,7 @@ import { NONE, percent, scaled } from "./numbers";
 import type { RuleToday } from "./types";
 
 /** What is shown of a rule; the server says more of its standard. */
-export type Rule = Omit<RuleToday, "standard"> & {
+export type Rule = Omit<RuleToday, "standard" | "by_pose_m"> & {
   standard: Pick<RuleToday["standard"], "name" | "what" | "height_m" | "percent" | "vehicle_class">;
 };
 

@@ -58,7 +58,7 @@ export function SpreadFigure({ spread }: { spread: ScanSpread }) {
           ? [
               ...ecdfMarks(plot, ecdf, { word: "", band: true }, by),
               plot.ruleX(
-                asked.filter((one) => one.percent === 85 && !one.reason).map((one) => one.value * by),
+                asked.flatMap((one) => (one.percent === 85 && one.value !== null ? [one.value * by] : [])),
                 { stroke: "var(--ink-2)", strokeDasharray: "4 3" },
               ),
             ]
@@ -86,8 +86,8 @@ export function SpreadFigure({ spread }: { spread: ScanSpread }) {
 
 function percentileWords(one: ScanSpread["percentiles"][number], by: number): string {
   const percent = String(one.percent);
+  if (one.value === null) return one.reason ?? "";
   const value = fixed(one.value * by, 2);
-  if (one.reason) return say("motion-percentile-none", { percent, value });
   if (one.low === null || one.high === null) return say("motion-percentile", { percent, value });
   const [low, high] = [fixed(one.low * by, 2), fixed(one.high * by, 2)];
   return say("motion-percentile-interval", { percent, value, low, high });

@@ -167,7 +167,11 @@ function Row({ one }: { one: TrafficInterval }) {
       <Measured figure={one.time_mean_speed_mps} by={by} digits={2} />
       <Measured figure={one.space_mean_speed_mps} by={by} digits={2} />
       <td class="num">
-        {p85 ? fixed(p85.value * by, 1) : "–"}
+        {p85 && p85.value !== null ? (
+          fixed(p85.value * by, 1)
+        ) : (
+          <span title={p85?.reason ?? undefined}>–</span>
+        )}
         {p85 && p85.low !== null && p85.high !== null && (
           <Small>{say("interval", { low: fixed(p85.low * by, 1), high: fixed(p85.high * by, 1) })}</Small>
         )}

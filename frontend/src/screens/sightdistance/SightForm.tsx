@@ -71,7 +71,11 @@ function StandardChoice({ name, usual, label, options }: StandardChoiceProps) {
           const rule = name === "eye_m" ? "eye_percent" : "object_percent";
           // the survey is read by the rule of the standard, where one is known
           if (one)
-            setQuery({ [name]: one.height_m, ...(one.percent === null ? {} : { [rule]: one.percent }) });
+            setQuery({
+              [name]: one.height_m,
+              ...(one.percent === null ? {} : { [rule]: one.percent }),
+              ...(name === "eye_m" ? { eye_what: one.what } : {}), // whose eyes: of cars, of trucks
+            });
         }}
       />
       <Length name={name} label={say("sight-standard-height")} usual={usual} />

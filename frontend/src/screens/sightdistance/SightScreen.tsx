@@ -3,15 +3,14 @@ import { useEffect } from "preact/hooks";
 import { Button, Loading, Notice, Problem, TableScroll } from "../../components";
 import { query } from "../../core/address";
 import { api, fromAddress } from "../../core/api";
-import { allOf, say } from "../../core/messages";
+import { say } from "../../core/messages";
 import type { ScreenProps } from "../../core/places";
 import { useResource } from "../../core/resource";
 import { fixed, formatLength, formatSpeed, lengthScale } from "../../core/units";
-import { TARGET_WORDS } from "../../core/words";
 import { OutOfDateNotice } from "../../parts/again/OutOfDateNotice";
 import { loadPlot } from "../../parts/figures/PlotFigure";
 import { KFigure } from "./KFigure";
-import { type Bounded, CASE_WORDS, type Case, type Sight, sightQuery } from "./model";
+import { type Bounded, CASE_WORDS, type Case, type Sight, sightQuery, withoutCrest } from "./model";
 import { SightForm } from "./SightForm";
 import "./sightdistance.css";
 
@@ -79,8 +78,7 @@ function Sentences({ sight }: { sight: Sight }) {
 
 function sentenceOf(one: Case, standard: Case | undefined, sight: Sight): string {
   const { crest, comparison } = one;
-  if (!crest || !comparison || !standard?.crest)
-    return say("sight-missing", { targets: allOf(one.missing.map((target) => TARGET_WORDS[target])) });
+  if (!crest || !comparison || !standard?.crest) return withoutCrest(one);
   return say(`sight-verdict-${comparison.verdict}`, {
     case: one.name === "mix" ? "mix" : "survey",
     eye: formatLength(crest.eye_m.value, 2),
@@ -140,11 +138,7 @@ function Cases({ sight }: { sight: Sight }) {
                     <Cell of={one.crest.seen_m} digits={0} />
                   </>
                 ) : (
-                  <td colSpan={6}>
-                    {say("sight-missing", {
-                      targets: allOf(one.missing.map((target) => TARGET_WORDS[target])),
-                    })}
-                  </td>
+                  <td colSpan={6}>{withoutCrest(one)}</td>
                 )}
               </tr>
             ))}
@@ -152,7 +146,12 @@ function Cases({ sight }: { sight: Sight }) {
         </table>
       </TableScroll>
       <p class="field__hint sight-note">
-        {say("sight-cases-note", { eyes: sight.eyes, objects: sight.objects })} {sight.distance.source}.
+        {say("sight-cases-note", {
+          eyes: sight.eyes,
+          objects: sight.objects,
+          whose: say(sight.by_class ? "sight-read-class" : "sight-read-all"),
+        })}{" "}
+        {sight.distance.source}.
       </p>
     </section>
   );

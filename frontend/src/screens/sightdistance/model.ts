@@ -1,8 +1,9 @@
 /** What the sight-distance page asks and shows; all of it is in the address. */
 import type { components } from "#schema";
-import { wordsOf } from "../../core/messages";
+import { allOf, say, wordsOf } from "../../core/messages";
 import type { AddressOf } from "../../core/routes";
 import { lengthUnit } from "../../core/units";
+import { TARGET_WORDS } from "../../core/words";
 
 type Schemas = components["schemas"];
 export type Sight = Schemas["SightDistances"];
@@ -36,6 +37,7 @@ const PLAIN = [
   "state",
   "eye_m",
   "object_m",
+  "eye_what",
   "eye_percent",
   "object_percent",
   "kind",
@@ -64,6 +66,16 @@ export function sightQuery(query: URLSearchParams): AddressOf<"GET /sightdistanc
 export function usualObject(kind: string | null): string {
   if (kind === "passing" || kind?.startsWith("intersection")) return "driver_eye";
   return "taillight";
+}
+
+/** Why a case has no crest: what nobody measured, else what has too few heights for its percentile. */
+export function withoutCrest(one: Case): string {
+  if (one.missing.length > 0)
+    return say("sight-missing", { targets: allOf(one.missing.map((target) => TARGET_WORDS[target])) });
+  const each = one.too_few.map(({ target, reason }) =>
+    say("sight-too-few-of", { target: TARGET_WORDS[target], reason }),
+  );
+  return say("sight-too-few", { targets: each.join("; ") });
 }
 
 /** The fleet of an address: percent by class; empty where none is asked for. */

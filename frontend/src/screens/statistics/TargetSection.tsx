@@ -266,8 +266,8 @@ function Percentiles({ target }: { target: OfTarget }) {
 type TotalPercentile = NonNullable<OfTarget["total"]>["percentiles"][number];
 
 /** A percentile of the true heights with its total interval. */
-function ofTotal({ percent, value, U95_low, U95_high, reason }: TotalPercentile): Percentile {
-  return { percent, value, low: U95_low, high: U95_high, reason: reason ?? null };
+function ofTotal({ percent, value, U95_low, U95_high, needs, reason }: TotalPercentile): Percentile {
+  return { percent, value, low: U95_low, high: U95_high, needs, reason: reason ?? null };
 }
 
 /** Why some percentiles have no interval, each reason once. */
