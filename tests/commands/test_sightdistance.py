@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import json
 import math
+from pathlib import Path
 from typing import Any
 
 import pytest
 
 from sightline.cli import main
+from tests.commands.test_distribution import written
 
 
 def asked(capsys: pytest.CaptureFixture[str], *arguments: str) -> dict[str, Any]:
@@ -57,6 +59,69 @@ def test_the_fastest_design_speed_is_one(capsys: pytest.CaptureFixture[str]) -> 
     assert asked(capsys, "--eye", "1.08", "--object", "0.60", "--speed", "300")["distance_m"] > 1000
 
 
+def test_k_and_lengths_have_the_intervals_of_the_heights(capsys: pytest.CaptureFixture[str]) -> None:
+    """Limits recovered by Zou and Donner, here worked out by hand of both ends of both heights."""
+    heights = ("--eye", "1.08", "--object", "0.60", "--speed", "100", "--grade-difference", "6")
+    found = asked(capsys, *heights, "--u-eye", "0.01", "--u-object", "0.02", "--headlight", "0.6")
+    roots = [
+        [math.sqrt(height + side * 1.959963984540054 * u) - math.sqrt(height) for side in (-1, 1)]
+        for height, u in ((1.08, 0.01), (0.60, 0.02))
+    ]
+    middle = math.sqrt(1.08) + math.sqrt(0.60)
+    low = 200 * (middle - math.hypot(roots[0][0], roots[1][0])) ** 2
+    high = 200 * (middle + math.hypot(roots[0][1], roots[1][1])) ** 2
+    assert (found["constant_U95_low"], found["constant_U95_high"]) == pytest.approx((low, high), rel=1e-9)
+    square = found["distance_m"] ** 2
+    ends = (found["crest_k_m_U95_low"], found["crest_k_m_U95_high"])
+    assert ends == pytest.approx((square / high, square / low), rel=1e-9)
+    assert found["case"] == "S < L"
+    assert found["crest_length_m_U95_high"] == pytest.approx(6 * ends[1], rel=1e-9)
+    design = 185**2
+    assert found["design_crest_k_m_U95_high"] == pytest.approx(design / low, rel=1e-9)
+    assert "sag_k_m_U95_low" not in found  # the headlight's height was given as exact
+    assert found["sag_k_m"] == pytest.approx(
+        found["distance_m"] ** 2 / (200 * (0.6 + found["distance_m"] * math.tan(math.radians(1)))), rel=1e-9
+    )
+
+
+@pytest.mark.parametrize(
+    ("kind", "speed_kmh", "distance_m", "design_m"),
+    [
+        ("decision_a", "100", 0.278 * 100 * 3.0 + 0.039 * 100**2 / 3.4, 200),
+        ("intersection_left", "100", 0.278 * 100 * 7.5, 210),
+        ("passing", "100", 320.0, 320),
+    ],
+)
+def test_other_kinds(
+    capsys: pytest.CaptureFixture[str], kind: str, speed_kmh: str, distance_m: float, design_m: float
+) -> None:
+    """AASHTO 2018: table 3-3 and equation 3-4, table 9-6, table 3-4."""
+    found = asked(capsys, "--eye", "1.08", "--object", "1.08", "--speed", speed_kmh, "--kind", kind)
+    assert found["kind"] == kind and "stopping_distance_m" not in found
+    assert found["sight_distance_m"] == pytest.approx(distance_m)
+    assert found["design_sight_distance_m"] == design_m
+    assert found["design_crest_k_m"] == pytest.approx(design_m**2 / found["constant"])
+
+
+def test_heights_of_a_file_are_the_figures_of_distribution(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    eyes, lamps = written(tmp_path, n=120), tmp_path / "lamps.csv"
+    lamps.write_text(written(tmp_path, n=60).read_text("utf-8-sig"), "utf-8")
+    eyes = written(tmp_path, n=120)
+    assert main(["distribution", str(eyes), "--percentile", "10", "--json"]) == 0
+    figure = json.loads(capsys.readouterr().out)["groups"]["all"]["percentiles"]["10"]
+    found = asked(capsys, "--eye-heights", str(eyes), "--object", "0.6", "--speed", "100")
+    assert (found["eye_m"], found["eye_m_U95_low"], found["eye_m_U95_high"]) == (
+        figure["value"],
+        figure["U95_low"],
+        figure["U95_high"],
+    )
+    assert found["crest_k_m_U95_low"] < found["crest_k_m"] < found["crest_k_m_U95_high"]
+    assert main(["sightdistance", "--eye", "1.08", "--object-heights", str(lamps)]) == 2
+    assert "P5 needs 72; there are 60" in capsys.readouterr().err
+
+
 def test_in_words(capsys: pytest.CaptureFixture[str]) -> None:
     arguments = [
         "--eye",
@@ -93,6 +158,7 @@ def test_in_words(capsys: pytest.CaptureFixture[str]) -> None:
         ("--eye 1.08 --object 0.6 --u-eye -0.1", "uncertainty"),
         ("--eye 1.08 --object 0.6 --grade-difference 5", "--distance"),
         ("--eye 1.08", "--object"),
+        ("--eye 1.08 --object 0.6 --headlight 0.6", "--distance"),
     ],
 )
 def test_bad_input_is_one_sentence(capsys: pytest.CaptureFixture[str], arguments: str, word: str) -> None:

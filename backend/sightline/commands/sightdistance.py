@@ -2,26 +2,40 @@
 
 from __future__ import annotations
 
-from typing import Any
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, get_args
 
 import click
 
 from sightline.commands.options import json_option, print_json
-from sightline.enums import CurveCase
+from sightline.enums import CurveCase, SightKind
 from sightline.errors import BadInput
-from sightline.sightdistance.curves import CrestConstant, crest_constant, crest_k_m, crest_length
-from sightline.sightdistance.distances import GREEN_BOOK, METRIC, SightDistance, stopping_distance
+
+if TYPE_CHECKING:
+    from sightline.sightdistance.distances import SightDistance
+    from sightline.sightdistance.workbench import Bounded
 
 FOOT_M = 0.3048
 
 
 @click.command()
-@click.option("--eye", "eye_m", type=float, required=True, help="Height of the eye above the road, metres.")
-@click.option("--object", "object_m", type=float, required=True, help="Height of the object, metres.")
+@click.option("--eye", "eye_m", type=float, help="Height of the eye above the road, metres ...")
+@click.option(
+    "--eye-heights",
+    type=click.Path(path_type=Path),
+    help="... or heights.csv: one of its percentiles.",
+)
+@click.option("--eye-percentile", type=float, default=10.0, show_default=True)
+@click.option("--object", "object_m", type=float, help="Height of the object, metres ...")
+@click.option(
+    "--object-heights", type=click.Path(path_type=Path), help="... or heights.csv: one of its percentiles."
+)
+@click.option("--object-percentile", type=float, default=5.0, show_default=True)
 @click.option("--distance", "distance_m", type=float, help="Sight distance, metres ...")
 @click.option(
-    "--speed", "speed_kmh", type=float, help="... or design speed, km/h, to use its stopping sight distance."
+    "--speed", "speed_kmh", type=float, help="... or design speed, km/h, to use the sight distance of --kind."
 )
+@click.option("--kind", type=click.Choice(get_args(SightKind)), default="stopping", show_default=True)
 @click.option("--u-eye", "u_eye_m", type=float, help="u of the eye height, metres.")
 @click.option("--u-object", "u_object_m", type=float, help="u of the object height, metres.")
 @click.option(
@@ -30,91 +44,198 @@ FOOT_M = 0.3048
     type=float,
     help="Grade difference, percent: also computes the length of the crest.",
 )
+@click.option("--headlight", "headlight_m", type=float, help="Height of the headlight, metres: also a sag.")
+@click.option("--u-headlight", "u_headlight_m", type=float, help="u of the headlight's height, metres.")
 @json_option
 def sightdistance(
-    eye_m: float,
-    object_m: float,
+    eye_m: float | None,
+    eye_heights: Path | None,
+    eye_percentile: float,
+    object_m: float | None,
+    object_heights: Path | None,
+    object_percentile: float,
     distance_m: float | None,
     speed_kmh: float | None,
+    kind: SightKind,
     u_eye_m: float | None,
     u_object_m: float | None,
     difference_percent: float | None,
+    headlight_m: float | None,
+    u_headlight_m: float | None,
     as_json: bool,
 ) -> None:
-    """Compute the constant and K of a crest curve from the heights of eye and object."""
+    """Compute the constant and K of a crest curve from the heights of eye and object.
+
+    Heights are given, or taken from heights.csv: the percentile of true heights with its total interval, as
+    `sightline distribution` prints it. Results have total 95 % intervals where the heights have.
+    """
+    from sightline.sightdistance.workbench import sight_distance, with_u
+
     if distance_m is not None and speed_kmh is not None:
         raise BadInput("commands-distance-or-speed")
-    stopping = None if speed_kmh is None else stopping_distance(speed_kmh * METRIC.speed_mps)
-    seen_m = distance_m if stopping is None else stopping.distance_m
-    crest = crest_constant(eye_m, object_m, u_eye_m, u_object_m)
+    eye = _height("eye", eye_m, u_eye_m, eye_heights, eye_percentile)
+    thing = _height("object", object_m, u_object_m, object_heights, object_percentile)
+    needed = None if speed_kmh is None else sight_distance(kind, speed_kmh / 3.6)
+    seen_m = distance_m if needed is None else needed.distance_m
     if difference_percent is not None and seen_m is None:
         raise BadInput("commands-grade-difference-needs-distance")
-    answer = _answer(eye_m, object_m, seen_m, crest, stopping) | _length(crest, seen_m, difference_percent)
-    notes = _notes(u_eye_m, u_object_m)
+    if headlight_m is not None and seen_m is None:
+        raise BadInput("commands-sag-needs-distance")
+    u_m = (u_eye_m if eye_heights is None else None, u_object_m if object_heights is None else None)
+    answer = _answer(eye, thing, u_m, seen_m) | _distance(needed, kind, eye, thing)
+    answer |= _length(eye, thing, seen_m, difference_percent)
+    if headlight_m is not None and seen_m is not None:
+        answer |= _sag(with_u(headlight_m, u_headlight_m), seen_m, difference_percent)
+    notes = _notes(eye, thing)
     if as_json:
         print_json(answer | ({"notes": notes} if notes else {}))
     else:
         click.echo("\n".join([*_text(answer), *notes]))
 
 
+def _height(
+    name: str, value_m: float | None, u_m: float | None, heights: Path | None, percent: float
+) -> Bounded:
+    """A height that is given, or THE percentile of a file. Raises BadInput for both, neither, or too few."""
+    from sightline.commands.distribution import percents_of, read_groups, sample_of
+    from sightline.sightdistance.workbench import Bounded, with_u
+    from sightline.statistics.total_uncertainty import TotalUncertainty
+
+    if (value_m is None) == (heights is None) or (heights is not None and u_m is not None):
+        raise BadInput("commands-height-or-heights", name=name)
+    if value_m is not None:
+        return with_u(value_m, u_m)
+    assert heights is not None
+    ((_, asked),) = percents_of(format(percent, "g"))
+    (rows,) = read_groups(heights, None)[0].values()
+    found = TotalUncertainty(sample_of(rows)).percentile(asked)
+    if found.value is None:
+        raise BadInput("commands-too-few-heights", path=heights, reason=found.reason or "")
+    return Bounded(found.value, found.U95_low, found.U95_high, found.reason)
+
+
 def _answer(
-    eye_m: float, object_m: float, seen_m: float | None, crest: CrestConstant, stopping: SightDistance | None
+    eye: Bounded, thing: Bounded, u_m: tuple[float | None, float | None], seen_m: float | None
 ) -> dict[str, Any]:
-    constant = crest.constant_m
-    answer: dict[str, Any] = {"eye_m": eye_m, "object_m": object_m, "constant": constant}
-    answer["crest_k_m"] = None if seen_m is None else crest_k_m(seen_m, constant)
-    if crest.u_constant_m is not None:
-        share = crest.u_constant_m / constant
-        answer["u_constant"] = crest.u_constant_m
-        answer["u_crest_k_m"] = None if answer["crest_k_m"] is None else share * answer["crest_k_m"]
+    from sightline.sightdistance.curves import crest_constant
+    from sightline.sightdistance.distances import GREEN_BOOK
+    from sightline.sightdistance.workbench import constant_of, k_of
+
+    constant = constant_of(eye, thing)
+    answer: dict[str, Any] = {
+        **_ends("eye_m", eye),
+        **_ends("object_m", thing),
+        **_ends("constant", constant),
+    }
+    answer |= {"crest_k_m": None} if seen_m is None else _ends("crest_k_m", k_of(seen_m, constant))
+    u_constant_m = crest_constant(eye.value, thing.value, *u_m).u_constant_m
+    if u_constant_m is not None:
+        share = u_constant_m / constant.value
+        answer["u_constant"] = u_constant_m
+        answer["u_crest_k_m"] = None if seen_m is None else share * answer["crest_k_m"]
     answer["distance_m"] = seen_m
-    if stopping is not None:
-        answer["stopping_distance_m"] = stopping.distance_m
-        answer["formula"] = f"{stopping.formula}, t = 2.5 s, a = 3.4 m/s^2, V in km/h ({stopping.source})"
-        answer["design_stopping_distance_m"] = stopping.design_m
-        answer["design_crest_k_m"] = crest_k_m(stopping.design_m, constant)
     answer["source"] = f"100 (sqrt(2 eye) + sqrt(2 object))^2, K = S^2 / constant for S < L ({GREEN_BOOK})"
     return answer
 
 
-def _length(crest: CrestConstant, seen_m: float | None, difference_percent: float | None) -> dict[str, Any]:
-    if difference_percent is None or seen_m is None:
+def _ends(name: str, found: Bounded) -> dict[str, Any]:
+    """A value and the ends of its interval, where it has one."""
+    if found.low is None or found.high is None:
+        return {name: found.value}
+    return {name: found.value, f"{name}_U95_low": found.low, f"{name}_U95_high": found.high}
+
+
+def _distance(needed: SightDistance | None, kind: SightKind, eye: Bounded, thing: Bounded) -> dict[str, Any]:
+    """The distance that a design speed asks for, and K at it rounded up."""
+    from sightline.sightdistance.workbench import constant_of, k_of
+
+    if needed is None:
         return {}
-    found = crest_length(seen_m, difference_percent, crest.constant_m)
+    names = ("stopping_distance_m", "design_stopping_distance_m")
+    if kind != "stopping":
+        names = ("sight_distance_m", "design_sight_distance_m")
+    with_words = ", t = 2.5 s, a = 3.4 m/s^2, V in km/h" if kind == "stopping" else ""
     return {
-        "grade_difference_percent": difference_percent,
-        "crest_length_m": found.length_m,
-        "case": found.case,
+        "kind": kind,
+        names[0]: needed.distance_m,
+        "formula": f"{needed.formula}{with_words} ({needed.source})",
+        names[1]: needed.design_m,
+        **_ends("design_crest_k_m", k_of(needed.design_m, constant_of(eye, thing))),
     }
 
 
-def _notes(u_eye_m: float | None, u_object_m: float | None) -> list[str]:
-    if (u_eye_m is None) == (u_object_m is None):
-        return []
-    return [f"The {'eye' if u_eye_m is None else 'object'}'s height is taken as exact; give its u too."]
+def _length(
+    eye: Bounded, thing: Bounded, seen_m: float | None, difference_percent: float | None
+) -> dict[str, Any]:
+    from sightline.sightdistance.curves import crest_length
+    from sightline.sightdistance.workbench import constant_of, mapped
+
+    if difference_percent is None or seen_m is None:
+        return {}
+    constant = constant_of(eye, thing)
+    found = mapped(constant, lambda c: crest_length(seen_m, difference_percent, c).length_m, falling=True)
+    return {
+        "grade_difference_percent": difference_percent,
+        **_ends("crest_length_m", found),
+        "case": crest_length(seen_m, difference_percent, constant.value).case,
+    }
+
+
+def _sag(headlight: Bounded, seen_m: float, difference_percent: float | None) -> dict[str, Any]:
+    """A sag that headlights light as far as one has to see."""
+    from sightline.sightdistance.curves import sag_k_m, sag_length
+    from sightline.sightdistance.workbench import mapped
+
+    answer = _ends("headlight_m", headlight)
+    answer |= _ends("sag_k_m", mapped(headlight, lambda h: sag_k_m(seen_m, h), falling=True))
+    if difference_percent is not None:
+        found = mapped(headlight, lambda h: sag_length(seen_m, difference_percent, h).length_m, falling=True)
+        answer |= _ends("sag_length_m", found)
+        answer["sag_case"] = sag_length(seen_m, difference_percent, headlight.value).case
+    return answer
+
+
+def _notes(eye: Bounded, thing: Bounded) -> list[str]:
+    notes = [one.reason for one in (eye, thing) if one.reason]
+    if (eye.low is None) == (thing.low is None):
+        return notes
+    return [
+        *notes,
+        f"The {'eye' if eye.low is None else 'object'}'s height is taken as exact; give its u too.",
+    ]
 
 
 def _text(answer: dict[str, Any]) -> list[str]:
-    u, k = answer.get("u_constant"), answer["crest_k_m"]
-    lines = [
-        f"constant            {answer['constant']:.1f} m ({answer['constant'] / FOOT_M:.0f} ft)"
-        + (f", u {u:.1f} m" if u is not None else "")
-    ]
-    if "stopping_distance_m" in answer:
-        lines.append(f"stopping distance   {answer['stopping_distance_m']:.1f} m: {answer['formula']}")
-    if k is not None:
-        u_k = answer.get("u_crest_k_m")
+    def between(name: str, digits: int) -> str:
+        if f"{name}_U95_low" not in answer:
+            return ""
+        low, high = answer[f"{name}_U95_low"], answer[f"{name}_U95_high"]
+        return f", 95 % interval {low:.{digits}f} to {high:.{digits}f}"
+
+    constant = answer["constant"]
+    lines = [f"constant            {constant:.1f} m ({constant / FOOT_M:.0f} ft){between('constant', 1)}"]
+    for name, label in (("stopping_distance_m", "stopping distance"), ("sight_distance_m", "sight distance")):
+        if name in answer:
+            lines.append(f"{label:<19} {answer[name]:.1f} m: {answer['formula']}")
+    if answer["crest_k_m"] is not None:
         lines.append(
-            f"K of a crest        {k:.2f} m per percent at {answer['distance_m']:.1f} m"
-            + (f", u {u_k:.2f}" if u_k is not None else "")
+            f"K of a crest        {answer['crest_k_m']:.2f} m per percent at {answer['distance_m']:.1f} m"
+            + between("crest_k_m", 2)
         )
     if "design_crest_k_m" in answer:
-        rounded = answer["design_stopping_distance_m"]
+        rounded = answer.get("design_stopping_distance_m") or answer["design_sight_distance_m"]
         lines.append(
             f"rounded up          {answer['design_crest_k_m']:.1f} at the design distance of {rounded:.0f} m"
+            + between("design_crest_k_m", 1)
         )
     if "crest_length_m" in answer:
-        lines.append(f"length of the crest {answer['crest_length_m']:.1f} m ({_CASES[answer['case']]})")
+        length = f"{answer['crest_length_m']:.1f} m ({_CASES[answer['case']]})"
+        lines.append(f"length of the crest {length}{between('crest_length_m', 1)}")
+    if "sag_k_m" in answer:
+        lines.append(f"K of a sag          {answer['sag_k_m']:.2f} m per percent{between('sag_k_m', 2)}")
+    if "sag_length_m" in answer:
+        length = f"{answer['sag_length_m']:.1f} m ({_CASES[answer['sag_case']]})"
+        lines.append(f"length of the sag   {length}{between('sag_length_m', 1)}")
     return lines
 
 

@@ -4424,6 +4424,9 @@ commands-row-without-pass = { $path }, row { $row }: the cell pass is empty; nam
 commands-problem-2 = { $place }: { $problem }
 commands-distance-or-speed = Give either --distance or --speed, not both.
 commands-grade-difference-needs-distance = --grade-difference needs a sight distance; give --distance or --speed too.
+commands-sag-needs-distance = --headlight needs a sight distance; give --distance or --speed too.
+commands-height-or-heights = Give either --{ $name }, with its u if known, or --{ $name }-heights with a file.
+commands-too-few-heights = { $path }: { $reason }. Measure more, or choose a percentile nearer to the median.
 commands-not-exist-name-database-data-folder = { $place } does not exist; name a database, a data folder or an exported folder.
 
 ## Errors: demo

@@ -4417,6 +4417,9 @@ commands-row-without-pass = { $path }, ligne { $row } : la cellule pass est vid
 commands-problem-2 = { $place } : { $problem }
 commands-distance-or-speed = Indiquez soit --distance, soit --speed, pas les deux.
 commands-grade-difference-needs-distance = --grade-difference demande une distance de visibilité ; indiquez aussi --distance ou --speed.
+commands-sag-needs-distance = --headlight demande une distance de visibilité ; indiquez aussi --distance ou --speed.
+commands-height-or-heights = Indiquez soit --{ $name }, avec son incertitude u si elle est connue, soit --{ $name }-heights avec un fichier.
+commands-too-few-heights = { $path } : { $reason }. Mesurez-en davantage, ou choisissez un centile plus proche de la médiane.
 commands-not-exist-name-database-data-folder = { $place } n’existe pas ; nommez une base de données, un dossier de données ou un dossier exporté.
 
 ## Erreurs : démonstration

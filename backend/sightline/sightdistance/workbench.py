@@ -8,6 +8,7 @@ import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
+from sightline.coverage import expanded
 from sightline.enums import CrestVerdict, Crossing, Manoeuvre, SightKind
 from sightline.errors import BadInput
 from sightline.sightdistance.curves import (
@@ -92,6 +93,17 @@ def sight_distance(kind: SightKind, speed_mps: float, units: UnitSystem = METRIC
     return intersection_distance(speed_mps, _CROSSING[kind], units=units)
 
 
+def with_u(value_m: float, u_m: float | None) -> Bounded:
+    """A height with the 95 % interval of its standard uncertainty, metres; exact without one. Raises BadInput
+    for one below 0.
+    """
+    if u_m is None:
+        return Bounded(value_m)
+    if not (math.isfinite(u_m) and u_m >= 0.0):
+        raise BadInput("sightdistance-uncertainty")
+    return Bounded(value_m, value_m - expanded(u_m), value_m + expanded(u_m))
+
+
 def constant_of(eye_m: Bounded, object_m: Bounded, correlation: float = 0.0) -> Bounded:
     """The crest constant of two heights with the interval that theirs give, metres.
 
@@ -132,16 +144,27 @@ def crest_of(
         object_m=object_m,
         constant_m=constant,
         k_m=k_of(distance_m, constant),
-        length_m=_mapped(
+        length_m=mapped(
             constant, lambda c: crest_length(distance_m, difference_percent, c).length_m, falling=True
         ),
-        seen_m=_mapped(constant, lambda c: crest_distance_m(built, difference_percent, c)),
+        seen_m=mapped(constant, lambda c: crest_distance_m(built, difference_percent, c)),
     )
+
+
+def mapped(found: Bounded, by: Callable[[float], float], *, falling: bool = False) -> Bounded:
+    """A monotone function of an estimate, with its interval.
+
+    Own method: limits of a monotone function are the function of the limits.
+    """
+    if found.low is None or found.high is None:
+        return Bounded(by(found.value), reason=found.reason)
+    low, high = (by(limit) for limit in ((found.high, found.low) if falling else (found.low, found.high)))
+    return Bounded(by(found.value), low, high)
 
 
 def k_of(distance_m: float, constant_m: Bounded) -> Bounded:
     """K = S^2 / C with the interval of C."""
-    return _mapped(constant_m, lambda c: crest_k_m(distance_m, c), falling=True)
+    return mapped(constant_m, lambda c: crest_k_m(distance_m, c), falling=True)
 
 
 def compare(standard_constant_m: float, constant_m: Bounded) -> Comparison:
@@ -170,11 +193,3 @@ def _joined(one: float, other: float, correlation: float) -> float:
 
 def _root_gap(height: Bounded, limit: float | None) -> float:
     return 0.0 if limit is None else abs(math.sqrt(height.value) - math.sqrt(max(limit, 0.0)))
-
-
-def _mapped(found: Bounded, by: Callable[[float], float], *, falling: bool = False) -> Bounded:
-    """A monotone function of an estimate."""
-    if found.low is None or found.high is None:
-        return Bounded(by(found.value), reason=found.reason)
-    low, high = (by(limit) for limit in ((found.high, found.low) if falling else (found.low, found.high)))
-    return Bounded(by(found.value), low, high)
