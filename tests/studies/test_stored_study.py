@@ -155,7 +155,7 @@ def _the_report_says_what_matters_first(operator: Client, result: dict[str, Any]
         "total 95 % intervals",
         "the same percentile",
         "Verdict",
-        "the study’s heights",
+        "Too few heights for the percentile",  # P5 of taillights needs 72
     ):
         assert said in first, said
     tenth = next(

@@ -6943,7 +6943,6 @@ report-sight-words = A crest keeps a sight distance S if its length per percent 
    *[usual] , and, where the standard states no rule, that of AASHTO’s heights
  }. S is the stopping sight distance ({ $source }), rounded up as in design tables.
 report-sight-missing = There is no crest for the survey’s own heights: no accepted heights of { $targets }.
-report-sight-too-few = There is no crest for the survey’s own heights: { $targets }.
 report-sight-table = K of crests for the standard’s heights and for the survey’s, in { $unit } per percent.
 report-design-speed = Design speed
 report-stopping = Stopping distance

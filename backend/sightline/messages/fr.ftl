@@ -7047,7 +7047,6 @@ report-sight-words = Un sommet de côte offre une distance de visibilité S si s
    *[usual] , et là où la norme ne donne pas de règle, celle des hauteurs de l’AASHTO
  }. S est la distance de visibilité d’arrêt ({ $source }), arrondie vers le haut comme dans les tables de conception.
 report-sight-missing = Il n’y a pas de sommet de côte d’après les hauteurs du relevé : rien ne compte ici pour { $targets }.
-report-sight-too-few = Il n’y a pas de sommet de côte d’après les hauteurs du relevé : { $targets }.
 report-sight-table = K des sommets de côte d’après les hauteurs de la norme et celles du relevé, en { $unit } par pour cent.
 report-design-speed = Vitesse de référence
 report-stopping = Distance d’arrêt

@@ -11,8 +11,10 @@ from sightline.studies.records import StudyRule
 
 
 def consequence(rules: Sequence[StudyRule], unit: LengthUnit) -> str | None:
-    """Of the first standard whose eye and object both have a rule that the study has a percentile of."""
-    known = [one.rule for one in rules if one.rule.value_m]
+    """Of the first standard whose eye and object both have a rule on heights that the study has; where they
+    are too few, that.
+    """
+    known = [one.rule for one in rules if one.rule.n]
     eyes = {one.standard.name: one for one in known if one.standard.what == "eye_car"}
     objects = {one.standard.name: one for one in known if one.standard.what == "object_stopping"}
     name = next((one for one in eyes if one in objects), None)

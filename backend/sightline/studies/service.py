@@ -187,7 +187,8 @@ def _of_target(
     if figures is not None:
         if asked.curves:
             points = [figures.percentile(percent) for percent in _CURVE]
-            found.curves.append(Curve(target, [one for one in points if one.value is not None]))
+            supported = [one for one in points if one.value is not None]
+            found.curves += [Curve(target, supported)] if supported else []
         found.plans += _plans(target, figures, asked.goal_m, float(places.sites_there.sum()))
     rules = rules_of_all(target, of, figures, standards)
     del figures  # as large as all heights, and so are those of a class

@@ -9,6 +9,7 @@ from sightline.results.survey_statistics import (
     SampleCounts,
     Statistics,
     StatisticsOptions,
+    sight_pair,
     standards_of,
 )
 from sightline.statistics.lateral import Lateral, lateral_positions
@@ -16,7 +17,7 @@ from sightline.statistics.rules import rule_today
 from sightline.statistics.shared_errors import SharedErrors
 from sightline.statistics.standards import STANDARDS
 from sightline.statistics.summary import Grouping, Roofs, errors_of, target_of
-from sightline.statistics.total_uncertainty import HeightSample
+from sightline.statistics.total_uncertainty import HeightSample, TotalUncertainty
 
 MEAN_SD = {
     "driver_eye": (1.24, 0.075),
@@ -59,7 +60,15 @@ def statistics(
         sample = HeightSample(height, np.full(size, 0.012), (one_pose,))
         targets[name] = target_of(height, raw, roofs, choices.correction, limits, groupings, sample)
         samples[name] = sample
-    rules = [rule_today(one, samples["driver_eye"], True) for one in standards_of(standards, "driver_eye")]
+    figures = {name: TotalUncertainty(one) if len(one.height_m) else None for name, one in samples.items()}
+    rules = [rule_today(one, figures["driver_eye"], True) for one in standards_of(standards, "driver_eye")]
+    pair = sight_pair(standards)
+    assert pair is not None
+    eye, thing = (
+        rule_today(one, figures[name], True)
+        for one, name in zip(pair, ("driver_eye", "taillight"), strict=True)
+    )
+    assert eye is not None and thing is not None
     errors = errors_of(roofs, choices.correction, choices.rounding)
     counted = SampleCounts(3 * n, n, n, 0, {"rejected": 7, "to_review": 21} if n else {})
     return Statistics(
@@ -70,6 +79,7 @@ def statistics(
         surveys={1: "A survey"},
         operators={1: "An operator"},
         rules=tuple(one for one in rules if one is not None),
+        sight=(eye, thing),
         lateral=_lateral(n),
     )
 

@@ -29,7 +29,7 @@ EYES = ("taillight", "headlight", "roof")  # what a survey of eyes alone lacks
 
 @pytest.fixture(scope="module")
 def drawn() -> dict[str, Drawing | str]:
-    return drawings(statistics(60))
+    return drawings(statistics(80))
 
 
 def test_every_figure_of_the_page_is_drawn(drawn: dict[str, Drawing | str]) -> None:

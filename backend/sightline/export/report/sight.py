@@ -49,10 +49,6 @@ def sight(facts: ReportFacts, pictures: Pictures) -> Values | None:
         "classes": _classes(facts.statistics),
         "source": told(GREEN_BOOK),
         "missing": [TARGETS[target] for target in survey.missing],
-        "too_few": [
-            said("sight-too-few-of", target=TARGETS[one.target], reason=told(one.reason))
-            for one in survey.too_few
-        ],
         "sentence": crest_sentence(question, standard, survey),
         "rows": _rows(question, standard, survey, facts.unit),
         "figures": pictures.figures([FIGURE]),
@@ -139,7 +135,15 @@ def question_of(eye: Standard, thing: Standard, unit: LengthUnit) -> SightQuesti
 def crest_sentence(
     question: SightQuestion, standard: CaseOfHeights, survey: CaseOfHeights, whose: str = "survey"
 ) -> str | None:
-    """The same as on the page, in the report's unit. whose: a survey's heights, or a study's."""
+    """The same as on the page, in the report's unit; why there is no crest where heights are too few for one.
+    whose: a survey's heights, or a study's.
+    """
+    if survey.too_few:
+        each = [
+            said("sight-too-few-of", target=TARGETS[one.target], reason=told(one.reason))
+            for one in survey.too_few
+        ]
+        return said("sight-too-few", targets="; ".join(each))
     if survey.crest is None or survey.comparison is None or standard.crest is None:
         return None
     scale = HEIGHT[question.unit]
