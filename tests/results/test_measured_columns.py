@@ -104,7 +104,8 @@ def test_columns_are_the_records(factory: SessionFactory, monkeypatch: pytest.Mo
             else (CATEGORIES[found.category[row]] == vehicle.category)
         )
         lengths = (found.height_m[row], found.uncorrected_height_m[row])
-        assert lengths == (m.values.height_m, m.values.uncorrected_height_m)
+        given = (m.values.height_m, m.values.uncorrected_height_m)
+        assert lengths == tuple(float(f"{one:.6f}") for one in given)  # as a package writes them
         of_roof = vehicle.manufacturer_height_m if m.values.target == "roof" else None
         assert np.isnan(found.known_m[row]) == (of_roof is None)
         assert today - 1 <= found.day[row] <= today

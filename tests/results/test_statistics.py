@@ -113,7 +113,17 @@ def ground(services: Services, monkeypatch: pytest.MonkeyPatch) -> Ground:
                     continue
                 who = other.id if verdict == "fixed" else operator.id
                 told.append(
-                    Told(car.id, target, height, paper, reference, lighting, category, who, day, verdict)
+                    Told(
+                        car.id,
+                        target,
+                        *(float(f"{one:.6f}") for one in (height, paper)),  # as a package writes them
+                        reference,
+                        lighting,
+                        category,
+                        who,
+                        day,
+                        verdict,
+                    )
                 )
     return Ground(one, told)
 

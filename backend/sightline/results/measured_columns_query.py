@@ -48,6 +48,7 @@ _KNOWN = tuple(KNOWN[target] for target in get_args(Target))
 _BY_SIZE: ColumnElement[bool] = vehicles.c.model_chosen_by == BY_SIZE
 _SPARSE = 2**20
 _FEW = 20_000  # series: so many are read sooner through the session than another connection is opened
+_TIE = 1e-3  # micrometres from a tie: what is so close is rounded digit by digit
 
 
 @dataclass(frozen=True, eq=False)
@@ -104,7 +105,9 @@ def load_measured_columns(
 ) -> Measured:
     """The columns of some surveys, or of all, from one state of the database.
 
-    days: whether each one's day is wanted. Raises Damaged for a word that the program does not know.
+    Lengths are as a package writes them, so that page, package and study compute of the same numbers and
+    their figures agree to the last digit. days: whether each one's day is wanted. Raises Damaged for a word
+    that the program does not know.
     """
     series, cars, revisions, judged = _tables(session, survey_ids, days)
     id_, car_id = _ints(series, "id"), _ints(cars, "id")
@@ -133,16 +136,25 @@ def load_measured_columns(
         category=category,
         class_set=_class_sets(session, survey, category),
         verdict=verdict[keep],
-        height_m=height[keep],
-        uncorrected_height_m=_floats(revisions, "uncorrected_height_m")[row],
-        known_m=_known(cars, [names.height for names in _KNOWN], car, target),
-        u_known_m=_known(cars, [names.u for names in _KNOWN], car, target),
+        height_m=micrometres(height[keep]),
+        uncorrected_height_m=micrometres(_floats(revisions, "uncorrected_height_m")[row]),
+        known_m=micrometres(_known(cars, [names.height for names in _KNOWN], car, target)),
+        u_known_m=micrometres(_known(cars, [names.u for names in _KNOWN], car, target)),
         by_size=_ints(cars, "by_size").astype(np.bool_)[car],
         check_target=_ints(cars, "check_target").astype(np.bool_)[car],
         pose_id=pose_id,
         across_m=_floats(revisions, "y_m")[row] - _cameras_across(session, pose_id),
-        **{name: _floats(revisions, name)[row] for name in UNCERTAINTY},
+        **{name: micrometres(_floats(revisions, name)[row]) for name in UNCERTAINTY},
     )
+
+
+def micrometres(length_m: Floats) -> Floats:
+    """Lengths (N,) as a package writes them: the decimal of six places next to each, NaN for NaN."""
+    scaled = length_m * 1e6
+    found = np.asarray(np.rint(scaled) / 1e6 + 0.0, dtype=np.float64)
+    for n in np.flatnonzero(np.abs(np.abs(scaled - np.trunc(scaled)) - 0.5) < _TIE).tolist():
+        found[n] = float(f"{length_m[n]:.6f}") + 0.0
+    return found
 
 
 def _tables(session: Session, survey_ids: Sequence[int] | None, days: bool) -> list[pa.Table]:

@@ -16,14 +16,13 @@ from sightline.enums import StatisticsTarget
 from sightline.poses.tables import road_poses
 from sightline.results.measured_columns_query import TARGETS, VERDICTS, Measured, load_measured_columns
 from sightline.statistics.sampling import is_in_sample
-from sightline.studies.records import Floats, Ints, StudiedHeights
+from sightline.studies.records import Ints, StudiedHeights
 from sightline.surveys.store import get_survey
 from sightline.vehicles.store import headways_of
 from sightline.vehicles.tables import vehicles
 
 _COUNTED = tuple(VERDICTS.index(word) for word in ("accepted", "fixed"))
 _LENGTHS = ("height_m", "u_height_m", "u_clicks_m", "u_by_inset_m", "inset_m", "u_inset_m")
-_TIE = 1e-3  # micrometres from a tie: what is so close is rounded digit by digit
 
 
 class StoredTables:
@@ -64,8 +63,8 @@ class StoredTables:
             category=rows.category,
             lighting=rows.lighting,
             class_set=rows.class_set,
-            reference_m=micrometres(rows.known_m),
-            **{name: micrometres(getattr(rows, name)) for name in _LENGTHS},
+            reference_m=rows.known_m,
+            **{name: getattr(rows, name) for name in _LENGTHS},
         )
 
 
@@ -73,15 +72,6 @@ def surveys_with_poses(session: Session, survey_ids: Sequence[int]) -> set[int]:
     """Those that have a road pose."""
     query = select(road_poses.c.survey_id).where(road_poses.c.survey_id.in_(survey_ids)).distinct()
     return set(session.execute(query).scalars())
-
-
-def micrometres(length_m: Floats) -> Floats:
-    """Lengths (N,) as a package writes them: the decimal of six places next to each, NaN for NaN."""
-    scaled = length_m * 1e6
-    found = np.asarray(np.rint(scaled) / 1e6 + 0.0, dtype=np.float64)
-    for n in np.flatnonzero(np.abs(np.abs(scaled - np.trunc(scaled)) - 0.5) < _TIE).tolist():
-        found[n] = float(f"{length_m[n]:.6f}") + 0.0
-    return found
 
 
 def _vehicles_in_samples(session: Session, survey_ids: Sequence[int]) -> NDArray[np.bool_]:

@@ -56,7 +56,7 @@ def test_figures_are_svg_in_greys_whose_words_need_no_font(drawn: dict[str, Draw
 
 
 def test_the_same_result_gives_the_same_bytes(drawn: dict[str, Drawing | str]) -> None:
-    again = figures(statistics(60, absent=EYES))
+    again = figures(statistics(80, absent=EYES))
     assert len(again) == 9
     for name, found in again.items():
         before = drawn[name]
