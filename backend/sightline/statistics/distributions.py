@@ -116,8 +116,10 @@ def _percentile(
     n, (low, high) = len(ordered), ranks
     needs = vehicles_for_interval(percent, confidence)
     if low < 0 or high >= n:
-        return Percentile(percent, None, None, None, needs, too_few_for(percent, n, confidence=confidence))
-    return Percentile(percent, value, float(ordered[low]), float(ordered[high]), needs)
+        why = too_few_for(percent, n, confidence=confidence)
+        return Percentile(percent=percent, value=None, low=None, high=None, needs=needs, reason=why)
+    ends = float(ordered[low]), float(ordered[high])
+    return Percentile(percent=percent, value=value, low=ends[0], high=ends[1], needs=needs)
 
 
 def too_few_for(percent: float, n: int, like: int | None = None, confidence: float = CONFIDENCE) -> str:

@@ -33,6 +33,6 @@ def student_draws(freedom: float) -> Floats:
 
 
 def ends_of(draws: Floats) -> tuple[float, float]:
-    """The ends of the 95 % interval of draws (D,)."""
+    """The ends of the 95 % interval of draws (D,) (JCGM 101:2008, 7.7)."""
     low, high = np.quantile(draws, [TAIL, 1.0 - TAIL])
     return float(low), float(high)
