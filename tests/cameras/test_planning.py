@@ -66,14 +66,16 @@ def test_a_line_rate_is_planned_in_both_forms(viewer: Client) -> None:
     plan = viewer.seen(f"/line-rate-plan?{rig}&error=0.01")
     assert plan["printed"]["line_rate_hz"] == pytest.approx(6600)
     assert plan["corrected"]["line_rate_hz"] == pytest.approx(20000 / 3)
-    assert plan["line_rate_hz"] == plan["corrected"]["line_rate_hz"] and plan["lines"] == pytest.approx(200)
-    assert plan["corrected"]["error_mps"] == pytest.approx(0.01 * 120 / 3.6)
-    assert plan["printed"]["error"] == pytest.approx(2 / 202)
-    # 2000 Hz: 60 lines; a line is 1/60 of the speed, both crossings rounded 0.41 of that
+    # not given, the line rate is that of 10 mm a line, which registering needs
+    assert plan["line_rate_hz"] == plan["fine_hz"] == pytest.approx(10_000 / 3)
+    assert plan["lines"] == pytest.approx(100)
+    at_its = viewer.seen(f"/line-rate-plan?{rig}&error=0.01&line_rate_hz={20000 / 3}")
+    assert at_its["corrected"]["error_mps"] == pytest.approx(0.01 * 120 / 3.6)
+    assert at_its["printed"]["error"] == pytest.approx(2 / 202)
+    # 2000 Hz: 16.7 mm of road a line; 0.1 mm and 0.015 of that, over a baseline of 1 m
     coarse = viewer.seen(f"/line-rate-plan?{rig}&error=0.01&line_rate_hz=2000&u_baseline_m=0.01")
-    assert coarse["one_line_mps"] == pytest.approx(120 / 3.6 / 60)
-    assert coarse["u_lines_mps"] == pytest.approx(coarse["one_line_mps"] / 6**0.5)
-    assert coarse["u_speed_mps"] ** 2 == pytest.approx(coarse["u_lines_mps"] ** 2 + (1.2 / 3.6) ** 2)
+    assert coarse["u_strips_mps"] == pytest.approx(120 / 3.6 * (0.0001**2 + (0.015 / 60) ** 2) ** 0.5)
+    assert coarse["u_speed_mps"] ** 2 == pytest.approx(coarse["u_strips_mps"] ** 2 + (1.2 / 3.6) ** 2)
     assert any("more than the 1 % allowed" in one for one in coarse["advice"])
     assert any("baseline is the limit" in one for one in coarse["advice"])
     told = {one["quantity"]: one for one in coarse["values"]}

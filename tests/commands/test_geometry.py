@@ -344,7 +344,8 @@ def test_plan_of_a_line_scan(capsys) -> None:
     assert planned["wanted"]["printed_right_side_hz"] == pytest.approx(6600)
     assert planned["wanted"]["corrected_hz"] == pytest.approx(20000 / 3) and planned["advice"]
     assert run("plan", *rig, "--line-rate", 3000, "--u-baseline", 0.002) == 0
-    assert "90.0 lines" in capsys.readouterr().out
+    said = capsys.readouterr().out
+    assert "90.0 lines" in said and "u of the speed, registering and baseline: 0.0670 m/s" in said
     for wrong in (
         (*rig, "--camera-height", 1.5),
         ("--baseline", 1),

@@ -45,9 +45,9 @@ from sightline.linescan.planner import USUAL_LENGTH_M, USUAL_TIME_GAP_S, LinePla
 )
 @click.option("--baseline", type=float, help="Plan a line scan instead: baseline, metres ...")
 @click.option("--speed", type=float, help="... speed of the fastest vehicle, m/s ...")
-@click.option("--speed-error", type=float, help="... allowed relative error of its speed (0.01: 1 %) ...")
+@click.option("--speed-error", type=float, help="... allowed relative U95 of its speed (0.01: 1 %) ...")
 @click.option(
-    "--line-rate", type=float, help="... line rate, Hz (default: calculated from --speed-error) ..."
+    "--line-rate", type=float, help="... line rate, Hz (default: lines 10 mm apart on the vehicle) ..."
 )
 @click.option("--u-baseline", type=float, help="... and u of the baseline, metres.")
 @click.option("--length", type=float, help="Length of the vehicle of a line scan, metres (4.5) ...")
@@ -143,7 +143,7 @@ def _lines_text(plan: LinePlan) -> str:
             f"as printed, 2 / (n + 2)  {wanted.printed_right_side_hz:12.0f}   "
             f"{100 * expected.printed_right_side:.3g} %",
             f"corrected, 2 / n         {wanted.corrected_hz:12.0f}   {100 * expected.corrected:.3g} %",
-            f"u of the speed, whole lines and baseline: {plan.u_speed_mps:.3f} m/s",
+            f"u of the speed, registering and baseline: {plan.u_speed_mps:.4f} m/s",
             *(f"{_WORDS[one.quantity]:<13}{one.value:9.3f} {one.u:8.4f} (u)" for one in plan.values),
             *plan.words,
         ]

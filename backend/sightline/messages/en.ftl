@@ -3516,11 +3516,11 @@ planning-calibration-unknown = calibration { $id }
 planning-camera-plain = A camera without a calibration
 planning-number-problem = Enter a number.
 planning-speed = Fastest vehicle
-planning-error = Allowed speed error
+planning-error = Allowed speed error (U95)
 planning-baseline = Baseline
 planning-u-baseline = u of the baseline
 planning-line-rate = Camera’s line rate
-planning-line-rate-usual = calculated
+planning-line-rate-usual = 10 mm a line
 planning-length = Vehicle length
 planning-time-gap = Time gap
 planning-pixel-width = Pixel width
@@ -3627,13 +3627,12 @@ planning-board = board { $distance }
 
 planning-speed-title = Expected uncertainty of speed
 planning-lines = At { $speed } a vehicle takes <strong>{ $lines } lines</strong> from camera 1 to camera 2 at { $line_rate_hz } lines/s; one line is { $one_line } of road.
-planning-one-line = One line more or less changes the speed by <strong>{ $speed }</strong>.
-planning-speed-u = Standard uncertainty: { $u_lines } from line quantization, { $u_baseline } from the baseline. Result: <strong>{ $speed }</strong> (95 %).
+planning-speed-u = Standard uncertainty: { $u_strips } from registering the strips, { $u_baseline } from the baseline. Result: <strong>{ $speed }</strong> (95 %).
 planning-values-title = Expected uncertainties
-planning-values-note = for a vehicle at this speed behind another at the same speed, with boundaries read to whole lines
+planning-values-note = for a vehicle at this speed behind another at the same speed, measured by the default method
 planning-values-quantity = Quantity
 planning-values-value = Value and U95
-planning-values-lines = u from whole lines
+planning-values-strips = u from the strips
 planning-values-baseline = u from the baseline
 planning-values-edges = u from front and rear
 planning-values-speed = Speed
@@ -3664,7 +3663,7 @@ planning-forms-line-rate = Line rate for { $error }
 planning-forms-line-rate-value = { $line_rate_hz } Hz
 planning-forms-error-at = Error at { $line_rate_hz } Hz
 planning-forms-error-value = { $error }, { $speed }
-planning-forms-note = n = b f / s: number of lines from camera 1 to camera 2, with baseline b, line rate f and speed s.
+planning-forms-note = n = b f / s: number of lines from camera 1 to camera 2, with baseline b, line rate f and speed s. Equation (2) is the worst case for crossings read to whole lines. Sightline registers the strips to fractions of a line and does not need these line rates.
 
 ## Survey: the overview
 
@@ -6163,12 +6162,14 @@ told-linescan-by-the-computed-motion = By the computed motion the vehicle would 
 told-linescan-the-computed-is-no = The computed { $what } of { $value } { $unit } is not plausible for a road vehicle ({ $low } to { $high } { $unit2 }): check the boundaries, the baseline and the line rate.
 told-linescan-the-acceleration-is-unsure = The U95 of the acceleration is { $most } m/s², more than any vehicle brakes: too little of the vehicle is clear, or the boundaries are wrong.
 told-linescan-the-is-unsure-by = The U95 of the { $what } is { $value } %, too large to be useful: too little of the vehicle is clear, the boundaries are wrong, or two vehicles pass at once.
-told-linescan-equation-2-is-a = Equation (2) is a worst case for whole lines, with each crossing off by one line. Sightline registers both strips to fractions of a line, so expect better; each vehicle's own uncertainty states what was reached.
+told-linescan-expected-of-the-default = Expected of the default method, from simulated vehicles that fill the image; little texture, strong noise or rain make it worse, and each vehicle's own uncertainty states what was reached.
 told-linescan-only-lines-lie-between = Only { $lines } lines lie between the cameras; use a higher line rate or a longer baseline, otherwise this vehicle can hardly be measured.
-told-linescan-at-this-line-rate = At this line rate the speed error may reach { $percent }, more than the { $percent2 } allowed; use the line rate of the corrected equation, or a baseline { $corrected } times as long.
+told-linescan-lines-too-far-apart = The vehicle moves { $line_mm } mm from line to line; beyond { $coarse_mm } mm most vehicles are refused. Use { $rate } Hz or more.
+told-linescan-lines-a-little-apart = The vehicle moves { $line_mm } mm from line to line, which can be measured; { $rate } Hz brings it to { $good_mm } mm.
+told-linescan-the-speeds-u95-is = The speed's U95 is { $percent }, more than the { $percent2 } allowed; use a baseline { $times } times as long, measured as accurately.
 told-linescan-the-baseline-is-taken = The baseline is taken as exact; enter its uncertainty, which is part of every speed.
-told-linescan-the-baseline-limits-not = The baseline is the limit, not the line rate: its standard uncertainty is { $percent }, whole lines add { $percent2 }. Measure the baseline more accurately first.
-told-linescan-the-line-rate-limits = The line rate is the limit, not the baseline: whole lines add { $percent } (standard uncertainty), the baseline { $percent2 }.
+told-linescan-the-baseline-limits-not = The baseline is the limit, not the line rate: its standard uncertainty is { $percent }, registering the strips adds { $percent2 }. Measure the baseline more accurately first.
+told-linescan-registering-limits-not = Registering the strips is the limit, not the baseline: it adds { $percent } (standard uncertainty), the baseline { $percent2 }. Use a longer baseline.
 told-linescan-vehicles-come-out-than = Measured vehicles are { $share } than known. Check the baseline; shadows can also add length.
 told-linescan-the-vehicles-misalignments-scatter = The misalignment differs between vehicles by { $spread } px (standard deviation); check whether a camera moved.
 told-linescan-known-vehicles-are-too = { $n } known vehicles are too few; { $least_vehicles } are needed.

@@ -3511,11 +3511,11 @@ planning-calibration-unknown = étalonnage { $id }
 planning-camera-plain = Une caméra sans étalonnage
 planning-number-problem = Indiquez un nombre.
 planning-speed = Vitesse maximale
-planning-error = Erreur admise
+planning-error = Erreur admise (U95)
 planning-baseline = Base
 planning-u-baseline = u de la base
 planning-line-rate = Cadence de lignes
-planning-line-rate-usual = calculée
+planning-line-rate-usual = 10 mm par ligne
 planning-length = Longueur du véhicule
 planning-time-gap = Intervalle temporel
 planning-pixel-width = Largeur du pixel
@@ -3622,13 +3622,12 @@ planning-board = mire { $distance }
 
 planning-speed-title = Incertitude attendue de la vitesse
 planning-lines = À { $speed }, un véhicule met <strong>{ $lines } lignes</strong> de la caméra 1 à la caméra 2 à { $line_rate_hz } lignes par seconde, soit { $one_line } de route par ligne.
-planning-one-line = Une ligne de plus ou de moins change sa vitesse de <strong>{ $speed }</strong>.
-planning-speed-u = Incertitude-type : { $u_lines } due à la quantification en lignes, { $u_baseline } due à la base. Résultat : <strong>{ $speed }</strong> (95 %).
+planning-speed-u = Incertitude-type : { $u_strips } due à la superposition des bandes, { $u_baseline } due à la base. Résultat : <strong>{ $speed }</strong> (95 %).
 planning-values-title = Incertitudes attendues
-planning-values-note = pour un véhicule à cette vitesse derrière un autre aussi rapide, chaque borne lue à une ligne entière près
+planning-values-note = pour un véhicule à cette vitesse derrière un autre aussi rapide, mesuré par la méthode par défaut
 planning-values-quantity = Grandeur
 planning-values-value = Valeur et U95
-planning-values-lines = u des lignes entières
+planning-values-strips = u des bandes
 planning-values-baseline = u de la base
 planning-values-edges = u de l’avant et de l’arrière
 planning-values-speed = Vitesse
@@ -3659,7 +3658,7 @@ planning-forms-line-rate = Cadence pour { $error }
 planning-forms-line-rate-value = { $line_rate_hz } Hz
 planning-forms-error-at = Erreur à { $line_rate_hz } Hz
 planning-forms-error-value = { $error }, { $speed }
-planning-forms-note = n = b f / s : les lignes de la caméra 1 à la caméra 2, pour la base b, la cadence de lignes f et la vitesse s.
+planning-forms-note = n = b f / s : les lignes de la caméra 1 à la caméra 2, pour la base b, la cadence de lignes f et la vitesse s. L’équation (2) est le cas extrême de passages lus en lignes entières. Sightline superpose les bandes à une fraction de ligne près et n’a pas besoin de ces cadences.
 
 ## Relevé : la vue d'ensemble
 
@@ -6244,12 +6243,14 @@ told-linescan-the-is-unsure-by = L’U95 de la { $what ->
        [speed] vitesse
        *[other] longueur
     } est de { $value } %, trop pour être utile : trop peu du véhicule est net, les bornes sont fausses, ou deux véhicules passent à la fois.
-told-linescan-equation-2-is-a = L’équation (2) est un cas extrême en lignes entières, chaque passage étant décalé d’une ligne. Sightline superpose les deux bandes à une fraction de ligne près ; planifiez avec elle et attendez mieux ; l’incertitude de chaque véhicule dit ce qui est atteint.
+told-linescan-expected-of-the-default = Attendu de la méthode par défaut, d’après des véhicules simulés qui remplissent l’image ; peu de texture, un bruit fort ou la pluie l’aggravent, et l’incertitude de chaque véhicule dit ce qui est atteint.
 told-linescan-only-lines-lie-between = Seules { $lines } lignes séparent les caméras ; prenez une cadence plus élevée ou une base plus longue, sinon ce véhicule est à peine mesurable.
-told-linescan-at-this-line-rate = À cette cadence, la vitesse peut être fausse de { $percent }, plus que les { $percent2 } voulus ; prenez la cadence de l’équation corrigée, ou une base { $corrected } fois plus longue.
+told-linescan-lines-too-far-apart = Le véhicule avance de { $line_mm } mm d’une ligne à la suivante ; au-delà de { $coarse_mm } mm la plupart des véhicules sont refusés. Prenez { $rate } Hz ou plus.
+told-linescan-lines-a-little-apart = Le véhicule avance de { $line_mm } mm d’une ligne à la suivante, ce qui se mesure ; { $rate } Hz ramènent ce pas à { $good_mm } mm.
+told-linescan-the-speeds-u95-is = L’U95 de la vitesse est de { $percent }, plus que les { $percent2 } admis ; prenez une base { $times } fois plus longue, mesurée aussi bien.
 told-linescan-the-baseline-is-taken = La base est tenue pour exacte ; saisissez son incertitude, car elle entre dans toute vitesse.
-told-linescan-the-baseline-limits-not = La base est la limite, non la cadence : elle est connue à { $percent } (incertitude-type), les lignes entières ajoutent { $percent2 }. Mesurez d’abord mieux la base.
-told-linescan-the-line-rate-limits = La cadence est la limite, non la base : les lignes entières ajoutent { $percent } (incertitude-type), la base { $percent2 }.
+told-linescan-the-baseline-limits-not = La base est la limite, non la cadence : elle est connue à { $percent } (incertitude-type), la superposition des bandes ajoute { $percent2 }. Mesurez d’abord mieux la base.
+told-linescan-registering-limits-not = La superposition des bandes est la limite, non la base : elle ajoute { $percent } (incertitude-type), la base { $percent2 }. Prenez une base plus longue.
 told-linescan-vehicles-come-out-than = Les longueurs mesurées ne sont pas celles connues ({ $share }). Vérifiez la base ; une ombre allonge aussi.
 told-linescan-the-vehicles-misalignments-scatter = Le désalignement diffère de { $spread } px (écart-type) entre les véhicules ; vérifiez si une caméra a bougé.
 told-linescan-known-vehicles-are-too = { $n } véhicules connus sont trop peu ; il en faut { $least_vehicles }.

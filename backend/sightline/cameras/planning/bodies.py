@@ -114,14 +114,14 @@ class LinePlanBody(Out):
     speed_mps: float
     baseline_m: float
     u_baseline_m: float
-    line_rate_hz: float = Field(description="As given, else that of the corrected equation.")
-    error: float = Field(description="Share by which the speed may be off, as wanted.")
+    line_rate_hz: float = Field(description="As given, else fine_hz.")
+    fine_hz: float = Field(description="At which the vehicle moves 10 mm from line to line.")
+    error: float = Field(description="Share that the speed's U95 may be, as wanted.")
     lines: float = Field(description="From camera 1 to camera 2.")
     printed: LineFormBody = Field(description="The printed right side, 2 / (n + 2).")
     corrected: LineFormBody = Field(description="The equation's middle term, 2 / n.")
-    one_line_mps: float = Field(description="By how much one line of transit changes the speed.")
     one_line_m: float = Field(description="What the vehicle travels in one line.")
-    u_lines_mps: float = Field(description="Both crossings rounded to whole lines.")
+    u_strips_mps: float = Field(description="Of registering both strips, as the default method does.")
     u_baseline_mps: float
     u_speed_mps: float
     U95_speed_mps: float

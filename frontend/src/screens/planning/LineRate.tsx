@@ -1,4 +1,4 @@
-/** Equation (2) of the line-scan paper, as printed and corrected, with what both say of a rig. */
+/** What a rig of line cameras will be worth, and equation (2) of the line-scan paper beside it. */
 
 import type { ComponentChildren } from "preact";
 import { useEffect } from "preact/hooks";
@@ -131,11 +131,10 @@ function Result({ plan }: { plan: LinePlan }) {
               one_line: formatSmall(plan.one_line_m),
             }}
           />{" "}
-          <Said what="planning-one-line" values={{ speed: formatSpeed(plan.one_line_mps, null, 2) }} />{" "}
           <Said
             what="planning-speed-u"
             values={{
-              u_lines: formatSpeed(plan.u_lines_mps, null, 2),
+              u_strips: formatSpeed(plan.u_strips_mps, null, 2),
               u_baseline: formatSpeed(plan.u_baseline_mps, null, 2),
               speed: formatSpeed(plan.speed_mps, plan.U95_speed_mps, 2),
             }}
@@ -205,7 +204,7 @@ function ExpectedValues({ plan }: { plan: LinePlan }) {
             <tr>
               <th>{say("planning-values-quantity")}</th>
               <th class="num">{say("planning-values-value")}</th>
-              <th class="num">{say("planning-values-lines")}</th>
+              <th class="num">{say("planning-values-strips")}</th>
               <th class="num">{say("planning-values-baseline")}</th>
               <th class="num">{say("planning-values-edges")}</th>
             </tr>
@@ -215,7 +214,7 @@ function ExpectedValues({ plan }: { plan: LinePlan }) {
               <tr key={one.quantity}>
                 <th scope="row">{QUANTITIES[one.quantity]}</th>
                 <td class="num">{valueWords(one)}</td>
-                <td class="num">{partWords(one.quantity, one.u_lines)}</td>
+                <td class="num">{partWords(one.quantity, one.u_strips)}</td>
                 <td class="num">{partWords(one.quantity, one.u_baseline)}</td>
                 <td class="num">{partWords(one.quantity, one.u_edges)}</td>
               </tr>
