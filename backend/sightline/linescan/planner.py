@@ -1,8 +1,8 @@
 """What a rig will be worth: the uncertainties of speed, length and gaps, and equation (2) of the paper.
 
 The uncertainties are those of the default chain (`direct.py`): it registers both strips of a vehicle as a
-whole, so a speed errs by a length over the baseline, not by lines; boundaries are read to a fraction of a line.
-Equation (2) is told beside them: it lets each of two crossings be off by a line, so that n lines become n + 2.
+whole, so a speed errs by a length over the baseline, not by lines; boundaries are read to a part of a line.
+Equation (2) is told beside them: it lets each of two crossings be off by a line, so that n lines are n + 2.
 As printed, its middle term is 2 / n = 2 s / (b f), while its right side, 2 s / (b f + 2 s), is 2 / (n + 2):
 between them a division by b f / (n + 2) stands where b f / n belongs. The paper's own 6600 Hz comes from the
 right side; its 1.3 % fits both forms. Both are worst cases of whole lines.
@@ -114,7 +114,7 @@ def plan_lines(
     length_m: float = USUAL_LENGTH_M,
     time_gap_s: float = USUAL_TIME_GAP_S,
 ) -> LinePlan:
-    """The plan for a vehicle of this speed and length, so long behind one as fast; without a line rate the one
+    """The plan for a vehicle of this speed and length, so long behind one as fast; without a line rate that
     at which its lines lie GOOD_LINE_M apart is taken.
 
     error: share that the speed's U95 may be (0 to 1). Raises ValueError for what cannot be planned with.
@@ -231,8 +231,8 @@ def _words(error: float, lines: float, speed: PlannedValue, line_m: float, fine_
         )
     if line_m > COARSE_LINE_M:
         out.append(
-            f"The vehicle moves {1000 * line_m:.1f} mm from line to line; beyond {1000 * COARSE_LINE_M:.0f} mm "
-            f"most vehicles are refused. Use {_rate(fine_hz)} Hz or more."
+            f"The vehicle moves {1000 * line_m:.1f} mm from line to line; beyond "
+            f"{1000 * COARSE_LINE_M:.0f} mm most vehicles are refused. Use {_rate(fine_hz)} Hz or more."
         )
     elif line_m > GOOD_LINE_M * (1 + 1e-9):
         out.append(

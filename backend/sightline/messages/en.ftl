@@ -15,7 +15,7 @@ target-noun-driver_eye = driver’s eye
 target-noun-taillight = taillight
 target-noun-headlight = headlight
 target-noun-other = other
-target-hint-roof = the near edge of the roof at its highest point (for the crown, select it beside the roof)
+target-hint-roof = the near edge of the roof at its highest point
 target-hint-driver_eye = the driver’s eye
 target-hint-taillight = the bottom edge of the lit taillight
 target-hint-headlight = the bottom edge of the headlight
@@ -1076,7 +1076,9 @@ filmed-unknown = Start not known: the file contains no time.
 filmed-edit = Change
 filmed-edit-of = Change the start and weather of { $recording }
 filmed-confirm = Confirm the start
+filmed-enter = Enter the start
 filmed-confirm-of = Confirm the start of { $recording }
+filmed-enter-of = Enter the start of { $recording }
 filmed-confirm-action = Confirm
 filmed-title = Start and weather of { $recording }
 filmed-started = First frame, local time
@@ -1448,7 +1450,10 @@ measure-other-tab = Also open in another tab. If both change it, you choose whic
 ## Measure: the passes
 
 measure-passes = Passes
-measure-passes-open = Passes <muted>{ NUMBER($count) } to do</muted>
+measure-passes-open = Passes <muted>{ NUMBER($count) } to do{ $rejected ->
+    [0] {""}
+   *[other] , { NUMBER($rejected) } rejected
+}</muted>
 measure-passes-show = Show
 measure-passes-order = Order
 measure-passes-none = No vehicles yet. Detect passes, or mark the first frame of a vehicle.
@@ -3890,7 +3895,7 @@ study-n = n = { NUMBER($n) }
 study-mean = Mean
 study-sd = SD
 study-effects = Design effects
-study-effects-note = Design effect: variance under this design divided by that of a simple random sample of the same size. Effective n: number of heights divided by the design effect.
+study-effects-note = Design effect: variance under this design divided by that of a simple random sample of the same size. Effective n: number of heights divided by the design effect. Both are estimated from how sites differ: with few sites they are rough, and a design effect below 1, so an effective n above the number of vehicles, is chance rather than a gain.
 study-figure = Figure
 study-vehicles = Vehicles
 study-effect = Design effect
@@ -3919,9 +3924,9 @@ study-class = Class
 study-share = Share
 study-fleet-share = Fleet
 study-plan = Next study: U95 of P10 within { $goal }
-study-plan-note = Vehicles needed at each site, if sites and vehicles vary as they do here.
+study-plan-note = Vehicles needed at each site, if sites and vehicles vary as they do here. Not reachable: at so few sites no number of vehicles is enough.
 study-plan-sites = Sites
-study-plan-none = no number
+study-plan-none = not reachable
 study-curve-title = { $target }: true heights
 study-curve-says = Cumulative distribution of true heights, { $target }, with its band.
 study-curve-note = Band: total 95 % intervals of the percentiles, joined. Dashed: random measurement error not removed.
@@ -4018,7 +4023,7 @@ show-once-done = Done
 ## People: the page
 
 people-only-admin = Only administrators can manage accounts. Ask one if you need another role.
-people-lead = Accounts and roles.
+people-lead = Accounts and roles. A person sees the surveys whose members they are; administrators see every survey.
 people-loading = users
 people-add = Add a user
 people-name = Name
@@ -4039,7 +4044,7 @@ people-role-body = Rights of { $person } afterwards: { $does }
 people-role-change = Change the role
 people-switch-off-title = Deactivate { $person }’s account?
 people-switch-off-body = They are signed out and cannot sign in again. Their work stays under their name.
-people-does-viewer = sees everything, exports packages
+people-does-viewer = sees the surveys whose members they are, exports packages
 people-does-operator = adds recordings, calibrates, measures
 people-does-reviewer = everything an operator does, and reviews other people’s work
 people-does-admin = everything, including accounts
@@ -4061,6 +4066,7 @@ people-link-copied = The link is on the clipboard.
 ## Audit: the page
 
 audit-lead = Every change is one event in a hash chain. Any later edit or deletion breaks the chain.
+audit-numbers = Each survey has a chain of its own, and what belongs to no survey has another. Numbers count the events of a chain; filters leave some out of this list. Check the chain to see whether any is missing.
 audit-loading = the audit trail
 audit-survey = Survey
 audit-survey-all = All
@@ -6855,6 +6861,7 @@ report-glance = Results at a glance
 report-glance-none = No accepted eye, taillight or headlight heights yet.
 report-glance-table = Heights above the road, { $correction }, in { $unit }.
 report-sure = { $target }: { $figures }. The intervals include { $holds }.
+report-sure-without = { $target }: { $figures }. There are too few heights for an interval.
 report-sure-figure = { $percentile } { $value }{ $interval }
 report-brackets = (95 %: { $interval })
 report-error-none = No vehicle has a reference height, so the errors of heights cannot be stated.
@@ -7009,7 +7016,7 @@ report-over-wheelbases = Measured divided by known wheelbases of { $n ->
     [one] 1 vehicle
    *[other] { $n } vehicles
  }: { $ratio } (u = { $u }). { $verdict }
-report-baseline-agrees = The baseline agrees with them.
+report-baseline-agrees = The ratio is within 2 u of 1, so they do not contradict the baseline.
 report-sizes-none = No accepted vehicle has a known length or wheelbase, so their errors cannot be stated.
 report-sizes = Errors (measured minus manufacturer’s size) in { $unit }, with 95 % CIs.
 report-size = Size

@@ -13,7 +13,7 @@ target-noun-driver_eye = œil du conducteur
 target-noun-taillight = feu arrière
 target-noun-headlight = projecteur
 target-noun-other = autre
-target-hint-roof = le bord proche du toit, là où il est le plus haut (pour le sommet du bombé, choisissez-le à côté du toit)
+target-hint-roof = le bord proche du toit, là où il est le plus haut
 target-hint-driver_eye = l’œil du conducteur
 target-hint-taillight = le bord inférieur de la plage éclairante du feu arrière
 target-hint-headlight = le bord inférieur du projecteur
@@ -1074,7 +1074,9 @@ filmed-unknown = Début inconnu : le fichier n’en indique pas.
 filmed-edit = Modifier
 filmed-edit-of = Modifier le début et la météo de { $recording }
 filmed-confirm = Confirmer le début
+filmed-enter = Saisir le début
 filmed-confirm-of = Confirmer le début de { $recording }
+filmed-enter-of = Saisir le début de { $recording }
 filmed-confirm-action = Confirmer
 filmed-title = Début et météo de { $recording }
 filmed-started = Première image, à l’heure du lieu
@@ -1446,7 +1448,11 @@ measure-other-tab = Ouvert aussi dans un autre onglet. Si les deux le modifient,
 ## Mesure : les passages
 
 measure-passes = Passages
-measure-passes-open = Passages <muted>{ NUMBER($count) } à faire</muted>
+measure-passes-open = Passages <muted>{ NUMBER($count) } à faire{ $rejected ->
+    [0] {""}
+    [one] , { NUMBER($rejected) } rejeté
+   *[other] , { NUMBER($rejected) } rejetés
+}</muted>
 measure-passes-show = Afficher
 measure-passes-order = Ordre
 measure-passes-none = Pas encore de véhicules. Détectez les passages, ou marquez la première image d’un véhicule.
@@ -3885,7 +3891,7 @@ study-n = n = { NUMBER($n) }
 study-mean = Moyenne
 study-sd = Écart-type
 study-effects = Effets de plan
-study-effects-note = Effet de plan : variance de ce plan divisée par celle d’un échantillon aléatoire simple de même taille. n effectif : nombre de hauteurs divisé par l’effet de plan.
+study-effects-note = Effet de plan : variance de ce plan divisée par celle d’un échantillon aléatoire simple de même taille. n effectif : nombre de hauteurs divisé par l’effet de plan. Tous deux s’estiment par les écarts entre sites : avec peu de sites ils sont grossiers, et un effet de plan inférieur à 1, donc un n effectif supérieur au nombre de véhicules, relève du hasard plutôt que d’un gain.
 study-figure = Grandeur
 study-vehicles = Véhicules
 study-effect = Effet de plan
@@ -3914,9 +3920,9 @@ study-class = Classe
 study-share = Part
 study-fleet-share = Parc
 study-plan = Étude suivante : U95 de P10 dans la limite de { $goal }
-study-plan-note = Véhicules nécessaires sur chaque site, si sites et véhicules varient comme ici.
+study-plan-note = Véhicules nécessaires sur chaque site, si sites et véhicules varient comme ici. Hors d’atteinte : sur si peu de sites, aucun nombre de véhicules ne suffit.
 study-plan-sites = Sites
-study-plan-none = aucun nombre
+study-plan-none = hors d’atteinte
 study-curve-title = { $target } : hauteurs vraies
 study-curve-says = Fonction de répartition des hauteurs vraies, { $target }, avec sa bande.
 study-curve-note = La bande joint les intervalles totaux à 95 % des centiles. Tirets : avec l’erreur aléatoire.
@@ -4013,7 +4019,7 @@ show-once-done = Terminé
 ## Personnes : la page
 
 people-only-admin = Seul un administrateur peut voir et modifier les comptes ; adressez-vous à lui s’il vous faut un autre rôle.
-people-lead = Comptes et rôles.
+people-lead = Comptes et rôles. Une personne voit les relevés dont elle est membre ; les administrateurs voient tous les relevés.
 people-loading = utilisateurs
 people-add = Ajouter un utilisateur
 people-name = Nom
@@ -4034,7 +4040,7 @@ people-role-body = { $person } pourra alors : { $does }
 people-role-change = Changer le rôle
 people-switch-off-title = Désactiver le compte de { $person } ?
 people-switch-off-body = Cette personne est déconnectée et ne pourra plus se connecter ; ses mesures et vérifications restent à son nom.
-people-does-viewer = tout voir, exporter les archives
+people-does-viewer = voir les relevés dont la personne est membre, exporter les archives
 people-does-operator = importer des enregistrements, étalonner, mesurer
 people-does-reviewer = ce que fait un opérateur, et vérifier le travail des autres
 people-does-admin = tout, y compris gérer les personnes
@@ -4056,6 +4062,7 @@ people-link-copied = Le lien est dans le presse-papiers.
 ## Audit : la page
 
 audit-lead = Chaque modification est un événement d’une chaîne de hachage. Toute retouche ou suppression ultérieure rompt la chaîne.
+audit-numbers = Chaque relevé a sa propre chaîne, et ce qui n’est d’aucun relevé en a une autre. Les numéros comptent les événements d’une chaîne ; les filtres en omettent dans cette liste. Vérifiez la chaîne pour savoir s’il en manque.
 audit-loading = journal d’audit
 audit-survey = Relevé
 audit-survey-all = Tous
@@ -6959,6 +6966,7 @@ report-glance = Les résultats en bref
 report-glance-none = Aucune hauteur d’œil, de feu arrière ni de projecteur ne compte encore.
 report-glance-table = Hauteurs au-dessus de la route, { $correction }, en { $unit }.
 report-sure = { $target } : { $figures }. Les intervalles comprennent { $holds }.
+report-sure-without = { $target } : { $figures }. Trop peu de hauteurs pour un intervalle.
 report-sure-figure = { $percentile } { $value }{ $interval }
 report-brackets = (95 % : { $interval })
 report-error-none = Aucun véhicule n’a de hauteur de référence : l’erreur des hauteurs n’est donc pas éprouvée ici.
@@ -7113,7 +7121,7 @@ report-over-wheelbases = Empattements mesurés sur empattements vrais de { $n ->
     [one] { $n } véhicule
    *[other] { $n } véhicules
  } : { $ratio } (u = { $u }). { $verdict }
-report-baseline-agrees = La base s’accorde avec eux.
+report-baseline-agrees = Le rapport est à moins de 2 u de 1, ils ne contredisent donc pas la base.
 report-sizes-none = Aucun véhicule validé n’a de longueur ni d’empattement connus : ils ne sont donc pas éprouvés ici.
 report-sizes = Erreurs (mesure moins dimensions du constructeur) en { $unit }, avec des intervalles à 95 %.
 report-size = Dimension

@@ -1,7 +1,29 @@
 /** Long work: poll the server's job table, tell progress, tell the end once. */
 import { useEffect, useState } from "preact/hooks";
 import { ApiError, api } from "./api";
+import { say } from "./messages";
 import type { Job } from "./types";
+
+const KINDS = [
+  "ingest",
+  "passes",
+  "proposals",
+  "pose",
+  "calibrate",
+  "drift",
+  "export",
+  "scan_read",
+  "scan_find",
+  "scan_tidy",
+  "demonstration",
+  "demonstration_study",
+  "study",
+] as const;
+
+/** "Camera stability check" */
+export function jobName(kind: string): string {
+  return say("jobs-kind", { kind: KINDS.find((one) => one === kind) ?? "other" });
+}
 
 export function isOver(job: Job): boolean {
   return job.state === "done" || job.state === "failed" || job.state === "cancelled";

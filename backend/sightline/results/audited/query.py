@@ -12,6 +12,7 @@ from sightline.infra.audit import trail
 from sightline.infra.audit.records import AuditEvent, Who
 from sightline.infra.audit.tables import audit_events
 from sightline.infra.database.people import people
+from sightline.infra.jobs.tables import jobs
 from sightline.measurements.tables import measurement_series, measurements, reviews, wheel_pairs
 from sightline.recordings.tables import recordings
 from sightline.results.audited.records import NamedEvent, Subject
@@ -19,13 +20,14 @@ from sightline.scans.tables import scan_vehicles, scans
 from sightline.surveys.tables import surveys
 from sightline.vehicles.tables import vehicles
 
-#: Kinds of things that have a name of their own, and the column that holds it.
+#: Kinds of things that have a name of their own, and the column that holds it; a job has its kind.
 _NAMED = {
     "survey": surveys.c.name,
     "camera": cameras.c.name,
     "recording": recordings.c.name,
     "scan": scans.c.name,
     "person": people.c.name,
+    "job": jobs.c.kind,
 }
 _e = audit_events.c
 

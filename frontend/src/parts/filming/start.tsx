@@ -3,7 +3,7 @@ import type { VNode } from "preact";
 import { useState } from "preact/hooks";
 import { Button, Field, Segments, TextField } from "../../components";
 import { ApiError } from "../../core/api";
-import { say } from "../../core/messages";
+import { say, wordsOf } from "../../core/messages";
 import { survey } from "../../core/survey";
 import { formatPlaceMoment, ownZone, placeTime, TIME_ZONES } from "../../core/times";
 
@@ -85,24 +85,43 @@ export function useStart(of: Started): StartTyped {
   };
 }
 
+const BUTTONS = wordsOf({
+  confirmed: "filmed-edit",
+  proposed: "filmed-confirm",
+  unknown: "filmed-enter",
+});
+
 interface LineProps {
   testId: string;
   words: string;
-  confirmed: boolean;
-  /** What the button says to a screen reader; null for who may not change the start. */
-  change: string | null;
+  of: Started & { readonly name: string };
+  /** Changes a start that is confirmed, in the words of a screen reader. */
+  edit: string;
+  /** Whether the person may change the start. */
+  mayChange: boolean;
   dialog: (close: () => void) => VNode;
 }
 
-/** What is known of a start in words, and the button to confirm or change it. */
-export function StartLine({ testId, words, confirmed, change, dialog }: LineProps) {
+/** What is known of a start in words, and the button to change it, to confirm what the file proposes, or to enter it. */
+export function StartLine({ testId, words, of, edit, mayChange, dialog }: LineProps) {
   const [editing, setEditing] = useState(false);
+  const state = of.started_local ? "confirmed" : of.start_proposed ? "proposed" : "unknown";
+  const labels = {
+    confirmed: edit,
+    proposed: say("filmed-confirm-of", { recording: of.name }),
+    unknown: say("filmed-enter-of", { recording: of.name }),
+  };
   return (
     <div class="row row--wrap small" data-testid={testId}>
       <span>{words}</span>
-      {change !== null && (
-        <Button small kind={confirmed ? "quiet" : "plain"} label={change} onClick={() => setEditing(true)}>
-          {say(confirmed ? "filmed-edit" : "filmed-confirm")}
+      {mayChange && (
+        <Button
+          small
+          kind={state === "confirmed" ? "quiet" : "plain"}
+          label={labels[state]}
+          onClick={() => setEditing(true)}
+        >
+          {BUTTONS[state]}
         </Button>
       )}
       {editing && dialog(() => setEditing(false))}

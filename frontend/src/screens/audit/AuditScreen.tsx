@@ -56,6 +56,7 @@ export default function AuditScreen() {
         <div>
           <h1>{say("page-audit")}</h1>
           <p class="page__lead">{say("audit-lead")}</p>
+          <p class="small muted">{say("audit-numbers")}</p>
         </div>
         {me.value?.person.role === "admin" && <Verify />}
       </header>
@@ -173,12 +174,12 @@ function EventRow({ named }: { named: NamedEvent }) {
   const at = new Date(event.at);
   return (
     <tr>
-      <td class="num muted">{event.id}</td>
+      <td class="num muted">{event.number}</td>
       <td class="nowrap" title={event.at}>
         {formatDay(event.at)} <span class="muted">{formatClock(at)}</span>
       </td>
       <td class="nowrap">{event.actor?.name ?? <span class="muted">{say("person-system")}</span>}</td>
-      <td>
+      <td class="audit__did">
         {actionWords(event)}{" "}
         <span title={rowWords(event)}>{page ? <a href={page}>{words}</a> : <strong>{words}</strong>}</span>
         {!surveyShown() && named.subject.survey && <div class="small muted">{named.subject.survey}</div>}

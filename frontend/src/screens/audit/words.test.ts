@@ -28,6 +28,7 @@ describe("an audit event in words", () => {
   it("names what has a name, and says the kind of what has none", () => {
     expect(subjectWords(named({ entity: "camera" }, { name: "left" }))).toBe("camera “left”");
     expect(subjectWords(named({ entity: "click_sigma" }))).toBe("click uncertainty");
+    expect(subjectWords(named({ entity: "job" }, { name: "drift" }))).toBe("job “Camera stability check”");
     expect(pageOf(named({ entity: "person", survey_id: null }))).toBeNull();
     expect(pageOf(named({ entity: "vehicle", entity_id: 7 }, { vehicle: 7 }))).toBe(
       "/surveys/5/measure?vehicle=7",

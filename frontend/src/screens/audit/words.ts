@@ -1,4 +1,5 @@
 /** What was done and to what, as the audit trail says it; what has no word here yet is shown by its name. */
+import { jobName } from "../../core/jobs";
 import { say, wordsOf } from "../../core/messages";
 import type { AuditEvent, NamedEvent, Verdict } from "../../core/types";
 import { STATE_WORDS, vehicleName } from "../../core/words";
@@ -121,7 +122,8 @@ export function subjectWords({ event, subject }: NamedEvent): string {
       event.entity === "review" ? (event.after as { verdict?: Verdict } | null)?.verdict : undefined;
     return verdict ? say("audit-subject-verdict", { verdict: STATE_WORDS[verdict], subject: words }) : words;
   }
-  return name ? say("audit-subject-named", { entity: kind, name }) : kind;
+  if (!name) return kind;
+  return say("audit-subject-named", { entity: kind, name: event.entity === "job" ? jobName(name) : name });
 }
 
 /** The row of the database, for who looks into it. */

@@ -12,7 +12,7 @@ import {
 } from "../../components";
 import { query, setQuery } from "../../core/address";
 import { api, fromAddress } from "../../core/api";
-import { cancelJob, isOver } from "../../core/jobs";
+import { cancelJob, isOver, jobName } from "../../core/jobs";
 import { say } from "../../core/messages";
 import { useEvery, useResource } from "../../core/resource";
 import { may } from "../../core/session";
@@ -21,21 +21,6 @@ import { toast } from "../../core/toasts";
 import type { Job } from "../../core/types";
 import { STATE_WORDS } from "../../core/words";
 
-const KINDS = [
-  "ingest",
-  "passes",
-  "proposals",
-  "pose",
-  "calibrate",
-  "drift",
-  "export",
-  "scan_read",
-  "scan_find",
-  "scan_tidy",
-  "demonstration",
-  "demonstration_study",
-  "study",
-] as const;
 const STATES = ["queued", "running", "failed", "cancelled", "done"] as const;
 /** How often the list is read again. */
 const EVERY_MS = 2000;
@@ -124,7 +109,7 @@ function Row({ job, survey, run }: RowProps) {
   const page = pageOf(job);
   return (
     <tr data-testid={`job-${job.id}`}>
-      <td>{say("jobs-kind", { kind: KINDS.find((one) => one === job.kind) ?? "other" })}</td>
+      <td>{jobName(job.kind)}</td>
       <td>{page ? <a href={page}>{survey}</a> : survey}</td>
       <td>
         <StateMark state={job.state} />
@@ -161,10 +146,11 @@ function Actions({ job, run }: Omit<RowProps, "survey">) {
   );
 }
 
-/** The sentence that it ended with. */
-function toldOf({ error, message, result }: Job): string {
+/** The sentence that it ended with; of one that is done, what it did last is none. */
+function toldOf({ error, message, result, state }: Job): string {
   const told = result?.["message"];
-  return error ?? (typeof told === "string" ? told : message);
+  if (typeof told === "string") return told;
+  return error ?? (state === "done" ? "" : message);
 }
 
 /** Where its work is looked at. */

@@ -36,6 +36,7 @@ export function PassList({ model }: { model: MeasureModel }) {
   const all = model.vehicles.list.value;
   const list = model.list.value;
   const open = all.filter(isOpen).length;
+  const rejected = all.filter((vehicle) => vehicle.state === "rejected").length;
   const recording = model.reel.recording.value;
   const box = useRef<HTMLDivElement>(null);
   useOneTabStop(box, ".pass");
@@ -49,7 +50,7 @@ export function PassList({ model }: { model: MeasureModel }) {
         <h2>
           <Said
             what="measure-passes-open"
-            values={{ count: open }}
+            values={{ count: open - rejected, rejected }}
             parts={{ muted: (text) => <span class="muted small">{text}</span> }}
           />
         </h2>

@@ -152,19 +152,16 @@ function Facts({ model, vehicle }: { model: MeasureModel; vehicle: Vehicle }) {
             <CannotFit fits={fits.data} vehicle={vehicle} />
             <WhichModel found={fits} locked={locked} onChoose={take} />
           </div>
-          <div>
-            <CommitField
-              label={FIELD_WORDS.year}
-              value={vehicle.year === null ? "" : String(vehicle.year)}
-              numeric
-              disabled={locked}
-              check={(text) =>
-                text === "" || /^(18|19|20)\d\d$/.test(text) ? null : say("measure-year-problem")
-              }
-              onCommit={(text) => model.edit({ year: text === "" ? null : Number(text) })}
-            />
-            <ModelYears make={vehicle.make} model={vehicle.model} year={vehicle.year} />
-          </div>
+          <CommitField
+            label={FIELD_WORDS.year}
+            value={vehicle.year === null ? "" : String(vehicle.year)}
+            numeric
+            disabled={locked}
+            check={(text) =>
+              text === "" || /^(18|19|20)\d\d$/.test(text) ? null : say("measure-year-problem")
+            }
+            onCommit={(text) => model.edit({ year: text === "" ? null : Number(text) })}
+          />
           <SelectField
             label={FIELD_WORDS.category}
             value={vehicle.category ?? ""}
@@ -172,6 +169,9 @@ function Facts({ model, vehicle }: { model: MeasureModel; vehicle: Vehicle }) {
             disabled={locked}
             onChange={(category) => model.edit({ category: category === "" ? null : category })}
           />
+          <div class="facts-form__wide">
+            <ModelYears make={vehicle.make} model={vehicle.model} year={vehicle.year} />
+          </div>
           <CommitField
             label={say("measure-makers-height")}
             value={lengthText(vehicle.manufacturer_height_m, unit)}

@@ -15,7 +15,7 @@ interface Props {
 }
 
 export function Filmed({ recording, change }: Props) {
-  const { started_local, weather, street_lighting } = recording;
+  const { weather, street_lighting } = recording;
   const words = [
     startWords(recording, say("filmed-unknown")),
     weather,
@@ -25,12 +25,9 @@ export function Filmed({ recording, change }: Props) {
     <StartLine
       testId="filmed"
       words={words.join("  ·  ")}
-      confirmed={!!started_local}
-      change={
-        may("operator")
-          ? say(started_local ? "filmed-edit-of" : "filmed-confirm-of", { recording: recording.name })
-          : null
-      }
+      of={recording}
+      edit={say("filmed-edit-of", { recording: recording.name })}
+      mayChange={may("operator")}
       dialog={(close) => <FilmedDialog recording={recording} change={change} close={close} />}
     />
   );

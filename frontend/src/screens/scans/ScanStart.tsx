@@ -24,12 +24,9 @@ export function ScanStart({ scan, changed }: Props) {
       words={
         confirmed ? say("scans-start-words", { start: words, u_s: significant(scan.u_start_s ?? 0) }) : words
       }
-      confirmed={confirmed}
-      change={
-        canWork.value
-          ? say(confirmed ? "scans-start-edit-of" : "filmed-confirm-of", { recording: scan.name })
-          : null
-      }
+      of={scan}
+      edit={say("scans-start-edit-of", { recording: scan.name })}
+      mayChange={canWork.value}
       dialog={(close) => <StartDialog scan={scan} changed={changed} close={close} />}
     />
   );
