@@ -6023,6 +6023,7 @@ told-geometry-not-enough-data-a = Not enough data: a few hundred vehicles are ne
 told-geometry-at-least-vehicles-of = At least { $least_known } vehicles of known height are needed; { $rows } can be used.
 told-geometry-the-vehicles-are-about = Not conclusive: the vehicles are at about camera height, where the inset has little effect.
 told-geometry-no-inset-fits-the = No inset fits the manufacturers' heights; check them, the camera's height and the clicks.
+told-quality-inset-no-gain = Agrees with the current inset; using it would make no height more certain.
 told-geometry-it-says-next-to = Not conclusive: too few vehicles, or heights too near the camera's or too uncertain.
 told-geometry-at-least-vehicles-are = At least { $least_trend } vehicles are needed; { $rows } can be used.
 told-geometry-the-heights-do-not = The inset cannot be estimated: too few vehicles, or all at about the same distance.

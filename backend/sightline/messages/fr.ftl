@@ -6093,6 +6093,7 @@ told-geometry-not-enough-data-a = Pas assez de données : il faut quelques cent
 told-geometry-at-least-vehicles-of = Il faut au moins { $least_known } véhicules de hauteur connue ; utilisables : { $rows }.
 told-geometry-the-vehicles-are-about = Non concluant : les véhicules sont à peu près à la hauteur de la caméra, où le retrait a peu d’effet.
 told-geometry-no-inset-fits-the = Aucun retrait ne s’accorde aux hauteurs du constructeur ; contrôlez-les, ainsi que la hauteur de la caméra et les pointés.
+told-quality-inset-no-gain = S’accorde avec le retrait en vigueur ; l’adopter ne rendrait aucune hauteur plus sûre.
 told-geometry-it-says-next-to = Cela ne dit presque rien : trop peu de véhicules pour des hauteurs si proches de la caméra ou si incertaines.
 told-geometry-at-least-vehicles-are = Il faut au moins { $least_trend } véhicules ; utilisables : { $rows }.
 told-geometry-the-heights-do-not = Les hauteurs ne donnent pas de retrait : trop peu de véhicules, ou tous à peu près à la même distance.

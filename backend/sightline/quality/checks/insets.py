@@ -10,6 +10,7 @@ from typing import Annotated, get_args
 import numpy as np
 from pydantic import Field
 
+from sightline.coverage import COVERAGE_95
 from sightline.enums import InsetMethod, InsetName, InsetPlace, Target
 from sightline.geometry.inset_trend import (
     InsetEstimate,
@@ -43,6 +44,7 @@ _CASES: tuple[tuple[InsetName, float], ...] = (
     ("roof", 1.90),
 )
 _OFFER_STEP_M = 0.01
+_NO_GAIN = "Agrees with the current inset; using it would make no height more certain."
 _NOTES: dict[InsetMethod, str] = {
     "known_heights": "from the manufacturers' heights of {n} vehicles of this survey",
     "trend": "from the trend with distance of {n} vehicles of this survey",
@@ -292,25 +294,31 @@ def _estimate(
 
 
 def _offered(one: Estimate, name: InsetName, in_force: Inset, seen: Sightings | None) -> Estimate:
-    """The estimate with what it would change, and as the survey's inset where it may become that."""
+    """The estimate with what it would change, and as the survey's inset where it may become that: it says
+    another one, or the same with a smaller u.
+    """
     if one.inset_m is None or one.u_inset_m is None:
         return one
     difference = None
     if seen is not None:
         by_inset = (seen.measured_m - seen.camera_height_m) / seen.distance_m
         difference = float(np.median(by_inset)) * (one.inset_m - in_force.inset_m)
-    offer = None
-    if one.caution is None:
+    offer, caution = None, one.caution
+    if caution is None:
         between = USUAL_INSETS[name][1] if one.spread_m is None else one.spread_m
         u = float(np.ceil(np.hypot(one.u_inset_m, between) / _OFFER_STEP_M - 1e-9)) * _OFFER_STEP_M
         note = _NOTES[one.method].format(n=one.vehicles)
         mean = f"{one.inset_m:.3f} m (u {one.u_inset_m:.3f} m) on average, {between:.2f} m between vehicles"
-        offer = Offer(
-            round(one.inset_m, 2),
-            round(u, 2),
-            f"{note}: {mean}{' (estimate)' if one.spread_m is None else ''}",
-        )
-    return Estimate(**{**vars(one), "difference_m": difference, "offer": offer})
+        agrees = abs(one.inset_m - in_force.inset_m) <= COVERAGE_95 * one.u_inset_m
+        if agrees and round(u, 2) >= in_force.u_inset_m:
+            caution = _NO_GAIN
+        else:
+            offer = Offer(
+                round(one.inset_m, 2),
+                round(u, 2),
+                f"{note}: {mean}{' (estimate)' if one.spread_m is None else ''}",
+            )
+    return Estimate(**{**vars(one), "difference_m": difference, "offer": offer, "caution": caution})
 
 
 def _median(values: Sequence[float]) -> float | None:
