@@ -1148,6 +1148,9 @@ field-notes = Notes
 action-add = Add
 action-cancel = Cancel
 action-close = Close
+dialog-discard-title = Discard what you entered?
+dialog-discard-body = It has not been saved.
+dialog-discard = Discard
 action-dismiss = Dismiss
 action-save = Save
 action-try-again = Try again
@@ -1807,7 +1810,7 @@ which-model-taillight = taillight
 which-model-headlight = headlight
 measure-makers-height = Manufacturer’s height
 measure-makers-height-u = Standard uncertainty
-measure-year-problem = Enter a year with four digits.
+measure-year-problem = Enter a year from 1885 to { $most }.
 measure-span = Frames of the pass
 measure-span-first = First
 measure-span-best = Best
@@ -3210,7 +3213,7 @@ statistics-filter-surveys-some = { $count ->
 statistics-filter-surveys-none = all surveys
 statistics-filter-surveys-help = Surveys that count; none chosen: all
 statistics-reference-u = u of a reference height
-statistics-reference-u-hint = Uniform distribution, half-width { $limit }
+statistics-reference-u-hint = For heights without a u of their own. Uniform distribution, half-width { $limit }
 statistics-reference-u-inches = Enter a number of inches.
 statistics-reference-u-millimetres = Enter a number of millimetres.
 
@@ -3687,7 +3690,7 @@ members-remove = Remove
 members-remove-title = Remove { $person } from the survey?
 members-remove-body = { $person } can no longer see it. Their work is kept.
 members-remove-yourself = You will no longer see this survey.
-members-none = This survey has no members yet; administrators manage it.
+members-none = This survey has no members yet; administrators decide who they are.
 members-inactive = deactivated
 members-add = Add
 members-add-person = Person
@@ -4023,7 +4026,7 @@ show-once-done = Done
 ## People: the page
 
 people-only-admin = Only administrators can manage accounts. Ask one if you need another role.
-people-lead = Accounts and roles. A person sees the surveys whose members they are; administrators see every survey.
+people-lead = Accounts and roles. A person sees the surveys that are open to everyone and those whose members they are; administrators see every survey.
 people-loading = users
 people-add = Add a user
 people-name = Name
@@ -4044,7 +4047,7 @@ people-role-body = Rights of { $person } afterwards: { $does }
 people-role-change = Change the role
 people-switch-off-title = Deactivate { $person }’s account?
 people-switch-off-body = They are signed out and cannot sign in again. Their work stays under their name.
-people-does-viewer = sees the surveys whose members they are, exports packages
+people-does-viewer = sees open surveys and those whose members they are, exports packages
 people-does-operator = adds recordings, calibrates, measures
 people-does-reviewer = everything an operator does, and reviews other people’s work
 people-does-admin = everything, including accounts
@@ -5090,6 +5093,7 @@ vehicles-gives-frames-now-gave-when-read = { $name } now has { $count } frames, 
 vehicles-search-passes-cancelled-start-again-when = The search for passes was cancelled. You can start it again.
 vehicles-passes-being-looked-already-wait = Passes of { $name } are already being searched; wait until that has finished.
 vehicles-vehicle-needs-first-last-frame-mark = A vehicle needs its first and last frame; mark the pass on the timeline.
+vehicles-year-to-come = No model of { $year } can have passed yet; give a year up to { $most }.
 vehicles-vehicle-no-leave-out = A vehicle has no { $unknown }; leave it out.
 vehicles-frames-not-span-recording-ends-frame = Frames { $first } to { $last } are not a span of this recording; it ends at frame { $end }.
 vehicles-best-frame-lies-outside-frames-choose = The best frame { $best } is outside frames { $first } to { $last }; choose one of them.
@@ -5332,7 +5336,7 @@ sight-verdict-unknown = { $case ->
     [mix] With the other fleet’s heights
     [study] With the study’s heights
    *[survey] With the survey’s heights
-} (eye { $eye }, object { $object }) the crest constant is { $constant } instead of { $standard }, a change of K by { $change }. There is no interval ({ $reason }), so its significance is unknown.
+} (eye { $eye }, object { $object }) the crest constant is { $constant } instead of { $standard }, so K changes by { $change }. There is no interval ({ $reason }), so its significance is unknown.
 sight-cases-title = Crests
 sight-cases-distance = { $speed }: { $formula } = { $distance }, rounded up to { $design }
 sight-cases-note = { NUMBER($eyes) } eyes and { NUMBER($objects) } objects, { $whose }. Heights are true heights. Below each value: its total 95 % interval, for sampling, errors that heights share (camera pose, mean inset) and random error; errors of eye and object that come from the same camera pose are counted together; the standard’s heights and the fleet’s shares are taken as exact. Lengths are for the grade difference entered; the last column is the visible distance on a crest built to the standard.
@@ -5346,7 +5350,10 @@ sight-column-length = Minimum length ({ $unit })
 sight-column-seen = Visible on the standard’s crest ({ $unit })
 sight-figure-title = K of a crest against design speed
 sight-figure-says = K of a crest against design speed, by the standard’s heights and by the survey’s
-sight-figure-note = K = S² / C at the sight distance of each design speed, rounded up as in design tables (dots). Band: 95 % interval; where none is seen, it is narrower than the line.
+sight-figure-note = K = S² / C at the sight distance of each design speed, rounded up as in design tables (dots). { $band ->
+    [some] Band: 95 % interval; where none is seen, it is narrower than the line.
+   *[none] There is no interval, so no band is drawn.
+}
 sight-figure-x = Design speed ({ $unit })
 sight-figure-y = K ({ $unit } per %)
 sight-besides-title = Sag and curve, independent of eye heights

@@ -1146,6 +1146,9 @@ field-notes = Notes
 action-add = Ajouter
 action-cancel = Annuler
 action-close = Fermer
+dialog-discard-title = Abandonner votre saisie ?
+dialog-discard-body = Elle n’est pas enregistrée.
+dialog-discard = Abandonner
 action-dismiss = Fermer
 action-save = Enregistrer
 action-try-again = Réessayer
@@ -1806,7 +1809,7 @@ which-model-taillight = feu arrière
 which-model-headlight = projecteur
 measure-makers-height = Hauteur du constructeur
 measure-makers-height-u = Incertitude-type
-measure-year-problem = Une année a quatre chiffres.
+measure-year-problem = Saisissez une année de 1885 à { $most }.
 measure-span = Images du passage
 measure-span-first = Première
 measure-span-best = Meilleure
@@ -3206,7 +3209,7 @@ statistics-filter-surveys-some = { $count ->
 statistics-filter-surveys-none = tous les relevés
 statistics-filter-surveys-help = Relevés pris en compte ; aucun choix : tous
 statistics-reference-u = u d’une hauteur de référence
-statistics-reference-u-hint = Loi uniforme, demi-étendue { $limit }
+statistics-reference-u-hint = Pour les hauteurs sans u propre. Loi uniforme, demi-étendue { $limit }
 statistics-reference-u-inches = Indiquez un nombre de pouces.
 statistics-reference-u-millimetres = Indiquez un nombre de millimètres.
 
@@ -3683,7 +3686,7 @@ members-remove = Retirer
 members-remove-title = Retirer { $person } du relevé ?
 members-remove-body = { $person } ne le verra plus. Son travail reste à son nom.
 members-remove-yourself = Vous ne verrez plus ce relevé.
-members-none = Personne n’est encore membre de ce relevé ; les administrateurs le gèrent.
+members-none = Personne n’est encore membre de ce relevé ; les administrateurs en décident.
 members-inactive = désactivé
 members-add = Ajouter
 members-add-person = Personne
@@ -4019,7 +4022,7 @@ show-once-done = Terminé
 ## Personnes : la page
 
 people-only-admin = Seul un administrateur peut voir et modifier les comptes ; adressez-vous à lui s’il vous faut un autre rôle.
-people-lead = Comptes et rôles. Une personne voit les relevés dont elle est membre ; les administrateurs voient tous les relevés.
+people-lead = Comptes et rôles. Une personne voit les relevés ouverts à tous et ceux dont elle est membre ; les administrateurs voient tous les relevés.
 people-loading = utilisateurs
 people-add = Ajouter un utilisateur
 people-name = Nom
@@ -4040,7 +4043,7 @@ people-role-body = { $person } pourra alors : { $does }
 people-role-change = Changer le rôle
 people-switch-off-title = Désactiver le compte de { $person } ?
 people-switch-off-body = Cette personne est déconnectée et ne pourra plus se connecter ; ses mesures et vérifications restent à son nom.
-people-does-viewer = voir les relevés dont la personne est membre, exporter les archives
+people-does-viewer = voir les relevés ouverts à tous et ceux dont la personne est membre, exporter les archives
 people-does-operator = importer des enregistrements, étalonner, mesurer
 people-does-reviewer = ce que fait un opérateur, et vérifier le travail des autres
 people-does-admin = tout, y compris gérer les personnes
@@ -5142,6 +5145,7 @@ vehicles-gives-frames-now-gave-when-read = { $name } donne maintenant { $count }
 vehicles-search-passes-cancelled-start-again-when = La recherche des passages a été annulée ; relancez-la quand vous voulez.
 vehicles-passes-being-looked-already-wait = Une recherche des passages de { $name } est déjà en cours ; attendez la fin.
 vehicles-vehicle-needs-first-last-frame-mark = Un véhicule demande sa première et sa dernière image ; marquez le passage sur la chronologie.
+vehicles-year-to-come = Aucun modèle de { $year } n’a pu passer encore ; donnez une année jusqu’à { $most }.
 vehicles-vehicle-no-leave-out = Un véhicule n’a pas de { $unknown } ; omettez-le.
 vehicles-frames-not-span-recording-ends-frame = Les images { $first } à { $last } ne sont pas une plage de cet enregistrement ; il finit à l’image { $end }.
 vehicles-best-frame-lies-outside-frames-choose = La meilleure image { $best } est hors des images { $first } à { $last } ; choisissez l’une d’elles.
@@ -5384,7 +5388,7 @@ sight-verdict-unknown = { $case ->
     [mix] Avec les hauteurs de l’autre parc
     [study] Avec les hauteurs de l’étude
    *[survey] Avec les hauteurs du relevé
-} (œil { $eye }, obstacle { $object }), la constante d’angle saillant est { $constant } au lieu de { $standard }, soit un écart de K de { $change }. Il n’y a pas d’intervalle ({ $reason }) : on ne peut dire si c’est plus que le hasard.
+} (œil { $eye }, obstacle { $object }), la constante d’angle saillant est { $constant } au lieu de { $standard }, soit K modifié de { $change }. Il n’y a pas d’intervalle ({ $reason }) : on ne peut dire si c’est plus que le hasard.
 sight-cases-title = Angles saillants
 sight-cases-distance = { $speed } : { $formula } = { $distance }, arrondi par excès à { $design }
 sight-cases-note = Yeux : { NUMBER($eyes) }, obstacles : { NUMBER($objects) }, { $whose }. Les hauteurs sont les vraies. Sous chaque valeur, son intervalle total à 95 %, qui comprend l’échantillonnage, les erreurs que des hauteurs partagent (pose de la caméra, retrait moyen) et l’erreur aléatoire ; les erreurs de l’œil et de l’obstacle dues à la même pose de caméra comptent ensemble ; les hauteurs de la norme et les parts du parc sont supposées exactes. Les longueurs valent pour la différence de déclivités ; la dernière colonne est ce que l’on voit sur un angle saillant construit selon les hauteurs de la norme.
@@ -5398,7 +5402,10 @@ sight-column-length = Longueur minimale ({ $unit })
 sight-column-seen = Vu sur le saillant de la norme ({ $unit })
 sight-figure-title = K d’un angle saillant selon la vitesse de référence
 sight-figure-says = K d’un angle saillant selon la vitesse de référence, avec les hauteurs de la norme et celles du relevé
-sight-figure-note = K = S² / C à la distance de visibilité de chaque vitesse de référence, arrondie par excès comme dans les tables de conception (points). Bande : intervalle à 95 % ; là où l’on n’en voit pas, il est plus étroit que le trait.
+sight-figure-note = K = S² / C à la distance de visibilité de chaque vitesse de référence, arrondie par excès comme dans les tables de conception (points). { $band ->
+    [some] Bande : intervalle à 95 % ; là où l’on n’en voit pas, il est plus étroit que le trait.
+   *[none] Il n’y a pas d’intervalle, donc pas de bande.
+}
 sight-figure-x = vitesse de référence ({ $unit })
 sight-figure-y = K ({ $unit } par %)
 sight-besides-title = Angle rentrant et virage, que les yeux ne changent pas

@@ -62,6 +62,7 @@ def create_vehicle(
     recording = get_row(session, recordings, recording_id, "recording", recordings.c.deleted_at.is_(None))
     if "first_frame" not in fields or "last_frame" not in fields:
         raise BadInput("vehicles-vehicle-needs-first-last-frame-mark")
+    _check_year(fields)
     content: dict[str, Any] = {**_empty(), **_checked(fields, recording["frame_count"])}
     survey_id, moment = recording["survey_id"], now()
     counted = select(func.coalesce(func.max(vehicles.c.number), 0)).where(vehicles.c.survey_id == survey_id)
@@ -109,6 +110,7 @@ def update_vehicle(
 ) -> Vehicle:
     """Change fields. Raises Conflict, naming who and when, if a `version` is not the current one."""
     before = _current(session, vehicle_id, version)
+    _check_year(changes)
     frame_count = get_row(session, recordings, before["recording_id"], "recording")["frame_count"]
     change = _checked({**_checked_with(before), **changes}, frame_count)
     stamps = {"version": before["version"] + 1, "updated_at": now(), "updated_by": actor}
@@ -152,6 +154,13 @@ def pass_spans(session: Session, recording_id: int) -> tuple[PassSpan, ...]:
         PassSpan(first_frame=row.first_frame, last_frame=row.last_frame, direction=row.direction)
         for row in session.execute(query)
     )
+
+
+def _check_year(fields: VehicleChanges) -> None:
+    """Next year's models are sold already, later ones are not."""
+    year, most = fields.get("year"), now().year + 1
+    if year is not None and year > most:
+        raise BadInput("vehicles-year-to-come", year=str(year), most=str(most))
 
 
 def _current(session: Session, vehicle_id: int, version: int | None) -> dict[str, Any]:

@@ -7,6 +7,8 @@ import { Button } from "./Button";
 interface DialogProps {
   title: string;
   onClose: () => void;
+  /** What Esc does instead of closing. */
+  onEscape?: () => void;
   children: ComponentChildren;
   /** Buttons, the one that does it last. */
   actions?: ComponentChildren;
@@ -14,7 +16,7 @@ interface DialogProps {
 }
 
 /** A modal dialog: focus stays inside, Esc closes, focus goes back to where it was. */
-export function Dialog({ title, onClose, children, actions, wide }: DialogProps) {
+export function Dialog({ title, onClose, onEscape = onClose, children, actions, wide }: DialogProps) {
   const ref = useRef<HTMLDialogElement>(null);
   const id = useId();
   useEffect(() => {
@@ -38,7 +40,7 @@ export function Dialog({ title, onClose, children, actions, wide }: DialogProps)
       aria-labelledby={id}
       onCancel={(event) => {
         event.preventDefault();
-        onClose();
+        onEscape();
       }}
     >
       <header class="dialog__head">

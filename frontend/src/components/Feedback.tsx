@@ -1,6 +1,6 @@
 /** What a screen says while it loads, when it is empty, when something is wrong, and how far work has come. */
 import type { ComponentChildren } from "preact";
-import { explain } from "../core/api";
+import { ApiError, explain } from "../core/api";
 import { say } from "../core/messages";
 import type { Job } from "../core/types";
 import { Button } from "./Button";
@@ -58,13 +58,19 @@ export function Notice({ kind = "info", title, children, actions }: NoticeProps)
 }
 
 /** An error in words, with a way to try again. */
+/** What was asked for cannot be: asking once more gives the same answer. */
+function isRefusal(error: unknown): boolean {
+  return error instanceof ApiError && [400, 404, 422].includes(error.status);
+}
+
 export function Problem({ error, again }: { error: unknown; again?: () => void }) {
   if (!error) return null;
   return (
     <Notice
       kind="problem"
       actions={
-        again && (
+        again &&
+        !isRefusal(error) && (
           <Button small icon="retry" onClick={again}>
             {say("action-try-again")}
           </Button>

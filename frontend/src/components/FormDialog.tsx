@@ -2,7 +2,7 @@ import type { ComponentChildren } from "preact";
 import { useId, useState } from "preact/hooks";
 import { say } from "../core/messages";
 import { Button } from "./Button";
-import { Dialog } from "./Dialog";
+import { ask, Dialog } from "./Dialog";
 import { Problem } from "./Feedback";
 
 interface FormDialogProps {
@@ -23,6 +23,12 @@ export function FormDialog({ title, action, onClose, submit, disabled, wide, chi
   const id = useId();
   const [problem, setProblem] = useState<unknown>(null);
   const [busy, setBusy] = useState(false);
+  const [touched, setTouched] = useState(false);
+  /** Esc is pressed by mistake, Cancel is not: what was entered is lost only when that is wanted. */
+  const leave = async () => {
+    const question = { title: say("dialog-discard-title"), body: say("dialog-discard-body") };
+    if (!touched || (await ask({ ...question, action: say("dialog-discard") }))) onClose();
+  };
   const send = async (event: Event) => {
     event.preventDefault();
     if (busy || disabled) return;
@@ -42,6 +48,7 @@ export function FormDialog({ title, action, onClose, submit, disabled, wide, chi
       title={title}
       wide={wide}
       onClose={onClose}
+      onEscape={() => void leave()}
       actions={
         <>
           <Button onClick={onClose}>{say("action-cancel")}</Button>
@@ -56,7 +63,7 @@ export function FormDialog({ title, action, onClose, submit, disabled, wide, chi
         </>
       }
     >
-      <form id={id} class="stack" onSubmit={send} noValidate>
+      <form id={id} class="stack" onSubmit={send} onInput={() => setTouched(true)} noValidate>
         {children}
         <Problem error={problem} />
         <button type="submit" hidden />

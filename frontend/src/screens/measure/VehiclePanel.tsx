@@ -157,9 +157,7 @@ function Facts({ model, vehicle }: { model: MeasureModel; vehicle: Vehicle }) {
             value={vehicle.year === null ? "" : String(vehicle.year)}
             numeric
             disabled={locked}
-            check={(text) =>
-              text === "" || /^(18|19|20)\d\d$/.test(text) ? null : say("measure-year-problem")
-            }
+            check={yearProblem}
             onCommit={(text) => model.edit({ year: text === "" ? null : Number(text) })}
           />
           <SelectField
@@ -244,4 +242,13 @@ function Facts({ model, vehicle }: { model: MeasureModel; vehicle: Vehicle }) {
       </TypingHold.Provider>
     </section>
   );
+}
+
+/** The server's limits: the first motor car, and next year's models, which are sold already. */
+function yearProblem(text: string): string | null {
+  const most = new Date().getFullYear() + 1;
+  const year = /^\d{4}$/.test(text) ? Number(text) : 0;
+  return text === "" || (year >= 1885 && year <= most)
+    ? null
+    : say("measure-year-problem", { most: String(most) });
 }

@@ -16,12 +16,13 @@ interface Row {
 /** K of a crest against design speed, by case. */
 export function KFigure({ sight }: { sight: Sight }) {
   const shown = sight.cases.filter((one) => one.crest !== null);
+  const banded = shown.some((one) => one.name !== "standard" && one.k_m.some((k) => k.low !== null));
   return (
     <PlotFigure
       name="crest-k"
       title={say("sight-figure-title")}
       says={say("sight-figure-says")}
-      note={say("sight-figure-note")}
+      note={say("sight-figure-note", { band: banded ? "some" : "none" })}
       legend={shown.map((one) => ({
         word: CASE_WORDS[one.name],
         dash: DASHES[one.name],

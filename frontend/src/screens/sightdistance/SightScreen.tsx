@@ -85,13 +85,19 @@ function sentenceOf(one: Case, standard: Case | undefined, sight: Sight): string
     object: formatLength(crest.object_m.value, 2),
     constant: plain(crest.constant_m.value, 1),
     standard: plain(standard.crest.constant_m.value, 1),
-    change: `${fixed(100 * Math.abs(comparison.k_change), 1)} %`,
+    change: changeOf(comparison),
     k: plain(crest.k_m.value, 1),
     k_standard: plain(standard.crest.k_m.value, 1),
     distance: formatLength(sight.distance.design_m, 0),
     seen: formatLength(crest.seen_m.value, 0),
     reason: crest.constant_m.reason ?? "",
   });
+}
+
+/** Shorter and longer are said in words; elsewhere the sign tells them apart. */
+function changeOf({ verdict, k_change }: NonNullable<Case["comparison"]>): string {
+  const sign = verdict === "shorter" || verdict === "longer" ? "" : k_change < 0 ? "\u2212" : "+";
+  return `${sign}${fixed(100 * Math.abs(k_change), 1)} %`;
 }
 
 const plain = (metres: number, digits: number) => fixed(metres * lengthScale()[0], digits);

@@ -28,7 +28,8 @@ export function EditSurvey({ survey, close }: { survey: Survey; close: () => voi
     const placed = readPlace(place, survey.place);
     setWrong(typeof read === "string" ? read : null);
     setMisplaced(typeof placed === "string" ? placed : null);
-    return typeof read === "string" || typeof placed === "string" ? null : save(read, placed);
+    if (typeof read === "string" || typeof placed === "string" || !name.trim()) return null;
+    return save(read, placed);
   };
   const save = async (read: Record<InsetName, Inset>, placed: Place) => {
     await api.write(
