@@ -63,6 +63,7 @@ def test_taking_out_is_soft(operator: Client, survey_id: int, recording_id: int)
         {"manufacturer_height_m": -1.0},
         {"manufacturer_height_m": 1624.0},
         {"year": 12},
+        {"year": 2090},
         {"lighting": "dusk"},
         {"make": "x" * 300},
     ],
