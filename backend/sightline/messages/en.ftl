@@ -5350,9 +5350,9 @@ sight-column-length = Minimum length ({ $unit })
 sight-column-seen = Visible on the standard’s crest ({ $unit })
 sight-figure-title = K of a crest against design speed
 sight-figure-says = K of a crest against design speed, by the standard’s heights and by the survey’s
-sight-figure-note = K = S² / C at the sight distance of each design speed, rounded up as in design tables (dots). { $band ->
-    [some] Band: 95 % interval; where none is seen, it is narrower than the line.
-   *[none] There is no interval, so no band is drawn.
+sight-figure-note = K = S² / C at the sight distance of each design speed, rounded up as in design tables (dots). { $bands ->
+    [0] There is no interval, so no band is drawn.
+   *[other] Band: 95 % interval; where none is seen, it is narrower than the line.
 }
 sight-figure-x = Design speed ({ $unit })
 sight-figure-y = K ({ $unit } per %)

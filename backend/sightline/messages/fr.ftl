@@ -5402,9 +5402,9 @@ sight-column-length = Longueur minimale ({ $unit })
 sight-column-seen = Vu sur le saillant de la norme ({ $unit })
 sight-figure-title = K d’un angle saillant selon la vitesse de référence
 sight-figure-says = K d’un angle saillant selon la vitesse de référence, avec les hauteurs de la norme et celles du relevé
-sight-figure-note = K = S² / C à la distance de visibilité de chaque vitesse de référence, arrondie par excès comme dans les tables de conception (points). { $band ->
-    [some] Bande : intervalle à 95 % ; là où l’on n’en voit pas, il est plus étroit que le trait.
-   *[none] Il n’y a pas d’intervalle, donc pas de bande.
+sight-figure-note = K = S² / C à la distance de visibilité de chaque vitesse de référence, arrondie par excès comme dans les tables de conception (points). { $bands ->
+    [0] Il n’y a pas d’intervalle, donc pas de bande.
+   *[other] Bande : intervalle à 95 % ; là où l’on n’en voit pas, il est plus étroit que le trait.
 }
 sight-figure-x = vitesse de référence ({ $unit })
 sight-figure-y = K ({ $unit } par %)

@@ -22,7 +22,7 @@ export function KFigure({ sight }: { sight: Sight }) {
       name="crest-k"
       title={say("sight-figure-title")}
       says={say("sight-figure-says")}
-      note={say("sight-figure-note", { band: banded ? "some" : "none" })}
+      note={say("sight-figure-note", { bands: banded ? 1 : 0 })}
       legend={shown.map((one) => ({
         word: CASE_WORDS[one.name],
         dash: DASHES[one.name],
