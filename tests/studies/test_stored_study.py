@@ -233,6 +233,9 @@ def test_a_study_is_made_changed_and_removed_with_its_audit(
     made = operator.made("/studies", {"name": "One", "surveys": [{"survey_id": survey["id"]}]})
     assert made["surveys"][0]["site"] == "Hill road" and not made["simulated"]
     address = f"/studies/{made['id']}"
+    assert viewer.put(address, {"name": "Two", "version": 1}).status_code == 404
+    person = viewer.seen("/session")["person"]["id"]
+    assert operator.put(f"{address}/members/{person}").status_code == 200
     assert viewer.put(address, {"name": "Two", "version": 1}).status_code == 403
     assert operator.put(address, {"name": "Two", "version": 1}).json()["version"] == 2
     late = operator.put(address, {"name": "Three", "version": 1})
