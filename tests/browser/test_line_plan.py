@@ -14,7 +14,7 @@ def test_lengths_gaps_and_exposure_are_planned(page: Page, survey_id: int) -> No
     page.get_by_label("Time gap").blur()
     expect(values).to_contain_text(re.compile(r"Distance gap\s*100\.00"))
     seen = page.get_by_test_id("line-plan-exposure")
-    expect(seen).to_contain_text("each line is blurred by 10 mm")
+    expect(seen).to_contain_text("each line is blurred by 14 mm")
     exposure = page.get_by_label("Exposure", exact=True)
     exposure.fill("9999")
     exposure.blur()

@@ -184,6 +184,20 @@ def test_what_is_missing_is_said(example: ReportFacts) -> None:
     assert flat("no accepted heights of taillight") in said
 
 
+@pytest.mark.parametrize(
+    ("n", "eye"),
+    [
+        (8, "P10 1.064 m (no interval), Median 1.216 m (95 %: 1.112 to 1.253). The intervals include"),
+        (4, "(no interval): too few heights."),
+    ],
+)
+def test_no_interval_is_spoken_of_that_is_not_there(n: int, eye: str) -> None:
+    said = flat(words(report(facts(statistics(n, absent=("headlight", "roof"))))))
+    assert flat(eye) in said
+    # without an interval the sign alone says which way K goes: higher eyes and lamps, so a smaller K
+    assert flat("so K changes by −") in said
+
+
 def test_a_long_table_repeats_its_head_and_no_word_leaves_the_page() -> None:
     left_out = tuple(
         Exclusion(k, LONG if k % 9 == 0 else "a van", "roof", "rejected", LONG) for k in range(70)
