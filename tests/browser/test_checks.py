@@ -34,6 +34,17 @@ def test_insets_are_used_with_their_origin(page: Page, survey_id: int) -> None:
     roof = page.get_by_test_id("insets-check").locator("tbody").filter(has_text="Roof")
     expect(roof.get_by_text("estimate", exact=True)).to_be_visible()
     expect(page.get_by_test_id("inset-drawing")).to_be_visible()
+    # what is in force agrees with the vehicles and is as sure: there is nothing to use
+    expect(roof.get_by_text("Agrees with the current inset")).to_be_visible()
+    expect(roof.get_by_role("button")).to_have_count(0)
+    survey = page.request.get(f"/api/surveys/{survey_id}").json()
+    body = {name: survey[name] for name in ("name", "site", "description", "version")}
+    wrong = {"inset_m": 1.2, "u_inset_m": 0.1, "note": "a guess"}
+    put = page.request.put(
+        f"/api/surveys/{survey_id}", headers={"X-Sightline": "1"}, data={**body, "insets": {"roof": wrong}}
+    )
+    assert put.ok, put.text()
+    page.reload()
     button = roof.get_by_role("button", name=re.compile(r"Use 0\.\d\d m \(u = 0\.\d\d m\) for roofs"))
     offered = re.findall(r"0\.\d\d", button.inner_text())
     button.click()
