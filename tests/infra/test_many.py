@@ -53,7 +53,7 @@ def test_vehicles_list_in_three_queries(large: tuple[SessionFactory, Sample]) ->
         found = list_sheets(session, one.survey.id)
         assert len(ran) == 3
         survey = survey_overview(session, one.survey.id)
-        assert len(ran) == 3 + 8
+        assert len(ran) == 3 + 9
         queue = review_queue(session, one.survey.id, actor=one.olga.id)
     assert len(found) == 500 and sum(len(vehicle.measurements) for vehicle in found) == 1498
     assert {vehicle.state for vehicle in found} == {"partial", "measured"}
@@ -69,4 +69,4 @@ def test_many_surveys_take_as_many_queries_as_one(factory: SessionFactory) -> No
     with reading(factory) as session:
         ran = _statements(session)
         assert len(survey_overviews(session)) == 40
-        assert len(ran) == 8
+        assert len(ran) == 9
