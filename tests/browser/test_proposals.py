@@ -34,7 +34,7 @@ def test_proposals_are_confirmed_one_vehicle_after_the_other(page: Page, demonst
     expect(page.locator("#measure-hint")).to_contain_text("click the driver’s eye")
     click_at(page, first.pixels["driver_eye"])
     until(page, first.vehicle["id"], lambda have: "driver_eye" in have)
-    assert stored(page, first.vehicle["id"])["driver_eye"]["made"] == "moved"
+    assert stored(page, first.vehicle["id"])["driver_eye"]["made"] == "clicked"
     expect(page.get_by_test_id(f"pass-{first.vehicle['number']}")).not_to_have_attribute(
         "aria-current", "true"
     )
@@ -71,7 +71,7 @@ def test_a_contact_alone_is_taken_and_the_targets_are_clicked_on_it(
     assert stored(page, one.vehicle["id"]) == {}
     click_at(page, one.pixels["roof"])
     until(page, one.vehicle["id"], lambda have: "roof" in have)
-    assert stored(page, one.vehicle["id"])["roof"]["made"] == "moved"
+    assert stored(page, one.vehicle["id"])["roof"]["made"] == "clicked"
 
 
 def test_a_click_elsewhere_puts_another_contact_than_the_proposed_one(

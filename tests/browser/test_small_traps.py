@@ -144,6 +144,6 @@ def test_no_band_is_spoken_of_where_there_is_no_interval(
         route.fulfill(response=given, json=answer)
 
     page.route(re.compile(r"/api/.*sightdistance\?"), told)
-    page.goto(f"/sight-distance?survey={survey_id}&state=all")
+    page.goto(f"/sight-distance?survey={survey_id}&state=all&eye_percent=50&object_percent=50")
     said = "There is no interval, so no band is drawn." if low is None else "it is narrower than the line"
     expect(page.get_by_text(said)).to_be_visible()

@@ -52,7 +52,10 @@ export function SpreadFigure({ spread }: { spread: ScanSpread }) {
       note={there ? notes.filter(Boolean).join(" ") || undefined : undefined}
       options={(plot) => ({
         height: 240,
-        x: { label: say("with-unit", { name: SHORT[spread.quantity] ?? title, unit }) },
+        x: {
+          label: say("with-unit", { name: SHORT[spread.quantity] ?? title, unit }),
+          ...(there ? aroundOne(ecdf.value.map((one) => one * by)) : {}),
+        },
         y: { label: say("figure-share-of-vehicles"), domain: [0, 100] },
         marks: there
           ? [
@@ -82,6 +85,12 @@ export function SpreadFigure({ spread }: { spread: ScanSpread }) {
       })}
     />
   );
+}
+
+/** One value alone spans no axis: whole units about it do. */
+function aroundOne(values: number[]): { domain?: [number, number] } {
+  const [least, most] = [Math.min(...values), Math.max(...values)];
+  return least < most ? {} : { domain: [Math.floor(least), Math.floor(least) + 1] };
 }
 
 function percentileWords(one: ScanSpread["percentiles"][number], by: number): string {
