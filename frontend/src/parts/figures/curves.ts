@@ -29,6 +29,13 @@ const lineStyle = (curve: Curve) => ({
   strokeDasharray: curve.dash,
 });
 
+/** One value alone spans no axis: whole units about it do. Numbers that are none (NaN) count for nothing. */
+export function aroundOne(values: readonly number[]): { domain?: [number, number] } {
+  const there = values.filter(Number.isFinite);
+  const [least, most] = [Math.min(...there), Math.max(...there)];
+  return least === most ? { domain: [Math.floor(least), Math.floor(least) + 1] } : {};
+}
+
 /** A cumulative distribution as steps, with its band. */
 export function ecdfMarks(plot: Plot, ecdf: Ecdf, curve: Curve, perX: number): Mark[] {
   const first = ecdf.value[0] ?? 0;

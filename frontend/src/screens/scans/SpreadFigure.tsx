@@ -3,7 +3,7 @@
 import { say, wordsOf } from "../../core/messages";
 import type { ScanSpread } from "../../core/types";
 import { fixed, lengthScale, type Scale, speedScale } from "../../core/units";
-import { ecdfMarks, noBandWords } from "../../parts/figures/curves";
+import { aroundOne, ecdfMarks, noBandWords } from "../../parts/figures/curves";
 import { PlotFigure } from "../../parts/figures/PlotFigure";
 
 const TITLES: Readonly<Record<string, string>> = wordsOf({
@@ -85,12 +85,6 @@ export function SpreadFigure({ spread }: { spread: ScanSpread }) {
       })}
     />
   );
-}
-
-/** One value alone spans no axis: whole units about it do. */
-function aroundOne(values: number[]): { domain?: [number, number] } {
-  const [least, most] = [Math.min(...values), Math.max(...values)];
-  return least < most ? {} : { domain: [Math.floor(least), Math.floor(least) + 1] };
 }
 
 function percentileWords(one: ScanSpread["percentiles"][number], by: number): string {

@@ -3,6 +3,7 @@ import { say } from "../../core/messages";
 import { formatPlaceClock } from "../../core/times";
 import type { ScanTraffic, TrafficInterval } from "../../core/types";
 import { fixed, speedScale } from "../../core/units";
+import { aroundOne } from "../../parts/figures/curves";
 import { PlotFigure } from "../../parts/figures/PlotFigure";
 import { type Readable, readable } from "../../parts/figures/reading";
 
@@ -125,7 +126,10 @@ export function SpeedFigure({ scan }: { scan: ScanTraffic }) {
       options={(plot) => ({
         height: 240,
         x: dayAxis(scan),
-        y: { label: say("with-unit", { name: say("flows-speed"), unit }) },
+        y: {
+          label: say("with-unit", { name: say("flows-speed"), unit }),
+          ...aroundOne([mean, percentile(15), percentile(85)].flatMap((each) => seen.map(each))),
+        },
         marks: [
           plot.ruleX(seen, {
             x: middle,
