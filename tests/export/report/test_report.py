@@ -187,15 +187,16 @@ def test_what_is_missing_is_said(example: ReportFacts) -> None:
 @pytest.mark.parametrize(
     ("n", "eye"),
     [
-        (8, "P10 1.064 m (no interval), Median 1.216 m (95 %: 1.112 to 1.253). The intervals include"),
-        (4, "(no interval): too few heights."),
+        (8, "P10 – (no interval), Median 1.216 m (95 %: 1.112 to 1.253). The intervals include"),
+        (4, "P10 – (no interval), Median – (no interval): too few heights."),
     ],
 )
 def test_no_interval_is_spoken_of_that_is_not_there(n: int, eye: str) -> None:
     said = flat(words(report(facts(statistics(n, absent=("headlight", "roof"))))))
     assert flat(eye) in said
-    # without an interval the sign alone says which way K goes: higher eyes and lamps, so a smaller K
-    assert flat("so K changes by −") in said
+    # and no crest is drawn from a percentile that the heights do not support
+    assert flat(f"Too few heights for the percentile: driver’s eye, P10 needs 36; there are {n}") in said
+    assert flat("so K changes by") not in said
 
 
 def test_a_long_table_repeats_its_head_and_no_word_leaves_the_page() -> None:
