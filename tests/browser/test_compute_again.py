@@ -10,6 +10,7 @@ from sightline.infra.services import open_services
 from sightline.people.service import first_sign_in_link
 from sightline.settings import load_settings
 from tests.browser.server import start
+from tests.browser.signed_in import first_page
 from tests.support import samples, scans_samples
 
 
@@ -34,11 +35,7 @@ def test_heights_of_line_scans_are_computed_again_and_put_back(
     survey_id = filled(tmp_path / "data")
     server = start("serve", tmp_path / "data")
     try:
-        server.wait()
-        context = browser.new_context(base_url=server.url, viewport={"width": 1440, "height": 900})
-        page = context.new_page()
-        page.goto(server.sign_in_link())
-        expect(page.get_by_role("heading", name="Surveys", exact=True)).to_be_visible()
+        page = first_page(browser, server)
         survey = page.request.get(f"/api/surveys/{survey_id}").json()
         body = {name: survey[name] for name in ("name", "site", "description", "version")}
         body["insets"] = {"roof": {"inset_m": 0.6, "u_inset_m": 0.1, "note": "the crown"}}
@@ -59,7 +56,7 @@ def test_heights_of_line_scans_are_computed_again_and_put_back(
         page.screenshot(path=screenshots / "again-lines-1024.png", full_page=True)
         french = browser.new_context(
             base_url=server.url,
-            storage_state=context.storage_state(),
+            storage_state=page.context.storage_state(),
             viewport={"width": 1440, "height": 900},
             locale="fr-FR",
         )

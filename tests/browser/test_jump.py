@@ -6,8 +6,8 @@ from pathlib import Path
 from playwright.sync_api import Page, Route, expect
 
 from tests.browser.server import Server
+from tests.browser.signed_in import client_of
 from tests.media.clips import Spec, write
-from tests.real.client import Client
 
 FRAMES = 140
 FAR = 131
@@ -15,9 +15,7 @@ FAR = 131
 
 def recording_with_a_pass(page: Page, base_url: str, folder: Path) -> tuple[int, int]:
     """Survey and recording, uploaded with the browser's session, and a pass with its best frame at 70."""
-    client = Client(base_url)
-    for cookie in page.context.cookies():
-        client.http.cookies.set(cookie["name"], cookie["value"])
+    client = client_of(page, base_url)
     survey = client.post("/surveys", name="Jumps")["id"]
     recording = client.upload(survey, write(folder / "jump.mp4", Spec("jump.mp4", gop=250, count=FRAMES)))
     client.ready(recording)

@@ -5,7 +5,7 @@ from pathlib import Path
 from playwright.sync_api import Browser, expect
 
 from tests.browser.server import start
-from tests.real.client import Client
+from tests.browser.signed_in import client_of, first_page
 
 
 def test_a_manager_adds_a_member_and_takes_them_out(
@@ -13,14 +13,8 @@ def test_a_manager_adds_a_member_and_takes_them_out(
 ) -> None:
     server = start("serve", tmp_path / "data")
     try:
-        server.wait()
-        context = browser.new_context(base_url=server.url, viewport={"width": 1440, "height": 900})
-        page = context.new_page()
-        page.goto(server.sign_in_link())
-        expect(page.get_by_role("heading", name="Surveys", exact=True)).to_be_visible()
-        client = Client(server.url)
-        for cookie in context.cookies():
-            client.http.cookies.set(cookie["name"], cookie["value"])
+        page = first_page(browser, server)
+        client = client_of(page, server.url)
         survey = client.post("/surveys", name="Closed road")["id"]
         link = client.post("/people", name="Rosa", email="rosa@example.org", role="viewer")["link"]
         client.http.close()

@@ -6,6 +6,7 @@ from playwright.sync_api import Browser, Page, expect
 
 from sightline.media.video.writer import write_mp4
 from tests.browser.server import start
+from tests.browser.signed_in import client_of, first_page
 from tests.media.clips import painted
 from tests.real.client import Client
 
@@ -25,14 +26,8 @@ def test_frames_and_packages_are_not_shown_from_the_cache(browser: Browser, tmp_
     write_mp4(clip, (painted(n, 320, 240) for n in range(12)), 25, crf=14, gop=6)
     server = start("serve", tmp_path / "data")
     try:
-        server.wait()
-        context = browser.new_context(base_url=server.url, viewport={"width": 1440, "height": 900})
-        page = context.new_page()
-        page.goto(server.sign_in_link())
-        expect(page.get_by_role("heading", name="Surveys", exact=True)).to_be_visible()
-        client = Client(server.url)
-        for cookie in context.cookies():
-            client.http.cookies.set(cookie["name"], cookie["value"])
+        page = first_page(browser, server)
+        client = client_of(page, server.url)
         survey, recording, package = filled(client, clip)
         link = client.post("/people", name="Rosa", email="rosa@example.org", role="viewer")["link"]
         addresses = [f"/api/recordings/{recording}/frames/3.jpg?v=1", package]

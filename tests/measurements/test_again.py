@@ -22,7 +22,6 @@ from tests.support.ground import (
     add_pose,
     add_vehicle,
     flat_camera,
-    lay_ground,
     measure,
 )
 from tests.support.packages import edit, rederive, rows, written
@@ -33,11 +32,6 @@ DISTANCE_M = -CENTRE_M[1]
 LARGE, SMALL = 0.5, 0.121
 #: A roof that is given the survey's usual inset (0.12 m, u 0.05 m).
 ROOF = {"target": "roof", "inset_m": None, "u_inset_m": None}
-
-
-@pytest.fixture
-def ground(services: Services, survey_id: int, recording_id: int) -> Ground:
-    return lay_ground(services, survey_id, recording_id)
 
 
 def say_inset(client: Client, survey_id: int, inset_m: float, target: str = "roof") -> None:

@@ -16,7 +16,7 @@ from sightline.measurements.service import store_measurement
 from sightline.measurements.store import get_measurement
 from sightline.vehicles.store import get_vehicle
 from tests.support.app import Client
-from tests.support.ground import Ground, add_vehicle, lay_ground, pixel
+from tests.support.ground import Ground, add_vehicle, pixel
 
 
 def at(x_m: float, y_m: float, z_m: float) -> Point:
@@ -38,11 +38,6 @@ CLICKS = (
         more_frames=(AGAIN,),
     ),
 )
-
-
-@pytest.fixture
-def ground(services: Services, survey_id: int, recording_id: int) -> Ground:
-    return lay_ground(services, survey_id, recording_id)
 
 
 def fresh(vehicle_id: int, *clicks: Clicks) -> list[NewHeight]:

@@ -9,16 +9,11 @@ from sqlalchemy import event
 from sightline.infra.audit.verification import verify_records
 from sightline.infra.services import Services
 from tests.support.app import Client
-from tests.support.ground import Ground, add_vehicle, clicks, lay_ground, measure
+from tests.support.ground import Ground, add_vehicle, clicks, measure
 
 MOST_STATEMENTS = 9
 
 pytestmark = pytest.mark.dialect
-
-
-@pytest.fixture
-def ground(services: Services, survey_id: int, recording_id: int) -> Ground:
-    return lay_ground(services, survey_id, recording_id)
 
 
 def _statements(services: Services, action: Callable[[], object]) -> list[str]:

@@ -13,17 +13,11 @@ from tests.support.ground import (
     add_vehicle,
     clicks,
     flat_camera,
-    lay_ground,
     measure,
     pixel,
 )
 
 pytestmark = pytest.mark.dialect
-
-
-@pytest.fixture
-def ground(services: Services, survey_id: int, recording_id: int) -> Ground:
-    return lay_ground(services, survey_id, recording_id)
 
 
 @pytest.fixture

@@ -5,17 +5,11 @@ from typing import Any
 import pytest
 
 from sightline.enums import AskedTarget, Lighting
-from sightline.infra.services import Services
 from sightline.messages import say
 from sightline.surveys.records import Asked
 from tests.support.app import Client, error_of
-from tests.support.ground import Ground, add_vehicle, lay_ground
+from tests.support.ground import Ground, add_vehicle
 from tests.support.ground import measure as measured
-
-
-@pytest.fixture
-def ground(services: Services, survey_id: int, recording_id: int) -> Ground:
-    return lay_ground(services, survey_id, recording_id)
 
 
 def change(client: Client, vehicle_id: int, **fields: Any) -> dict[str, Any]:

@@ -17,22 +17,12 @@ from sightline.infra.csv_package.files import Staging
 from sightline.infra.services import Services
 from sightline.measurements.second_frame import Candidate, Spot, chosen_frames
 from tests.support.app import FRAME_HEIGHT, FRAME_WIDTH, FRAMES, Client, error_of
-from tests.support.ground import Ground, add_vehicle, lay_ground, pixel
+from tests.support.ground import Ground, add_vehicle, pixel
 from tests.support.mutations import Package, checked, load, with_sums
 
 pytestmark = pytest.mark.once
 
 HEIGHT_M, INSET_M = 1.16, 0.42
-
-
-@pytest.fixture
-def ground(services: Services, survey_id: int, recording_id: int) -> Ground:
-    return lay_ground(services, survey_id, recording_id)
-
-
-@pytest.fixture
-def vehicle_id(operator: Client, ground: Ground) -> int:
-    return int(add_vehicle(operator, ground.recording_id, last_frame=11)["id"])
 
 
 def on_frame(frame: int, travel_m: float) -> dict[str, Any]:

@@ -7,18 +7,12 @@ from uuid import uuid4
 import pytest
 
 from sightline.infra.jobs.records import Job
-from sightline.infra.services import Services
 from tests.support.app import Client
-from tests.support.ground import Ground, add_vehicle, clicks, lay_ground, pixel
+from tests.support.ground import Ground, add_vehicle, clicks, pixel
 from tests.support.ground import measure as measured
 
 FAR = {"traffic_side": "right", "steering_side": "left", "camera_place": "verge"}
 EYE = {"target": "driver_eye", "inset_m": None, "u_inset_m": None}
-
-
-@pytest.fixture
-def ground(services: Services, survey_id: int, recording_id: int) -> Ground:
-    return lay_ground(services, survey_id, recording_id)
 
 
 def changed(client: Client, path: str, body: dict[str, Any]) -> dict[str, Any]:

@@ -11,7 +11,7 @@ from sightline.infra.services import Services
 from sightline.measurements.again.verify import put_back, verdict_gone_over
 from tests.measurements.test_second_frame import exported, on_frame, rewritten
 from tests.support.app import Client
-from tests.support.ground import Ground, add_vehicle, clicks, lay_ground, measure, pixel
+from tests.support.ground import Ground, clicks, measure, pixel
 from tests.support.mutations import checked
 
 ONE = {**on_frame(2, 0.0), "target": "driver_eye", "inset_m": 0.9, "u_inset_m": 0.1}
@@ -19,16 +19,6 @@ TWO = {**ONE, "more_frames": [on_frame(7, 1.8)]}
 BY_HAND = (clicks(1.2), clicks(1.25))
 TWO_FRAMES = (ONE, TWO)
 TO_ONE_FRAME = (TWO, ONE)
-
-
-@pytest.fixture
-def ground(services: Services, survey_id: int, recording_id: int) -> Ground:
-    return lay_ground(services, survey_id, recording_id)
-
-
-@pytest.fixture
-def vehicle_id(operator: Client, ground: Ground) -> int:
-    return int(add_vehicle(operator, ground.recording_id, last_frame=11)["id"])
 
 
 def judge(client: Client, one: dict[str, Any], verdict: str, **more: Any) -> Any:

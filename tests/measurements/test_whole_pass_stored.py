@@ -26,7 +26,7 @@ from sightline.recordings.store import get_recording
 from sightline.recordings.tables import recordings
 from tests.measurements.test_second_frame import HEIGHT_M, INSET_M, exported, on_frame, rewritten
 from tests.support.app import FRAME_HEIGHT, FRAME_WIDTH, Client, error_of
-from tests.support.ground import Ground, add_vehicle, lay_ground, pixel
+from tests.support.ground import Ground, pixel
 from tests.support.mutations import checked
 
 pytestmark = pytest.mark.once
@@ -37,16 +37,6 @@ PLACES = {
     SECOND: (-1.0 + BASE_M, 0.0, 0.0),
     TARGET: (-0.6, INSET_M, HEIGHT_M),
 }
-
-
-@pytest.fixture
-def ground(services: Services, survey_id: int, recording_id: int) -> Ground:
-    return lay_ground(services, survey_id, recording_id)
-
-
-@pytest.fixture
-def vehicle_id(operator: Client, ground: Ground) -> int:
-    return int(add_vehicle(operator, ground.recording_id, last_frame=11)["id"])
 
 
 @pytest.fixture

@@ -16,13 +16,30 @@ import pytest
 from starlette.requests import ClientDisconnect, Request
 
 from sightline.recordings.uploads.routes import PIECE_BYTES, _pieces
-from tests.browser.server import start
+from tests.browser.server import Server, start
 from tests.support.app import TUS
 from tests.support.waiting import NEVER_S, until
 
 pytestmark = pytest.mark.once
 
 BYTES = {**TUS, "Content-Type": "application/offset+octet-stream"}
+
+
+def longer(clip: Path) -> bytes:
+    """A clip with an empty box behind it, so that a piece of it is stored while the line holds."""
+    return clip.read_bytes() + struct.pack(">I4s", 2 * PIECE_BYTES, b"free") + bytes(2 * PIECE_BYTES - 8)
+
+
+def announced(server: Server, name: str, size_bytes: int) -> tuple[httpx2.Client, str]:
+    """Who signed in by the first link, and where the upload that they announced is sent."""
+    server.wait()
+    client = httpx2.Client(base_url=server.url, headers={"X-Sightline": "1"}, timeout=NEVER_S)
+    token = server.sign_in_link().partition("token=")[2]
+    assert client.post("/api/session/link", json={"token": token}).status_code == 200
+    survey_id = client.post("/api/surveys", json={"name": "Road"}).json()["id"]
+    coded = base64.b64encode(name.encode()).decode()
+    headers = {**TUS, "Upload-Length": str(size_bytes), "Upload-Metadata": f"filename {coded}"}
+    return client, client.post(f"/api/surveys/{survey_id}/uploads", headers=headers).headers["Location"]
 
 
 @contextmanager
@@ -46,17 +63,10 @@ def sent_in_part(client: httpx2.Client, location: str, content: bytes, much: int
 
 def test_a_silent_connection_is_taken_over(tmp_path: Path, clip: Path) -> None:
     """The line of the first PATCH stays open and says nothing more; the next one goes on at once."""
-    content = clip.read_bytes() + struct.pack(">I4s", 2 * PIECE_BYTES, b"free") + bytes(2 * PIECE_BYTES - 8)
+    content = longer(clip)
     server = start("serve", tmp_path)
     try:
-        server.wait()
-        client = httpx2.Client(base_url=server.url, headers={"X-Sightline": "1"}, timeout=NEVER_S)
-        token = server.sign_in_link().partition("token=")[2]
-        assert client.post("/api/session/link", json={"token": token}).status_code == 200
-        survey_id = client.post("/api/surveys", json={"name": "Road"}).json()["id"]
-        name = base64.b64encode(clip.name.encode()).decode()
-        headers = {**TUS, "Upload-Length": str(len(content)), "Upload-Metadata": f"filename {name}"}
-        location = client.post(f"/api/surveys/{survey_id}/uploads", headers=headers).headers["Location"]
+        client, location = announced(server, clip.name, len(content))
         with sent_in_part(client, location, content, PIECE_BYTES + 6000):
             at = offset_of(client, location, PIECE_BYTES)
             rest = {**BYTES, "Upload-Offset": str(at)}
@@ -81,18 +91,10 @@ def offset_of(client: httpx2.Client, location: str, least: int) -> int:
 
 
 def test_cut_killed_and_resumed(tmp_path: Path, clip: Path) -> None:
-    # with an empty box behind the clip, so that a piece of it is stored while the line holds
-    content = clip.read_bytes() + struct.pack(">I4s", 2 * PIECE_BYTES, b"free") + bytes(2 * PIECE_BYTES - 8)
+    content = longer(clip)
     server = start("serve", tmp_path)
     try:
-        server.wait()
-        client = httpx2.Client(base_url=server.url, headers={"X-Sightline": "1"}, timeout=NEVER_S)
-        token = server.sign_in_link().partition("token=")[2]
-        assert client.post("/api/session/link", json={"token": token}).status_code == 200
-        survey_id = client.post("/api/surveys", json={"name": "Road"}).json()["id"]
-        name = base64.b64encode(clip.name.encode()).decode()
-        headers = {**TUS, "Upload-Length": str(len(content)), "Upload-Metadata": f"filename {name}"}
-        location = client.post(f"/api/surveys/{survey_id}/uploads", headers=headers).headers["Location"]
+        client, location = announced(server, clip.name, len(content))
         with sent_in_part(client, location, content, sent := PIECE_BYTES + 6000):
             assert offset_of(client, location, PIECE_BYTES) <= sent
         client.close()
