@@ -7,6 +7,7 @@ from contextlib import asynccontextmanager
 from functools import cache
 from typing import Any
 
+import anyio
 from fastapi import APIRouter, FastAPI
 from fastapi.routing import APIRoute
 from prometheus_client import CollectorRegistry
@@ -206,6 +207,7 @@ def create_app(settings: Settings | None = None, services: Services | None = Non
     app.state.clock = ClockWatch()
     app.state.write_gate = WriteGate()
     app.state.readers = Turns(READERS)
+    app.state.asking = anyio.CapacityLimiter(sightline.infra.web.health.MOST_ASKING)
     app.state.sign_in = SignIn(
         signing_secret(settings), settings.secure_cookies, lambda id_: _person(services, id_)
     )

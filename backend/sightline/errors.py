@@ -103,6 +103,12 @@ class Busy(SightlineError):
     kind = "busy"
 
 
+class Away(SightlineError):
+    """What the work rests on, the database or the storage, does not answer just now, and will again."""
+
+    status = 503
+
+
 class NoRoom(SightlineError):
     status = 507
     kind = "no_room"

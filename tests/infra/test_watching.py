@@ -3,6 +3,7 @@
 import json
 import logging
 import sys
+import threading
 import urllib.request
 from typing import Any
 
@@ -15,8 +16,9 @@ from prometheus_client import CollectorRegistry, generate_latest
 from sightline.errors import BadInput
 from sightline.infra.log import REQUEST, JsonLines
 from sightline.infra.services import Services
-from sightline.infra.web import metrics
+from sightline.infra.web import health, metrics
 from sightline.infra.web.metrics import serve_metrics
+from sightline.infra.web.turns import Turns
 from sightline.infra.web.watching import number_of
 from sightline.media.store.s3 import StorageAway
 from tests.support.app import Client
@@ -84,7 +86,7 @@ def test_a_line_is_one_object() -> None:
 
 
 def test_alive_is_not_ready(viewer: Client, services: Services, monkeypatch: pytest.MonkeyPatch) -> None:
-    whole = {"ok": True, "database": None, "media": None, "disk": None}
+    whole = {"ok": True, "database": None, "media": None, "disk": None, "writing": None}
     assert viewer.http.get("/api/ready").json() == whole
 
     def away(_key: str) -> bool:
@@ -94,6 +96,24 @@ def test_alive_is_not_ready(viewer: Client, services: Services, monkeypatch: pyt
     answer = viewer.http.get("/api/ready")
     assert answer.status_code == 503 and "did not answer" in answer.json()["media"]
     assert viewer.http.get("/api/health").status_code == 200
+
+
+def test_a_part_that_is_silent_is_told_within_its_seconds(
+    viewer: Client, services: Services, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    ended = threading.Event()
+    monkeypatch.setattr(health, "ASK_S", 0.2)
+    monkeypatch.setattr(services.media, "exists", lambda _key: ended.wait(NEVER_S))
+    told = viewer.http.get("/api/ready")
+    ended.set()
+    assert told.status_code == 503 and "has not answered" in told.json()["media"]
+    assert told.json()["database"] is None
+
+
+def test_a_change_that_hangs_is_told(viewer: Client, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(Turns, "longest_s", 16.4)
+    told = viewer.http.get("/api/ready")
+    assert told.status_code == 503 and "under way for 16 seconds" in told.json()["writing"]
 
 
 def test_administrators_see_the_state_of_the_system(admin: Client, viewer: Client) -> None:

@@ -16,6 +16,7 @@ from sqlalchemy.orm import Session
 from sightline.infra.database.engine import (
     InSurvey,
     SessionFactory,
+    SignIn,
     make_engine,
     reading,
     session_factory,
@@ -62,14 +63,14 @@ class Services:
         return reading(self.sessions)
 
     def writing(
-        self, survey: InSurvey | None = None, *, unsynced: bool = False
+        self, within: InSurvey | SignIn | None = None, *, unsynced: bool = False
     ) -> AbstractContextManager[Session]:
         """The write transaction of this thread; committed when the block ends, rolled back on any error.
 
-        `survey`: the only one that it writes to, so that other surveys need not wait. `unsynced`: on the disk
-        for good only once `sync` has returned.
+        `within`: the only survey that it writes to, so that other surveys need not wait (`SIGN_IN`: none).
+        `unsynced`: on the disk for good only once `sync` has returned.
         """
-        return writing(self.sessions, survey, unsynced=unsynced)
+        return writing(self.sessions, within, unsynced=unsynced)
 
     def sync(self) -> None:
         """Returns when everything that was committed before is on the disk."""

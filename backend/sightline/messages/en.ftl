@@ -4611,6 +4611,8 @@ jobs-job-given-another-worker-one-stops = Job { $id } was given to another worke
 ## Errors: web
 
 web-disk-not-writable = The data folder cannot be written ({ $why }); check the disk and its rights.
+web-part-silent = It has not answered for { $seconds } seconds; check that it runs and can be reached.
+web-writer-stuck = A change has been under way for { $seconds } seconds and the others wait for it; look at the database.
 web-server-busy = The server is busy and nothing was done; try again in a few seconds.
 web-you-not-signed-sign-try-again = You are not signed in; sign in and try again.
 web-token-does-not-hold = This token is not valid: it is wrong, has expired or was revoked. Create a new one in Account.
@@ -6122,6 +6124,7 @@ told-geometry-of-followed-points-had = { $dropped } of { $frame } followed point
 told-jobs-gave-up = The job stopped { $attempts } times; check the input and the available memory.
 told-jobs-broke = An error in the program stopped this ({ $name }); try again, and report it if it comes back.
 told-infra-a-worker-stopped-in = The job was interrupted and is started again.
+told-infra-waits-for-what-is-away = The database or the storage does not answer; the job is tried again by itself.
 told-infra-waits-for-the-next = Waiting to be started again.
 told-linescan-too-little-of-the = Too little of the vehicle is clear enough to be registered between the strips.
 told-linescan-the-two-pictures-of = The two images of the vehicle do not fit one motion: two vehicles side by side, a vehicle that stopped, or lost lines.

@@ -9,6 +9,7 @@ from cachetools import TTLCache
 
 from sightline.errors import BadInput, NoRoom, NotAllowed, NotSignedIn, TooMany
 from sightline.infra.database import Session
+from sightline.infra.database.engine import SIGN_IN
 from sightline.infra.limits import store as limits
 from sightline.infra.limits.store import Limit
 from sightline.infra.services import Services
@@ -71,7 +72,7 @@ class Attempts:
     def succeeded(self, email: str, address: str) -> None:
         """Forget the failures of this account from this address, and that this one was tried."""
         self._without_disk.pop(_account(email, address), None)
-        with suppress(NoRoom), self._services.writing() as session:
+        with suppress(NoRoom), self._services.writing(SIGN_IN) as session:
             limits.forget_counted(session, PER_ACCOUNT, _account(email, address))
             limits.uncount(session, PER_ADDRESS, address)
 
@@ -80,7 +81,7 @@ class Attempts:
         with self._services.reading() as session:
             _require_room(session, address, account)
         try:
-            with self._services.writing() as session:
+            with self._services.writing(SIGN_IN) as session:
                 _require_room(session, address, account)
                 limits.count_tried(session, PER_ADDRESS, address)
                 if account is not None:
@@ -120,7 +121,7 @@ class Tokens:
 
     def spend(self, token: ApiToken, requests: int) -> bool:
         """Count requests of a token; False where there are too many. With a full disk none is counted."""
-        with suppress(NoRoom), self._services.writing() as session:
+        with suppress(NoRoom), self._services.writing(SIGN_IN) as session:
             note_api_token_used(session, token.id)
             return limits.count_against(session, PER_TOKEN, str(token.id), requests)
         return True
@@ -145,7 +146,7 @@ def sign_in(services: Services, attempts: Attempts, email: str, password: str, a
         raise NotSignedIn("people-email-password-not-fit-together-check")
     attempts.succeeded(email, address)
     # With a full disk these wait for another time: who makes room has to get in.
-    with suppress(NoRoom), services.writing() as session:
+    with suppress(NoRoom), services.writing(SIGN_IN) as session:
         if stored is not None and _hasher.check_needs_rehash(stored):
             rehash_password(session, person.id, _hasher.hash(password))
         note_person_seen(session, person.id)

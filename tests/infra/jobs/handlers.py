@@ -10,9 +10,12 @@ from typing import Any
 from sqlalchemy.orm import Session
 
 from sightline.errors import BadInput
+from sightline.infra.database.engine import DatabaseAway
 from sightline.infra.jobs import registry
 from sightline.infra.jobs.records import Job
+from sightline.infra.jobs.store import request_job_cancel
 from sightline.infra.jobs.workers import run_workers
+from sightline.media.store.s3 import StorageAway
 from sightline.settings import load_settings
 from sightline.surveys.store import create_survey
 
@@ -31,6 +34,17 @@ def make_survey(context: registry.JobContext) -> registry.Outcome:
         return {"survey_id": made.id}
 
     return finish
+
+
+@registry.handler("test_away")
+def meet_an_outage(context: registry.JobContext) -> registry.Outcome:
+    """Finds the storage or the database away, maybe after it was asked to stop."""
+    if context.payload.get("cancel"):
+        with context.services.writing() as session:
+            request_job_cancel(session, context.job.id, actor=None)
+    if context.payload["what"] == "storage":
+        raise StorageAway("store-media-storage-did-not-answer-check", key="k", name="Timeout")
+    raise DatabaseAway("database-database-not-answer-check-runs-address")
 
 
 def _mark(session: Session, job: Job, sentence: str) -> None:

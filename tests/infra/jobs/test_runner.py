@@ -2,29 +2,34 @@
 
 import threading
 from collections.abc import Iterator
+from datetime import timedelta
 from pathlib import Path
 from typing import Any
 
 import pytest
-from sqlalchemy import text
+from sqlalchemy import text, update
 
 from sightline.errors import Conflict, SightlineError
 from sightline.infra.audit.verification import verify_records
 from sightline.infra.database.engine import DatabaseAway, SessionFactory, reading, writing
+from sightline.infra.database.types import now
 from sightline.infra.jobs import registry
 from sightline.infra.jobs import runner as runner_module
 from sightline.infra.jobs.records import Job
 from sightline.infra.jobs.recovery import take_back
 from sightline.infra.jobs.runner import Runner, Watch
 from sightline.infra.jobs.store import (
+    MAX_ATTEMPTS,
     JobLost,
     check_hold,
     claim_job,
     fail_job,
     finish_job,
     get_job,
+    queued_jobs,
     request_job_cancel,
 )
+from sightline.infra.jobs.tables import jobs
 from sightline.infra.services import Services, open_services
 from sightline.settings import Settings
 from sightline.surveys.store import create_survey, list_surveys
@@ -270,3 +275,53 @@ def test_progress_that_found_the_database_busy_is_stored_with_the_next_look(
         until(lambda: job_now(services.sessions, job).progress == 0.5)
     assert not busy
     assert [one for one in caplog.records if one.levelname == "WARNING"] == []
+
+
+@pytest.mark.parametrize("what", ["storage", "database"])
+def test_what_is_away_puts_a_job_back_for_later_and_uses_up_no_attempt(
+    runner: Runner, factory: SessionFactory, what: str
+) -> None:
+    job = queued(factory, "test_away", what=what)
+    pauses = list[timedelta]()
+    for _ in range(MAX_ATTEMPTS + 5):
+        with writing(factory) as session:  # its pause is over
+            session.execute(update(jobs).values(not_before=None))
+        begun = now()
+        assert runner.run(job.id)  # the worker goes on with others
+        waits = job_now(factory, job)
+        assert (waits.state, waits.attempts, waits.worker) == ("queued", 0, None)
+        assert waits.not_before is not None and "tried again by itself" in waits.message
+        pauses.append(waits.not_before - begun)
+        with reading(factory) as session:
+            assert queued_jobs(session) == {}
+    assert job_now(factory, job).outages == MAX_ATTEMPTS + 5
+    seconds = [round(pause.total_seconds()) for pause in pauses]
+    assert seconds == [5, 10, 20, 40, 80, 160, 300, 300]
+    with reading(factory) as session:
+        assert verify_records(session).ok
+
+
+def test_a_job_that_was_to_be_cancelled_does_not_wait_for_what_is_away(
+    runner: Runner, factory: SessionFactory
+) -> None:
+    job = queued(factory, "test_away", what="storage", cancel=True)
+    runner.run(job.id)
+    assert job_now(factory, job).state == "cancelled"
+
+
+def test_a_job_waits_until_the_database_takes_its_end(
+    runner: Runner, factory: SessionFactory, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    job = queued(factory, "test_away", what="storage")
+    monkeypatch.setattr(runner_module, "PROGRESS_S", 0.01)
+    refused, back = list[str](), runner_module.put_back
+
+    def away(*given: Any, **named: Any) -> None:
+        if len(refused) < 3:
+            refused.append("away")
+            raise DatabaseAway("database-database-not-answer-check-runs-address")
+        back(*given, **named)
+
+    monkeypatch.setattr(runner_module, "put_back", away)
+    assert runner.run(job.id) and len(refused) == 3
+    assert job_now(factory, job).outages == 1

@@ -17,23 +17,34 @@ import threading
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
-from typing import Any
+from types import ModuleType
+from typing import Any, Literal
 
 from sqlalchemy import Connection, Engine, create_engine, event, make_url, text
 from sqlalchemy.exc import ArgumentError, DatabaseError, OperationalError
 from sqlalchemy.orm import Session, sessionmaker
 
-from sightline.errors import BadInput, Damaged, NoRoom, SightlineError
+from sightline.errors import Away, BadInput, Damaged, NoRoom, SightlineError
 
 # Advisory locks are the database's; an installation's are those of its schema.
 _TURN = "pg_advisory_xact_lock{kind}(hashtextextended(current_schema() || :turn, 7419))"
-_EXCLUSIVE, _SHARED = text(f"SELECT {_TURN.format(kind='')}"), text(f"SELECT {_TURN.format(kind='_shared')}")
+_EXCLUSIVE = text(f"SELECT {_TURN.format(kind='')}")
 _LATER = "set_config('synchronous_commit', 'off', true)"
-_SHARED_LATER = text(f"SELECT {_TURN.format(kind='_shared')}, {_LATER}")
-_EXCLUSIVE_LATER = text(f"SELECT {_TURN.format(kind='')}, {_LATER}")
+# A writer that does nothing for longer is taken for dead, and its turn goes on to the next.
+_IDLE = "set_config('idle_in_transaction_session_timeout', :idle_ms, true)"
+_SHARED_NOW = text(f"SELECT {_IDLE}, {_TURN.format(kind='_shared')}")
+_SHARED_LATER = text(f"SELECT {_IDLE}, {_TURN.format(kind='_shared')}, {_LATER}")
+_ALONE_NOW = text(f"SELECT {_IDLE}, {_TURN.format(kind='')}")
+_ALONE_LATER = text(f"SELECT {_IDLE}, {_TURN.format(kind='')}, {_LATER}")
+# A migration takes the time that it takes.
+_UNLIMITED = text(
+    "SELECT set_config('statement_timeout', '0', true), set_config('lock_timeout', '300000', true)"
+)
 # A commit that writes to the log is waited for, with all that stands in the log before it.
 _FLUSH = text("SELECT pg_logical_emit_message(true, 'sightline', '')")
 _EVERYTHING = {"turn": "/everything"}
+#: seconds that PostgreSQL lets a writer do nothing: in a turn that is short by nature, and in that of all
+SHORT_IDLE_S, LONG_IDLE_S = 10.0, 30.0
 # More connections than requests may read at once (infra/web/turns.py), for there are short questions beside.
 _POOL: dict[str, Any] = {"pool_size": 10, "max_overflow": 30, "pool_timeout": 10}
 _WRITING, _UNSYNCED = "sightline_writing", "sightline_unsynced"
@@ -46,10 +57,9 @@ _FOLLOWS = re.compile(r'^down_revision\b[^=\n]*= *"([^"]+)"', re.MULTILINE)
 SessionFactory = sessionmaker[Session]
 
 
-class DatabaseAway(SightlineError):
+class DatabaseAway(Away):
     """The database does not answer."""
 
-    status = 503
     kind = "database_away"
 
 
@@ -76,7 +86,7 @@ def make_engine(url: str, *, must_exist: bool = False) -> Engine:
             raise BadInput("database-no-database-check-name", path=path)
         return _sqlite_engine(path, parsed.render_as_string(hide_password=False))
     if backend == "postgresql":
-        return create_engine(parsed, pool_pre_ping=True, **_POOL)
+        return _limits().limited_engine(parsed, **_POOL)
     raise BadInput("database-database-not-supported-use-sqlite-file", backend=backend)
 
 
@@ -180,6 +190,8 @@ def migrate(engine: Engine) -> None:
         writer = connection.execution_options(**{_WRITING: True})
         with writer.begin():
             if engine.dialect.name == "postgresql":
+                _limits().limit_answers(writer, None)
+                writer.execute(_UNLIMITED)
                 writer.execute(_EXCLUSIVE, _EVERYTHING)
             upgrade(writer)
 
@@ -206,23 +218,27 @@ def reading(factory: SessionFactory) -> Iterator[Session]:
 
 #: The number of a survey, or how to find it in the transaction that is about to write to it.
 InSurvey = int | Callable[[Session], int]
+#: Who signs in is noted beside all chains, in a turn of its own: nobody is kept out by who writes a survey.
+SignIn = Literal["sign-in"]
+SIGN_IN: SignIn = "sign-in"
 
 
 @contextmanager
 def writing(
-    factory: SessionFactory, survey: InSurvey | None = None, *, unsynced: bool = False
+    factory: SessionFactory, within: InSurvey | SignIn | None = None, *, unsynced: bool = False
 ) -> Iterator[Session]:
     """A session that may write; commits at the end, rolls back on any error.
 
-    It is the only one that does. With `survey` (whose rows, chain and nothing else it changes) it is on
-    PostgreSQL the only one of that survey, and others are written meanwhile. An `unsynced` one is not yet
-    sure to outlast a power cut: call `sync` before anybody is told.
+    It is the only one that does. Within a survey (whose rows, chain and nothing else it changes) it is on
+    PostgreSQL the only one of that survey, and others are written meanwhile; with `SIGN_IN` (which changes no
+    chain) the only one that signs in. An `unsynced` one is not yet sure to outlast a power cut: call `sync`
+    before anybody is told. Raises DatabaseAway where its turn, or an answer, does not come in time.
     """
     if engine_of(factory).dialect.name == "sqlite":
-        with _sqlite_writer, _write(factory, survey, unsynced) as session:
+        with _sqlite_writer, _write(factory, within, unsynced) as session:
             yield session
     else:
-        with _write(factory, survey, unsynced) as session:
+        with _write(factory, within, unsynced) as session:
             yield session
 
 
@@ -258,13 +274,13 @@ def _sync_log(log: Path) -> None:
 
 
 @contextmanager
-def _write(factory: SessionFactory, survey: InSurvey | None, unsynced: bool) -> Iterator[Session]:
+def _write(factory: SessionFactory, within: InSurvey | SignIn | None, unsynced: bool) -> Iterator[Session]:
     session = factory()
     try:
         with explained():
             session.connection(execution_options={_WRITING: True, _UNSYNCED: unsynced})
             if session.get_bind().dialect.name == "postgresql":
-                _await_turn(session, survey, unsynced)
+                _await_turn(session, within, unsynced)
             yield session
             session.commit()
     except BaseException:
@@ -274,14 +290,29 @@ def _write(factory: SessionFactory, survey: InSurvey | None, unsynced: bool) -> 
         session.close()
 
 
-def _await_turn(session: Session, survey: InSurvey | None, unsynced: bool) -> None:
+def _await_turn(session: Session, within: InSurvey | SignIn | None, unsynced: bool) -> None:
     """Wait for the turn to write; SQLite's BEGIN IMMEDIATE has done it already."""
-    if survey is None:
-        session.execute(_EXCLUSIVE_LATER if unsynced else _EXCLUSIVE, _EVERYTHING)
-        return
-    session.execute(_SHARED_LATER if unsynced else _SHARED, _EVERYTHING)
-    number = survey if isinstance(survey, int) else survey(session)
-    session.execute(_EXCLUSIVE, {"turn": f"/survey {number}"})
+    limits = _limits()
+    idle_s, answer_s = LONG_IDLE_S, limits.LONG_WRITE_S
+    if within is not None:
+        idle_s, answer_s = SHORT_IDLE_S, limits.SHORT_WRITE_S
+    limits.limit_answers(session.connection(), answer_s)
+    everything = {**_EVERYTHING, "idle_ms": str(round(idle_s * 1000))}
+    if within is None:
+        session.execute(_ALONE_LATER if unsynced else _ALONE_NOW, everything)
+    elif within == SIGN_IN:
+        session.execute(_ALONE_NOW, {**everything, "turn": "/sign-in"})
+    else:
+        session.execute(_SHARED_LATER if unsynced else _SHARED_NOW, everything)
+        number = within if isinstance(within, int) else within(session)
+        session.execute(_EXCLUSIVE, {"turn": f"/survey {number}"})
+
+
+def _limits() -> ModuleType:
+    """Imported where a database of that kind is opened: who keeps a file needs no driver of a server."""
+    from sightline.infra.database import postgres
+
+    return postgres
 
 
 def engine_of(factory: SessionFactory) -> Engine:
@@ -313,7 +344,7 @@ def explanation(error: DatabaseError) -> SightlineError | None:
     words = words.lower()
     if "full" in words or "no space" in words:
         return NoRoom("database-disk-full-nothing-saved-make-room")
-    if "locked" in words:
+    if "locked" in words or "lock timeout" in words:
         return DatabaseAway("database-database-busy-another-writer-try-again")
     if "unable to open" in words or "readonly" in words:
         return DatabaseAway("database-database-file-cannot-opened-writing-check")

@@ -14,6 +14,7 @@ from sqlalchemy.orm import Session
 
 if TYPE_CHECKING:
     import socket
+    from datetime import datetime
 
     from sightline.infra.database.engine import SessionFactory
     from sightline.infra.jobs.runner import Runner
@@ -24,8 +25,8 @@ if TYPE_CHECKING:
 class JobEngine(Protocol):
     """What differs between one machine and several."""
 
-    def deliver(self, session: Session, job_id: int) -> None:
-        """In the transaction that queues a job: let a worker have it once that commits."""
+    def deliver(self, session: Session, job_id: int, not_before: datetime | None = None) -> None:
+        """In the transaction that queues a job: let a worker have it once that commits, or later."""
 
     def withdraw(self, session: Session, job_id: int) -> None:
         """In the transaction that takes a job from its worker: forget that it was delivered there."""

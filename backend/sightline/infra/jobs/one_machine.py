@@ -5,6 +5,7 @@ from __future__ import annotations
 import fcntl
 import socket
 from collections.abc import Sequence
+from datetime import datetime
 from pathlib import Path
 from queue import SimpleQueue
 from typing import IO
@@ -29,7 +30,7 @@ class OneMachine:
     def __init__(self) -> None:
         self._lock: IO[bytes] | None = None
 
-    def deliver(self, session: Session, job_id: int) -> None:
+    def deliver(self, session: Session, job_id: int, not_before: datetime | None = None) -> None:
         """The supervisor finds the job in the table."""
 
     def withdraw(self, session: Session, job_id: int) -> None:

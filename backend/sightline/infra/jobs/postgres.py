@@ -12,16 +12,20 @@ import logging
 import os
 import signal
 import socket
+import time
 from collections.abc import Sequence
+from datetime import datetime
 from functools import cache
 
 from procrastinate import App, PsycopgConnector
+from procrastinate.exceptions import ConnectorException
 from procrastinate.jobs import Job as Delivery
 from sqlalchemy import make_url, text
 from sqlalchemy.orm import Session
 
 from sightline.errors import SightlineError
 from sightline.infra.database.engine import SessionFactory, writing
+from sightline.infra.database.postgres import connection_arguments
 from sightline.infra.jobs.recovery import put_back
 from sightline.infra.jobs.registry import is_long
 from sightline.infra.jobs.runner import Runner
@@ -52,12 +56,14 @@ def _deferring() -> App:
 class OnPostgres:
     """Procrastinate's deferring, fetching and heartbeats."""
 
-    def deliver(self, session: Session, job_id: int) -> None:
+    def deliver(self, session: Session, job_id: int, not_before: datetime | None = None) -> None:
         """Defer over the session's connection: whoever listens is told at the commit."""
         connection = session.connection().connection.driver_connection
         long = is_long(get_job(session, job_id).kind)
         queue, priority = (LONG_QUEUE, 0) if long else (QUEUE, SHORT_FIRST)
-        deferrer = _deferring().configure_task(TASK, queue=queue, priority=priority, connection=connection)
+        deferrer = _deferring().configure_task(
+            TASK, queue=queue, priority=priority, schedule_at=not_before, connection=connection
+        )
         deferrer.defer(job_id=job_id)
 
     def withdraw(self, session: Session, job_id: int) -> None:
@@ -81,8 +87,9 @@ class OnPostgres:
 async def _work(runner: Runner, queues: list[str]) -> None:
     settings = runner.services.settings
     url = make_url(settings.database_url).set(drivername="postgresql")
+    limits = connection_arguments(url)
     conninfo = url.render_as_string(hide_password=False)
-    app = App(connector=PsycopgConnector(conninfo=conninfo, min_size=1, max_size=4))
+    app = App(connector=PsycopgConnector(conninfo=conninfo, kwargs=limits, min_size=1, max_size=4))
 
     @app.task(name=TASK, queue=QUEUE)
     def run_job(job_id: int) -> None:
@@ -115,11 +122,23 @@ async def _work(runner: Runner, queues: list[str]) -> None:
 
 
 async def _look_for_stalled(app: App, sessions: SessionFactory, limit_s: float) -> None:
+    silent = set[int | None]()
     while True:
         await asyncio.sleep(limit_s / BEATS)
-        for stalled in await app.job_manager.get_stalled_jobs(
-            task_name=TASK, seconds_since_heartbeat=limit_s
-        ):
+        begun = time.monotonic()
+        try:
+            found = list(
+                await app.job_manager.get_stalled_jobs(task_name=TASK, seconds_since_heartbeat=limit_s)
+            )
+        except ConnectorException as error:
+            log.warning("the database does not answer: %s", error)
+            found = []
+            await asyncio.sleep(limit_s)
+        # while the database itself was away nobody could be heard: whoever is silent twice is
+        before, silent = silent, {stalled.id for stalled in found}
+        if time.monotonic() - begun > limit_s / BEATS:
+            silent.clear()
+        for stalled in (stalled for stalled in found if stalled.id in before & silent):
             try:
                 await asyncio.to_thread(take_up_stalled, sessions, stalled)
             except SightlineError as error:

@@ -10,7 +10,8 @@ from sightline.enums import JobState, JsonObject
 class Job:
     """A piece of long work; the job table owns the truth about it.
 
-    `error`: why it failed, in English; `said`: the code and the values of that sentence.
+    `error`: why it failed, in English; `said`: the code and the values of that sentence. `outages`: how often
+    the database or the storage was away while it was done; it is begun again `not_before` then.
     """
 
     id: int
@@ -33,3 +34,5 @@ class Job:
     cancel_requested: bool
     scan_id: int | None = None
     study_id: int | None = None
+    outages: int = 0
+    not_before: datetime | None = None

@@ -14,6 +14,7 @@ from sightline.infra.jobs.store import (
     JobLost,
     fail_job,
     job_cancelled,
+    postpone_job,
     release_job,
     requeue_job,
     running_jobs,
@@ -31,16 +32,20 @@ def clean_up(session: Session, job: Job, sentence: str) -> None:
         handler.failed(session, job, sentence)
 
 
-def put_back(session: Session, job: Job, *, counted: bool = True) -> None:
+def put_back(session: Session, job: Job, *, counted: bool = True, postponed: bool = False) -> None:
     """Queue a running job again, or end it: cancelled if that was asked for, failed after three deaths.
 
-    `counted` says whether the attempt counts: it does not where the worker was told to stop. Raises JobLost.
+    `counted` says whether the attempt counts: it does not where the worker was told to stop. A `postponed`
+    job waits for the database or the storage, and its attempt does not count either. Raises JobLost.
     """
     engine = engine_of_session(session)
     engine.withdraw(session, job.id)
     if job.cancel_requested:
         job_cancelled(session, job)
         clean_up(session, job, STOPPED)
+    elif postponed:
+        later = postpone_job(session, job)
+        engine.deliver(session, job.id, not_before=later.not_before)
     elif not counted:
         release_job(session, job)
         engine.deliver(session, job.id)

@@ -3,14 +3,15 @@
 import logging
 import threading
 from collections.abc import Callable
+from dataclasses import replace
 from typing import Any, Self
 
 from sqlalchemy.orm import Session
 
-from sightline.errors import SightlineError
+from sightline.errors import Away, SightlineError
 from sightline.infra.database.engine import DatabaseAway, SessionFactory, reading, writing
 from sightline.infra.jobs.records import Job
-from sightline.infra.jobs.recovery import STOPPED, clean_up
+from sightline.infra.jobs.recovery import STOPPED, clean_up, put_back
 from sightline.infra.jobs.registry import Cancelled, JobContext, Outcome, registered
 from sightline.infra.jobs.store import (
     Hold,
@@ -19,6 +20,7 @@ from sightline.infra.jobs.store import (
     claim_job,
     fail_job,
     finish_job,
+    get_job,
     job_cancelled,
     note_progress,
 )
@@ -54,13 +56,15 @@ class Runner:
         return False
 
     def _do(self, job: Job) -> bool:
-        """Raises JobLost and DatabaseAway."""
+        """Whether the worker may take another. Raises JobLost, DatabaseAway where no end can be written."""
         try:
             with Watch(self.services.sessions, job, self._stopping) as watch:
                 outcome = self._handle(job, watch)
             self._finish(job, outcome)
-        except (JobLost, DatabaseAway):
+        except JobLost:
             raise
+        except Away as away:
+            return self._postpone(job, away)
         except Cancelled as stopped:
             if self._stopping.is_set():
                 return False
@@ -71,6 +75,19 @@ class Runner:
             log.exception("job %s (%s) broke", job.id, job.kind)
             self._fail(job, SightlineError("told-jobs-broke", name=type(error).__name__))
         return True
+
+    def _postpone(self, job: Job, away: Away) -> bool:
+        """Put the job back for later, as soon as the database takes it; False where the worker is to end."""
+        log.warning("job %s (%s) waits: %s", job.id, job.kind, away.message)
+        while True:
+            try:
+                with self.services.writing() as session:
+                    asked = get_job(session, job.id).cancel_requested
+                    put_back(session, replace(job, cancel_requested=asked), postponed=True)
+                return True
+            except DatabaseAway:
+                if self._stopping.wait(PROGRESS_S):
+                    return False
 
     def _handle(self, job: Job, watch: "Watch") -> Outcome:
         handler = registered(job.kind)

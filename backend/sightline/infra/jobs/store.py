@@ -7,6 +7,7 @@ are audited; claiming and progress are not.
 
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
+from datetime import timedelta
 from typing import Any, get_args
 
 from sqlalchemy import func, or_, select, update
@@ -21,6 +22,8 @@ from sightline.infra.jobs.records import Job
 from sightline.infra.jobs.tables import jobs
 
 MAX_ATTEMPTS = 3
+#: how long a job waits for the database or the storage at first, and at most
+FIRST_PAUSE, LONGEST_PAUSE = timedelta(seconds=5), timedelta(minutes=5)
 
 
 class JobLost(SightlineError):
@@ -181,8 +184,9 @@ def running_jobs(session: Session, *, worker: str | None = None) -> tuple[Job, .
 
 
 def queued_jobs(session: Session) -> dict[int, str]:
-    """The kinds of the jobs that wait by the jobs' ids, oldest first."""
-    query = select(jobs.c.id, jobs.c.kind).where(jobs.c.state == "queued").order_by(jobs.c.id)
+    """The kinds of the jobs that may be begun by the jobs' ids, oldest first."""
+    due = or_(jobs.c.not_before.is_(None), jobs.c.not_before <= now())
+    query = select(jobs.c.id, jobs.c.kind).where(jobs.c.state == "queued", due).order_by(jobs.c.id)
     return {int(job_id): str(kind) for job_id, kind in session.execute(query)}
 
 
@@ -197,6 +201,18 @@ def release_job(session: Session, job: Job) -> Job:
     """Put a job back because its worker shuts down; that attempt does not count. Raises JobLost."""
     change: dict[str, Any] = {"state": "queued", "worker": None, "progress": 0.0}
     change |= {"attempts": job.attempts - 1, "message": "Waiting to be started again."}
+    return _back(session, job, change, "release")
+
+
+def postpone_job(session: Session, job: Job) -> Job:
+    """Put a job back because the database or the storage is away: begun again after a pause that grows.
+
+    That attempt does not count. Raises JobLost.
+    """
+    pause = min(FIRST_PAUSE * 2 ** min(job.outages, 16), LONGEST_PAUSE)
+    change: dict[str, Any] = {"state": "queued", "worker": None, "progress": 0.0}
+    change |= {"attempts": job.attempts - 1, "outages": job.outages + 1, "not_before": now() + pause}
+    change["message"] = "The database or the storage does not answer; the job is tried again by itself."
     return _back(session, job, change, "release")
 
 

@@ -36,6 +36,9 @@ jobs = Table(
     # work of a study, which has members of its own
     Column("study_id", Integer, ForeignKey("studies.id", use_alter=True), index=True),
     Column("attempts", Integer, nullable=False),
+    # how often the database or the storage was away while it was done, and when it may be begun again
+    Column("outages", Integer, nullable=False, server_default="0"),
+    Column("not_before", UtcDateTime),
     Column("worker", String(200)),
     Column("cancel_requested", Boolean, nullable=False, server_default=false()),
     Column("created_at", UtcDateTime, nullable=False),

@@ -2,7 +2,10 @@
 
 import os
 import shutil
+from collections.abc import Callable
 
+import anyio
+import anyio.to_thread
 from fastapi import APIRouter, Request, Response
 from pydantic import Field
 from sqlalchemy import text
@@ -20,9 +23,16 @@ from sightline.infra.web.bodies import Out
 from sightline.infra.web.deps import OPEN, Admin, Wired
 from sightline.infra.web.error_handlers import FULL
 from sightline.infra.web.turns import Turns
+from sightline.infra.web.write_gate import WriteGate
 
 router = APIRouter()
 NOWHERE = "00/00/nothing"
+#: seconds that each part has to answer in
+ASK_S = 2.0
+#: seconds after which a change that is under way is taken for stuck
+STUCK_S = 15.0
+#: questions to parts that hang, at the same time: they take no thread from requests
+MOST_ASKING = 12
 
 
 class Health(Out):
@@ -35,6 +45,7 @@ class Readiness(Out):
     database: str | None = Field(description="Why the database cannot be used; null: it can.")
     media: str | None = Field(description="Why the media store cannot be used; null: it can.")
     disk: str | None = Field(description="Why nothing can be written into the data folder; null: it can.")
+    writing: str | None = Field(description="Why no change can be made just now; null: it can.")
 
 
 class SystemState(Out):
@@ -62,13 +73,21 @@ async def health() -> Health:
 
 
 @router.get("/ready", dependencies=[OPEN])
-def ready(services: Wired, response: Response) -> Readiness:
+async def ready(services: Wired, request: Request, response: Response) -> Readiness:
     """Whether database and media store answer and the disk takes a file: 503 where one does not.
 
-    A proxy then asks another process.
+    Each has two seconds. A proxy then asks another process.
     """
-    found = Readiness(ok=True, database=_database(services), media=_media(services), disk=_disk(services))
-    found.ok = found.database is None and found.media is None and found.disk is None
+    gate: WriteGate = request.app.state.write_gate
+    threads: anyio.CapacityLimiter = request.app.state.asking
+    held_s = gate.turns.longest_s
+    found = Readiness(ok=True, database=None, media=None, disk=None, writing=None)
+    if held_s > STUCK_S:
+        found.writing = SightlineError("web-writer-stuck", seconds=round(held_s)).message
+    async with anyio.create_task_group() as asking:
+        for name, ask in (("database", database_trouble), ("media", _media), ("disk", _disk)):
+            asking.start_soon(_ask_within, found, name, ask, services, threads)
+    found.ok = not any((found.database, found.media, found.disk, found.writing))
     response.status_code = 200 if found.ok else 503
     return found
 
@@ -101,10 +120,27 @@ def licences(who: Admin) -> tuple[Library, ...]:
     return libraries()
 
 
-def _database(services: Services) -> str | None:
+async def _ask_within(
+    found: Readiness,
+    name: str,
+    ask: Callable[[Services], str | None],
+    services: Services,
+    threads: anyio.CapacityLimiter,
+) -> None:
+    """What one part says goes into the answer; its silence does too."""
+    said: str | None = SightlineError("web-part-silent", seconds=round(ASK_S)).message
+    with anyio.move_on_after(ASK_S):
+        said = await anyio.to_thread.run_sync(ask, services, abandon_on_cancel=True, limiter=threads)
+    setattr(found, name, said)
+
+
+def database_trouble(services: Services) -> str | None:
+    """Why the database cannot be read, or takes no commit; None: it can. SQLite's disk is tried by itself."""
     try:
         with services.reading() as session:
             session.execute(text("SELECT 1"))
+        if services.engine.dialect.name == "postgresql":
+            services.sync()
         services.part(PageWatch).require_whole()
     except SightlineError as error:
         return error.message

@@ -2,6 +2,7 @@
 connection, and is asked to come again where that takes too long.
 """
 
+import time
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
 
@@ -21,11 +22,17 @@ class Turns:
     def __init__(self, at_once: int, wait_s: float = WAIT_S) -> None:
         self._free = anyio.CapacityLimiter(at_once)
         self._wait_s = wait_s
+        self._begun: dict[object, float] = {}
 
     @property
     def waiting(self) -> int:
         """How many wait just now."""
         return self._free.statistics().tasks_waiting
+
+    @property
+    def longest_s(self) -> float:
+        """How long the one who has been inside for longest has been there; 0 where nobody is."""
+        return time.monotonic() - min(self._begun.values()) if self._begun else 0.0
 
     @asynccontextmanager
     async def turn(self) -> AsyncIterator[None]:
@@ -36,7 +43,9 @@ class Turns:
                 await self._free.acquire_on_behalf_of(me)
         except TimeoutError:
             raise Busy("web-server-busy") from None
+        self._begun[me] = time.monotonic()
         try:
             yield
         finally:
+            del self._begun[me]
             self._free.release_on_behalf_of(me)

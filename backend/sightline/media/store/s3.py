@@ -17,19 +17,18 @@ from botocore.config import Config
 from botocore.exceptions import BotoCoreError, ClientError
 from urllib3.exceptions import HTTPError
 
-from sightline.errors import BadInput, NotFound, SightlineError
+from sightline.errors import Away, BadInput, NotFound
 from sightline.media.atomic import PART, atomic_file
 from sightline.media.store.local import check_room, no_room_told, safe_path
 
 #: tries of one request, and seconds of silence until one has failed
-ATTEMPTS, READ_S = 4, 60.0
+ATTEMPTS, CONNECT_S, READ_S = 3, 5.0, 20.0
 _PIECE_BYTES = 1 << 20
 
 
-class StorageAway(SightlineError):
+class StorageAway(Away):
     """The object store does not answer, or not as it should."""
 
-    status = 503
     kind = "storage_away"
 
 
@@ -60,7 +59,7 @@ class S3Store:
         self._fetching: WeakValueDictionary[str, _Turn] = WeakValueDictionary()
         self._coming_bytes = 0
         cache_dir.mkdir(parents=True, exist_ok=True)
-        config = Config(retries={"max_attempts": ATTEMPTS}, connect_timeout=5, read_timeout=READ_S)
+        config = Config(retries={"max_attempts": ATTEMPTS}, connect_timeout=CONNECT_S, read_timeout=READ_S)
         self._client: Any = boto3.client(
             "s3",
             endpoint_url=query.get("endpoint", [None])[0],

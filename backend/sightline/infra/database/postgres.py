@@ -1,0 +1,83 @@
+"""Connections to PostgreSQL that wait for nothing without end: a dead network says nothing.
+
+The server has limits of its own (locks, statements, what is idle in a transaction), which free what a dead
+process held. They do not help a process whose connection is dead: it waits for an answer, and the kernel may
+take two hours to give the connection up. So it stops waiting here, closes the connection, and says so.
+"""
+
+import math
+import time
+from typing import Any
+
+import psycopg
+from psycopg.abc import PQGen
+from sqlalchemy import URL, Engine, create_engine, event
+
+#: seconds to connect; for an answer to "are you there"; to a statement that reads, or that writes in a short
+#: turn, or in the turn of all
+CONNECT_S, PING_S, READ_S, SHORT_WRITE_S, LONG_WRITE_S = 5, 5.0, 125.0, 15.0, 60.0
+#: how long PostgreSQL lets a writer wait for its turn, and a statement run
+LOCK_S, STATEMENT_S = 10, 120
+
+_KEPT_ALIVE = {"keepalives": 1, "keepalives_idle": 10, "keepalives_interval": 5, "keepalives_count": 3}
+#: the same from the server's side: it gives the connection of a machine that fell off the net up
+_SERVER = {
+    "lock_timeout": LOCK_S * 1000,
+    "statement_timeout": STATEMENT_S * 1000,
+    "tcp_keepalives_idle": 10,
+    "tcp_keepalives_interval": 5,
+    "tcp_keepalives_count": 3,
+    "tcp_user_timeout": 15_000,
+}
+
+
+class LimitedConnection(psycopg.Connection[Any]):
+    """Waits `answer_s` seconds for an answer, and is closed then: nothing is known of it any more."""
+
+    answer_s: float | None = PING_S
+
+    def wait(self, gen: PQGen[Any], interval: float = 0.1, timeout: float | None = None) -> Any:
+        """What the server answers. Raises psycopg.OperationalError where it does not in time."""
+        limit_s = self.answer_s if timeout is None else timeout
+        until = math.inf if limit_s is None else time.monotonic() + limit_s
+        try:
+            return super().wait(gen, interval, limit_s)
+        except psycopg.OperationalError:
+            if time.monotonic() >= until:
+                self.pgconn.finish()
+            raise
+
+
+def connection_arguments(url: URL) -> dict[str, Any]:
+    """The limits, as libpq takes them; what the address itself says of one of them holds."""
+    limits = " ".join(f"-c {name}={value}" for name, value in _SERVER.items())
+    given = url.query.get("options", "")
+    ours = {"connect_timeout": CONNECT_S, "tcp_user_timeout": 15_000, "application_name": "sightline"}
+    named = {name: value for name, value in {**_KEPT_ALIVE, **ours}.items() if name not in url.query}
+    return {**named, "options": f"{limits} {given if isinstance(given, str) else ' '.join(given)}".strip()}
+
+
+def limited_engine(url: URL, **pool: Any) -> Engine:
+    """An engine whose connections have these limits."""
+    arguments = connection_arguments(url)
+    engine = create_engine(url, pool_pre_ping=True, connect_args=arguments, **pool)
+
+    @event.listens_for(engine, "do_connect")
+    def connect(_dialect: Any, _record: Any, given: Any, named: dict[str, Any]) -> LimitedConnection:
+        return LimitedConnection.connect(*given, **named)
+
+    @event.listens_for(engine, "checkout")
+    def lend(connection: LimitedConnection, _record: Any, _proxy: Any) -> None:
+        connection.answer_s = READ_S
+
+    @event.listens_for(engine, "checkin")
+    def take_back(connection: LimitedConnection | None, _record: Any) -> None:
+        if connection is not None:
+            connection.answer_s = PING_S
+
+    return engine
+
+
+def limit_answers(connection: Any, seconds: float | None) -> None:
+    """How long this connection waits for each answer until it is given back to the pool (None: for ever)."""
+    connection.connection.driver_connection.answer_s = seconds

@@ -1,0 +1,82 @@
+"""A relay between a program and a server, for networks and machines that stop without a word."""
+
+import selectors
+import socket
+import threading
+from typing import Self
+
+
+class Relay:
+    """Passes bytes between who connects to `port` and a server, until its connections are frozen.
+
+    Frozen ones pass nothing and are never closed, as of a machine that lost its power; new ones pass.
+    """
+
+    def __init__(self, host: str, port: int) -> None:
+        self._server = host, port
+        self._listening = socket.create_server(("127.0.0.1", 0))
+        self.port: int = self._listening.getsockname()[1]
+        self._pairs: list[tuple[socket.socket, socket.socket]] = []
+        self._frozen: set[socket.socket] = set()
+        self._selector = selectors.DefaultSelector()
+        self._lock = threading.Lock()
+        self._ended = False
+        self._threads = [threading.Thread(target=self._accept, daemon=True)]
+        self._threads.append(threading.Thread(target=self._pump, daemon=True))
+
+    def __enter__(self) -> Self:
+        for thread in self._threads:
+            thread.start()
+        return self
+
+    def __exit__(self, *_error: object) -> None:
+        self._ended = True
+        self._listening.close()
+        self._threads[1].join()
+        for pair in self._pairs:
+            for end in pair:
+                end.close()
+
+    def freeze(self) -> int:
+        """Let none of the connections that are there pass anything again; returns how many there are."""
+        with self._lock:
+            fresh = [end for pair in self._pairs for end in pair if end not in self._frozen]
+            for end in fresh:
+                self._selector.unregister(end)
+            self._frozen.update(fresh)
+        return len(fresh) // 2
+
+    def _accept(self) -> None:
+        while not self._ended:
+            try:
+                caller, _ = self._listening.accept()
+                server = socket.create_connection(self._server)
+            except OSError:
+                return
+            with self._lock:
+                self._pairs.append((caller, server))
+                self._selector.register(caller, selectors.EVENT_READ, server)
+                self._selector.register(server, selectors.EVENT_READ, caller)
+
+    def _pump(self) -> None:
+        while not self._ended:
+            for key, _ in self._selector.select(timeout=0.05):
+                with self._lock:
+                    self._pass_on(key)
+
+    def _pass_on(self, key: selectors.SelectorKey) -> None:
+        end, other = key.fileobj, key.data
+        assert isinstance(end, socket.socket)
+        if end in self._frozen:
+            return
+        try:
+            content = end.recv(1 << 16)
+            if content:
+                other.sendall(content)
+                return
+        except OSError:
+            pass
+        for side in (end, other):
+            self._selector.unregister(side)
+            side.shutdown(socket.SHUT_RDWR) if side.fileno() >= 0 else None
+            self._frozen.add(side)
