@@ -125,6 +125,8 @@ def test_settings_that_cannot_be_used_are_named(tmp_path: Path, said: Said) -> N
     assert status == 2 and "SIGHTLINE_PORT" in err and "Traceback" not in err
     status, _, err = said(*serve, "--port", "0", SIGHTLINE_DATABASE_URL="mysql://x/y")
     assert status == 2 and "mysql" in err
+    status, _, err = said(*serve, "--port", "0", SIGHTLINE_SECRET="too short")
+    assert status == 2 and "can be guessed" in err and not (tmp_path / "data" / "sightline.db").exists()
 
 
 def test_the_port_of_a_server_that_was_killed_is_taken_at_once() -> None:

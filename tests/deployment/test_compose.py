@@ -1,5 +1,7 @@
 """docker-compose.yml against the Compose specification, and against the settings the code really reads."""
 
+import json
+import os
 import re
 import subprocess
 import sys
@@ -38,13 +40,42 @@ def test_every_sightline_variable_is_a_setting(compose: dict[str, Any]) -> None:
         assert named <= known, named - known
 
 
+def example_lines() -> list[str]:
+    return [
+        line
+        for line in (ROOT / ".env.example").read_text().splitlines()
+        if "=" in line and not line.startswith("#")
+    ]
+
+
 def test_has_all_parts_and_every_secret_must_be_given(compose: dict[str, Any]) -> None:
     assert {"app", "worker", "database", "storage", "proxy"} <= set(compose["services"])
-    example = {line.split("=")[0] for line in (ROOT / ".env.example").read_text().splitlines() if "=" in line}
+    example = {line.split("=")[0] for line in example_lines()}
     text = (ROOT / "docker-compose.yml").read_text()
     for secret in ("POSTGRES_PASSWORD", "S3_ACCESS_KEY", "S3_SECRET_KEY", "SIGHTLINE_SECRET"):
         assert f"${{{secret}:?" in text
         assert secret in example
+    given = dict(line.split("=", 1) for line in example_lines())
+    assert {name for name, value in given.items() if value} == {"SIGHTLINE_SITE", "S3_ACCESS_KEY"}
+
+
+@pytest.mark.parametrize("secret", ["plain", "p@ss%41", 'a"b\\c\\"', "it's", "$HOME `id` %s"])
+def test_secrets_of_any_signs_reach_the_storage(compose: dict[str, Any], secret: str, tmp_path: Path) -> None:
+    """Its own command, as Compose hands it to the shell, but for the program that it starts."""
+    (script,) = compose["services"]["storage"]["command"]
+    written = tmp_path / "s3.json"
+    script = script.replace("$$", "$").replace("/tmp/s3.json", str(written)).replace("exec weed", ": weed")
+    keys = {"S3_ACCESS_KEY": "sightline", "S3_SECRET_KEY": secret, "PATH": os.environ["PATH"]}
+    subprocess.run(["/bin/sh", "-c", script], check=True, env=keys)
+    (identity,) = json.loads(written.read_text())["identities"]
+    assert identity["credentials"] == [{"accessKey": "sightline", "secretKey": secret}]
+
+
+def test_the_password_stands_beside_the_address(compose: dict[str, Any]) -> None:
+    for service in ("app", "worker"):
+        environment = compose["services"][service]["environment"]
+        assert "PASSWORD" not in environment["SIGHTLINE_DATABASE_URL"]
+        assert environment["PGPASSWORD"].startswith("${POSTGRES_PASSWORD:?")
 
 
 def test_the_image_is_built_from_files_that_exist() -> None:

@@ -35,6 +35,7 @@ def environment() -> Iterator[dict[str, str]]:
     yield keys | {
         "SIGHTLINE_MEDIA_URL": f"s3://sightline?endpoint={endpoint}",
         "SIGHTLINE_SECRET": "thirty-two characters at the least",
+        "SIGHTLINE_SIGNING_KEY": "5e" * 32,
         "SIGHTLINE_WORKERS": "0",
     }
     storage.stop()

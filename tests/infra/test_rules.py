@@ -338,7 +338,7 @@ def test_the_last_admin_stays(session: Session) -> None:
             update_person(session, ada.id, name="Ada", actor=ada.id, **change)  # type: ignore[arg-type]
     samples.person(session, "Bob", "admin")
     gone = update_person(session, ada.id, name="Ada", role="admin", active=False, actor=None)
-    assert gone.session_key == ada.session_key + 1
+    assert gone.session_key != ada.session_key
     with pytest.raises(Conflict, match="already an account"):
         create_person(session, name="x", email="ADA@example.org ", role="viewer", actor=None)
     assert set_password(session, ada.id, "h", actor=None).has_password

@@ -14,6 +14,7 @@ from __future__ import annotations
 import argparse
 import fcntl
 import random
+import secrets
 import shutil
 import tempfile
 import threading
@@ -359,6 +360,7 @@ def main() -> None:
         if cluster:
             cluster.start()
             extra["SIGHTLINE_DATABASE_URL"] = cluster.url
+            extra["SIGHTLINE_SIGNING_KEY"] = secrets.token_hex(32)
             make_small_survey(data, database_url=cluster.url)
         else:
             shutil.copytree(chosen.ground or made_once(here / "small"), data)

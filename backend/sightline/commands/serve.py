@@ -98,8 +98,10 @@ def serve_on(
     from sightline.infra.page_watch import PageWatch
     from sightline.infra.services import open_services
     from sightline.infra.web.metrics import serve_metrics
+    from sightline.infra.web.secret import require_secrets
     from sightline.people.service import first_sign_in_link
 
+    require_secrets(settings)
     settings.data_dir.mkdir(parents=True, exist_ok=True)
     engine = make_engine(settings.database_url)
     if engine.dialect.name == "sqlite":

@@ -20,8 +20,10 @@ def worker(workers: int | None, parent: int | None, data_dir: Path | None) -> No
 
     from sightline.infra.jobs.workers import run_workers
     from sightline.infra.log import begin_log
+    from sightline.infra.web.secret import require_secrets
 
     settings = settings_of(data_dir=data_dir, workers=workers)
+    require_secrets(settings)
     begin_log(settings.log_format, logging.INFO if parent is None else logging.WARNING)
     run_workers(settings, parent=parent, load_handlers=load_job_handlers)
 

@@ -4632,8 +4632,10 @@ jobs-job-given-another-worker-one-stops = La tâche { $id } a été confiée à 
 ## Erreurs : web
 
 web-disk-not-writable = Le dossier des données ne peut pas être écrit ({ $why }) ; vérifiez le disque et ses droits.
-web-part-silent = Pas de réponse depuis { $seconds } secondes ; vérifiez que ce service est en marche et joignable.
-web-writer-stuck = Une modification est en cours depuis { $seconds } secondes et les autres l’attendent ; vérifiez la base de données.
+web-part-silent = Pas de réponse depuis { $seconds } secondes ; vérifiez que ce service est en marche et joignable.
+web-writer-stuck = Une modification est en cours depuis { $seconds } secondes et les autres l’attendent ; vérifiez la base de données.
+web-secret-weak = SIGHTLINE_SECRET peut être deviné : donnez-lui au moins { $characters } caractères tirés au hasard, qui ne figurent nulle part (openssl rand -hex 32).
+web-signing-key-missing = SIGHTLINE_SIGNING_KEY n’est pas défini, chaque machine signerait donc avec sa propre clé ; donnez à toutes les mêmes 64 chiffres hexadécimaux (openssl rand -hex 32).
 web-server-busy = Le serveur est occupé et rien n’a été fait ; réessayez dans quelques secondes.
 web-you-not-signed-sign-try-again = Vous n’êtes pas connecté ; connectez-vous et réessayez.
 web-token-does-not-hold = Ce jeton n’est pas valable : il est faux, expiré ou révoqué ; créez-en un nouveau dans Compte.
@@ -6199,7 +6201,7 @@ told-geometry-of-followed-points-had = { $dropped } points suivis sur { $frame }
 told-jobs-gave-up = Le processus s’est arrêté { $attempts } fois au milieu de la tâche ; contrôlez le fichier et la mémoire.
 told-jobs-broke = Une erreur du programme a arrêté la tâche ({ $name }) ; réessayez, et signalez-la si elle revient.
 told-infra-a-worker-stopped-in = La tâche a été interrompue ; elle est relancée.
-told-infra-waits-for-what-is-away = La base de données ou le stockage ne répond pas ; la tâche est réessayée d’elle-même.
+told-infra-waits-for-what-is-away = La base de données ou le stockage ne répond pas ; la tâche est réessayée d’elle-même.
 told-infra-waits-for-the-next = En attente d’être relancée.
 told-linescan-too-little-of-the = Trop peu du véhicule est assez net pour être recalé d’une bande à l’autre.
 told-linescan-the-two-pictures-of = Les deux images du véhicule ne suivent pas un même mouvement : deux véhicules côte à côte, un véhicule arrêté ou des lignes perdues.

@@ -69,7 +69,7 @@ def update_person(
         _keep_an_admin(session, person_id)
     change: dict[str, Any] = {"name": name, "role": role, "active": active}
     if before.active and not active:
-        change["session_key"] = before.session_key + 1
+        change["session_key"] = _another_key(before.session_key)
     change_row(session, people, person_id, change)
     after = get_person(session, person_id)
     what = trail.changed(plain(before), plain(after), ("name", "role", "active"))
@@ -92,7 +92,9 @@ def password_hash_of(session: Session, person_id: int) -> str | None:
 def set_password(session: Session, person_id: int, hashed: str, *, actor: int | None) -> Person:
     """Store a new hash and end all their other sessions (a new session_key)."""
     before = get_person(session, person_id)
-    change_row(session, people, person_id, {"password_hash": hashed, "session_key": before.session_key + 1})
+    change_row(
+        session, people, person_id, {"password_hash": hashed, "session_key": _another_key(before.session_key)}
+    )
     trail.record(session, actor, "set_password", "person", person_id, None)
     return get_person(session, person_id)
 
@@ -100,9 +102,16 @@ def set_password(session: Session, person_id: int, hashed: str, *, actor: int | 
 def end_sessions(session: Session, person_id: int, *, actor: int | None) -> Person:
     """End every session of a person, on all their devices (a new session_key): signing out."""
     before = get_person(session, person_id)
-    change_row(session, people, person_id, {"session_key": before.session_key + 1})
+    change_row(session, people, person_id, {"session_key": _another_key(before.session_key)})
     trail.record(session, actor, "sign_out", "person", person_id, None)
     return get_person(session, person_id)
+
+
+def _another_key(before: int) -> int:
+    """A key that nobody guesses, so that nobody who learned the installation's secret makes a session."""
+    while (key := secrets.randbelow(2**31)) == before:
+        pass
+    return key
 
 
 def rehash_password(session: Session, person_id: int, hashed: str) -> None:
