@@ -17,6 +17,7 @@ from uuid import uuid4
 
 import pytest
 from sqlalchemy import create_engine, func, make_url, select, text
+from sqlalchemy.exc import DatabaseError
 from sqlalchemy.orm import Session
 
 from sightline.cli import main
@@ -24,7 +25,7 @@ from sightline.errors import BadInput, Conflict, Damaged, SightlineError
 from sightline.infra.audit.records import Verification
 from sightline.infra.audit.signing import signing_key
 from sightline.infra.audit.tables import audit_events
-from sightline.infra.audit.verification import verify_database
+from sightline.infra.audit.verification import verify_database, verify_records
 from sightline.infra.backup import make
 from sightline.infra.backup.make import MadeBackup, make_backup
 from sightline.infra.backup.manifest import (
@@ -39,6 +40,8 @@ from sightline.infra.backup.manifest import (
 from sightline.infra.backup.restore import check_backup, restore_backup
 from sightline.infra.database.engine import make_engine, migrate, reading, session_factory
 from sightline.infra.database.types import metadata
+from sightline.infra.jobs import registry
+from sightline.infra.jobs.store import claim_job, get_job
 from sightline.infra.services import Services, open_services
 from sightline.infra.stored_bytes import put_bytes
 from sightline.measurements.records import MeasurementValues
@@ -46,6 +49,7 @@ from sightline.measurements.store import add_measurement
 from sightline.measurements.tables import measurement_series
 from sightline.poses.tables import road_poses
 from sightline.settings import Settings
+from sightline.surveys.store import create_survey
 from tests.conftest import SERVER
 from tests.media.test_store import OpenS3, open_s3, s3_endpoint
 from tests.support import samples
@@ -432,11 +436,41 @@ def test_a_place_that_is_not_empty_is_refused(filled: Services, tmp_path: Path, 
         assert not there.data_dir.exists()
 
 
-def test_another_kind_of_database_is_refused(filled: Services, tmp_path: Path) -> None:
-    backed_up(filled, tmp_path / "backup")
-    other = "sqlite:///" + str(tmp_path / "x.db") if SERVER else "postgresql://127.0.0.1:1/none"
-    with pytest.raises(BadInput, match="that kind only"):
-        restore_backup(tmp_path / "backup", Settings(data_dir=tmp_path / "new", database_url=other), silent)
+def test_an_installation_moves_to_the_other_kind_of_database_and_back(
+    filled: Services, tmp_path: Path, new_place: NewPlace
+) -> None:
+    """With every row, signs that mean something to COPY, and a job that waits; it goes on where it is."""
+    if not SERVER:
+        pytest.skip("needs both kinds")
+    with filled.writing() as session:
+        create_survey(session, name="tab\tline\nback\\slash \\N é \v", description="", actor=1)
+        waiting = registry.enqueue(session, "test_make_survey", {"folder": "x"}, survey_id=None, actor=1)
+    backed_up(filled, tmp_path / "first")
+    laptop = Settings(data_dir=tmp_path / "laptop")
+    restore_backup(tmp_path / "first", laptop, silent)
+    assert rows_of(laptop.database_url) == rows_of(filled.settings.database_url)
+
+    opened = open_services(laptop, decode_in_child=False)
+    with opened.writing() as session:
+        claim_job(session, waiting.id, worker="one that the move ends")
+        with pytest.raises(DatabaseError, match="audit_events"):
+            session.execute(text("DELETE FROM audit_events"))
+    backed_up(opened, tmp_path / "second")
+    moved = rows_of(laptop.database_url)
+    opened.close()
+
+    agency = new_place("agency")
+    restore_backup(tmp_path / "second", agency, silent)
+    then = rows_of(agency.database_url)
+    assert {name for name in moved if moved[name] != then[name]} == {"jobs", "audit_events", "audit_chains"}
+    opened = open_services(agency, decode_in_child=False)
+    with opened.writing() as session:
+        delivered = text("SELECT args ->> 'job_id' FROM procrastinate_jobs WHERE status = 'todo'")
+        assert session.execute(delivered).scalars().all() == [str(waiting.id)]
+        assert get_job(session, waiting.id).state == "queued" and verify_records(session).ok
+        survey = create_survey(session, name="the next number", actor=1)
+        assert survey.id == max(row[0] for row in moved["surveys"]) + 1
+    opened.close()
 
 
 def test_folders_that_hold_other_things_are_left_alone(filled: Services, tmp_path: Path) -> None:

@@ -3,7 +3,8 @@
 import os
 import shutil
 import tempfile
-from collections.abc import Callable
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -13,21 +14,33 @@ from sqlalchemy.orm import Session
 from sightline.errors import BadInput, Damaged
 from sightline.infra.audit.records import Verification
 from sightline.infra.audit.verification import verify_records
+from sightline.infra.backup.crossing import copy_files_of_sqlite, fill_sqlite
 from sightline.infra.backup.make import DATABASE, Tell
-from sightline.infra.backup.manifest import STATES, Manifest, read_earlier, read_manifest, require_whole
+from sightline.infra.backup.manifest import (
+    STATES,
+    CopiedTable,
+    Manifest,
+    read_earlier,
+    read_manifest,
+    require_whole,
+)
 from sightline.infra.backup.media_copy import check_media, put_back
 from sightline.infra.backup.postgres_copy import copy_in
 from sightline.infra.backup.state import heads_of
 from sightline.infra.database.engine import (
     explained,
+    lift_limits,
     make_engine,
     migrate,
+    newest_revision,
     reading,
     session_factory,
     sqlite_file,
+    writing,
 )
 from sightline.infra.database.migrations import upgrade
 from sightline.infra.database.pages import require_whole_pages
+from sightline.infra.jobs.recovery import deliver_anew
 from sightline.media.store.local import MediaStore, check_room, copy_whole, open_store
 from sightline.settings import Settings, sqlite_url
 
@@ -63,7 +76,8 @@ def restore_backup(folder: Path, settings: Settings, tell: Tell, *, earlier: boo
 
     `earlier`: not the last state, but the one before it.
     The database comes last and is kept only if its audit chains hold and end as they did.
-    Raises BadInput (a place that is not empty, another kind of database), Damaged by name, NoRoom.
+    It may be of the other kind than the one that was backed up: the rows are the same, and so are the chains.
+    Raises BadInput (a place that is not empty), Damaged by name, NoRoom.
     """
     manifest = read_earlier(folder) if earlier else read_manifest(folder)
     data_dir, path = settings.data_dir, sqlite_file(settings.database_url)
@@ -77,11 +91,12 @@ def restore_backup(folder: Path, settings: Settings, tell: Tell, *, earlier: boo
         put_back(folder, manifest, store, lambda share: tell(0.1 + 0.6 * share, "media"))
         told = _part(tell, 0.7, 0.3, "database")
         _put_keys(state, manifest, data_dir)
-        audit = (
-            _postgresql(state, settings.database_url, manifest, told)
-            if path is None
-            else _sqlite_in(state / DATABASE, path, manifest)
-        )
+        if path is None:
+            audit = _into_postgresql(state, settings.database_url, manifest, told)
+        elif manifest.database == "sqlite":
+            audit = _sqlite_in(state / DATABASE, path, manifest)
+        else:
+            audit = _into_sqlite(state, path, manifest, told)
     except BaseException:
         if store is not None:
             for key in manifest.media:
@@ -107,8 +122,6 @@ def _whole_state(folder: Path, manifest: Manifest, tell: Tell, start: float) -> 
 
 def _require_empty(manifest: Manifest, settings: Settings) -> None:
     path = sqlite_file(settings.database_url)
-    if (manifest.database == "sqlite") != (path is not None):
-        raise BadInput("backup-other-kind-of-database", kind=manifest.database)
     if settings.data_dir.exists() and any(settings.data_dir.iterdir()):
         raise BadInput("backup-place-not-empty", place=settings.data_dir)
     if path is not None and path.exists():
@@ -171,19 +184,72 @@ def _sqlite_in(source: Path, target: Path, manifest: Manifest) -> Verification:
     return found
 
 
-def _postgresql(state: Path, url: str, manifest: Manifest, told: Callable[[float], None]) -> Verification:
+def _into_postgresql(
+    state: Path, url: str, manifest: Manifest, told: Callable[[float], None]
+) -> Verification:
     """Make the backup's schema, fill it, migrate it and check its chains, all in one transaction."""
-    engine = make_engine(url)
+    with _rows_for_postgresql(state, manifest, told) as (rows, tables, revision):
+        engine = make_engine(url)
+        try:
+            with explained(), engine.begin() as connection:
+                lift_limits(connection)
+                _require_no_tables(connection)
+                upgrade(connection, revision)
+                copy_in(connection, rows, tables, told)
+                upgrade(connection)
+                with Session(connection, autoflush=False) as session:
+                    found = _verified(session, manifest)
+                    if manifest.database == "sqlite":
+                        deliver_anew(session)
+                    return found
+        finally:
+            engine.dispose()
+
+
+@contextmanager
+def _rows_for_postgresql(
+    state: Path, manifest: Manifest, told: Callable[[float], None]
+) -> Iterator[tuple[Path, Mapping[str, CopiedTable], str]]:
+    """The folder of COPY's files, what is in them, and the schema that they are of."""
+    if manifest.database != "sqlite":
+        yield state, manifest.tables, manifest.revision
+        return
+    with tempfile.TemporaryDirectory(prefix="sightline-crossing-") as made:
+        scratch = Path(made)
+        check_room(scratch, 2 * (state / DATABASE).stat().st_size, "the rows on their way to PostgreSQL")
+        _sqlite_in(state / DATABASE, scratch / DATABASE, manifest)  # of the newest schema, and whole
+        engine = make_engine(sqlite_url(scratch / DATABASE))
+        try:
+            with reading(session_factory(engine)) as session:
+                tables = copy_files_of_sqlite(session.connection(), scratch, told)
+        finally:
+            engine.dispose()
+        yield scratch, tables, "head"
+
+
+def _into_sqlite(
+    state: Path, target: Path, manifest: Manifest, told: Callable[[float], None]
+) -> Verification:
+    """Fill a new SQLite file with PostgreSQL's rows; only when its chains hold does it get its name."""
+    if manifest.revision != newest_revision():
+        raise BadInput("backup-older-crosses-later")
+    waiting = target.with_name(f"{target.name}.restoring")
     try:
-        with explained(), engine.begin() as connection:
-            _require_no_tables(connection)
-            upgrade(connection, manifest.revision)
-            copy_in(connection, state, manifest.tables, told)
-            upgrade(connection)
-            with Session(connection, autoflush=False) as session:
-                return _verified(session, manifest)
+        engine = make_engine(sqlite_url(waiting))
+        try:
+            migrate(engine)
+            with writing(session_factory(engine)) as session:
+                fill_sqlite(session.connection(), state, manifest.tables, told)
+                found = _verified(session, manifest)
+            with engine.connect() as connection:
+                connection.exec_driver_sql("PRAGMA wal_checkpoint(TRUNCATE)")
+        finally:
+            engine.dispose()
+        os.replace(waiting, target)
     finally:
-        engine.dispose()
+        for left in target.parent.glob(f"{waiting.name}*"):
+            left.unlink()
+    return found
 
 
 def _verified(session: Session, manifest: Manifest) -> Verification:

@@ -86,7 +86,8 @@ def make_engine(url: str, *, must_exist: bool = False) -> Engine:
             raise BadInput("database-no-database-check-name", path=path)
         return _sqlite_engine(path, parsed.render_as_string(hide_password=False))
     if backend == "postgresql":
-        return _limits().limited_engine(parsed, **_POOL)
+        engine: Engine = _limits().limited_engine(parsed, **_POOL)
+        return engine
     raise BadInput("database-database-not-supported-use-sqlite-file", backend=backend)
 
 
@@ -190,10 +191,15 @@ def migrate(engine: Engine) -> None:
         writer = connection.execution_options(**{_WRITING: True})
         with writer.begin():
             if engine.dialect.name == "postgresql":
-                _limits().limit_answers(writer, None)
-                writer.execute(_UNLIMITED)
+                lift_limits(writer)
                 writer.execute(_EXCLUSIVE, _EVERYTHING)
             upgrade(writer)
+
+
+def lift_limits(connection: Connection) -> None:
+    """Let what this transaction asks of PostgreSQL take the time that it takes: migrations, restoring."""
+    _limits().limit_answers(connection, None)
+    connection.execute(_UNLIMITED)
 
 
 def session_factory(engine: Engine) -> SessionFactory:

@@ -15,6 +15,7 @@ from sightline.infra.jobs.store import (
     fail_job,
     job_cancelled,
     postpone_job,
+    queued_jobs,
     release_job,
     requeue_job,
     running_jobs,
@@ -56,6 +57,15 @@ def put_back(session: Session, job: Job, *, counted: bool = True, postponed: boo
     else:
         requeue_job(session, job)
         engine.deliver(session, job.id)
+
+
+def deliver_anew(session: Session) -> None:
+    """Let workers have every job that waits or was being done, where the engine does not know of them."""
+    engine = engine_of_session(session)
+    for job_id in queued_jobs(session):
+        engine.deliver(session, job_id)
+    for job in running_jobs(session):
+        put_back(session, job, counted=False)
 
 
 def take_back(sessions: SessionFactory, *, worker: str | None = None, counted: bool = True) -> int:
