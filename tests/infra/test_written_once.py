@@ -10,9 +10,10 @@ from typing import Any
 import pytest
 from sqlalchemy import Engine, text
 from sqlalchemy.exc import DBAPIError
+from sqlalchemy.orm import Session
 
 from sightline.cli import main
-from sightline.errors import SightlineError
+from sightline.errors import Damaged, SightlineError
 from sightline.export.store import add_export
 from sightline.infra.audit import trail
 from sightline.infra.audit.checkpoints import (
@@ -21,6 +22,7 @@ from sightline.infra.audit.checkpoints import (
     hand_on,
     sign_checkpoint,
 )
+from sightline.infra.audit.guards import require_guards
 from sightline.infra.audit.merkle import path_of, root_by_path, root_of
 from sightline.infra.audit.records import AuditHead, Verification
 from sightline.infra.audit.signing import put_in_force, replacing_key, signing_key
@@ -129,6 +131,23 @@ def test_the_database_refuses_changes_removal_and_replacing(filled: SessionFacto
                 pytest.fail(statement)
     with reading(filled) as session:
         assert verify_records(session).ok
+
+
+def test_a_guard_that_is_missing_or_off_is_told(filled: SessionFactory) -> None:
+    engine = engine_of(filled)
+    off = (
+        "ALTER TABLE reviews DISABLE TRIGGER USER"
+        if engine.dialect.name == "postgresql"
+        else "DROP TRIGGER reviews_refuse_update"
+    )
+    with engine.connect() as connection:
+        require_guards(connection)
+        connection.execute(text(off))
+        with pytest.raises(Damaged, match="no longer protects reviews"):
+            require_guards(connection)
+        with Session(connection) as session:
+            assert "no longer protects reviews" in (verify_records(session).problem or "")
+        connection.rollback()
 
 
 def test_every_table_that_is_written_once_says_so_and_is_verified(filled: SessionFactory) -> None:

@@ -92,7 +92,8 @@ def serve_on(
 ) -> None:
     """Open everything and answer until stopped; the workers start once the server answers."""
     from sightline.app import create_app
-    from sightline.infra.database.engine import make_engine, migrate
+    from sightline.infra.audit.guards import require_guards
+    from sightline.infra.database.engine import explained, make_engine, migrate
     from sightline.infra.jobs.workers import start_child_workers
     from sightline.infra.log import begin_log
     from sightline.infra.page_watch import PageWatch
@@ -107,6 +108,8 @@ def serve_on(
     if engine.dialect.name == "sqlite":
         stack.enter_context(only_server(settings.data_dir))
     migrate(engine)
+    with explained(), engine.connect() as connection:
+        require_guards(connection)
     engine.dispose()
     services = open_services(settings)
     stack.callback(services.close)

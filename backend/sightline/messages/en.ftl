@@ -4545,6 +4545,7 @@ geometry-cannot-planned-give-one = A { $what } of { $value } { $unit } is out of
 audit-signing-key-unreadable = { $path } holds no signing key (64 hexadecimal digits); put it back from a backup.
 audit-signing-key-another = This machine's signing key is not the one that the database was signed with; put signing.key back from a backup, or give all machines the same SIGHTLINE_SIGNING_KEY.
 audit-database-made-another-version-verify-one = This database was made by another version; verify it with that version, or open it once with this one (`sightline serve`), which updates it.
+audit-guard-missing = The database no longer protects { $table }: a trigger that refuses changes is missing or switched off. Restore a backup, or restore the trigger and find out who removed it.
 audit-not-sightline-database-name-sightline-db = { $name } is not a Sightline database, or its beginning is damaged; name the sightline.db of a data folder, or restore a backup.
 
 ## Errors: csv_package

@@ -4542,6 +4542,7 @@ geometry-cannot-planned-give-one = { $what } : { $value } { $unit } est hors pl
 audit-signing-key-unreadable = { $path } ne contient pas de clé de signature (64 chiffres hexadécimaux) ; rétablissez-la depuis une sauvegarde.
 audit-signing-key-another = La clé de signature de cette machine n’est pas celle qui a signé la base de données ; rétablissez signing.key depuis une sauvegarde, ou donnez à toutes les machines le même SIGHTLINE_SIGNING_KEY.
 audit-database-made-another-version-verify-one = Cette base de données a été faite par une autre version ; contrôlez-la avec celle-là, ou ouvrez-la une fois avec celle-ci (`sightline serve`), qui la met à jour.
+audit-guard-missing = La base de données ne protège plus { $table } : un déclencheur qui refuse les modifications manque ou est désactivé. Restaurez une sauvegarde, ou rétablissez le déclencheur et cherchez qui l’a retiré.
 audit-not-sightline-database-name-sightline-db = { $name } n’est pas une base de données de Sightline, ou son début est endommagé ; nommez le fichier sightline.db d’un dossier de données, ou restaurez une sauvegarde.
 
 ## Erreurs : csv_package

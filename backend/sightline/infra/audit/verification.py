@@ -14,9 +14,10 @@ from typing import Any
 from sqlalchemy import Engine, Table, inspect, select
 from sqlalchemy.orm import Session
 
-from sightline.errors import BadInput
+from sightline.errors import BadInput, Damaged
 from sightline.infra.audit import trail
 from sightline.infra.audit.checkpoints import CHECKPOINT, SIGN, is_signed
+from sightline.infra.audit.guards import require_guards
 from sightline.infra.audit.hashing import GENESIS, chain_hash, plain
 from sightline.infra.audit.merkle import root_of
 from sightline.infra.audit.records import AuditHead, Verification, survey_chain
@@ -54,9 +55,17 @@ def verify_records(session: Session) -> Verification:
         state.chains(session)
         _anchors(session, state)
         _rows(session, state)
+        _guards(session)
     except _Problem as problem:
         return Verification(False, state.checked, state.head, str(problem))
     return Verification(True, state.checked, state.head, None)
+
+
+def _guards(session: Session) -> None:
+    try:
+        require_guards(session.connection())
+    except Damaged as damage:
+        raise _Problem(damage.message) from None
 
 
 def verify_database(url: str, name: str = "This address") -> Verification:
