@@ -31,7 +31,17 @@ DemoFate = Literal["accepted", "fixed", "slipped", "waits"]
 GoalVerdict = Literal["met", "missed", "undecided"]
 # what an operator tells apart by looking at a vehicle: which spot of the roof, which side the driver
 InsetPlace = Literal["near_edge", "crown", "near", "far"]
-InsetName = Literal["roof", "driver_eye_near", "driver_eye_far", "taillight", "headlight", "other"]
+InsetName = Literal[
+    "roof",
+    "roof_van",
+    "roof_box",
+    "roof_unknown",
+    "driver_eye_near",
+    "driver_eye_far",
+    "taillight",
+    "headlight",
+    "other",
+]
 Lighting = Literal["daytime", "low_light"]
 StreetLighting = Literal["on", "off"]
 StreetLamps = Literal["present", "none"]

@@ -31,7 +31,7 @@ def both_tyres(one: OwnVehicle) -> tuple[int, list[float], list[float]]:
 @pytest.mark.usefixtures("kept")
 def test_insets_are_used_with_their_origin(page: Page, survey_id: int) -> None:
     page.goto(f"/surveys/{survey_id}/checks")
-    roof = page.get_by_test_id("insets-check").locator("tbody").filter(has_text="Roof")
+    roof = page.get_by_test_id("insets-check").locator("tbody").filter(has_text="Roof, cars")
     expect(roof.get_by_text("estimate", exact=True)).to_be_visible()
     expect(page.get_by_test_id("inset-drawing")).to_be_visible()
     # what is in force agrees with the vehicles and is as sure: there is nothing to use
@@ -45,7 +45,7 @@ def test_insets_are_used_with_their_origin(page: Page, survey_id: int) -> None:
     )
     assert put.ok, put.text()
     page.reload()
-    button = roof.get_by_role("button", name=re.compile(r"Use 0\.\d\d m \(u = 0\.\d\d m\) for roofs"))
+    button = roof.get_by_role("button", name=re.compile(r"Use 0\.\d\d m \(u = 0\.\d\d m\) for roofs of cars"))
     offered = re.findall(r"0\.\d\d", button.inner_text())
     button.click()
     expect(roof.get_by_text("manufacturers' heights of")).to_be_visible()

@@ -38,7 +38,7 @@ def test_heights_of_line_scans_are_computed_again_and_put_back(
         page = first_page(browser, server)
         survey = page.request.get(f"/api/surveys/{survey_id}").json()
         body = {name: survey[name] for name in ("name", "site", "description", "version")}
-        body["insets"] = {"roof": {"inset_m": 0.6, "u_inset_m": 0.1, "note": "the crown"}}
+        body["insets"] = {"roof_unknown": {"inset_m": 0.6, "u_inset_m": 0.1, "note": "the crown"}}
         address = f"/api/surveys/{survey_id}"
         assert page.request.put(address, data=body, headers={"X-Sightline": "1"}).ok
         page.goto(f"/surveys/{survey_id}/checks?tab=again")

@@ -1,12 +1,16 @@
 """Small traps of daily use: what a page said that was not so, what got in the way, what a slip lost."""
 
 import re
+from pathlib import Path
 from typing import Any
+from uuid import uuid4
 
 import pytest
 from playwright.sync_api import Page, Route, expect
 
+from .server import Server
 from .test_narrow import apart
+from .vehicles import own_vehicle
 from .waits import wait_until
 
 HEADERS = {"X-Sightline": "1"}
@@ -149,3 +153,37 @@ def test_no_band_is_spoken_of_where_there_is_no_interval(
     page.goto(f"/sight-distance?survey={survey_id}&state=all&eye_percent=50&object_percent=50")
     said = "There is no interval, so no band is drawn." if low is None else "it is narrower than the line"
     expect(page.get_by_text(said)).to_be_visible()
+
+
+@pytest.mark.usefixtures("kept")
+def test_what_does_not_fit_and_what_has_no_class_stand_in_the_list(
+    page: Page, demonstration: Server, screenshots: Path
+) -> None:
+    """A lorry with a car's roof, and a vehicle of which nobody said the class: a mark, a filter, a count."""
+    own = own_vehicle(page, demonstration, "day")
+    path, number = f"/api/vehicles/{own.vehicle['id']}", own.vehicle["number"]
+    clicked = {"target": "roof", "frame": own.frame, "client_key": str(uuid4())}
+    clicked |= {"contact": own.pixels["contact_rear"], "target_point": own.pixels["roof"]}
+    made = page.request.post(f"{path}/measurements", headers=HEADERS, data=clicked)
+    assert made.ok, made.text()
+    page.goto(own.address)
+    mark, row = page.get_by_test_id(f"look-{number}"), page.get_by_test_id(f"pass-{number}")
+    expect(mark).to_have_attribute("title", "The class is missing.")
+    page.get_by_label("Show", exact=True).select_option("no_class")
+    expect(row).to_be_visible()
+    expect(page.get_by_label("Category", exact=True)).to_have_accessible_description(
+        re.compile("the inset of the roof")
+    )
+    page.goto(f"/statistics?survey={own.survey}&state=all")
+    page.get_by_role("link", name="Choose it in Measure").click()
+    expect(page).to_have_url(re.compile(rf"/surveys/{own.survey}/measure"))
+
+    version = page.request.get(path).json()["version"]
+    said = page.request.put(path, headers=HEADERS, data={"category": "lorry", "version": version})
+    assert said.ok, said.text()
+    page.goto(own.address)
+    expect(row).to_have_count(0)  # it has a class now
+    page.get_by_label("Show", exact=True).select_option("doubtful")
+    expect(row).to_be_visible()
+    expect(mark).to_have_attribute("title", "A height does not fit: look at it again.")
+    page.screenshot(path=screenshots / "doubts-in-the-list.png")

@@ -1,5 +1,6 @@
 """The driver's side against a road laid out with vectors, which shares nothing with the rule."""
 
+from itertools import product
 from typing import get_args
 
 import numpy as np
@@ -7,7 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from sightline.enums import CameraPlace, Direction, DriverSide, Hand, InsetName, Target
+from sightline.enums import CameraPlace, Category, Direction, DriverSide, Hand, InsetName, Target
 from sightline.geometry.insets import USUAL_INSETS, inset_name, target_of
 from sightline.geometry.sides import FoundSide, TrafficFacts, direction_beside_camera, driver_side
 
@@ -56,13 +57,21 @@ def test_what_was_said_of_the_vehicle_comes_first_and_without_facts_there_is_non
 
 
 def test_only_an_eye_needs_a_side_and_every_inset_has_its_target() -> None:
-    assert inset_name("driver_eye", None) is None
-    named = [(target, side) for target in get_args(Target) for side in get_args(DriverSide)]
-    assert (
-        {inset_name(target, side) for target, side in named} == set(get_args(InsetName)) == set(USUAL_INSETS)
-    )
-    for name in get_args(InsetName):
-        target, side = target_of(name)
-        assert inset_name(target, side) == name
+    assert inset_name("driver_eye", None, None) is None
+    everything = product(get_args(Target), get_args(DriverSide), (None, *get_args(Category)))
+    named = set[InsetName]()
+    for target, side, category in everything:
+        name = inset_name(target, side, category)
+        assert name is not None and target_of(name) == (target, side if target == "driver_eye" else None)
+        named.add(name)
+    assert named == set(get_args(InsetName)) == set(USUAL_INSETS)
     near, far = USUAL_INSETS["driver_eye_near"], USUAL_INSETS["driver_eye_far"]
     assert near[:2] == pytest.approx((0.45, 0.10)) and far[:2] == pytest.approx((1.15, 0.15))
+
+
+def test_a_box_has_its_roof_above_its_tyres_and_an_unknown_class_is_less_certain() -> None:
+    assert inset_name("roof", None, "suv") == "roof" and inset_name("roof", None, "bus") == "roof_box"
+    assert inset_name("roof", None, "van") == "roof_van"
+    assert inset_name("roof", None, None) == inset_name("roof", None, "other") == "roof_unknown"
+    car, box, unknown = (USUAL_INSETS[name] for name in ("roof", "roof_box", "roof_unknown"))
+    assert box[0] < 0.05 and abs(car[0] - box[0]) < 2 * unknown[1] and unknown[1] > car[1]

@@ -34,7 +34,7 @@ LARGE, SMALL = 0.5, 0.121
 ROOF = {"target": "roof", "inset_m": None, "u_inset_m": None}
 
 
-def say_inset(client: Client, survey_id: int, inset_m: float, target: str = "roof") -> None:
+def say_inset(client: Client, survey_id: int, inset_m: float, target: str = "roof_unknown") -> None:
     survey = client.seen(f"/surveys/{survey_id}")
     words = {name: survey[name] for name in ("name", "site", "description", "version")}
     insets = {target: {"inset_m": inset_m, "u_inset_m": 0.05, "note": "told in a test"}}

@@ -76,7 +76,7 @@ def test_a_height_that_no_target_of_the_class_has_is_told(
 
 def test_what_is_left_out_comes_from_the_survey(operator: Client, ground: Ground, vehicle_id: int) -> None:
     survey = operator.seen(f"/surveys/{ground.survey_id}")
-    survey["insets"]["roof"] = {"inset_m": 0.1234567, "u_inset_m": 0.05, "note": "measured here"}
+    survey["insets"]["roof_unknown"] = {"inset_m": 0.1234567, "u_inset_m": 0.05, "note": "measured here"}
     body = {key: survey[key] for key in ("name", "site", "description", "version", "insets")}
     assert operator.put(f"/surveys/{ground.survey_id}", body).status_code == 200
     stored = measure(operator, vehicle_id, inset_m=None, u_inset_m=None)

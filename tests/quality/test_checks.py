@@ -161,6 +161,7 @@ def test_roofs_of_known_height_offer_the_inset_with_its_origin(
         vehicle = add_vehicle(
             operator,
             ground.recording_id,
+            category="suv",
             manufacturer_height_m=height_m + wrong,
             u_manufacturer_height_m=0.005,
         )

@@ -69,7 +69,7 @@ def judge(client: Client, one: dict[str, Any], verdict: str, **more: Any) -> Non
     client.made(f"/line-heights/{one['id']}/review", {"verdict": verdict, **more})
 
 
-def say_inset(client: Client, survey_id: int, inset_m: float, name: str = "roof") -> None:
+def say_inset(client: Client, survey_id: int, inset_m: float, name: str = "roof_unknown") -> None:
     survey = client.seen(f"/surveys/{survey_id}")
     words = {word: survey[word] for word in ("name", "site", "description", "version")}
     insets = {name: {"inset_m": inset_m, "u_inset_m": 0.1, "note": "told in a test"}}
@@ -242,7 +242,7 @@ def test_frames_and_lines_are_one_computing_undone_as_a_whole_but_for_what_was_c
     same = click(operator, scanned.vehicle_id)
     changed = click(operator, scanned.vehicle_id, target="taillight")
     gone = click(operator, scanned.vehicle_id, target="headlight")
-    for name in ("roof", "taillight", "headlight"):
+    for name in ("roof_unknown", "taillight", "headlight"):
         say_inset(operator, survey_id, LARGE, name)
     stale = stale_of(operator, survey_id)
     assert (stale["heights"], stale["in_line_scans"], stale["causes"]) == (4, 3, {"inset": 4})

@@ -20,7 +20,7 @@ from sightline.infra.web.named import KEY
 from sightline.people.store import create_sign_in_link
 from sightline.recordings.uploads.store import create_upload
 from sightline.surveys.members import store as members
-from tests.support import samples
+from tests.support import samples, scans_samples
 from tests.support.app import Client, error_of
 
 pytestmark = pytest.mark.dialect
@@ -112,6 +112,7 @@ def everything(session: Session, people: tuple[str, str]) -> tuple[samples.Sampl
     upload = create_upload(
         session, one.survey.id, filename="a.mp4", size_bytes=9, media_key=f"u{one.survey.id}", actor=None
     )
+    scanned = scans_samples.vehicle(session, one)
     return one, {
         "surveys": one.survey.id,
         "survey_photographs": samples.photograph(session, one).id,
@@ -124,6 +125,8 @@ def everything(session: Session, people: tuple[str, str]) -> tuple[samples.Sampl
         "lots": samples.lot_of(session, one, measured.id).id,
         "uploads": upload.id,
         "studies": samples.study_with_member(session, one).id,
+        "scans": scanned.scan_id,
+        "scan_vehicles": scanned.id,
     }
 
 

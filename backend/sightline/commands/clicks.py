@@ -89,7 +89,7 @@ def _usual_inset(target: str, side: str) -> Assumed | str:
         return f"The target {target} is not one of {', '.join(get_args(Target))}."
     if target == "driver_eye" and side and side not in get_args(DriverSide):
         return f"The side {side} is not one of {', '.join(get_args(DriverSide))}."
-    name = inset_name(cast(Target, target), cast(DriverSide, side) if side else None)
+    name = inset_name(cast(Target, target), cast(DriverSide, side) if side else None, None)
     if name is None:
         return SIDE_UNKNOWN
     inset_m, u_inset_m, _ = USUAL_INSETS[name]

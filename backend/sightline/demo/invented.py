@@ -12,6 +12,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from datetime import UTC, date, datetime, time
 from pathlib import Path
+from typing import cast
 from uuid import UUID, uuid5
 
 import cv2
@@ -21,7 +22,7 @@ from numpy.typing import NDArray
 from sightline.cameras.calibrations.store import add_calibration
 from sightline.cameras.store import create_camera
 from sightline.demo.build import OPERATOR, PLACE, REVIEWER, TRAFFIC, demo_person
-from sightline.enums import AskedTarget, Lighting, LotGrouping, Point
+from sightline.enums import AskedTarget, Category, Lighting, LotGrouping, Point
 from sightline.geometry.camera import Camera, project
 from sightline.geometry.documents import camera_to_dict
 from sightline.geometry.insets import USUAL_INSETS, inset_name
@@ -382,7 +383,7 @@ def _clicks(
     along_m = rng.uniform(-1.2, 1.2)
     heights = {"roof": model.height_m, "driver_eye": model.eye_height_m, "taillight": model.tail_lamp_m}
     for target in _TARGETS[lighting]:
-        name = inset_name(target, "far" if right else "near")
+        name = inset_name(target, "far" if right else "near", cast(Category, model.category))
         assert name is not None
         usual, u, _ = USUAL_INSETS[name]
         inset_m = rng.normal(usual, u)

@@ -2,22 +2,33 @@
 
 These are estimates without a published source; screens and files show them as such, and they can be edited. A
 target whose inset is unknown gets a wide uncertainty instead of a guess (the bias it stands for: `bias_m`). A
-driver's eye has two, for a driver on the near and on the far side, and none until one knows which.
+driver's eye has two, for a driver on the near and on the far side, and none until one knows which. A roof has
+one for each shape of body, which the vehicle's class tells.
 """
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from sightline.enums import DriverSide, InsetName, InsetPlace, Target
+from sightline.enums import Category, DriverSide, InsetName, InsetPlace, Target
 from sightline.geometry.arrays import Floats
 
 USUAL_INSETS: dict[InsetName, tuple[float, float, str]] = {
     "roof": (0.30, 0.10, "near edge of the roof; 0.85 m (u 0.10 m) for its crown (estimate)"),
+    "roof_van": (0.20, 0.10, "near edge of the roof (estimate)"),
+    "roof_box": (0.03, 0.05, "a body with upright sides (estimate)"),
+    "roof_unknown": (0.30, 0.15, "as of a car, less certain (estimate)"),
     "driver_eye_near": (0.45, 0.10, "driver on the side of the camera (estimate)"),
     "driver_eye_far": (1.15, 0.15, "driver on the side away from the camera (estimate)"),
     "taillight": (0.05, 0.05, "outer edge of the lamp (estimate)"),
     "headlight": (0.05, 0.05, "outer edge of the lamp (estimate)"),
     "other": (0.0, 0.30, "not known"),
+}
+
+#: The inset of the roof of each class; of other classes and of none it is `roof_unknown`.
+ROOF_OF_CLASS: dict[Category, InsetName] = {
+    **dict.fromkeys(("hatchback", "saloon", "estate", "suv", "multi_purpose", "pickup"), "roof"),
+    **dict.fromkeys(("van", "recreational_vehicle"), "roof_van"),
+    **dict.fromkeys(("lorry", "tractor_unit", "bus", "trailer"), "roof_box"),
 }
 
 # What an operator can see of a vehicle and choose between: place, inset, standard uncertainty (estimates).
@@ -44,8 +55,12 @@ def implausible_inset(inset_m: float) -> str | None:
     )
 
 
-def inset_name(target: Target, side: DriverSide | None) -> InsetName | None:
-    """The name of a target's usual inset; None for an eye while the driver's side is unknown."""
+def inset_name(target: Target, side: DriverSide | None, category: Category | None) -> InsetName | None:
+    """The name of a target's usual inset on a vehicle of a class (None: nobody said); None for an eye while
+    the driver's side is unknown.
+    """
+    if target == "roof":
+        return "roof_unknown" if category is None else ROOF_OF_CLASS.get(category, "roof_unknown")
     if target != "driver_eye":
         return target
     if side is None:
@@ -55,11 +70,15 @@ def inset_name(target: Target, side: DriverSide | None) -> InsetName | None:
 
 def target_of(name: InsetName) -> tuple[Target, DriverSide | None]:
     """The target, and for an eye the driver's side, that an inset is for."""
-    if name == "driver_eye_near":
-        return "driver_eye", "near"
-    if name == "driver_eye_far":
-        return "driver_eye", "far"
-    return name, None
+    match name:
+        case "roof" | "roof_van" | "roof_box" | "roof_unknown":
+            return "roof", None
+        case "driver_eye_near":
+            return "driver_eye", "near"
+        case "driver_eye_far":
+            return "driver_eye", "far"
+        case _:
+            return name, None
 
 
 def bias_m(

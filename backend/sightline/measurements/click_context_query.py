@@ -17,7 +17,7 @@ from sightline.recordings.frames.records import Frame
 from sightline.recordings.frames.store import missing_frame
 from sightline.recordings.frames.tables import frames
 from sightline.recordings.tables import recordings
-from sightline.surveys.records import Inset
+from sightline.surveys.records import Inset, insets_of
 from sightline.surveys.store import TRAFFIC, traffic_of_row
 from sightline.surveys.tables import surveys
 from sightline.vehicles.proposing.tables import proposals
@@ -144,7 +144,7 @@ def _context(session: Session, query: Select[Any], asked: Mapping[str, Any]) -> 
         pose_id=row.pose_id,
         calibration_id=row.calibration_id,
         size_px=(row.width_px, row.height_px),
-        insets={target: Inset(**values) for target, values in row.insets.items()},
+        insets=insets_of(row.insets),
         not_visible=said_not_visible(row),
         discarded=row.discarded is not None,
         side=driver_side(row.driver_side, row.direction, traffic_of_row(row._mapping)),

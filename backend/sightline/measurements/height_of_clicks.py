@@ -16,7 +16,7 @@ import numpy as np
 from cachetools import LRUCache
 from pydantic import Field
 
-from sightline.enums import DriverSide, Target
+from sightline.enums import Category, DriverSide, Target
 from sightline.geometry.documents import pose_from_dict
 from sightline.geometry.height import (
     BudgetEntry,
@@ -106,11 +106,16 @@ def on_side(clicks: Clicks, side: FoundSide | None) -> Clicks:
     return replace(clicks, side=side.side, side_from=side.basis)
 
 
-def filled_in(clicks: Clicks, insets: Mapping[str, Inset], own_sigma_px: float | None = None) -> Clicks:
+def filled_in(
+    clicks: Clicks,
+    insets: Mapping[str, Inset],
+    category: Category | None,
+    own_sigma_px: float | None = None,
+) -> Clicks:
     """The clicks with what was left out: the person's own sigma, else 1 px, and the inset for this target and
-    side; there is none for an eye of which nobody knows the side.
+    side on a vehicle of this class; there is none for an eye of which nobody knows the side.
     """
-    usual = inset_for(clicks.target, clicks.side, insets)
+    usual = inset_for(clicks.target, clicks.side, category, insets)
     usual_sigma_px = DEFAULT_SIGMA_PX if own_sigma_px is None else own_sigma_px
     inset_m, u_inset_m = clicks.inset_m, clicks.u_inset_m
     if usual is not None:
@@ -137,9 +142,11 @@ def _same(usual: Inset, inset_m: float, u_inset_m: float | None) -> bool:
     return (inset_m, u_inset_m) == (_rounded(usual.inset_m), _rounded(usual.u_inset_m))
 
 
-def inset_for(target: Target, side: DriverSide | None, insets: Mapping[str, Inset]) -> Inset | None:
-    """The survey's inset of a target; None for an eye of which nobody knows the side."""
-    name = inset_name(target, side)
+def inset_for(
+    target: Target, side: DriverSide | None, category: Category | None, insets: Mapping[str, Inset]
+) -> Inset | None:
+    """The survey's inset of a target of a vehicle; None for an eye of which nobody knows the side."""
+    name = inset_name(target, side, category)
     return None if name is None else insets[name]
 
 

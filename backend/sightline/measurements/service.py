@@ -95,7 +95,8 @@ def ruler_at(
     """
     context = click_context(session, recording_id, None, vehicle_id=vehicle_id)
     pose, _, _ = pose_in_force(session, context)
-    usual = inset_for(target, None if context.side is None else context.side.side, context.insets)
+    side = None if context.side is None else context.side.side
+    usual = inset_for(target, side, context.category, context.insets)
     return ruler(pose, contact, inset_m if inset_m is not None or usual is None else usual.inset_m)
 
 
@@ -277,7 +278,7 @@ def clicks_in_context(clicks: Clicks, context: ClickContext) -> Clicks:
     for further in clicks.more_frames:
         _check_point(f"contact (frame {further.frame})", further.contact)
         _check_point(f"target (frame {further.frame})", further.target_point)
-    return filled_in(on_side(clicks, context.side), context.insets, context.own_sigma_px)
+    return filled_in(on_side(clicks, context.side), context.insets, context.category, context.own_sigma_px)
 
 
 def _check_point(word: str, point: Point) -> None:

@@ -33,6 +33,10 @@ side-near = near side
 side-far = far side
 inset-near-edge = near edge
 inset-crown = crown
+inset-roof_car = Roof, cars
+inset-roof_van = Roof, vans
+inset-roof_box = Roof, lorries and buses
+inset-roof_unknown = Roof, no class
 inset-driver_eye_near = Driver’s eye, near side
 inset-driver_eye_far = Driver’s eye, far side
 
@@ -667,6 +671,13 @@ passes-over = { $recording }: search finished.
 passes-all = All
 passes-to-do = To do
 passes-rejected = Rejected
+passes-doubtful = Doubtful
+passes-no-class = No class
+passes-doubts = { $count ->
+    [one] A height does not fit: look at it again.
+   *[other] { NUMBER($count) } heights do not fit: look at them again.
+}
+passes-class-missing = The class is missing.
 passes-measured = Measured
 passes-left-out = out of the sample
 passes-by-number = by number
@@ -1351,7 +1362,10 @@ checks-vehicles-without = { $count ->
 checks-left-out-help = Outliers: check their clicks and heights.
 checks-spread = { $spread } between vehicles
 checks-use = { $target ->
-    [roof] Use { $inset } (u = { $u_inset }) for roofs
+    [roof] Use { $inset } (u = { $u_inset }) for roofs of cars
+    [roof_van] Use { $inset } (u = { $u_inset }) for roofs of vans
+    [roof_box] Use { $inset } (u = { $u_inset }) for roofs of lorries and buses
+    [roof_unknown] Use { $inset } (u = { $u_inset }) for roofs without a class
     [driver_eye_near] Use { $inset } (u = { $u_inset }) for near drivers’ eyes
     [driver_eye_far] Use { $inset } (u = { $u_inset }) for far drivers’ eyes
     [taillight] Use { $inset } (u = { $u_inset }) for taillights
@@ -1359,7 +1373,10 @@ checks-use = { $target ->
    *[other] Use { $inset } (u = { $u_inset }) for other targets
 }
 checks-used = { $target ->
-    [roof] New measurements of roofs use the new inset; existing ones keep theirs.
+    [roof] New measurements of car roofs use the new inset; existing ones keep theirs.
+    [roof_van] New measurements of van roofs use the new inset; existing ones keep theirs.
+    [roof_box] New measurements of the roofs of lorries and buses use the new inset; existing ones keep theirs.
+    [roof_unknown] New measurements of roofs without a class use the new inset; existing ones keep theirs.
     [driver_eye_near] New measurements of near drivers’ eyes use the new inset; existing ones keep theirs.
     [driver_eye_far] New measurements of far drivers’ eyes use the new inset; existing ones keep theirs.
     [taillight] New measurements of taillights use the new inset; existing ones keep theirs.
@@ -1461,6 +1478,7 @@ measure-passes-show = Show
 measure-passes-order = Order
 measure-passes-none = No vehicles yet. Detect passes, or mark the first frame of a vehicle.
 measure-passes-none-in-state = No pass is in this state.
+measure-class-missing = Missing: the inset of the roof and the figures of each class depend on it.
 measure-progress = { NUMBER($count) } of { NUMBER($all) }
 measure-pass-begins = Pass begins on this frame
 measure-pass-begin = New pass here
@@ -1685,6 +1703,7 @@ measure-side-from = { $from ->
    *[unknown] unknown, so the eye has no height: set it here for this vehicle, or <link>on the survey’s page</link> for all
 }
 measure-inset-roof = Roof point
+measure-inset-needs-class = Choose the class: the inset of a roof depends on it.
 measure-inset-now = inset { $inset } (u = { $u_inset }), estimate
 
 ## Measure: several frames
@@ -3157,6 +3176,10 @@ statistics-counted = { $measurements ->
     [one] { $roofs } roof
    *[other] { $roofs } roofs
 } with a manufacturer’s height.
+statistics-without-class = { $count ->
+    [one] { NUMBER($count) } vehicle has no class, so no figure of a class counts it. <link>Choose it in Measure</link> (list: No class).
+   *[other] { NUMBER($count) } vehicles have no class, so no figure of a class counts them. <link>Choose them in Measure</link> (list: No class).
+}
 statistics-left-out = Excluded: { $states }.
 statistics-left-out-state = { $state ->
     [to_review] { NUMBER($count) } to review
@@ -6044,6 +6067,9 @@ told-geometry-it-says-nothing-all = Not conclusive: all passed at about the same
 told-geometry-at-least-vehicles-measured = At least { $least_known } vehicles measured on two frames are needed; there are { $values }.
 told-geometry-it-says-next-to-nothing = Not conclusive: the frames were close together.
 told-geometry-it-is-not-known = The driver's side (near or far) is not set, and the height of the eye depends on it; set it.
+told-inset-roof-edge = near edge of the roof (estimate)
+told-inset-upright-sides = a body with upright sides (estimate)
+told-inset-less-certain = as of a car, less certain (estimate)
 told-geometry-near-edge-of-the = near edge of the roof; 0.85 m (u 0.10 m) for its crown (estimate)
 told-geometry-driver-on-the-side = driver on the side of the camera (estimate)
 told-geometry-driver-on-the-side-away = driver on the side away from the camera (estimate)
@@ -6617,6 +6643,10 @@ report-taillight = taillight, lower edge
 report-headlight = headlight
 report-roof = roof
 report-other = other
+report-roof-car = roof, cars
+report-roof-van = roof, vans
+report-roof-box = roof, lorries and buses
+report-roof-unknown = roof, no class
 report-eye-near = driver’s eye, driver on the near side
 report-eye-far = driver’s eye, driver on the far side
 report-driver-eyes = drivers’ eyes

@@ -31,6 +31,10 @@ side-near = côté proche
 side-far = côté éloigné
 inset-near-edge = bord proche
 inset-crown = sommet
+inset-roof_car = Toit, voitures
+inset-roof_van = Toit, camionnettes
+inset-roof_box = Toit, camions et autocars
+inset-roof_unknown = Toit, sans classe
 inset-driver_eye_near = Œil du conducteur, côté proche
 inset-driver_eye_far = Œil du conducteur, côté éloigné
 
@@ -665,6 +669,13 @@ passes-over = { $recording } : détection terminée.
 passes-all = Tous
 passes-to-do = À faire
 passes-rejected = Rejetés
+passes-doubtful = Douteux
+passes-no-class = Sans classe
+passes-doubts = { $count ->
+    [one] Une hauteur ne convient pas : revoyez-la.
+   *[other] { NUMBER($count) } hauteurs ne conviennent pas : revoyez-les.
+}
+passes-class-missing = La classe manque.
 passes-measured = Mesurés
 passes-left-out = hors échantillon
 passes-by-number = par numéro
@@ -1349,7 +1360,10 @@ checks-vehicles-without = { $count ->
 checks-left-out-help = Valeurs aberrantes : contrôlez leurs pointés et leurs hauteurs.
 checks-spread = { $spread } entre véhicules
 checks-use = { $target ->
-    [roof] Utiliser { $inset } (u = { $u_inset }) pour les toits
+    [roof] Utiliser { $inset } (u = { $u_inset }) pour les toits de voitures
+    [roof_van] Utiliser { $inset } (u = { $u_inset }) pour les toits de camionnettes
+    [roof_box] Utiliser { $inset } (u = { $u_inset }) pour les toits de camions et d’autocars
+    [roof_unknown] Utiliser { $inset } (u = { $u_inset }) pour les toits sans classe
     [driver_eye_near] Utiliser { $inset } (u = { $u_inset }) pour les yeux de conducteur côté proche
     [driver_eye_far] Utiliser { $inset } (u = { $u_inset }) pour les yeux de conducteur côté éloigné
     [taillight] Utiliser { $inset } (u = { $u_inset }) pour les feux arrière
@@ -1357,7 +1371,10 @@ checks-use = { $target ->
    *[other] Utiliser { $inset } (u = { $u_inset }) pour les autres cibles
 }
 checks-used = { $target ->
-    [roof] Les nouvelles mesures de toits utilisent le nouveau retrait ; les mesures existantes gardent le leur.
+    [roof] Les nouvelles mesures de toits de voitures utilisent le nouveau retrait ; les mesures existantes gardent le leur.
+    [roof_van] Les nouvelles mesures de toits de camionnettes utilisent le nouveau retrait ; les mesures existantes gardent le leur.
+    [roof_box] Les nouvelles mesures de toits de camions et d’autocars utilisent le nouveau retrait ; les mesures existantes gardent le leur.
+    [roof_unknown] Les nouvelles mesures de toits sans classe utilisent le nouveau retrait ; les mesures existantes gardent le leur.
     [driver_eye_near] Les nouvelles mesures d’yeux de conducteur côté proche utilisent le nouveau retrait ; les mesures existantes gardent le leur.
     [driver_eye_far] Les nouvelles mesures d’yeux de conducteur côté éloigné utilisent le nouveau retrait ; les mesures existantes gardent le leur.
     [taillight] Les nouvelles mesures de feux arrière utilisent le nouveau retrait ; les mesures existantes gardent le leur.
@@ -1460,6 +1477,7 @@ measure-passes-show = Afficher
 measure-passes-order = Ordre
 measure-passes-none = Pas encore de véhicules. Détectez les passages, ou marquez la première image d’un véhicule.
 measure-passes-none-in-state = Aucun passage n’est dans cet état.
+measure-class-missing = Manque : le retrait du toit et les chiffres par classe en dépendent.
 measure-progress = { NUMBER($count) } sur { NUMBER($all) }
 measure-pass-begins = Le passage commence à cette image
 measure-pass-begin = Nouveau passage
@@ -1684,6 +1702,7 @@ measure-side-from = { $from ->
    *[unknown] pas encore connu, l’œil n’a donc pas de hauteur : indiquez-le ici pour ce véhicule, ou <link>sur la page du relevé</link> pour tous
 }
 measure-inset-roof = Point du toit
+measure-inset-needs-class = Choisissez la classe : le retrait d’un toit en dépend.
 measure-inset-now = retrait { $inset } (u = { $u_inset }), estimation
 
 ## Mesure : plusieurs images
@@ -3153,6 +3172,10 @@ statistics-counted = { $measurements ->
     [one] { $roofs } toit
    *[other] { $roofs } toits
 } avec hauteur du constructeur.
+statistics-without-class = { $count ->
+    [one] { NUMBER($count) } véhicule n’a pas de classe et ne compte dans aucun chiffre par classe. <link>Choisissez-la dans Mesurer</link> (liste : Sans classe).
+   *[other] { NUMBER($count) } véhicules n’ont pas de classe et ne comptent dans aucun chiffre par classe. <link>Choisissez-la dans Mesurer</link> (liste : Sans classe).
+}
 statistics-left-out = Exclues : { $states }.
 statistics-left-out-state = { $state ->
     [to_review] à vérifier ({ NUMBER($count) })
@@ -6114,6 +6137,9 @@ told-geometry-it-says-nothing-all = Cela ne dit rien : tous sont passés à peu
 told-geometry-at-least-vehicles-measured = Il faut au moins { $least_known } véhicules mesurés sur deux images ; il y en a { $values }.
 told-geometry-it-says-next-to-nothing = Cela ne dit presque rien : les images étaient trop rapprochées.
 told-geometry-it-is-not-known = Le côté du conducteur (proche ou éloigné) n’est pas indiqué, et la hauteur de l’œil en dépend ; indiquez-le.
+told-inset-roof-edge = bord proche du toit (estimation)
+told-inset-upright-sides = caisse à parois verticales (estimation)
+told-inset-less-certain = comme une voiture, moins certain (estimation)
 told-geometry-near-edge-of-the = bord proche du toit ; 0,85 m (u 0,10 m) pour son sommet (estimation)
 told-geometry-driver-on-the-side = conducteur du côté de la caméra (estimation)
 told-geometry-driver-on-the-side-away = conducteur du côté opposé à la caméra (estimation)
@@ -6722,6 +6748,10 @@ report-taillight = feu arrière, limite inférieure
 report-headlight = projecteur
 report-roof = toit
 report-other = autre
+report-roof-car = toit, voitures
+report-roof-van = toit, camionnettes
+report-roof-box = toit, camions et autocars
+report-roof-unknown = toit, sans classe
 report-eye-near = œil du conducteur, conducteur côté proche
 report-eye-far = œil du conducteur, conducteur côté éloigné
 report-driver-eyes = yeux des conducteurs

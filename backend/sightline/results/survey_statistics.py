@@ -134,6 +134,9 @@ class SampleCounts:
         int, Field(description="Roofs that have none because the model was chosen by its sizes.")
     ]
     left_out: Annotated[dict[str, int], Field(description="Left out by the review state alone.")]
+    without_class: Annotated[
+        int, Field(description="Vehicles of which nobody said the class: no figure of a class counts them.")
+    ]
 
 
 @dataclass(frozen=True, eq=False)
@@ -295,12 +298,14 @@ def made_of(
             height_sample(measured.where(rows), sites.where(rows) if sites else None),
         )
     vehicles = measured.vehicle_id[_of_target(measured, only)]
+    unclassed = measured.category == NONE
     counted = SampleCounts(
         measurements=len(vehicles),
         vehicles=len(_distinct(vehicles)),
         with_reference=len(roofs.reference_m),
         by_size=int(np.count_nonzero(measured.by_size & _of_target(measured, "roof"))),
         left_out=left_out,
+        without_class=len(_distinct(measured.vehicle_id[_of_target(measured, only) & unclassed])),
     )
     rules: tuple[RuleToday, ...] = ()
     sight = None

@@ -12,12 +12,13 @@ from sightline.enums import (
     ClassSet,
     EuClass,
     Hand,
+    InsetName,
     InsetPlace,
     Lighting,
     SamplingMethod,
     StreetLamps,
 )
-from sightline.geometry.insets import INSET_CHOICES
+from sightline.geometry.insets import INSET_CHOICES, ROOF_OF_CLASS
 from sightline.infra.web.bodies import In, Name, Out, Text, example
 from sightline.statistics.sampling import MOST_HEADWAY_S, MOST_STEP, Quota, Sampling
 
@@ -39,6 +40,9 @@ class InsetIn(In):
 
 class Insets(Out):
     roof: InsetBody
+    roof_van: InsetBody
+    roof_box: InsetBody
+    roof_unknown: InsetBody
     driver_eye_near: InsetBody
     driver_eye_far: InsetBody
     taillight: InsetBody
@@ -50,6 +54,9 @@ class InsetChanges(In):
     """Targets left out keep their inset."""
 
     roof: InsetIn | None = None
+    roof_van: InsetIn | None = None
+    roof_box: InsetIn | None = None
+    roof_unknown: InsetIn | None = None
     driver_eye_near: InsetIn | None = None
     driver_eye_far: InsetIn | None = None
     taillight: InsetIn | None = None
@@ -211,6 +218,12 @@ class SurveyFacts(Out):
     def inset_choices(self) -> dict[str, list[InsetChoice]]:
         """What can be told apart by looking at a vehicle."""
         return inset_choices(self.insets)
+
+    @computed_field  # type: ignore[prop-decorator]
+    @property
+    def roof_insets(self) -> dict[Category, InsetName]:
+        """Which inset the roof of each class has; one that is not named has that of no class."""
+        return dict(ROOF_OF_CLASS)
 
 
 class NewSurvey(In):

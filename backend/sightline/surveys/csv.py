@@ -12,7 +12,7 @@ from sightline.infra.csv_package.schema import Table
 from sightline.statistics.sampling import Quota, Sampling
 from sightline.surveys.classes import VehicleClass
 from sightline.surveys.place import Place
-from sightline.surveys.records import Asked, Inset, Survey
+from sightline.surveys.records import Asked, Inset, Survey, insets_of
 
 #: A target and the inset that is in force for it.
 InForce = tuple[str, Inset]
@@ -79,11 +79,17 @@ def insets_in_force(survey: Survey) -> list[InForce]:
 
 
 def insets_in(files: Files) -> dict[str, Inset]:
-    """The insets of a package, by target."""
-    return {
-        row["target"]: Inset(float(row["inset_m"]), float(row["u_inset_m"]), unsafe(row["note"]))
-        for row in read_rows(files, INSETS.path)
-    }
+    """The insets of a package, by name."""
+    return insets_of(
+        {
+            row["target"]: {
+                "inset_m": float(row["inset_m"]),
+                "u_inset_m": float(row["u_inset_m"]),
+                "note": unsafe(row["note"]),
+            }
+            for row in read_rows(files, INSETS.path)
+        }
+    )
 
 
 CLASSES: Table[VehicleClass] = Table(

@@ -3,9 +3,10 @@
 from collections.abc import Mapping
 from dataclasses import dataclass
 from datetime import datetime
-from typing import get_args
+from typing import Any, get_args
 
 from sightline.enums import USUALLY_ASKED, AskedTarget, Lighting
+from sightline.geometry.insets import ROOF_OF_CLASS
 from sightline.geometry.sides import TrafficFacts
 from sightline.statistics.sampling import Sampling
 from sightline.surveys.classes import VehicleClass
@@ -19,6 +20,14 @@ class Inset:
     inset_m: float
     u_inset_m: float
     note: str = ""
+
+
+def insets_of(told: Mapping[str, Mapping[str, Any]]) -> dict[str, Inset]:
+    """A survey's insets as its row or an event of it has them; one from before roofs had insets by class has
+    the one of all.
+    """
+    found = {name: Inset(**values) for name, values in told.items()}
+    return {**dict.fromkeys((*ROOF_OF_CLASS.values(), "roof_unknown"), found["roof"]), **found}
 
 
 @dataclass(frozen=True, slots=True)

@@ -18,7 +18,7 @@ from sightline.infra.web.person import Seen
 from sightline.statistics.sampling import MOST_HEADWAY_S, MOST_STEP, Quota, Sampling
 from sightline.surveys.classes import USUAL_CLASSES, VehicleClass, classes_of, stored_classes
 from sightline.surveys.place import PLACE, Place, checked_place
-from sightline.surveys.records import Asked, Inset, Survey
+from sightline.surveys.records import Asked, Inset, Survey, insets_of
 from sightline.surveys.tables import surveys
 
 TRAFFIC = ("traffic_side", "steering_side", "camera_place")
@@ -183,7 +183,7 @@ def _survey(row: Mapping[str, Any]) -> Survey:
         asked=asked_of(row["asked"]),
         classes=classes_of(row["classes"]),
         sampling=sampling_of(row["sampling"]),
-        insets={target: Inset(**values) for target, values in row["insets"].items()},
+        insets=insets_of(row["insets"]),
     )
 
 

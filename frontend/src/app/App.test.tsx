@@ -37,6 +37,7 @@ const survey: Survey = {
   my_role: "manager",
   version: 1,
   created_at: "2026-11-21T10:00:00Z",
+  roof_insets: {},
   inset_choices: {},
   place: {
     latitude_deg: null,
@@ -62,6 +63,9 @@ const survey: Survey = {
   },
   insets: {
     roof: inset,
+    roof_van: inset,
+    roof_box: inset,
+    roof_unknown: inset,
     driver_eye_near: inset,
     driver_eye_far: inset,
     taillight: inset,

@@ -98,6 +98,9 @@ export const INSET_PLACE_WORDS: Readonly<Record<InsetPlace, string>> = wordsOf({
 
 export const INSET_NAMES: readonly InsetName[] = [
   "roof",
+  "roof_van",
+  "roof_box",
+  "roof_unknown",
   "driver_eye_near",
   "driver_eye_far",
   "taillight",
@@ -107,7 +110,10 @@ export const INSET_NAMES: readonly InsetName[] = [
 
 /** What an inset is for: a target, of an eye with the driver's side. */
 export const INSET_WORDS: Readonly<Record<InsetName, string>> = wordsOf({
-  roof: "target-roof",
+  roof: "inset-roof_car",
+  roof_van: "inset-roof_van",
+  roof_box: "inset-roof_box",
+  roof_unknown: "inset-roof_unknown",
   driver_eye_near: "inset-driver_eye_near",
   driver_eye_far: "inset-driver_eye_far",
   taillight: "target-taillight",

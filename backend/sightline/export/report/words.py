@@ -28,6 +28,10 @@ _TARGETS_KEYS: dict[Target, str] = {
 TARGETS = Called(_TARGETS_KEYS)
 EYES = Called(
     {
+        "roof": "report-roof-car",
+        "roof_van": "report-roof-van",
+        "roof_box": "report-roof-box",
+        "roof_unknown": "report-roof-unknown",
         "driver_eye_near": "report-eye-near",
         "driver_eye_far": "report-eye-far",
     }

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, fields
 
-from sightline.enums import ComputingCause, DriverSide, InsetSource, SideBasis, Target
+from sightline.enums import Category, ComputingCause, DriverSide, InsetSource, SideBasis, Target
 from sightline.geometry.sides import FoundSide
 from sightline.measurements.height_of_clicks import filled_in, on_side
 from sightline.measurements.records import Clicks, HeightOfClicks, Measurement, MeasurementValues
@@ -65,10 +65,12 @@ def causes_now(
     *,
     pose_id: int | None,
     side: FoundSide | None,
+    category: Category | None,
     insets: Mapping[str, Inset],
 ) -> tuple[ComputingCause, ...]:
     """Which facts of a stored height no longer hold, with those that hold now: the road pose in force of its
-    recording (None: it has none, and the height stays), where the driver sits, and the survey's insets.
+    recording (None: it has none, and the height stays), where the driver sits, the vehicle's class, and the
+    survey's insets.
     """
     own = then.inset_from == "own"
     clicks = Clicks(
@@ -79,7 +81,8 @@ def causes_now(
         u_inset_m=then.u_inset_m if own else None,
     )
     in_force = then.pose_id if pose_id is None else pose_id
-    return causes_of_facts(then, facts_of(filled_in(on_side(clicks, side), insets), in_force))
+    now = filled_in(on_side(clicks, side), insets, category)
+    return causes_of_facts(then, facts_of(now, in_force))
 
 
 def causes_of(then: MeasurementValues, now: MeasurementValues) -> tuple[ComputingCause, ...]:

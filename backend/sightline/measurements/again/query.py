@@ -52,6 +52,7 @@ def _places(session: Session, survey_id: int) -> Sequence[Any]:
     query = (
         select(
             *(vehicles.c.id.label("vehicle_id"), vehicles.c.direction, vehicles.c.driver_side),
+            vehicles.c.category,
             *(vehicles.c.discarded, *(vehicles.c[name] for name in NOT_VISIBLE.values())),
             *(recordings.c.id.label("recording_id"), recordings.c.name, recordings.c.pose_id),
             *(recordings.c.width_px, recordings.c.height_px, road_poses.c.calibration_id),
@@ -74,6 +75,7 @@ def _context(survey: Survey, row: Any, insets: Mapping[str, Inset]) -> ClickCont
         size_px=(row.width_px, row.height_px),
         insets=insets,
         side=driver_side(row.driver_side, row.direction, survey.traffic),
+        category=row.category,
         not_visible=frozenset(),
         discarded=False,
         own_sigma_px=None,
@@ -112,7 +114,7 @@ def alike(session: Session, survey_id: int) -> Iterator[Alike]:
                 _m.u_inset_m,
             ),
             *(_m.inset_from, several.label("solved"), _m.height_m.is_not(None).label("has_height")),
-            *(_m.code_version, vehicles.c.direction, vehicles.c.driver_side),
+            *(_m.code_version, vehicles.c.direction, vehicles.c.driver_side, vehicles.c.category),
             *(recordings.c.id.label("recording_id"), recordings.c.name, recordings.c.pose_id),
             *(recordings.c.width_px, recordings.c.height_px, road_poses.c.calibration_id),
         )

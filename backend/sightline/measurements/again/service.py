@@ -71,7 +71,14 @@ def measurements_out_of_date(session: Session, survey_id: int) -> OutOfDate:
     named: dict[int, tuple[ComputingCause, ...]] = {}
     for group in alike(session, survey_id):
         now = group.context
-        found = causes_now(group.target, group.facts, pose_id=now.pose_id, side=now.side, insets=now.insets)
+        found = causes_now(
+            group.target,
+            group.facts,
+            pose_id=now.pose_id,
+            side=now.side,
+            category=now.category,
+            insets=now.insets,
+        )
         if found:
             heights += group.count
             waiting += 0 if group.has_height else group.count

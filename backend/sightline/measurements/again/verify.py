@@ -19,7 +19,7 @@ from sightline.infra.csv_package.files import number as figure_of
 from sightline.infra.csv_package.verify import says
 from sightline.measurements.again.csv import COMPUTINGS
 from sightline.measurements.again.differences import Facts, causes_now
-from sightline.surveys.records import Inset
+from sightline.surveys.records import insets_of
 
 # Three lengths of six decimals, each rounded.
 _ROUNDING_M = 2e-6
@@ -70,14 +70,19 @@ def check_out_of_date(
     road pose in force of a recording. Raises Damaged.
     """
     traffic = TrafficFacts(**{one.name: survey.get(one.name) for one in fields(TrafficFacts)})
-    insets = {name: Inset(**told) for name, told in survey["insets"].items()}
+    insets = insets_of(survey["insets"])
     names = ("id", "vehicle_id", "recording_id", "withdrawn", "out_of_date")
     for id_, vehicle, recording, withdrawn, said in read_columns(files, "measurements.csv", names):
         car, pose_id = vehicles.get(int(vehicle), {}), pose_in_force(int(recording))
         target, then = follows_from[int(id_)]
         side = driver_side(car.get("driver_side"), car.get("direction"), traffic)
         stands = withdrawn != "true" and pose_id is not None
-        found = causes_now(target, then, pose_id=pose_id, side=side, insets=insets) if stands else ()
+        category = car.get("category")
+        found = (
+            causes_now(target, then, pose_id=pose_id, side=side, category=category, insets=insets)
+            if stands
+            else ()
+        )
         if said != joined(found):
             raise Damaged("computing-out-of-date-not-so", path="measurements.csv", id=id_)
 

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from sightline.enums import Target
 from sightline.errors import BadInput
+from sightline.geometry.insets import inset_name
 from sightline.infra.database import Session
 from sightline.measurements.query import measurements_of_vehicles
 from sightline.measurements.service import revise_with_what_holds_now
@@ -14,9 +16,10 @@ from sightline.vehicles.store import get_vehicle, update_vehicle
 def change_vehicle(
     session: Session, vehicle_id: int, changes: VehicleChanges, *, version: int, actor: int
 ) -> None:
-    """Change fields; where the driver's side becomes another, a standing eye is computed again by it.
+    """Change fields; where the driver's side becomes another, a standing eye is computed again by it, and a
+    roof where the class becomes one of another inset.
 
-    An eye with an inset of its own stays. Raises Conflict, naming who and when, if `version` is not current,
+    What has an inset of its own stays. Raises Conflict, naming who and when, if `version` is not current,
     BadInput for a target that is measured and said not to be visible, and for a measured vehicle that is said
     to be none.
     """
@@ -30,8 +33,11 @@ def change_vehicle(
             raise BadInput("measurements-not-visible-but-measured-withdraw", target=min(measured))
     if after.discarded and measurements_of_vehicles(session, of_vehicle).get(vehicle_id):
         raise BadInput("measurements-discarded-but-measured-withdraw", number=after.number)
-    if (before.side, before.side_from) == (after.side, after.side_from):
-        return
-    for one in measurements_of_vehicles(session, of_vehicle).get(vehicle_id, ()):
-        if one.values.target == "driver_eye" and one.values.inset_from == "usual":
+    targets = set[Target]()
+    if (before.side, before.side_from) != (after.side, after.side_from):
+        targets.add("driver_eye")
+    if inset_name("roof", None, before.category) != inset_name("roof", None, after.category):
+        targets.add("roof")
+    for one in measurements_of_vehicles(session, of_vehicle).get(vehicle_id, ()) if targets else ():
+        if one.values.target in targets and one.values.inset_from == "usual":
             revise_with_what_holds_now(session, one, actor=actor)

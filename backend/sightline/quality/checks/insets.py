@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from itertools import groupby
 from typing import Annotated, get_args
@@ -21,7 +21,7 @@ from sightline.geometry.inset_trend import (
     sightings,
     together,
 )
-from sightline.geometry.insets import INSET_CHOICES, USUAL_INSETS, bias_m, target_of
+from sightline.geometry.insets import INSET_CHOICES, USUAL_INSETS, bias_m, inset_name, target_of
 from sightline.infra.database import Session
 from sightline.measurements.records import Measurement, VehicleSheet
 from sightline.measurements.service import road_pose
@@ -42,6 +42,8 @@ _CASES: tuple[tuple[InsetName, float], ...] = (
     ("headlight", 0.65),
     ("roof", 1.45),
     ("roof", 1.90),
+    ("roof_van", 2.50),
+    ("roof_box", 3.60),
 )
 _OFFER_STEP_M = 0.01
 _NO_GAIN = "Agrees with the current inset; using it would make no height more certain."
@@ -152,16 +154,15 @@ def check_insets(session: Session, survey_id: int) -> InsetCheck:
         if one.review.verdict != "rejected" and one.vehicle_id in known
     ]
     found = tuple(
-        _inset(session, survey, name, [one for one in standing if _is_of(name, one)], known)
+        _inset(session, survey, name, [one for one in standing if _is_of(name, one, known)], known)
         for name in get_args(InsetName)
     )
     camera_m = _camera_height(session, survey_id)
     return InsetCheck(found, camera_m, CASES_AT_M, cases(survey, camera_m))
 
 
-def _is_of(name: InsetName, one: Measurement) -> bool:
-    target, side = target_of(name)
-    return one.values.target == target and (side is None or one.values.side == side)
+def _is_of(name: InsetName, one: Measurement, known: Mapping[int, VehicleSheet]) -> bool:
+    return name == inset_name(one.values.target, one.values.side, known[one.vehicle_id].category)
 
 
 def cases(survey: Survey, camera_height_m: float) -> tuple[InsetCase, ...]:

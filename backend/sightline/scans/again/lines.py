@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, fields
 
-from sightline.enums import ComputingCause
+from sightline.enums import Category, ComputingCause
 from sightline.infra.database import Session
 from sightline.linescan.line_height import LineHeight
 from sightline.linescan.line_pose import LinePose
@@ -96,14 +96,14 @@ def _computed(
     }
     for one in standing:
         pose_id, pose = poses[one.scan_id]
-        clicks = clicks_now(one.values, insets)
+        clicks = clicks_now(one.values, insets, one.category)
         found = answers.of(pose_id, pose, clicks)
         yield height_values(pose_id, clicks, found, remarks_on_clicks(one.values))
 
 
-def clicks_now(values: LineHeightValues, insets: Mapping[str, Inset]) -> RowClicks:
+def clicks_now(values: LineHeightValues, insets: Mapping[str, Inset], category: Category | None) -> RowClicks:
     """The clicks of a stored revision with the inset that holds now; one of its own stays."""
-    clicks = filled_in(clicks_to_compute_again(values), insets)
+    clicks = filled_in(clicks_to_compute_again(values), insets, category)
     if clicks is None:
         raise ValueError("a stored eye has an inset of its own or a side")
     return clicks

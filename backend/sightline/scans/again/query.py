@@ -9,7 +9,7 @@ from sqlalchemy import and_, func, select
 from sqlalchemy.orm import Session
 
 from sightline.coverage import expanded
-from sightline.enums import DriverSide, InsetSource, Target
+from sightline.enums import Category, DriverSide, InsetSource, Target
 from sightline.measurements.again.query import changed_height
 from sightline.measurements.again.records import ComputedHeight
 from sightline.measurements.tables import computings
@@ -42,6 +42,7 @@ class AlikeLines:
     inset_m: float
     u_inset_m: float
     code_version: str
+    category: Category | None
     superseded: bool
 
 
@@ -51,7 +52,7 @@ def alike_lines(session: Session, survey_id: int) -> Iterator[AlikeLines]:
     superseded = line_poses.c.revision < newest.correlate(line_poses).scalar_subquery()
     facts = (_h.target, _h.side, _h.inset_from, _h.inset_m, _h.u_inset_m, _h.code_version)
     each = (
-        select(*facts, superseded.label("superseded"))
+        select(*facts, scan_vehicles.c.category, superseded.label("superseded"))
         .join(line_poses, line_poses.c.id == _h.pose_id)
         .join(scan_vehicles, scan_vehicles.c.id == _h.vehicle_id)
         .join(scans, scans.c.id == _h.scan_id)

@@ -63,7 +63,9 @@ def out_of_date(session: Session, survey_id: int) -> OutOfDate:
     causes = Counter(found.causes)
     stale = other_program = 0
     for group in alike_lines(session, survey_id):
-        of_group = causes_now_of_line(group, superseded=group.superseded, insets=survey.insets)
+        of_group = causes_now_of_line(
+            group, superseded=group.superseded, insets=survey.insets, category=group.category
+        )
         if of_group:
             stale += group.count
             causes.update(dict.fromkeys(of_group, group.count))

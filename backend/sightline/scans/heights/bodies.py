@@ -15,6 +15,7 @@ from sightline.enums import (
 )
 from sightline.infra.audit.records import Who
 from sightline.infra.web.bodies import Finite, In, Out
+from sightline.infra.web.named import ScanVehicleId
 from sightline.infra.web.quantities import BudgetEntryBody, InsetM, SigmaPx, UInsetM
 from sightline.measurements.records import ReviewState
 from sightline.scans.bodies import DistanceM, Line
@@ -109,6 +110,10 @@ class LineHeightWanted(LineClicks):
 
     target_line: Line | None = None
     target_row_px: Row | None = None
+    vehicle_id: Annotated[
+        ScanVehicleId | None,
+        Field(description="Whose height it would be: a roof's inset follows from its class."),
+    ] = None
 
 
 class NewLineHeight(LineClicks):

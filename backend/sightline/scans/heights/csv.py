@@ -356,7 +356,12 @@ class HeightRecords:
                 makers.append(one.created_by)
                 current = newest[one.values.target] == one.id
                 stale = (
-                    causes_now_of_line(one.values, superseded=one.values.pose_id != in_force, insets=insets)
+                    causes_now_of_line(
+                        one.values,
+                        superseded=one.values.pose_id != in_force,
+                        insets=insets,
+                        category=one.category,
+                    )
                     if current and not one.values.withdrawn
                     else ()
                 )

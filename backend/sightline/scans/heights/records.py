@@ -3,7 +3,15 @@
 from dataclasses import dataclass
 from datetime import datetime
 
-from sightline.enums import DriverSide, InsetSource, JsonObject, MeasurementStatus, ScanVerdict, Target
+from sightline.enums import (
+    Category,
+    DriverSide,
+    InsetSource,
+    JsonObject,
+    MeasurementStatus,
+    ScanVerdict,
+    Target,
+)
 from sightline.infra.audit.records import Who
 from sightline.measurements.records import ReviewState
 
@@ -76,7 +84,8 @@ class StoredLineHeight:
     """One revision of a target's height; the newest of a vehicle's target counts, unless it is withdrawn.
 
     `computing_id`: what computed it again, with the clicks of the revision before; `verdict_of_id`: the
-    revision whose verdict holds for it too; `judged_id`: the one that its verdict was given on.
+    revision whose verdict holds for it too; `judged_id`: the one that its verdict was given on. `category`:
+    the vehicle's by now.
     """
 
     id: int
@@ -91,6 +100,7 @@ class StoredLineHeight:
     computing_id: int | None = None
     verdict_of_id: int | None = None
     judged_id: int | None = None
+    category: Category | None = None
 
 
 @dataclass(frozen=True, slots=True)

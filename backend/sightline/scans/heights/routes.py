@@ -64,7 +64,7 @@ def preview_line_height(
     point = None
     if body.target_line is not None and body.target_row_px is not None:
         point = (body.target_line, body.target_row_px)
-    looked = service.preview_line_height(session, scan_id, _clicked(body, point))
+    looked = service.preview_line_height(session, scan_id, _clicked(body, point), body.vehicle_id)
     found = looked.found
     only_contact = point is None and found.reason is None
     return LineHeightAnswer.model_validate(
@@ -183,7 +183,7 @@ def _height_bodies(
             one,
             older=pose is None
             or one.values.pose_id != pose.id
-            or service.has_another_inset(one.values, insets),
+            or service.has_another_inset(one.values, insets, one.category),
             mine=one.id in own,
         )
         for one in found

@@ -10,7 +10,7 @@ from dataclasses import asdict, dataclass
 from typing import Protocol
 
 from sightline.coverage import expanded
-from sightline.enums import ComputingCause, DriverSide, InsetSource, Target
+from sightline.enums import Category, ComputingCause, DriverSide, InsetSource, Target
 from sightline.errors import BadInput
 from sightline.geometry.insets import SIDE_UNKNOWN
 from sightline.infra.database import Session
@@ -85,11 +85,20 @@ class HeightPreview:
         return expanded(self.found.u_distance_m)
 
 
-def preview_line_height(session: Session, scan_id: int, clicked: Clicked) -> HeightPreview:
-    """The height that these clicks would be stored with. Raises NotFound, BadInput without a calibration."""
+def preview_line_height(
+    session: Session, scan_id: int, clicked: Clicked, vehicle_id: int | None
+) -> HeightPreview:
+    """The height that these clicks would be stored with on a vehicle of this scan.
+
+    Raises NotFound, BadInput without a calibration.
+    """
     scan = get_scan(session, scan_id)
     pose = pose_of(_pose(session, scan_id).values)
-    clicks = _filled(session, scan.survey_id, clicked)
+    category = None
+    if vehicle_id is not None:
+        vehicle = get_scan_vehicle(session, vehicle_id)
+        category = vehicle.category if vehicle.scan_id == scan_id else None
+    clicks = _filled(session, scan.survey_id, clicked, category)
     distance_m = contact_distance(pose, clicked.contact[1])
     if clicks is None:
         reason = None if clicked.target_point is None and distance_m is not None else SIDE_UNKNOWN
@@ -110,7 +119,7 @@ def store_line_height(
     """
     vehicle = get_scan_vehicle(session, vehicle_id)
     scan = get_scan(session, vehicle.scan_id)
-    clicks = _filled(session, scan.survey_id, clicked)
+    clicks = _filled(session, scan.survey_id, clicked, vehicle.category)
     if clicks is None:
         raise BadInput("scans-eye-needs-side-say-which")
     for line, row in (clicks.contact, clicks.target_point):
@@ -170,17 +179,19 @@ def _pose(session: Session, scan_id: int) -> StoredLinePose:
     return found
 
 
-def _filled(session: Session, survey_id: int, clicked: Clicked) -> RowClicks | None:
+def _filled(
+    session: Session, survey_id: int, clicked: Clicked, category: Category | None
+) -> RowClicks | None:
     """The clicks with what was left out; None for an eye without its inset."""
-    return filled_in(clicked, get_survey(session, survey_id).insets)
+    return filled_in(clicked, get_survey(session, survey_id).insets, category)
 
 
-def filled_in(clicked: Clicked, insets: Mapping[str, Inset]) -> RowClicks | None:
+def filled_in(clicked: Clicked, insets: Mapping[str, Inset], category: Category | None) -> RowClicks | None:
     """The clicks with 1 px and the survey's inset where these were left out; None for an eye that has neither
     an inset nor a side. An inset that is the survey's is the usual one, whoever said it.
     """
     side = clicked.side if clicked.target == "driver_eye" else None
-    usual = inset_for(clicked.target, side, insets)
+    usual = inset_for(clicked.target, side, category, insets)
     inset_m = usual.inset_m if clicked.inset_m is None and usual else clicked.inset_m
     u_inset_m = usual.u_inset_m if clicked.u_inset_m is None and usual else clicked.u_inset_m
     if inset_m is None or u_inset_m is None:
@@ -231,21 +242,22 @@ class WithInset(Protocol):
     def u_inset_m(self) -> float: ...
 
 
-def has_another_inset(stored: WithInset, insets: Mapping[str, Inset]) -> bool:
+def has_another_inset(stored: WithInset, insets: Mapping[str, Inset], category: Category | None) -> bool:
     """Whether the survey's inset that a height was computed with is another by now; its own never is."""
-    usual = None if stored.inset_from == "own" else inset_for(stored.target, stored.side, insets)
+    own = stored.inset_from == "own"
+    usual = None if own else inset_for(stored.target, stored.side, category, insets)
     return usual is not None and not (
         same_length(stored.inset_m, usual.inset_m) and same_length(stored.u_inset_m, usual.u_inset_m)
     )
 
 
 def causes_now_of_line(
-    stored: WithInset, *, superseded: bool, insets: Mapping[str, Inset]
+    stored: WithInset, *, superseded: bool, insets: Mapping[str, Inset], category: Category | None
 ) -> tuple[ComputingCause, ...]:
     """Which facts of a stored height no longer hold; `superseded`: its calibration is not the newest."""
     told: tuple[tuple[ComputingCause, bool], ...] = (
         ("pose", superseded),
-        ("inset", has_another_inset(stored, insets)),
+        ("inset", has_another_inset(stored, insets, category)),
     )
     return tuple(cause for cause, holds in told if holds)
 

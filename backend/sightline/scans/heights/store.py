@@ -247,6 +247,7 @@ def _where(session: Session, condition: ColumnElement[bool]) -> tuple[StoredLine
     query = (
         select(
             line_heights,
+            scan_vehicles.c.category,
             people.c.name.label("maker"),
             line_height_reviews.c.verdict,
             line_height_reviews.c.reason.label("review_reason"),
@@ -284,4 +285,5 @@ def _height(row: Any) -> StoredLineHeight:
         computing_id=row["computing_id"],
         verdict_of_id=row["verdict_of_id"],
         judged_id=row["judged_id"],
+        category=row["category"],
     )

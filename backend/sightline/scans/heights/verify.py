@@ -8,10 +8,10 @@ from collections.abc import Mapping
 from dataclasses import asdict, dataclass
 from typing import Any, cast
 
-from sightline.enums import ComputingCause, DriverSide, InsetSource, Target
+from sightline.enums import Category, ComputingCause, DriverSide, InsetSource, Target
 from sightline.errors import Damaged
 from sightline.infra.csv_package.columns import joined
-from sightline.infra.csv_package.files import Files, read_rows
+from sightline.infra.csv_package.files import Files, read_columns, read_rows
 from sightline.linescan.line_height import LineHeight
 from sightline.linescan.line_pose import LinePose, LinePoseError
 from sightline.measurements.again.verify import verdict_gone_over
@@ -60,6 +60,7 @@ class _Inset:
 def _out_of_date(files: Files) -> None:
     """Standing heights are marked for another calibration or inset than the newest, and no other is."""
     insets = insets_in(files)
+    category = dict(read_columns(files, "scan_vehicles.csv", ("id", "category")))
     newest: dict[str, tuple[int, str]] = {}
     for row in read_rows(files, LINE_POSES.path):
         newest[row["scan_id"]] = max(newest.get(row["scan_id"], (0, "")), (int(row["revision"]), row["id"]))
@@ -74,7 +75,12 @@ def _out_of_date(files: Files) -> None:
                 float(row["inset_m"]),
                 float(row["u_inset_m"]),
             )
-            found = causes_now_of_line(stored, superseded=row["pose_id"] not in in_force, insets=insets)
+            found = causes_now_of_line(
+                stored,
+                superseded=row["pose_id"] not in in_force,
+                insets=insets,
+                category=cast(Category | None, category.get(row["vehicle_id"]) or None),
+            )
         if row["out_of_date"] != joined(found):
             raise Damaged("computing-out-of-date-not-so", path=LINE_HEIGHTS.path, id=row["id"])
 

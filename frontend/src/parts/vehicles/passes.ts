@@ -2,15 +2,25 @@
 import { wordsOf } from "../../core/messages";
 import type { Vehicle } from "../../core/types";
 
-export type Filter = "all" | "to_do" | "rejected" | "measured" | "left_out";
+export type Filter = "all" | "to_do" | "rejected" | "measured" | "doubtful" | "no_class" | "left_out";
 export type Order = "number" | "time" | "state";
 
-export const FILTERS: readonly Filter[] = ["all", "to_do", "rejected", "measured", "left_out"];
+export const FILTERS: readonly Filter[] = [
+  "all",
+  "to_do",
+  "rejected",
+  "measured",
+  "doubtful",
+  "no_class",
+  "left_out",
+];
 export const FILTER_WORDS = wordsOf({
   all: "passes-all",
   to_do: "passes-to-do",
   rejected: "passes-rejected",
   measured: "passes-measured",
+  doubtful: "passes-doubtful",
+  no_class: "passes-no-class",
   left_out: "passes-left-out",
 });
 
@@ -45,6 +55,8 @@ function passesFilter(vehicle: Vehicle, filter: Filter): boolean {
   if (filter === "all") return true;
   if (filter === "to_do") return isOpen(vehicle);
   if (filter === "rejected") return vehicle.state === "rejected";
+  if (filter === "doubtful") return vehicle.doubts.length > 0;
+  if (filter === "no_class") return lacksClass(vehicle);
   const isLeftOut = RANK[vehicle.state] >= RANK.out_of_sample;
   return filter === "left_out" ? isLeftOut : !isOpen(vehicle) && !isLeftOut;
 }
@@ -57,6 +69,11 @@ const COMPARE: Record<Order, (a: Vehicle, b: Vehicle) => number> = {
   time: byTime,
   state: (a, b) => RANK[a.state] - RANK[b.state] || a.number - b.number,
 };
+
+/** Of a measured vehicle nobody has said the class: its roof and every figure of a class depend on it. */
+export function lacksClass(vehicle: Vehicle): boolean {
+  return vehicle.category === null && !vehicle.check_target && vehicle.measurements.length > 0;
+}
 
 /** The pass after (or before) one, in the order of the list; from one that is not listed, by number. */
 export function neighbour(

@@ -7,6 +7,7 @@ import { survey } from "../../core/survey";
 import type { DriverSide, Target, Vehicle } from "../../core/types";
 import { formatLength } from "../../core/units";
 import { INSET_PLACE_WORDS, SIDE_WORDS } from "../../core/words";
+import { classIsMissing, insetChoices } from "../../parts/vehicles/insets";
 import type { MeasureModel } from "./model";
 import type { Entry } from "./records";
 
@@ -64,7 +65,8 @@ function DriverSideChoice({ model, vehicle }: { model: MeasureModel; vehicle: Ve
 }
 
 function RoofChoice({ model, target, entry }: Props) {
-  const choices = survey.value?.inset_choices[target] ?? [];
+  const category = model.vehicle.value?.category ?? null;
+  const choices = insetChoices(survey.value, target, category);
   const asked = model.flow.value.target === target;
   if (choices.length < 2 || !asked || !canWork.value) return null;
   const now = model.insetOf(target) ?? entry?.values.inset ?? model.usualInset(target);
@@ -90,7 +92,8 @@ function RoofChoice({ model, target, entry }: Props) {
         {say("measure-inset-now", {
           inset: formatLength(now?.inset_m ?? null, 2),
           u_inset: formatLength(now?.u_inset_m ?? null, 2),
-        })}
+        })}{" "}
+        {classIsMissing(target, category) && say("measure-inset-needs-class")}
       </span>
     </div>
   );

@@ -1,7 +1,7 @@
 /** The passes of the survey with their state; filter, order, a new pass. */
 import { useComputed, useSignalEffect } from "@preact/signals";
 import { useRef } from "preact/hooks";
-import { Button, LongList, StateMark } from "../../components";
+import { Button, Icon, LongList, StateMark } from "../../components";
 import { bringInSight } from "../../components/inSight";
 import { useOneTabStop } from "../../components/oneTabStop";
 import { Said } from "../../components/Said";
@@ -17,6 +17,7 @@ import {
   FILTERS,
   type Filter,
   isOpen,
+  lacksClass,
   ORDER_WORDS,
   ORDERS,
   type Order,
@@ -148,6 +149,7 @@ function Row({ model, vehicle }: { model: MeasureModel; vehicle: Vehicle }) {
         <span class="pass__state">
           <StateMark state={vehicle.state} word={word} />
         </span>
+        <ToLookAt vehicle={vehicle} />
         <PassMark vehicle={vehicle} />
         {vehicle.lighting === "low_light" && (
           <span class="pass__light" title={LIGHTING_WORDS.low_light}>
@@ -175,6 +177,22 @@ function Row({ model, vehicle }: { model: MeasureModel; vehicle: Vehicle }) {
         )}
       </button>
     </div>
+  );
+}
+
+/** What is to be looked at again, so that it is seen from the list: a height that does not fit, a missing class. */
+function ToLookAt({ vehicle }: { vehicle: Vehicle }) {
+  const doubts = vehicle.doubts.length;
+  const told = [
+    ...(doubts > 0 ? [say("passes-doubts", { count: doubts })] : []),
+    ...(lacksClass(vehicle) ? [say("passes-class-missing")] : []),
+  ].join(" ");
+  if (told === "") return null;
+  return (
+    <span class="pass__doubt" title={told} data-testid={`look-${vehicle.number}`}>
+      <Icon name={doubts > 0 ? "warning" : "info"} size={14} />
+      <span class="visually-hidden">, {told}</span>
+    </span>
   );
 }
 

@@ -17,6 +17,7 @@ import {
 import { OutOfDateNotice } from "../../parts/again/OutOfDateNotice";
 import { CatalogueField } from "../../parts/vehicles/CatalogueField";
 import { ModelYears } from "../../parts/vehicles/ModelYears";
+import { lacksClass } from "../../parts/vehicles/passes";
 import { VehicleConflict } from "./Conflicts";
 import { FIELD_WORDS } from "./fields";
 import { fromCatalogue } from "./fromCatalogue";
@@ -164,6 +165,7 @@ function Facts({ model, vehicle }: { model: MeasureModel; vehicle: Vehicle }) {
             label={FIELD_WORDS.category}
             value={vehicle.category ?? ""}
             options={choices(CATEGORY_WORDS)}
+            hint={lacksClass(vehicle) ? say("measure-class-missing") : undefined}
             disabled={locked}
             onChange={(category) => model.edit({ category: category === "" ? null : category })}
           />

@@ -15,6 +15,7 @@ import { survey } from "../../core/survey";
 import { toast, toastProblem } from "../../core/toasts";
 import type { AskedTarget, DriverSide, NotVisible, Recording, Target, Vehicle } from "../../core/types";
 import { vehicleName } from "../../core/words";
+import { usualInset } from "../../parts/vehicles/insets";
 import {
   bestFrame,
   type Filter,
@@ -328,10 +329,8 @@ export class MeasureModel implements Desk {
 
   /** What the survey assumes for a target; null for an eye of which nobody knows the driver's side. */
   usualInset(target: Target): (Inset & { note: string }) | null {
-    const insets = survey.value?.insets;
-    if (!insets || target !== "driver_eye") return insets?.[target as Exclude<Target, "driver_eye">] ?? null;
-    const side = this.vehicle.value?.side;
-    return side ? insets[`driver_eye_${side}`] : null;
+    const vehicle = this.vehicle.value;
+    return usualInset(survey.value, target, vehicle?.side ?? null, vehicle?.category ?? null);
   }
 
   /** Where this vehicle's driver sits; null: as its direction and the survey's traffic say. Saved at once. */

@@ -13,6 +13,7 @@ import type { InsetChoice, LineHeight, LineHeightAnswer, Target } from "../../co
 import { fixed, formatHeight, formatLength } from "../../core/units";
 import { INSET_PLACE_WORDS, STATE_WORDS, TARGET_WORDS, TARGETS } from "../../core/words";
 import { Budget } from "../../parts/vehicles/Budget";
+import { insetChoices, usualInset } from "../../parts/vehicles/insets";
 import { heightKey } from "./heights";
 import type { Inset } from "./kinds";
 import type { ScanModel } from "./model";
@@ -168,9 +169,10 @@ const ASKED: Readonly<Partial<Record<Target, string>>> = wordsOf({
 });
 
 function InsetOf({ model, target }: { model: ScanModel; target: Target }) {
-  const choices = survey.value?.inset_choices[target] ?? [];
+  const category = model.chosen.value?.category ?? null;
+  const choices = insetChoices(survey.value, target, category);
   if (choices.length < 2 || !canWork.value) return null;
-  const usual = target === "driver_eye" ? null : survey.value?.insets[target];
+  const usual = usualInset(survey.value, target, null, category);
   const now = model.heights.insetOf(target) ?? usual;
   const chosen = choices.findIndex((one) => isChosen(one, now ?? null));
   return (

@@ -95,7 +95,7 @@ export class LineHeights {
       api.ask(
         "POST /scans/{scan_id}/line-height",
         { scan_id: this.bench.id },
-        { body: bodyOf(wish), retry: true },
+        { body: { ...bodyOf(wish), vehicle_id: this.bench.chosenId.peek() }, retry: true },
       ),
     (answer, wish) => {
       this.live.value = { ...wish, answer, problem: null };

@@ -1,6 +1,7 @@
 /** Errors against known heights and the distributions of what was measured, for the measurements a filter leaves. */
 import { useEffect } from "preact/hooks";
-import { Button, Empty, Loading, Problem } from "../../components";
+import { Button, Empty, Loading, Notice, Problem } from "../../components";
+import { Said } from "../../components/Said";
 import { query } from "../../core/address";
 import { api, fromAddress } from "../../core/api";
 import { say } from "../../core/messages";
@@ -54,6 +55,17 @@ export default function StatisticsScreen() {
         <OutOfDateNotice key={id} surveyId={Number(id)} computed={found.reload} />
       ))}
       {only && <ByLot surveyId={Number(only)} />}
+      {data && data.counted.without_class > 0 && (
+        <Notice kind="info">
+          <Said
+            what="statistics-without-class"
+            values={{ count: data.counted.without_class }}
+            parts={{
+              link: (text) => (only ? <a href={`/surveys/${only}/measure`}>{text}</a> : text),
+            }}
+          />
+        </Notice>
+      )}
       <FilterBar found={data} />
       <Problem error={found.error} again={found.reload} />
       {!data && found.loading && <Loading what={say("statistics-loading")} />}

@@ -26,6 +26,9 @@ const survey = {
   asked: { daytime: ["roof", "driver_eye"], low_light: ["roof", "taillight"] },
   insets: {
     roof: inset,
+    roof_van: inset,
+    roof_box: inset,
+    roof_unknown: inset,
     driver_eye_near: inset,
     driver_eye_far: inset,
     taillight: inset,
@@ -61,11 +64,11 @@ describe("the insets of a survey", () => {
   it("are shown and typed in feet where lengths are in feet", async () => {
     lengthUnit.value = "ft";
     render(<EditSurvey survey={survey} close={() => {}} />, document.body);
-    const roof = box("Roof: inset in feet");
+    const roof = box("Roof, cars: inset in feet");
     expect(roof.value).toBe("0.3937");
     roof.value = "1";
     roof.dispatchEvent(new Event("input", { bubbles: true }));
-    await vi.waitFor(() => expect(box("Roof: inset in feet").value).toBe("1"));
+    await vi.waitFor(() => expect(box("Roof, cars: inset in feet").value).toBe("1"));
     expect((await save()).roof.inset_m).toBeCloseTo(0.3048, 12);
   });
 
