@@ -377,6 +377,8 @@ def test_what_is_forged_of_it_is_found(computed: Path, forge: Callable[[Path], s
 def _revision(number: int, height_m: str = "", **more: str) -> dict[str, str]:
     told = {"id": str(10 + number), "vehicle_id": "1", "target": "roof", "revision": str(number)}
     told |= {"height_m": height_m, "u_height_m": "0.02", "computing_id": "", "verdict_of_id": ""}
+    told |= {"contact_line": "5", "contact_row_px": "900", "target_line": "9", "target_row_px": "400"}
+    told |= {"sigma_px": "1", "pose_id": "1", "status": "ok"}
     return {**told, **more}
 
 
@@ -385,6 +387,8 @@ GONE_OVER: dict[str, tuple[dict[str, str], bool]] = {
     "moved": ({"height_m": "1.53", "computing_id": "1"}, False),
     "put back": ({"height_m": "1.53", "computing_id": "2"}, True),
     "clicked": ({"height_m": "1.51", "computing_id": ""}, False),
+    "clicked beside": ({"height_m": "1.50", "computing_id": "", "target_row_px": "401"}, False),
+    "clicked as it was": ({"height_m": "1.50", "computing_id": ""}, True),
     "of another target": ({"height_m": "1.51", "computing_id": "1", "verdict_of_id": "99"}, False),
 }
 

@@ -1,13 +1,16 @@
 """Heights in a line scan through the API: the rod's calibration, two clicks, revisions, withdrawal."""
 
+from pathlib import Path
 from typing import Any
 
 import pytest
 
 from sightline.infra.services import Services
 from sightline.scans.records import ScanMeasurement
+from tests.measurements.test_second_frame import exported, rewritten
 from tests.support import samples, scans_samples
 from tests.support.app import Client, error_of
+from tests.support.mutations import checked
 
 FOCAL_PX, MIDDLE, CAMERA_M = 280.0, 120.0, 1.2
 STANDS = [(distance, height) for distance in (2.6, 4.5) for height in (0.0, 0.5, 1.0, 1.5)]
@@ -130,6 +133,38 @@ def test_a_height_is_reviewed_by_somebody_else(
     gone = reviewer.post(f"/line-heights/{taken['id']}/review", {"verdict": "accepted"})
     assert gone.status_code == 409 and "nothing to review" in error_of(gone)
     assert viewer.seen(asked)["heights"] == [] and viewer.seen(scan)["counts"]["heights"] == 0
+
+
+@pytest.mark.parametrize("verdict", ["accepted", "rejected"])
+def test_undo_brings_the_verdict_back_with_the_height(
+    operator: Client,
+    reviewer: Client,
+    services: Services,
+    vehicle: ScanMeasurement,
+    verdict: str,
+    tmp_path: Path,
+) -> None:
+    heights = f"/scan-vehicles/{vehicle.vehicle_id}/heights"
+    operator.put(f"/scans/{vehicle.scan_id}/line-pose", rod())
+    first = operator.made(heights, {**clicks(), "revision": 0})
+    judged = reviewer.made(
+        f"/line-heights/{first['id']}/review", {"verdict": verdict, "reason": "The tyre is hidden."}
+    )
+    moved = operator.made(heights, {**clicks(height_m=1.5), "revision": 1})
+    assert moved["review"]["verdict"] == "to_review"
+    back = operator.made(heights, {**clicks(), "revision": 2})
+    assert (back["revision"], back["height_m"]) == (3, first["height_m"])
+    assert back["review"] == judged["review"]
+    nearly = operator.made(heights, {**clicks(height_m=1.4501), "revision": 3})
+    assert nearly["review"]["verdict"] == "to_review"
+
+    taken = operator.delete(heights, params={"target": "roof", "revision": 4}).json()
+    assert taken["review"]["verdict"] == "to_review"
+    assert operator.made(heights, {**clicks(), "revision": 5})["review"] == judged["review"]
+    files = exported(services, vehicle.survey_id, tmp_path / "export")
+    assert checked(files).ok, checked(files).problem
+    forged = rewritten(files, "line_heights.csv", "verdict_of_id", str(moved["id"]))
+    assert not checked(forged).ok
 
 
 def test_what_cannot_be_is_said_in_words(operator: Client, viewer: Client, vehicle: ScanMeasurement) -> None:

@@ -147,6 +147,11 @@ def put_back(then: Row, row: Row) -> bool:
     """Whether a height stands on the very clicks and numbers of an earlier revision."""
     if any(then[name] != row[name] for name in row if name in _SAME or _POINT.fullmatch(name)):
         return False
+    return same_figures(then, row)
+
+
+def same_figures(then: Row, row: Row) -> bool:
+    """Whether two rows have one height with one uncertainty, or both none."""
     lengths = ((figure_of(one["height_m"]), figure_of(one["u_height_m"])) for one in (then, row))
     return all(
         a is b if a is None or b is None else abs(a - b) <= _ROUNDING_M for a, b in zip(*lengths, strict=True)

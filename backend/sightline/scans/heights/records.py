@@ -1,6 +1,6 @@
 """Records of heights in line scans: poses of the line camera from rod marks, and heights of vehicles."""
 
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from datetime import datetime
 
 from sightline.enums import (
@@ -77,6 +77,15 @@ class LineHeightValues:
     warnings: list[str]
     withdrawn: bool
     code_version: str
+
+
+def same_line_height(then: LineHeightValues, now: LineHeightValues) -> bool:
+    """Whether one has the very clicks of another and, by the same facts, its numbers."""
+    of_both = [
+        {name: value for name, value in asdict(one).items() if name not in ("code_version", "budget")}
+        for one in (then, now)
+    ]
+    return of_both[0] == of_both[1]
 
 
 @dataclass(frozen=True, slots=True)

@@ -16,7 +16,7 @@ from sightline.infra.database.people import people
 from sightline.infra.database.rows import add_row, add_rows, missing, stored_hash, stored_hashes, who
 from sightline.infra.database.types import now
 from sightline.measurements.records import ReviewState
-from sightline.scans.heights.records import LineHeightValues, StoredLineHeight
+from sightline.scans.heights.records import LineHeightValues, StoredLineHeight, same_line_height
 from sightline.scans.heights.tables import line_height_reviews, line_heights
 from sightline.scans.tables import scan_vehicles, scans
 from sightline.scans.vehicles.store import require_scan_vehicle_version
@@ -234,13 +234,21 @@ def _append(
         raise Conflict("scans-measured-target-meanwhile-look-height-first", name=name)
     place = {"survey_id": vehicle["survey_id"], "scan_id": vehicle["scan_id"], "vehicle_id": vehicle_id}
     content: dict[str, Any] = {**place, "revision": revision + 1, **asdict(values)}
-    content |= {"computing_id": None, "verdict_of_id": None}
+    stood = None if before is None or values.withdrawn else _verdict_that_stood(session, vehicle_id, values)
+    content |= {"computing_id": None, "verdict_of_id": stood}
     row_id = add_row(session, line_heights, {**content, "created_at": now(), "created_by": actor})
     after = _told(content, stored_hash(session, line_heights, row_id))
     then = None if before is None else _then(before)
     action = "withdraw" if values.withdrawn else "create" if before is None else "revise"
     trail.record(session, actor, action, "line_height", row_id, vehicle["survey_id"], then, after)
     return _where(session, line_heights.c.id == row_id)[0]
+
+
+def _verdict_that_stood(session: Session, vehicle_id: int, values: LineHeightValues) -> int | None:
+    """The newest judged of the revisions with this very content: the one that its verdict was given to."""
+    mine = (line_heights.c.vehicle_id == vehicle_id) & (line_heights.c.target == values.target)
+    alike = (one for one in reversed(_where(session, mine)) if same_line_height(one.values, values))
+    return next((one.judged_id for one in alike if one.judged_id is not None), None)
 
 
 def _where(session: Session, condition: ColumnElement[bool]) -> tuple[StoredLineHeight, ...]:

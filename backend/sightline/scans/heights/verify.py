@@ -14,7 +14,7 @@ from sightline.infra.csv_package.columns import joined
 from sightline.infra.csv_package.files import Files, read_columns, read_rows
 from sightline.linescan.line_height import LineHeight
 from sightline.linescan.line_pose import LinePose, LinePoseError
-from sightline.measurements.again.verify import verdict_gone_over
+from sightline.measurements.again.verify import same_figures, verdict_gone_over
 from sightline.scans.heights.csv import LINE_BUDGET, LINE_HEIGHTS, LINE_MARKS, LINE_POSES
 from sightline.scans.heights.poses import Mark, Rod, solve
 from sightline.scans.heights.service import RowClicks, answer, causes_now_of_line
@@ -23,6 +23,7 @@ from sightline.surveys.csv import insets_in
 Row = Mapping[str, str]
 # Half of the last decimal that a CSV carries, and a hair for the rounding of the last binary digit.
 _TOLERANCE = 0.51e-6
+_CLICKED = ("contact_line", "contact_row_px", "target_line", "target_row_px", "sigma_px", "pose_id", "status")
 _FIGURES = ("distance_m", "u_distance_m", "height_m", "u_height_m", "U95_height_m")
 
 
@@ -102,9 +103,14 @@ def check_verdicts_gone_over(
         later = len(revisions) + 1
         judged = [number.get(row["verdict_of_id"], later if row["verdict_of_id"] else 0) for row in revisions]
         rejected = {number[row["id"]] for row in revisions if newest.get(row["id"]) == "rejected"}
-        bad = verdict_gone_over(revisions, judged, computings, rejected)
+        bad = verdict_gone_over(revisions, judged, computings, rejected, _put_back)
         if bad is not None:
             raise Damaged("scans-verdict-went-over", path=LINE_HEIGHTS.path, id=bad["id"])
+
+
+def _put_back(then: Row, row: Row) -> bool:
+    """Whether a height stands on the very clicks and numbers of an earlier revision."""
+    return all(then[name] == row[name] for name in _CLICKED) and same_figures(then, row)
 
 
 def _pose(row: Row, marks: list[Row], told: Mapping[str, Any]) -> LinePose:

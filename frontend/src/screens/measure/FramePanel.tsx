@@ -117,6 +117,14 @@ function Hint({ model }: { model: MeasureModel }) {
           onClick={() => model.confirmNext()}
         />
       )}
+      {vehicle && model.proposals.late.value === vehicle.id && (
+        <InHint
+          name="late-proposals"
+          title={say("measure-proposals-late-title")}
+          words={say("measure-proposals-late")}
+          onClick={() => model.proposals.showLate()}
+        />
+      )}
       {!model.hasPose.value && (
         <a href={`/surveys/${model.surveyId}/pose?recording=${model.reel.player.value?.recordingId ?? ""}`}>
           {say("measure-find-pose")}

@@ -127,3 +127,17 @@ it("keeps the proposals of the recording that is open when those of the one befo
   await letGo("/recordings/1/proposals");
   expect(model.proposals.all.value).toHaveLength(2);
 });
+
+it("keeps what a key means where the proposals come after it, and offers them", async () => {
+  hold("/recordings/1/proposals");
+  await open();
+  model.reel.player.value?.go(PROPOSED);
+  await settle();
+  press("1");
+  await letGo("/recordings/1/proposals");
+  expect(model.seenFrame.value).toBe(PROPOSED);
+  expect(model.proposals.late.value).toBe(7);
+  expect(model.proposals.shown.value).toBeNull();
+  model.proposals.showLate();
+  expect(model.proposals.shown.value?.targets.map(({ role }) => role)).toEqual(["roof"]);
+});

@@ -63,6 +63,10 @@ export class Proposals implements Tool<ImagePoint> {
   /** A key that is held down confirms one vehicle, not every one after it. */
   private armed = true;
   private asked = 0;
+  /** Somebody has pressed or clicked since the vehicle was opened. */
+  private touched = false;
+  /** The vehicle that was begun by hand before its proposals came: no key means another thing until they are wanted. */
+  readonly late = signal<number | null>(null);
   private before: ReadonlyMap<Role, ImagePoint> | null = null;
   private readonly stops: (() => void)[] = [];
 
@@ -99,12 +103,25 @@ export class Proposals implements Tool<ImagePoint> {
     const arm = (): void => {
       this.armed = true;
     };
+    const touch = (): void => {
+      this.touched = true;
+    };
     window.addEventListener("keyup", arm);
+    window.addEventListener("keydown", touch, true);
+    window.addEventListener("pointerdown", touch, true);
     this.stops.push(
-      () => window.removeEventListener("keyup", arm),
+      () => {
+        window.removeEventListener("keyup", arm);
+        window.removeEventListener("keydown", touch, true);
+        window.removeEventListener("pointerdown", touch, true);
+      },
       effect(() => {
-        void this.desk.vehicleId.value;
-        untracked(() => this.forget());
+        const open = this.desk.vehicleId.value;
+        untracked(() => {
+          if (this.late.value !== open) this.late.value = null;
+          this.touched = false;
+          this.forget();
+        });
       }),
       effect(() => this.askHeights()),
     );
@@ -125,6 +142,9 @@ export class Proposals implements Tool<ImagePoint> {
       const byVehicle = new Map<number, PointProposal[]>();
       for (const one of found) byVehicle.set(one.vehicle_id, [...(byVehicle.get(one.vehicle_id) ?? []), one]);
       this.forget();
+      const open = this.desk.vehicleId.peek();
+      const isNew = open !== null && !this.byVehicle.peek().has(open) && byVehicle.has(open);
+      this.late.value = isNew && this.touched ? open : null;
       this.byVehicle.value = byVehicle;
     } catch (error) {
       toastProblem(error);
@@ -152,6 +172,11 @@ export class Proposals implements Tool<ImagePoint> {
     return samePoint(answered.at, now.at) && samePoint(answered.contact, shown.contact)
       ? answered.answer
       : null;
+  }
+
+  /** Shows what came late. */
+  showLate(): void {
+    this.late.value = null;
   }
 
   turnedDown(role: Role): boolean {
@@ -296,7 +321,8 @@ export class Proposals implements Tool<ImagePoint> {
   private onFrame(frame: number): Shown | null {
     const { desk } = this;
     const vehicleId = desk.vehicleId.value;
-    if (vehicleId === null || !canWork.value || !desk.hasPose.value || this.busy()) return null;
+    if (vehicleId === null || vehicleId === this.late.value) return null;
+    if (!canWork.value || !desk.hasPose.value || this.busy()) return null;
     const placed = placedOf(this.all.value).filter((one) => one.frame === frame);
     const best = bestContact(placed);
     if (!best) return null;
