@@ -274,8 +274,10 @@ def test_empty_one_and_few_have_reasons(viewer: Client, services: Services) -> N
     found = viewer.seen(f"/statistics?state=all&survey={one.survey.id}&survey={second.id}")
     overall = found["errors"]["groups"][2]
     assert overall["n"] == 1 and "too few" in overall["reason"]
+    assert overall["figures"]["bias_m"]["value"] == pytest.approx(0.018034, abs=1e-12)
     # 1.618 against 1.600: 2 cm when both are rounded
-    assert overall["figures"]["bias_m"]["value"] == pytest.approx(0.02, abs=1e-12)
+    paper = viewer.seen(f"/statistics?state=all&survey={one.survey.id}&rounding=cm")["errors"]["groups"][2]
+    assert paper["figures"]["bias_m"]["value"] == pytest.approx(0.02, abs=1e-12)
     none = {"value": None, "ci95": None, "reason": None, "holds": []}
     assert overall["figures"]["sd_m"] == none
     roof = found["targets"][3]["raw"]

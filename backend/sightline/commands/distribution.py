@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -237,7 +237,7 @@ def _compared_text(
         label = name if name == "mean" else f"P{name}"
         value = "-" if one.verdict is None else f"{one.difference.value:+.4f}"
         said = (one.verdict or one.difference.reason or "").replace("_", " ")
-        lines.append(f"{label:>8} {value:>9} {_ends(one.difference):>20}  {said}")
+        lines.append(f"{label:>8} {value:>9} {_ends(one.difference, '{:.4f}'.format):>20}  {said}")
     lines.append(
         "Higher or lower: the 95 % interval of that figure's difference leaves 0 out (risk at most 2.5 %)."
     )
@@ -255,19 +255,23 @@ def _text(name: str, found: TotalUncertainty, percents: Sequence[tuple[str, floa
 def _lines(found: TotalUncertainty, percents: Sequence[tuple[str, float]]) -> Iterator[str]:
     for name, percent in percents:
         one = found.percentile(percent)
-        yield f"{'P' + name:>8} {_height(one.value):>9} {_ends(one):>20} {one.raw:>9.4f}{_reason(one)}"
+        yield f"{'P' + name:>8} {_height(one.value):>9} {_ends(one):>20} {_height(one.raw):>9}{_reason(one)}"
     for label, figure in (("mean", found.mean()), ("SD", found.sd())):
-        yield f"{label:>8} {figure.value:>9.4f} {_ends(figure):>20} {'':>9}{_reason(figure)}".rstrip()
+        yield f"{label:>8} {_height(figure.value):>9} {_ends(figure):>20} {'':>9}{_reason(figure)}".rstrip()
 
 
-def _ends(one: Figure) -> str:
+def _ends(one: Figure, printed: Callable[[float], str] | None = None) -> str:
     if one.U95_low is None or one.U95_high is None:
         return "-"
-    return f"{one.U95_low:.4f} to {one.U95_high:.4f}"
+    printed = _height if printed is None else printed
+    return f"{printed(one.U95_low)} to {printed(one.U95_high)}"
 
 
 def _height(value_m: float | None) -> str:
-    return "-" if value_m is None else f"{value_m:.4f}"
+    """As every page and report prints a height."""
+    from sightline.export.report.units import HEIGHT
+
+    return HEIGHT["m"].number(value_m)
 
 
 def _reason(one: Figure) -> str:

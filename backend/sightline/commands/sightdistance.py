@@ -219,8 +219,8 @@ def _text(answer: dict[str, Any]) -> list[str]:
             lines.append(f"{label:<19} {answer[name]:.1f} m: {answer['formula']}")
     if answer["crest_k_m"] is not None:
         lines.append(
-            f"K of a crest        {answer['crest_k_m']:.2f} m per percent at {answer['distance_m']:.1f} m"
-            + between("crest_k_m", 2)
+            f"K of a crest        {answer['crest_k_m']:.1f} m per percent at {answer['distance_m']:.1f} m"
+            + between("crest_k_m", 1)
         )
     if "design_crest_k_m" in answer:
         rounded = answer.get("design_stopping_distance_m") or answer["design_sight_distance_m"]
@@ -232,7 +232,7 @@ def _text(answer: dict[str, Any]) -> list[str]:
         length = f"{answer['crest_length_m']:.1f} m ({_CASES[answer['case']]})"
         lines.append(f"length of the crest {length}{between('crest_length_m', 1)}")
     if "sag_k_m" in answer:
-        lines.append(f"K of a sag          {answer['sag_k_m']:.2f} m per percent{between('sag_k_m', 2)}")
+        lines.append(f"K of a sag          {answer['sag_k_m']:.1f} m per percent{between('sag_k_m', 1)}")
     if "sag_length_m" in answer:
         length = f"{answer['sag_length_m']:.1f} m ({_CASES[answer['sag_case']]})"
         lines.append(f"length of the sag   {length}{between('sag_length_m', 1)}")

@@ -116,10 +116,14 @@ def _text(made: Study, output: Path, notes: list[str]) -> str:
 
 
 def _target_lines(one: TargetFigures) -> list[str]:
+    from sightline.export.report.units import HEIGHT
+
     if one.reason is not None:
         return [f"{one.target}: {one.reason}."] if one.n else []
     lines = [f"{one.target}: {one.n} heights at {one.sites} sites"]
     for percentile in one.percentiles:
-        told = percentile.reason or f"{percentile.U95_low:.3f} to {percentile.U95_high:.3f} m"
-        lines.append(f"  P{percentile.percent:<5g}{percentile.value:.3f} m  {told}")
+        value, low, high = (
+            HEIGHT["m"].length(one) for one in (percentile.value, percentile.U95_low, percentile.U95_high)
+        )
+        lines.append(f"  P{percentile.percent:<5g}{value}  {percentile.reason or f'{low} to {high}'}")
     return lines

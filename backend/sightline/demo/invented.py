@@ -165,9 +165,7 @@ def make(context: registry.JobContext) -> registry.Outcome:
         if BEGIN + site.name in there:
             continue
         context.progress(n / len(SITES), "Simulating a site.")
-        films = {lighting: _film(services, site, lighting) for lighting in _TARGETS}
-        with services.writing() as session:
-            store_site(session, site, films)
+        make_site(services, site)
         made += 1
     with services.writing() as session:
         study_id = join(session)
@@ -175,6 +173,13 @@ def make(context: registry.JobContext) -> registry.Outcome:
         return {"surveys": made}
     store = result_of(context, study_id)
     return lambda session: {"surveys": made, **store(session)}
+
+
+def make_site(services: Services, site: Site) -> int:
+    """The survey of one site, whole; its id."""
+    films = {lighting: _film(services, site, lighting) for lighting in _TARGETS}
+    with services.writing() as session:
+        return store_site(session, site, films)
 
 
 def join(session: Session) -> int | None:

@@ -75,6 +75,10 @@ class Cars:
     known: dict[str, tuple[float, ...]]
 
 
+#: As the paper measures: insets of 0, whole centimetres.
+AS_PAPER: tuple[Correction, Rounding] = ("none", "cm")
+
+
 @dataclass(frozen=True, eq=False)
 class PackageStatistics:
     """The statistics of a package: `of` the accepted measurements by (correction, rounding), and of scans."""
@@ -103,8 +107,8 @@ def statistics_of(files: Files, choices: StatisticsOptions = StatisticsOptions()
     )
     measured, left_out = filtered(measured_of(files), filter_)
     groupings = _groupings(files, measured)
-    wanted: list[tuple[Correction, Rounding]] = [(one, "cm") for one in CORRECTIONS]
-    wanted += [("inset", "none"), ("none", "none")]
+    wanted: list[tuple[Correction, Rounding]] = [(one, "none") for one in CORRECTIONS]
+    wanted.append(AS_PAPER)
     table = standards_in(files)
     found = {}
     for correction, rounding in wanted:

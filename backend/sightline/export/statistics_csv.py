@@ -8,7 +8,7 @@ from typing import Any, get_args
 
 from sightline.enums import Category, Correction, Direction, Rounding, RuleVerdict, StatisticsTarget
 from sightline.export import scans, traffic
-from sightline.export.measured import PackageStatistics
+from sightline.export.measured import AS_PAPER, PackageStatistics
 from sightline.infra.csv_package.columns import flag, metres, number
 from sightline.infra.csv_package.schema import Cell, Column, Row, Table
 from sightline.results.survey_statistics import Statistics, standards_of
@@ -20,13 +20,14 @@ from sightline.statistics.summary import Distribution, Errors
 
 Cells = dict[str, Cell]
 FOLDER = "statistics/"
-_ERRORS_OF: tuple[tuple[str, Correction], ...] = (("inset", "inset"), ("paper", "none"))
+_PAPER = "as_in_the_paper"
 _HEIGHTS = Column(
     "heights",
     "string",
-    "inset: heights corrected by each measurement's inset; paper: heights with an inset of 0",
+    "inset: heights corrected by each measurement's inset; as_in_the_paper: with an inset of 0, both heights "
+    "of an error to whole centimetres",
     required=True,
-    enum=("inset", "paper"),
+    enum=("inset", _PAPER),
 )
 _ROUNDING = Column(
     "rounding",
@@ -318,12 +319,11 @@ TABLES = (
 def statistics_rows(found: PackageStatistics) -> dict[str, Iterator[Cells]]:
     """The rows of every table by its path."""
     made = [
-        ({"heights": heights, "rounding": rounding}, found.of[correction, rounding])
-        for heights, correction in _ERRORS_OF
-        for rounding in get_args(Rounding)
+        ({"heights": heights, "rounding": one.errors.rounding}, one)
+        for heights, one in (("inset", found.headline), (_PAPER, found.of[AS_PAPER]))
     ]
     errors = [(key, one.errors) for key, one in made]
-    heights = [(correction, one) for (correction, rounding), one in found.of.items() if rounding == "cm"]
+    heights = [(correction, one) for (correction, rounding), one in found.of.items() if rounding == "none"]
     return {
         ERROR_TABLE.path: chain.from_iterable(_error_rows(key, one.groups) for key, one in errors),
         KNOWN_ERRORS.path: chain.from_iterable(_known_rows(key, one.known_errors) for key, one in made),

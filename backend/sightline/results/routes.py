@@ -71,7 +71,7 @@ def statistics_of_measurements(
         StatisticsTarget | None,
         Query(description="Only this target is counted and shown; errors are of roofs anyway."),
     ] = None,
-    rounding: Rounding = "cm",
+    rounding: Rounding = "none",
     correction: Correction = "inset",
     u_reference_m: Annotated[
         Metres, Query(description="Of a reference height without a u of its own.")

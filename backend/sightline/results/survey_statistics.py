@@ -116,7 +116,7 @@ class StatisticsOptions:
     limits of the reader's own beside the standards', and the standards; None: those of the surveys.
     """
 
-    rounding: Rounding = "cm"
+    rounding: Rounding = "none"
     correction: Correction = "inset"
     u_reference_m: float = float(U_MANUFACTURER_M)
     own_standards: tuple[Standard, ...] = ()

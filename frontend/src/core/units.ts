@@ -53,8 +53,11 @@ export function fixed(value: number, digits: number): string {
   return value < 0 && Number(value.toFixed(digits)) !== 0 ? `−${size}` : size;
 }
 
+/** With how many digits a height is printed, wherever it stands; of reports `export/report/units.py` says it. */
+const HEIGHT_DIGITS = 3;
+
 /** "1.172 m"; a missing value is an en dash. */
-export function formatLength(metres: number | null, digits = 3, unit = lengthUnit.value): string {
+export function formatLength(metres: number | null, digits = HEIGHT_DIGITS, unit = lengthUnit.value): string {
   if (metres === null) return "–";
   return `${fixed(convert(metres, unit), digits)}${NBSP}${unit}`;
 }
@@ -63,7 +66,7 @@ export function formatLength(metres: number | null, digits = 3, unit = lengthUni
 export function formatHeight(
   metres: number | null,
   U95_m: number | null,
-  digits = 3,
+  digits = HEIGHT_DIGITS,
   unit = lengthUnit.value,
 ): string {
   if (metres === null) return "–";
@@ -186,6 +189,19 @@ export function plainSpeed(mps: number | null): string {
 
 export function plainAcceleration(mps2: number | null): string {
   return plain(mps2, accelerationScale(), 2);
+}
+
+/** A height of a table: "1.172". */
+export function plainHeight(metres: number | null): string {
+  return plain(metres, lengthScale(), HEIGHT_DIGITS);
+}
+
+/** An error or a difference of a table, with its sign where it is asked for: "+5.6". */
+export function plainSmall(metres: number | null, options: { signed: boolean } = { signed: false }): string {
+  const scale = smallScale();
+  const digits = scale[1] === "in" ? 2 : 1;
+  const isMore = options.signed && metres !== null && Number((metres * scale[0]).toFixed(digits)) > 0;
+  return `${isMore ? "+" : ""}${plain(metres, scale, digits)}`;
 }
 
 export function plainLength(metres: number | null, digits = 2): string {

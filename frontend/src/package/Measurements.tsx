@@ -1,5 +1,6 @@
 import { useState } from "preact/hooks";
 import type { Row } from "./csv";
+import { shownHeight } from "./digits";
 import type { Again } from "./measured";
 import { again, type Opened } from "./opened";
 import { say } from "./say";
@@ -157,6 +158,7 @@ function Line({ row, isOutside, isChosen, choose }: LineProps) {
   const id = row["id"] ?? "";
   const found = again.value.get(id);
   const height = found?.lengths.height_m;
+  const print = found?.differs.length ? String : shownHeight; // a lie may stand in the last digit
   return (
     <tr
       class={isChosen ? "opened__line opened__line--chosen" : "opened__line"}
@@ -172,7 +174,10 @@ function Line({ row, isOutside, isChosen, choose }: LineProps) {
       <td>{targetWord(row["target"] ?? "")}</td>
       <td class="opened__figures-cell">
         {row["height_m"]
-          ? say("opened-height", { height_m: row["height_m"], U95_m: row["U95_height_m"] ?? "" })
+          ? say("opened-height", {
+              height_m: print(row["height_m"]),
+              U95_m: print(row["U95_height_m"] ?? ""),
+            })
           : say("opened-height-none")}
         {isStale(row) && <div class="opened__wrong">{say("opened-stale-mark")}</div>}
       </td>
@@ -181,22 +186,22 @@ function Line({ row, isOutside, isChosen, choose }: LineProps) {
           found?.differs.length ? "opened__figures-cell opened__figures-cell--wrong" : "opened__figures-cell"
         }
       >
-        {hereWords(found)}
+        {hereWords(found, found?.differs.length ? nanometres : shownHeight)}
       </td>
       <td>{isOutside ? say("opened-outside", { verdict: verdictWord(row) }) : verdictWord(row)}</td>
     </tr>
   );
 }
 
-function hereWords(found: Again | undefined): string {
+function hereWords(found: Again | undefined, print = nanometres): string {
   if (found === undefined) return "…";
   if (found.refused === "pose") return say("opened-refused-pose");
   if (found.refused === "form") return say("opened-refused-form");
   const height = found.lengths.height_m;
-  return height === null
-    ? say("opened-height-none")
-    : say("opened-height-here", { height_m: height.toFixed(9) });
+  return height === null ? say("opened-height-none") : say("opened-height-here", { height_m: print(height) });
 }
+
+const nanometres = (metres: number) => metres.toFixed(9);
 
 function Detail({ row, found }: { row: Row; found: Opened }) {
   const id = row["id"] ?? "";

@@ -1,6 +1,7 @@
 import { useEffect, useState } from "preact/hooks";
 import { Checked } from "./Checked";
 import { type Row, unsafe } from "./csv";
+import { shown } from "./digits";
 import { Measurements } from "./Measurements";
 import { again, audited, checkPieces, done, failed, folder, type Opened, opened, progress } from "./opened";
 import { ofChosen, ofDropped, ofZip } from "./pieces";
@@ -194,18 +195,18 @@ interface TableProps {
 
 function Table({ path, meaning, columns, rows }: TableProps) {
   const [isOpen, setOpen] = useState(false);
-  const shown = isOpen ? rows(path) : [];
+  const all = isOpen ? rows(path) : [];
   const names = Object.keys(columns);
   return (
     <details class="opened__table" onToggle={(event) => setOpen(event.currentTarget.open)}>
       <summary>
         <a href={path}>{path}</a> {meaning}
       </summary>
-      {isOpen && shown.length === 0 && <p class="opened__quiet">{say("opened-table-empty")}</p>}
-      {shown.length > MOST_ROWS && (
-        <p class="opened__quiet">{say("opened-table-cut", { shown: MOST_ROWS, count: shown.length })}</p>
+      {isOpen && all.length === 0 && <p class="opened__quiet">{say("opened-table-empty")}</p>}
+      {all.length > MOST_ROWS && (
+        <p class="opened__quiet">{say("opened-table-cut", { shown: MOST_ROWS, count: all.length })}</p>
       )}
-      {shown.length > 0 && (
+      {all.length > 0 && (
         <div class="opened__scroll">
           <table class="opened__rows">
             <thead>
@@ -218,10 +219,12 @@ function Table({ path, meaning, columns, rows }: TableProps) {
               </tr>
             </thead>
             <tbody>
-              {shown.slice(0, MOST_ROWS).map((row) => (
+              {all.slice(0, MOST_ROWS).map((row) => (
                 <tr key={names.map((name) => row[name]).join()}>
                   {names.map((name) => (
-                    <td key={name}>{unsafe(row[name] ?? "")}</td>
+                    <td key={name} title={row[name]}>
+                      {shown(path, name, row)}
+                    </td>
                   ))}
                 </tr>
               ))}

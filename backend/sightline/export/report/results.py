@@ -120,7 +120,7 @@ def _verdict(one: RuleToday) -> str:
     if one.verdict == "unknown" or one.lower is None:
         return said("report-no-verdict", reason=told(one.reason or ""))
     if one.verdict == "alike":
-        return said("report-alike", percent=f"{100 * one.lower:.0f} %")
+        return said("report-alike", percent=percent(one.lower))
     key = "report-lower" if one.verdict == "lower" else "report-higher"
     return said(key, risk=_risk(one.risk))
 

@@ -149,14 +149,13 @@ def crest_sentence(
     scale = HEIGHT[question.unit]
     crest, before = survey.crest, standard.crest
     far = Scale(scale.factor, scale.sign, 0)
-    near = Scale(scale.factor, scale.sign, 2)
     plain = Scale(scale.factor, "", 1)
     told_apart = survey.comparison.verdict in ("shorter", "longer")  # then words say which
     sign = "" if told_apart else "\N{MINUS SIGN}" if survey.comparison.k_change < 0 else "+"
     values: Mapping[str, str] = {
         "case": whose,
-        "eye": near.length(crest.eye_m.value),
-        "object": near.length(crest.object_m.value),
+        "eye": scale.length(crest.eye_m.value),
+        "object": scale.length(crest.object_m.value),
         "constant": plain.number(crest.constant_m.value),
         "standard": plain.number(before.constant_m.value),
         "change": sign + percent(abs(survey.comparison.k_change)),

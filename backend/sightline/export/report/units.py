@@ -1,8 +1,13 @@
-"""Lengths in the reader's unit: heights in metres or feet, errors in millimetres or inches."""
+"""Lengths in the reader's unit: heights in metres or feet, errors in millimetres or inches.
+
+`HEIGHT` and `SMALL` say with how many digits a figure is printed, wherever it stands; of the pages
+`frontend/src/core/units.ts` does.
+"""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
+from decimal import ROUND_HALF_UP, Decimal
 
 from sightline.enums import LengthUnit
 from sightline.export.report.said import Called, said
@@ -74,10 +79,9 @@ def limit(height_m: float, unit: LengthUnit) -> str:
 
 def fixed(value: float, digits: int, *, signed: bool = False) -> str:
     """Fixed decimals with a true minus sign and the language's decimal sign; what rounds to zero has none."""
-    text = f"{value:+.{digits}f}" if signed else f"{value:.{digits}f}"
-    if float(text) == 0.0:
-        text = text.lstrip("+-")
-    return decimal(text).replace("-", "−")
+    shown = Decimal(value).quantize(Decimal(1).scaleb(-digits), ROUND_HALF_UP)  # as browsers round
+    sign = "" if shown == 0 else "−" if shown < 0 else "+" if signed else ""
+    return sign + decimal(f"{abs(shown):f}")
 
 
 def decimal(text: str) -> str:

@@ -1,8 +1,8 @@
 import { TableScroll } from "../../components";
 import { say } from "../../core/messages";
-import { formatSmall, lengthScale } from "../../core/units";
+import { lengthScale, plainHeight, plainSmall, smallScale } from "../../core/units";
 import "./figures.css";
-import { NONE, percent, scaled } from "./numbers";
+import { NONE, percent } from "./numbers";
 import type { RuleToday } from "./types";
 
 /** What is shown of a rule; the server says more of its standard. */
@@ -16,7 +16,7 @@ const SMALLEST_RISK = 0.001; // draws tell no smaller one
 export function SameRule({ rules }: { rules: readonly Rule[] }) {
   const there = rules.filter((one) => one.n > 0);
   if (there.length === 0) return null;
-  const [factor, unit] = lengthScale();
+  const unit = lengthScale()[1];
   return (
     <section class="panel" aria-labelledby="stat-rules" data-testid="same-rule">
       <header class="panel__head">
@@ -30,7 +30,9 @@ export function SameRule({ rules }: { rules: readonly Rule[] }) {
               <th>{say("statistics-rule-rule")}</th>
               <th class="num">{say("statistics-rule-height", { unit })}</th>
               <th class="num">{say("statistics-rule-today", { unit })}</th>
-              <th class="num">{say("statistics-rule-difference")}</th>
+              <th class="num">
+                {say("with-unit", { name: say("statistics-rule-difference"), unit: smallScale()[1] })}
+              </th>
               <th>{say("statistics-rule-verdict")}</th>
             </tr>
           </thead>
@@ -44,19 +46,19 @@ export function SameRule({ rules }: { rules: readonly Rule[] }) {
                     class: one.by_class ? one.standard.vehicle_class : say("statistics-rule-all"),
                   })}
                 </td>
-                <td class="num">{scaled(one.standard.height_m, factor, 3)}</td>
+                <td class="num">{plainHeight(one.standard.height_m)}</td>
                 <td class="num">
-                  {one.value_m === null ? NONE : <strong>{scaled(one.value_m, factor, 3)}</strong>}
+                  {one.value_m === null ? NONE : <strong>{plainHeight(one.value_m)}</strong>}
                   {one.U95_low_m !== null && one.U95_high_m !== null && (
                     <div class="stat-ci">
                       {say("statistics-rule-interval", {
-                        low: scaled(one.U95_low_m, factor, 3),
-                        high: scaled(one.U95_high_m, factor, 3),
+                        low: plainHeight(one.U95_low_m),
+                        high: plainHeight(one.U95_high_m),
                       })}
                     </div>
                   )}
                 </td>
-                <td class="num">{formatSmall(one.difference_m)}</td>
+                <td class="num">{plainSmall(one.difference_m, { signed: true })}</td>
                 <td>{verdict(one)}</td>
               </tr>
             ))}

@@ -2,9 +2,9 @@ import { Button, SelectField } from "../../components";
 import { CommitField } from "../../components/CommitField";
 import { navigate, query, setQuery } from "../../core/address";
 import { say } from "../../core/messages";
-import { formatLength, lengthText, lengthUnit, parseLength, parseNumber, speedScale } from "../../core/units";
+import { lengthText, lengthUnit, parseLength, parseNumber, speedScale } from "../../core/units";
 import { CATEGORY_WORDS, LIGHTING_WORDS, STATE_WORDS, TARGET_WORDS } from "../../core/words";
-import { STANDARD_OF, standardKey } from "../../parts/figures/standards";
+import { formatLimit, STANDARD_OF, standardKey } from "../../parts/figures/standards";
 import type { Standard } from "../../parts/figures/types";
 import { ClassChoice } from "../../parts/vehicles/ClassChoice";
 import { KIND_WORDS, type Kind, type Sight, STANDARDS_OBJECT, sharesOf, usualObject } from "./model";
@@ -61,7 +61,7 @@ function StandardChoice({ name, usual, label, options }: StandardChoiceProps) {
             label: say("sight-standard-option", {
               standard: one.name,
               what: STANDARD_OF[one.what],
-              height: formatLength(one.height_m, 2),
+              height: formatLimit(one.height_m),
             }),
           })),
           { value: "", label: say("sight-standard-any") },

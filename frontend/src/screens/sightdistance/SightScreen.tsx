@@ -6,7 +6,7 @@ import { api, fromAddress } from "../../core/api";
 import { say } from "../../core/messages";
 import type { ScreenProps } from "../../core/places";
 import { useResource } from "../../core/resource";
-import { fixed, formatLength, formatSpeed, lengthScale } from "../../core/units";
+import { fixed, formatLength, formatSpeed, lengthScale, plainHeight } from "../../core/units";
 import { OutOfDateNotice } from "../../parts/again/OutOfDateNotice";
 import { loadPlot } from "../../parts/figures/PlotFigure";
 import { KFigure } from "./KFigure";
@@ -81,8 +81,8 @@ function sentenceOf(one: Case, standard: Case | undefined, sight: Sight): string
   if (!crest || !comparison || !standard?.crest) return withoutCrest(one);
   return say(`sight-verdict-${comparison.verdict}`, {
     case: one.name === "mix" ? "mix" : "survey",
-    eye: formatLength(crest.eye_m.value, 2),
-    object: formatLength(crest.object_m.value, 2),
+    eye: formatLength(crest.eye_m.value),
+    object: formatLength(crest.object_m.value),
     constant: plain(crest.constant_m.value, 1),
     standard: plain(standard.crest.constant_m.value, 1),
     change: changeOf(comparison),
@@ -101,6 +101,8 @@ function changeOf({ verdict, k_change }: NonNullable<Case["comparison"]>): strin
 }
 
 const plain = (metres: number, digits: number) => fixed(metres * lengthScale()[0], digits);
+const tenths = (metres: number) => plain(metres, 1);
+const whole = (metres: number) => plain(metres, 0);
 
 function Cases({ sight }: { sight: Sight }) {
   const unit = lengthScale()[1];
@@ -136,12 +138,12 @@ function Cases({ sight }: { sight: Sight }) {
                 <th scope="row">{CASE_WORDS[one.name]}</th>
                 {one.crest ? (
                   <>
-                    <Cell of={one.crest.eye_m} digits={3} />
-                    <Cell of={one.crest.object_m} digits={3} />
-                    <Cell of={one.crest.constant_m} digits={1} />
-                    <Cell of={one.crest.k_m} digits={1} strong />
-                    <Cell of={one.crest.length_m} digits={0} />
-                    <Cell of={one.crest.seen_m} digits={0} />
+                    <Cell of={one.crest.eye_m} print={plainHeight} />
+                    <Cell of={one.crest.object_m} print={plainHeight} />
+                    <Cell of={one.crest.constant_m} print={tenths} />
+                    <Cell of={one.crest.k_m} print={tenths} strong />
+                    <Cell of={one.crest.length_m} print={whole} />
+                    <Cell of={one.crest.seen_m} print={whole} />
                   </>
                 ) : (
                   <td colSpan={6}>{withoutCrest(one)}</td>
@@ -164,15 +166,13 @@ function Cases({ sight }: { sight: Sight }) {
 }
 
 /** A value over its 95 % interval, without the unit that the column's head names. */
-function Cell({ of, digits, strong }: { of: Bounded; digits: number; strong?: boolean }) {
-  const value = plain(of.value, digits);
+function Cell({ of, print, strong }: { of: Bounded; print: (metres: number) => string; strong?: boolean }) {
+  const value = print(of.value);
   return (
     <td class="num" title={of.reason ?? undefined}>
       {strong ? <strong>{value}</strong> : value}
       {of.low !== null && of.high !== null && (
-        <div class="sight-ci">
-          {say("sight-interval", { low: plain(of.low, digits), high: plain(of.high, digits) })}
-        </div>
+        <div class="sight-ci">{say("sight-interval", { low: print(of.low), high: print(of.high) })}</div>
       )}
       {of.reason && <div class="sight-ci">{say("sight-no-interval")}</div>}
     </td>

@@ -4,7 +4,7 @@ import { query } from "../../core/address";
 import { say } from "../../core/messages";
 import { canWork } from "../../core/session";
 import { formatLength, lengthUnit, parseLength } from "../../core/units";
-import { standardKey, STANDARD_OF as WHAT } from "../../parts/figures/standards";
+import { formatLimit, standardKey, STANDARD_OF as WHAT } from "../../parts/figures/standards";
 import type { Standard } from "../../parts/figures/types";
 import { setFilter } from "./filters";
 
@@ -97,7 +97,7 @@ function Drawn({ standards, off, toggle }: DrawnProps) {
                       aria-label={say("statistics-standard-draw", {
                         standard: one.name,
                         what: WHAT[one.what],
-                        height: formatLength(one.height_m, 2),
+                        height: formatLimit(one.height_m),
                       })}
                       checked={!off.includes(key)}
                       onChange={(event) => toggle(key, event.currentTarget.checked)}
@@ -106,7 +106,7 @@ function Drawn({ standards, off, toggle }: DrawnProps) {
                 </td>
                 <td>{one.name}</td>
                 <td>{WHAT[one.what]}</td>
-                <td class="num">{formatLength(one.height_m, 2)}</td>
+                <td class="num">{formatLimit(one.height_m)}</td>
                 <td>{ruleOf(one)}</td>
                 <td>
                   {sourceOf(one)}
@@ -119,7 +119,7 @@ function Drawn({ standards, off, toggle }: DrawnProps) {
                     <Button
                       small
                       icon="close"
-                      label={say("statistics-standard-remove", { standard: formatLength(one.height_m, 2) })}
+                      label={say("statistics-standard-remove", { standard: formatLimit(one.height_m) })}
                       onClick={() => remove(one)}
                     />
                   )}

@@ -1,7 +1,7 @@
 import { Button, Notice, TableScroll } from "../../components";
 import { Said } from "../../components/Said";
 import { allOf, say } from "../../core/messages";
-import { fixed, formatLength, lengthScale } from "../../core/units";
+import { fixed, formatLength, lengthScale, plainHeight } from "../../core/units";
 import { csvOf, download } from "../../parts/figures/csv";
 import {
   type Curve,
@@ -18,8 +18,9 @@ import {
   standardMarks,
   standardTiers,
 } from "../../parts/figures/curves";
-import { NONE, percent, scaled } from "../../parts/figures/numbers";
+import { percent } from "../../parts/figures/numbers";
 import { PlotFigure } from "../../parts/figures/PlotFigure";
+import { formatLimit } from "../../parts/figures/standards";
 import type { Density, Ecdf, Standard } from "../../parts/figures/types";
 import { isThere, type OfTarget, type Percentile, TARGET_TITLES } from "./model";
 
@@ -174,7 +175,7 @@ function Shares({ target, standards }: Props) {
             what="statistics-share"
             values={{
               target: of,
-              height: formatLength(one.standard.height_m, 2),
+              height: formatLimit(one.standard.height_m),
               standard: one.standard.name,
               share: percent(one.share),
               low: fixed(100 * one.low, 1),
@@ -194,7 +195,7 @@ function Percentiles({ target }: { target: OfTarget }) {
   const rows = target.corrected.percentiles;
   const raw = new Map(target.raw.percentiles.map((one) => [one.percent, one]));
   if (raw.size === 0) return null;
-  const [factor, unit] = lengthScale();
+  const unit = lengthScale()[1];
   const shown = rows.length > 0 ? rows : target.raw.percentiles;
   const { total } = target;
   return (
@@ -219,7 +220,6 @@ function Percentiles({ target }: { target: OfTarget }) {
               <PercentileRow
                 head={say("statistics-percentiles-true", { unit })}
                 rows={total.percentiles.map(ofTotal)}
-                factor={factor}
                 strong
               />
             )}
@@ -227,15 +227,10 @@ function Percentiles({ target }: { target: OfTarget }) {
               <PercentileRow
                 head={say("statistics-percentiles-corrected", { unit })}
                 rows={rows}
-                factor={factor}
                 strong={!total}
               />
             )}
-            <PercentileRow
-              head={say("statistics-percentiles-raw", { unit })}
-              rows={target.raw.percentiles}
-              factor={factor}
-            />
+            <PercentileRow head={say("statistics-percentiles-raw", { unit })} rows={target.raw.percentiles} />
           </tbody>
         </table>
       </TableScroll>
@@ -296,12 +291,10 @@ function NoIntervals({ rows }: { rows: readonly Percentile[] }) {
 function PercentileRow({
   head,
   rows,
-  factor,
   strong,
 }: {
   head: string;
   rows: readonly Percentile[];
-  factor: number;
   strong?: boolean;
 }) {
   return (
@@ -309,11 +302,11 @@ function PercentileRow({
       <th scope="row">{head}</th>
       {rows.map((one) => (
         <td key={one.percent} class="num">
-          {strong ? <strong>{scaled(one.value, factor, 3)}</strong> : scaled(one.value, factor, 3)}
+          {strong ? <strong>{plainHeight(one.value)}</strong> : plainHeight(one.value)}
           <div class="stat-ci">
-            {one.low === null ? NONE : scaled(one.low, factor, 3)}
+            {plainHeight(one.low)}
             <br />
-            {one.high === null ? "" : scaled(one.high, factor, 3)}
+            {one.high === null ? "" : plainHeight(one.high)}
           </div>
         </td>
       ))}

@@ -27,8 +27,6 @@ export function statisticsQuery(query: URLSearchParams): AddressOf<"GET /statist
   const asked: AddressOf<"GET /statistics"> = {};
   for (const name of REPEATED) asked[name] = query.getAll(name);
   for (const name of SINGLE) asked[name] = query.get(name) || undefined;
-  // whole centimetres are the paper's way: of few vehicles they would say zero where there is an error
-  asked.rounding ??= "none";
   return asked;
 }
 

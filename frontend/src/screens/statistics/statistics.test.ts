@@ -11,8 +11,8 @@ describe("the address", () => {
       "survey=1&survey=3&lighting=daytime&off=driver_eye:France:1&eye_limit_m=1.1&x=2",
     );
     const asked = (query: URLSearchParams) => address("/statistics", statisticsQuery(query));
-    expect(asked(at)).toBe("/statistics?survey=1&survey=3&eye_limit_m=1.1&lighting=daytime&rounding=none");
-    expect(asked(new URLSearchParams())).toBe("/statistics?rounding=none");
+    expect(asked(at)).toBe("/statistics?survey=1&survey=3&eye_limit_m=1.1&lighting=daytime");
+    expect(asked(new URLSearchParams())).toBe("/statistics");
     expect(asked(new URLSearchParams("rounding=cm"))).toBe("/statistics?rounding=cm");
   });
 

@@ -1,8 +1,8 @@
 import { say } from "../../core/messages";
 import type { Category, StudyResult } from "../../core/types";
-import { fixed, formatSmall, lengthScale } from "../../core/units";
+import { fixed, formatSmall, lengthScale, plainHeight } from "../../core/units";
 import { CATEGORY_WORDS, LIGHTING_WORDS, TARGET_WORDS } from "../../core/words";
-import { NONE, percent, scaled } from "../../parts/figures/numbers";
+import { NONE, percent } from "../../parts/figures/numbers";
 import { SameRule } from "../../parts/figures/SameRule";
 import { CurveFigure } from "./CurveFigure";
 import { Differences } from "./Differences";
@@ -56,7 +56,7 @@ const nameOf = (one: Row) =>
   one.figure === "percentile" ? `P${one.percent}` : say(one.figure === "mean" ? "study-mean" : "study-sd");
 
 function Percentiles({ found, targets }: { found: Found; targets: readonly Row["target"][] }) {
-  const [factor, unit] = lengthScale();
+  const unit = lengthScale()[1];
   const columns = found.figures.filter((one) => one.target === longest(found.figures));
   return (
     <Section id="study-percentiles" title={say("study-percentiles", { unit })} note={say("study-holds")}>
@@ -87,9 +87,9 @@ function Percentiles({ found, targets }: { found: Found; targets: readonly Row["
                   rows.map((one) => (
                     <Bounded
                       key={nameOf(one)}
-                      value={scaled(one.value_m, factor, 3)}
-                      low={one.low_m === null ? null : scaled(one.low_m, factor, 3)}
-                      high={one.high_m === null ? null : scaled(one.high_m, factor, 3)}
+                      value={plainHeight(one.value_m)}
+                      low={one.low_m === null ? null : plainHeight(one.low_m)}
+                      high={one.high_m === null ? null : plainHeight(one.high_m)}
                     />
                   ))
                 )}

@@ -1,0 +1,27 @@
+/** With how many digits the page prints the numbers of a package's tables: as its report does. */
+
+import { type Row, unsafe } from "./csv";
+
+const HEIGHT_DIGITS = 3;
+const SMALL_DIGITS = 4;
+const SQUARE_DIGITS = 6;
+/** Tables whose values are errors, and named so by `figure`. */
+const OF_ERRORS = /(?:^|\/)(?:error_table|known_errors|agreement)\.csv$/;
+
+/** A cell as it is read: fewer digits than the file holds, so that a figure reads alike everywhere. */
+export function shown(path: string, name: string, row: Row): string {
+  const text = row[name] ?? "";
+  if (!/^-?\d+\.\d+(?:e-?\d+)?$/.test(text)) return unsafe(text);
+  if (name === "percent") return String(Number(text));
+  return Number(text).toFixed(digits(path, name, row));
+}
+
+/** A height of measurements.csv. */
+export function shownHeight(metres: string | number): string {
+  return Number(metres).toFixed(HEIGHT_DIGITS);
+}
+
+function digits(path: string, name: string, row: Row): number {
+  if (OF_ERRORS.test(path)) return row["figure"]?.endsWith("_m2") ? SQUARE_DIGITS : SMALL_DIGITS;
+  return name.startsWith("u_") || name === "difference_m" ? SMALL_DIGITS : HEIGHT_DIGITS;
+}
