@@ -173,9 +173,16 @@ def test_every_place_prints_the_same_digits(
     assert of_report(measured.package / "report.pdf") == figure
     report = "".join(words((measured.package / "report.pdf").read_bytes()).split())
     assert "".join(sentence.split()) in report
+    readme = " ".join((measured.package / "README.txt").read_text("utf-8").split())
+    assert " ".join(sentence.split()) in readme
+    concluded = [f"{value} m (95 %: {low} to {high})" for value, low, high in (figure[EYE], figure[OBJECT])]
+    assert [readme.count(one) for one in concluded] == [1, 1]
 
     opened = browser.new_context(offline=True).new_page()
     opened.goto(f"file://{measured.package}/index.html")
+    opens_with = opened.locator("[data-conclusion]").first
+    for one in (sentence, *concluded):
+        expect(opens_with).to_contain_text(one)
     opened.get_by_text("statistics/same_rule.csv").locator("..").click(position={"x": 4, "y": 8})
     for which, printed in figure.items():
         name, percent = which.rsplit(" P", 1)

@@ -14,6 +14,7 @@ from sightline.cameras.csv import CAMERAS
 from sightline.export.crops import CROPS
 from sightline.export.exclusions import EXCLUSIONS
 from sightline.export.page import page_version
+from sightline.export.readme import README
 from sightline.export.response import RESPONSE
 from sightline.export.seal import AUDIT_SCRIPT, CHECKPOINT, PAGE
 from sightline.export.statistics_csv import TABLES
@@ -74,6 +75,7 @@ _OTHER_TABLES: tuple[AnyTable, ...] = (
 )
 
 _OTHERS = (
+    (README, "text/plain", "What came out, what the package holds, and how to check it."),
     (PAGE, "text/html", "This package as a page: open it in a browser; it checks itself, without a server."),
     (REPORT, "application/pdf", "Report: site, set-up, calibration, method, errors, figures, exclusions."),
     (FIGURES, "image/svg+xml", "A figure of the statistics."),

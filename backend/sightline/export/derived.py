@@ -5,6 +5,7 @@ from __future__ import annotations
 from sightline.export.contents import FIGURES, REPORT
 from sightline.export.exclusions import EXCLUSIONS, exclusion_rows
 from sightline.export.measured import PackageStatistics, statistics_of
+from sightline.export.readme import README, readme
 from sightline.export.report.canvas import Drawing
 from sightline.export.report.figures import drawings
 from sightline.export.report.package_facts import report_facts
@@ -19,7 +20,7 @@ from sightline.infra.csv_package.schema import PARQUET, Written
 
 # What the report lists no sums of: itself, what comes after it, and what there may be thousands of.
 _UNLISTED = (
-    *("crops/", PARQUET, FIGURES, AUDIT.path, CHECKPOINT, "SHA256SUMS", "datapackage.json", REPORT),
+    *("crops/", PARQUET, FIGURES, AUDIT.path, CHECKPOINT, "SHA256SUMS", "datapackage.json", REPORT, README),
     *(PAGE, AUDIT_SCRIPT),
 )
 
@@ -57,4 +58,5 @@ def _drawn(files: Files, found: PackageStatistics, written: dict[str, Written]) 
     figures = sorted((name, one.svg) for name, one in done.items() if isinstance(one, Drawing))
     listed = {path: one for path, one in written.items() if not path.startswith(_UNLISTED)}
     facts = report_facts(files, found, listed)
-    return [*((f"{FIGURES}{name}.svg", svg) for name, svg in figures), (REPORT, report(facts, done))]
+    drawings_of = ((f"{FIGURES}{name}.svg", svg) for name, svg in figures)
+    return [*drawings_of, (REPORT, report(facts, done)), (README, readme(facts))]

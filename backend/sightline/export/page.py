@@ -19,6 +19,7 @@ from functools import cache
 from typing import Any
 
 from sightline.errors import Damaged
+from sightline.export.readme import README
 from sightline.export.report.words import selection_words
 from sightline.export.seal import AUDIT_SCRIPT, CHECKPOINT, PAGE
 from sightline.infra.csv_package.audit import AUDIT
@@ -161,8 +162,8 @@ def _carried(tables: Sequence[AnyTable], written: Mapping[str, Written]) -> Iter
     """The files that the page carries, in their order: its tables and the poses that are not too large."""
     known = {table.name: table.path for table in tables}
     poses = sorted(path for path in written if _POSES.fullmatch(path))
-    for path in (*(known[name] for name in _NAMES), *poses):
-        if written[path].size <= MOST_BYTES:
+    for path in (README, *(known[name] for name in _NAMES), *poses):
+        if path in written and written[path].size <= MOST_BYTES:
             yield path
 
 

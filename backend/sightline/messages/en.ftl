@@ -5619,6 +5619,7 @@ opened-report = Report (PDF)
 opened-measurements = Measurements
 opened-figures = Figures
 opened-tables = Tables
+opened-checks = Checks
 opened-sizes = Sizes
 opened-checking = Checking the package…
 opened-is-fine = The checks of this page found no contradiction.
@@ -6689,11 +6690,6 @@ report-by-site = site
 report-by-lighting = lighting
 report-by-stratum = stratum
 report-by-operator = operator
-report-by-inset = corrected by inset
-report-by-shift = corrected by shift
-report-not-corrected = not corrected
-report-by-regression = corrected by regression
-report-by-deconvolution = corrected by deconvolution
 report-rejected = rejected
 report-withdrawn = withdrawn
 report-not-measurable = not measurable
@@ -6904,20 +6900,47 @@ report-aloud-18-used = n x transposed (X g minus p h)
 ## Report: results at a glance
 
 report-glance = Results at a glance
-report-glance-none = No accepted eye, taillight or headlight heights yet.
-report-glance-table = Heights above the road, { $correction }, in { $unit }.
-report-sure = { $target }: { $figures }. The intervals include { $holds }.
-report-sure-without = { $target }: { $figures }: too few heights.
-report-without-interval = (no interval)
-report-sure-figure = { $percentile } { $value }{ $interval }
 report-brackets = (95 %: { $interval })
+report-conclusion = Conclusion
+report-filmed-on = Filmed { $moment }
+report-not-covered = Not covered
+report-concluded-of = { $measurements ->
+    [one] 1 accepted height
+   *[other] { $measurements } accepted heights
+ } of { $vehicles ->
+    [one] 1 vehicle
+   *[other] { $vehicles } vehicles
+ }, measured from roadside video.
+report-concluded-rule = P{ $percent } of { $of } ({ $classes }, n = { $n }): { $value }{ $interval }. { $standard } uses { $limit }: { $verdict }.
+report-concluded-none = P{ $percent } of { $of } ({ $classes }, n = { $n }) cannot be stated: { $reason }.
+report-uncovered-selection = Vehicles outside the limits of this package, which holds only: { $selection }.
+report-uncovered-classes = Vehicle classes: no class is known for some targets, so their figures include all vehicles.
+report-uncovered-excluded = { $n ->
+    [one] 1 measurement is excluded; the table of exclusions gives the reason.
+   *[other] { $n } measurements are excluded; the table of exclusions gives the reasons.
+ }
+report-uncovered-not-visible = { $n ->
+    [one] 1 target was not visible.
+   *[other] { $n } targets were not visible.
+ }
+report-uncovered-out-of-date = { $n ->
+    [one] 1 height is out of date: it follows from facts that were changed after it was computed, and counts as it stands.
+   *[other] { $n } heights are out of date: they follow from facts that were changed after they were computed, and count as they stand.
+ }
+report-uncovered-others = Other roads, days and traffic: the intervals are for the traffic that passes this site.
+report-readme-contents = What is in this package
+report-readme-page = This package as a page: open it in a browser. It checks itself without a server.
+report-readme-report = The report.
+report-readme-statistics = The figures of the report as tables, unrounded.
+report-readme-tables = Every vehicle, measurement and review as tables; datapackage.json describes each column.
+report-readme-files = Pictures, figures, camera poses and calibrations, and the same tables as Parquet.
+report-readme-audit = The audit chain and its signature.
+report-readme-check = To check everything: sightline verify, with the key that the installation shows. To check that no file changed: sha256sum -c SHA256SUMS
 report-error-none = No vehicle has a reference height, so the errors of heights cannot be stated.
 report-error-short = Roof heights of { $n ->
     [one] 1 vehicle
    *[other] { $n } vehicles
  } with a reference height: mean absolute error { $mae }{ $mae_interval }, bias { $bias }{ $bias_interval }.
-report-eyes-below = Share of drivers’ eyes below the heights of design standards:
-report-eyes-below-one = { $standard }, { $height }: { $share } (95 %: { $interval } %)
 report-rules = Standards: the same percentile today. The percentile on which a standard is based, with its total 95 % interval. “Lower” or “higher” is stated if the risk of error is at most 2.5 % (JCGM 106).
 report-rule-column = Rule
 report-today = Today
@@ -6934,14 +6957,8 @@ report-less-than = less than { $percent }
 
 report-errors = Error against reference heights
 report-errors-none = No accepted roof height has a reference height, so errors cannot be stated. Enter manufacturers’ heights in the vehicle records.
-report-errors-words = Error = measured minus reference, of roofs { $correction ->
-    [inset] corrected by their inset
-   *[none] with inset 0
- }, { $rounding ->
-    [cm] both rounded to whole centimetres, as in the paper
-   *[none] without rounding
- }. All values are computed from the individual errors, never from other values.
 report-errors-holds = The 95 % intervals include { $holds }. Those of correlations and skewness include sampling only.
+report-errors-words = Error = measured minus reference, of roofs corrected by their inset, without rounding. All values are computed from the individual errors, never from other values.
 report-errors-table = Errors with their 95 % CIs.
 report-row-bias = Bias (mean error)
 report-row-sd = SD of the error
@@ -6952,7 +6969,11 @@ report-row-within = Share of errors within { $limit } cm
 report-no-group = There are no accepted { $group } vehicles with a reference height.
 report-reference-part = { $words } This alone causes a correlation of { $correlation } between error and height, independent of the camera (reference u = { $u }).
 report-limits = Limits of agreement (Bland and Altman): { $lower } ({ $lower_interval }) and { $upper } ({ $upper_interval }).
-report-paper = For comparison, Table 1 of the paper as printed.
+report-as-in-the-paper = As in the paper
+report-as-in-the-paper-words = For comparison with Dupuis et al. (Sensors 2019, 19(7), 1611) only. As the paper measures: inset 0, and for errors both heights rounded to whole centimetres. Percentiles are those of the measured heights, random error included; their intervals cover sampling only. No other section uses these values.
+report-paper-errors = Errors as in the paper: inset 0, whole centimetres, with their 95 % CIs.
+report-paper-percentiles = Percentiles as in the paper, of the heights of the { $target }; vehicles: { $raw } raw, { $corrected } corrected.
+report-paper = Table 1 of the paper as printed.
 report-its-column = Its column
 report-inconsistent = Inconsistencies
 report-known-errors = Errors by target: measured minus known height, with 95 % CIs. Check targets are excluded everywhere else.
@@ -6965,15 +6986,14 @@ report-check-targets = { $target }, check targets
 
 report-heights = Distributions of heights
 report-heights-none = There are no accepted heights yet.
-report-heights-words = Percentiles are median-unbiased estimates (type 8 of Hyndman and Fan); their intervals lie between order statistics and assume no distribution. Bands of cumulative distributions are simultaneous (Dvoretzky, Kiefer, Wolfowitz, Massart); intervals of shares are those of Clopper and Pearson.
+report-percentiles = True heights of the { $target }, all classes together, with total 95 % intervals; vehicles: { $n }.
+report-holds = True heights: random measurement error is removed from the spread. Total intervals include { $holds }.
 report-absent = No accepted heights: { $targets }.
-report-percentiles = Percentiles of the heights of the { $target }, with 95 % intervals; vehicles: { $corrected } corrected, { $raw } raw.
 report-percentile = Percentile
 report-true-heights = True heights
 report-corrected = Corrected
 report-interval-sampling = 95 %, sampling
 report-raw-inset = Raw, inset 0
-report-holds = True heights: random measurement error is removed from the spread. Their total intervals include { $holds }. The other intervals cover sampling only.
 report-reason-of = { $percents }: { $reason }.
 report-shares = Standards, and the share of { $targets } below them (true heights), with total 95 % intervals.
 report-height = Height
@@ -7116,13 +7136,12 @@ report-file = File
 
 report-fig-cumulative = Heights of the { $target }, cumulative
 report-fig-no-height = There are no accepted heights of the { $target }.
-report-fig-raw = raw (inset 0), n = { $n }
 report-fig-corrected = corrected, n = { $n }
 report-fig-height-above = Height of the { $target } above the road ({ $unit })
 report-fig-height = Height of the { $target } ({ $unit })
 report-fig-share = Share of vehicles (%)
 report-fig-share-below = { $standard }, { $share } below
-report-fig-cumulative-caption = Solid: corrected, with its simultaneous 95 % band and five percentiles with their 95 % intervals. Dashed: raw, as in the paper (inset 0).
+report-fig-cumulative-caption = All classes together. Solid line: heights corrected by the inset, with the simultaneous 95 % band. Points: percentiles of true heights with their total 95 % intervals.
 report-fig-density = Heights of the { $target }, density
 report-fig-density-axis = Density (per { $unit })
 report-fig-density-caption = Corrected heights, n = { $n }; Gaussian kernel, bandwidth { $width }; pointwise 95 % band.

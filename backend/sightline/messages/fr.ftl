@@ -5675,6 +5675,7 @@ opened-report = Rapport (PDF)
 opened-measurements = Mesures
 opened-figures = Figures
 opened-tables = Tableaux
+opened-checks = Vérifications
 opened-sizes = Tailles
 opened-checking = Contrôle de l’archive…
 opened-is-fine = Rien de ce que cette page peut contrôler ne se contredit.
@@ -6794,11 +6795,6 @@ report-by-site = site
 report-by-lighting = luminosité
 report-by-stratum = strate
 report-by-operator = opérateur
-report-by-inset = corrigées du retrait
-report-by-shift = corrigées par décalage
-report-not-corrected = non corrigées
-report-by-regression = corrigées par régression
-report-by-deconvolution = corrigées par déconvolution
 report-rejected = rejetée
 report-withdrawn = retirée
 report-not-measurable = non mesurable
@@ -7009,20 +7005,47 @@ report-aloud-18-used = n x transposé (X g moins p h)
 ## Rapport : les résultats en bref
 
 report-glance = Les résultats en bref
-report-glance-none = Aucune hauteur d’œil, de feu arrière ni de projecteur ne compte encore.
-report-glance-table = Hauteurs au-dessus de la route, { $correction }, en { $unit }.
-report-sure = { $target } : { $figures }. Les intervalles comprennent { $holds }.
-report-sure-without = { $target } : { $figures } : trop peu de hauteurs.
-report-without-interval = (sans intervalle)
-report-sure-figure = { $percentile } { $value }{ $interval }
 report-brackets = (95 % : { $interval })
+report-conclusion = Conclusion
+report-filmed-on = Filmé : { $moment }
+report-not-covered = Non couvert
+report-concluded-of = { $measurements ->
+    [one] 1 hauteur acceptée
+   *[other] { $measurements } hauteurs acceptées
+ } de { $vehicles ->
+    [one] 1 véhicule
+   *[other] { $vehicles } véhicules
+ }, mesurées sur vidéo depuis le bord de la route.
+report-concluded-rule = P{ $percent } : { $of } ({ $classes }, n = { $n }) : { $value }{ $interval }. { $standard } retient { $limit } : { $verdict }.
+report-concluded-none = P{ $percent } : { $of } ({ $classes }, n = { $n }), non déterminé : { $reason }.
+report-uncovered-selection = Les véhicules hors des limites de ce paquet, qui contient seulement : { $selection }.
+report-uncovered-classes = Les classes de véhicules : pour certaines cibles, aucune classe n’est connue ; leurs valeurs portent sur tous les véhicules.
+report-uncovered-excluded = { $n ->
+    [one] 1 mesure est exclue ; le tableau des exclusions en donne la raison.
+   *[other] { $n } mesures sont exclues ; le tableau des exclusions en donne les raisons.
+ }
+report-uncovered-not-visible = { $n ->
+    [one] 1 cible n’était pas visible.
+   *[other] { $n } cibles n’étaient pas visibles.
+ }
+report-uncovered-out-of-date = { $n ->
+    [one] 1 hauteur n’est plus à jour : elle découle de données modifiées après son calcul, et compte telle quelle.
+   *[other] { $n } hauteurs ne sont plus à jour : elles découlent de données modifiées après leur calcul, et comptent telles quelles.
+ }
+report-uncovered-others = Autres routes, autres jours, autre trafic : les intervalles valent pour le trafic qui passe sur ce site.
+report-readme-contents = Contenu de ce paquet
+report-readme-page = Ce paquet sous forme de page : à ouvrir dans un navigateur. Elle se vérifie elle-même, sans serveur.
+report-readme-report = Le rapport.
+report-readme-statistics = Les valeurs du rapport en tableaux, non arrondies.
+report-readme-tables = Chaque véhicule, mesure et revue en tableaux ; datapackage.json décrit chaque colonne.
+report-readme-files = Images, figures, poses et étalonnages des caméras, et les mêmes tableaux en Parquet.
+report-readme-audit = La chaîne d’audit et sa signature.
+report-readme-check = Pour tout vérifier : sightline verify, avec la clé que montre l’installation. Pour vérifier qu’aucun fichier n’a changé : sha256sum -c SHA256SUMS
 report-error-none = Aucun véhicule n’a de hauteur de référence : l’erreur des hauteurs n’est donc pas éprouvée ici.
 report-error-short = Par rapport aux hauteurs de référence de { $n ->
     [one] { $n } véhicule
    *[other] { $n } véhicules
  }, les toits sont mesurés avec une erreur absolue moyenne de { $mae }{ $mae_interval } et un biais de { $bias }{ $bias_interval }.
-report-eyes-below = Yeux de conducteurs plus bas que les hauteurs des normes :
-report-eyes-below-one = { $standard }, { $height } : { $share } (95 % : { $interval } %)
 report-rules = La même règle aujourd’hui : le centile qui fixe une norme, avec son intervalle total à 95 %. « Plus bas » et « plus haut » sont dits là où la probabilité du contraire est de 2,5 % au plus (JCGM 106).
 report-rule-column = Règle
 report-today = Aujourd’hui
@@ -7039,14 +7062,8 @@ report-less-than = moins de { $percent }
 
 report-errors = Erreur par rapport aux hauteurs de référence
 report-errors-none = Aucun toit d’un véhicule à hauteur de référence ne compte ici : il n’y a pas d’erreur à donner. Entrez des hauteurs de constructeurs dans les fiches des véhicules pour en avoir une.
-report-errors-words = Erreur = mesure moins référence, pour les toits { $correction ->
-    [inset] corrigés de leur retrait
-   *[none] avec un retrait de 0
- }, { $rounding ->
-    [cm] l’une et l’autre arrondies au centimètre, comme dans l’article
-   *[none] sans arrondi
- }. Chaque chiffre vient des erreurs elles-mêmes, jamais d’autres chiffres.
 report-errors-holds = Les intervalles à 95 % comprennent { $holds }. Ceux des corrélations et de l’asymétrie ne comprennent que l’échantillonnage.
+report-errors-words = Erreur = mesure moins référence, des toits corrigés de leur retrait, sans arrondi. Toutes les valeurs sont calculées à partir des erreurs individuelles, jamais d’autres valeurs.
 report-errors-table = L’erreur et ses intervalles à 95 %.
 report-row-bias = Biais (erreur moyenne)
 report-row-sd = Écart-type de l’erreur
@@ -7057,7 +7074,11 @@ report-row-within = Part d’erreurs ≤ { $limit } cm
 report-no-group = Aucun véhicule à hauteur de référence ne compte ici : { $group }.
 report-reference-part = { $words } À lui seul, cela fait une corrélation de { $correlation } entre erreur et hauteur, dont aucune caméra n’est coupable (u de la référence { $u }).
 report-limits = Limites d’accord (Bland et Altman) : { $lower } ({ $lower_interval }) et { $upper } ({ $upper_interval }).
-report-paper = Pour comparaison, le tableau 1 de l’article tel qu’imprimé.
+report-as-in-the-paper = Comme dans l’article
+report-as-in-the-paper-words = Seulement pour la comparaison avec Dupuis et al. (Sensors 2019, 19(7), 1611). Comme l’article mesure : retrait 0 et, pour les erreurs, les deux hauteurs arrondies au centimètre entier. Les centiles sont ceux des hauteurs mesurées, erreur aléatoire comprise ; leurs intervalles ne couvrent que l’échantillonnage. Aucune autre section n’utilise ces valeurs.
+report-paper-errors = Erreurs comme dans l’article : retrait 0, centimètres entiers, avec leurs IC à 95 %.
+report-paper-percentiles = Centiles comme dans l’article, des hauteurs ({ $target }) ; véhicules : { $raw } bruts, { $corrected } corrigés.
+report-paper = Tableau 1 de l’article, tel qu’imprimé.
 report-its-column = Sa colonne
 report-inconsistent = Ce qui s’y contredit
 report-known-errors = Erreurs par cible : mesure moins hauteur connue, avec des intervalles à 95 %. Les cibles de contrôle ne comptent nulle part ailleurs.
@@ -7070,15 +7091,14 @@ report-check-targets = { $target }, cibles de contrôle
 
 report-heights = Distributions des hauteurs
 report-heights-none = Aucune hauteur ne compte encore ici ; les mesures validées y figureront.
-report-heights-words = Les centiles sont estimés sans biais de la médiane (type 8 de Hyndman et Fan) ; leurs intervalles vont d’une statistique d’ordre à une autre et ne supposent aucune forme. Les bandes des distributions cumulées valent partout à la fois (Dvoretzky, Kiefer, Wolfowitz, Massart) ; les intervalles des parts sont ceux de Clopper et Pearson.
+report-percentiles = Hauteurs vraies ({ $target }), toutes classes comprises, avec intervalles totaux à 95 % ; véhicules : { $n }.
+report-holds = Hauteurs vraies : l’erreur de mesure aléatoire est retirée de la dispersion. Les intervalles totaux comprennent { $holds }.
 report-absent = Non mesuré, ou rien n’en compte ici : { $targets }.
-report-percentiles = Centiles des hauteurs : { $target }, avec des intervalles à 95 % ; véhicules : { $corrected } corrigées, { $raw } brutes.
 report-percentile = Centile
 report-true-heights = Hauteurs vraies
 report-corrected = Corrigées
 report-interval-sampling = 95 %, échantil­lonnage
 report-raw-inset = Brutes, retrait 0
-report-holds = L’erreur aléatoire est retirée de la dispersion des hauteurs vraies. Leurs intervalles totaux comprennent { $holds }. Les autres comprennent l’échantillonnage seul.
 report-reason-of = { $percents } : { $reason }.
 report-shares = Normes, et part qui leur est inférieure (des hauteurs vraies) : { $targets }, avec des intervalles totaux à 95 %.
 report-height = Hauteur
@@ -7221,13 +7241,12 @@ report-file = Fichier
 
 report-fig-cumulative = Hauteurs, distribution cumulée : { $target }
 report-fig-no-height = Aucune hauteur ne compte ici ({ $target }) : il n’y a pas de distribution à tracer.
-report-fig-raw = brutes (retrait 0), n = { $n }
 report-fig-corrected = corrigées, n = { $n }
 report-fig-height-above = Hauteur au-dessus de la route : { $target } ({ $unit })
 report-fig-height = Hauteur : { $target } ({ $unit })
 report-fig-share = Part des véhicules (%)
 report-fig-share-below = { $standard }, { $share } au-dessous
-report-fig-cumulative-caption = Plein : corrigées, avec leur bande à 95 % (partout à la fois) et cinq centiles avec leurs intervalles à 95 %. Tireté : brutes, telles que l’article les mesure (retrait 0).
+report-fig-cumulative-caption = Toutes classes comprises. Trait plein : hauteurs corrigées de leur retrait, avec leur bande à 95 % (partout à la fois). Points : centiles des hauteurs vraies avec leurs intervalles totaux à 95 %.
 report-fig-density = Hauteurs, densité : { $target }
 report-fig-density-axis = Densité (par { $unit })
 report-fig-density-caption = Hauteurs corrigées, n = { $n } ; noyau gaussien, largeur { $width } ; bande ponctuelle à 95 %.

@@ -5,6 +5,7 @@ import { shown } from "./digits";
 import { Measurements } from "./Measurements";
 import { again, audited, checkPieces, done, failed, folder, type Opened, opened, progress } from "./opened";
 import { ofChosen, ofDropped, ofZip } from "./pieces";
+import type { Part } from "./readme";
 import { say } from "./say";
 import { type Check, ofChain, ofFolder, ofHeights } from "./verdict";
 
@@ -31,20 +32,53 @@ export function Page() {
           </p>
         )}
         <p class="opened__quiet">{say("opened-made-with", { version: found.about.made_with })}</p>
+        <Doubt />
         <nav class="opened__links">
           <a href="report.pdf">{say("opened-report")}</a>
-          <a href="#measurements">{say("opened-measurements")}</a>
           <a href="#figures">{say("opened-figures")}</a>
           <a href="#tables">{say("opened-tables")}</a>
+          <a href="#measurements">{say("opened-measurements")}</a>
+          <a href="#checks">{say("opened-checks")}</a>
           <a href="#sizes">{say("opened-sizes")}</a>
         </nav>
       </header>
-      <Checks />
-      <Measurements found={found} />
+      <Conclusion parts={found.conclusion} />
       <Figures found={found} />
       <Tables found={found} />
+      <Measurements found={found} />
+      <div id="checks">
+        <Checks />
+      </div>
       <Sizes found={found} />
     </main>
+  );
+}
+
+/** What is wrong is said before anything else. */
+function Doubt() {
+  if (!checksSoFar().some((one) => one.state === "wrong")) return null;
+  return (
+    <p class="opened__wrong" role="alert">
+      {say("opened-is-wrong")} <a href="#checks">{say("opened-checks")}</a>
+    </p>
+  );
+}
+
+/** What came out, as the package's README says it. */
+function Conclusion({ parts }: { parts: readonly Part[] }) {
+  return (
+    <>
+      {parts.map(({ heading, items }) => (
+        <section key={heading} class="opened__section" data-conclusion>
+          <h2 class="opened__name">{heading}</h2>
+          <ul class="opened__found">
+            {items.map((item) => (
+              <li key={item}>{item}</li>
+            ))}
+          </ul>
+        </section>
+      ))}
+    </>
   );
 }
 
@@ -152,8 +186,16 @@ function dropsTaken(): () => void {
   };
 }
 
+/** The figures that the conclusion rests on come first. */
+const FIRST = ["driver_eye-ecdf", "taillight-ecdf", "crest-k"];
+
+function placeOf(path: string): number {
+  const place = FIRST.findIndex((name) => path.endsWith(`/${name}.svg`));
+  return place < 0 ? FIRST.length : place;
+}
+
 function Figures({ found }: { found: Opened }) {
-  const { figures } = found.about;
+  const figures = [...found.about.figures].sort((a, b) => placeOf(a) - placeOf(b));
   return (
     <section class="opened__section" id="figures">
       <h2 class="opened__name">{say("opened-figures")}</h2>

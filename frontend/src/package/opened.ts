@@ -8,6 +8,7 @@ import { type Pose, poseOf } from "./documents";
 import { checkedFolder, type FolderCheck } from "./folder";
 import { type Again, computedAgain } from "./measured";
 import type { Piece } from "./pieces";
+import { type Part, partsOf, README } from "./readme";
 import { sha256 } from "./sha256";
 import { notVouched, posesNotVouched } from "./vouched";
 
@@ -27,6 +28,8 @@ export interface Opened {
   readonly about: About;
   readonly held: ReadonlyMap<string, Held>;
   readonly rows: (path: string) => readonly Row[];
+  /** what came out, and what was not covered */
+  readonly conclusion: readonly Part[];
   readonly measurements: readonly Row[];
   readonly budget: ReadonlyMap<string, readonly Row[]>;
   readonly crops: ReadonlyMap<string, readonly Row[]>;
@@ -93,6 +96,7 @@ async function read(): Promise<Opened> {
     about,
     held,
     rows,
+    conclusion: held.has(README) ? partsOf(textOf(held.get(README))).slice(0, 2) : [],
     measurements,
     budget: grouped(rows("budget.csv")),
     crops,

@@ -49,6 +49,7 @@ def facts(
         site="N138, kilometre 4.2, direction of Rouen",
         description="Heights of eyes and taillights on a divided road, as an example.",
         statistics=statistics,
+        as_in_the_paper=statistics,
         choices=choices,
         as_of=datetime(2026, 5, 4, 13, 12, 9, tzinfo=UTC),
         place=Place(

@@ -93,7 +93,7 @@ def test_french_words_numbers_and_dates(example: ReportFacts, french: str) -> No
         one for one in example.statistics.targets["driver_eye"].corrected.percentiles if one.percent == 50.0
     )
     for expected in (
-        "Les résultats en bref",
+        "Non couvert",
         "du 20/04/2026 au 03/05/2026",
         "État au 04/05/2026 à 13:12:09 UTC",
         f"{half.value:.3f}".replace(".", ","),

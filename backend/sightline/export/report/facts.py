@@ -161,13 +161,16 @@ class ReportFacts:
     same state gives the same bytes. `counts`: words and numbers for the title block. `exclusions_total`: how
     many there are, where `exclusions` holds only the first; None: all are there. `checksums`: files of the
     package other than the report. `selection`: the vehicles it is of, in words; None: all. `language`: that
-    of the report, in which its words are already.
+    of the report, in which its words are already. `as_in_the_paper`: the statistics with insets of 0 and
+    whole centimetres. `not_visible`: targets that could not be seen; `out_of_date`: heights whose facts have
+    changed.
     """
 
     survey: str
     site: str
     statistics: Statistics
     choices: StatisticsOptions
+    as_in_the_paper: Statistics | None = None
     description: str = ""
     as_of: datetime | None = None
     first_day: date | None = None
@@ -182,6 +185,8 @@ class ReportFacts:
     insets: tuple[InsetFacts, ...] = ()
     exclusions: tuple[Exclusion, ...] = ()
     exclusions_total: int | None = None
+    not_visible: int = 0
+    out_of_date: int = 0
     scans: ScanFacts | None = None
     sampling: Sampling = field(default_factory=Sampling)
     response: tuple[Response, ...] = ()

@@ -1,4 +1,4 @@
-"""Figures of heights: each target's distribution raw and corrected, its density, and its groups."""
+"""Figures of heights: each target's distribution, its density, and its groups."""
 
 from __future__ import annotations
 
@@ -10,13 +10,14 @@ from matplotlib.axes import Axes
 from sightline.enums import LengthUnit, StatisticsTarget
 from sightline.export.report import labels, marks
 from sightline.export.report.canvas import FULL, HALF, INK, MUTED, NOTE_PT, Drawing, Sheet, svg
-from sightline.export.report.marks import MAIN, RAW, Limit
+from sightline.export.report.marks import MAIN, Limit
 from sightline.export.report.said import said, told
 from sightline.export.report.units import HEIGHT, Scale, count, fixed, limit, percent
 from sightline.export.report.words import GROUPINGS, TARGETS, group_word, heading
 from sightline.statistics.distributions import Density, Percentile
 from sightline.statistics.standards import Standard
-from sightline.statistics.summary import Distribution, Groups, Target
+from sightline.statistics.summary import Groups, Target
+from sightline.statistics.total_uncertainty import TotalFigures
 
 _MARKED = (5.0, 15.0, 50.0, 85.0, 95.0)
 _LONGEST_WORD = 34
@@ -40,12 +41,15 @@ def height_figures(
 
 def _limits(target: Target, standards: Sequence[Standard], unit: LengthUnit) -> list[Limit]:
     """The standards near enough to the heights to be drawn; those of one height share a rule."""
-    parts = [one.ecdf for one in (target.raw, target.corrected) if one.ecdf is not None]
-    if not parts:
+    found = target.corrected.ecdf
+    if found is None:
         return []
-    low, high = min(float(one.value[0]) for one in parts), max(float(one.value[-1]) for one in parts)
+    low, high = float(found.value[0]), float(found.value[-1])
     reach = max(0.1, 0.4 * (high - low))
     shares = {one.limit: one.share for one in target.corrected.shares}
+    if target.total is not None:
+        told_of = zip(target.corrected.shares, target.total.shares, strict=True)
+        shares |= {one.limit: total.value for one, total in told_of if total.U95_low is not None}
     by_height: dict[float, list[str]] = {}
     for one in standards:
         if low - reach <= one.height_m <= high + reach:
@@ -74,20 +78,15 @@ def _cumulative(
     name: StatisticsTarget, target: Target, limits: Sequence[Limit], unit: LengthUnit
 ) -> Drawing | str:
     scale, word = HEIGHT[unit], TARGETS[name]
-    raw, corrected = target.raw.ecdf, target.corrected.ecdf
+    found, total = target.corrected.ecdf, target.total
     title = said("report-fig-cumulative", target=word)
-    if raw is None and corrected is None:
+    if found is None:
         return said("report-fig-no-height", target=word)
 
     def draw(axes: Axes) -> None:
-        named = []
-        if raw is not None:
-            done = said("report-fig-raw", n=count(raw.n))
-            named.append(marks.steps(axes, raw, RAW, scale.factor, done))
-        if corrected is not None:
-            done = said("report-fig-corrected", n=count(corrected.n))
-            named.insert(0, marks.steps(axes, corrected, MAIN, scale.factor, done))
-            _whiskers(axes, target.corrected, scale)
+        named = marks.steps(axes, found, MAIN, scale.factor, said("report-fig-corrected", n=count(found.n)))
+        if total is not None:
+            _whiskers(axes, total, scale)
         axes.set(
             xlabel=said("report-fig-height-above", target=word, unit=scale.sign),
             ylabel=said("report-fig-share"),
@@ -96,17 +95,20 @@ def _cumulative(
         axes.margins(x=0.02)
         _widen(axes, limits)
         busy = marks.limits(axes, [_with_share(one) for one in limits])
-        wished = [replace(one, at=at) for one, at in zip(named, (0.62, 0.42), strict=False)]
-        if not labels.label(axes, wished, busy):
+        if not labels.label(axes, [replace(named, at=0.62)], busy):
             axes.legend(loc="lower right")
 
     caption = said("report-fig-cumulative-caption")
     return Drawing(svg(draw, title, FULL), title, caption)
 
 
-def _whiskers(axes: Axes, found: Distribution, scale: Scale) -> None:
-    """The marked percentiles with their intervals, their values along the right edge."""
-    chosen = [one for one in found.percentiles if one.percent in _MARKED and one.value is not None]
+def _whiskers(axes: Axes, found: TotalFigures, scale: Scale) -> None:
+    """The marked percentiles of true heights with their intervals, their values along the right edge."""
+    chosen = [
+        Percentile(one.percent, one.value, one.U95_low, one.U95_high, one.needs)
+        for one in found.percentiles
+        if one.percent in _MARKED and one.value is not None
+    ]
     marks.whiskers(axes, chosen, scale.factor)
     edge = axes.secondary_yaxis("right")
     edge.set_yticks([one.percent for one in chosen], labels=[_valued(one, scale) for one in chosen])

@@ -9,7 +9,7 @@ from datetime import date, datetime
 from itertools import islice
 from typing import Any
 
-from sightline.export.measured import PackageStatistics
+from sightline.export.measured import AS_PAPER, PackageStatistics
 from sightline.export.report.facts import (
     CalibrationFacts,
     Checksum,
@@ -58,12 +58,16 @@ def report_facts(files: Files, made: PackageStatistics, written: Mapping[str, Wr
     lenses = {row["id"]: row for row in read_rows(files, "calibrations.csv")}
     cameras = {row["camera_id"]: unsafe(row["camera_name"]) for row in lenses.values()}
     used = _Measurements(files)
+    hidden, stale = _not_visible(files), _out_of_date(files)
     exclusions = sum(1 for _ in read_columns(files, "exclusions.csv", ("measurement_id",)))
     return ReportFacts(
         survey=str(survey.get("name", "")),
         site=str(survey.get("site", "")),
         statistics=found,
         choices=StatisticsOptions(),
+        as_in_the_paper=made.of[AS_PAPER],
+        not_visible=hidden,
+        out_of_date=stale,
         description=str(survey.get("description", "")),
         selection=selection_words(selection_in(files)),
         as_of=head.moment,
@@ -73,10 +77,10 @@ def report_facts(files: Files, made: PackageStatistics, written: Mapping[str, Wr
             (said("report-count-recordings"), len(recordings)),
             (said("report-count-vehicles"), sum(1 for _ in read_columns(files, "vehicles.csv", ("id",)))),
             (said("report-count-measurements"), used.count),
-            (said("report-count-not-visible"), _not_visible(files)),
+            (said("report-count-not-visible"), hidden),
             (said("report-count-used"), found.counted.measurements),
             (said("report-count-left-out"), exclusions),
-            *_out_of_date(files),
+            *(((said("report-count-out-of-date"), stale),) if stale else ()),
             *_scanned(made),
         ),
         place=place_in(files),
@@ -115,11 +119,10 @@ def _not_visible(files: Files) -> int:
     )
 
 
-def _out_of_date(files: Files) -> tuple[tuple[str, int], ...]:
-    """Heights that follow from facts that hold no longer, where there are any."""
+def _out_of_date(files: Files) -> int:
+    """Heights that follow from facts that hold no longer."""
     tables = ("measurements.csv", "line_heights.csv")
-    count = sum(bool(cell) for path in tables for (cell,) in read_columns(files, path, ("out_of_date",)))
-    return ((said("report-count-out-of-date"), count),) if count else ()
+    return sum(bool(cell) for path in tables for (cell,) in read_columns(files, path, ("out_of_date",)))
 
 
 def _scanned(made: PackageStatistics) -> tuple[tuple[str, int], ...]:

@@ -9,23 +9,25 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping
+from dataclasses import asdict
 from datetime import datetime
 from functools import cache
 from pathlib import Path
 
 from sightline.export.report.canvas import Drawing
+from sightline.export.report.conclusion import conclusion
 from sightline.export.report.facts import ReportFacts
 from sightline.export.report.figures import drawings
 from sightline.export.report.fonts import LACKING
 from sightline.export.report.lateral import lateral
 from sightline.export.report.pictures import Pictures
 from sightline.export.report.response import response
-from sightline.export.report.results import errors, glance, heights, known_errors
+from sightline.export.report.results import as_in_the_paper, errors, heights, known_errors
 from sightline.export.report.said import catalogue_json, speaking, spoken
 from sightline.export.report.scans import line_scans
 from sightline.export.report.settable import Values, settable
 from sightline.export.report.setup import calibration, exclusions, insets, moment, setup, title, verification
-from sightline.export.report.sight import sight
+from sightline.export.report.sight import FIGURE, crest_of, sight
 from sightline.export.report.units import unit_words
 from sightline.infra.typesetting import pdf
 
@@ -65,7 +67,8 @@ def _values(facts: ReportFacts, pictures: Pictures) -> bytes:
         "head": facts.audit_head[:16],
         "unit": unit_words(facts.unit),
         "title": title(facts),
-        "glance": glance(facts),
+        "conclusion": asdict(conclusion(facts)),
+        "figures": pictures.figures(_first(facts)),
         "setup": setup(facts, pictures),
         "response": response(facts),
         "calibration": calibration(facts),
@@ -74,12 +77,20 @@ def _values(facts: ReportFacts, pictures: Pictures) -> bytes:
         "known_errors": known_errors(facts),
         "heights": heights(facts, pictures),
         "lateral": lateral(facts, pictures),
-        "sight": sight(facts, pictures),
+        "sight": sight(facts),
+        "as_in_the_paper": as_in_the_paper(facts),
         "scans": line_scans(facts, pictures),
         "exclusions": exclusions(facts),
         "verification": verification(facts),
     }
     return values_json(values)
+
+
+def _first(facts: ReportFacts) -> list[str]:
+    """The figures that stand beside the conclusion: of what there are heights, and the crest."""
+    targets = facts.statistics.targets.items()
+    there = [f"{name}-ecdf" for name, one in targets if name != "roof" and one.corrected.n]
+    return [*there, FIGURE] if crest_of(facts) else there
 
 
 def values_json(values: Values) -> bytes:

@@ -10,7 +10,6 @@ from sightline.export.report.facts import ReportFacts
 from sightline.export.report.pictures import Pictures
 from sightline.export.report.said import said, told
 from sightline.export.report.settable import Json, Values
-from sightline.export.report.sight import consequence
 from sightline.export.report.units import (
     HEIGHT,
     OTHER,
@@ -26,16 +25,14 @@ from sightline.results.survey_statistics import standards_of
 from sightline.statistics.agreement import BlandAltman, ReferencePart
 from sightline.statistics.distributions import Percentile, Share
 from sightline.statistics.errors import ALL_FIGURES, GROUPS, ErrorGroup, Interval
-from sightline.statistics.figures import Figure, TotalFigure, TotalPercentile
+from sightline.statistics.figures import Figure, TotalFigure
 from sightline.statistics.known_errors import KnownErrors
 from sightline.statistics.paper import PAPER
 from sightline.statistics.rules import RuleToday
 from sightline.statistics.standards import Standard
-from sightline.statistics.summary import Distribution, Target
+from sightline.statistics.summary import Target
 from sightline.statistics.total_uncertainty import TotalFigures
 
-_GLANCE = (5.0, 15.0, 50.0, 85.0, 95.0)
-_SURE = (10.0, 50.0)
 _PLAIN = Scale(1.0, "", 2)
 _WITHIN_MM = (10, 15, 20, 30, 40)
 _KNOWN_FIGURES = ("bias_m", "mae_m", "rmse_m", "sd_m")
@@ -46,58 +43,6 @@ _ERROR_FIGURES = (
     "error-against-height",
 )
 _GROUPINGS = ("category", "class_set", "site", "operator")
-
-
-def glance(facts: ReportFacts) -> Values:
-    """The few numbers that most readers came for."""
-    result = facts.statistics
-    eyes = result.targets.get("driver_eye")
-    return {
-        "correction": words.CORRECTIONS[facts.choices.correction],
-        "percents": [fixed(at, 0) for at in _GLANCE],
-        "targets": [
-            _glance(name, target.corrected, HEIGHT[facts.unit])
-            for name, target in result.targets.items()
-            if target.corrected.n and name != "roof"
-        ],
-        "sure": [
-            _sure(name, target.total, HEIGHT[facts.unit])
-            for name, target in result.targets.items()
-            if target.total is not None and name != "roof"
-        ],
-        "rules": [rule_values(one, HEIGHT[facts.unit], SMALL[facts.unit]) for one in result.rules if one.n],
-        "errors": _errors_in_short(result.errors.groups["overall"], SMALL[facts.unit]),
-        "consequence": consequence(facts),
-        "standards": [] if eyes is None else _standards(facts, "driver_eye", eyes),
-    }
-
-
-def _glance(name: StatisticsTarget, heights: Distribution, scale: Scale) -> Values:
-    values = {one.percent: one.value for one in heights.percentiles}
-    return {
-        "name": words.TARGETS[name],
-        "n": heights.n,
-        "mean": scale.number(heights.mean_m),
-        "sd": scale.number(heights.sd_m),
-        "percentiles": [scale.number(values.get(at)) for at in _GLANCE],
-    }
-
-
-def _sure(name: StatisticsTarget, total: TotalFigures, scale: Scale) -> Values:
-    """How sure the 10th percentile and the median of a target are."""
-    at = {one.percent: one for one in total.percentiles}
-    return {
-        "name": words.TARGETS[name],
-        "holds": told(total.words),
-        "percentiles": [
-            {
-                "percent": decimal(f"{percent:g}"),
-                "value": scale.number(at[percent].value),
-                "ci95": total_interval(at[percent], scale),
-            }
-            for percent in _SURE
-        ],
-    }
 
 
 def rule_values(one: RuleToday, scale: Scale, small: Scale) -> Values:
@@ -112,11 +57,12 @@ def rule_values(one: RuleToday, scale: Scale, small: Scale) -> Values:
         "value": scale.number(one.value_m),
         "ci95": None if one.U95_low_m is None else {"low": ends[0], "high": ends[1]},
         "difference": small.number(one.difference_m, signed=True),
-        "verdict": _verdict(one),
+        "verdict": verdict_of(one),
     }
 
 
-def _verdict(one: RuleToday) -> str:
+def verdict_of(one: RuleToday) -> str:
+    """What may be said of today's percentile against the standard's height."""
     if one.verdict == "unknown" or one.lower is None:
         return said("report-no-verdict", reason=told(one.reason or ""))
     if one.verdict == "alike":
@@ -130,19 +76,6 @@ def _risk(risk: float | None) -> str:
     if risk is None or risk < 0.001:
         return said("report-less-than", percent=decimal("0.1 %"))
     return decimal(f"{100 * risk:.1f} %")
-
-
-def _errors_in_short(overall: ErrorGroup, small: Scale) -> Values | None:
-    mae, bias = overall.figures["mae_m"], overall.figures["bias_m"]
-    if mae is None or bias is None:
-        return None
-    return {
-        "n": overall.n,
-        "mae": small.number(mae),
-        "mae_ci95": _interval(overall.ci95["mae_m"], small),
-        "bias": small.number(bias, signed=True),
-        "bias_ci95": _interval(overall.ci95["bias_m"], small),
-    }
 
 
 def _interval(found: Interval | None, scale: Scale) -> Values | None:
@@ -182,15 +115,12 @@ def errors(facts: ReportFacts, pictures: Pictures) -> Values | None:
     if found.groups["overall"].n == 0:
         return None
     return {
-        "inset": facts.choices.correction == "inset",
-        "whole_cm": found.rounding == "cm",
         "groups": [_error_group(name, found.groups[name], unit) for name in GROUPS],
         "within": [[mm, fixed(mm / 10, 1 if mm % 10 else 0)] for mm in _WITHIN_MM],
         "reasons": sorted({told(one.reason) for one in found.groups.values() if one.reason and one.n}),
         "reference_part": _reference_part(found.reference_part, unit),
         "limits": _limits(found.bland_altman, unit),
         "figures": pictures.figures(_ERROR_FIGURES),
-        "paper": _paper(unit),
         "holds": told(found.groups["overall"].words),
     }
 
@@ -254,11 +184,52 @@ def _paper(unit: LengthUnit) -> list[Json]:
     ]
 
 
+def as_in_the_paper(facts: ReportFacts) -> Values | None:
+    """What stands apart, for comparison with the paper alone; None where nothing of it is known."""
+    if facts.as_in_the_paper is None:
+        return None
+    unit, found = facts.unit, facts.as_in_the_paper.errors
+    targets = facts.statistics.targets.items()
+    return {
+        "errors": None
+        if found.groups["overall"].n == 0
+        else {
+            "groups": [_error_group(name, found.groups[name], unit) for name in GROUPS],
+            "within": [],
+            "reasons": [],
+        },
+        "printed": _paper(unit),
+        "targets": [_as_in_the_paper(name, one, HEIGHT[unit]) for name, one in targets if one.raw.n],
+    }
+
+
+def _as_in_the_paper(name: StatisticsTarget, target: Target, scale: Scale) -> Values:
+    corrected = {one.percent: one for one in target.corrected.percentiles}
+    return {
+        "name": words.TARGETS[name],
+        "n_corrected": target.corrected.n,
+        "n_raw": target.raw.n,
+        "percentiles": [
+            {
+                "percent": decimal(f"{one.percent:g}"),
+                "raw": scale.number(one.value),
+                "raw_ci95": percentile_interval(one, scale),
+                "corrected": scale.number(corrected[one.percent].value) if one.percent in corrected else None,
+                "corrected_ci95": percentile_interval(corrected.get(one.percent), scale),
+            }
+            for one in target.raw.percentiles
+        ],
+        "without_interval": without_interval([*corrected.values(), *target.raw.percentiles]),
+    }
+
+
 def heights(facts: ReportFacts, pictures: Pictures) -> Values:
-    """Each target's distribution, percentiles, and who sits below the standards."""
+    """The rules of standards, then each target's percentiles, and who sits below the standards."""
     targets = facts.statistics.targets
     there = [name for name, target in targets.items() if target.raw.n or target.corrected.n]
+    rules = [one for one in facts.statistics.rules if one.n]
     return {
+        "rules": [rule_values(one, HEIGHT[facts.unit], SMALL[facts.unit]) for one in rules],
         "targets": [_target(facts, name, targets[name], pictures) for name in there],
         "absent": [words.TARGETS[name] for name in targets if name not in there],
     }
@@ -266,48 +237,43 @@ def heights(facts: ReportFacts, pictures: Pictures) -> Values:
 
 def _target(facts: ReportFacts, name: StatisticsTarget, target: Target, pictures: Pictures) -> Values:
     mine, other = HEIGHT[facts.unit], HEIGHT[OTHER[facts.unit]]
-    raw = {one.percent: one for one in target.raw.percentiles}
-    corrected = {one.percent: one for one in target.corrected.percentiles}
-    total = {} if target.total is None else {one.percent: one for one in target.total.percentiles}
-    done = target.correction
-    (ecdf,) = pictures.figures([f"{name}-ecdf"])
+    total, done = target.total, target.correction
     return {
         "name": words.TARGETS[name],
         "many": words.MANY[name],
         "correction": told(done)
         if isinstance(done, str)
         else {"words": told(done.words), "warning": told(done.warning or "") or None},
-        "ecdf": ecdf,
-        "n_corrected": target.corrected.n,
-        "n_raw": target.raw.n,
-        "percentiles": [
-            _percentile(at, total.get(at), corrected.get(at), raw.get(at), mine, other)
-            for at in raw | corrected
-        ],
-        "holds": None if target.total is None else told(target.total.words),
-        "without_interval": without_interval(list((raw | corrected).values())),
+        "n": target.corrected.n,
+        "figures": [] if total is None else _total_figures(total, mine, other),
+        "holds": None if total is None else told(total.words),
         "standards": _standards(facts, name, target),
         "groupings": [] if name == "roof" else pictures.figures(f"{name}-by-{word}" for word in _GROUPINGS),
     }
 
 
-def _percentile(
-    at: float,
-    total: TotalPercentile | None,
-    corrected: Percentile | None,
-    raw: Percentile | None,
-    mine: Scale,
-    other: Scale,
-) -> Values:
-    return {
-        "percent": decimal(f"{at:g}"),
-        "total": None if total is None else mine.number(total.value),
-        "total_ci95": total_interval(total, mine),
-        "total_other": None if total is None else other.number(total.value),
-        "corrected": None if corrected is None else mine.number(corrected.value),
-        "corrected_ci95": percentile_interval(corrected, mine),
-        "raw": None if raw is None else mine.number(raw.value),
-    }
+def _total_figures(total: TotalFigures, mine: Scale, other: Scale) -> list[Json]:
+    """Mean, SD and percentiles of the true heights, each with its one interval."""
+    named: list[tuple[str, Figure]] = [(said("report-mean"), total.mean), (said("report-sd"), total.sd)]
+    named += [(f"P{decimal(f'{one.percent:g}')}", one) for one in total.percentiles]
+    return [
+        {
+            "name": name,
+            "value": mine.number(one.value),
+            "ci95": total_interval(one, mine),
+            "other": other.number(one.value),
+            "reason": told(one.reason or "") or None,
+        }
+        for name, one in named
+    ]
+
+
+def in_brackets(low: float | None, high: float | None, scale: Scale) -> str:
+    """ " (95 %: 1.060 to 1.103)" behind a figure; nothing where it has no interval."""
+    if low is None or high is None:
+        return ""
+    between = said("report-between", low=scale.number(low), high=scale.number(high))
+    return " " + said("report-brackets", interval=between)
 
 
 def percentile_interval(found: Percentile | None, scale: Scale) -> Values | None:

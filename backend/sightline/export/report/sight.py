@@ -10,7 +10,6 @@ from sightline.enums import CrestVerdict, LengthUnit
 from sightline.export.report import marks
 from sightline.export.report.canvas import FULL, INK, MUTED, Drawing, svg
 from sightline.export.report.facts import ReportFacts
-from sightline.export.report.pictures import Pictures
 from sightline.export.report.said import said, told
 from sightline.export.report.settable import Json, Values
 from sightline.export.report.units import HEIGHT, SPEED, Scale, count, decimal, limit, percent
@@ -32,7 +31,7 @@ _SENTENCES: dict[CrestVerdict, str] = {
 }
 
 
-def sight(facts: ReportFacts, pictures: Pictures) -> Values | None:
+def sight(facts: ReportFacts) -> Values | None:
     """What stands in the section; None where no standard gives both an eye and an object."""
     found = _cases(facts.statistics, facts.unit)
     if found is None:
@@ -49,9 +48,7 @@ def sight(facts: ReportFacts, pictures: Pictures) -> Values | None:
         "classes": _classes(facts.statistics),
         "source": told(GREEN_BOOK),
         "missing": [TARGETS[target] for target in survey.missing],
-        "sentence": crest_sentence(question, standard, survey),
         "rows": _rows(question, standard, survey, facts.unit),
-        "figures": pictures.figures([FIGURE]),
         "constant": _with_interval(None if survey.crest is None else survey.crest.constant_m, scale),
     }
     return values
@@ -60,6 +57,12 @@ def sight(facts: ReportFacts, pictures: Pictures) -> Values | None:
 def _classes(result: Statistics) -> str:
     """Whose heights the percentiles are of: "class" where others were left out, else "all"."""
     return "class" if result.sight is not None and all(one.by_class for one in result.sight) else "all"
+
+
+def crest_of(facts: ReportFacts) -> bool:
+    """Whether the survey's own heights give a crest."""
+    found = _cases(facts.statistics, facts.unit)
+    return found is not None and found[4].crest is not None
 
 
 def consequence(facts: ReportFacts) -> str | None:

@@ -9,7 +9,6 @@ from typing import Any
 from sightline.enums import (
     Category,
     ClassSet,
-    Correction,
     Direction,
     ReferenceSource,
     StatisticsTarget,
@@ -106,14 +105,6 @@ _STATES_KEYS: dict[str, str] = {
     "check_target": "report-check-target",
 }
 STATES = Called(_STATES_KEYS)
-_CORRECTIONS_KEYS: dict[Correction, str] = {
-    "inset": "report-by-inset",
-    "shift": "report-by-shift",
-    "none": "report-not-corrected",
-    "regression": "report-by-regression",
-    "deconvolution": "report-by-deconvolution",
-}
-CORRECTIONS = Called(_CORRECTIONS_KEYS)
 
 
 def heading(word: str) -> str:

@@ -1,0 +1,58 @@
+"""README.txt of a package: what came out, what the package holds, and how it is checked, as plain text.
+
+Its first part is the conclusion that the report opens with; the package's own page shows it from here.
+"""
+
+from __future__ import annotations
+
+import textwrap
+from collections.abc import Iterable, Iterator
+
+from sightline.export.report.conclusion import conclusion
+from sightline.export.report.facts import ReportFacts
+from sightline.export.report.said import said
+
+README = "README.txt"
+_WIDE = 100
+_CONTENTS = (
+    ("index.html", "report-readme-page"),
+    ("report.pdf", "report-readme-report"),
+    ("statistics/", "report-readme-statistics"),
+    ("*.csv", "report-readme-tables"),
+    ("crops/ figures/ poses/ calibrations/ parquet/", "report-readme-files"),
+    ("audit.csv checkpoint.json", "report-readme-audit"),
+)
+
+
+def readme(facts: ReportFacts) -> bytes:
+    """The text, in the language that is spoken: a title, then parts of a heading and items."""
+    found = conclusion(facts)
+    title = _plain(", ".join(part for part in (facts.survey, facts.site) if part))
+    lines = [
+        title,
+        "=" * min(len(title), _WIDE),
+        *_part(said("report-conclusion"), found.found),
+        *_part(said("report-not-covered"), found.not_covered),
+        *_part(said("report-readme-contents"), (f"{path}: {said(key)}" for path, key in _CONTENTS)),
+        "",
+        *_wrapped(said("report-readme-check"), ""),
+    ]
+    return ("\n".join(lines) + "\n").encode()
+
+
+def _part(heading: str, items: Iterable[str]) -> Iterator[str]:
+    yield from ("", heading, "-" * len(heading))
+    for item in items:
+        yield from _wrapped(item, "- ")
+
+
+def _wrapped(text: str, mark: str) -> list[str]:
+    blank = " " * len(mark)
+    return textwrap.wrap(
+        mark + _plain(text), _WIDE, subsequent_indent=blank, break_long_words=False, break_on_hyphens=False
+    )
+
+
+def _plain(text: str) -> str:
+    """In one line; blanks that hold a number and its unit together stay."""
+    return " ".join(text.split(" ")).replace("\n", " ").replace("\r", " ").replace("\t", " ").strip()

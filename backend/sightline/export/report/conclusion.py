@@ -1,0 +1,114 @@
+"""What came out of a survey, in words: figures of rules with interval and verdict, what they change on a
+crest, how well heights are known, what was not covered. The report opens with it, and so do README and page.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from sightline.export.report import words
+from sightline.export.report.facts import ReportFacts
+from sightline.export.report.results import in_brackets, verdict_of
+from sightline.export.report.said import said, told
+from sightline.export.report.sight import consequence
+from sightline.export.report.units import HEIGHT, SMALL, decimal, limit
+from sightline.results.survey_statistics import RULE_OF
+from sightline.statistics.errors import Interval
+from sightline.statistics.rules import RuleToday
+
+
+@dataclass(frozen=True)
+class Conclusion:
+    """Sentences in the language that is spoken."""
+
+    found: tuple[str, ...]
+    not_covered: tuple[str, ...]
+
+
+def conclusion(facts: ReportFacts) -> Conclusion:
+    """The sentences of a survey."""
+    return Conclusion(tuple(_found(facts)), tuple(_not_covered(facts)))
+
+
+def _found(facts: ReportFacts) -> Iterator[str]:
+    counted = facts.statistics.counted
+    yield said("report-concluded-of", measurements=counted.measurements, vehicles=counted.vehicles)
+    yield from (_of_rule(one, facts) for one in _asked(facts))
+    if (changes := consequence(facts)) is not None:
+        yield changes
+    yield _errors(facts)
+
+
+def _asked(facts: ReportFacts) -> tuple[RuleToday, ...]:
+    """The eye and the object that a crest rests on; else every rule that has heights."""
+    result = facts.statistics
+    pair = tuple(one for one in result.sight or () if one.n)
+    return pair or tuple(one for one in result.rules if one.n)
+
+
+def _of_rule(one: RuleToday, facts: ReportFacts) -> str:
+    standard, scale = one.standard, HEIGHT[facts.unit]
+    target = RULE_OF[standard.what][0]
+    key: dict[str, str | int] = {
+        "of": words.MANY[target],
+        "classes": told(standard.vehicle_class) if one.by_class else said("report-all-vehicles"),
+        "percent": decimal(f"{standard.percent:g}"),
+        "n": one.n,
+    }
+    if one.value_m is None:
+        return said("report-concluded-none", **key, reason=told(one.reason or ""))
+    return said(
+        "report-concluded-rule",
+        **key,
+        value=scale.length(one.value_m),
+        interval=in_brackets(one.U95_low_m, one.U95_high_m, scale),
+        standard=told(standard.name),
+        limit=limit(standard.height_m, facts.unit),
+        verdict=verdict_of(one),
+    )
+
+
+def _errors(facts: ReportFacts) -> str:
+    overall = facts.statistics.errors.groups["overall"]
+    mae, bias = overall.figures["mae_m"], overall.figures["bias_m"]
+    if mae is None or bias is None:
+        return said("report-error-none")
+    small = SMALL[facts.unit]
+    ends = {name: overall.ci95[name] for name in ("mae_m", "bias_m")}
+    return said(
+        "report-error-short",
+        n=overall.n,
+        mae=small.length(mae),
+        mae_interval=in_brackets(*_ends(ends["mae_m"]), small),
+        bias=f"{small.number(bias, signed=True)}\u00a0{small.sign}",
+        bias_interval=in_brackets(*_ends(ends["bias_m"]), small),
+    )
+
+
+def _ends(found: Interval | None) -> tuple[float | None, float | None]:
+    return (None, None) if found is None else (found.low, found.high)
+
+
+def _not_covered(facts: ReportFacts) -> Iterator[str]:
+    """What a reader may not take from the figures, most of it counted."""
+    result = facts.statistics
+    if facts.selection is not None:
+        yield said("report-uncovered-selection", selection=facts.selection)
+    absent = [
+        words.MANY[name]
+        for name in ("driver_eye", "taillight")
+        if name in result.targets and not result.targets[name].corrected.n
+    ]
+    if absent:
+        yield said("report-absent", targets=", ".join(absent))
+    if any(one.n and not one.by_class for one in result.rules):
+        yield said("report-uncovered-classes")
+    excluded = len(facts.exclusions) if facts.exclusions_total is None else facts.exclusions_total
+    if excluded:
+        yield said("report-uncovered-excluded", n=excluded)
+    if facts.not_visible:
+        yield said("report-uncovered-not-visible", n=facts.not_visible)
+    if facts.out_of_date:
+        yield said("report-uncovered-out-of-date", n=facts.out_of_date)
+    yield said("report-uncovered-others")
