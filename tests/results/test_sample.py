@@ -1,15 +1,22 @@
 """Sampling of a survey: the rule stored, quotas with progress, each pass ended, listed and exported."""
 
 from pathlib import Path
+from typing import Any
 
 import pytest
 
+from sightline.cli import main
+from sightline.commands.distribution import read_groups
 from sightline.export.verify.package import verify_package
 from sightline.infra.csv_package.files import FolderFiles
 from sightline.infra.services import Services
+from sightline.studies.packages import studied
+from sightline.studies.query import StudyTables
+from sightline.studies.records import StudiedPackage
+from sightline.studies.stored_query import StoredTables
 from tests.export.report.pdf_text import words
 from tests.support.app import Client, error_of
-from tests.support.ground import Ground, add_vehicle, lay_ground, measure
+from tests.support.ground import Ground, add_vehicle, lay_ground, measure, pixel
 from tests.support.packages import edit, reseal, rows, written
 
 pytestmark = pytest.mark.dialect
@@ -44,6 +51,16 @@ def fleet(client: Client, ground: Ground, count: int) -> list[int]:
         for n in range(count)
     ]
     return [one["id"] for one in made]
+
+
+def lower(n: int) -> dict[str, Any]:
+    """Clicks on a roof a little lower each time."""
+    return {"contact": pixel(0.0, 0.0, 0.0), "target_point": pixel(0.0, 0.0, 1.4 - n / 50)}
+
+
+def studied_package(place: Path) -> StudiedPackage:
+    (found,) = studied([place], lambda files: None, place.parent / "scratch")
+    return found
 
 
 def test_each_pass_ends_and_quotas_tell_how_far(operator: Client, viewer: Client, ground: Ground) -> None:
@@ -162,3 +179,75 @@ def test_the_rule_is_held_against_the_chain(
     edit(place, "sampling.csv", lambda row: True, step="3")
     reseal(place)
     assert "sampling.csv" in str(verify_package(FolderFiles(place)).problem)
+
+
+@pytest.mark.parametrize("outside", [False, True])
+def test_one_population_wherever_heights_are_counted(
+    operator: Client,
+    reviewer: Client,
+    viewer: Client,
+    ground: Ground,
+    services: Services,
+    tmp_path: Path,
+    outside: bool,
+) -> None:
+    """Page, sight distance, package, report, study here and of packages, and the command count the same."""
+    ids = fleet(operator, ground, 6)
+    said(operator, ground, method="nth", step=3, start=1, outside_counts=outside)  # takes 1 and 4
+    for n, one in enumerate(ids):
+        made = measure(operator, one, **lower(n))
+        reviewer.made(f"/measurements/{made['id']}/reviews", {"revision": 1, "verdict": "accepted"})
+    check = operator.put(f"/vehicles/{ids[5]}", {"check_target": True, "version": 1})
+    assert check.status_code == 200 and not check.json()["counts"]
+    counted, left = (5, 0) if outside else (2, 3)
+    assert [viewer.seen(f"/vehicles/{one}")["counts"] for one in ids[:5]] == [
+        outside or n in (0, 3) for n in range(5)
+    ]
+
+    page = viewer.seen(f"/statistics?survey={ground.survey_id}&target=roof")
+    assert (page["counted"]["measurements"], page["targets"][0]["corrected"]["n"]) == (counted, counted)
+    assert page["counted"]["left_out"] == ({} if outside else {"out_of_sample": 3})
+
+    place = written(services, ground.survey_id, tmp_path / "package")
+    assert verify_package(FolderFiles(place)).ok
+    (rule,) = rows(place, "sampling.csv")
+    assert rule["outside_counts"] == str(outside).lower()
+    total = rows(place, "statistics/total_uncertainty.csv")
+    assert {row["n"] for row in total if row["target"] == "roof"} == {str(counted)}
+    assert [row["state"] for row in rows(place, "exclusions.csv")] == ["out_of_sample"] * left + [
+        "check_target"
+    ]
+    report = " ".join(words((place / "report.pdf").read_bytes()).split())
+    assert ("and count in the results" in report) == outside
+    assert ("do not count in the results" in report) == (not outside)
+
+    with services.reading() as session:
+        here = StoredTables(session, [ground.survey_id])
+    with StudyTables([studied_package(place)]) as there:
+        for study in (here, there):
+            assert [one.tolist() for one in study.counted()] == [[counted], [left]]
+            assert len(study.heights("roof").height_m) == counted
+
+    pose = next((place / "poses").glob("*.json"))
+    heights = tmp_path / "heights.csv"
+    clicks = next((place / "clicks").glob("*.csv"))
+    assert main(["height", "--pose", str(pose), "--clicks", str(clicks), "-o", str(heights)]) == 0
+    (of_command,) = read_groups(heights, None)[0].values()
+    assert sorted(of_command.height_m) == sorted(here.heights("roof").height_m)
+
+
+def test_what_counts_is_held_against_the_chain_and_the_passes(
+    operator: Client, ground: Ground, services: Services, tmp_path: Path
+) -> None:
+    ids = fleet(operator, ground, 2)
+    said(operator, ground, method="nth", step=2)
+    for n, one in enumerate(ids):
+        measure(operator, one, **lower(n))
+    for name, row, lie in (
+        ("sampling.csv", {"outside_counts": "false"}, {"outside_counts": "true"}),
+        ("vehicles.csv", {"counts": "false"}, {"counts": "true"}),
+    ):
+        place = written(services, ground.survey_id, tmp_path / name)
+        edit(place, name, lambda one, row=row: row.items() <= one.items(), **lie)
+        reseal(place)
+        assert name in str(verify_package(FolderFiles(place)).problem)

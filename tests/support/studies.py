@@ -62,7 +62,7 @@ def invent(folder: Path, survey: Invented, seed: int = 0, *, with_csv: bool = Tr
         "model_chosen_by": pa.nulls(n, pa.string()),
         "manufacturer_height_m": roof,
         "check_target": np.zeros(len(ids), dtype=bool),
-        "in_sample": ids % survey.sample_one_in == 0,
+        "counts": ids % survey.sample_one_in == 0,
         "discarded": pa.nulls(n, pa.string()),
     }
     error = survey.moved_m + rng.normal(0.0, 0.004)

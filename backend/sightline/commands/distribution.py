@@ -49,7 +49,8 @@ def distribution(heights: Path, by: str | None, percents: str, compare: str | No
     """Compute percentiles, mean and SD of the heights in HEIGHTS (heights.csv), with total uncertainty.
 
     Besides height_m, u_height_m and status, these columns are used: u_random_m (error of this row only;
-    usually u_height_m), shared_group and u_shared_m (error common to all rows of a group), site (a cluster).
+    usually u_height_m), shared_group and u_shared_m (error common to all rows of a group), site (a cluster),
+    counts (rows with "false" are left out: a package writes it by what its survey counts).
     """
     from sightline.statistics.total_uncertainty import TotalUncertainty
 
@@ -68,7 +69,7 @@ def distribution(heights: Path, by: str | None, percents: str, compare: str | No
     if pair is not None:
         click.echo("\n" + _compared_text(pair, found, wanted))
     if left_out:
-        click.echo(f"\n{left_out} rows have no height and do not count.")
+        click.echo(f"\n{left_out} rows do not count: without a height, or counts is false.")
 
 
 def percents_of(text: str) -> list[tuple[str, float]]:
@@ -83,16 +84,15 @@ def percents_of(text: str) -> list[tuple[str, float]]:
 
 
 def read_groups(path: Path, by: str | None) -> tuple[dict[str, Rows], int]:
-    """The rows with a height by the value of a column, in order of appearance, and how many have none.
-
-    Raises BadInput naming the row.
+    """The rows with a height that counts by the value of a column, in order of appearance, and how many
+    others there are. Raises BadInput naming the row.
     """
     table = read_csv(path, ())
     _refuse_header(table, by)
     groups: dict[str, Rows] = {}
     left_out = 0
     for line, row in table.sound_rows():
-        if row.get("status", "ok") != "ok":
+        if row.get("status", "ok") != "ok" or row.get("counts") == "false":
             left_out += 1
             continue
         _add(groups.setdefault(_ALL if by is None else row[by], Rows()), table, line, row)

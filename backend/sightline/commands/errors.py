@@ -60,7 +60,8 @@ def read_heights(path: Path) -> tuple[_Rows, int]:
         table.require("shared_group", "u_shared_m")
     found, left_out = _Rows(), 0
     for line, row in table.sound_rows():
-        if row["status"] != "ok" or not row["height_m"] or not row["reference_height_m"]:
+        has_both = row["height_m"] and row["reference_height_m"]
+        if row["status"] != "ok" or row.get("counts") == "false" or not has_both:
             left_out += 1
             continue
         found.height_m.append(length_in(table, line, row, "height_m"))

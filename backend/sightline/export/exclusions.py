@@ -8,14 +8,24 @@ from sightline.export.chosen import chosen_vehicles
 from sightline.infra.csv_package.files import Files, read_columns, unsafe
 from sightline.infra.csv_package.schema import Cell, Column, Table
 from sightline.measurements.csv import TARGETS
+from sightline.measurements.sheets.csv import counting_in
 
-STATES = ("withdrawn", "not_measurable", "rejected", "to_review", "not_selected", "check_target")
+STATES = (
+    "withdrawn",
+    "not_measurable",
+    "rejected",
+    "to_review",
+    "not_selected",
+    "check_target",
+    "out_of_sample",
+)
 
 EXCLUSIONS = Table(
     "exclusions",
     "The measurements that count for no result in statistics/, and why: withdrawn, without a height, "
-    "rejected, not accepted yet, of a vehicle that the package is not of (selection.csv), or of a check "
-    "target, whose errors alone are stated (statistics/known_errors.csv).",
+    "rejected, not accepted yet, of a vehicle that the package is not of (selection.csv), of a check "
+    "target, whose errors alone are stated (statistics/known_errors.csv), or of a vehicle out of the sample "
+    "(sampling.csv).",
     (
         Column("measurement_id", "integer", "measurement that is left out", required=True),
         Column("vehicle_id", "integer", "vehicle that was measured", required=True),
@@ -27,20 +37,23 @@ EXCLUSIONS = Table(
     primary=("measurement_id",),
     foreign=((("measurement_id",), "measurements", ("id",)), (("vehicle_id",), "vehicles", ("id",))),
 )
+_CHECK = "check_target", "It checks the measuring: its errors are in statistics/known_errors.csv."
+_OUTSIDE = "out_of_sample", "Its vehicle is out of the survey's sample."
 _READ = ("id", "vehicle_id", "target", "withdrawn", "status", "reason", "verdict", "review_reason")
 
 
 def exclusion_rows(files: Files) -> Iterator[dict[str, Cell]]:
     """Rows by measurement, from measurements.csv and vehicles.csv."""
-    numbers, checks = {}, set()
+    numbers, apart = {}, {}
+    counts = counting_in(files)
     for id_, number, check in read_columns(files, "vehicles.csv", ("id", "number", "check_target")):
         numbers[id_] = int(number)
-        if check == "true":
-            checks.add(id_)
+        if not counts[id_]:
+            apart[id_] = _CHECK if check == "true" else _OUTSIDE
     chosen = chosen_vehicles(files)
     for values in read_columns(files, "measurements.csv", _READ):
         row = dict(zip(_READ, values, strict=True))
-        why = _why(row, row["vehicle_id"] in chosen, row["vehicle_id"] in checks)
+        why = _why(row, row["vehicle_id"] in chosen) or apart.get(row["vehicle_id"])
         if why is not None:
             yield {
                 "measurement_id": int(row["id"]),
@@ -52,7 +65,7 @@ def exclusion_rows(files: Files) -> Iterator[dict[str, Cell]]:
             }
 
 
-def _why(row: Mapping[str, str], is_chosen: bool, is_check: bool) -> tuple[str, str] | None:
+def _why(row: Mapping[str, str], is_chosen: bool) -> tuple[str, str] | None:
     if row["withdrawn"] == "true":
         return "withdrawn", "The measurement was withdrawn."
     if row["status"] != "ok":
@@ -67,6 +80,4 @@ def _why(row: Mapping[str, str], is_chosen: bool, is_check: bool) -> tuple[str, 
         )
     if not is_chosen:
         return "not_selected", "It is not among the vehicles of this package."
-    if is_check:
-        return "check_target", "It checks the measuring: its errors are in statistics/known_errors.csv."
     return None

@@ -21,6 +21,7 @@ from sightline.export.traffic import traffic_in
 from sightline.geometry.documents import camera_across_m
 from sightline.infra.csv_package.files import Files, read_columns, unsafe
 from sightline.infra.csv_package.forms import read_json
+from sightline.measurements.sheets.csv import counting_in
 from sightline.poses.csv import pose_path
 from sightline.results.csv import selection_in, standards_in
 from sightline.results.measured_columns_query import (
@@ -60,6 +61,18 @@ _READ = (
 )
 
 
+_OF_CAR = (
+    "lighting",
+    "filmed_day",
+    "lane",
+    "category",
+    "class_set",
+    "by_size",
+    "check_target",
+    "counts",
+)
+
+
 @dataclass(frozen=True, eq=False)
 class Cars:
     """What the vehicles of a package are, by id: lighting, category and set as indices; `known`: height and
@@ -72,6 +85,7 @@ class Cars:
     class_set: dict[str, int]
     by_size: dict[str, bool]
     check_target: dict[str, bool]
+    counts: dict[str, bool]
     known: dict[str, tuple[float, ...]]
 
 
@@ -121,10 +135,7 @@ def measured_of(files: Files) -> Measured:
     """The standing measurements with a height, from measurements.csv, vehicles.csv and recordings.csv."""
     cars = _cars(files)
     whole = {name: array("q") for name in ("id", "vehicle", "operator", "day", "target", "verdict", "pose")}
-    of_car = {
-        name: array("q")
-        for name in ("lighting", "filmed_day", "lane", "category", "class_set", "by_size", "check_target")
-    }
+    of_car = {name: array("q") for name in _OF_CAR}
     lengths = {name: array("d") for name in ("height", "paper", "known", "u_known", "across", *UNCERTAINTY)}
     cameras = _Cameras(files)
     for id_, car, target, height, paper, withdrawn, verdict, maker, at, pose, y, *parts in read_columns(
@@ -138,18 +149,13 @@ def measured_of(files: Files) -> Measured:
         whole["day"].append(_day(at))
         whole["target"].append(TARGETS.index(target))
         whole["verdict"].append(VERDICTS.index(verdict))
-        of_car["lighting"].append(cars.lighting[car])
-        of_car["filmed_day"].append(cars.filmed_day[car])
-        of_car["lane"].append(cars.lane[car])
-        of_car["category"].append(cars.category[car])
-        of_car["class_set"].append(cars.class_set[car])
+        for name in _OF_CAR:
+            of_car[name].append(getattr(cars, name)[car])
         lengths["height"].append(float(height))
         lengths["paper"].append(float(paper) if paper else np.nan)
         at_target = 2 * TARGETS.index(target)
         lengths["known"].append(cars.known[car][at_target])
         lengths["u_known"].append(cars.known[car][at_target + 1])
-        of_car["by_size"].append(cars.by_size[car])
-        of_car["check_target"].append(cars.check_target[car])
         whole["pose"].append(int(pose))
         lengths["across"].append(float(y) - cameras.across_m(int(pose)) if y else np.nan)
         for name, cell in zip(UNCERTAINTY, parts, strict=True):
@@ -173,6 +179,7 @@ def measured_of(files: Files) -> Measured:
         u_known_m=np.frombuffer(lengths["u_known"], np.float64),
         by_size=_ints(of_car["by_size"]).astype(np.bool_),
         check_target=_ints(of_car["check_target"]).astype(np.bool_),
+        counts=_ints(of_car["counts"]).astype(np.bool_),
         pose_id=_ints(whole["pose"]),
         across_m=np.frombuffer(lengths["across"], np.float64),
         **{name: np.frombuffer(lengths[name], np.float64) for name in UNCERTAINTY},
@@ -211,7 +218,8 @@ def _cars(files: Files) -> Cars:
         *(name for target in get_args(Target) for name in (KNOWN[target].height, KNOWN[target].u)),
     )
     cars, sets = Cars(**{one.name: {} for one in fields(Cars)}), class_sets_in(files)
-    for id_, recording, lighting, filmed_at, direction, category, check, chosen_by, *known in read_columns(
+    counts = counting_in(files)
+    for id_, recording, lighting, filmed_at, direction, category, check, chosen_by, *cells in read_columns(
         files, "vehicles.csv", names
     ):
         cars.lighting[id_] = _code(lighting or of_recording.get(recording, ""), LIGHTING)
@@ -219,10 +227,10 @@ def _cars(files: Files) -> Cars:
         cars.lane[id_] = _code(direction, LANES)
         cars.category[id_] = _code(category, CATEGORIES)
         cars.class_set[id_] = _code(sets[category] if category else "", CLASS_SETS)
-        cars.check_target[id_] = check == "true"
-        counts = is_reference(chosen_by)
-        cars.by_size[id_] = not counts
-        cars.known[id_] = tuple(float(cell) if cell and counts else np.nan for cell in known)
+        cars.check_target[id_], cars.counts[id_] = check == "true", counts[id_]
+        known = is_reference(chosen_by)
+        cars.by_size[id_] = not known
+        cars.known[id_] = tuple(float(cell) if cell and known else np.nan for cell in cells)
     return cars
 
 

@@ -24,9 +24,11 @@ from sightline.measurements.tables import reviews as review_rows
 from sightline.poses.tables import road_poses
 from sightline.reviews.query import reviews_of_series
 from sightline.reviews.records import Review
+from sightline.vehicles.store import vehicles_outside
 from sightline.vehicles.tables import vehicles as vehicle_rows
 
 PAGE = 1000
+_OF_VEHICLE = tuple(name for name in OfVehicle.__slots__ if name != "counts")
 
 
 def count_measurements(session: Session, survey_id: int) -> int:
@@ -54,17 +56,24 @@ def revision_pages(session: Session, survey_id: int) -> Iterator[list[tuple[Meas
     v = vehicle_rows.c
     chosen: Select[Any] = (
         measurement_revision_rows()
-        .add_columns(v.number, v.lighting, v.category, v.manufacturer_height_m)
+        .add_columns(v.id.label("vehicle"), v.number, v.lighting, v.category, v.manufacturer_height_m)
         .add_columns(v.model_chosen_by, v.check_target)
         .join(vehicle_rows, v.id == measurement_series.c.vehicle_id)
         .where(measurement_series.c.survey_id == survey_id, v.deleted_at.is_(None))
         .order_by(measurements.c.series_id, measurements.c.revision)
     )
+    outside = vehicles_outside(session, [survey_id])
     of_survey = select(measurement_series.c.id).where(measurement_series.c.survey_id == survey_id)
     for first, last in _spans(session, of_survey, measurement_series.c.id):
         rows = session.execute(chosen.where(measurement_series.c.id.between(first, last))).all()
         found = tuple([measurement_of_row(row) for row in rows])
-        cars = [OfVehicle(**{name: getattr(row, name) for name in OfVehicle.__slots__}) for row in rows]
+        cars = [
+            OfVehicle(
+                **{name: getattr(row, name) for name in _OF_VEHICLE},
+                counts=not row.check_target and row.vehicle not in outside,
+            )
+            for row in rows
+        ]
         yield list(zip(derived(session, found), cars, strict=True))
 
 

@@ -59,6 +59,7 @@ class OfVehicle:
     manufacturer_height_m: float | None
     model_chosen_by: str | None
     check_target: bool
+    counts: bool
 
 
 @dataclass(frozen=True, slots=True)
@@ -487,6 +488,12 @@ CLICKS: Table[Clicked] = Table(
             "target", "what was measured", lambda c: c.measurement.values.target, required=True, enum=TARGETS
         ),
         text("category", "body of the vehicle", lambda c: c.vehicle.category, enum=get_args(Category)),
+        flag(
+            "counts",
+            "whether its height counts in results, as its vehicle's in vehicles.csv",
+            lambda c: c.vehicle.counts,
+            required=True,
+        ),
         key("pose_id", "road pose to compute the height with", lambda c: c.measurement.values.pose_id),
         text(
             "pose_file",

@@ -180,10 +180,18 @@ sample-discarded = Discarded
 sample-out = Outside
 sample-measured = Measured
 sample-unseen = Not visible
-sample-outside = { $count ->
-    [one] { $count } pass outside the sample was measured and counts in the results.
-   *[other] { $count } passes outside the sample were measured and count in the results.
+sample-outside = { $counts ->
+    [yes] { $count ->
+        [one] { $count } pass outside the sample was measured and counts in the results.
+       *[other] { $count } passes outside the sample were measured and count in the results.
+    }
+   *[no] { $count ->
+        [one] { $count } pass outside the sample was measured and does not count in the results.
+       *[other] { $count } passes outside the sample were measured and do not count in the results.
+    }
 }
+sample-outside-counts = Heights measured outside the sample count in the results
+sample-outside-counts-help = Usually not: whoever chose them followed no rule. This holds for every page, package, report and study.
 sample-open = Open
 sample-rate = Response
 sample-rate-of = { $rate } % ({ $low } to { $high })
@@ -3188,6 +3196,7 @@ statistics-left-out-state = { $state ->
     [reopened] { NUMBER($count) } reopened
     [rejected] { NUMBER($count) } rejected
     [accepted] { NUMBER($count) } accepted
+    [out_of_sample] { NUMBER($count) } outside the sample
    *[fixed] { NUMBER($count) } fixed
 }
 statistics-none-accepted-title = No accepted measurements yet
@@ -5158,7 +5167,7 @@ server-something-went-wrong = Something went wrong on the server and nothing was
 
 quality-tyres-changed-meanwhile = { $name } changed the tyres of this vehicle meanwhile; check them first.
 measurements-discarded-but-measured-withdraw = Vehicle { $number } is measured, so it cannot be discarded; withdraw its measurements first.
-measurements-vehicles-csv-not-in-sample = vehicles.csv: whether vehicle { $id } is in the sample does not follow from sampling.csv and the passes; it was changed.
+measurements-vehicles-csv-not-in-sample = vehicles.csv: whether vehicle { $id } is in the sample and counts does not follow from sampling.csv and the passes; it was changed.
 measurements-not-visible-but-measured-withdraw = { $target } is measured of this vehicle, so it is visible; withdraw the measurement first.
 measurements-already-measured = { $name } has measured this target of the vehicle already; keep one of the two.
 lots-tab = Lots
@@ -5541,7 +5550,7 @@ studies-package-without-parquet = { $place } was made by an earlier version, wit
 studies-survey-without-poses = { $place } has no camera pose and therefore no heights; leave it out, or compute the poses of its recordings (and export a package again).
 studies-same-survey-twice = { $first } and { $second } are packages of the same survey; keep the later one.
 studies-packages-of-two-versions = { $first } (version { $first_version }) and { $second } (version { $second_version }) have other columns in { $table }; export both with one version.
-studies-no-height-counts = None of the surveys has an accepted height in its sample; review measurements (and export a package again).
+studies-no-height-counts = None of the surveys has an accepted height that counts; review measurements (and export a package again).
 studies-class-unknown = The fleet has { $variable } { $name }, which Sightline does not know; use { $known }.
 studies-class-never-seen = The fleet has { $variable } { $name }, which no survey contains; leave it out and let the other shares sum to 1, or measure some.
 studies-class-not-in-fleet = The surveys contain { $count } vehicles of { $variable } { $name }, which the fleet does not have; add a row for it (0 to exclude it).
@@ -6466,7 +6475,7 @@ told-statistics-the-heights-are-all = the heights are all the same
 told-statistics-nothing-that-the-catalogue = No size in the catalogue has been measured on this vehicle yet.
 told-statistics-no-model-in-the = No model in the catalogue has a size that was measured on this vehicle.
 told-statistics-there-is-none = there is none
-told-studies-has-no-accepted-height = { $name } has no accepted height in its sample; it does not contribute.
+told-studies-has-no-accepted-height = { $name } has no accepted height that counts; it does not contribute.
 told-studies-packages-come-from-versions = Packages come from { $made_with } versions with identical tables: { $join }.
 told-studies-one-site-intervals-speak = One site: the intervals apply to that site only.
 told-studies-accepted-heights-are-of = { $sum } accepted heights are of vehicles outside their survey's sample; they do not count.
@@ -6696,6 +6705,7 @@ report-not-measurable = not measurable
 report-to-review = to review
 report-not-selected = not selected
 report-check-target = check target
+report-out-of-sample-state = outside the sample
 report-filmed-since = filmed from { $day }
 report-filmed-until = filmed up to { $day }
 report-lacking = { $mark } replaces characters of a script that this report’s fonts lack; the CSV files contain them.
@@ -6835,9 +6845,15 @@ report-in-sample = In sample
 report-not-visible = Not visible
 report-open = Open
 report-rate = Rate
-report-outside-sample = { $n ->
-    [one] 1 pass outside the sample was measured and counts in the results.
-   *[other] { $n } passes outside the sample were measured and count in the results.
+report-outside-sample = { $counts ->
+    [yes] { $n ->
+        [one] 1 pass outside the sample was measured and counts in the results.
+       *[other] { $n } passes outside the sample were measured and count in the results.
+     }
+   *[no] { $n ->
+        [one] 1 pass outside the sample was measured and does not count in the results.
+       *[other] { $n } passes outside the sample were measured and do not count in the results.
+     }
  }
 
 ## Report: method
@@ -7225,7 +7241,7 @@ report-year-no-interval = no interval
 report-verdict-why = { $verdict } ({ $reason })
 report-makers-words = Roof heights of { $n } vehicles with a manufacturer’s height: mean absolute error { $mae } (95 %: { $mae_interval }), bias { $bias } (95 %: { $bias_interval }).
 report-studied = Data
-report-surveys = The surveys. “Included”: accepted heights of vehicles in the survey’s sample; “excluded”: those of other vehicles.
+report-surveys = The surveys. “Included”: accepted heights that count by what the survey says of its sample; “excluded”: those of vehicles outside it that do not.
 report-survey-column = Survey
 report-site = Site
 report-stratum = Stratum

@@ -178,10 +178,18 @@ sample-discarded = Écartés
 sample-out = Hors éch.
 sample-measured = Mesurés
 sample-unseen = Non visibles
-sample-outside = { $count ->
-    [one] { $count } passage a été mesuré bien qu’il soit hors échantillon, et compte dans les résultats.
-   *[other] { $count } passages ont été mesurés bien qu’ils soient hors échantillon, et comptent dans les résultats.
+sample-outside = { $counts ->
+    [yes] { $count ->
+        [one] { $count } passage a été mesuré bien qu’il soit hors échantillon, et compte dans les résultats.
+       *[other] { $count } passages ont été mesurés bien qu’ils soient hors échantillon, et comptent dans les résultats.
+    }
+   *[no] { $count ->
+        [one] { $count } passage a été mesuré hors échantillon et ne compte pas dans les résultats.
+       *[other] { $count } passages ont été mesurés hors échantillon et ne comptent pas dans les résultats.
+    }
 }
+sample-outside-counts = Les hauteurs mesurées hors échantillon comptent dans les résultats
+sample-outside-counts-help = En général non : aucune règle n’a guidé leur choix. Ceci vaut pour chaque page, archive, rapport et étude.
 sample-open = À faire
 sample-rate = Taux de réponse
 sample-rate-of = { $rate } % ({ $low } à { $high })
@@ -3184,6 +3192,7 @@ statistics-left-out-state = { $state ->
     [reopened] rouvertes ({ NUMBER($count) })
     [rejected] rejetées ({ NUMBER($count) })
     [accepted] validées ({ NUMBER($count) })
+    [out_of_sample] hors échantillon ({ NUMBER($count) })
    *[fixed] corrigées ({ NUMBER($count) })
 }
 statistics-none-accepted-title = Aucune mesure validée
@@ -5210,7 +5219,7 @@ server-something-went-wrong = Un problème est survenu sur le serveur et rien n�
 
 quality-tyres-changed-meanwhile = { $name } a modifié les pneus de ce véhicule entre-temps ; regardez-les d’abord.
 measurements-discarded-but-measured-withdraw = Le véhicule { $number } est mesuré et ne peut donc pas être écarté ; retirez d’abord ses mesures.
-measurements-vehicles-csv-not-in-sample = vehicles.csv : l’appartenance du véhicule { $id } à l’échantillon n’est pas ce que donnent sampling.csv et les passages ; il a été modifié.
+measurements-vehicles-csv-not-in-sample = vehicles.csv : l’appartenance du véhicule { $id } à l’échantillon, ou à ce qui compte, n’est pas ce que donnent sampling.csv et les passages ; il a été modifié.
 measurements-not-visible-but-measured-withdraw = { $target } : mesuré sur ce véhicule, donc visible ; retirez d’abord la mesure.
 measurements-already-measured = { $name } a déjà mesuré cette cible du véhicule ; gardez l’une des deux.
 lots-tab = Lots
@@ -5593,7 +5602,7 @@ studies-package-without-parquet = { $place } a été faite par une version anté
 studies-survey-without-poses = { $place } n’a pas de pose de la caméra, donc pas de hauteur ; omettez-le, ou calculez la pose de ses enregistrements (et exportez à nouveau une archive).
 studies-same-survey-twice = { $first } et { $second } sont des archives du même relevé ; gardez la plus récente.
 studies-packages-of-two-versions = { $first } (version { $first_version }) et { $second } (version { $second_version }) ont d’autres colonnes dans { $table } ; exportez les deux avec une même version.
-studies-no-height-counts = Aucun des relevés n’a de hauteur validée dans son échantillon ; vérifiez des mesures (et exportez à nouveau une archive).
+studies-no-height-counts = Aucun des relevés n’a de hauteur validée qui compte ; vérifiez des mesures (et exportez à nouveau une archive).
 studies-class-unknown = Le parc a { $variable } { $name }, que Sightline ne connaît pas ; utilisez { $known }.
 studies-class-never-seen = Le parc a { $variable } { $name }, qu’aucun relevé n’a vu ; omettez-le et faites totaliser 1 aux autres parts, ou mesurez-en.
 studies-class-not-in-fleet = Les relevés ont vu { $count } véhicules de { $variable } { $name }, que le parc n’a pas ; ajoutez une ligne pour cela (0 s’ils ne doivent pas compter).
@@ -6562,7 +6571,7 @@ told-statistics-the-heights-are-all = les hauteurs sont toutes égales
 told-statistics-nothing-that-the-catalogue = Aucune dimension du catalogue n’a encore été mesurée sur ce véhicule.
 told-statistics-no-model-in-the = Aucun modèle du catalogue n’a de dimension mesurée sur ce véhicule.
 told-statistics-there-is-none = il n’y en a aucun
-told-studies-has-no-accepted-height = { $name } n’a pas de hauteur validée dans son échantillon ; il ne contribue pas.
+told-studies-has-no-accepted-height = { $name } n’a pas de hauteur validée qui compte ; il ne contribue pas.
 told-studies-packages-come-from-versions = Les archives viennent de { $made_with } versions aux tables identiques : { $join }.
 told-studies-one-site-intervals-speak = Un seul site : les intervalles ne valent que pour lui.
 told-studies-accepted-heights-are-of = { $sum } hauteurs validées sont de véhicules hors de l’échantillon de leur relevé ; elles ne comptent pas.
@@ -6801,6 +6810,7 @@ report-not-measurable = non mesurable
 report-to-review = à vérifier
 report-not-selected = non choisie
 report-check-target = cible de contrôle
+report-out-of-sample-state = hors échantillon
 report-filmed-since = filmé à partir du { $day }
 report-filmed-until = filmé jusqu’au { $day }
 report-lacking = { $mark } remplace les caractères d’une écriture que les polices de ce rapport n’ont pas ; les fichiers CSV les contiennent.
@@ -6940,9 +6950,15 @@ report-in-sample = Tirés
 report-not-visible = Non visibles
 report-open = Ouverts
 report-rate = Taux
-report-outside-sample = { $n ->
-    [one] { $n } passage a été mesuré bien que hors de l’échantillon, et compte dans les résultats.
-   *[other] { $n } passages ont été mesurés bien que hors de l’échantillon, et comptent dans les résultats.
+report-outside-sample = { $counts ->
+    [yes] { $n ->
+        [one] { $n } passage a été mesuré bien que hors de l’échantillon, et compte dans les résultats.
+       *[other] { $n } passages ont été mesurés bien que hors de l’échantillon, et comptent dans les résultats.
+     }
+   *[no] { $n ->
+        [one] { $n } passage a été mesuré hors de l’échantillon et ne compte pas dans les résultats.
+       *[other] { $n } passages ont été mesurés hors de l’échantillon et ne comptent pas dans les résultats.
+     }
  }
 
 ## Rapport : la méthode
@@ -7330,7 +7346,7 @@ report-year-no-interval = pas d’intervalle
 report-verdict-why = { $verdict } ({ $reason })
 report-makers-words = Par rapport aux hauteurs des constructeurs, { $n } toits ont une erreur absolue moyenne de { $mae } (95 % : { $mae_interval }) et un biais de { $bias } (95 % : { $bias_interval }).
 report-studied = Données
-report-surveys = Les relevés. « Comptées » : hauteurs validées de véhicules de l’échantillon du relevé ; « exclues » : celles d’autres véhicules.
+report-surveys = Les relevés. « Comptées » : hauteurs validées qui comptent d’après ce que le relevé dit de son échantillon ; « exclues » : celles de véhicules hors échantillon qui ne comptent pas.
 report-survey-column = Relevé
 report-site = Site
 report-stratum = Strate

@@ -26,6 +26,7 @@ from sightline.recordings.tables import recordings
 from sightline.surveys.classes import sets_of
 from sightline.surveys.store import classes_of_surveys
 from sightline.vehicles.records import BY_SIZE, KNOWN
+from sightline.vehicles.store import vehicles_outside
 from sightline.vehicles.tables import vehicles
 
 if TYPE_CHECKING:
@@ -62,7 +63,8 @@ class Measured:
     its pass was filmed, by the clocks of the place, days since 1970-01-01, -1 where nobody has confirmed the
     start of its recording; `known_m`: what was known of the target's height before it was measured, of a roof
     the maker's; `by_size`: its vehicle's model was chosen by its sizes, so nothing of it is known for a
-    reference; `check_target`: of no vehicle of the traffic; `across_m`: the contact's distance from the
+    reference; `check_target`: of no vehicle of the traffic; `counts`: in results, by what its survey says of
+    heights out of its sample; `across_m`: the contact's distance from the
     camera across the road; lengths in metres, NaN where unknown.
     """
 
@@ -84,6 +86,7 @@ class Measured:
     u_known_m: Floats
     by_size: NDArray[np.bool_]
     check_target: NDArray[np.bool_]
+    counts: NDArray[np.bool_]
     pose_id: Ints
     across_m: Floats
     inset_m: Floats
@@ -123,6 +126,8 @@ def load_measured_columns(
     pose_id = _ints(revisions, "pose_id")[row]
     target = _codes(revisions, "target", TARGETS)[row]
     survey, category = _ints(cars, "survey_id")[car], _codes(cars, "category", CATEGORIES)[car]
+    check_target = _ints(cars, "check_target").astype(np.bool_)[car]
+    outside = vehicles_outside(session, survey_ids)
     return Measured(
         measurement_id=id_[keep],
         vehicle_id=vehicle[keep],
@@ -141,7 +146,8 @@ def load_measured_columns(
         known_m=micrometres(_known(cars, [names.height for names in _KNOWN], car, target)),
         u_known_m=micrometres(_known(cars, [names.u for names in _KNOWN], car, target)),
         by_size=_ints(cars, "by_size").astype(np.bool_)[car],
-        check_target=_ints(cars, "check_target").astype(np.bool_)[car],
+        check_target=check_target,
+        counts=~check_target & ~np.isin(vehicle[keep], list(outside)),
         pose_id=pose_id,
         across_m=_floats(revisions, "y_m")[row] - _cameras_across(session, pose_id),
         **{name: micrometres(_floats(revisions, name)[row]) for name in UNCERTAINTY},

@@ -59,6 +59,7 @@ from sightline.statistics.total_uncertainty import HeightSample, TotalUncertaint
 from sightline.surveys.store import survey_names
 
 SHOWN: tuple[StatisticsTarget, ...] = get_args(StatisticsTarget)
+OUT_OF_SAMPLE = "out_of_sample"
 GROUPINGS = ("lighting", "category", "class_set", "site", "operator")
 _STATES: dict[StatisticsState, tuple[str, ...]] = {
     "accepted": ("accepted", "fixed"),
@@ -133,7 +134,12 @@ class SampleCounts:
     by_size: Annotated[
         int, Field(description="Roofs that have none because the model was chosen by its sizes.")
     ]
-    left_out: Annotated[dict[str, int], Field(description="Left out by the review state alone.")]
+    left_out: Annotated[
+        dict[str, int],
+        Field(
+            description="Left out by the review state alone, or (out_of_sample) by the survey's rule alone."
+        ),
+    ]
     without_class: Annotated[
         int, Field(description="Vehicles of which nobody said the class: no figure of a class counts them.")
     ]
@@ -174,7 +180,7 @@ def measured_columns(session: Session, chosen: Filter) -> Measured:
     wanted = _wanted(chosen, survey_names(session))
     days = chosen.first_day is not None or chosen.last_day is not None
     found, _ = filtered(_columns(session, trail.head(session).hash, wanted, days), chosen)
-    return found.where(_of_target(found, chosen.target) & ~found.check_target)
+    return found.where(_of_target(found, chosen.target) & found.counts)
 
 
 # The keys of what is kept hold the audit chain's last hash, so that any write makes it old.
@@ -226,7 +232,9 @@ def _refuse(chosen: Filter, places: Mapping[int, Any]) -> None:
 
 
 def filtered(found: Measured, chosen: Filter) -> tuple[Measured, dict[str, int]]:
-    """The measurements that a filter leaves, and how many of each other review state it leaves out."""
+    """The measurements that a filter leaves, and how many it leaves out for their review state, or for being
+    out of their survey's sample. Those of check targets stay, for their errors.
+    """
     keep = np.ones(len(found), dtype=np.bool_)
     if chosen.lighting is not None:
         keep &= found.lighting == LIGHTING.index(chosen.lighting)
@@ -244,10 +252,13 @@ def filtered(found: Measured, chosen: Filter) -> tuple[Measured, dict[str, int]]
         keep &= (found.filmed_day != NONE) & (found.filmed_day <= (chosen.filmed_to - _EPOCH).days)
     wanted = np.isin(found.verdict, [VERDICTS.index(word) for word in _STATES[chosen.state]])
     of_target = _of_target(found, chosen.target)
-    others = found.verdict[keep & ~wanted & of_target & ~found.check_target]
+    others = found.verdict[keep & ~wanted & of_target & found.counts]
     counts = np.bincount(others, minlength=len(VERDICTS))
     left_out = {word: int(count) for word, count in zip(VERDICTS, counts, strict=True) if count}
-    return found.where(keep & wanted), left_out
+    outside = keep & wanted & ~found.counts & ~found.check_target
+    if count := int(np.count_nonzero(outside & of_target)):
+        left_out[OUT_OF_SAMPLE] = count
+    return found.where(keep & wanted & ~outside), left_out
 
 
 def of_classes(

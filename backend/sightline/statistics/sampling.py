@@ -38,6 +38,8 @@ class Quota:
 class Sampling:
     """The rule: every pass, each `step`-th from `start` on, or a share drawn by `seed`; of them, where
     `free_flowing_s` is given, those at least so many seconds behind the pass before in their direction.
+
+    `outside_counts`: whether heights of passes that it does not take count in results all the same.
     """
 
     method: SamplingMethod = "every"
@@ -47,10 +49,16 @@ class Sampling:
     seed: int = 1
     free_flowing_s: float | None = None
     quotas: tuple[Quota, ...] = ()
+    outside_counts: bool = False
 
     @property
     def takes_all(self) -> bool:
         return self.method == "every" and self.free_flowing_s is None
+
+    @property
+    def leaves_out(self) -> bool:
+        """Whether there may be heights that count in no result because their pass is out of the sample."""
+        return not self.takes_all and not self.outside_counts
 
 
 @dataclass(frozen=True, slots=True)
@@ -125,6 +133,13 @@ def is_in_sample(rule: Sampling, number: int, headway_s: float | None) -> bool:
     if rule.method == "share":
         return _mixed((rule.seed << 32) + number) / 2.0**64 < rule.share_percent / 100.0
     return True
+
+
+def counts_in_results(rule: Sampling, in_sample: bool, check_target: bool) -> bool:
+    """Whether the heights of a pass count: THE population of every result. A check target is no vehicle of
+    the traffic; its errors are told apart.
+    """
+    return not check_target and (in_sample or rule.outside_counts)
 
 
 def _mixed(state: int) -> int:

@@ -34,8 +34,8 @@ PACKAGES: Table = Table(
         text("made_with", "version that made the package, or read the installation's database"),
         text("chain_sha256", "of a package: SHA-256 of its audit chain without its seal"),
         text("audit_head", "of an installation's survey: last hash of its audit chain when it was read"),
-        integer("counted", "accepted heights of vehicles in the survey's sample: those that count"),
-        integer("out_of_sample", "accepted heights of other vehicles, which do not count"),
+        integer("counted", "accepted heights that count by what the survey says of its sample"),
+        integer("out_of_sample", "accepted heights of vehicles out of the sample, which do not count"),
     ),
 )
 FIGURES: Table = Table(

@@ -114,7 +114,7 @@ def _refuse_twice(packages: Sequence[StudiedPackage]) -> None:
 def _refuse_versions(packages: Sequence[StudiedPackage]) -> None:
     """Tables of one form: columns of further frames aside, which depend on how many were clicked."""
     first = _form(packages[0])
-    if not {"in_sample bool", "check_target bool"} <= set(first["vehicles.csv"]):
+    if not {"counts bool", "check_target bool"} <= set(first["vehicles.csv"]):
         raise BadInput("studies-package-without-sample", place=packages[0].place)
     for one in packages[1:]:
         form = _form(one)

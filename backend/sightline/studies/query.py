@@ -84,15 +84,16 @@ class StudyTables:
         return _ints(rows["package"]), _ints(rows["category"]), _ints(rows["lighting"])
 
     def counted(self) -> tuple[Ints, Ints]:
-        """How many heights count of each package, and how many accepted ones do not, for their vehicle is not
-        in its survey's sample: (P,) each.
+        """How many heights count of each package, and how many accepted ones of the traffic do not, for their
+        survey does not count what is out of its sample: (P,) each.
         """
         rows = self._numbers(
             f"""
             SELECT m.file_index AS p, count(c.id) AS n, count(*) - count(c.id) AS outside
             FROM {self._of("measurements.csv")} m
+            JOIN {self._of("vehicles.csv")} v ON v.file_index = m.file_index AND v.id = m.vehicle_id
             LEFT JOIN cars c ON c.package = m.file_index AND c.id = m.vehicle_id
-            WHERE {_COUNTED} GROUP BY 1
+            WHERE {_COUNTED} AND NOT v.check_target GROUP BY 1
             """
         )
         found = np.zeros((2, len(self._files["measurements.csv"])), dtype=np.int64)
@@ -104,7 +105,7 @@ class StudyTables:
         self._db.executemany(f"INSERT INTO {name} VALUES (?, ?)", [(word, n) for n, word in enumerate(words)])
 
     def _cars(self) -> None:
-        """Vehicles of their surveys' samples; one without lighting has its recording's."""
+        """Vehicles that count, each by its own survey; one without lighting has its recording's."""
         self._db.execute(
             f"""
             CREATE TABLE cars AS
@@ -118,7 +119,7 @@ class StudyTables:
             LEFT JOIN lightings l ON l.word = coalesce(v.lighting, r.lighting)
             LEFT JOIN {self._of("classes.csv")} k ON k.file_index = v.file_index AND k.category = v.category
             LEFT JOIN class_sets s ON s.word = k.class_set
-            WHERE v.in_sample AND v.discarded IS NULL AND NOT v.check_target
+            WHERE v.counts
             """,
             {
                 name: value

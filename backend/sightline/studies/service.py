@@ -155,7 +155,7 @@ def _notes(surveys: Sequence[StudiedSurvey], places: Places) -> list[str]:
 
 def _notes_of_counts(surveys: Sequence[StudiedSurvey], counted: Ints, outside: Ints) -> list[str]:
     notes = [
-        f"{one.name} has no accepted height in its sample; it does not contribute."
+        f"{one.name} has no accepted height that counts; it does not contribute."
         for one, n in zip(surveys, counted.tolist(), strict=True)
         if n == 0
     ]

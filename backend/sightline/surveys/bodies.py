@@ -174,6 +174,9 @@ class SamplingBody(Out):
         float | None, Field(description="Only passes so many seconds behind the one before; null: all.")
     ]
     quotas: tuple[QuotaBody, ...]
+    outside_counts: Annotated[
+        bool, Field(description="Whether heights of passes out of the sample count in results.")
+    ]
 
 
 class QuotaIn(In):
@@ -190,6 +193,7 @@ class SamplingIn(In):
     seed: Annotated[int, Field(ge=0, le=2**31 - 1)] = 1
     free_flowing_s: Annotated[float, Field(gt=0, le=MOST_HEADWAY_S, allow_inf_nan=False)] | None = None
     quotas: Annotated[tuple[QuotaIn, ...], Field(max_length=8)] = ()
+    outside_counts: bool = False
 
     def record(self) -> Sampling:
         """As the store takes it."""

@@ -145,6 +145,12 @@ SAMPLING: Table[Survey] = Table(
             "s",
             lambda s: s.sampling.free_flowing_s,
         ),
+        flag(
+            "outside_counts",
+            "whether heights of passes out of the sample count in results",
+            lambda s: s.sampling.outside_counts,
+            required=True,
+        ),
         text("asked_daytime", "targets asked for by day", lambda s: " ".join(s.asked.daytime)),
         text("asked_low_light", "targets asked for in low light", lambda s: " ".join(s.asked.low_light)),
     ),
@@ -172,6 +178,7 @@ def sampling_in(files: Files) -> Sampling:
         share_percent=float(row["share_percent"]),
         seed=int(row["seed"]),
         free_flowing_s=figure(row["free_flowing_s"]),
+        outside_counts=row.get("outside_counts", "true") == "true",  # before the column, all counted
     )
 
 

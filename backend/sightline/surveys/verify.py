@@ -49,9 +49,11 @@ def check_classes(files: Files, classes: Mapping[str, Mapping[str, Any]]) -> Non
 def check_sampling(files: Files, survey: Mapping[str, Any]) -> None:
     """Rule, targets and quotas are those of the survey's events. Raises Damaged."""
     rule, asked = survey["sampling"], survey["asked"]
-    said = {name: value for name, value in rule.items() if name != "quotas"}
+    said = {"outside_counts": False} | {name: value for name, value in rule.items() if name != "quotas"}
     said |= {f"asked_{lighting}": " ".join(targets) for lighting, targets in asked.items()}
     rows, quotas = list(read_rows(files, SAMPLING.path)), list(read_rows(files, QUOTAS.path))
+    if any("outside_counts" not in row for row in rows):  # of a version before it
+        del said["outside_counts"]
     as_said = len(rows) == 1 and says(SAMPLING, rows[0], said)
     wanted = rule["quotas"]
     alike = len(quotas) == len(wanted) and all(map(partial(says, QUOTAS), quotas, wanted))

@@ -140,6 +140,13 @@ class Vehicle:
     ]
 
     in_sample: Annotated[bool, Field(description="Whether the survey's rule takes it into the sample.")]
+    counts: Annotated[
+        bool,
+        Field(
+            description="Whether its heights count in results: no check target, and in the sample, unless "
+            "the survey counts others too."
+        ),
+    ]
     filmed_at: Annotated[
         str | None,
         Field(

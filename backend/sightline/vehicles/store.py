@@ -1,6 +1,6 @@
 """Vehicle records: their facts."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, get_args
 
@@ -16,7 +16,7 @@ from sightline.infra.database.rows import add_row, change_row, get_row, last_cha
 from sightline.infra.database.types import columns_of, now
 from sightline.recordings.filming import filming_of, frame_s
 from sightline.recordings.tables import recordings
-from sightline.statistics.sampling import PassTime, headways, is_in_sample
+from sightline.statistics.sampling import PassTime, counts_in_results, headways, is_in_sample
 from sightline.surveys.store import TRAFFIC, asked_of, sampling_of, traffic_of_row
 from sightline.surveys.tables import surveys
 from sightline.vehicles.records import (
@@ -259,6 +259,28 @@ def headways_of(session: Session, recording_ids: Iterable[int]) -> dict[int, flo
     )
 
 
+def vehicles_outside(session: Session, survey_ids: Sequence[int] | None = None) -> set[int]:
+    """The living vehicles of some surveys, or of all, whose heights count in no result because their survey's
+    rule does not take them.
+    """
+    rules = {
+        row.id: sampling_of(row.sampling)
+        for row in session.execute(select(surveys.c.id, surveys.c.sampling))
+        if survey_ids is None or row.id in survey_ids
+    }
+    rules = {id_: rule for id_, rule in rules.items() if rule.leaves_out}
+    if not rules:
+        return set()
+    v = vehicles.c
+    query = select(v.id, v.survey_id, v.number, v.recording_id).where(v.survey_id.in_(rules), _ALIVE)
+    rows = session.execute(query).all()
+    timed = {one.recording_id for one in rows if rules[one.survey_id].free_flowing_s is not None}
+    headway_s = headways_of(session, timed) if timed else {}
+    return {
+        one.id for one in rows if not is_in_sample(rules[one.survey_id], one.number, headway_s.get(one.id))
+    }
+
+
 def headways_needed(session: Session, rows: Iterable[Mapping[Any, Any]]) -> dict[int, float]:
     """`headways_of` the rows of `vehicle_rows` whose survey takes free-flowing vehicles alone."""
     wanted = {row["recording_id"] for row in rows if row["sampling"]["free_flowing_s"] is not None}
@@ -271,8 +293,10 @@ def facts_of_row(row: Mapping[Any, Any], headway_s: Mapping[int, float]) -> dict
     changed = {"updated_by": who(row["updated_by"], row["changer"]), "deleted": row["deleted_at"] is not None}
     found = driver_side(row["driver_side"], row["direction"], traffic_of_row(row))
     side = {"side": found and found.side, "side_from": found and found.basis}
-    chosen = is_in_sample(sampling_of(row["sampling"]), row["number"], headway_s.get(row["id"]))
+    rule = sampling_of(row["sampling"])
+    chosen = is_in_sample(rule, row["number"], headway_s.get(row["id"]))
     answers = {"asked": asked_of(row["asked"]).of(row["light"]), "in_sample": chosen}
+    answers["counts"] = counts_in_results(rule, chosen, row["check_target"])
     filmed = {"filmed_at": pass_filmed_at(row)}
     return {**stored, **changed, **side, **answers, **filmed}
 

@@ -59,6 +59,7 @@ const survey: Survey = {
     share_percent: 100,
     seed: 1,
     free_flowing_s: null,
+    outside_counts: false,
     quotas: [],
   },
   insets: {

@@ -37,7 +37,11 @@ def _group(name: str) -> str:
 def response(facts: ReportFacts) -> Values:
     """Rule and table; by target only over all classes."""
     shown = [one for one in facts.response if _is_shown(one)]
-    return {"rule": rule_words(facts.sampling), "rows": [_row(one) for one in shown]}
+    return {
+        "rule": rule_words(facts.sampling),
+        "rows": [_row(one) for one in shown],
+        "outside_counts": "yes" if facts.sampling.outside_counts else "no",
+    }
 
 
 def _is_shown(one: Response) -> bool:

@@ -103,6 +103,7 @@ _STATES_KEYS: dict[str, str] = {
     "to_review": "report-to-review",
     "not_selected": "report-not-selected",
     "check_target": "report-check-target",
+    "out_of_sample": "report-out-of-sample-state",
 }
 STATES = Called(_STATES_KEYS)
 

@@ -17,6 +17,7 @@ from sightline.enums import (
     NotVisible,
 )
 from sightline.infra.csv_package.columns import flag, integer, key, metres, text
+from sightline.infra.csv_package.files import Files, read_rows
 from sightline.infra.csv_package.schema import Column, Table
 from sightline.measurements.records import VehicleSheet
 from sightline.vehicles.records import KNOWN, NOT_VISIBLE
@@ -100,6 +101,13 @@ VEHICLES: Table[VehicleSheet] = Table(
             of=lambda v: v.filmed_at,
         ),
         flag("in_sample", "whether the rule of sampling.csv takes it", lambda v: v.in_sample, required=True),
+        flag(
+            "counts",
+            "whether its heights count in results: no check target, and in the sample, unless sampling.csv "
+            "counts others too",
+            lambda v: v.counts,
+            required=True,
+        ),
         text(
             "discarded",
             "why it is no pass of a vehicle to be measured; empty where it is one",
@@ -117,3 +125,13 @@ VEHICLES: Table[VehicleSheet] = Table(
     primary=("id",),
     foreign=((("recording_id",), "recordings", ("id",)),),
 )
+
+
+def counting_in(files: Files) -> dict[str, bool]:
+    """Whether each vehicle of a package counts in results, by number as text. Before the column, all of the
+    traffic did.
+    """
+    return {
+        row["id"]: row.get("counts", str(row["check_target"] != "true").lower()) == "true"
+        for row in read_rows(files, VEHICLES.path)
+    }

@@ -90,6 +90,6 @@ def _sheet(facts: dict[str, Any], measured: tuple[Measurement, ...]) -> VehicleS
     state = state_of(measured, facts["asked"], unseen)
     if facts["discarded"] is not None:
         state = "discarded"
-    elif not measured and not facts["in_sample"]:
+    elif not measured and not facts["in_sample"] and not facts["check_target"]:
         state = "out_of_sample"
     return VehicleSheet(**facts, state=state, measurements=measured)

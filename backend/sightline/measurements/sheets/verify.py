@@ -10,7 +10,7 @@ from sightline.infra.csv_package.files import Files, read_columns, read_rows
 from sightline.infra.csv_package.verify import says
 from sightline.measurements.sheets.csv import VEHICLES
 from sightline.recordings.csv import filmed_in, frames_s
-from sightline.statistics.sampling import PassTime, headways, is_in_sample
+from sightline.statistics.sampling import PassTime, counts_in_results, headways, is_in_sample
 from sightline.surveys.csv import sampling_in
 
 
@@ -27,7 +27,10 @@ def check_vehicles(
         made = vehicles.get(id_)
         if made is None or is_gone(id_) or not says(VEHICLES, row, made):
             raise Damaged("measurements-vehicles-csv-not-what-audit-events", id=id_)
-        if row["in_sample"] != str(is_in_sample(rule, int(row["number"]), behind.get(id_))).lower():
+        taken = is_in_sample(rule, int(row["number"]), behind.get(id_))
+        counts = counts_in_results(rule, taken, row["check_target"] == "true")
+        says_so = (row["in_sample"], row.get("counts", str(counts).lower()))
+        if says_so != (str(taken).lower(), str(counts).lower()):
             raise Damaged("measurements-vehicles-csv-not-in-sample", id=id_)
         if row["filmed_at"] != filmed(row["recording_id"], int(row["first_frame"])):
             raise Damaged("measurements-vehicles-csv-other-time", id=id_)

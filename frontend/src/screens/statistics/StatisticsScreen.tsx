@@ -133,7 +133,7 @@ function Figures({ found, surveyId, reload }: FiguresProps) {
 /** Shown even where nothing was measured; other targets only where something was. */
 const ALWAYS: readonly string[] = ["driver_eye", "taillight"];
 
-type LeftOut = "to_review" | "reopened" | "rejected" | "accepted" | "fixed";
+type LeftOut = "to_review" | "reopened" | "rejected" | "accepted" | "fixed" | "out_of_sample";
 
 function countedWords({ counted }: Statistics): string {
   const { measurements, vehicles, with_reference, by_size } = counted;

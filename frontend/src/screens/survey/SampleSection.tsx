@@ -24,13 +24,13 @@ export function SampleSection({ survey, edit }: { survey: Survey; edit(): void }
         <p>{ruleWords(survey.sampling)}</p>
         <Problem error={found.error} again={found.reload} />
         {found.data && <SampleQuotas quotas={found.data.quotas} />}
-        {rows.length > 0 && <ResponseTable rows={rows} />}
+        {rows.length > 0 && <ResponseTable rows={rows} counts={survey.sampling.outside_counts} />}
       </div>
     </section>
   );
 }
 
-function ResponseTable({ rows }: { rows: readonly Response[] }) {
+function ResponseTable({ rows, counts }: { rows: readonly Response[]; counts: boolean }) {
   const outside = rows[0]?.outside ?? 0;
   return (
     <>
@@ -68,7 +68,11 @@ function ResponseTable({ rows }: { rows: readonly Response[] }) {
           </tbody>
         </table>
       </TableScroll>
-      {outside > 0 && <Notice kind="warning">{say("sample-outside", { count: outside })}</Notice>}
+      {outside > 0 && (
+        <Notice kind="warning">
+          {say("sample-outside", { count: outside, counts: counts ? "yes" : "no" })}
+        </Notice>
+      )}
       <p class="field__hint">{say("sample-help")}</p>
     </>
   );

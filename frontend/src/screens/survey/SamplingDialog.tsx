@@ -18,6 +18,7 @@ interface Typed {
   seed: string;
   free: string;
   quotas: Record<string, string>;
+  outside: boolean;
 }
 
 /** Every lighting with every set, and with vehicles of any class. */
@@ -89,6 +90,15 @@ export function SamplingDialog({ survey, close }: { survey: Survey; close: () =>
         problem={wrong.free}
         onInput={(free) => change({ free })}
       />
+      <label>
+        <input
+          type="checkbox"
+          checked={typed.outside}
+          onChange={(event) => change({ outside: event.currentTarget.checked })}
+        />{" "}
+        {say("sample-outside-counts")}
+      </label>
+      <p class="field__hint">{say("sample-outside-counts-help")}</p>
       <fieldset class="survey-fields">
         <legend>{say("sample-quotas")}</legend>
         <p class="field__hint">{say("sample-quotas-help")}</p>
@@ -118,6 +128,7 @@ function typedOf(rule: Sampling): Typed {
     seed: String(rule.seed),
     free: rule.free_flowing_s === null ? "" : String(rule.free_flowing_s),
     quotas: Object.fromEntries(rule.quotas.map((one) => [keyOf(one), String(one.wanted)])),
+    outside: rule.outside_counts,
   };
 }
 
@@ -162,6 +173,7 @@ function samplingOf(typed: Typed): Sampling {
     share_percent: share ? (amountOf(typed.share, 100) ?? 100) : 100,
     seed: share ? Number(typed.seed) : 1,
     free_flowing_s: amountOf(typed.free, 60),
+    outside_counts: typed.outside,
     quotas: KINDS.flatMap((kind) => {
       const wanted = wholeOf(typed.quotas[keyOf(kind)] ?? "", 1, 1e6);
       return wanted === null ? [] : [{ ...kind, wanted }];
