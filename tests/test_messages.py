@@ -27,6 +27,7 @@ from sightline.statistics import wording
 
 PACKAGE = Path(sightline.__file__).parent
 SOURCE = PACKAGE / "messages/en.ftl"
+_OF_SPREAD = " of MAE, RMSE and SD"
 
 
 class _Named(Visitor):  # type: ignore[misc]
@@ -352,7 +353,7 @@ def pieced_together() -> list[str]:
         said += [query._recording_words(many, replace(facts, confirmed=n))]
         said += [query._recording_words(replace(many, recordings=1), replace(facts, confirmed=n))]
         said += [f"A density needs at least 10 vehicles; {wording.there_are(n)}."]
-        said += [f"{wording.are_too_few(n)} for an interval; 5 are needed"]
+        said += [f"{wording.are_too_few(n)} for an interval{of}; 5 are needed" for of in ("", _OF_SPREAD)]
     for n in (1, 2):
         of_scans = {"failed": n, "reading": n, "ready": n, "heights": n, "heights_to_review": n}
         said.append(progress_query._progress(of_scans).summary)

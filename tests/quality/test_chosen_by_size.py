@@ -23,6 +23,7 @@ KNOWN = {
     "manufacturer_height_m": 1.19,
     "u_manufacturer_height_m": 0.005,
     "known_taillight_m": 0.72,
+    "known_driver_eye_m": 1.10,
 }
 TYRES = {"frame": 2, "first": pixel(-1.0, 0.0, 0.0), "second": pixel(1.0, 0.0, 0.0)}
 
@@ -40,7 +41,7 @@ def cars(operator: Client, reviewer: Client, ground: Ground) -> list[dict[str, A
     for more in ({}, {}, {}, BY_SIZE):
         car = add_vehicle(operator, ground.recording_id, category="saloon", **KNOWN, **more)
         operator.made(f"/vehicles/{car['id']}/wheel-pair", TYRES)
-        for target, height_m in (("roof", 1.2), ("taillight", 0.73)):
+        for target, height_m in (("roof", 1.2), ("taillight", 0.73), ("driver_eye", 1.12)):
             one = measure(operator, car["id"], target=target, height_m=height_m)
             reviewer.made(f"/measurements/{one['id']}/reviews", {"revision": 1, "verdict": "accepted"})
         made.append(car)
@@ -50,16 +51,17 @@ def cars(operator: Client, reviewer: Client, ground: Ground) -> list[dict[str, A
 def counts(client: Client, ground: Ground) -> tuple[int, int, int, int, int]:
     """How often the cars serve: roofs and lamps among errors, roofs for the inset, tyres, roofs adjusting."""
     page = client.seen(f"/statistics?survey={ground.survey_id}")
-    lamps = next(one for one in page["known_errors"] if one["target"] == "taillight")
-    overall = [next(one for one in of if one["group"] == "overall")["n"] for of in (
-        page["errors"]["groups"], lamps["groups"])]  # fmt: skip
-    assert overall[0] == page["counted"]["with_reference"]
+    known_errors = {one["target"]: one["groups"][0]["n"] for one in page["known_errors"]}
+    lamps, table = known_errors["taillight"], page["errors"]["groups"]
+    roofs = next(one["n"] for one in table if one["group"] == "overall")
+    assert roofs == known_errors["roof"] == page["counted"]["with_reference"]
+    assert known_errors["driver_eye"] == lamps  # of each car one
     insets = client.seen(f"/surveys/{ground.survey_id}/checks/insets")["targets"]
     known = [
         way["vehicles"] for one in insets for way in one["estimates"] if way["method"] == "known_heights"
     ]
     (pose,) = client.seen(f"/surveys/{ground.survey_id}/checks/adjustment")
-    return overall[0], overall[1], max(known), pose["tyres"], pose["roofs"]
+    return roofs, lamps, max(known), pose["tyres"], pose["roofs"]
 
 
 def test_it_counts_nowhere_until_somebody_says_that_the_model_was_seen(

@@ -52,7 +52,7 @@ def of(found: list[dict[str, Any]], target: str, *, check: bool) -> dict[str, An
     return next(one for one in found if one["target"] == target and one["check_target"] == check)
 
 
-def bias_mm(one: dict[str, Any], group: str = "overall") -> float:
+def bias_mm(one: dict[str, Any], group: str = "all") -> float:
     value = next(row for row in one["groups"] if row["group"] == group)["figures"]["bias_m"]["value"]
     return 1000.0 * float(value)
 
@@ -60,7 +60,7 @@ def bias_mm(one: dict[str, Any], group: str = "overall") -> float:
 def test_errors_are_told_by_target_and_check_targets_count_nowhere_else(
     viewer: Client, compared: Ground
 ) -> None:
-    page = viewer.seen(f"/statistics?survey={compared.survey_id}&rounding=none")
+    page = viewer.seen(f"/statistics?survey={compared.survey_id}")
     known = page["known_errors"]
     assert [(one["target"], one["check_target"]) for one in known] == [
         ("taillight", False),
@@ -70,6 +70,7 @@ def test_errors_are_told_by_target_and_check_targets_count_nowhere_else(
     traffic, check = of(known, "taillight", check=False), of(known, "taillight", check=True)
     assert bias_mm(traffic) == pytest.approx((10.0 - 20.0) / 2, abs=0.01)
     assert bias_mm(traffic, "daytime") == pytest.approx(10.0, abs=0.01)
+    assert bias_mm(traffic, "saloon") == bias_mm(traffic)
     assert bias_mm(check) == pytest.approx(180.0, abs=0.01)
     assert traffic["inside"]["n"] == 1  # of the other nobody said how sure it is
     # the heights of the traffic: no row of the check target
@@ -94,15 +95,15 @@ def test_a_package_carries_them_and_a_forged_one_is_found(
     assert (lamp["known_taillight_m"], lamp["known_taillight_source"]) == ("0.720000", "tape, 3 May")
     told = {
         (row["target"], row["check_target"]): float(row["value"])
-        for row in rows(place, "statistics/known_errors.csv")
-        if (row["heights"], row["rounding"], row["group"], row["figure"])
-        == ("inset", "none", "overall", "bias_m")
+        for row in rows(place, "statistics/errors_by_target.csv")
+        if (row["heights"], row["group"], row["figure"]) == ("inset", "all", "bias_m")
     }
     assert told["taillight", "true"] == pytest.approx(0.18, abs=1e-5)
     left_out = rows(place, "exclusions.csv")
     assert {row["state"] for row in left_out} == {"check_target"} and len(left_out) == 2
     report = " ".join(words((place / "report.pdf").read_bytes()).split())
-    assert "Taillight, lower edge, check targets" in report
+    glance, rest = report.split("Set-up", 1)
+    assert "Taillight, lower edge, check targets" in glance and "Taillight, lower edge, check targets" in rest
     found = verify_package(FolderFiles(place))
     assert found.ok, found.problem
     lies: tuple[dict[str, str], ...] = ({"known_taillight_m": "0.900000"}, {"check_target": "false"})

@@ -6,7 +6,7 @@ It is imported by the tests: half a second that a process which runs none of the
 import numpy as np
 import pytest
 
-from sightline.statistics.agreement import bland_altman, trend
+from sightline.statistics.agreement import trend
 from sightline.statistics.distributions import ecdf, share_below, sorted_values
 from sightline.statistics.repeatability import gauge
 
@@ -24,16 +24,6 @@ def test_regression_and_its_band_are_those_of_least_squares() -> None:
     assert (found.slope_ci95.low, found.slope_ci95.high) == pytest.approx(tuple(fit.conf_int()[1]))
     band = fit.get_prediction(sm.add_constant(found.at)).conf_int()
     assert np.allclose(np.column_stack([found.low, found.high]), band, atol=1e-12)
-
-
-def test_bias_has_the_interval_of_a_mean() -> None:
-    error = np.random.default_rng(22).normal(0.01, 0.02, 50)
-    found = bland_altman(error)
-    assert not isinstance(found, str)
-    from statsmodels.stats.weightstats import DescrStatsW
-
-    low, high = DescrStatsW(error).tconfint_mean()
-    assert (found.bias_ci95.low, found.bias_ci95.high) == pytest.approx((low, high))
 
 
 def test_cumulative_distribution_has_the_same_band() -> None:

@@ -232,3 +232,37 @@ def test_references_in_another_unit_are_refused(tmp_path: Path, capsys: pytest.C
         "line 2: reference_height_m is “1400”, and no vehicle has more than 20 m; in mm it would be 1.4 m"
         in (capsys.readouterr().err)
     )
+
+
+TARGETS_CSV = """id,target,lighting,category,height_m,reference_height_m,status,check_target,counts
+1,roof,daytime,saloon,1.51,1.50,ok,false,true
+2,roof,low_light,van,1.93,1.90,ok,false,true
+3,roof,daytime,saloon,1.80,1.50,ok,false,false
+4,taillight,daytime,saloon,0.72,0.70,ok,false,true
+5,driver_eye,daytime,saloon,1.18,1.16,ok,true,false
+6,driver_eye,daytime,saloon,1.18,,ok,false,true
+"""
+
+
+def test_errors_by_target_with_check_targets_apart(tmp_path: Path) -> None:
+    path = str(heights_csv(tmp_path, TARGETS_CSV))
+    done = CliRunner().invoke(errors, [path, "--by", "target", "--json"])
+    assert done.exit_code == 0, done.output
+    told = json.loads(done.output)["targets"]
+    assert [(one["target"], one["check_target"]) for one in told] == [
+        ("roof", False),
+        ("taillight", False),
+        ("driver_eye", True),
+    ]
+    roofs = {one["group"]: one for one in told[0]["groups"]}
+    assert roofs["all"]["bias_m"] == pytest.approx(0.02) and roofs["all"]["n"] == 2
+    assert roofs["van"]["bias_m"] == pytest.approx(0.03) and roofs["daytime"]["bias_m"] == pytest.approx(0.01)
+    words = CliRunner().invoke(errors, [path, "--by", "target"]).output
+    assert "driver eye, check targets" in words and "2 rows have no height" in words
+    # the table alone is of roofs of the traffic, and says what it leaves out
+    plain = CliRunner().invoke(errors, [path, "--json", "--round", "none"])
+    assert json.loads(plain.output)["groups"]["overall"]["n"] == 2
+    assert "driver_eye, taillight; --by target" in CliRunner().invoke(errors, [path]).output
+    eyes = heights_csv(tmp_path, TARGETS_CSV.replace(",roof,", ",headlight,"))
+    refused = CliRunner().invoke(errors, [str(eyes)]).exception
+    assert isinstance(refused, BadInput) and "use --by target" in refused.message

@@ -5,13 +5,15 @@ from __future__ import annotations
 import json
 from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import TYPE_CHECKING, get_args
+from typing import TYPE_CHECKING, cast, get_args
 
 import click
+import numpy as np
 
 from sightline.commands.distribution import Rows, length_in, sample_of
 from sightline.commands.files import read_csv
-from sightline.enums import Rounding
+from sightline.enums import Rounding, Target
+from sightline.errors import BadInput
 
 if TYPE_CHECKING:
     from sightline.statistics.errors import ErrorGroup
@@ -19,30 +21,100 @@ if TYPE_CHECKING:
 
 NEEDED = ("height_m", "reference_height_m", "status")
 FEET = 1 / 0.3048
+Key = tuple[Target, bool]
+_ROOFS: Key = ("roof", False)
 
 
 @click.command()
 @click.argument("heights", type=click.Path(path_type=Path))
 @click.option("--round", "rounding", type=click.Choice(get_args(Rounding)), default="cm", show_default=True)
+@click.option(
+    "--by",
+    type=click.Choice(["target"]),
+    help="Each target alone, by lighting and class, not rounded; check targets have their own rows.",
+)
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON object.")
-def errors(heights: Path, rounding: Rounding, as_json: bool) -> None:
+def errors(heights: Path, rounding: Rounding, by: str | None, as_json: bool) -> None:
     """Compute the error table of HEIGHTS (heights.csv) against its reference heights, by lighting and
     overall.
 
-    Intervals are total where these columns are there: shared_group and u_shared_m (error common to all rows
-    of a group), site (a cluster). Without them they hold sampling, and the errors of each height with it.
+    Of several targets (column target) it is of roofs; --by target tells each. Intervals are total where these
+    columns are there: shared_group and u_shared_m (error common to all rows of a group), site (a cluster).
+    Without them they hold sampling, and the errors of each height with it.
     """
     from sightline.statistics.errors import error_table
 
-    rows, left_out = read_heights(heights)
+    found, left_out = read_heights(heights)
+    if by is not None:
+        _by_target(found, left_out, as_json)
+        return
+    traffic = [key for key in found if not key[1]]
+    key = _ROOFS if _ROOFS in found else next(iter(traffic)) if len(traffic) == 1 else None
+    if key is None and found:
+        raise BadInput("commands-errors-several-targets", targets=", ".join(target for target, _ in found))
+    rows = found[key] if key is not None else _Rows()
     table = error_table(rows.height_m, rows.reference_m, rows.lighting, rounding, _parts(rows))
     if as_json:
         groups = {name: group_json(group) for name, group in table.items()}
         click.echo(json.dumps({"rounding": rounding, "groups": groups}))
         return
     click.echo(as_text(table, rounding))
+    _tell_left_out(left_out)
+    others = sorted({target for target, _ in found if target != (key or ("",))[0]})
+    if others:
+        click.echo(f"Not in the table: {', '.join(others)}; --by target tells each.")
+
+
+def _tell_left_out(left_out: int) -> None:
     if left_out:
-        click.echo(f"{left_out} rows have no height or no reference height and are not in the table.")
+        click.echo(
+            f"{left_out} rows have no height or no reference height, or do not count: not in the table."
+        )
+
+
+def _by_target(found: dict[Key, _Rows], left_out: int, as_json: bool) -> None:
+    from sightline.statistics.known_errors import COMPARED, Compared, known_errors, shown_groups
+
+    told = []
+    for target, check in sorted(found, key=lambda key: (key[1], COMPARED.index(key[0]))):
+        rows = found[target, check]
+        unknown = np.full(len(rows.height_m), np.nan)
+        compared = Compared(
+            measured=_parts(rows),
+            u_measured_m=unknown,
+            known_m=np.array(rows.reference_m),
+            u_known_m=unknown,
+            lighting=rows.lighting,
+            category=rows.category,
+        )
+        told.append(known_errors(target, check, compared))
+    if as_json:
+        listed = [
+            {
+                "target": one.target,
+                "check_target": one.check_target,
+                "groups": [
+                    {"grouping": part.grouping, "group": part.group, **group_json(part.errors)}
+                    for part in one.groups
+                ],
+            }
+            for one in told
+        ]
+        click.echo(json.dumps({"rounding": "none", "targets": listed}))
+        return
+    heads = {"bias_m": "bias", "mae_m": "MAE", "rmse_m": "RMSE", "sd_m": "SD"}
+    lines = [f"{'':34}{'n':>6}" + "".join(f"{head:>42}" for head in heads.values())]
+    for one in told:
+        for part in shown_groups(one.groups):
+            name = one.target + (", check targets" if one.check_target else "")
+            name = name if part.grouping == "all" else f"  {part.group}"
+            cells = "".join(f"{cell(part.errors, figure):>42}" for figure in heads)
+            lines.append(f"{name.replace('_', ' '):34}{part.errors.n:>6}{cells}")
+    lines.append("Errors are measured minus known, not rounded; in brackets total 95 % intervals.")
+    if words := next((one.overall.words for one in told if one.overall.words), None):
+        lines.append(f"Intervals hold {words}.")
+    click.echo("\n".join(lines))
+    _tell_left_out(left_out)
 
 
 @dataclass
@@ -51,29 +123,41 @@ class _Rows(Rows):
 
     reference_m: list[float] = field(default_factory=list)
     lighting: list[str] = field(default_factory=list)
+    category: list[str] = field(default_factory=list)
 
 
-def read_heights(path: Path) -> tuple[_Rows, int]:
-    """The rows that have both heights, and how many have not. Raises BadInput, naming the row."""
+def read_heights(path: Path) -> tuple[dict[Key, _Rows], int]:
+    """The rows that have both heights and count, by target (a roof where none is named) and whether of check
+    targets, and how many others there are. Raises BadInput, naming the row.
+    """
     table = read_csv(path, NEEDED)
     if {"shared_group", "u_shared_m"} & set(table.header):
         table.require("shared_group", "u_shared_m")
-    found, left_out = _Rows(), 0
+    found_of: dict[Key, _Rows] = {}
+    left_out = 0
     for line, row in table.sound_rows():
         has_both = row["height_m"] and row["reference_height_m"]
-        if row["status"] != "ok" or row.get("counts") == "false" or not has_both:
+        check = row.get("check_target") == "true"
+        counts = check or row.get("counts") != "false"
+        if row["status"] != "ok" or not counts or not has_both:
             left_out += 1
             continue
+        target = row.get("target") or "roof"
+        if target not in get_args(Target):
+            known = ", ".join(get_args(Target))
+            raise BadInput("commands-errors-unknown-target", line=line, target=target, known=known)
+        found = found_of.setdefault((cast(Target, target), check), _Rows())
         found.height_m.append(length_in(table, line, row, "height_m"))
         found.u_random_m.append(0.0)
         found.reference_m.append(length_in(table, line, row, "reference_height_m"))
         found.lighting.append(row.get("lighting", ""))
+        found.category.append(row.get("category", ""))
         group = row.get("shared_group", "")
         found.shared_group.append(group)
         found.u_shared_m.append(length_in(table, line, row, "u_shared_m") if group else 0.0)
         if "site" in row:
             found.site.append(row["site"])
-    return found, left_out
+    return found_of, left_out
 
 
 def _parts(rows: _Rows) -> HeightSample:

@@ -24,8 +24,8 @@ EXCLUSIONS = Table(
     "exclusions",
     "The measurements that count for no result in statistics/, and why: withdrawn, without a height, "
     "rejected, not accepted yet, of a vehicle that the package is not of (selection.csv), of a check "
-    "target, whose errors alone are stated (statistics/known_errors.csv), or of a vehicle out of the sample "
-    "(sampling.csv).",
+    "target, whose errors alone are stated (statistics/errors_by_target.csv), or of a vehicle out of the "
+    "sample (sampling.csv).",
     (
         Column("measurement_id", "integer", "measurement that is left out", required=True),
         Column("vehicle_id", "integer", "vehicle that was measured", required=True),
@@ -37,7 +37,7 @@ EXCLUSIONS = Table(
     primary=("measurement_id",),
     foreign=((("measurement_id",), "measurements", ("id",)), (("vehicle_id",), "vehicles", ("id",))),
 )
-_CHECK = "check_target", "It checks the measuring: its errors are in statistics/known_errors.csv."
+_CHECK = "check_target", "It checks the measuring: its errors are in statistics/errors_by_target.csv."
 _OUTSIDE = "out_of_sample", "Its vehicle is out of the survey's sample."
 _READ = ("id", "vehicle_id", "target", "withdrawn", "status", "reason", "verdict", "review_reason")
 

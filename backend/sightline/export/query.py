@@ -22,13 +22,14 @@ from sightline.measurements.sheets.query import list_sheets_by_id
 from sightline.measurements.tables import measurement_series, measurements
 from sightline.measurements.tables import reviews as review_rows
 from sightline.poses.tables import road_poses
+from sightline.recordings.tables import recordings
 from sightline.reviews.query import reviews_of_series
 from sightline.reviews.records import Review
+from sightline.vehicles.records import KNOWN
 from sightline.vehicles.store import vehicles_outside
 from sightline.vehicles.tables import vehicles as vehicle_rows
 
 PAGE = 1000
-_OF_VEHICLE = tuple(name for name in OfVehicle.__slots__ if name != "counts")
 
 
 def count_measurements(session: Session, survey_id: int) -> int:
@@ -56,9 +57,11 @@ def revision_pages(session: Session, survey_id: int) -> Iterator[list[tuple[Meas
     v = vehicle_rows.c
     chosen: Select[Any] = (
         measurement_revision_rows()
-        .add_columns(v.id.label("vehicle"), v.number, v.lighting, v.category, v.manufacturer_height_m)
-        .add_columns(v.model_chosen_by, v.check_target)
+        .add_columns(v.id.label("vehicle"), v.number, v.category, v.model_chosen_by, v.check_target)
+        .add_columns(func.coalesce(v.lighting, recordings.c.lighting).label("lighting"))
+        .add_columns(*(v[names.height] for names in KNOWN.values()))
         .join(vehicle_rows, v.id == measurement_series.c.vehicle_id)
+        .join(recordings, recordings.c.id == v.recording_id)
         .where(measurement_series.c.survey_id == survey_id, v.deleted_at.is_(None))
         .order_by(measurements.c.series_id, measurements.c.revision)
     )
@@ -69,7 +72,12 @@ def revision_pages(session: Session, survey_id: int) -> Iterator[list[tuple[Meas
         found = tuple([measurement_of_row(row) for row in rows])
         cars = [
             OfVehicle(
-                **{name: getattr(row, name) for name in _OF_VEHICLE},
+                number=row.number,
+                lighting=row.lighting,
+                category=row.category,
+                known_m={target: getattr(row, names.height) for target, names in KNOWN.items()},
+                model_chosen_by=row.model_chosen_by,
+                check_target=row.check_target,
                 counts=not row.check_target and row.vehicle not in outside,
             )
             for row in rows

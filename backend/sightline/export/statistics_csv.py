@@ -75,17 +75,17 @@ ERROR_TABLE = Table(
     primary=("heights", "rounding", "group", "figure"),
     folder=FOLDER,
 )
-KNOWN_ERRORS = Table(
-    "known_errors",
+ERRORS_BY_TARGET = Table(
+    "errors_by_target",
     "Errors (measured minus known height) of accepted heights by target, of the traffic and of check "
-    "targets, by lighting and overall; figures as in error_table.csv. inside_u95: the share of differences, "
-    "not rounded, that are not larger than their own U95; about 0.95 should be. bias_total_m: the bias, not "
-    "rounded, with its total interval.",
+    "targets, not rounded, of all and by lighting and class. Intervals are total: the column holds says what "
+    "each holds. inside_u95: the share of differences that are not larger than their own U95; about 0.95 "
+    "should be.",
     (
         _HEIGHTS,
-        _ROUNDING,
         _TARGET,
         flag("check_target", "true: of check targets, which count nowhere else", required=True),
+        _GROUPING,
         _GROUP,
         Column("figure", "string", "which figure", required=True),
         _N,
@@ -94,7 +94,7 @@ KNOWN_ERRORS = Table(
         _HOLDS,
         _REASON,
     ),
-    primary=("heights", "rounding", "target", "check_target", "group", "figure"),
+    primary=("heights", "target", "check_target", "grouping", "group", "figure"),
     folder=FOLDER,
 )
 AGREEMENT = Table(
@@ -298,7 +298,7 @@ LATERAL_TABLE = Table(
 )
 TABLES = (
     ERROR_TABLE,
-    KNOWN_ERRORS,
+    ERRORS_BY_TARGET,
     AGREEMENT,
     ERROR_TREND,
     ERROR_ECDF,
@@ -326,7 +326,10 @@ def statistics_rows(found: PackageStatistics) -> dict[str, Iterator[Cells]]:
     heights = [(correction, one) for (correction, rounding), one in found.of.items() if rounding == "none"]
     return {
         ERROR_TABLE.path: chain.from_iterable(_error_rows(key, one.groups) for key, one in errors),
-        KNOWN_ERRORS.path: chain.from_iterable(_known_rows(key, one.known_errors) for key, one in made),
+        ERRORS_BY_TARGET.path: chain.from_iterable(
+            _known_rows({"heights": heights}, found.of[correction, "none"].known_errors)
+            for heights, correction in _ERRORS_OF
+        ),
         AGREEMENT.path: chain.from_iterable(_agreement_rows(key, one) for key, one in errors),
         ERROR_TREND.path: chain.from_iterable(_trend_rows(key, one) for key, one in errors),
         ERROR_ECDF.path: chain.from_iterable(_error_ecdf_rows(key, one) for key, one in errors),
@@ -347,11 +350,10 @@ def statistics_rows(found: PackageStatistics) -> dict[str, Iterator[Cells]]:
 def _known_rows(key: Row, found: Iterable[KnownErrors]) -> Iterator[Cells]:
     for one in found:
         of: Cells = {**key, "target": one.target, "check_target": one.check_target}
-        n = one.groups["overall"].n
-        yield from _error_rows(of, one.groups)
-        yield {**of, "group": "overall", "figure": "bias_total_m", "n": n, **_total_cells(one.bias)}
+        for part in one.groups:
+            yield from _error_rows({**of, "grouping": part.grouping}, {part.group: part.errors})
         inside = one.inside
-        row: Cells = {**of, "group": "overall", "figure": "inside_u95"}
+        row: Cells = {**of, "grouping": "all", "group": "all", "figure": "inside_u95"}
         if isinstance(inside, str):
             yield {**row, "n": 0, "reason": inside}
         else:
@@ -370,9 +372,9 @@ def _error_rows(key: Row, groups: Mapping[str, ErrorGroup]) -> Iterator[Cells]:
 
 def _agreement_rows(key: Row, errors: Errors) -> Iterator[Cells]:
     for name, part, figures in (
-        ("bland_altman", errors.bland_altman, ("bias_m", "lower_m", "upper_m")),
-        ("trend", errors.trend, ("slope", "intercept", "correlation")),
-        ("absolute_trend", errors.absolute_trend, ("slope", "intercept", "correlation")),
+        ("bland_altman", errors.bland_altman, ("lower_m", "upper_m")),
+        ("trend", errors.trend, ("slope", "intercept")),
+        ("absolute_trend", errors.absolute_trend, ("slope", "intercept")),
         ("reference", errors.reference_part, _OF_REFERENCE),
     ):
         if isinstance(part, str):

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import partial
 from typing import get_args
@@ -56,7 +56,7 @@ class OfVehicle:
     number: int
     lighting: str | None
     category: str | None
-    manufacturer_height_m: float | None
+    known_m: Mapping[Target, float | None]
     model_chosen_by: str | None
     check_target: bool
     counts: bool
@@ -457,13 +457,11 @@ def _measurement(clicked: Clicked) -> Measurement:
 
 
 def _reference_height_m(clicked: Clicked) -> Cell:
-    """A maker's height is that of the roof; check targets are not pooled with the traffic, and what was
-    chosen by size is no reference.
-    """
+    """What was known of the target's height; what was chosen by size is no reference."""
     vehicle = clicked.vehicle
-    of_traffic = clicked.measurement.values.target == "roof" and not vehicle.check_target
-    counts = of_traffic and is_reference(vehicle.model_chosen_by)
-    return vehicle.manufacturer_height_m if counts else None
+    return (
+        vehicle.known_m[clicked.measurement.values.target] if is_reference(vehicle.model_chosen_by) else None
+    )
 
 
 CLICKS: Table[Clicked] = Table(
@@ -481,13 +479,19 @@ CLICKS: Table[Clicked] = Table(
         ),
         metres(
             "reference_height_m",
-            "manufacturer's height, for roofs of the traffic; empty where the model was chosen by size",
+            "known height of the target; empty where the model was chosen by size",
             _reference_height_m,
         ),
         text(
             "target", "what was measured", lambda c: c.measurement.values.target, required=True, enum=TARGETS
         ),
         text("category", "body of the vehicle", lambda c: c.vehicle.category, enum=get_args(Category)),
+        flag(
+            "check_target",
+            "whether it checks the measuring, and is no vehicle of the traffic",
+            lambda c: c.vehicle.check_target,
+            required=True,
+        ),
         flag(
             "counts",
             "whether its height counts in results, as its vehicle's in vehicles.csv",

@@ -1892,7 +1892,7 @@ measure-known-some = { $count ->
 measure-known-u = u
 measure-known-source = Source
 measure-known-mark = Mark
-measure-check-target-help = A staff with marks, or a car with taped heights, driven past to check the measurement. It has its own row in the error tables and is excluded from distributions, quotas and response.
+measure-check-target-help = A staff with marks, or a car with taped heights, driven past to check the measurement; on a staff, set the inset of each height to 0. It has its own row in the error tables and is excluded from distributions, quotas and response.
 measure-check-target-empty = A check target needs a known height. Enter the roof height above, or another height here.
 measure-field-lighting = Lighting
 measure-field-direction = Direction
@@ -3274,7 +3274,7 @@ statistics-paper-printed = Dupuis et al., as printed
 statistics-stands-for = corresponds to { $group }
 statistics-no-interval = { $figures }: { $reason }
 statistics-reference-part = This alone causes a correlation of { $correlation } between error and height, independent of the camera (reference u = { $u_reference }).
-statistics-bland-altman = Bland and Altman: bias { $bias } { $unit } ({ $bias_interval }), limits of agreement { $lower } ({ $lower_interval }) and { $upper } { $unit } ({ $upper_interval }), n = { $n }.
+statistics-bland-altman = Bland and Altman: limits of agreement { $lower } ({ $lower_interval }) and { $upper } { $unit } ({ $upper_interval }), n = { $n }.
 
 ## Samples: files to try with
 
@@ -3285,10 +3285,9 @@ samples-catalogue = To try: a catalogue of invented models
 ## Statistics: errors against known heights, by target
 
 statistics-known-title = Errors by target
-statistics-known-help = Measured minus known height, for accepted heights with a known value (the manufacturer’s or a taped one). Intervals are total; hold the pointer over one to see what it includes. The total interval of the bias is that of heights that are not rounded. Check targets have their own rows and are excluded from distributions.
+statistics-known-help = Measured minus known height, for accepted heights with a known value (the manufacturer’s or a taped one). Heights are not rounded. Intervals are total; hold the pointer over one to see what it includes. A model that was chosen by its size is no reference. Check targets have their own rows and are excluded from distributions.
 statistics-known-target = Target
 statistics-known-check = { $target }, check targets
-statistics-known-bias = Bias, total 95 % interval
 statistics-known-holds = Includes { $words }.
 statistics-known-inside = Within their U95
 statistics-known-inside-of = { $inside } of { $n }
@@ -3325,8 +3324,8 @@ statistics-trend-says = Signed error over the manufacturer’s height of { $coun
 statistics-trend-nothing = Nothing to draw: no vehicle has a reference height.
 statistics-trend-x = Manufacturer’s height ({ $unit })
 statistics-trend-legend = regression, 95 % band
-statistics-trend = Slope { $slope } { $small } per { $unit } ({ $slope_interval }), r = { $correlation } ({ $correlation_interval }).
-statistics-trend-absolute = Absolute error: r = { $correlation } ({ $correlation_interval }).
+statistics-trend = Slope { $slope } { $small } per { $unit } ({ $slope_interval }), r = { $correlation }.
+statistics-trend-absolute = Absolute error: r = { $correlation }.
 
 ## Statistics: one target
 
@@ -5615,6 +5614,8 @@ traffic-no-numbers = { $option } { $text } contains something that is not a numb
 traffic-no-day = { $option } { $text } is not a day; write it as 2026-05-04.
 traffic-days-turned = --to { $last } is before --from { $first }; swap them.
 traffic-no-such-site = The archive has no site { $site }; it has { $there }.
+commands-errors-several-targets = The heights are of { $targets }; use --by target to compare each with its references.
+commands-errors-unknown-target = Line { $line }: target is “{ $target }”; use one of { $known }.
 commands-compare-two-values = --compare { $text } needs --by and two different values of its column, as in --by year --compare 2020,2026.
 commands-compare-no-such-value = No row with a height has { $name } in { $by }; compare two of { $known }.
 
@@ -6520,6 +6521,8 @@ told-poses-the-camera-is-m = The camera is { $height } m above the road.
 told-poses-the-pose-before-it = The previous pose is number { $id }.
 told-cameras-standard-uncertainty-px = { $focal } (standard uncertainty { $u } px)
 told-statistics-vehicle-is-too-few = { $there } vehicle is too few for an interval; { $needed } are needed
+told-statistics-vehicle-is-too-few-but = { $there } vehicle is too few for an interval of MAE, RMSE and SD; { $needed } are needed
+told-statistics-vehicles-are-too-few-but = { $there } vehicles are too few for an interval of MAE, RMSE and SD; { $needed } are needed
 told-statistics-vehicles-are-too-few = { $there } vehicles are too few for an interval; { $needed } are needed
 told-statistics-there-is = there is { $count }
 told-statistics-there-are = there are { $count }
@@ -6992,10 +6995,10 @@ report-paper-percentiles = Percentiles as in the paper, of the heights of the { 
 report-paper = Table 1 of the paper as printed.
 report-its-column = Its column
 report-inconsistent = Inconsistencies
-report-known-errors = Errors by target: measured minus known height, with 95 % CIs. Check targets are excluded everywhere else.
-report-bias-total = Bias, total U95
+report-known-errors = Errors by target, lighting and class: measured minus known height, not rounded, with total 95 % intervals. Check targets are excluded everywhere else.
+report-check-errors = Check targets: measured minus taped height, with total 95 % intervals.
 report-within-u95 = Within their U95
-report-known-errors-note = The total interval of the bias also includes errors that heights share (pose, mean inset); the others cover sampling only.
+report-known-errors-note = The intervals include errors that heights share (pose, mean inset). A model that was chosen by its size is no reference.
 report-check-targets = { $target }, check targets
 
 ## Report: distributions of heights

@@ -189,7 +189,7 @@ sample-outside = { $counts ->
     }
 }
 sample-outside-counts = Les hauteurs mesurées hors échantillon comptent dans les résultats
-sample-outside-counts-help = En général non : aucune règle n’a guidé leur choix. Ceci vaut pour chaque page, archive, rapport et étude.
+sample-outside-counts-help = En général non : aucune règle n’a guidé leur choix. Ceci vaut pour chaque page, archive, rapport et étude.
 sample-open = À faire
 sample-rate = Taux de réponse
 sample-rate-of = { $rate } % ({ $low } à { $high })
@@ -1891,7 +1891,7 @@ measure-known-some = { $count ->
 measure-known-u = u
 measure-known-source = Source
 measure-known-mark = Repère
-measure-check-target-help = Une mire graduée, ou une voiture aux hauteurs mesurées, qui passe pour contrôler la mesure. Elle a sa propre ligne dans les tableaux d’erreurs et est exclue des distributions, des quotas et du taux de réponse.
+measure-check-target-help = Une mire graduée, ou une voiture aux hauteurs mesurées, qui passe pour contrôler la mesure ; sur une mire, mettez le retrait de chaque hauteur à 0. Elle a sa propre ligne dans les tableaux d’erreurs et est exclue des distributions, des quotas et du taux de réponse.
 measure-check-target-empty = Une cible de contrôle a besoin d’une hauteur connue : donnez celle du toit au-dessus, ou une autre ici.
 measure-field-lighting = Luminosité
 measure-field-direction = Sens
@@ -3270,7 +3270,7 @@ statistics-paper-printed = Dupuis et al., tel qu’imprimé
 statistics-stands-for = correspond à : { $group }
 statistics-no-interval = { $figures } : { $reason }
 statistics-reference-part = Ceci seul crée une corrélation de { $correlation } entre l’erreur et la hauteur, indépendamment de la caméra (u de la référence = { $u_reference }).
-statistics-bland-altman = Bland et Altman : biais { $bias } { $unit } ({ $bias_interval }), limites de concordance { $lower } ({ $lower_interval }) et { $upper } { $unit } ({ $upper_interval }), n = { $n }.
+statistics-bland-altman = Bland et Altman : limites de concordance { $lower } ({ $lower_interval }) et { $upper } { $unit } ({ $upper_interval }), n = { $n }.
 
 ## Exemples : fichiers pour essayer
 
@@ -3281,10 +3281,9 @@ samples-catalogue = Pour essayer : un catalogue de modèles inventés
 ## Statistiques : erreurs par rapport aux hauteurs connues, par cible
 
 statistics-known-title = Erreurs par cible
-statistics-known-help = Hauteur mesurée moins hauteur connue, pour les hauteurs validées dont la valeur est connue (celle du constructeur, ou mesurée au mètre ruban). Les intervalles sont totaux ; le pointeur sur l’un d’eux dit ce qu’il comprend. L’intervalle total du biais est celui des hauteurs non arrondies. Les cibles de contrôle ont leurs propres lignes et sont exclues des distributions.
+statistics-known-help = Hauteur mesurée moins hauteur connue, pour les hauteurs validées dont la valeur est connue (celle du constructeur, ou mesurée au mètre ruban). Les hauteurs ne sont pas arrondies. Les intervalles sont totaux ; le pointeur sur l’un d’eux dit ce qu’il comprend. Un modèle choisi d’après sa taille n’est pas une référence. Les cibles de contrôle ont leurs propres lignes et sont exclues des distributions.
 statistics-known-target = Cible
 statistics-known-check = { $target }, cibles de contrôle
-statistics-known-bias = Biais, intervalle total à 95 %
 statistics-known-holds = Comprend { $words }.
 statistics-known-inside = Dans leur U95
 statistics-known-inside-of = { $inside } sur { $n }
@@ -3321,8 +3320,8 @@ statistics-trend-says = Erreur signée en fonction de la hauteur du constructeur
 statistics-trend-nothing = Rien à tracer : aucun véhicule n’a de hauteur de référence.
 statistics-trend-x = Hauteur du constructeur ({ $unit })
 statistics-trend-legend = régression, bande à 95 %
-statistics-trend = Pente { $slope } { $small } par { $unit } ({ $slope_interval }), r = { $correlation } ({ $correlation_interval }).
-statistics-trend-absolute = Erreur absolue : r = { $correlation } ({ $correlation_interval }).
+statistics-trend = Pente { $slope } { $small } par { $unit } ({ $slope_interval }), r = { $correlation }.
+statistics-trend-absolute = Erreur absolue : r = { $correlation }.
 
 ## Statistiques : une cible
 
@@ -5671,6 +5670,8 @@ traffic-no-numbers = { $option } { $text } contient autre chose que des nombres�
 traffic-no-day = { $option } { $text } n’est pas un jour ; écrivez-le 2026-05-04.
 traffic-days-turned = --to { $last } précède --from { $first } ; inversez-les.
 traffic-no-such-site = L’archive de trafic n’a pas de site { $site } ; elle a { $there }.
+commands-errors-several-targets = Les hauteurs sont de { $targets } ; utilisez --by target pour comparer chacune à ses références.
+commands-errors-unknown-target = Ligne { $line } : la cible est « { $target } » ; utilisez l’une de { $known }.
 commands-compare-two-values = --compare { $text } demande --by et deux valeurs différentes de sa colonne, comme --by year --compare 2020,2026.
 commands-compare-no-such-value = Aucune ligne avec une hauteur n’a { $name } dans { $by } ; comparez deux valeurs parmi { $known }.
 
@@ -6619,6 +6620,8 @@ told-poses-the-camera-is-m = La caméra est à { $height } m au-dessus de la rou
 told-poses-the-pose-before-it = La pose précédente est le numéro { $id }.
 told-cameras-standard-uncertainty-px = { $focal } (incertitude-type { $u } px)
 told-statistics-vehicle-is-too-few = { $there } véhicule est trop peu pour un intervalle ; il en faut { $needed }
+told-statistics-vehicle-is-too-few-but = { $there } véhicule est trop peu pour un intervalle de MAE, RMSE et SD ; il en faut { $needed }
+told-statistics-vehicles-are-too-few-but = { $there } véhicules sont trop peu pour un intervalle de MAE, RMSE et SD ; il en faut { $needed }
 told-statistics-vehicles-are-too-few = { $there } véhicules sont trop peu pour un intervalle ; il en faut { $needed }
 told-statistics-there-is = il y en a { $count }
 told-statistics-there-are = il y en a { $count }
@@ -7097,10 +7100,10 @@ report-paper-percentiles = Centiles comme dans l’article, des hauteurs ({ $tar
 report-paper = Tableau 1 de l’article, tel qu’imprimé.
 report-its-column = Sa colonne
 report-inconsistent = Ce qui s’y contredit
-report-known-errors = Erreurs par cible : mesure moins hauteur connue, avec des intervalles à 95 %. Les cibles de contrôle ne comptent nulle part ailleurs.
-report-bias-total = Biais, U95 total
+report-known-errors = Erreurs par cible, luminosité et classe : mesure moins hauteur connue, sans arrondi, avec des intervalles totaux à 95 %. Les cibles de contrôle ne comptent nulle part ailleurs.
 report-within-u95 = Dans leur U95
-report-known-errors-note = L’intervalle total du biais comprend aussi ce que les hauteurs ont en commun (pose, retrait moyen), les autres l’échantillonnage seul.
+report-check-errors = Cibles de contrôle : mesure moins hauteur relevée au mètre ruban, avec des intervalles totaux à 95 %.
+report-known-errors-note = Les intervalles comprennent ce que les hauteurs ont en commun (pose, retrait moyen). Un modèle choisi d’après sa taille n’est pas une référence.
 report-check-targets = { $target }, cibles de contrôle
 
 ## Rapport : les distributions des hauteurs

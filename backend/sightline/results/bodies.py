@@ -4,7 +4,15 @@ from typing import Annotated
 
 from pydantic import Field
 
-from sightline.enums import IntervalPart, LightingGroup, Rounding, StandardHeight, StatisticsTarget, Target
+from sightline.enums import (
+    ErrorGrouping,
+    IntervalPart,
+    LightingGroup,
+    Rounding,
+    StandardHeight,
+    StatisticsTarget,
+    Target,
+)
 from sightline.infra.audit.records import Who
 from sightline.infra.web.bodies import Finite, In, Out
 from sightline.infra.web.figures import (
@@ -45,7 +53,6 @@ class TrendBody(Out):
     slope_ci95: Interval
     intercept: float
     correlation: float
-    correlation_ci95: Interval
     n: int
     at: list[float]
     value: list[float]
@@ -77,17 +84,26 @@ class ErrorsBody(Out):
     points: PointsBody = Field(description="At most 1500, drawn at random but always the same.")
 
 
+class KnownGroupBody(Out):
+    """Bias, MAE, RMSE and SD of some vehicles' errors, not rounded, with total intervals."""
+
+    grouping: ErrorGrouping
+    group: str
+    n: int
+    figures: dict[str, FigureBody]
+    reason: str | None
+    words: str = Field(description="What the intervals hold, and for which roads.")
+
+
 class KnownErrorsBody(Out):
     """Errors of one target against heights that were known before, of the traffic or of check targets."""
 
     target: Target
     check_target: bool
-    groups: list[ErrorGroupBody]
+    groups: list[KnownGroupBody] = Field(description="All first, then each lighting and class there is.")
     inside: Inside | ReasonBody = Field(
         description="How many differences are not larger than their own U95; about 95 % should be."
     )
-    bias: TotalFigure = Field(description="Mean error, not rounded, with its total uncertainty.")
-    words: str = Field(description="What the interval of the bias holds, and for which roads.")
 
 
 class StandardIn(In):

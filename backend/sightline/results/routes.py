@@ -183,6 +183,11 @@ def _errors(found: Errors, correction: Correction) -> dict[str, Any]:
 
 
 def _group(name: str, one: ErrorGroup) -> dict[str, Any]:
+    title = next(column.title for column in PAPER if column.group == name)
+    return {"group": name, "title": title, **_figures_of(one)}
+
+
+def _figures_of(one: ErrorGroup) -> dict[str, Any]:
     figures = {
         key: {
             "value": value,
@@ -192,25 +197,18 @@ def _group(name: str, one: ErrorGroup) -> dict[str, Any]:
         }
         for key, value in one.figures.items()
     }
-    title = next(column.title for column in PAPER if column.group == name)
-    return {
-        "group": name,
-        "title": title,
-        "n": one.n,
-        "figures": figures,
-        "reason": one.reason,
-        "words": one.words,
-    }
+    return {"n": one.n, "figures": figures, "reason": one.reason, "words": one.words}
 
 
 def _known(one: KnownErrors) -> dict[str, Any]:
     return {
         "target": one.target,
         "check_target": one.check_target,
-        "groups": [_group(name, one.groups[name]) for name in GROUPS],
+        "groups": [
+            {"grouping": part.grouping, "group": part.group, **_figures_of(part.errors)}
+            for part in one.groups
+        ],
         "inside": _part(one.inside),
-        "bias": one.bias,
-        "words": one.words,
     }
 
 

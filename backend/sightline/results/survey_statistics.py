@@ -330,7 +330,7 @@ def made_of(
         targets=targets,
         surveys=named_surveys,
         operators=operators,
-        known_errors=_known_errors(((measured, sites), (checks, of_checks)), errors, choices),
+        known_errors=_known_errors(((measured, sites), (checks, of_checks)), choices),
         lateral=_lateral(measured.where(_of_target(measured, only))),
         rules=rules,
         sight=sight,
@@ -462,13 +462,10 @@ def _lighting_words(rows: Measured) -> NDArray[np.str_]:
 
 def _known_errors(
     both: tuple[tuple[Measured, Grouping | None], tuple[Measured, Grouping | None]],
-    roofs: Errors,
     choices: StatisticsOptions,
 ) -> tuple[KnownErrors, ...]:
     """Errors against known heights by target, of the traffic and then of check targets, each with their
     sites: those there are.
-
-    The roofs of the traffic are those of the error table, whatever their maker said of u.
     """
     found = []
     for (measured, sites), of_checks in zip(both, (False, True), strict=True):
@@ -476,8 +473,7 @@ def _known_errors(
             compared = _compared(measured, measured.target == code, sites, choices)
             if len(compared.known_m) == 0:
                 continue
-            table = roofs.groups if target == "roof" and not of_checks else None
-            found.append(known_errors(target, of_checks, compared, choices.rounding, table))
+            found.append(known_errors(target, of_checks, compared))
     return tuple(found)
 
 
@@ -489,7 +485,15 @@ def _compared(
     rows = measured.where(chosen)
     measured_m = rows.height_m if choices.correction == "inset" else rows.uncorrected_height_m
     sample = replace(height_sample(rows, sites.where(chosen) if sites else None), height_m=measured_m)
-    return Compared(sample, rows.u_height_m, rows.known_m, rows.u_known_m, _lighting_words(rows).tolist())
+    category = np.array([*CATEGORIES, ""])[rows.category]  # the last place is for none
+    return Compared(
+        measured=sample,
+        u_measured_m=rows.u_height_m,
+        known_m=rows.known_m,
+        u_known_m=rows.u_known_m,
+        lighting=_lighting_words(rows).tolist(),
+        category=category.tolist(),
+    )
 
 
 def _named(ids: NDArray[np.int64], names: Mapping[int, str]) -> Grouping:

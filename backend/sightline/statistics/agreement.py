@@ -34,7 +34,6 @@ class Trend:
     slope_ci95: Interval
     intercept: float
     correlation: float
-    correlation_ci95: Interval
     n: int
     at: Floats
     value: Floats
@@ -44,11 +43,12 @@ class Trend:
 
 @dataclass(frozen=True)
 class BlandAltman:
-    """Mean difference and limits of agreement (Bland & Altman 1999), metres, each with its interval."""
+    """Mean difference and limits of agreement (Bland & Altman 1999), metres; the limits with their intervals.
+    That of the bias stands in the error table.
+    """
 
     n: int
     bias_m: float
-    bias_ci95: Interval
     lower_m: float
     lower_ci95: Interval
     upper_m: float
@@ -75,8 +75,7 @@ def trend(at: ArrayLike, value: ArrayLike, points: int = 64) -> Trend | str:
     """Regression of `value` (N,) on `at` (N,), both finite and in any unit; or the reason why there is none.
 
     The band is that of the line, at `points` places: +- t s sqrt(1/n + (x - mean)^2 / sum (x - mean)^2), t
-    with n - 2 degrees of freedom (Draper and Smith 1998); the correlation's interval is by Fisher's z (Fisher
-    1921).
+    with n - 2 degrees of freedom (Draper and Smith 1998).
     """
     x, y = np.asarray(at, dtype=np.float64), np.asarray(value, dtype=np.float64)
     n = len(x)
@@ -98,20 +97,12 @@ def trend(at: ArrayLike, value: ArrayLike, points: int = 64) -> Trend | str:
         slope_ci95=Interval(float(line.slope - t * line.stderr), float(line.slope + t * line.stderr)),
         intercept=float(line.intercept),
         correlation=r,
-        correlation_ci95=_correlation_interval(r, n),
         n=n,
         at=grid,
         value=fitted,
         low=fitted - half,
         high=fitted + half,
     )
-
-
-def _correlation_interval(r: float, n: int) -> Interval:
-    """Fisher's z."""
-    inside = float(np.clip(r, -1.0 + 1e-15, 1.0 - 1e-15))
-    half = COVERAGE_95 / np.sqrt(n - 3)
-    return Interval(float(np.tanh(np.arctanh(inside) - half)), float(np.tanh(np.arctanh(inside) + half)))
 
 
 def bland_altman(error_m: ArrayLike) -> BlandAltman | str:
@@ -127,13 +118,11 @@ def bland_altman(error_m: ArrayLike) -> BlandAltman | str:
     z = COVERAGE_95
     t = float(scipy.stats.t.ppf(0.5 + 0.5 * CONFIDENCE, n - 1))
     bias, sd = float(error.mean()), float(error.std(ddof=1))
-    mean_half = t * sd / np.sqrt(n)
     limit_half = t * sd * np.sqrt(1.0 / n + 0.5 * z * z / (n - 1))
     lower, upper = bias - z * sd, bias + z * sd
     return BlandAltman(
         n=n,
         bias_m=bias,
-        bias_ci95=Interval(bias - mean_half, bias + mean_half),
         lower_m=lower,
         lower_ci95=Interval(lower - limit_half, lower + limit_half),
         upper_m=upper,

@@ -40,6 +40,8 @@ SHARES_WITHIN_M = {
     "share_within_40_mm": 0.040,
 }
 ALL_FIGURES = (*FIGURES, *SHARES_WITHIN_M)
+#: Those that are lengths, each with a total interval.
+LENGTHS = ("bias_m", "mae_m", "rmse_m", "sd_m")
 _SAMPLED_ALONE = ("pearson_error_vs_height", "pearson_abs_error_vs_height", "skewness")
 _ROUNDING_M = 1e-9  # 0.02 m written as a difference of two heights is not 0.02 in binary
 GROUPS = (*get_args(Lighting), "overall")
@@ -207,9 +209,13 @@ def _bootstrap(error: Floats, height: Floats) -> Floats:
 
 
 def error_group(
-    error_m: ArrayLike, reference_m: ArrayLike, measured: HeightSample | None = None
+    error_m: ArrayLike,
+    reference_m: ArrayLike,
+    measured: HeightSample | None = None,
+    names: tuple[str, ...] = ALL_FIGURES,
 ) -> ErrorGroup:
-    """One column of the table from `error_m`, `reference_m` (N,), metres, with its 95 % intervals.
+    """One column of the table from `error_m`, `reference_m` (N,), metres, with its 95 % intervals; `names`:
+    which of its figures.
 
     The figures of Dupuis et al. 2019, Table 1 (its MSE is in m^2, printed as m), and of section 3.4
     (correlations), with skewness and shares that it leaves out, each from the raw errors; SD is that of the
@@ -223,34 +229,41 @@ def error_group(
     height = np.asarray(reference_m, dtype=np.float64)
     n = len(error)
     if n == 0:
-        none: dict[str, float | None] = dict.fromkeys(ALL_FIGURES)
+        none: dict[str, float | None] = dict.fromkeys(names)
         return ErrorGroup(
-            0, none, dict.fromkeys(ALL_FIGURES), "no counted height of this group has a reference height"
+            0, none, dict.fromkeys(names), "no counted height of this group has a reference height"
         )
     values = _figures(error, height)
     figures = {name: float(v) if np.isfinite(v) else None for name, v in zip(FIGURES, values, strict=True)}
     shares, shares_ci95 = _shares(error)
-    figures |= shares
-    if n < _LEAST_FOR_INTERVALS:
-        why = f"{are_too_few(n)} for an interval; {_LEAST_FOR_INTERVALS} are needed"
-        return ErrorGroup(n, figures, dict.fromkeys(ALL_FIGURES), why)
-    ci95 = {
-        name: Interval(float(low), float(high)) if np.isfinite([low, high]).all() else None
-        for name, (low, high) in zip(FIGURES, _intervals(error, height), strict=True)
-    }
-    ci95 |= shares_ci95
-    total, parts, words = _totals(error, measured)
-    for name, interval in total.items():
-        ci95[name] = interval if ci95[name] is not None else None
+    figures = {name: value for name, value in (figures | shares).items() if name in names}
+    total, parts, words = _totals(error, measured, names)
     sampled: tuple[IntervalPart, ...] = ("sampling", "random_error", "known_heights")
-    holds = {name: sampled if name in _SAMPLED_ALONE else parts for name in ALL_FIGURES}
-    return ErrorGroup(n, figures, ci95, holds=holds, words=words)
+    holds = {name: sampled if name in _SAMPLED_ALONE else parts for name in names}
+    if n < _LEAST_FOR_INTERVALS:
+        none_yet: dict[str, Interval | None] = dict.fromkeys(names)
+        few = f"{are_too_few(n)} for an interval"
+        if "bias_m" not in total:
+            return ErrorGroup(n, figures, none_yet, f"{few}; {_LEAST_FOR_INTERVALS} are needed")
+        why = f"{few} of MAE, RMSE and SD; {_LEAST_FOR_INTERVALS} are needed"
+        ci95 = {**none_yet, "bias_m": total["bias_m"]}
+        return ErrorGroup(n=n, figures=figures, ci95=ci95, reason=why, holds=holds, words=words)
+    ci95 = {}
+    if not total.keys() >= set(names):
+        ci95 = {
+            name: Interval(float(low), float(high)) if np.isfinite([low, high]).all() else None
+            for name, (low, high) in zip(FIGURES, _intervals(error, height), strict=True)
+        }
+    ci95 |= shares_ci95
+    # equal errors have no interval
+    ci95 |= total if np.ptp(error) > 0.0 else dict.fromkeys(total)
+    return ErrorGroup(n, figures, {name: ci95[name] for name in names}, holds=holds, words=words)
 
 
 def _totals(
-    error: Floats, measured: HeightSample | None
+    error: Floats, measured: HeightSample | None, names: tuple[str, ...]
 ) -> tuple[dict[str, Interval], tuple[IntervalPart, ...], str]:
-    """Total intervals of what has them, what they hold, and that in words."""
+    """Total intervals of what has them, what they hold, and that in words; of few errors the bias alone."""
     found: dict[str, Interval] = {}
     sites = None
     shared = measured is not None and bool(measured.shared)
@@ -261,7 +274,8 @@ def _totals(
             bias = of_errors.mean()
             if bias.U95_low is not None and bias.U95_high is not None:
                 found["bias_m"] = Interval(bias.U95_low, bias.U95_high)
-            found |= _spread_totals(ErrorTotals(error, measured.shared, measured.site))
+            if len(error) >= _LEAST_FOR_INTERVALS:
+                found |= _spread_totals(ErrorTotals(error, measured.shared, measured.site), names)
     there: dict[IntervalPart, tuple[bool, str]] = {
         "sampling": (True, "sampling"),
         "sites": (sites is not None, f"differences between {sites} sites"),
@@ -273,7 +287,7 @@ def _totals(
     return found, parts, holding([words for held, words in there.values() if held], sites)
 
 
-def _spread_totals(totals: ErrorTotals) -> dict[str, Interval]:
+def _spread_totals(totals: ErrorTotals, names: tuple[str, ...]) -> dict[str, Interval]:
     mse, mae, sd = totals.mse(), totals.mae(), totals.sd()
     found = {
         "mae_m": Interval(*mae),
@@ -282,6 +296,8 @@ def _spread_totals(totals: ErrorTotals) -> dict[str, Interval]:
         "sd_m": Interval(*sd),
     }
     for name, limit_m in SHARES_WITHIN_M.items():
+        if name not in names:
+            continue
         found[name] = Interval(*totals.share_within(limit_m + _ROUNDING_M))
     return found
 

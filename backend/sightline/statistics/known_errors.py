@@ -1,18 +1,17 @@
 """Errors of measured heights against those that were known before, by target: vehicles, and check targets."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import get_args
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from sightline.coverage import COVERAGE_95
-from sightline.enums import Rounding, Target
+from sightline.enums import Category, ErrorGrouping, Lighting, Target
 from sightline.statistics.distributions import share_interval
-from sightline.statistics.errors import ErrorGroup, error_table
-from sightline.statistics.figures import TotalFigure
-from sightline.statistics.total_uncertainty import HeightSample, TotalUncertainty
+from sightline.statistics.errors import LENGTHS, ErrorGroup, error_group
+from sightline.statistics.total_uncertainty import HeightSample
 
 Floats = NDArray[np.float64]
 
@@ -35,26 +34,37 @@ class Inside:
 
 
 @dataclass(frozen=True, eq=False)
+class KnownGroup:
+    """Bias, MAE, RMSE and SD of the errors of some vehicles: of all, or of one lighting or class, `group`."""
+
+    grouping: ErrorGrouping
+    group: str
+    errors: ErrorGroup
+
+
+@dataclass(frozen=True, eq=False)
 class KnownErrors:
     """The errors of one target, of the traffic or of check targets.
 
-    groups: the columns of the error table by lighting and "overall"; inside: of the heights whose known
-    height has an uncertainty, else the reason in its place; bias: the mean error, not rounded, with its total
-    uncertainty; words: what its interval holds, and for which roads.
+    groups: all of them first, then each lighting and class that there is; inside: of the heights whose known
+    height has an uncertainty, else the reason in its place.
     """
 
     target: Target
     check_target: bool
-    groups: dict[str, ErrorGroup]
+    groups: tuple[KnownGroup, ...]
     inside: Inside | str
-    bias: TotalFigure
-    words: str
+
+    @property
+    def overall(self) -> ErrorGroup:
+        """Of all of its heights."""
+        return self.groups[0].errors
 
 
 @dataclass(frozen=True, eq=False)
 class Compared:
     """Measured heights, N > 0, with the parts of their uncertainty, and the known ones, (N,) each, metres, u
-    at k = 1, NaN where unknown; `lighting` "" where unknown.
+    at k = 1, NaN where unknown; `lighting`, `category` "" where unknown.
     """
 
     measured: HeightSample
@@ -62,32 +72,39 @@ class Compared:
     known_m: Floats
     u_known_m: Floats
     lighting: Sequence[str]
+    category: Sequence[str]
 
 
-def known_errors(
-    target: Target,
-    check_target: bool,
-    of: Compared,
-    rounding: Rounding,
-    table: dict[str, ErrorGroup] | None = None,
-) -> KnownErrors:
-    """The error table (Dupuis et al. 2019, Table 1) of one target, with the share inside its uncertainty.
+def known_errors(target: Target, check_target: bool, of: Compared) -> KnownErrors:
+    """Bias, MAE, RMSE and SD (as in Dupuis et al. 2019, Table 1, not rounded) of one target, of all its
+    heights and by lighting and class, with the share inside its uncertainty.
 
-    The paper tests roofs alone; nothing in its figures is particular to them. The bias is a mean of errors,
-    so what heights share (pose, mean inset) is in its interval as in that of a mean height
-    (`TotalUncertainty`). table: where it is made already.
+    The paper tests roofs alone; nothing in these figures is particular to them. Each has one interval, the
+    total one: what heights share (pose, mean inset) is in it (`error_group`).
     """
     error_m = of.measured.height_m - of.known_m
-    total = TotalUncertainty(replace(of.measured, height_m=error_m))
-    return KnownErrors(
-        target=target,
-        check_target=check_target,
-        groups=table
-        or error_table(of.measured.height_m, of.known_m, list(of.lighting), rounding, of.measured),
-        inside=inside_uncertainty(error_m, of.u_measured_m, of.u_known_m),
-        bias=total.mean(),
-        words=total.holds_in_words,
+
+    def group(rows: NDArray[np.intp]) -> ErrorGroup:
+        return error_group(error_m[rows], of.known_m[rows], of.measured.where(rows), LENGTHS)
+
+    groups = [KnownGroup("all", "all", group(np.arange(len(error_m))))]
+    divided: tuple[tuple[ErrorGrouping, Sequence[str], tuple[str, ...]], ...] = (
+        ("lighting", of.lighting, get_args(Lighting)),
+        ("category", of.category, get_args(Category)),
     )
+    for grouping, codes, words in divided:
+        where = np.array(codes, dtype=object)
+        for word in words:
+            rows = np.flatnonzero(where == word)
+            if len(rows):
+                groups.append(KnownGroup(grouping, word, group(rows)))
+    inside = inside_uncertainty(error_m, of.u_measured_m, of.u_known_m)
+    return KnownErrors(target, check_target, tuple(groups), inside)
+
+
+def shown_groups(groups: Sequence[KnownGroup]) -> list[KnownGroup]:
+    """The first, which is of all, and those that say something else: not of every one of its heights."""
+    return [groups[0], *(one for one in groups[1:] if one.errors.n < groups[0].errors.n)]
 
 
 def inside_uncertainty(error_m: ArrayLike, u_measured_m: ArrayLike, u_known_m: ArrayLike) -> Inside | str:

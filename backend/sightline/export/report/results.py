@@ -24,9 +24,9 @@ from sightline.export.report.units import (
 from sightline.results.survey_statistics import standards_of
 from sightline.statistics.agreement import BlandAltman, ReferencePart
 from sightline.statistics.distributions import Percentile, Share
-from sightline.statistics.errors import ALL_FIGURES, GROUPS, ErrorGroup, Interval
+from sightline.statistics.errors import ALL_FIGURES, GROUPS, LENGTHS, ErrorGroup, Interval
 from sightline.statistics.figures import Figure, TotalFigure
-from sightline.statistics.known_errors import KnownErrors
+from sightline.statistics.known_errors import KnownErrors, KnownGroup, shown_groups
 from sightline.statistics.paper import PAPER
 from sightline.statistics.rules import RuleToday
 from sightline.statistics.standards import Standard
@@ -35,7 +35,6 @@ from sightline.statistics.total_uncertainty import TotalFigures
 
 _PLAIN = Scale(1.0, "", 2)
 _WITHIN_MM = (10, 15, 20, 30, 40)
-_KNOWN_FIGURES = ("bias_m", "mae_m", "rmse_m", "sd_m")
 _ERROR_FIGURES = (
     "absolute-error-ecdf",
     "relative-error-ecdf",
@@ -87,26 +86,36 @@ def known_errors(facts: ReportFacts) -> list[Values]:
     small = SMALL[facts.unit]
     return [
         {
-            "name": _known_target(one),
-            "n": one.groups["overall"].n,
+            "name": _known_group(one, part),
+            "of": part.grouping,
+            "check": one.check_target,
+            "n": part.errors.n,
             "figures": [
-                _with_interval(value, one.groups["overall"].ci95[key], small)
-                if (value := one.groups["overall"].figures[key]) is not None
+                _with_interval(value, part.errors.ci95[key], small)
+                if (value := part.errors.figures[key]) is not None
                 else None
-                for key in _KNOWN_FIGURES
+                for key in LENGTHS
             ],
-            "bias": total_interval(one.bias, small),
-            "inside": told(one.inside)
-            if isinstance(one.inside, str)
-            else said("report-of-all", part=one.inside.inside, all=one.inside.n),
+            "inside": _inside(one) if part.grouping == "all" else "",
         }
         for one in facts.statistics.known_errors
+        for part in shown_groups(one.groups)
     ]
 
 
-def _known_target(one: KnownErrors) -> str:
+def _known_group(one: KnownErrors, part: KnownGroup) -> str:
+    for known in (words.LIGHTING, words.CATEGORIES):
+        for name, called in known.items():
+            if name == part.group:
+                return called
     word = words.TARGETS[one.target]
     return said("report-check-targets", target=word) if one.check_target else word
+
+
+def _inside(one: KnownErrors) -> str:
+    if isinstance(one.inside, str):
+        return told(one.inside)
+    return said("report-of-all", part=one.inside.inside, all=one.inside.n)
 
 
 def errors(facts: ReportFacts, pictures: Pictures) -> Values | None:

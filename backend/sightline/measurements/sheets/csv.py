@@ -77,7 +77,7 @@ VEHICLES: Table[VehicleSheet] = Table(
         *(column for target in get_args(KnownTarget) for column in _known(target)),
         flag(
             "check_target",
-            "there to check the measuring: rows of its own in known_errors.csv, no vehicle of the traffic",
+            "there to check the measuring: own rows in errors_by_target.csv, no vehicle of the traffic",
             lambda v: v.check_target,
             required=True,
         ),
@@ -132,6 +132,6 @@ def counting_in(files: Files) -> dict[str, bool]:
     traffic did.
     """
     return {
-        row["id"]: row.get("counts", str(row["check_target"] != "true").lower()) == "true"
+        row["id"]: row["check_target"] != "true" and row.get("counts", "true") == "true"
         for row in read_rows(files, VEHICLES.path)
     }

@@ -240,8 +240,6 @@ function Agreement({ errors }: { errors: Errors }) {
         {isThere(limits)
           ? say("statistics-bland-altman", {
               unit,
-              bias: scaled(limits.bias_m, factor, digits),
-              bias_interval: range(limits.bias_ci95, factor, digits) ?? NONE,
               lower: scaled(limits.lower_m, factor, digits),
               lower_interval: range(limits.lower_ci95, factor, digits) ?? NONE,
               upper: scaled(limits.upper_m, factor, digits),

@@ -1,10 +1,13 @@
-/** Errors against heights that were known before, a row a target, and check targets. */
+/** Errors against heights that were known before, a row a target, its lightings and classes below; check targets. */
+import type { ComponentChildren } from "preact";
 import { TableScroll } from "../../components";
 import { say, wordsOf } from "../../core/messages";
 import { formatCount, smallScale } from "../../core/units";
 import { TARGET_WORDS } from "../../core/words";
 import { NONE, range, scaled } from "../../parts/figures/numbers";
-import { type ErrorGroup, isThere, type KnownErrors } from "./model";
+import { type ErrorGroup, groupWord, isThere, type KnownErrors } from "./model";
+
+type KnownGroup = KnownErrors["groups"][number];
 
 const FIGURES = ["bias_m", "mae_m", "rmse_m", "sd_m"] as const;
 const HEADS = wordsOf({
@@ -35,13 +38,12 @@ export function KnownErrorsTable({ found }: { found: readonly KnownErrors[] }) {
                     {say("with-unit", { name: HEADS[key], unit })}
                   </th>
                 ))}
-                <th class="num">{say("with-unit", { name: say("statistics-known-bias"), unit })}</th>
                 <th class="num">{say("statistics-known-inside")}</th>
               </tr>
             </thead>
             <tbody>
               {found.map((one) => (
-                <Row key={`${one.target}-${one.check_target}`} one={one} />
+                <Rows key={`${one.target}-${one.check_target}`} one={one} />
               ))}
             </tbody>
           </table>
@@ -52,22 +54,57 @@ export function KnownErrorsTable({ found }: { found: readonly KnownErrors[] }) {
   );
 }
 
-function Row({ one }: { one: KnownErrors }) {
-  const overall = one.groups.find(({ group }) => group === "overall");
+function Rows({ one }: { one: KnownErrors }) {
+  const [all, ...parts] = one.groups;
+  if (!all) return null;
+  const id = `known-${one.target}${one.check_target ? "-check" : ""}`;
   const target = TARGET_WORDS[one.target];
-  if (!overall) return null;
   return (
-    <tr data-testid={`known-${one.target}${one.check_target ? "-check" : ""}`}>
+    <>
+      <Row
+        id={id}
+        name={one.check_target ? say("statistics-known-check", { target }) : target}
+        group={all}
+        inside={<Inside one={one} />}
+      />
+      {parts
+        .filter((part) => part.n < all.n) // a group of all of them says nothing more
+        .map((part) => (
+          <Row
+            key={part.group}
+            id={`${id}-${part.group}`}
+            name={
+              <span class="stat-part muted" title={part.reason ?? undefined}>
+                {groupWord(part.grouping, part.group)}
+              </span>
+            }
+            group={{ ...part, reason: null }}
+            inside={<td />}
+          />
+        ))}
+    </>
+  );
+}
+
+interface RowProps {
+  id: string;
+  name: ComponentChildren;
+  group: KnownGroup;
+  inside: ComponentChildren;
+}
+
+function Row({ id, name, group, inside }: RowProps) {
+  return (
+    <tr data-testid={id}>
       <th scope="row">
-        {one.check_target ? say("statistics-known-check", { target }) : target}
-        {overall.reason && <div class="stat-ci">{overall.reason}</div>}
+        {name}
+        {group.reason && <div class="stat-ci">{group.reason}</div>}
       </th>
-      <td class="num">{formatCount(overall.n)}</td>
+      <td class="num">{formatCount(group.n)}</td>
       {FIGURES.map((key) => (
-        <Length key={key} figure={overall.figures[key]} words={overall.words} />
+        <Length key={key} figure={group.figures[key]} words={group.words} />
       ))}
-      <TotalBias one={one} />
-      <Inside one={one} />
+      {inside}
     </tr>
   );
 }
@@ -84,17 +121,6 @@ function Length({ figure, words }: LengthProps) {
     <td class="num" title={words ? say("statistics-known-holds", { words }) : undefined}>
       {scaled(figure?.value ?? null, factor, digits)}
       <div class="stat-ci">{range(figure?.ci95 ?? null, factor, digits) ?? NONE}</div>
-    </td>
-  );
-}
-
-function TotalBias({ one: { bias, words } }: { one: KnownErrors }) {
-  const [factor, unit] = smallScale();
-  const { U95_low: low, U95_high: high } = bias;
-  const found = low === null || high === null ? null : { low, high };
-  return (
-    <td class="num" title={say("statistics-known-holds", { words })}>
-      {range(found, factor, unit === "in" ? 2 : 1) ?? NONE}
     </td>
   );
 }

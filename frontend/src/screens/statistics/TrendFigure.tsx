@@ -124,9 +124,6 @@ function trendWords({ trend, absolute_trend }: Errors): string {
   return `${signed} ${say("statistics-trend-absolute", correlationWords(absolute_trend))}`;
 }
 
-function correlationWords({ correlation, correlation_ci95 }: Trend) {
-  return {
-    correlation: scaled(correlation, 1, 2),
-    correlation_interval: range(correlation_ci95, 1, 2) ?? NONE,
-  };
+function correlationWords({ correlation }: Trend) {
+  return { correlation: scaled(correlation, 1, 2) };
 }
