@@ -35,6 +35,7 @@ from sightline.infra.jobs.store import (
     fail_job,
     finish_job,
     job_cancelled,
+    postpone_job,
     release_job,
     request_job_cancel,
     requeue_job,
@@ -480,6 +481,7 @@ WRITES: dict[str, tuple[Write, Callable[[Session, Sample, Any], Any]]] = {
     "job_cancelled": (_claimed, lambda s, o, job: job_cancelled(s, job)),
     "requeue_job": (_claimed, lambda s, o, job: requeue_job(s, job)),
     "release_job": (_claimed, lambda s, o, job: release_job(s, job)),
+    "postpone_job": (_claimed, lambda s, o, job: postpone_job(s, job)),
     **scans_samples.WRITES,
 }
 
