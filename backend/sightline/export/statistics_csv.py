@@ -327,8 +327,8 @@ def statistics_rows(found: PackageStatistics) -> dict[str, Iterator[Cells]]:
     return {
         ERROR_TABLE.path: chain.from_iterable(_error_rows(key, one.groups) for key, one in errors),
         ERRORS_BY_TARGET.path: chain.from_iterable(
-            _known_rows({"heights": heights}, found.of[correction, "none"].known_errors)
-            for heights, correction in _ERRORS_OF
+            _known_rows({"heights": heights}, one.known_errors)
+            for heights, one in (("inset", found.headline), (_PAPER, found.of["none", "none"]))
         ),
         AGREEMENT.path: chain.from_iterable(_agreement_rows(key, one) for key, one in errors),
         ERROR_TREND.path: chain.from_iterable(_trend_rows(key, one) for key, one in errors),
