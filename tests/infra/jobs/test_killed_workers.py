@@ -220,6 +220,7 @@ def test_the_servers_worker_dies_with_a_killed_server(settings: Settings, engine
         **os.environ,
         "SIGHTLINE_DATA_DIR": str(settings.data_dir),
         "SIGHTLINE_DATABASE_URL": settings.database_url,
+        "SIGHTLINE_SIGNING_KEY": "5e" * 32,  # several machines share one
         "SIGHTLINE_WORKERS": "1",
     }
     command = [sys.executable, "-c", SERVER]
