@@ -103,6 +103,6 @@ describe.each(Object.keys(PAGES))("heights that are out of date, on the page %s"
     button?.click();
     await vi.waitFor(() => expect(notice()).toBeNull());
     expect(server.writes).toContain("POST /surveys/5/computings");
-    expect(marks()).toBe(0);
+    await vi.waitFor(() => expect(marks()).toBe(0));
   });
 });
