@@ -102,7 +102,7 @@ def test_a_package_carries_them_and_a_forged_one_is_found(
     left_out = rows(place, "exclusions.csv")
     assert {row["state"] for row in left_out} == {"check_target"} and len(left_out) == 2
     report = " ".join(words((place / "report.pdf").read_bytes()).split())
-    glance, rest = report.split("Set-up", 1)
+    glance, rest = report.split("Not covered", 1)
     assert "Taillight, lower edge, check targets" in glance and "Taillight, lower edge, check targets" in rest
     found = verify_package(FolderFiles(place))
     assert found.ok, found.problem

@@ -89,8 +89,9 @@ class Cars:
     known: dict[str, tuple[float, ...]]
 
 
+_TO_CM: Rounding = "cm"
 #: As the paper measures: insets of 0, whole centimetres.
-AS_PAPER: tuple[Correction, Rounding] = ("none", "cm")
+AS_PAPER: tuple[Correction, Rounding] = ("none", _TO_CM)
 
 
 @dataclass(frozen=True, eq=False)
