@@ -20,6 +20,7 @@ from sightline.infra.jobs.store import get_job, request_job_cancel
 from sightline.infra.jobs.workers import start_child_workers
 from sightline.settings import Settings
 from sightline.surveys.store import list_surveys
+from tests.infra.jobs import handlers
 from tests.support.waiting import NEVER_S, alive, until
 
 pytestmark = pytest.mark.dialect
@@ -27,6 +28,9 @@ pytestmark = pytest.mark.dialect
 ROOT = Path(__file__).resolve().parents[3]
 #: a living worker of a busy machine is never silent for so long; every fifth of it one looks for dead ones
 HEARTBEAT_LIMIT_S = 20.0
+# Who queues a job has to know its kind too: how long it takes decides where it waits.
+assert handlers.make_survey
+
 LONG_S = 3600.0
 
 
