@@ -15,7 +15,7 @@ def test_a_set_is_edited_and_a_package_of_it_is_built(page: Page, survey_id: int
     asked = f"/api/statistics?survey={survey_id}&state=all&class_set=light_trucks"
     before = page.request.get(asked).json()["counted"]["vehicles"]
 
-    page.goto(f"/surveys/{survey_id}")
+    page.goto(f"/surveys/{survey_id}/settings")
     page.get_by_role("button", name="Classes").click()
     dialog = page.get_by_role("dialog")
     dialog.get_by_label("FHWA classes of SUV").fill("3-14")

@@ -44,7 +44,7 @@ def test_a_lot_from_its_draw_to_its_decision(browser: Browser, server: Server, s
     page.goto(server.sign_in_link())
     page.wait_for_url(lambda url: "sign-in" not in url)
     (survey,) = page.request.get("/api/surveys").json()
-    lots = f"/surveys/{survey['id']}/checks?tab=lots"
+    lots = f"/surveys/{survey['id']}/lots"
     page.goto(lots)
     _drawn(page, screenshots)
     sample, size = _judged(page, screenshots)
@@ -107,9 +107,9 @@ def _judged(page: Page, screenshots: Path) -> tuple[int, int]:
         if at < sample - 1:
             expect(page.locator(f'[data-measurement="{measurement}"][aria-current=true]')).to_have_count(0)
     page.go_back()
-    page.wait_for_url(re.compile("tab=lots|review"))
+    page.wait_for_url(re.compile("lots|review"))
     found = page.request.get("/api/surveys").json()
-    page.goto(f"/surveys/{found[0]['id']}/checks?tab=lots")
+    page.goto(f"/surveys/{found[0]['id']}/lots")
     page.get_by_test_id("lots").locator("tr", has_text=f"{sample} of {sample}").get_by_role("button").or_(
         page.get_by_test_id("lots").locator("tr[aria-current=true]", has_text=f"{sample} of {sample}")
     ).first.click()

@@ -26,7 +26,7 @@ def test_a_manager_adds_a_member_and_takes_them_out(
         rosa.goto(f"/surveys/{survey}")
         expect(rosa.get_by_text("There is no survey")).to_be_visible()
 
-        page.goto(f"/surveys/{survey}")
+        page.goto(f"/surveys/{survey}/settings")
         page.get_by_role("button", name="Members").click()
         dialog = page.get_by_role("dialog")
         dialog.get_by_label("Person").select_option(label="Rosa")
@@ -37,6 +37,7 @@ def test_a_manager_adds_a_member_and_takes_them_out(
 
         rosa.reload()
         expect(rosa.get_by_role("heading", name="Closed road")).to_be_visible()
+        rosa.get_by_role("link", name="Settings").click()
         expect(rosa.get_by_role("button", name="Edit")).to_be_visible()
         rosa.get_by_role("button", name="Members").click()
         expect(rosa.get_by_role("dialog").get_by_text("Operator")).to_be_visible()

@@ -11,7 +11,7 @@ from .waits import keep_toasts
 def test_photographs_are_added_put_in_order_and_brought_back(page: Page) -> None:
     keep_toasts(page)
     survey = new_survey(page, "Photographs")
-    page.goto(f"/surveys/{survey}")
+    page.goto(f"/surveys/{survey}/settings")
     png = picture_bytes(view(POSES[0]))
     names = ("rig.png", "road.png")
     files = [{"name": name, "mimeType": "image/png", "buffer": png} for name in names]

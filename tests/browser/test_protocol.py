@@ -66,7 +66,7 @@ def test_the_protocol_from_sides_to_a_package(
 
 
 def _say_the_site(page: Page, survey_id: int, screenshots: Path) -> None:
-    page.goto(f"/surveys/{survey_id}")
+    page.goto(f"/surveys/{survey_id}/settings")
     page.get_by_role("button", name="Edit", exact=True).click()
     dialog = page.get_by_role("dialog")
     dialog.get_by_label("Traffic keeps").select_option("right")
@@ -86,12 +86,14 @@ def _say_the_site(page: Page, survey_id: int, screenshots: Path) -> None:
     page.screenshot(path=screenshots / "protocol-site.png")
     dialog.get_by_role("button", name="Save").click()
     expect(dialog).not_to_be_visible()
+    page.get_by_role("link", name="Overview").click()
     expect(page.get_by_test_id("place-said")).to_contain_text("49.44315, 1.09932")
     expect(page.get_by_test_id("place-said")).to_contain_text("limit 50 km/h")
     expect(page.get_by_test_id("traffic-said")).to_contain_text("roof and driver’s eye")
 
 
 def _say_the_quotas(page: Page, survey_id: int) -> None:
+    page.goto(f"/surveys/{survey_id}/settings")
     page.get_by_test_id("sample").get_by_role("button", name="Change the sample").click()
     dialog = page.get_by_role("dialog")
     dialog.get_by_label("Daytime, any class").fill("400")
@@ -159,7 +161,7 @@ def _lot(page: Page, survey_id: int, screenshots: Path) -> None:
 
     So few heights make a lot only with risks that no study would take.
     """
-    lots = f"/surveys/{survey_id}/checks?tab=lots"
+    lots = f"/surveys/{survey_id}/lots"
     page.goto(lots)
     for common in ("target", "lighting"):
         page.get_by_role("checkbox", name=common, exact=True).uncheck()

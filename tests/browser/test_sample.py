@@ -12,7 +12,7 @@ def test_a_sample_is_chosen_and_its_progress_followed(page: Page, survey_id: int
     vehicles = page.request.get(f"/api/surveys/{survey_id}/vehicles").json()
     free = next(one for one in vehicles if one["state"] == "to_do")
     start = 2 - free["number"] % 2
-    page.goto(f"/surveys/{survey_id}")
+    page.goto(f"/surveys/{survey_id}/settings")
     sample = page.get_by_test_id("sample")
     expect(sample).to_contain_text("Every pass is measured.")
     sample.get_by_role("button", name="Change the sample").click()
@@ -57,5 +57,5 @@ def test_a_sample_is_chosen_and_its_progress_followed(page: Page, survey_id: int
     page.get_by_label("Show", exact=True).select_option("left_out")
     expect(row).to_have_attribute("data-state", "out_of_sample")
     expect(row).to_contain_text(re.compile("out of the sample", re.IGNORECASE))
-    page.goto(f"/surveys/{survey_id}")
+    page.goto(f"/surveys/{survey_id}/settings")
     expect(page.get_by_test_id("sample")).to_contain_text("outside the sample")

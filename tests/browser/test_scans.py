@@ -136,7 +136,7 @@ def test_what_the_traffic_says_of_the_rig_is_put_in_force_and_taken_back(
 
 def test_a_line_rate_is_planned_with_the_surveys_rig(page: Page, scan: dict[str, Any]) -> None:
     page.goto(f"/surveys/{scan['survey_id']}/scans")
-    page.locator("a.btn", has_text="Site planning").click()  # the rail has its name too
+    page.locator("a.btn", has_text="Plan the site").click()  # the rail has its name too
     expect(page.get_by_label("Camera’s line rate")).to_have_value(f"{scan['rig']['line_rate_hz']:g}")
     plan = page.get_by_test_id("line-plan")
     expect(plan).to_contain_text("2 / (n + 2)")

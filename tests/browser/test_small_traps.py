@@ -119,7 +119,7 @@ def test_a_refusal_offers_no_second_try(page: Page, survey_id: int) -> None:
 
 
 def test_esc_asks_before_it_loses_what_was_typed(page: Page, survey_id: int) -> None:
-    page.goto(f"/surveys/{survey_id}")
+    page.goto(f"/surveys/{survey_id}/settings")
     page.get_by_role("button", name="Edit", exact=True).click()
     form = page.get_by_role("dialog", name="Edit the survey")
     name = form.get_by_label("Name", exact=True)

@@ -18,19 +18,27 @@ def saved(page: Page, title: str) -> tuple[str, str]:
 @pytest.mark.usefixtures("kept")
 def test_figures_are_filtered_downloaded_and_linked(page: Page, survey_id: int) -> None:
     page.goto(f"/surveys/{survey_id}")
-    page.locator(".step").get_by_role("link", name="Statistics").first.click()
+    page.locator(".step").get_by_role("link", name="Results").first.click()
     expect(page).to_have_url(re.compile(rf"/statistics\?survey={survey_id}$"))
     told = page.request.get(f"/api/statistics?survey={survey_id}").json()
     counted = page.get_by_test_id("stat-counted")
     expect(counted).to_contain_text(f"{told['counted']['measurements']} measurements")
-    expect(page.get_by_test_id("errors-overall")).to_contain_text("Table 1, “Overall”")
+    said = page.request.get(f"/api/surveys/{survey_id}/conclusion").json()["sentences"]
+    expect(page.get_by_test_id("conclusion").locator("li")).to_have_text(said[1:])
+    tabs = page.get_by_role("navigation", name="Results")
+    tabs.get_by_role("link", name="Errors").click()
+    row = page.get_by_test_id("errors-overall")
+    expect(row).not_to_contain_text("Table 1")
+    page.get_by_label("As in the paper").check()
+    expect(row).to_contain_text("Table 1, “Overall”")
 
     page.get_by_label("Review state").select_option("all")
     everything = page.request.get(f"/api/statistics?survey={survey_id}&state=all&rounding=none").json()
     expect(counted).to_contain_text(f"{everything['counted']['measurements']} measurements")
     mae_m = everything["errors"]["groups"][2]["figures"]["mae_m"]["value"]
-    row = page.get_by_test_id("errors-overall")
     expect(row).to_contain_text(f"{1000 * mae_m:.1f}")
+    tabs.get_by_role("link", name="Heights and standards").click()
+    expect(page.get_by_test_id("conclusion")).to_have_count(0)
     figure = page.get_by_test_id("figure-driver_eye-ecdf")
     expect(figure.locator("svg")).to_contain_text("AASHTO (USA) 1.08 m")
     eye = everything["targets"][0]
@@ -61,6 +69,7 @@ def test_figures_are_filtered_downloaded_and_linked(page: Page, survey_id: int) 
     page.keyboard.press("Enter")
     expect(page.get_by_test_id("shares-driver_eye")).to_contain_text("own value, 1.12 m")
 
+    page.get_by_text("More filters").click()
     page.get_by_label("Correction").select_option("regression")
     expect(page.get_by_test_id("correction-driver_eye")).to_contain_text("regression on the measured height")
     expect(page.get_by_test_id("target-taillight")).to_contain_text("extrapolates there and is not reliable")
@@ -95,7 +104,7 @@ def test_figures_are_filtered_downloaded_and_linked(page: Page, survey_id: int) 
 
 
 def test_a_figure_is_read_by_pointer_and_by_keys(page: Page, survey_id: int) -> None:
-    page.goto(f"/statistics?survey={survey_id}&state=all")
+    page.goto(f"/statistics?survey={survey_id}&state=all&paper=1")
     reader = page.get_by_role("slider", name="Read values: Driver’s eye, cumulative")
     expect(reader).to_have_attribute("aria-valuetext", "Arrow keys move along the axis.")
     reader.focus()

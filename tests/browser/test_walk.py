@@ -13,8 +13,9 @@ def test_menus_of_the_bar_lead_where_a_reload_stays(context: BrowserContext) -> 
         survey = begin(walker)
         in_survey = f"/surveys/{survey}/measure"
         ways = {
-            ("/", ": account"): ("Account", "Users", "Audit trail"),
-            (in_survey, "go to another step"): ("Review", "Validation"),
+            ("/", ": account"): ("Account",),
+            ("/", "^Admin$"): ("People", "Audit"),
+            (in_survey, "go to another step"): ("Review", "Checks"),
         }
         for (here, menu), names in ways.items():
             walker.goto(here)
@@ -43,7 +44,7 @@ def test_what_is_chosen_within_a_page_is_in_its_address(context: BrowserContext)
         choices = {
             "measure": [f"[data-testid=pass-{number}]" for number in measured],
             f"scan?scan={scan}": [f"[data-testid=scan-vehicle-{one['number']}] button" for one in passed],
-            "checks": ['.page__head label:has-text("Road alignment")'],
+            "checks": ['.page-tabs a:has-text("Direction")'],
             "planning": ['.page__head label:has-text("line scan")'],
             "review": ["[data-measurement]:not([aria-current])"],
         }

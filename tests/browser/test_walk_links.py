@@ -19,10 +19,11 @@ LINKS = """() => [...document.querySelectorAll("a[href^='/']")]
 
 
 # What has to be reached by links alone, so that the walk cannot become shorter unseen.
-SCREENS_BY_LINK = {"/", "/account", "/statistics", "/audit", "/surveys/1"} | {
+SCREENS_BY_LINK = {"/", "/account", "/statistics", "/studies", "/catalogue", "/surveys/1"} | {
     f"/surveys/1/{name}"
     for name in (
-        *("planning", "camera", "recordings", "pose", "measure", "checks", "review", "repeats"),
+        *("settings", "history", "planning", "camera", "recordings", "pose", "measure", "checks", "review"),
+        *("lots", "repeats"),
         *("repeats/click", "scans", "scans/results", "scan", "export"),
     )
 }

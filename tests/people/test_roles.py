@@ -225,6 +225,7 @@ MATRIX = {
     "GET /surveys/{survey_id}/standards": "viewer",
     "GET /surveys/{survey_id}/sample": "viewer",
     "PUT /surveys/{survey_id}/standards": "operator",
+    "GET /surveys/{survey_id}/conclusion": "viewer",
     "POST /surveys/{survey_id}/exports": "viewer",
     "GET /surveys/{survey_id}/exports": "viewer",
     "GET /exports/{export_id}.zip": "viewer",

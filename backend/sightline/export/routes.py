@@ -9,17 +9,20 @@ from fastapi import APIRouter
 from fastapi.responses import FileResponse
 from pydantic import Field
 
-from sightline.enums import Category, ClassSet, Lighting
+from sightline.enums import Category, ClassSet, LengthUnit, Lighting
 from sightline.export import store
 from sightline.export.export_job import request_export
 from sightline.export.records import Export
+from sightline.export.report.conclusion import conclude
+from sightline.export.report.said import speaking
 from sightline.infra.audit.records import Who
 from sightline.infra.audit.signing import signing_key
 from sightline.infra.web.bodies import In, JobBody, Out, example
-from sightline.infra.web.deps import AskedIn, Exporter, PathId, Reading, Viewer, Wired, Writing
+from sightline.infra.web.deps import AskedIn, Exporter, PathId, Reading, SurveysSeen, Viewer, Wired, Writing
 from sightline.results.overview.package_query import changes_since_packages
 from sightline.results.overview.records import ChangesSince
 from sightline.results.selection import Selection, selection_of
+from sightline.results.survey_statistics import Filter, survey_statistics
 from sightline.surveys.store import get_survey
 
 router = APIRouter()
@@ -56,6 +59,10 @@ class ExportBody(Out):
     url: str
     filename: str = Field(description="What the downloaded file is called.")
     since: Annotated[ChangesSince, Field(description="Added or changed since: it is not in the package.")]
+
+
+class ConclusionBody(Out):
+    sentences: Annotated[tuple[str, ...], Field(description="As the report and the package open.")]
 
 
 def body_of(made: Export, survey: str, signing_key: str, since: ChangesSince) -> ExportBody:
@@ -103,6 +110,21 @@ def make_export(
         actor=who.id,
     )
     return JobBody.model_validate(job)
+
+
+@router.get("/surveys/{survey_id}/conclusion")
+def conclude_survey(
+    survey_id: PathId,
+    who: Viewer,
+    session: Reading,
+    seen: SurveysSeen,
+    asked_in: AskedIn,
+    unit: LengthUnit = "m",
+) -> ConclusionBody:
+    """What the accepted heights of a survey come to, in words."""
+    found = survey_statistics(session, Filter(survey_ids=(survey_id,), seen=seen))
+    with speaking(asked_in):
+        return ConclusionBody(sentences=conclude(found, unit))
 
 
 @router.get("/surveys/{survey_id}/exports")

@@ -236,27 +236,30 @@ role-manager = Manager
 page-sign-in = Sign in
 page-surveys = Surveys
 page-survey = Overview
-page-planning = Site planning
-page-camera = Camera calibration
+page-planning = Plan the site
+page-camera = Camera
 page-recordings = Recordings
-page-pose = Camera pose
-page-measure = Measurement
-page-checks = Validation
+page-pose = Road
+page-measure = Measure
+page-checks = Checks
 page-review = Review
+page-lots = Lots
 page-repeats = Repeatability
-page-click-again = Blind repeats
+page-click-again = Click again
 page-scans = Line scans
-page-scan-results = Speeds and gaps
+page-scan-results = Motion
 page-scan = Line scan
 page-live = Live
-page-export = Export
-page-statistics = Statistics
+page-export = Package
+page-statistics = Results
 page-sight-distance = Sight distance
 page-studies = Studies
 page-study = Study
 page-catalogue = Catalogue
-page-audit = Audit trail
-page-people = Users
+page-audit = Audit
+page-history = History
+page-settings = Settings
+page-people = People
 page-jobs = Jobs
 page-system = System
 page-account = Account
@@ -532,39 +535,11 @@ app-to-surveys = Go to the surveys
 app-nothing-here-title = Page not found
 app-nothing-here = The link may be out of date, or the survey may have been removed.
 app-not-loaded = This page could not be loaded. A newer version may have been installed; reload the page.
-app-loading-page = { $page ->
-    [sign-in] sign in
-    [surveys] surveys
-    [survey] overview
-    [planning] site planning
-    [camera] camera calibration
-    [recordings] recordings
-    [pose] camera pose
-    [measure] measurement
-    [checks] validation
-    [review] review
-    [repeats] repeatability
-    [click-again] blind repeats
-    [scans] line scans
-    [scan-results] speeds and gaps
-    [live] live
-    [scan] line scan
-    [export] export
-    [statistics] statistics
-    [sight-distance] sight distance
-    [studies] studies
-    [study] study
-    [catalogue] catalogue
-    [audit] audit trail
-    [people] users
-    [jobs] jobs
-    [system] the state of the system
-    [guide] guide
-   *[account] account
-}
 app-where = Current location
 app-survey = Survey
 app-other-step = { $page }: go to another step
+app-pages = Pages of Sightline
+app-admin = Admin
 rail-setup = Set up
 rail-measure = Measure
 rail-quality = Quality
@@ -1334,9 +1309,8 @@ computing-job = the job
 checks-again = Compute again
 checks-lead = Compare insets and road axes with the measured vehicles.
 checks-loading = the checks
-checks-which = Check
 checks-insets = Insets
-checks-direction = Road alignment
+checks-direction = Direction
 checks-eye = Driver’s eye
 
 ## Checks: insets
@@ -1820,7 +1794,7 @@ recent-models-gone = { $model } is no longer in the catalogue.
 which-model-title = Models that fit
 which-model-cannot = { $model } does not fit: { $differences } (measured minus catalogue). For the right model, differences this large have a probability of { $p }; the limit is { $limit }.
 which-model-ranked = Ranked by { $sizes }. Measured heights do not rank: they are compared with the model later.
-which-model-by-name = No length of this vehicle is measured, so the models of its class come first, then by name. Click both tyres (Validation, Road alignment) to rank by wheelbase.
+which-model-by-name = No length of this vehicle is measured, so the models of its class come first, then by name. Click both tyres (Checks, Direction) to rank by wheelbase.
 which-model-shown = The first { $shown } of { $count } are shown.
 which-model-left-out = { $count ->
     [one] 1 model that does not fit the measured sizes is not shown.
@@ -1967,7 +1941,7 @@ review-none-in-state-title = Nothing in this state
 review-none-in-state = Choose another state in the list on the left.
 review-all-done-title = Everything is reviewed
 review-all-done = Each measurement has a verdict. New and corrected ones appear here automatically.
-review-to-export = Go to the export
+review-to-export = Go to the package
 review-none-title = Nothing to review yet
 review-none = Measurements appear here as soon as an operator has made them.
 review-to-measure = Go to measuring
@@ -3169,9 +3143,15 @@ motion-head-fit-error = Fit error (%)
 
 ## Statistics: the page
 
+results-heights = Heights and standards
+results-errors = Errors
+results-conclusion = What came out
+results-paper = As in the paper
+results-paper-help = Shows corrected and uncorrected percentiles, densities and the rows of Dupuis et al. beside the true heights.
+statistics-filter-more = More filters
+review-queue-tab = Queue
 statistics-lead = Errors against manufacturers’ heights, and distributions of measured heights.
 statistics-loading = the statistics
-statistics-back = Back to the survey
 statistics-by-size = { $count ->
     [one] 1 roof has no reference height because its model was chosen by its sizes.
    *[other] { $count } roofs have no reference height because their models were chosen by their sizes.
@@ -3711,6 +3691,16 @@ planning-forms-note = n = b f / s: number of lines from camera 1 to camera 2, wi
 survey-loading = the survey
 survey-demonstration = demonstration
 survey-edit = Edit
+settings-lead = What is set for this survey.
+settings-site = Site, traffic, targets and insets
+settings-traffic-unsaid = Traffic is not described yet.
+settings-inset = { $inset } (u = { $u })
+settings-members = Members
+settings-members-lead = Who can see this survey, and what each person may do.
+settings-classes = Vehicle classes
+settings-classes-lead = Which vehicles count as passenger cars, vans and heavy vehicles.
+settings-standards-open = Open in Results
+settings-standards-lead = The design heights that the figures are compared with.
 members-open = Members
 members-title = Members of the survey
 members-lead = Only members and administrators can see this survey.
@@ -3736,12 +3726,6 @@ members-does-reviewer = everything an operator does, and reviews other people’
 members-does-manager = everything a reviewer does, and manages members and the review plan
 members-admin = An administrator has all rights here, whatever role is chosen.
 members-loading = the members
-survey-camera = Camera calibration
-survey-recordings = Recordings
-survey-pose = Camera pose
-survey-vehicles = Measurement
-survey-review = Review
-survey-results = Export
 survey-camera-go = Calibrate
 survey-recordings-go = Add recordings
 survey-pose-go = Compute pose
@@ -3749,7 +3733,7 @@ survey-vehicles-go = Measure
 survey-review-go = Review
 survey-results-go = Export
 survey-open = Open
-survey-statistics = <link>Statistics</link>: errors, distributions, percentiles.
+survey-statistics = <link>Results</link>: percentiles with their intervals, standards, errors.
 survey-traffic = Traffic keeps { $traffic ->
     [right] right
    *[left] left
@@ -3765,8 +3749,7 @@ survey-traffic-unsaid = The traffic side and the camera position are not set. Un
 survey-traffic-say = Set
 survey-scans-none = <link>Line scans</link>: { $summary }
 survey-scans-label = Line scans, separate from these steps
-survey-scans = Line scans
-survey-scan-results = <link>Speeds and gaps</link>: speeds, gaps, lengths against the manufacturers’.
+survey-scan-results = <link>Motion</link>: speeds, gaps, lengths against the manufacturers’.
 survey-count-scans = { $count ->
     [one] line scan
    *[other] line scans
@@ -4688,8 +4671,8 @@ commands-option-above-zero = { $option } must be a finite number above 0; correc
 measurements-vehicle-not-recording-choose-one-passes = The vehicle does not belong to this recording; choose one of its passes.
 measurements-frame-clicked-twice-click-two-points = Frame { $twice } is clicked twice; click the two points on another frame of the pass.
 measurements-point-not-any-picture-click-again = The { $word } point { $point }, { $point_2 } is not in any picture; click again.
-measurements-no-road-pose-yet-make-choose = { $name } has no camera pose yet; compute or choose one on the camera pose page first.
-measurements-road-pose-pictures-x-px-not = The camera pose of { $name } is for pictures of { $size_px } x { $size_px_2 } px, not for its own size; compute or choose another one on the camera pose page.
+measurements-no-road-pose-yet-make-choose = { $name } has no camera pose yet; compute or choose one on the page Road first.
+measurements-road-pose-pictures-x-px-not = The camera pose of { $name } is for pictures of { $size_px } x { $size_px_2 } px, not for its own size; compute or choose another one on the page Road.
 measurements-frame-not-part-vehicle-go-frame = Frame { $frame } cannot split vehicle { $number }; go to a frame after its first ({ $first_frame }) and up to its last ({ $last_frame }).
 measurements-only-two-passes-same-recording-joined = Only passes of the same recording can be joined; choose another one.
 measurements-vehicles-both-measurements-measurement-stays-vehicle = Vehicles { $number } and { $number_2 } both have measurements, and a measurement stays with its vehicle; discard one of the passes instead.
@@ -4895,7 +4878,7 @@ poses-calibration-belongs-another-survey-choose-one = Calibration { $calibration
 
 ## Errors: quality
 
-quality-no-recording-uses-road-pose-any = No recording uses this camera pose any more; reload the validation page.
+quality-no-recording-uses-road-pose-any = No recording uses this camera pose any more; reload the page Checks.
 quality-traffics-direction-now-not-what-you = The travel direction is now { $turn_deg }°, not the value shown; reload the page.
 quality-frame-not-vehicle-which-passes-frames = Vehicle { $number } does not appear in frame { $frame }; it passes in frames { $first_frame } to { $last_frame }. Go to one of them.
 quality-wheel-pairs-csv-not-what-audit = wheel_pairs.csv: { $id } differs from its audit event; it was changed.
@@ -5169,7 +5152,6 @@ measurements-discarded-but-measured-withdraw = Vehicle { $number } is measured, 
 measurements-vehicles-csv-not-in-sample = vehicles.csv: whether vehicle { $id } is in the sample and counts does not follow from sampling.csv and the passes; it was changed.
 measurements-not-visible-but-measured-withdraw = { $target } is measured of this vehicle, so it is visible; withdraw the measurement first.
 measurements-already-measured = { $name } has measured this target of the vehicle already; keep one of the two.
-lots-tab = Lots
 lots-lead = Heights can be reviewed in lots: a sample of each lot is reviewed, and the lot is accepted or inspected fully. The plan states the risk of a wrong decision either way.
 lots-loading = the lots
 lots-summary = Accepted individually: { $individual }; by the sample of their lot: { $by_lot }.

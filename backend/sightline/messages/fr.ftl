@@ -234,26 +234,29 @@ role-manager = Gestionnaire
 page-sign-in = Se connecter
 page-surveys = Relevés
 page-survey = Vue d’ensemble
-page-planning = Préparation du site
-page-camera = Étalonnage caméra
+page-planning = Préparer le site
+page-camera = Caméra
 page-recordings = Enregistrements
-page-pose = Pose de la caméra
+page-pose = Route
 page-measure = Mesure
 page-checks = Contrôles
 page-review = Vérification
+page-lots = Lots
 page-repeats = Répétabilité
-page-click-again = Répétitions en aveugle
+page-click-again = Recliquer
 page-scans = Balayages
-page-scan-results = Vitesses et intervalles
+page-scan-results = Mouvement
 page-scan = Balayage
 page-live = En direct
-page-export = Export
-page-statistics = Statistiques
+page-export = Paquet
+page-statistics = Résultats
 page-sight-distance = Distance de visibilité
 page-studies = Études
 page-study = Étude
 page-catalogue = Catalogue
-page-audit = Journal d’audit
+page-audit = Audit
+page-history = Historique
+page-settings = Paramètres
 page-people = Utilisateurs
 page-jobs = Tâches
 page-system = Système
@@ -530,39 +533,11 @@ app-to-surveys = Aller aux relevés
 app-nothing-here-title = Page introuvable
 app-nothing-here = Le lien est peut-être ancien, ou le relevé a été supprimé.
 app-not-loaded = Cette page n’a pas pu être chargée, peut-être parce qu’une nouvelle version a été installée ; rechargez-la.
-app-loading-page = { $page ->
-    [sign-in] connexion
-    [surveys] relevés
-    [survey] vue d’ensemble
-    [planning] préparation du site
-    [camera] étalonnage de la caméra
-    [recordings] enregistrements
-    [pose] pose de la caméra
-    [measure] mesure
-    [checks] contrôles
-    [review] vérification
-    [repeats] répétabilité
-    [click-again] répétitions en aveugle
-    [scans] balayages
-    [scan-results] vitesses et intervalles
-    [live] en direct
-    [scan] balayage
-    [export] export
-    [statistics] statistiques
-    [sight-distance] distance de visibilité
-    [studies] études
-    [study] étude
-    [catalogue] catalogue
-    [audit] journal d’audit
-    [people] utilisateurs
-    [jobs] tâches
-    [system] état du système
-    [guide] guide
-   *[account] compte
-}
 app-where = Page actuelle
 app-survey = Relevé
 app-other-step = { $page } : aller à une autre étape
+app-pages = Pages de Sightline
+app-admin = Administration
 rail-setup = Préparer
 rail-measure = Mesurer
 rail-quality = Qualité
@@ -1332,9 +1307,8 @@ computing-job = tâche
 checks-again = Recalcul
 checks-lead = Comparez les retraits et les axes de la route aux véhicules mesurés.
 checks-loading = contrôles
-checks-which = Contrôle
 checks-insets = Retraits
-checks-direction = Axes de la route
+checks-direction = Direction
 checks-eye = Œil du conducteur
 
 ## Contrôles : les retraits
@@ -1819,7 +1793,7 @@ recent-models-gone = { $model } n’est plus dans le catalogue.
 which-model-title = Modèles qui conviennent
 which-model-cannot = { $model } ne peut convenir : { $differences } (mesuré moins catalogue). Le bon modèle différerait d’autant avec une probabilité de { $p } ; la limite est { $limit }.
 which-model-ranked = Classés par { $sizes }. Les hauteurs mesurées ne classent pas : elles seront comparées au modèle.
-which-model-by-name = Aucune longueur de ce véhicule n’est mesurée : les modèles de sa catégorie viennent d’abord, puis l’ordre alphabétique. Cliquez les deux pneus (Contrôles, Axes de la route) pour classer par empattement.
+which-model-by-name = Aucune longueur de ce véhicule n’est mesurée : les modèles de sa catégorie viennent d’abord, puis l’ordre alphabétique. Cliquez les deux pneus (Contrôles, Direction) pour classer par empattement.
 which-model-shown = Les { $shown } premiers sur { $count } sont affichés.
 which-model-left-out = { $count ->
     [one] 1 modèle qui ne convient pas aux dimensions mesurées n’est pas affiché.
@@ -1966,7 +1940,7 @@ review-none-in-state-title = Rien dans cet état
 review-none-in-state = Choisissez un autre état dans la liste à gauche.
 review-all-done-title = Tout est vérifié
 review-all-done = Chaque mesure a une décision. Les mesures nouvelles ou corrigées apparaissent ici d’elles-mêmes.
-review-to-export = Aller à l’export
+review-to-export = Aller au paquet
 review-none-title = Rien à vérifier pour l’instant
 review-none = Les mesures apparaissent ici dès qu’un opérateur les a pointées.
 review-to-measure = Aller à la mesure
@@ -3165,9 +3139,15 @@ motion-head-fit-error = Erreur d’ajust. (%)
 
 ## Statistiques : la page
 
+results-heights = Hauteurs et normes
+results-errors = Erreurs
+results-conclusion = Ce qui en ressort
+results-paper = Comme dans l’article
+results-paper-help = Affiche, à côté des hauteurs vraies, les centiles corrigés et non corrigés, les densités et les lignes de Dupuis et al.
+statistics-filter-more = Plus de filtres
+review-queue-tab = File
 statistics-lead = Erreurs par rapport aux hauteurs du constructeur et distributions des hauteurs mesurées.
 statistics-loading = statistiques
-statistics-back = Retour au relevé
 statistics-by-size = { $count ->
     [one] 1 toit n’a pas de hauteur de référence car son modèle a été choisi d’après ses dimensions.
    *[other] { $count } toits n’ont pas de hauteur de référence car leurs modèles ont été choisis d’après leurs dimensions.
@@ -3707,6 +3687,16 @@ planning-forms-note = n = b f / s : les lignes de la caméra 1 à la caméra 2,
 survey-loading = relevé
 survey-demonstration = démonstration
 survey-edit = Modifier
+settings-lead = Ce qui est défini pour ce relevé.
+settings-site = Site, trafic, cibles et retraits
+settings-traffic-unsaid = Le trafic n’est pas encore décrit.
+settings-inset = { $inset } (u = { $u })
+settings-members = Membres
+settings-members-lead = Qui voit ce relevé, et ce que chacun peut y faire.
+settings-classes = Classes de véhicules
+settings-classes-lead = Quels véhicules comptent comme voitures particulières, utilitaires et poids lourds.
+settings-standards-open = Ouvrir dans Résultats
+settings-standards-lead = Les hauteurs de projet auxquelles les chiffres sont comparés.
 members-open = Membres
 members-title = Membres du relevé
 members-lead = Seuls les membres et les administrateurs voient ce relevé.
@@ -3732,12 +3722,6 @@ members-does-reviewer = ce que fait un opérateur, et vérifier le travail des a
 members-does-manager = ce que fait un vérificateur, et décider qui est membre du relevé et comment il est vérifié
 members-admin = Administrateur : peut tout faire ici, quel que soit le rôle choisi.
 members-loading = membres
-survey-camera = Étalonnage de la caméra
-survey-recordings = Enregistrements
-survey-pose = Pose de la caméra
-survey-vehicles = Mesure
-survey-review = Vérification
-survey-results = Export
 survey-camera-go = Étalonner
 survey-recordings-go = Ajouter
 survey-pose-go = Calculer
@@ -3745,7 +3729,7 @@ survey-vehicles-go = Mesurer
 survey-review-go = Vérifier
 survey-results-go = Exporter
 survey-open = Ouvrir
-survey-statistics = <link>Statistiques</link> : erreurs, distributions, centiles.
+survey-statistics = <link>Résultats</link> : centiles et leurs intervalles, normes, erreurs.
 survey-traffic = La circulation est à { $traffic ->
     [right] droite
    *[left] gauche
@@ -3761,8 +3745,7 @@ survey-traffic-unsaid = Le côté de circulation et la place de la caméra ne so
 survey-traffic-say = Définir
 survey-scans-none = <link>Balayages</link> : { $summary }
 survey-scans-label = Balayages linéaires, à part de ces étapes
-survey-scans = Balayages
-survey-scan-results = <link>Vitesses et intervalles</link> : vitesses, intervalles, longueurs par rapport à celles du constructeur.
+survey-scan-results = <link>Mouvement</link> : vitesses, intervalles, longueurs par rapport à celles du constructeur.
 survey-count-scans = { $count ->
     [one] balayage
    *[other] balayages
@@ -4723,8 +4706,8 @@ commands-option-above-zero = { $option } doit être un nombre fini supérieur à
 measurements-vehicle-not-recording-choose-one-passes = Le véhicule n’est pas de cet enregistrement ; choisissez l’un de ses passages.
 measurements-frame-clicked-twice-click-two-points = L’image { $twice } est pointée deux fois ; pointez les deux points sur une autre image du passage.
 measurements-point-not-any-picture-click-again = Le point « { $word } » { $point }, { $point_2 } n’est dans aucune image ; repointez.
-measurements-no-road-pose-yet-make-choose = { $name } n’a pas encore de pose de la caméra ; créez-en ou choisissez-en une d’abord sur la page Pose de la caméra.
-measurements-road-pose-pictures-x-px-not = La pose de la caméra de { $name } vaut pour des images de { $size_px } x { $size_px_2 } px, non pour sa taille ; créez-en ou choisissez-en une autre sur la page Pose de la caméra.
+measurements-no-road-pose-yet-make-choose = { $name } n’a pas encore de pose de la caméra ; créez-en ou choisissez-en une d’abord sur la page Route.
+measurements-road-pose-pictures-x-px-not = La pose de la caméra de { $name } vaut pour des images de { $size_px } x { $size_px_2 } px, non pour sa taille ; créez-en ou choisissez-en une autre sur la page Route.
 measurements-frame-not-part-vehicle-go-frame = L’image { $frame } ne coupe pas le véhicule { $number } ; allez à une image après sa première ({ $first_frame }) et jusqu’à sa dernière ({ $last_frame }).
 measurements-only-two-passes-same-recording-joined = Seuls deux passages du même enregistrement peuvent être joints ; choisissez-en un autre.
 measurements-vehicles-both-measurements-measurement-stays-vehicle = Les véhicules { $number } et { $number_2 } ont tous deux des mesures, et une mesure reste avec son véhicule ; écartez plutôt l’un des passages.
@@ -5221,7 +5204,6 @@ measurements-discarded-but-measured-withdraw = Le véhicule { $number } est mesu
 measurements-vehicles-csv-not-in-sample = vehicles.csv : l’appartenance du véhicule { $id } à l’échantillon, ou à ce qui compte, n’est pas ce que donnent sampling.csv et les passages ; il a été modifié.
 measurements-not-visible-but-measured-withdraw = { $target } : mesuré sur ce véhicule, donc visible ; retirez d’abord la mesure.
 measurements-already-measured = { $name } a déjà mesuré cette cible du véhicule ; gardez l’une des deux.
-lots-tab = Lots
 lots-lead = Au lieu d’une à une, les hauteurs peuvent être vérifiées par lots : un échantillon est jugé, et le lot est accepté d’après lui ou contrôlé en entier. Le plan dit à quelle fréquence chaque décision serait une erreur.
 lots-loading = lots
 lots-summary = Validées par décision individuelle : { $individual } ; par l’échantillon de leur lot : { $by_lot }.

@@ -1,8 +1,8 @@
 import { Icon, type IconName, StateMark } from "../components";
 import { say } from "../core/messages";
-import { titleOf } from "../core/places";
+import { type PlaceName, titleOf } from "../core/places";
 import { survey } from "../core/survey";
-import { type EntryName, GROUPS, stepState } from "../core/work";
+import { type EntryName, groupsOf, holds, stepState } from "../core/work";
 
 const ICONS: Record<EntryName, IconName> = {
   survey: "overview",
@@ -14,22 +14,21 @@ const ICONS: Record<EntryName, IconName> = {
   scans: "scan",
   review: "review",
   checks: "check",
-  repeats: "retry",
   statistics: "chart",
-  "sight-distance": "crest",
-  studies: "sites",
-  catalogue: "overview",
   export: "package",
-  audit: "audit",
+  history: "audit",
+  settings: "settings",
 };
 
 /** The pages of a survey beside the quiet screens, in groups: each step of the work with its state. */
-export function Rail({ surveyId, name }: { surveyId: number; name: string }) {
+export function Rail({ surveyId, name }: { surveyId: number; name: PlaceName }) {
   return (
     <nav class="rail" aria-label={say("app-work")}>
-      {GROUPS.map((group) => (
-        <section key={group.key}>
-          <h2 class="rail__group">{say(`rail-${group.key}`)}</h2>
+      {groupsOf(survey.value, name).map((group) => (
+        <section key={group.key} class={`rail__${group.key}`}>
+          {group.key !== "overview" && group.key !== "aside" && (
+            <h2 class="rail__group">{say(`rail-${group.key}`)}</h2>
+          )}
           <ul>
             {group.entries.map((entry) => {
               const state = stepState(survey.value, entry.step);
@@ -38,7 +37,7 @@ export function Rail({ surveyId, name }: { surveyId: number; name: string }) {
                   <a
                     class="rail__item"
                     href={entry.address(surveyId)}
-                    aria-current={entry.name === name ? "page" : undefined}
+                    aria-current={holds(entry, name) ? "page" : undefined}
                   >
                     <Icon name={ICONS[entry.name]} />
                     <span class="grow">{titleOf(entry.name)}</span>

@@ -2,7 +2,7 @@ import type { ComponentChildren } from "preact";
 import { useEffect, useErrorBoundary, useState } from "preact/hooks";
 import { Empty, Loading, Notice, Problem } from "../components";
 import { say } from "../core/messages";
-import type { Match } from "../core/places";
+import { type Match, titleOf } from "../core/places";
 import { loadedScreen, loadScreen } from "./screens";
 
 /** Loads a screen's code when it is first shown. */
@@ -36,7 +36,7 @@ export function Screen({ here }: { here: Match }) {
       </div>
     );
   }
-  return <Loading what={say("app-loading-page", { page: place.name })} />;
+  return <Loading what={titleOf(place.name)} />;
 }
 
 /** A page that breaks says so in one sentence; the bar above it and the other pages go on working. */

@@ -5,7 +5,7 @@ import { hint } from "../core/commands";
 import { GUIDE_OF, guideAddress } from "../core/guide";
 import { say } from "../core/messages";
 import { outbox } from "../core/outbox";
-import { titleOf } from "../core/places";
+import { type PlaceName, titleOf } from "../core/places";
 import { saveState } from "../core/save";
 import { me, signOut } from "../core/session";
 import { survey } from "../core/survey";
@@ -16,13 +16,14 @@ import { topTools } from "../core/topbar";
 import { beginTour } from "../core/tour";
 import { ROLE_NAMES } from "../core/types";
 import { type LengthUnit, lengthUnit } from "../core/units";
-import { GROUPS } from "../core/work";
+import { groupsOf, holds } from "../core/work";
 import { keysShown } from "./KeysDialog.state";
 
 export function TopBar() {
   const place = current.value?.place.name ?? "surveys";
   return (
     <header class="topbar">
+      <Pages />
       <Crumbs />
       <SaveWord />
       {topTools.value && <div class="topbar__tools">{topTools.value}</div>}
@@ -45,16 +46,71 @@ export function TopBar() {
   );
 }
 
+/** Pages that the bar names already. */
+const LISTED: readonly PlaceName[] = ["surveys", "studies", "catalogue"];
+const ADMIN: readonly PlaceName[] = ["people", "jobs", "system", "audit"];
+
+/** Where everything lies that is not one survey's; few pixels leave it a menu. */
+function Pages() {
+  const place = current.value?.place.name;
+  const admin = me.value?.person.role === "admin";
+  const pages = [
+    { name: "surveys", href: "/" },
+    { name: "studies", href: "/studies" },
+    { name: "catalogue", href: "/catalogue" },
+  ] as const;
+  const items = (names: readonly { name: PlaceName; href: string }[]) =>
+    names.map(({ name, href }) => (
+      <a key={name} class="menu__item" href={href} aria-current={name === place ? "page" : undefined}>
+        {titleOf(name)}
+      </a>
+    ));
+  const hidden: readonly PlaceName[] = admin ? [] : ["people", "system"];
+  const behind = items(
+    ADMIN.filter((name) => !hidden.includes(name)).map((name) => ({ name, href: `/${name}` })),
+  );
+  return (
+    <nav class="topbar__pages" aria-label={say("app-pages")}>
+      <a class="topbar__mark" href="/" aria-label={say("app-name")}>
+        <Mark />
+        <span class="topbar__name">{say("app-name")}</span>
+      </a>
+      <div class="topbar__wide">
+        {pages.map(({ name, href }) => (
+          <a key={name} href={href} aria-current={name === place ? "page" : undefined}>
+            {titleOf(name)}
+          </a>
+        ))}
+        <Menu
+          left
+          class="topbar__more"
+          label={say("app-admin")}
+          button={
+            <>
+              {say("app-admin")} <Chevron />
+            </>
+          }
+        >
+          {behind}
+        </Menu>
+      </div>
+      <div class="topbar__narrow">
+        <Menu left class="topbar__more" label={say("app-pages")} button={<Chevron />}>
+          {items(pages)}
+          <div class="menu__sep" />
+          {behind}
+        </Menu>
+      </div>
+    </nav>
+  );
+}
+
 function Crumbs() {
   const here = current.value;
   const surveyId = surveyHere.value;
   const inSurvey = surveyId > 0;
   return (
     <nav class="crumbs" aria-label={say("app-where")}>
-      <a class="topbar__mark" href="/">
-        <Mark />
-        {say("app-name")}
-      </a>
       <ol>
         {inSurvey && (
           <li>
@@ -63,7 +119,7 @@ function Crumbs() {
             </a>
           </li>
         )}
-        {here && here.place.name !== "surveys" && (
+        {here && !LISTED.includes(here.place.name) && (
           <li>
             {inSurvey && (
               <div class={here.place.layout === "full" ? undefined : "crumbs__menu"}>
@@ -83,7 +139,7 @@ function Crumbs() {
 }
 
 /** Where the rail has no room, the order of work hides in the last crumb. */
-function WorkMenu({ surveyId, name, title }: { surveyId: number; name: string; title: string }) {
+function WorkMenu({ surveyId, name, title }: { surveyId: number; name: PlaceName; title: string }) {
   return (
     <Menu
       left
@@ -95,7 +151,7 @@ function WorkMenu({ surveyId, name, title }: { surveyId: number; name: string; t
         </>
       }
     >
-      {GROUPS.map((group, n) => (
+      {groupsOf(survey.value, name).map((group, n) => (
         <Fragment key={group.key}>
           {n > 0 && <div class="menu__sep" />}
           {group.entries.map((entry) => (
@@ -103,7 +159,7 @@ function WorkMenu({ surveyId, name, title }: { surveyId: number; name: string; t
               key={entry.name}
               class="menu__item"
               href={entry.address(surveyId)}
-              aria-current={entry.name === name ? "page" : undefined}
+              aria-current={holds(entry, name) ? "page" : undefined}
             >
               {titleOf(entry.name)}
             </a>
@@ -164,28 +220,6 @@ function PersonMenu() {
       <div class="menu__sep" />
       <a class="menu__item" href="/account">
         {titleOf("account")}
-      </a>
-      {me.value?.person.role === "admin" && (
-        <a class="menu__item" href="/people">
-          {titleOf("people")}
-        </a>
-      )}
-      <a class="menu__item" href="/studies">
-        {titleOf("studies")}
-      </a>
-      <a class="menu__item" href="/catalogue">
-        {titleOf("catalogue")}
-      </a>
-      <a class="menu__item" href="/jobs">
-        {titleOf("jobs")}
-      </a>
-      {me.value?.person.role === "admin" && (
-        <a class="menu__item" href="/system">
-          {titleOf("system")}
-        </a>
-      )}
-      <a class="menu__item" href="/audit">
-        {titleOf("audit")}
       </a>
       <div class="menu__sep" />
       <Choice

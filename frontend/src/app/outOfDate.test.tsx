@@ -76,7 +76,7 @@ beforeEach(() => {
   server = new FakeServer();
   server.on("GET", /^\/surveys\/5\/computings$/, () => ({ out_of_date: found, computings: [] }));
   server.on("GET", /^\/measurements\/1\/history$/, () => ({ revisions: [], reviews: [] }));
-  for (const path of [/^\/statistics\?/, /^\/sightdistance\?/, /\/lots\/summary$/])
+  for (const path of [/^\/statistics\?/, /^\/sightdistance\?/, /\/lots\/summary$/, /\/conclusion\?/])
     server.on("GET", path, () => {
       throw 404;
     });

@@ -16,6 +16,7 @@ export type PlaceName =
   | "measure"
   | "checks"
   | "review"
+  | "lots"
   | "repeats"
   | "click-again"
   | "scans"
@@ -29,6 +30,8 @@ export type PlaceName =
   | "study"
   | "catalogue"
   | "audit"
+  | "history"
+  | "settings"
   | "jobs"
   | "system"
   | "people"
@@ -95,6 +98,11 @@ export const PLACES: readonly Place[] = [
     layout: "full",
   },
   {
+    name: "lots",
+    pattern: "/surveys/:id/lots",
+    layout: "bench",
+  },
+  {
     name: "repeats",
     pattern: "/surveys/:id/repeats",
     layout: "bench",
@@ -127,6 +135,16 @@ export const PLACES: readonly Place[] = [
   {
     name: "export",
     pattern: "/surveys/:id/export",
+    layout: "bench",
+  },
+  {
+    name: "history",
+    pattern: "/surveys/:id/history",
+    layout: "bench",
+  },
+  {
+    name: "settings",
+    pattern: "/surveys/:id/settings",
     layout: "bench",
   },
   {

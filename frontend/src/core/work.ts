@@ -1,4 +1,4 @@
-/** The pages of a survey in their four groups, as the rail and the menu list them. */
+/** The pages of a survey in their groups, as the rail and the menu list them. */
 import type { PlaceName } from "./places";
 import type { StepKey, Survey } from "./types";
 
@@ -6,17 +6,17 @@ export interface WorkEntry {
   name: PlaceName;
   address: (surveyId: number) => string;
   step: StepKey | null;
+  /** Pages that are reached over the tabs of this one. */
+  tabs?: readonly PlaceName[];
 }
 
 const within = (path: string) => (surveyId: number) => `/surveys/${surveyId}${path}`;
-const about = (page: string, query: string) => (surveyId: number) => `/${page}?${query}=${surveyId}`;
 
 export const GROUPS = [
+  { key: "overview", entries: [{ name: "survey", address: within(""), step: null }] },
   {
     key: "setup",
     entries: [
-      { name: "survey", address: within(""), step: null },
-      { name: "planning", address: within("/planning"), step: null },
       { name: "camera", address: within("/camera"), step: "camera" },
       { name: "recordings", address: within("/recordings"), step: "recordings" },
       { name: "pose", address: within("/pose"), step: "pose" },
@@ -26,35 +26,58 @@ export const GROUPS = [
     key: "measure",
     entries: [
       { name: "measure", address: within("/measure"), step: "vehicles" },
-      { name: "scans", address: within("/scans"), step: null },
-      { name: "review", address: within("/review"), step: "review" },
+      { name: "review", address: within("/review"), step: "review", tabs: ["lots", "click-again"] },
+      { name: "scans", address: within("/scans"), step: null, tabs: ["scan", "live"] },
     ],
   },
   {
     key: "quality",
-    entries: [
-      { name: "checks", address: within("/checks"), step: null },
-      { name: "repeats", address: within("/repeats"), step: null },
-    ],
+    entries: [{ name: "checks", address: within("/checks"), step: null, tabs: ["repeats"] }],
   },
   {
     key: "results",
     entries: [
-      { name: "statistics", address: about("statistics", "survey"), step: null },
-      { name: "sight-distance", address: about("sight-distance", "survey"), step: null },
-      { name: "studies", address: () => "/studies", step: null },
-      { name: "catalogue", address: () => "/catalogue", step: null },
+      {
+        name: "statistics",
+        address: (surveyId) => `/statistics?survey=${surveyId}`,
+        step: null,
+        tabs: ["sight-distance", "scan-results"],
+      },
       { name: "export", address: within("/export"), step: "results" },
-      { name: "audit", address: about("audit", "survey_id"), step: null },
+      { name: "history", address: within("/history"), step: null },
+    ],
+  },
+  {
+    key: "aside",
+    entries: [
+      { name: "planning", address: within("/planning"), step: null },
+      { name: "settings", address: within("/settings"), step: null },
     ],
   },
 ] as const satisfies readonly { key: string; entries: readonly WorkEntry[] }[];
 
 export type EntryName = (typeof GROUPS)[number]["entries"][number]["name"];
 
+/** The groups of a survey; line scans are listed where there are any, or where their page is open. */
+export function groupsOf(survey: Survey | null, here: PlaceName) {
+  const scanned = survey !== null && survey.scans.state !== "none";
+  return GROUPS.map((group) => ({
+    key: group.key,
+    entries: group.entries.filter((entry) => entry.name !== "scans" || scanned || holds(entry, here)),
+  }));
+}
+
+/** Whether a page is this entry's, or one of its tabs. */
+export function holds(entry: WorkEntry, page: PlaceName): boolean {
+  return entry.name === page || (entry.tabs ?? []).includes(page);
+}
+
 /** Where a step of the survey is done. */
-export function entryOfStep(key: StepKey): WorkEntry | undefined {
-  return GROUPS.flatMap((group): readonly WorkEntry[] => group.entries).find((entry) => entry.step === key);
+export function entryOfStep(key: StepKey): WorkEntry {
+  const entries = GROUPS.flatMap((group): readonly WorkEntry[] => group.entries);
+  const found = entries.find((entry) => entry.step === key);
+  if (!found) throw new Error(`no page for the step ${key}`);
+  return found;
 }
 
 export function stepState(survey: Survey | null, key: StepKey | null) {

@@ -7,13 +7,14 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 
+from sightline.enums import LengthUnit
 from sightline.export.report import words
 from sightline.export.report.facts import ReportFacts
 from sightline.export.report.results import in_brackets, verdict_of
 from sightline.export.report.said import said, told
 from sightline.export.report.sight import consequence
 from sightline.export.report.units import HEIGHT, SMALL, decimal, limit
-from sightline.results.survey_statistics import RULE_OF
+from sightline.results.survey_statistics import RULE_OF, Statistics
 from sightline.statistics.errors import Interval
 from sightline.statistics.rules import RuleToday
 
@@ -28,27 +29,32 @@ class Conclusion:
 
 def conclusion(facts: ReportFacts) -> Conclusion:
     """The sentences of a survey."""
-    return Conclusion(tuple(_found(facts)), tuple(_not_covered(facts)))
+    return Conclusion(conclude(facts.statistics, facts.unit), tuple(_not_covered(facts)))
 
 
-def _found(facts: ReportFacts) -> Iterator[str]:
-    counted = facts.statistics.counted
-    yield said("report-concluded-of", measurements=counted.measurements, vehicles=counted.vehicles)
-    yield from (_of_rule(one, facts) for one in _asked(facts))
-    if (changes := consequence(facts)) is not None:
-        yield changes
-    yield _errors(facts)
+def conclude(result: Statistics, unit: LengthUnit) -> tuple[str, ...]:
+    """What came out, a sentence each: of how many, each rule's figure, what it changes, how good it is."""
+    asked = _asked(result)
+    stated = all(one.value_m is not None for one in asked)  # else its own sentence says what is missing
+    changes = consequence(result, unit) if stated else None
+    return (
+        said(
+            "report-concluded-of", measurements=result.counted.measurements, vehicles=result.counted.vehicles
+        ),
+        *(_of_rule(one, unit) for one in asked),
+        *(() if changes is None else (changes,)),
+        _errors(result, unit),
+    )
 
 
-def _asked(facts: ReportFacts) -> tuple[RuleToday, ...]:
+def _asked(result: Statistics) -> tuple[RuleToday, ...]:
     """The eye and the object that a crest rests on; else every rule that has heights."""
-    result = facts.statistics
     pair = tuple(one for one in result.sight or () if one.n)
     return pair or tuple(one for one in result.rules if one.n)
 
 
-def _of_rule(one: RuleToday, facts: ReportFacts) -> str:
-    standard, scale = one.standard, HEIGHT[facts.unit]
+def _of_rule(one: RuleToday, unit: LengthUnit) -> str:
+    standard, scale = one.standard, HEIGHT[unit]
     target = RULE_OF[standard.what][0]
     key: dict[str, str | int] = {
         "of": words.MANY[target],
@@ -64,17 +70,17 @@ def _of_rule(one: RuleToday, facts: ReportFacts) -> str:
         value=scale.length(one.value_m),
         interval=in_brackets(one.U95_low_m, one.U95_high_m, scale),
         standard=told(standard.name),
-        limit=limit(standard.height_m, facts.unit),
+        limit=limit(standard.height_m, unit),
         verdict=verdict_of(one),
     )
 
 
-def _errors(facts: ReportFacts) -> str:
-    overall = facts.statistics.errors.groups["overall"]
+def _errors(result: Statistics, unit: LengthUnit) -> str:
+    overall = result.errors.groups["overall"]
     mae, bias = overall.figures["mae_m"], overall.figures["bias_m"]
     if mae is None or bias is None:
         return said("report-error-none")
-    small = SMALL[facts.unit]
+    small = SMALL[unit]
     ends = {name: overall.ci95[name] for name in ("mae_m", "bias_m")}
     return said(
         "report-error-short",

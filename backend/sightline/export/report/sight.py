@@ -65,9 +65,9 @@ def crest_of(facts: ReportFacts) -> bool:
     return found is not None and found[4].crest is not None
 
 
-def consequence(facts: ReportFacts) -> str | None:
+def consequence(result: Statistics, unit: LengthUnit) -> str | None:
     """The one sentence that says what the heights change on the road, where there is one."""
-    found = _cases(facts.statistics, facts.unit)
+    found = _cases(result, unit)
     return None if found is None else crest_sentence(*found[2:])
 
 

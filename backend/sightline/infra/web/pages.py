@@ -13,7 +13,7 @@ from sightline.settings import Settings
 FRONT_END_ROUTE = re.compile(
     r"^(sign-in|account|guide|people|audit|jobs|system|catalogue|statistics|sight-distance|studies|study"
     r"|surveys/\d+"
-    r"(/(planning|camera|recordings|pose|measure|review|checks|repeats|repeats/click|export"
+    r"(/(planning|settings|history|lots|camera|recordings|pose|measure|review|checks|repeats|repeats/click|export"
     r"|scans|scans/results|scan|live))?)?/?$"
 )
 HASHED = re.compile(r"-[A-Za-z0-9_-]{8}\.\w+$")

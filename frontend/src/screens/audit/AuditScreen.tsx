@@ -2,9 +2,10 @@ import { useState } from "preact/hooks";
 import { Button, Empty, Field, Loading, Notice, Problem, SelectField, TableScroll } from "../../components";
 import { CommitField } from "../../components/CommitField";
 import { Said } from "../../components/Said";
-import { query, setQuery } from "../../core/address";
+import { query, setQuery, surveyHere } from "../../core/address";
 import { api, explain, fromAddress } from "../../core/api";
 import { say } from "../../core/messages";
+import type { ScreenProps } from "../../core/places";
 import { useResource } from "../../core/resource";
 import { me } from "../../core/session";
 import { formatClock, formatDay } from "../../core/times";
@@ -16,8 +17,8 @@ import "./audit.css";
 const PAGE = 100;
 
 /** Who did what, when, from what to what; newest first. Administrators can check the chain of hashes here. */
-export default function AuditScreen() {
-  const filters = filtersOf();
+export default function AuditScreen({ surveyId }: ScreenProps) {
+  const filters = filtersOf(surveyId);
   const [older, setOlder] = useState<NamedEvent[]>([]);
   const [atEnd, setAtEnd] = useState(false);
   const [problem, setProblem] = useState<unknown>(null);
@@ -33,7 +34,7 @@ export default function AuditScreen() {
       setAtEnd(page.length < PAGE);
       return page;
     },
-    [query.value.toString()],
+    [surveyId, query.value.toString()],
   );
   const events = [...(first.data ?? []), ...older];
   const more = async () => {
@@ -51,16 +52,16 @@ export default function AuditScreen() {
     setBusy(false);
   };
   return (
-    <div class="page page--alone">
+    <div class={surveyId ? "page" : "page page--alone"}>
       <header class="page__head">
         <div>
-          <h1>{say("page-audit")}</h1>
+          <h1>{say(surveyId ? "page-history" : "page-audit")}</h1>
           <p class="page__lead">{say("audit-lead")}</p>
           <p class="small muted">{say("audit-numbers")}</p>
         </div>
         {me.value?.person.role === "admin" && <Verify />}
       </header>
-      <Filters />
+      <Filters surveyId={surveyId} />
       <Problem error={first.error} again={first.reload} />
       {!first.data && first.loading && <Loading what={say("audit-loading")} />}
       {first.data && events.length === 0 && (
@@ -106,26 +107,29 @@ export default function AuditScreen() {
 const FILTERS = ["survey_id", "entity", "person_id", "day", "vehicle"] as const;
 
 /** What the address asks for. */
-function filtersOf(): Record<string, string> {
+function filtersOf(surveyId: number): Record<string, string> {
   const chosen = FILTERS.map((name) => [name, query.value.get(name) ?? ""] as const);
-  return Object.fromEntries(chosen.filter(([, value]) => value !== ""));
+  const asked = Object.fromEntries(chosen.filter(([, value]) => value !== ""));
+  return surveyId ? { ...asked, survey_id: String(surveyId) } : asked;
 }
 
-function Filters() {
+function Filters({ surveyId }: ScreenProps) {
   const surveys = useResource((signal) => api.ask("GET /surveys", {}, { signal }), []);
   const people = useResource((signal) => api.ask("GET /audit/people", {}, { signal }), []);
   const at = (name: (typeof FILTERS)[number]): string => query.value.get(name) ?? "";
   return (
     <div class="audit__filters">
-      <SelectField
-        label={say("audit-survey")}
-        value={at("survey_id")}
-        options={[
-          { value: "", label: say("audit-survey-all") },
-          ...(surveys.data ?? []).map((survey) => ({ value: String(survey.id), label: survey.name })),
-        ]}
-        onChange={(value) => setQuery({ survey_id: value || null })}
-      />
+      {!surveyId && (
+        <SelectField
+          label={say("audit-survey")}
+          value={at("survey_id")}
+          options={[
+            { value: "", label: say("audit-survey-all") },
+            ...(surveys.data ?? []).map((survey) => ({ value: String(survey.id), label: survey.name })),
+          ]}
+          onChange={(value) => setQuery({ survey_id: value || null })}
+        />
+      )}
       <SelectField
         label={say("audit-what")}
         value={at("entity")}
@@ -182,7 +186,9 @@ function EventRow({ named }: { named: NamedEvent }) {
       <td class="audit__did">
         {actionWords(event)}{" "}
         <span title={rowWords(event)}>{page ? <a href={page}>{words}</a> : <strong>{words}</strong>}</span>
-        {!surveyShown() && named.subject.survey && <div class="small muted">{named.subject.survey}</div>}
+        {surveyHere.value === 0 && named.subject.survey && (
+          <div class="small muted">{named.subject.survey}</div>
+        )}
       </td>
       <td class="audit__changes">
         {changes.length > 0 && (
@@ -220,10 +226,6 @@ function EventRow({ named }: { named: NamedEvent }) {
 }
 
 /** Whether one survey was chosen: then its name need not stand in each row. */
-function surveyShown(): boolean {
-  return query.value.has("survey_id");
-}
-
 function hashWords({ hash, previous_hash: previous }: AuditEvent): string {
   return previous ? say("audit-hash-after", { hash, previous }) : say("audit-hash-first", { hash });
 }

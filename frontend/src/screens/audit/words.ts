@@ -149,8 +149,8 @@ export function pageOf({ event, subject }: NamedEvent): string | null {
     free_plan: `${survey}/repeats`,
     computing: `${survey}/checks?tab=again&computing=${entity_id}`,
     export: `${survey}/export`,
-    lot: `${survey}/checks?tab=lots&lot=${entity_id}`,
-    lot_decision: `${survey}/checks?tab=lots`,
+    lot: `${survey}/lots?lot=${entity_id}`,
+    lot_decision: `${survey}/lots`,
   };
   return pages[entity] ?? null;
 }

@@ -1,30 +1,27 @@
 /** What a survey's own vehicles say of its insets and of its road poses, and heights computed again. */
-import { Loading, Segments } from "../../components";
-import { query, setQuery } from "../../core/address";
-import { say } from "../../core/messages";
+import { Loading } from "../../components";
+import { PageTabs } from "../../components/PageTabs";
+import { query } from "../../core/address";
+import { say, wordsOf } from "../../core/messages";
 import type { ScreenProps } from "../../core/places";
 import { survey as openSurvey } from "../../core/survey";
+import { CHECKS, type Check, checksTabs } from "../../core/tabs";
 import { AdjustTab } from "./AdjustTab";
 import { AgainTab } from "./AgainTab";
 import { InsetsTab } from "./InsetsTab";
-import { LotsTab } from "./LotsTab";
 import { TrafficTab } from "./TrafficTab";
 import "./checks.css";
 
-type Tab = "insets" | "traffic" | "adjust" | "again" | "lots";
-const TABS: readonly string[] = ["traffic", "adjust", "again", "lots"];
-
-const LEADS = {
+const LEADS: Readonly<Record<Check, string>> = wordsOf({
   insets: "checks-lead",
   traffic: "checks-lead",
   adjust: "adjust-lead",
   again: "computing-lead",
-  lots: "lots-lead",
-} as const;
+});
 
 export default function ChecksScreen({ surveyId }: ScreenProps) {
   const asked = query.value.get("tab") ?? "";
-  const tab = (TABS.includes(asked) ? asked : "insets") as Tab;
+  const tab = CHECKS.find((one) => one === asked) ?? "insets";
   const survey = openSurvey.value;
   if (!survey || survey.id !== surveyId) return <Loading what={say("checks-loading")} />;
   return (
@@ -32,28 +29,14 @@ export default function ChecksScreen({ surveyId }: ScreenProps) {
       <header class="page__head">
         <div>
           <h1>{say("page-checks")}</h1>
-          <p class="page__lead">{say(LEADS[tab])}</p>
+          <p class="page__lead">{LEADS[tab]}</p>
         </div>
-        <Segments
-          label={say("checks-which")}
-          value={tab}
-          options={[
-            { value: "insets", label: say("checks-insets") },
-            { value: "traffic", label: say("checks-direction") },
-            { value: "adjust", label: say("adjust-tab") },
-            { value: "again", label: say("checks-again") },
-            { value: "lots", label: say("lots-tab") },
-          ]}
-          onChange={(value) =>
-            setQuery({ tab: value === "insets" ? null : value, computing: null, lot: null })
-          }
-        />
       </header>
+      <PageTabs label={say("page-checks")} tabs={checksTabs(surveyId, tab)} />
       {tab === "insets" && <InsetsTab survey={survey} />}
       {tab === "traffic" && <TrafficTab surveyId={surveyId} />}
       {tab === "adjust" && <AdjustTab surveyId={surveyId} />}
       {tab === "again" && <AgainTab surveyId={surveyId} />}
-      {tab === "lots" && <LotsTab surveyId={surveyId} />}
     </div>
   );
 }

@@ -1,11 +1,13 @@
 /** What clicking again shows: per target and per person, beside what the budgets claim. */
 import { useState } from "preact/hooks";
 import { Button, Empty, Loading, Problem } from "../../components";
+import { PageTabs } from "../../components/PageTabs";
 import { api } from "../../core/api";
 import { say } from "../../core/messages";
 import type { ScreenProps } from "../../core/places";
 import { useResource } from "../../core/resource";
 import { canWork } from "../../core/session";
+import { checksTabs } from "../../core/tabs";
 import { toastProblem } from "../../core/toasts";
 import type { PersonRepeats } from "../../core/types";
 import { AnchoringPanel } from "./AnchoringPanel";
@@ -49,6 +51,7 @@ export default function RepeatsScreen({ surveyId }: ScreenProps) {
         </div>
         {canWork.value && data !== null && data.repeats > 0 && <Again surveyId={surveyId} />}
       </header>
+      <PageTabs label={say("page-checks")} tabs={checksTabs(surveyId, "repeats")} />
       <Problem error={found.error} again={found.reload} />
       <Problem error={plan.error} again={plan.reload} />
       {!data && found.loading && <Loading what={say("repeats-loading")} />}

@@ -4,10 +4,12 @@ import { useRef } from "preact/hooks";
 import { Button, StateMark } from "../../components";
 import { bringInSight } from "../../components/inSight";
 import { useOneTabStop } from "../../components/oneTabStop";
+import { PageTabs } from "../../components/PageTabs";
 import { Said } from "../../components/Said";
 import { say, wordsOf } from "../../core/messages";
 import { may } from "../../core/session";
 import { survey } from "../../core/survey";
+import { reviewTabs } from "../../core/tabs";
 import type { LineHeightQueue, ReviewItem } from "../../core/types";
 import { formatHeight } from "../../core/units";
 import { STATE_WORDS, TARGET_WORDS, vehicleName } from "../../core/words";
@@ -34,6 +36,7 @@ export function Queue({ model }: { model: ReviewModel }) {
   });
   return (
     <nav class="passes" aria-label={say("review-queue")}>
+      <PageTabs label={say("page-review")} tabs={reviewTabs(model.surveyId, "review")} />
       <header class="passes__head">
         <h2>
           {work ? (
@@ -133,7 +136,7 @@ function LineRow({ surveyId, one }: { surveyId: number; one: Line }) {
 
 /** The lot's own page, where it is decided upon. */
 export function lotAddress(surveyId: number, lot: number): string {
-  return `/surveys/${surveyId}/checks?tab=lots&lot=${lot}`;
+  return `/surveys/${surveyId}/lots?lot=${lot}`;
 }
 
 export function benchOf(surveyId: number, one: Line): string {
@@ -160,7 +163,7 @@ function LotLine({ model }: { model: ReviewModel }) {
         )}
         <p class="small row" data-testid="review-lot">
           <a class="grow" href={toLot}>
-            {number ? say("lots-sample-of", { number: String(number) }) : say("lots-tab")}
+            {number ? say("lots-sample-of", { number: String(number) }) : say("page-lots")}
           </a>
           <Button small kind="quiet" onClick={() => void model.leaveLot()}>
             {say("lots-show-all")}
@@ -172,7 +175,7 @@ function LotLine({ model }: { model: ReviewModel }) {
   if (held === 0) return null;
   return (
     <p class="small muted">
-      <a href={`/surveys/${model.surveyId}/checks?tab=lots`}>{say("lots-held", { count: held })}</a>
+      <a href={`/surveys/${model.surveyId}/lots`}>{say("lots-held", { count: held })}</a>
     </p>
   );
 }

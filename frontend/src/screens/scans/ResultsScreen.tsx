@@ -1,10 +1,12 @@
 /** What the line scans of a survey say together: errors against known sizes, distributions, the paper's table. */
 import { useState } from "preact/hooks";
 import { Button, Empty, Loading, Notice, Problem, Segments } from "../../components";
+import { PageTabs } from "../../components/PageTabs";
 import { api } from "../../core/api";
 import { say } from "../../core/messages";
 import type { ScreenProps } from "../../core/places";
 import { useResource } from "../../core/resource";
+import { resultsTabs } from "../../core/tabs";
 import { ReferenceErrors, RunsOfCars } from "./ReferenceErrors";
 import { ScannedHeights } from "./ScannedHeights";
 import { SizeErrors } from "./SizeErrors";
@@ -48,6 +50,7 @@ export default function ResultsScreen({ surveyId }: ScreenProps) {
           <Button href={`/surveys/${surveyId}/scans`}>{say("scans-all")}</Button>
         </div>
       </header>
+      <PageTabs label={say("page-statistics")} tabs={resultsTabs("scan-results")} />
       <Problem error={found.error} again={found.reload} />
       {!data && found.loading && <Loading what={say("motion-loading")} />}
       {data && vehicles === 0 && (

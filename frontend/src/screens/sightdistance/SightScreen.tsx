@@ -1,11 +1,13 @@
 /** From heights to roads: crests by a standard's heights, by the survey's and by another fleet's. */
 import { useEffect } from "preact/hooks";
-import { Button, Loading, Notice, Problem, TableScroll } from "../../components";
+import { Loading, Notice, Problem, TableScroll } from "../../components";
+import { PageTabs } from "../../components/PageTabs";
 import { query } from "../../core/address";
 import { api, fromAddress } from "../../core/api";
 import { say } from "../../core/messages";
 import type { ScreenProps } from "../../core/places";
 import { useResource } from "../../core/resource";
+import { resultsTabs } from "../../core/tabs";
 import { fixed, formatLength, formatSpeed, lengthScale, plainHeight } from "../../core/units";
 import { OutOfDateNotice } from "../../parts/again/OutOfDateNotice";
 import { loadPlot } from "../../parts/figures/PlotFigure";
@@ -40,11 +42,8 @@ export default function SightScreen(_props: ScreenProps) {
           <h1>{say("page-sight-distance")}</h1>
           <p class="page__lead">{say("sight-lead")}</p>
         </div>
-        <div class="row">
-          {only !== null && <Button href={`/statistics?survey=${only}`}>{say("page-statistics")}</Button>}
-          {only !== null && <Button href={`/surveys/${only}`}>{say("statistics-back")}</Button>}
-        </div>
       </header>
+      <PageTabs label={say("page-statistics")} tabs={resultsTabs("sight-distance")} />
       {query.value.getAll("survey").map((id) => (
         <OutOfDateNotice key={id} surveyId={Number(id)} computed={found.reload} />
       ))}

@@ -4,6 +4,7 @@ import { say, wordsOf } from "../../core/messages";
 import { formatCount, formatSmall, smallScale } from "../../core/units";
 import { csvOf, download } from "../../parts/figures/csv";
 import { NONE, range, scaled, squareScale } from "../../parts/figures/numbers";
+import { asInPaper } from "./filters";
 import { type ErrorGroup, type Errors, GROUP_WORDS, isThere } from "./model";
 
 const HEADS = wordsOf({
@@ -88,16 +89,18 @@ export function ErrorTable({ errors }: { errors: Errors }) {
         <Holds errors={errors} />
         <Agreement errors={errors} />
         <Shares errors={errors} />
-        <details>
-          <summary>{say("statistics-paper-inconsistent")}</summary>
-          <ul>
-            {errors.paper.map((one) => (
-              <li key={one.group}>
-                <Said what="statistics-paper-note" values={{ group: one.title, note: one.note }} />
-              </li>
-            ))}
-          </ul>
-        </details>
+        {asInPaper() && (
+          <details>
+            <summary>{say("statistics-paper-inconsistent")}</summary>
+            <ul>
+              {errors.paper.map((one) => (
+                <li key={one.group}>
+                  <Said what="statistics-paper-note" values={{ group: one.title, note: one.note }} />
+                </li>
+              ))}
+            </ul>
+          </details>
+        )}
       </div>
     </section>
   );
@@ -115,13 +118,13 @@ function Value({ text, sure }: { text: string; sure: boolean }) {
 }
 
 function Rows({ group, errors }: { group: ErrorGroup; errors: Errors }) {
-  const paper = errors.paper.find((one) => one.group === group.group);
+  const paper = asInPaper() ? errors.paper.find((one) => one.group === group.group) : undefined;
   return (
     <>
       <tr data-testid={`errors-${group.group}`}>
         <th scope="row">
           {GROUP_WORDS[group.group] ?? group.group}
-          <div class="stat-ci">{say("statistics-stands-for", { group: group.title })}</div>
+          {paper && <div class="stat-ci">{say("statistics-stands-for", { group: group.title })}</div>}
           {group.reason && <div class="stat-ci">{group.reason}</div>}
           <NoIntervals group={group} />
         </th>

@@ -17,6 +17,19 @@ const CORRECTION_WORDS = wordsOf({
   deconvolution: "statistics-correction-deconvolution",
 });
 
+/** What stands behind "More": open where one of them is set. */
+const MORE: readonly SingleName[] = [
+  "target",
+  "operator",
+  "filmed_from",
+  "filmed_to",
+  "first_day",
+  "last_day",
+  "correction",
+  "rounding",
+  "u_reference_m",
+];
+
 const states = () => [
   { value: "", label: STATE_WORDS.accepted },
   { value: "to_review", label: STATE_WORDS.to_review },
@@ -49,11 +62,6 @@ export function FilterBar({ found }: { found: Statistics | null }) {
     >
       <Surveys found={found} chosen={at.getAll("survey")} />
       {choice("state", say("statistics-filter-state"), states())}
-      {choice(
-        "target",
-        say("statistics-filter-target"),
-        words(TARGET_TITLES, say("statistics-filter-target-all")),
-      )}
       {choice("lighting", say("statistics-filter-lighting"), words(LIGHTING_WORDS, any))}
       <ClassChoice
         classSets={at.getAll("class_set")}
@@ -61,22 +69,35 @@ export function FilterBar({ found }: { found: Statistics | null }) {
         onClassSets={(class_set) => setFilter({ class_set })}
         onCategories={(category) => setFilter({ category })}
       />
-      {choice("operator", say("statistics-filter-operator"), [
-        { value: "", label: say("statistics-filter-anybody") },
-        ...operators,
-      ])}
-      <Day name="filmed_from" label={say("statistics-filter-filmed-from")} />
-      <Day name="filmed_to" label={say("statistics-filter-filmed-to")} />
-      <Day name="first_day" label={say("statistics-filter-first-day")} />
-      <Day name="last_day" label={say("statistics-filter-last-day")} />
-      {choice("correction", say("statistics-filter-correction"), [
-        ...CORRECTIONS.map((one) => ({ value: one === "inset" ? "" : one, label: CORRECTION_WORDS[one] })),
-      ])}
-      {choice("rounding", say("statistics-filter-rounding"), [
-        { value: "", label: say("statistics-rounding-none") },
-        { value: "cm", label: say("statistics-rounding-cm") },
-      ])}
-      <ReferenceU value={at.get("u_reference_m")} />
+      <details class="stat-filter__more" open={MORE.some((name) => at.get(name))}>
+        <summary>{say("statistics-filter-more")}</summary>
+        <div class="stat-filter__fields">
+          {choice(
+            "target",
+            say("statistics-filter-target"),
+            words(TARGET_TITLES, say("statistics-filter-target-all")),
+          )}
+          {choice("operator", say("statistics-filter-operator"), [
+            { value: "", label: say("statistics-filter-anybody") },
+            ...operators,
+          ])}
+          <Day name="filmed_from" label={say("statistics-filter-filmed-from")} />
+          <Day name="filmed_to" label={say("statistics-filter-filmed-to")} />
+          <Day name="first_day" label={say("statistics-filter-first-day")} />
+          <Day name="last_day" label={say("statistics-filter-last-day")} />
+          {choice("correction", say("statistics-filter-correction"), [
+            ...CORRECTIONS.map((one) => ({
+              value: one === "inset" ? "" : one,
+              label: CORRECTION_WORDS[one],
+            })),
+          ])}
+          {choice("rounding", say("statistics-filter-rounding"), [
+            { value: "", label: say("statistics-rounding-none") },
+            { value: "cm", label: say("statistics-rounding-cm") },
+          ])}
+          <ReferenceU value={at.get("u_reference_m")} />
+        </div>
+      </details>
       {narrowed(at) && (
         <div class="stat-filter__clear">
           <Button small onClick={() => setFilter(WIDE)}>

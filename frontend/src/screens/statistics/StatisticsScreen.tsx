@@ -1,20 +1,23 @@
 /** Errors against known heights and the distributions of what was measured, for the measurements a filter leaves. */
 import { useEffect } from "preact/hooks";
 import { Button, Empty, Loading, Notice, Problem } from "../../components";
+import { PageTabs } from "../../components/PageTabs";
 import { Said } from "../../components/Said";
 import { query } from "../../core/address";
 import { api, fromAddress } from "../../core/api";
 import { say } from "../../core/messages";
 import { useResource } from "../../core/resource";
+import { resultsTabs } from "../../core/tabs";
 import { OutOfDateNotice } from "../../parts/again/OutOfDateNotice";
 import { loadPlot } from "../../parts/figures/PlotFigure";
 import { SameRule } from "../../parts/figures/SameRule";
 import { lotWords } from "../../parts/lots/words";
 import { ComparisonSection } from "./ComparisonSection";
+import { Conclusion } from "./Conclusion";
 import { ErrorFigures } from "./ErrorFigures";
 import { ErrorTable } from "./ErrorTable";
 import { FilterBar } from "./FilterBar";
-import { narrowed, setFilter, statisticsQuery, WIDE } from "./filters";
+import { asInPaper, narrowed, setFilter, statisticsQuery, WIDE } from "./filters";
 import { GroupSection } from "./GroupSection";
 import { KnownErrorsTable } from "./KnownErrors";
 import { LateralSection } from "./LateralSection";
@@ -35,6 +38,7 @@ export default function StatisticsScreen() {
     loadPlot().catch(() => null); // while the server counts; who draws tells what is wrong
   }, []);
   const data = found.data;
+  const errors = query.value.get("tab") === "errors";
   const only = query.value.getAll("survey").length === 1 ? query.value.get("survey") : null;
   return (
     <div class="page page--alone stat-page">
@@ -46,15 +50,22 @@ export default function StatisticsScreen() {
           </p>
         </div>
         <div class="row stat-noprint">
-          {only && <Button href={`/surveys/${only}`}>{say("statistics-back")}</Button>}
+          <label class="row" title={say("results-paper-help")}>
+            <input
+              type="checkbox"
+              checked={asInPaper()}
+              onChange={(event) => setFilter({ paper: event.currentTarget.checked ? "1" : null })}
+            />
+            {say("results-paper")}
+          </label>
           <Button onClick={() => window.print()}>{say("action-print")}</Button>
         </div>
       </header>
+      <PageTabs label={say("page-statistics")} tabs={resultsTabs(errors ? "errors" : "heights")} />
       <p class="stat-printonly small">{location.href}</p>
       {query.value.getAll("survey").map((id) => (
         <OutOfDateNotice key={id} surveyId={Number(id)} computed={found.reload} />
       ))}
-      {only && <ByLot surveyId={Number(only)} />}
       {data && data.counted.without_class > 0 && (
         <Notice kind="info">
           <Said
@@ -66,6 +77,8 @@ export default function StatisticsScreen() {
           />
         </Notice>
       )}
+      {only && !narrowed(query.value) && <Conclusion surveyId={Number(only)} of={data} />}
+      {only && <ByLot surveyId={Number(only)} />}
       <FilterBar found={data} />
       <Problem error={found.error} again={found.reload} />
       {!data && found.loading && <Loading what={say("statistics-loading")} />}
@@ -73,8 +86,10 @@ export default function StatisticsScreen() {
         <div class="stat-body" aria-busy={found.loading}>
           {data.counted.measurements === 0 ? (
             <Nothing found={data} surveyId={only} />
+          ) : errors ? (
+            <ErrorsOf found={data} />
           ) : (
-            <Figures found={data} surveyId={only} reload={found.reload} />
+            <Heights found={data} surveyId={only} reload={found.reload} />
           )}
         </div>
       )}
@@ -102,7 +117,7 @@ interface FiguresProps {
   reload: () => void;
 }
 
-function Figures({ found, surveyId, reload }: FiguresProps) {
+function Heights({ found, surveyId, reload }: FiguresProps) {
   const standards = switchedOn(found.standards, query.value.getAll("off"));
   const shown = found.targets.filter(
     (one) => ALWAYS.includes(one.target) || found.targets.length === 1 || one.raw.n > 0,
@@ -110,9 +125,7 @@ function Figures({ found, surveyId, reload }: FiguresProps) {
   const eye = found.targets.find((one) => one.target === "driver_eye");
   return (
     <>
-      <ErrorTable errors={found.errors} />
-      <KnownErrorsTable found={found.known_errors} />
-      <ErrorFigures errors={found.errors} />
+      <SameRule rules={found.rules} />
       {shown.map((one) => (
         <TargetSection
           key={one.target}
@@ -120,12 +133,21 @@ function Figures({ found, surveyId, reload }: FiguresProps) {
           standards={standards.filter((standard) => standard.what === STANDARD_FOR[one.target])}
         />
       ))}
-      <SameRule rules={found.rules} />
       {found.comparison && <ComparisonSection compared={found.comparison} />}
       <GroupSection targets={found.targets} />
       {found.lateral && <LateralSection lateral={found.lateral} />}
       <Standards standards={found.standards} surveyId={surveyId} reload={reload} />
       <SamplePlan sdM={eye?.corrected.sd_m ?? null} />
+    </>
+  );
+}
+
+function ErrorsOf({ found }: { found: Statistics }) {
+  return (
+    <>
+      <ErrorTable errors={found.errors} />
+      <KnownErrorsTable found={found.known_errors} />
+      <ErrorFigures errors={found.errors} />
     </>
   );
 }

@@ -22,6 +22,7 @@ import { percent } from "../../parts/figures/numbers";
 import { PlotFigure } from "../../parts/figures/PlotFigure";
 import { formatLimit } from "../../parts/figures/standards";
 import type { Density, Ecdf, Standard } from "../../parts/figures/types";
+import { asInPaper } from "./filters";
 import { isThere, type OfTarget, type Percentile, TARGET_TITLES } from "./model";
 
 const rawCurve = (): Curve => ({
@@ -55,9 +56,9 @@ export function TargetSection({ target, standards }: Props) {
         <p data-testid={`correction-${target.target}`}>{corrected.reason ?? corrected.words}</p>
         {corrected.warning && <Notice kind="warning">{corrected.warning}</Notice>}
       </div>
-      <div class="stat-figures stat-figures--inside">
+      <div class={`stat-figures stat-figures--inside${asInPaper() ? "" : " stat-figures--one"}`}>
         <EcdfFigure target={target} standards={standards} title={title} />
-        <HeightDensity target={target} title={title} />
+        {asInPaper() && <HeightDensity target={target} title={title} />}
       </div>
       <Shares target={target} standards={standards} />
       <Percentiles target={target} />
@@ -73,7 +74,8 @@ function heightsWords({ raw: { n: count }, corrected: { mean_m, sd_m } }: OfTarg
 }
 
 function EcdfFigure({ target, standards, title }: Props & { title: string }) {
-  const raw = isThere<Ecdf>(target.raw.ecdf) ? target.raw.ecdf : null;
+  const paper = asInPaper();
+  const raw = paper && isThere<Ecdf>(target.raw.ecdf) ? target.raw.ecdf : null;
   const corrected = isThere<Ecdf>(target.corrected.ecdf) ? target.corrected.ecdf : null;
   const both = [raw, corrected].filter((one) => one !== null);
   const shown = nearby(standards, both);
@@ -87,9 +89,11 @@ function EcdfFigure({ target, standards, title }: Props & { title: string }) {
       title={say("statistics-target-ecdf-title", { target: title })}
       says={say("statistics-target-ecdf-says", { target: title, count: target.raw.n })}
       note={note.join(" ")}
-      legend={[{ word: correctedCurve().word }, { word: say("statistics-legend-raw"), dash, faint }]}
+      legend={
+        paper ? [{ word: correctedCurve().word }, { word: say("statistics-legend-raw"), dash, faint }] : []
+      }
       reason={both.length === 0 ? say("statistics-target-nothing") : null}
-      data={[target, shown.map((one) => one.name + one.height_m).join()]}
+      data={[target, paper, shown.map((one) => one.name + one.height_m).join()]}
       options={(plot, unit) => {
         const [perX, long] = lengthScale(unit);
         const tiers = standardTiers(shown, perX, long, middleOf(both));
@@ -191,12 +195,17 @@ function Shares({ target, standards }: Props) {
   );
 }
 
+/** Percentiles that no rule asks for. */
+const ONLY_IN_PAPER: readonly number[] = [2, 98];
+
 function Percentiles({ target }: { target: OfTarget }) {
-  const rows = target.corrected.percentiles;
-  const raw = new Map(target.raw.percentiles.map((one) => [one.percent, one]));
-  if (raw.size === 0) return null;
+  if (target.raw.percentiles.length === 0) return null;
+  const paper = asInPaper();
+  const kept = <T extends { percent: number }>(list: readonly T[]) =>
+    paper ? list : list.filter((one) => !ONLY_IN_PAPER.includes(one.percent));
+  const rows = kept(target.corrected.percentiles);
   const unit = lengthScale()[1];
-  const shown = rows.length > 0 ? rows : target.raw.percentiles;
+  const shown = rows.length > 0 ? rows : kept(target.raw.percentiles);
   const { total } = target;
   return (
     <div class="stat-percentiles">
@@ -219,18 +228,23 @@ function Percentiles({ target }: { target: OfTarget }) {
             {total && (
               <PercentileRow
                 head={say("statistics-percentiles-true", { unit })}
-                rows={total.percentiles.map(ofTotal)}
+                rows={kept(total.percentiles).map(ofTotal)}
                 strong
               />
             )}
-            {rows.length > 0 && (
+            {rows.length > 0 && (paper || !total) && (
               <PercentileRow
                 head={say("statistics-percentiles-corrected", { unit })}
                 rows={rows}
                 strong={!total}
               />
             )}
-            <PercentileRow head={say("statistics-percentiles-raw", { unit })} rows={target.raw.percentiles} />
+            {(paper || rows.length === 0) && (
+              <PercentileRow
+                head={say("statistics-percentiles-raw", { unit })}
+                rows={kept(target.raw.percentiles)}
+              />
+            )}
           </tbody>
         </table>
       </TableScroll>

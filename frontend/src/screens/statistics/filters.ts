@@ -1,5 +1,5 @@
 /** The filter as the page's address holds it: the server's own names, so that a link tells all. */
-import { navigate } from "../../core/address";
+import { navigate, query } from "../../core/address";
 import type { AddressOf } from "../../core/routes";
 
 export const CORRECTIONS = ["inset", "shift", "none", "regression", "deconvolution"] as const;
@@ -20,7 +20,7 @@ const SINGLE = [
 ] as const;
 const REPEATED = ["survey", "category", "class_set", "eye_limit_m", "object_limit_m"] as const;
 export type SingleName = (typeof SINGLE)[number];
-export type RepeatedName = (typeof REPEATED)[number] | "off";
+export type RepeatedName = (typeof REPEATED)[number] | "off" | "paper";
 
 /** What the server is asked for an address: what only the page knows is left out. */
 export function statisticsQuery(query: URLSearchParams): AddressOf<"GET /statistics"> {
@@ -69,4 +69,9 @@ export const WIDE: Partial<Record<SingleName | RepeatedName, null>> = Object.fro
 /** Whether anything beyond the survey narrows the measurements. */
 export function narrowed(query: URLSearchParams): boolean {
   return NARROWING.some((name) => query.get(name));
+}
+
+/** Whether what Dupuis et al. show stands beside the true heights. */
+export function asInPaper(): boolean {
+  return query.value.has("paper");
 }

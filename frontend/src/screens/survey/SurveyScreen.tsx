@@ -3,33 +3,26 @@ import { Button, Icon, JobProgress, Loading, Notice, Shape } from "../../compone
 import { Said } from "../../components/Said";
 import { api } from "../../core/api";
 import { isOver } from "../../core/jobs";
-import { allOf, say, wordsOf } from "../../core/messages";
-import type { ScreenProps } from "../../core/places";
+import { say, wordsOf } from "../../core/messages";
+import { type ScreenProps, titleOf } from "../../core/places";
 import { useEvery, useResource } from "../../core/resource";
 import { may } from "../../core/session";
 import { survey as openSurvey, refreshSurvey } from "../../core/survey";
 import { toastProblem } from "../../core/toasts";
 import { beginTour, endTour, isTourNew, tour } from "../../core/tour";
-import type { Place, Step, Survey, Target } from "../../core/types";
-import { fixed, formatCount, formatSpeed } from "../../core/units";
-import { STATE_WORDS, TARGET_NOUNS } from "../../core/words";
+import type { Step, Survey } from "../../core/types";
+import { formatCount } from "../../core/units";
+import { STATE_WORDS } from "../../core/words";
 import { entryOfStep } from "../../core/work";
 import { Outdated } from "../../parts/again/Outdated";
 import { OutOfDateNotice } from "../../parts/again/OutOfDateNotice";
-import { ClassesDialog } from "./ClassesDialog";
 import { EditSurvey } from "./EditSurvey";
-import { MembersDialog } from "./MembersDialog";
-import { Photographs } from "./Photographs";
-import { SampleSection } from "./SampleSection";
-import { SamplingDialog } from "./SamplingDialog";
+import { askedWords, placeWords, trafficWords } from "./words";
 import "./survey.css";
 
 /** What is there and what is missing, as the order of work; each step says what to do next. */
 export default function SurveyScreen({ surveyId }: ScreenProps) {
   const [editing, setEditing] = useState(false);
-  const [belonging, setBelonging] = useState(false);
-  const [sorting, setSorting] = useState(false);
-  const [sampling, setSampling] = useState(false);
   const jobs = useResource((signal) => api.ask("GET /jobs", { survey_id: surveyId }, { signal }), [surveyId]);
   const running = (jobs.data ?? []).filter((job) => !isOver(job));
   useEvery(running.length > 0 ? 1500 : 10_000, async () => {
@@ -47,13 +40,10 @@ export default function SurveyScreen({ surveyId }: ScreenProps) {
             {survey.is_demo && <span class="badge title-badge">{say("survey-demonstration")}</span>}
           </h1>
           {survey.site && <p class="page__lead">{survey.site}</p>}
-          <PlaceOf place={survey.place} />
+          <p class="muted small" data-testid="place-said">
+            {placeWords(survey.place)}
+          </p>
           {survey.description && <p class="page__lead">{survey.description}</p>}
-        </div>
-        <div class="row">
-          <Button onClick={() => setBelonging(true)}>{say("members-open")}</Button>
-          {may("operator") && <Button onClick={() => setSorting(true)}>{say("classes-open")}</Button>}
-          {may("operator") && <Button onClick={() => setEditing(true)}>{say("survey-edit")}</Button>}
         </div>
       </header>
       {survey.is_demo && !tour.value && isTourNew() && <TourOffer />}
@@ -70,36 +60,9 @@ export default function SurveyScreen({ surveyId }: ScreenProps) {
         ))}
       </ol>
       <LineScans survey={survey} />
-      <SampleSection key={`${survey.id}.${survey.version}`} survey={survey} edit={() => setSampling(true)} />
-      <Photographs surveyId={survey.id} />
-      {sampling && <SamplingDialog survey={survey} close={() => setSampling(false)} />}
-      {belonging && <MembersDialog surveyId={survey.id} close={() => setBelonging(false)} />}
-      {sorting && <ClassesDialog survey={survey} close={() => setSorting(false)} />}
       {editing && <EditSurvey survey={survey} close={() => setEditing(false)} />}
     </div>
   );
-}
-
-/** Where the site lies and what road it is, as far as that was said. */
-function PlaceOf({ place }: { place: Place }) {
-  const { latitude_deg, longitude_deg, road_class, lane, travel_direction } = place;
-  const { speed_limit_mps, street_lamps, time_zone } = place;
-  const words = [
-    latitude_deg !== null &&
-      longitude_deg !== null &&
-      `${fixed(latitude_deg, 5)}, ${fixed(longitude_deg, 5)}`,
-    road_class,
-    lane,
-    travel_direction,
-    speed_limit_mps !== null && say("place-limit-is", { limit: formatSpeed(speed_limit_mps, null, 0) }),
-    street_lamps && say("place-lamps-are", { lamps: street_lamps }),
-    time_zone,
-  ].filter(Boolean);
-  return words.length > 0 ? (
-    <p class="muted small" data-testid="place-said">
-      {words.join("  ·  ")}
-    </p>
-  ) : null;
 }
 
 /** How traffic goes here, in words; while nobody has said it, why that matters and one click to say it. */
@@ -108,11 +71,7 @@ function TrafficOf({ survey, edit }: { survey: Survey; edit(): void }) {
   if (traffic_side && steering_side && camera_place)
     return (
       <p class="muted" data-testid="traffic-said">
-        {say("survey-traffic", { traffic: traffic_side, steering: steering_side, camera: camera_place })}{" "}
-        {say("survey-asked", {
-          daytime: named(survey.asked.daytime),
-          low_light: named(survey.asked.low_light),
-        })}
+        {trafficWords(survey.traffic)} {askedWords(survey.asked)}
       </p>
     );
   return (
@@ -125,10 +84,6 @@ function TrafficOf({ survey, edit }: { survey: Survey; edit(): void }) {
       )}
     </Notice>
   );
-}
-
-function named(targets: readonly Target[]): string {
-  return allOf(targets.map((target) => TARGET_NOUNS[target]));
 }
 
 /** Line scans are a way of their own, beside the steps that lead to heights; a survey without any says so quietly. */
@@ -153,7 +108,7 @@ function LineScans({ survey }: { survey: Survey }) {
         </span>
         <div class="step__words">
           <h2>
-            <a href={href}>{say("survey-scans")}</a>
+            <a href={href}>{titleOf("scans")}</a>
             <span class="step__state">{scans.state === "done" ? STATE_WORDS.done : STATE_WORDS.to_do}</span>
           </h2>
           <p>{scans.summary}</p>
@@ -180,15 +135,6 @@ function LineScans({ survey }: { survey: Survey }) {
   );
 }
 
-const TITLES: Readonly<Record<Step["key"], string>> = wordsOf({
-  camera: "survey-camera",
-  recordings: "survey-recordings",
-  pose: "survey-pose",
-  vehicles: "survey-vehicles",
-  review: "survey-review",
-  results: "survey-results",
-});
-
 const VERBS: Readonly<Record<Step["key"], string>> = wordsOf({
   camera: "survey-camera-go",
   recordings: "survey-recordings-go",
@@ -200,7 +146,7 @@ const VERBS: Readonly<Record<Step["key"], string>> = wordsOf({
 
 function StepRow({ step, index, survey }: { step: Step; index: number; survey: Survey }) {
   const entry = entryOfStep(step.key);
-  const href = entry?.address(survey.id) ?? `/surveys/${survey.id}`;
+  const href = entry.address(survey.id);
   return (
     <li class={`step step--${step.state}`}>
       <span class="step__number" aria-hidden="true">
@@ -208,7 +154,7 @@ function StepRow({ step, index, survey }: { step: Step; index: number; survey: S
       </span>
       <div class="step__words">
         <h2>
-          <a href={href}>{TITLES[step.key]}</a>
+          <a href={href}>{titleOf(entry.name)}</a>
           <span class="step__state">{STATE_WORDS[step.state]}</span>
         </h2>
         <p>{step.summary}</p>

@@ -1,17 +1,21 @@
 /** Review by lots: what could be drawn, the lots, and one of them with its curve, its progress and its decision in words. */
 import { useState } from "preact/hooks";
 import { Button, Loading, Notice, Problem, TableScroll, TextField } from "../../components";
+import { PageTabs } from "../../components/PageTabs";
 import { query, setQuery } from "../../core/address";
 import { api } from "../../core/api";
 import { say, wordsOf } from "../../core/messages";
+import type { ScreenProps } from "../../core/places";
 import { useResource } from "../../core/resource";
 import { may } from "../../core/session";
 import { refreshSurvey } from "../../core/survey";
+import { reviewTabs } from "../../core/tabs";
 import type { LotSummary, PlannedLot, ShownLot } from "../../core/types";
 import { formatCount } from "../../core/units";
 import { lotWords } from "../../parts/lots/words";
 import { LotPanel } from "./LotPanel";
 import { commonInWords, LOT_STATES } from "./lots";
+import "./checks.css";
 
 const GROUPINGS = ["target", "lighting", "operator", "day"] as const;
 type Grouping = (typeof GROUPINGS)[number];
@@ -37,7 +41,7 @@ const USUAL: Readonly<Record<Risk, string>> = {
   consumer_risk: "10",
 };
 
-export function LotsTab({ surveyId }: { surveyId: number }) {
+export default function LotsScreen({ surveyId }: ScreenProps) {
   const where = { survey_id: surveyId };
   const read = useResource(
     async (signal) => {
@@ -50,25 +54,28 @@ export function LotsTab({ surveyId }: { surveyId: number }) {
     [surveyId],
     { keep: true },
   );
-  if (!read.data)
-    return read.error ? (
-      <Problem error={read.error} again={read.reload} />
-    ) : (
-      <Loading what={say("lots-loading")} />
-    );
-  const { lots, summary } = read.data;
+  const { lots, summary } = read.data ?? { lots: [], summary: null };
   const wanted = Number(query.value.get("lot"));
   const shown = lots.find((one) => one.lot.id === wanted) ?? lots[0];
   const again = async () => {
     await Promise.all([read.reload(), refreshSurvey()]);
   };
   return (
-    <>
-      <Summary summary={summary} />
-      <Draw surveyId={surveyId} changed={read.data} done={again} />
+    <div class="page checks">
+      <header class="page__head">
+        <div>
+          <h1>{say("page-lots")}</h1>
+          <p class="page__lead">{say("lots-lead")}</p>
+        </div>
+      </header>
+      <PageTabs label={say("page-review")} tabs={reviewTabs(surveyId, "lots")} />
+      <Problem error={read.error} again={read.reload} />
+      {!read.data && !read.error && <Loading what={say("lots-loading")} />}
+      {summary && <Summary summary={summary} />}
+      {read.data && <Draw surveyId={surveyId} changed={read.data} done={again} />}
       {lots.length > 0 && <Lots lots={lots} shown={shown} />}
       {shown && <LotPanel key={shown.lot.id} surveyId={surveyId} shown={shown} done={again} />}
-    </>
+    </div>
   );
 }
 
@@ -223,11 +230,11 @@ function Planned({ planned }: { planned: readonly PlannedLot[] }) {
 
 function Lots({ lots, shown }: { lots: readonly ShownLot[]; shown: ShownLot | undefined }) {
   return (
-    <section class="panel" aria-label={say("lots-tab")}>
+    <section class="panel" aria-label={say("page-lots")}>
       <header class="panel__head">
-        <h2>{say("lots-tab")}</h2>
+        <h2>{say("page-lots")}</h2>
       </header>
-      <TableScroll label={say("lots-tab")} class="lots__planned">
+      <TableScroll label={say("page-lots")} class="lots__planned">
         <table class="table" data-testid="lots">
           <thead>
             <tr>
