@@ -1611,6 +1611,7 @@ measure-made = { $made ->
 measure-measurements = Measurements
 measure-target = Measure: { $target }
 measure-target-afresh = Measure again: { $target }
+measure-targets-idle = Not asked for in this survey
 measure-afresh = { $target ->
     [roof] Roof measured again. The previous value is in the history.
     [driver_eye] Driver’s eye measured again. The previous value is in the history.
@@ -3702,6 +3703,7 @@ settings-classes-lead = Which vehicles count as passenger cars, vans and heavy v
 settings-standards-open = Open in Results
 settings-standards-lead = The design heights that the figures are compared with.
 members-open = Members
+members-invite = Invite somebody new
 members-title = Members of the survey
 members-lead = Only members and administrators can see this survey.
 members-lead-open = Everyone who signs in can see this survey and acts with the role of their account. Members have the role shown here.
@@ -3964,6 +3966,11 @@ surveys-vehicles-measured = Vehicles measured
 surveys-heights-reviewed = Heights reviewed
 surveys-scans-reviewed = Scans reviewed
 surveys-scans = Line scans: { $summary }
+surveys-simulated = { $count ->
+    [one] Simulated study: 1 survey
+   *[other] Simulated study: { NUMBER($count) } surveys
+}
+surveys-simulated-help = Nothing was filmed here; the surveys show statistics, standards and <link>studies</link> at work.
 surveys-all-done = All steps done
 surveys-tally = { NUMBER($done) } <muted>of { NUMBER($all) }</muted>
 

@@ -1610,6 +1610,7 @@ measure-made = { $made ->
 measure-measurements = Mesures
 measure-target = Mesurer : { $target }
 measure-target-afresh = Mesurer à nouveau : { $target }
+measure-targets-idle = Non demandé dans ce relevé
 measure-afresh = { $target ->
     [roof] Toit mesuré à nouveau. La valeur précédente est dans l’historique.
     [driver_eye] Œil du conducteur mesuré à nouveau. La valeur précédente est dans l’historique.
@@ -3698,6 +3699,7 @@ settings-classes-lead = Quels véhicules comptent comme voitures particulières,
 settings-standards-open = Ouvrir dans Résultats
 settings-standards-lead = Les hauteurs de projet auxquelles les chiffres sont comparés.
 members-open = Membres
+members-invite = Inviter une personne
 members-title = Membres du relevé
 members-lead = Seuls les membres et les administrateurs voient ce relevé.
 members-lead-open = Toute personne connectée voit ce relevé et y agit selon le rôle de son compte. Les membres ont le rôle indiqué ici.
@@ -3960,6 +3962,11 @@ surveys-vehicles-measured = Véhicules mesurés
 surveys-heights-reviewed = Hauteurs vérifiées
 surveys-scans-reviewed = Balayages vérifiés
 surveys-scans = Balayages : { $summary }
+surveys-simulated = { $count ->
+    [one] Étude simulée : 1 relevé
+   *[other] Étude simulée : { NUMBER($count) } relevés
+}
+surveys-simulated-help = Rien n’a été filmé ici ; ces relevés montrent les statistiques, les normes et les <link>études</link>.
 surveys-all-done = Tout est terminé
 surveys-tally = { NUMBER($done) } <muted>sur { NUMBER($all) }</muted>
 

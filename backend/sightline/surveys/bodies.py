@@ -207,6 +207,7 @@ class SurveyFacts(Out):
     site: str
     description: str
     is_demo: bool
+    simulated: bool
     open_to_all: bool
     version: int
     created_at: datetime

@@ -33,6 +33,7 @@ const survey: Survey = {
   site: "",
   description: "",
   is_demo: false,
+  simulated: false,
   open_to_all: false,
   my_role: "manager",
   version: 1,
@@ -179,6 +180,17 @@ describe("the surveys", () => {
     expect(text()).toContain("3 of 4");
     expect(text()).toContain("7 of 9");
     expect(text()).toContain("Drop the day's video here.");
+  });
+
+  it("stand above those that were never filmed", async () => {
+    const drawn = { ...survey, id: 6, name: "Invented road A", simulated: true };
+    answers = { "/session": person("operator"), "/surveys": [drawn, survey], "/jobs": [] };
+    show("/");
+    await shown("Rouen south");
+    expect(document.querySelectorAll(".card").length).toBe(1);
+    const below = document.querySelector<HTMLDetailsElement>("[data-testid=simulated]");
+    expect(below?.open).toBe(false);
+    expect(below?.querySelector("a[href='/surveys/6']")?.textContent).toBe("Invented road A");
   });
 
   it("show the demonstration survey while it is made, also while its job waits", async () => {

@@ -24,22 +24,26 @@ export function MeasurementList({ model }: { model: MeasureModel }) {
   const open = useSignal<string | null>(null);
   const detail = (entry: Entry) =>
     open.value === entry.key && <MeasurementDetail model={model} entry={entry} />;
+  const ownOf = (target: Target) => entries.filter((entry) => entry.values.target === target);
+  const idle = TARGETS.filter(
+    (target) => !isAsked(model, target) && model.flow.value.target !== target && ownOf(target).length === 0,
+  );
   return (
     <section class="heights" aria-label={say("measure-measurements")}>
       <ul>
-        {TARGETS.map((target, i) => {
-          const own = entries.filter((entry) => entry.values.target === target);
+        {TARGETS.map((target) => {
+          if (idle.includes(target)) return null;
+          const own = ownOf(target);
           return (
             <li key={target} class={isAsked(model, target) ? "" : "heights__optional"}>
               {own.length === 0 ? (
-                <Row model={model} target={target} index={i} entry={null} open={false} />
+                <Row model={model} target={target} entry={null} open={false} />
               ) : (
                 own.map((entry) => (
                   <div key={entry.key}>
                     <Row
                       model={model}
                       target={target}
-                      index={i}
                       entry={entry}
                       open={open.value === entry.key}
                       onOpen={() => {
@@ -57,6 +61,13 @@ export function MeasurementList({ model }: { model: MeasureModel }) {
             </li>
           );
         })}
+        {idle.length > 0 && (
+          <li class="heights__idle" title={say("measure-targets-idle")}>
+            {idle.map((target) => (
+              <TargetButton key={target} model={model} target={target} again={false} />
+            ))}
+          </li>
+        )}
       </ul>
     </section>
   );
@@ -69,37 +80,49 @@ function isAsked(model: MeasureModel, target: Target): boolean {
 interface RowProps {
   model: MeasureModel;
   target: Target;
-  index: number;
   entry: Entry | null;
   open: boolean;
   onOpen?(): void;
 }
 
-function Row({ model, target, index, entry, open, onOpen }: RowProps) {
+interface TargetButtonProps {
+  model: MeasureModel;
+  target: Target;
+  /** There is a height of it already. */
+  again: boolean;
+}
+
+/** Chooses what the next click measures. */
+function TargetButton({ model, target, again }: TargetButtonProps) {
+  return (
+    <button
+      type="button"
+      class="height-row__target"
+      data-testid={`target-${target}`}
+      aria-pressed={model.flow.value.target === target}
+      disabled={!canWork.value}
+      title={say(again ? "measure-target-afresh" : "measure-target", { target: TARGET_NOUNS[target] })}
+      onClick={() => {
+        model.dispatch({ type: "choose", target });
+        model.stage.focus();
+      }}
+    >
+      <kbd>{keyOf(TARGETS.indexOf(target))}</kbd>
+      <span>{TARGET_WORDS[target]}</span>
+    </button>
+  );
+}
+
+function Row({ model, target, entry, open, onOpen }: RowProps) {
   const active = model.flow.value.target === target;
   const selected = entry !== null && model.flow.value.selection?.key === entry.key;
-  const key = keyOf(index);
   return (
     <div
       class={`height-row${active ? " height-row--active" : ""}${selected ? " height-row--selected" : ""}`}
       data-testid={`measurement-row-${target}`}
       data-state={entry?.state ?? "missing"}
     >
-      <button
-        type="button"
-        class="height-row__target"
-        data-testid={`target-${target}`}
-        aria-pressed={active}
-        disabled={!canWork.value}
-        title={say(entry ? "measure-target-afresh" : "measure-target", { target: TARGET_NOUNS[target] })}
-        onClick={() => {
-          model.dispatch({ type: "choose", target });
-          model.stage.focus();
-        }}
-      >
-        <kbd>{key}</kbd>
-        <span>{TARGET_WORDS[target]}</span>
-      </button>
+      <TargetButton model={model} target={target} again={entry !== null} />
       {entry ? (
         <button
           type="button"

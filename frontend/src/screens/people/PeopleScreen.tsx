@@ -8,10 +8,10 @@ import { may, me } from "../../core/session";
 import { formatAgo } from "../../core/times";
 import { type Person, ROLE_NAMES, type Role } from "../../core/types";
 import { STATE_WORDS } from "../../core/words";
-import { AddPerson } from "./AddPerson";
+import { AddPerson } from "../../parts/people/AddPerson";
 import "./people.css";
-import { DOES, ROLES, roleOptions } from "./roles";
-import { type Invitation, ShowLink } from "./ShowLink";
+import { DOES, ROLES, roleOptions } from "../../parts/people/roles";
+import { type Invitation, ShowLink } from "../../parts/people/ShowLink";
 
 /** Accounts and roles, for administrators. */
 export default function PeopleScreen() {

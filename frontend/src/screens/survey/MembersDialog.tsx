@@ -10,9 +10,12 @@ import {
   type Candidate,
   type Member,
   type Members,
+  type Person,
   SURVEY_ROLE_NAMES,
   type SurveyRole,
 } from "../../core/types";
+import { AddPerson } from "../../parts/people/AddPerson";
+import { type Invitation, ShowLink } from "../../parts/people/ShowLink";
 
 const DOES: Readonly<Record<SurveyRole, string>> = wordsOf({
   viewer: "members-does-viewer",
@@ -38,6 +41,8 @@ export function MembersDialog({ surveyId, close }: { surveyId: number; close: ()
     [surveyId, manages],
   );
   const [problem, setProblem] = useState<unknown>(null);
+  const [inviting, setInviting] = useState(false);
+  const [invitation, setInvitation] = useState<Invitation | null>(null);
   const run = async (work: () => Promise<Members>) => {
     setProblem(null);
     try {
@@ -72,7 +77,18 @@ export function MembersDialog({ surveyId, close }: { surveyId: number; close: ()
     run(() =>
       api.write("PUT /surveys/{survey_id}/open-to-all", { survey_id: surveyId }, { body: { open_to_all } }),
     );
+  /** Who is new to Sightline is a member at once: an invitation alone shows them no survey. */
+  const invited = async (made: Invitation, person: Person) => {
+    setInviting(false);
+    await put(person.id, person.role === "admin" ? "manager" : person.role);
+    setInvitation(made);
+  };
   const data = found.data;
+  if (inviting)
+    return (
+      <AddPerson close={() => setInviting(false)} added={(made, person) => void invited(made, person)} />
+    );
+  if (invitation) return <ShowLink invitation={invitation} close={() => setInvitation(null)} />;
   return (
     <Dialog wide title={say("members-title")} onClose={close}>
       <Problem error={problem} />
@@ -96,6 +112,11 @@ export function MembersDialog({ surveyId, close }: { surveyId: number; close: ()
             <MemberTable members={data.members} manages={manages} put={put} remove={remove} />
           )}
           {manages && others.data && <AddMember others={others.data} add={put} />}
+          {me.value?.person.role === "admin" && (
+            <Button small onClick={() => setInviting(true)}>
+              {say("members-invite")}
+            </Button>
+          )}
         </>
       )}
     </Dialog>

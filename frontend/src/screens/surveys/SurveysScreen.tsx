@@ -52,7 +52,8 @@ function SurveyList({ surveys, lastDemo, children }: SurveyListProps) {
   const make = () => setMaking(true);
   const demoJob = lastDemo && !isOver(lastDemo) ? lastDemo : null;
   const demo = surveys.find((survey) => survey.is_demo) ?? null;
-  const listed = surveys.filter((survey) => !(demoJob && survey.is_demo));
+  const listed = surveys.filter((survey) => !survey.simulated && !(demoJob && survey.is_demo));
+  const simulated = surveys.filter((survey) => survey.simulated && !survey.is_demo);
   const nothing = surveys.length === 0 && !demoJob;
   const onlyDemo = surveys.every((survey) => survey.is_demo);
   return (
@@ -71,6 +72,7 @@ function SurveyList({ surveys, lastDemo, children }: SurveyListProps) {
         <Notice kind="problem">{lastDemo.error ?? say("surveys-demo-failed")}</Notice>
       )}
       {nothing ? <NoSurvey make={make} /> : <Cards demoJob={demoJob} surveys={listed} />}
+      {simulated.length > 0 && <Simulated surveys={simulated} />}
       {onlyDemo && demo && may("operator") && <p class="muted">{say("surveys-demo-first")}</p>}
       {making && <NewSurvey close={() => setMaking(false)} />}
     </div>
@@ -108,6 +110,25 @@ function Cards({ demoJob, surveys }: { demoJob: Job | null; surveys: readonly Su
         </li>
       ))}
     </ul>
+  );
+}
+
+/** Surveys that were never filmed stand below those that were. */
+function Simulated({ surveys }: { surveys: readonly Survey[] }) {
+  return (
+    <details class="panel panel__body" data-testid="simulated">
+      <summary>{say("surveys-simulated", { count: surveys.length })}</summary>
+      <p class="muted small">
+        <Said what="surveys-simulated-help" parts={{ link: (text) => <a href="/studies">{text}</a> }} />
+      </p>
+      <ul>
+        {surveys.map((survey) => (
+          <li key={survey.id}>
+            <a href={`/surveys/${survey.id}`}>{survey.name}</a>
+          </li>
+        ))}
+      </ul>
+    </details>
   );
 }
 

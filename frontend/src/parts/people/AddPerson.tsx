@@ -2,11 +2,17 @@ import { useState } from "preact/hooks";
 import { FormDialog, SelectField, TextField } from "../../components";
 import { api } from "../../core/api";
 import { say } from "../../core/messages";
-import type { Role } from "../../core/types";
+import type { Person, Role } from "../../core/types";
 import { DOES, roleOptions } from "./roles";
 import type { Invitation } from "./ShowLink";
 
-export function AddPerson({ close, added }: { close: () => void; added: (made: Invitation) => void }) {
+export function AddPerson({
+  close,
+  added,
+}: {
+  close: () => void;
+  added: (made: Invitation, person: Person) => void;
+}) {
   const [name, setName] = useState("");
   const [email, setEmail] = useState("");
   const [role, setRole] = useState<Role>("operator");
@@ -28,7 +34,7 @@ export function AddPerson({ close, added }: { close: () => void; added: (made: I
         },
       },
     );
-    added({ name: made.person.name, link: made.link });
+    added({ name: made.person.name, link: made.link }, made.person);
   };
   return (
     <FormDialog title={say("people-add")} action={say("people-add-action")} onClose={close} submit={submit}>
