@@ -52,8 +52,8 @@ function SurveyList({ surveys, lastDemo, children }: SurveyListProps) {
   const make = () => setMaking(true);
   const demoJob = lastDemo && !isOver(lastDemo) ? lastDemo : null;
   const demo = surveys.find((survey) => survey.is_demo) ?? null;
-  const listed = surveys.filter((survey) => !survey.simulated && !(demoJob && survey.is_demo));
   const simulated = surveys.filter((survey) => survey.simulated && !survey.is_demo);
+  const listed = surveys.filter((survey) => !simulated.includes(survey) && !(demoJob && survey.is_demo));
   const nothing = surveys.length === 0 && !demoJob;
   const onlyDemo = surveys.every((survey) => survey.is_demo);
   return (
