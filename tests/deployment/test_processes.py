@@ -36,6 +36,7 @@ def environment() -> Iterator[dict[str, str]]:
         "SIGHTLINE_MEDIA_URL": f"s3://sightline?endpoint={endpoint}",
         "SIGHTLINE_SECRET": "thirty-two characters at the least",
         "SIGHTLINE_SIGNING_KEY": "5e" * 32,
+        "SIGHTLINE_ADDRESS": "https://heights.example.org",
         "SIGHTLINE_WORKERS": "0",
     }
     storage.stop()
@@ -54,6 +55,7 @@ def test_app_and_worker_share_postgresql_and_storage(
         app.wait()
         client = Client(app.url)
         client.sign_in(app.sign_in_link())
+        assert f"with {environment['SIGHTLINE_ADDRESS']}/sign-in?token=" in app.log.read_text()
         survey = client.post("/surveys", name="Agency", site="", description="")
         recording = client.upload(survey["id"], clip)
         assert client.get(f"/recordings/{recording}")["state"] == "ingesting"

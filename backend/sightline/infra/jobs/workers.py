@@ -21,6 +21,7 @@ from uuid import uuid4
 
 from sightline.errors import SightlineError
 from sightline.infra.database.engine import make_engine, migrate, session_factory
+from sightline.infra.installation import require_alike, show_settings
 from sightline.infra.jobs.engine import engine_of
 from sightline.infra.jobs.recovery import take_back
 from sightline.infra.jobs.runner import Runner
@@ -42,6 +43,7 @@ def run_workers(settings: Settings, *, parent: int | None = None, load_handlers:
         keep_private(settings)
         engine = make_engine(settings.database_url)
         migrate(engine)
+        require_alike(engine, settings, app=False)
         engine.dispose()
         load_handlers()
     Supervisor(settings, parent).run()
@@ -228,6 +230,7 @@ def be_worker(settings: Settings, name: str, orders: socket.socket, *, short_onl
         signal.signal(signal.SIGTERM, signal.SIG_DFL)
         # This process is itself the one that a hostile file may end.
         services = open_services(settings, decode_in_child=False)
+        show_settings(services.engine, settings, app=False)
         engine_of(services.engine.dialect.name).work(Runner(services, name), orders, short_only=short_only)
         status = 0
     except SightlineError as error:
