@@ -35,6 +35,10 @@ class Settings(BaseSettings):
     #: where uploads are gathered: one folder of all app processes, so that any of them goes on; in the data
     #: folder, unless named
     uploads_dir: Path = Field(default_factory=lambda data: _absolute(data) / "uploads")
+    #: the PostgreSQL role that serves and owns nothing: `sightline migrate` by the owner gives it its rights
+    serving_role: str = ""
+    #: with it `sightline migrate` makes that role, or gives it this password
+    serving_password: SecretStr | None = None
     frontend_dir: Path = Field(default_factory=default_frontend_dir)
     #: where people find it, as https://heights.example.org: printed in front of sign-in links
     address: str = ""

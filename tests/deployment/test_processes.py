@@ -1,6 +1,7 @@
 """The processes of docker-compose.yml run by hand: app without a worker, PostgreSQL, S3, a worker beside."""
 
 import os
+import socket
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -66,6 +67,10 @@ def test_app_and_worker_share_postgresql_and_storage(
         assert still.status_code == 200, still.text
         assert read_number(read_image_bgr(still.content, "17.jpg")) == 17
         client.http.close()
+        # what the compose file's health check of a worker looks at, from its start to its end
+        alive = tmp_path / "worker" / f"worker-{socket.gethostname()}.alive"
+        assert alive.is_file()
     finally:
         for one in reversed(running):
             one.stop()
+    assert not alive.exists()

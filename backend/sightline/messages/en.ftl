@@ -4629,6 +4629,7 @@ database-file-not-database-program-give-right = This file is not a Sightline dat
 database-damaged = The database is damaged: parts of its file hold something else. Stop the server, keep a copy of the data folder, and restore the last backup (sightline restore).
 database-read-only-with-log = { $path } cannot be written, and its last changes are still in the file beside it that ends in -wal; copy the folder to a disk that can be written, and give that.
 database-damaged-tables = The database is damaged in { $tables }; its { $whole } other tables can be read. Stop the server, keep a copy of the data folder, and restore the last backup (sightline restore).
+database-account-lacks-rights = The database’s account lacks a right that this needs; run `sightline migrate` with the account that owns the tables.
 database-no-migrations-set-sightline-migrations-folder = There are no migrations in { $folder }; set SIGHTLINE_MIGRATIONS to the folder that has them.
 database-database-made-newer-version-update-one = The database was made by a newer version; update this one before opening it.
 database-no-may-been-removed-go-back = There is no { $word }{ $number }; it may have been removed. Go back and choose another.

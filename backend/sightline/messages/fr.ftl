@@ -4626,6 +4626,7 @@ database-file-not-database-program-give-right = Ce fichier n’est pas une base 
 database-damaged = La base de données est endommagée : des parties de son fichier contiennent autre chose. Arrêtez le serveur, gardez une copie du dossier de données et restaurez la dernière sauvegarde (sightline restore).
 database-read-only-with-log = { $path } est en lecture seule, et ses derniers changements sont encore dans le fichier voisin qui finit par -wal ; copiez le dossier sur un disque inscriptible et indiquez celui-là.
 database-damaged-tables = La base de données est endommagée dans { $tables } ; ses { $whole } autres tables sont lisibles. Arrêtez le serveur, gardez une copie du dossier de données et restaurez la dernière sauvegarde (sightline restore).
+database-account-lacks-rights = Il manque au compte de la base de données un droit nécessaire ici ; exécutez `sightline migrate` avec le compte qui possède les tables.
 database-no-migrations-set-sightline-migrations-folder = Il n’y a pas de migrations dans { $folder } ; réglez SIGHTLINE_MIGRATIONS sur le dossier qui les contient.
 database-database-made-newer-version-update-one = La base de données a été faite par une version plus récente ; mettez celle-ci à jour avant de l’ouvrir.
 database-no-may-been-removed-go-back = Introuvable : { $word ->

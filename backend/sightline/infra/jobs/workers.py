@@ -35,6 +35,8 @@ TICK_S = 0.2
 STOP_S = 2.0
 #: a process that ended sooner than this, without a job, is not replaced at once
 SHORT_LIFE_S = 1.0
+#: how often a supervisor shows that it lives
+ALIVE_EVERY_S = 5.0
 
 
 def run_workers(settings: Settings, *, parent: int | None = None, load_handlers: Callable[[], None]) -> None:
@@ -65,6 +67,11 @@ def ending_with(parent: int | None) -> Iterator[None]:
     yield
     signal.setitimer(signal.ITIMER_REAL, 0)
     signal.signal(signal.SIGALRM, signal.SIG_DFL)
+
+
+def alive_file(settings: Settings) -> Path:
+    """Touched every few seconds by the supervisor of this machine that `sightline worker` is."""
+    return settings.data_dir / f"worker-{socket.gethostname()}.alive"
 
 
 def worker_name() -> str:
@@ -125,6 +132,7 @@ class Supervisor:
         self._processes: list[WorkerProcess] = []
         self._ended: list[WorkerProcess] = []
         self._fork_after = 0.0
+        self._show_after = 0.0
         self._stopping = False
 
     def run(self) -> None:
@@ -137,6 +145,7 @@ class Supervisor:
             while not self._is_over() and not self._may_start():
                 time.sleep(TICK_S)
         while not self._is_over():
+            self._show_life()
             self._fill()
             self._trying(self._hand_out)
             self._listen(TICK_S)
@@ -155,6 +164,13 @@ class Supervisor:
         except SightlineError as error:
             log.warning("%s", error.message)
             return False
+
+    def _show_life(self) -> None:
+        """For who looks from outside whether it still goes round: the time of a file."""
+        if self.parent is None and time.monotonic() >= self._show_after:
+            self._show_after = time.monotonic() + ALIVE_EVERY_S
+            with suppress(OSError):  # a full disk
+                alive_file(self.settings).touch()
 
     def _fill(self) -> None:
         for short_only, places in ((False, max(1, self.settings.workers)), (True, 1)):
@@ -210,6 +226,8 @@ class Supervisor:
     def _end(self) -> None:
         """Stop the processes, the slow ones after two seconds; their jobs wait for the next worker."""
         self._stopping = True
+        if self.parent is None:
+            alive_file(self.settings).unlink(missing_ok=True)
         for process in self._processes:
             with suppress(ProcessLookupError):
                 os.kill(process.pid, signal.SIGTERM)
