@@ -20,11 +20,12 @@ COPY migrations/ migrations/
 ARG SIGHTLINE_VERSION=
 RUN SETUPTOOLS_SCM_PRETEND_VERSION_FOR_SIGHTLINE=$SIGHTLINE_VERSION \
     pip install --no-cache-dir --no-deps --no-build-isolation --editable . \
- && useradd --create-home --uid 10001 sightline && mkdir /data && chown sightline /data
+ && useradd --create-home --uid 10001 sightline && mkdir /data /backup && chown sightline /data /backup
 COPY --from=web /sightline/frontend/dist frontend/dist
 USER sightline
 VOLUME /data
 EXPOSE 8000
-HEALTHCHECK --interval=10s --timeout=3s --start-period=20s \
-  CMD ["python", "-c", "import urllib.request as u; u.urlopen('http://127.0.0.1:8000/api/ready', timeout=2)"]
+# each part of it has two seconds to answer in
+HEALTHCHECK --interval=10s --timeout=6s --start-period=30s \
+  CMD ["python", "-c", "import urllib.request as u; u.urlopen('http://127.0.0.1:8000/api/ready', timeout=5)"]
 CMD ["sightline", "serve"]

@@ -182,7 +182,8 @@ wheel: setup
 
 # The images of docker-compose.yml, which hold no repository: the version is told to them.
 image:
-	@SIGHTLINE_VERSION="$$($(BIN)/sightline --version | sed 's/.* //')" docker compose build
+	@commit=$$(git rev-parse --short=12 HEAD) && number=$$(git describe --tags --abbrev=0 2>/dev/null | sed 's/^v//'); \
+	 SIGHTLINE_VERSION="$${number:-0.1.0}+g$${commit:?}$$(git diff --quiet HEAD || echo .dirty)" docker compose build
 
 clean:
 	rm -rf .venv .build build dist frontend/node_modules frontend/dist

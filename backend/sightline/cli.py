@@ -16,6 +16,7 @@ COMMANDS = {
     "serve": "sightline.commands.serve:serve",
     "demo": "sightline.commands.demo:demo",
     "worker": "sightline.commands.worker:worker",
+    "migrate": "sightline.commands.migrate:migrate",
     "sign-in-link": "sightline.commands.sign_in_link:sign_in_link",
     "board": "sightline.commands.board:board",
     "calibrate": "sightline.commands.geometry:calibrate",

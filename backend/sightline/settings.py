@@ -32,7 +32,16 @@ class Settings(BaseSettings):
     database_url: str = Field(default_factory=lambda data: sqlite_url(_absolute(data) / "sightline.db"))
     #: a folder in the data folder, unless named
     media_url: str = Field(default_factory=lambda data: str(_absolute(data) / "media"))
+    #: where uploads are gathered: one folder of all app processes, so that any of them goes on; in the data
+    #: folder, unless named
+    uploads_dir: Path = Field(default_factory=lambda data: _absolute(data) / "uploads")
+    #: the PostgreSQL role that serves and owns nothing: `sightline migrate` by the owner gives it its rights
+    serving_role: str = ""
+    #: with it `sightline migrate` makes that role, or gives it this password
+    serving_password: SecretStr | None = None
     frontend_dir: Path = Field(default_factory=default_frontend_dir)
+    #: where people find it, as https://heights.example.org: printed in front of sign-in links
+    address: str = ""
     #: signs the session cookies; without it the data folder keeps one of its own
     secret: SecretStr | None = None
     #: signs audit checkpoints (64 hexadecimal digits), where several machines share it; without it the data

@@ -28,14 +28,15 @@ def accounts(tmp_path: Path, database_url: str, monkeypatch: pytest.MonkeyPatch)
 
 
 def test_the_link_works_once_ends_older_ones_and_is_audited(
-    accounts: Engine, capsys: pytest.CaptureFixture[str]
+    accounts: Engine, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
+    monkeypatch.setenv("SIGHTLINE_ADDRESS", "https://heights.example.org/")
     factory = session_factory(accounts)
     with writing(factory) as session:
         older = create_sign_in_link(session, 1, actor=None)
     assert main(["sign-in-link", " Ada@Example.org "]) == 0
     said = capsys.readouterr().out
-    assert said.count("\n") == 1 and "/sign-in?token=" in said
+    assert said.count("\n") == 1 and " https://heights.example.org/sign-in?token=" in said
     token = said.strip().partition("token=")[2]
     with reading(factory) as session:
         event = trail.listing(session, entity="sign_in_link", limit=1)[0]

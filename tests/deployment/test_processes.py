@@ -1,6 +1,7 @@
 """The processes of docker-compose.yml run by hand: app without a worker, PostgreSQL, S3, a worker beside."""
 
 import os
+import socket
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -36,6 +37,7 @@ def environment() -> Iterator[dict[str, str]]:
         "SIGHTLINE_MEDIA_URL": f"s3://sightline?endpoint={endpoint}",
         "SIGHTLINE_SECRET": "thirty-two characters at the least",
         "SIGHTLINE_SIGNING_KEY": "5e" * 32,
+        "SIGHTLINE_ADDRESS": "https://heights.example.org",
         "SIGHTLINE_WORKERS": "0",
     }
     storage.stop()
@@ -54,6 +56,7 @@ def test_app_and_worker_share_postgresql_and_storage(
         app.wait()
         client = Client(app.url)
         client.sign_in(app.sign_in_link())
+        assert f"with {environment['SIGHTLINE_ADDRESS']}/sign-in?token=" in app.log.read_text()
         survey = client.post("/surveys", name="Agency", site="", description="")
         recording = client.upload(survey["id"], clip)
         assert client.get(f"/recordings/{recording}")["state"] == "ingesting"
@@ -64,6 +67,10 @@ def test_app_and_worker_share_postgresql_and_storage(
         assert still.status_code == 200, still.text
         assert read_number(read_image_bgr(still.content, "17.jpg")) == 17
         client.http.close()
+        # what the compose file's health check of a worker looks at, from its start to its end
+        alive = tmp_path / "worker" / f"worker-{socket.gethostname()}.alive"
+        assert alive.is_file()
     finally:
         for one in reversed(running):
             one.stop()
+    assert not alive.exists()

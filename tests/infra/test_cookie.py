@@ -7,7 +7,8 @@ import pytest
 from fastapi import Request, Response
 
 from sightline.infra.database.types import now
-from sightline.infra.web.cookie import BELIEVED_S, MAX_AGE_S, SignIn
+from sightline.infra.services import BELIEVED_S
+from sightline.infra.web.cookie import MAX_AGE_S, SignIn
 from sightline.infra.web.person import Person
 
 ANNA = Person(

@@ -11,7 +11,7 @@ from sightline.app import create_app
 from sightline.infra.audit.tables import audit_events
 from sightline.infra.database.types import now
 from sightline.infra.limits.store import Limit
-from sightline.infra.services import Services
+from sightline.infra.services import BELIEVED_S, Services
 from sightline.infra.web import bearer
 from sightline.people import token_store
 from sightline.people.tables import api_tokens
@@ -72,7 +72,7 @@ def test_a_revoked_token_ends_at_once_and_in_other_processes_soon(
     assert here.get("/surveys").status_code == there.get("/surveys").status_code == 200
     operator.delete(f"/session/tokens/{token_id}")
     assert here.get("/surveys").status_code == 401
-    clock[0] = bearer.BELIEVED_S + 0.01
+    clock[0] = BELIEVED_S + 0.01
     refused = there.get("/surveys")
     assert refused.status_code == 401 and "token" in error_of(refused)
     assert operator.delete(f"/session/tokens/{token_id}").status_code == 404

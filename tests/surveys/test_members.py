@@ -6,9 +6,9 @@ from sqlalchemy import select
 
 from sightline.infra.audit.tables import audit_events
 from sightline.infra.database.types import metadata
-from sightline.infra.services import Services
+from sightline.infra.services import BELIEVED_S, Services
 from sightline.infra.slices import load_tables
-from sightline.infra.web.access import BELIEVED_S, THINGS, Access
+from sightline.infra.web.access import THINGS, Access
 from sightline.surveys.members import store as members
 from tests.support import samples
 from tests.support.app import Client, error_of

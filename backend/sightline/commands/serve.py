@@ -94,6 +94,7 @@ def serve_on(
     from sightline.app import create_app
     from sightline.infra.audit.guards import require_guards
     from sightline.infra.database.engine import explained, make_engine, migrate
+    from sightline.infra.installation import require_alike
     from sightline.infra.jobs.workers import start_child_workers
     from sightline.infra.log import begin_log
     from sightline.infra.page_watch import PageWatch
@@ -113,6 +114,7 @@ def serve_on(
     engine.dispose()
     services = open_services(settings)
     stack.callback(services.close)
+    require_alike(services.engine, settings, app=True)
     services.part(PageWatch).require_whole()
     link = first_sign_in_link(services)
     if with_demo:
@@ -131,7 +133,7 @@ def serve_on(
 
     gc.freeze()
     gc.enable()
-    answer(listener, web_config(app, settings), link, answering)
+    answer(listener, web_config(app, settings), link, answering, settings.address)
 
 
 def only_server(folder: Path) -> IO[bytes]:
@@ -183,9 +185,11 @@ def answer(
     config: uvicorn.Config,
     link: str | None,
     answering: Callable[[], None] | None = None,
+    site: str = "",
 ) -> None:
     """Say where we are and run the web server until it is told to stop.
 
+    `site` is the address that people know it by, where it is another than the one it listens on;
     `answering` is called a moment after requests are taken: whoever waited for the start comes first.
     """
     import uvicorn
@@ -201,7 +205,7 @@ def answer(
     address = f"http://{shown}:{port}"
     click.echo(f"Sightline is at {address} (stop with Ctrl+C).")
     if link is not None:
-        click.echo(f"Sign in for the first time, once, with {address}{link}")
+        click.echo(f"Sign in for the first time, once, with {site.rstrip('/') or address}{link}")
     # uvicorn raises the signal that ended it once more: taken as Ctrl+C, so that what we opened is closed.
     signal.signal(signal.SIGTERM, signal.default_int_handler)
     with suppress(KeyboardInterrupt):

@@ -22,4 +22,5 @@ def sign_in_link(email: str, data_dir: Path | None) -> None:
 
     with opened_services(data_dir) as services:
         link = new_sign_in_link(services, email)
-    click.echo(f"Open this page of your Sightline, once: {link}")
+        address = services.settings.address.rstrip("/")
+    click.echo(f"Open this page of your Sightline, once: {address}{link}")

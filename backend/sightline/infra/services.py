@@ -29,6 +29,8 @@ from sightline.media.video.decode_host import DecodeHost
 from sightline.media.video.frames import FrameServer
 from sightline.settings import Settings
 
+#: how long a process may still believe what it read when another changed it; there, changes count at once
+BELIEVED_S = 2.0
 FRAME_MEMORY_BYTES = 256 * 1024**2
 FRAME_DISK_BYTES = 2 * 1024**3
 _SCRATCH = "scratch"

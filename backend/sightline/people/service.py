@@ -212,7 +212,8 @@ def link_path(token: str) -> str:
 def first_sign_in_link(services: Services) -> str | None:
     """The path of a fresh one-time link for an admin who never signed in; None otherwise.
 
-    Makes that admin where there is no account at all. Each call ends the link made by the call before.
+    Makes that admin where there is no account at all. Links made before stay good until one of them is used:
+    another process may have printed it, or this one before it was started again.
     """
     with services.writing() as session:
         everybody = list_people(session)
@@ -224,7 +225,7 @@ def first_sign_in_link(services: Services) -> str | None:
             if len(admins) != 1 or admins[0].has_password or admins[0].last_seen_at is not None:
                 return None
             first = admins[0]
-        return link_path(create_sign_in_link(session, first.id, actor=None))
+        return link_path(create_sign_in_link(session, first.id, actor=None, beside_others=True))
 
 
 def new_sign_in_link(services: Services, email: str) -> str:

@@ -125,16 +125,21 @@ def note_person_seen(session: Session, person_id: int) -> None:
 
 
 def create_sign_in_link(
-    session: Session, person_id: int, *, actor: int | None, valid_for: timedelta = LINK_LIFETIME
+    session: Session,
+    person_id: int,
+    *,
+    actor: int | None,
+    valid_for: timedelta = LINK_LIFETIME,
+    beside_others: bool = False,
 ) -> str:
-    """Make a one-time sign-in link and return its token; only the token's hash is stored. Older ones end."""
+    """Make a one-time sign-in link and return its token; only the token's hash is stored.
+
+    Older ones end, now or (`beside_others`) as soon as one of them all is used.
+    """
     person = get_person(session, person_id)
     token, moment = secrets.token_urlsafe(32), now()
-    session.execute(
-        sql_update(sign_in_links)
-        .where(sign_in_links.c.person_id == person_id, sign_in_links.c.used_at.is_(None))
-        .values(expires_at=moment)
-    )
+    if not beside_others:
+        _end_links(session, person_id)
     values = {"person_id": person_id, "created_at": moment, "expires_at": moment + valid_for}
     link_id = add_row(session, sign_in_links, {**values, "token_hash": _token_hash(token)})
     after = {"person_id": person_id, "email": person.email, "expires_at": moment + valid_for}
@@ -153,8 +158,17 @@ def use_sign_in_link(session: Session, token: str) -> Person:
     if not person.active:
         raise refused
     change_row(session, sign_in_links, link["id"], {"used_at": now()})
+    _end_links(session, person.id)
     trail.record(session, person.id, "use", "sign_in_link", link["id"], None)
     return person
+
+
+def _end_links(session: Session, person_id: int) -> None:
+    session.execute(
+        sql_update(sign_in_links)
+        .where(sign_in_links.c.person_id == person_id, sign_in_links.c.used_at.is_(None))
+        .values(expires_at=now())
+    )
 
 
 def _token_hash(token: str) -> str:

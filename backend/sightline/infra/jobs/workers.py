@@ -21,6 +21,7 @@ from uuid import uuid4
 
 from sightline.errors import SightlineError
 from sightline.infra.database.engine import make_engine, migrate, session_factory
+from sightline.infra.installation import require_alike, show_settings
 from sightline.infra.jobs.engine import engine_of
 from sightline.infra.jobs.recovery import take_back
 from sightline.infra.jobs.runner import Runner
@@ -34,6 +35,8 @@ TICK_S = 0.2
 STOP_S = 2.0
 #: a process that ended sooner than this, without a job, is not replaced at once
 SHORT_LIFE_S = 1.0
+#: how often a supervisor shows that it lives
+ALIVE_EVERY_S = 5.0
 
 
 def run_workers(settings: Settings, *, parent: int | None = None, load_handlers: Callable[[], None]) -> None:
@@ -42,6 +45,7 @@ def run_workers(settings: Settings, *, parent: int | None = None, load_handlers:
         keep_private(settings)
         engine = make_engine(settings.database_url)
         migrate(engine)
+        require_alike(engine, settings, app=False)
         engine.dispose()
         load_handlers()
     Supervisor(settings, parent).run()
@@ -63,6 +67,11 @@ def ending_with(parent: int | None) -> Iterator[None]:
     yield
     signal.setitimer(signal.ITIMER_REAL, 0)
     signal.signal(signal.SIGALRM, signal.SIG_DFL)
+
+
+def alive_file(settings: Settings) -> Path:
+    """Touched every few seconds by the supervisor of this machine that `sightline worker` is."""
+    return settings.data_dir / f"worker-{socket.gethostname()}.alive"
 
 
 def worker_name() -> str:
@@ -123,6 +132,7 @@ class Supervisor:
         self._processes: list[WorkerProcess] = []
         self._ended: list[WorkerProcess] = []
         self._fork_after = 0.0
+        self._show_after = 0.0
         self._stopping = False
 
     def run(self) -> None:
@@ -135,6 +145,7 @@ class Supervisor:
             while not self._is_over() and not self._may_start():
                 time.sleep(TICK_S)
         while not self._is_over():
+            self._show_life()
             self._fill()
             self._trying(self._hand_out)
             self._listen(TICK_S)
@@ -153,6 +164,13 @@ class Supervisor:
         except SightlineError as error:
             log.warning("%s", error.message)
             return False
+
+    def _show_life(self) -> None:
+        """For who looks from outside whether it still goes round: the time of a file."""
+        if self.parent is None and time.monotonic() >= self._show_after:
+            self._show_after = time.monotonic() + ALIVE_EVERY_S
+            with suppress(OSError):  # a full disk
+                alive_file(self.settings).touch()
 
     def _fill(self) -> None:
         for short_only, places in ((False, max(1, self.settings.workers)), (True, 1)):
@@ -208,6 +226,8 @@ class Supervisor:
     def _end(self) -> None:
         """Stop the processes, the slow ones after two seconds; their jobs wait for the next worker."""
         self._stopping = True
+        if self.parent is None:
+            alive_file(self.settings).unlink(missing_ok=True)
         for process in self._processes:
             with suppress(ProcessLookupError):
                 os.kill(process.pid, signal.SIGTERM)
@@ -228,6 +248,7 @@ def be_worker(settings: Settings, name: str, orders: socket.socket, *, short_onl
         signal.signal(signal.SIGTERM, signal.SIG_DFL)
         # This process is itself the one that a hostile file may end.
         services = open_services(settings, decode_in_child=False)
+        show_settings(services.engine, settings, app=False)
         engine_of(services.engine.dialect.name).work(Runner(services, name), orders, short_only=short_only)
         status = 0
     except SightlineError as error:

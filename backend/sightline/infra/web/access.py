@@ -19,7 +19,7 @@ from sqlalchemy.orm import Session
 
 from sightline.enums import ActingRole
 from sightline.infra.database.rows import missing
-from sightline.infra.services import Services
+from sightline.infra.services import BELIEVED_S, Services
 from sightline.infra.web.named import Thing, naming_of, thing
 from sightline.infra.web.person import Person, Seen
 
@@ -51,8 +51,6 @@ THINGS: Mapping[str, str] = {
 APART = frozenset({"people", "catalogue", "members", "results", "tokens", "checkpoints"})
 #: Looked at each time: who sees a study follows from its members and from those of each of its surveys.
 NEVER_BELIEVED = "studies"
-# How long another process may still believe what it read; in this one, changes count at once.
-BELIEVED_S = 2.0
 MOST_BELIEVED = 65536
 _NAMED = re.compile(r"/([a-z-]+)/\{(\w+_id)\}")
 

@@ -14,13 +14,13 @@ from sightline.enums import Scope
 from sightline.errors import TooMany
 from sightline.infra.database.types import now
 from sightline.infra.limits.store import Limit
+from sightline.infra.services import BELIEVED_S
 
 #: What each token begins with, so that a search for secrets in files finds it.
 BEGINS = "sightline_"
 PER_TOKEN = Limit("requests with a token", 1200, 60)
 # Counted in the database a block at a time: not each request writes, and the limit holds all the same.
 BLOCK = 20
-BELIEVED_S = 2.0
 MOST_TOKENS = 4096
 
 

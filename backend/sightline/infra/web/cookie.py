@@ -9,12 +9,11 @@ from cachetools import LRUCache, TTLCache
 from fastapi import Request, Response
 from itsdangerous import BadSignature, URLSafeTimedSerializer
 
+from sightline.infra.services import BELIEVED_S
 from sightline.infra.web.person import Person
 
 COOKIE = "sightline_session"
 MAX_AGE_S = 14 * 24 * 3600
-# How long another process may still believe what it read about a person; in this one, changes count at once.
-BELIEVED_S = 2.0
 MOST_PEOPLE = 4096
 
 Lookup = Callable[[int], Person | None]

@@ -2,6 +2,7 @@
 
 import os
 import secrets
+from pathlib import Path
 
 from sightline.errors import BadInput
 from sightline.infra.audit.signing import signing_key
@@ -33,11 +34,15 @@ def signing_secret(settings: Settings) -> bytes:
     """SIGHTLINE_SECRET where it is set (several machines share it), else the data folder's own file."""
     if settings.secret is not None:
         return settings.secret.get_secret_value().encode()
-    path = settings.data_dir / FILE
-    settings.data_dir.mkdir(parents=True, exist_ok=True)
+    return made_once(settings.data_dir / FILE)
+
+
+def made_once(path: Path) -> bytes:
+    """The random text of a file, which is made where it is not there; for its owner alone."""
+    path.parent.mkdir(parents=True, exist_ok=True)
     if not path.exists():
         # Written aside and linked into place: two processes that start together end up with one secret.
-        fresh = path.with_name(f"{FILE}.{os.getpid()}")
+        fresh = path.with_name(f"{path.name}.{os.getpid()}-{secrets.token_hex(4)}")
         handle = os.open(fresh, os.O_WRONLY | os.O_CREAT | os.O_TRUNC, 0o600)
         with os.fdopen(handle, "wb") as file:
             file.write(secrets.token_hex(BYTES).encode())

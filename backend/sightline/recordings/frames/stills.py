@@ -12,7 +12,7 @@ from cachetools import LRUCache
 from sightline.enums import Display
 from sightline.errors import BadInput, Damaged, NotFound
 from sightline.infra.database.engine import SessionFactory, reading
-from sightline.infra.services import Services
+from sightline.infra.services import BELIEVED_S, Services
 from sightline.media.store.local import MediaStore
 from sightline.media.video.frames import FrameServer
 from sightline.media.video.seeker import RecordingMedia
@@ -21,8 +21,6 @@ from sightline.recordings.frames.store import get_frame_table
 from sightline.recordings.records import Recording
 from sightline.recordings.store import get_recording
 
-# After this long the row is looked at again, in case another process ingested it anew or deleted it.
-BELIEVED_S = 5.0
 MOST = 32
 
 
@@ -51,20 +49,27 @@ class Stills:
     file does not give the frame whose checksum is in the table, BadInput while the recording is not ready.
     """
 
-    def __init__(self, sessions: SessionFactory, store: MediaStore, server: FrameServer) -> None:
+    def __init__(
+        self,
+        sessions: SessionFactory,
+        store: MediaStore,
+        server: FrameServer,
+        timer: Callable[[], float] = time.monotonic,
+    ) -> None:
         self._sessions = sessions
         self._store = store
         self._server = server
+        self._timer = timer
         self._open: LRUCache[int, OpenRecording] = LRUCache(MOST)
         self._lock = threading.Lock()
         #: Hears which frame of which recording somebody wants to see, before it is decoded.
         self.on_request: Callable[[int, int], None] | None = None
 
     def open(self, recording_id: int) -> OpenRecording:
-        """The recording's facts and frame table, read from the database at most every few seconds."""
+        """The recording's facts and frame table, read from the database at most every two seconds."""
         with self._lock:
             known = self._open.get(recording_id)
-        if known is not None and time.monotonic() - known.looked_at_s < BELIEVED_S:
+        if known is not None and self._timer() - known.looked_at_s < BELIEVED_S:
             return known
         fresh = self._read(recording_id, known)
         with self._lock:
@@ -133,12 +138,12 @@ class Stills:
             if known is not None and _same_frames(known.recording, recording):
                 # A distant store may have dropped its local copy; asking for the path brings it back.
                 self._store.local_path(file_key(recording))
-                return OpenRecording(recording, known.media, known.time_s, time.monotonic())
+                return OpenRecording(recording, known.media, known.time_s, self._timer())
             table = get_frame_table(session, recording_id)
         if len(table) != recording.frame_count:
             raise Damaged("recordings-frame-table-not-whole-ingest-recording", name=recording.name)
         media = RecordingMedia(self._store.local_path(file_key(recording)), table.pts, table.crc32, table.key)
-        return OpenRecording(recording, media, table.time_s, time.monotonic())
+        return OpenRecording(recording, media, table.time_s, self._timer())
 
 
 def stills_of(services: Services) -> Stills:

@@ -33,7 +33,6 @@ from sightline.recordings.uploads.store import (
 
 log = logging.getLogger(__name__)
 
-FOLDER = "uploads"
 GIVEN_UP_S = 7 * 24 * 3600.0
 #: one that was announced and of which no byte came, or whose bytes are gone (a restored database has none)
 NEVER_CAME_S = 24 * 3600.0
@@ -43,7 +42,7 @@ MOST_ANNOUNCED = 200
 
 def upload_folder(services: Services) -> Path:
     """Where parts are gathered."""
-    return services.settings.data_dir / FOLDER
+    return services.settings.uploads_dir
 
 
 def begin_upload(

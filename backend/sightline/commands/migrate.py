@@ -1,0 +1,32 @@
+"""`sightline migrate`: bring the database up to date before the processes that use it start."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import click
+
+from sightline.commands.options import data_dir_option, settings_of
+
+
+@click.command("migrate")
+@data_dir_option
+def migrate(data_dir: Path | None) -> None:
+    """Bring the database to the schema of this version. `serve` does it too, where its account may.
+
+    On PostgreSQL, with the account that owns the tables: SIGHTLINE_SERVING_ROLE, which owns none and cannot
+    switch their triggers off, then gets the rights to serve (with SIGHTLINE_SERVING_PASSWORD it is made).
+    """
+    from sightline.infra.database.engine import explained, make_engine
+    from sightline.infra.database.engine import migrate as bring_up_to_date
+
+    settings = settings_of(data_dir=data_dir)
+    engine = make_engine(settings.database_url)
+    bring_up_to_date(engine)
+    if settings.serving_role and engine.dialect.name == "postgresql":
+        from sightline.infra.database.serving_role import give_rights
+
+        with explained(), engine.begin() as connection:
+            give_rights(connection, settings.serving_role, settings.serving_password)
+    engine.dispose()
+    click.echo("The database is up to date.")
