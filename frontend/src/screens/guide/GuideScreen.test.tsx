@@ -19,14 +19,14 @@ afterEach(() => {
 });
 
 it("shows the page in the language that the app speaks, and goes over to another with it", async () => {
-  navigate("/guide?page=operator&section=camera-pose");
+  navigate("/guide?page=operator&section=road");
   language.value = "fr";
   render(<GuideScreen />, document.body);
   await vi.waitFor(() => expect(text()?.lang).toBe("fr"));
-  expect(text()?.querySelector("#guide-camera-pose")?.textContent).toBe("Pose de la caméra");
+  expect(text()?.querySelector("#guide-road")?.textContent).toBe("Route");
   language.value = "en";
   await vi.waitFor(() => expect(text()?.lang).toBe("en"));
-  expect(text()?.querySelector("#guide-camera-pose")?.textContent).toBe("Camera pose");
+  expect(text()?.querySelector("#guide-road")?.textContent).toBe("Road");
 });
 
 it("shows a page that is in no other language in English, and says so to those who hear it read", async () => {

@@ -58,7 +58,7 @@ describe("the guide in French", () => {
       expect(french.html).not.toBe(english.html);
     }
     const { html } = await readPage("operator", "fr");
-    expect(html).toContain('<h2 id="guide-camera-pose">Pose de la caméra</h2>');
+    expect(html).toContain('<h2 id="guide-road">Route</h2>');
     expect(html).toContain('<a href="/guide?page=reviewer&amp;section=lots">par lots</a>');
   });
 

@@ -50,7 +50,7 @@ it("leads back to the lot, and to its decision once its sample is reviewed", () 
   render(<Queue model={model} />, document.body);
   const decide = () => document.querySelector("[data-testid=review-lot-judged]");
   expect(decide()).toBeNull();
-  const address = "/surveys/7/checks?tab=lots&lot=3";
+  const address = "/surveys/7/lots?lot=3";
   expect(document.querySelector("[data-testid=review-lot] a")?.getAttribute("href")).toBe(address);
   model.items.value = [judged(1, "accepted"), judged(2, "rejected")];
   render(<Queue model={model} />, document.body);
