@@ -2,11 +2,8 @@
 
 from __future__ import annotations
 
-import hashlib
 from collections.abc import Collection, Mapping, Sequence
-from functools import cache
 from importlib.metadata import version
-from pathlib import Path
 from typing import Any
 
 from sightline.cameras.calibrations.csv import CALIBRATIONS
@@ -16,14 +13,16 @@ from sightline.export.exclusions import EXCLUSIONS
 from sightline.export.page import page_version
 from sightline.export.readme import README
 from sightline.export.response import RESPONSE
-from sightline.export.seal import AUDIT_SCRIPT, CHECKPOINT, PAGE
+from sightline.export.seal import AUDIT_SCRIPT, CHECKPOINT, FIGURES, PAGE, REPORT
 from sightline.export.statistics_csv import TABLES
 from sightline.infra.csv_package.audit import AUDIT
 from sightline.infra.csv_package.schema import PARQUET, About, AnyTable, Other, Written, description_of
+from sightline.infra.source_hash import source_hash
 from sightline.infra.version import code_version
 from sightline.measurements.again.csv import COMPUTINGS
 from sightline.measurements.csv import BUDGET, MEASUREMENTS, REVISIONS, clicks_with_frames, with_frames
 from sightline.measurements.sheets.csv import VEHICLES
+from sightline.measurements.verify import HEIGHTS
 from sightline.people.csv import PEOPLE
 from sightline.poses.csv import POSES
 from sightline.quality.checks.csv import WHEEL_PAIRS
@@ -34,13 +33,11 @@ from sightline.results.csv import SELECTION, STANDARDS
 from sightline.reviews.csv import REVIEWS
 from sightline.reviews.lots.csv import LOT_ITEMS, LOTS
 from sightline.scans.csv import TABLES as SCANS
+from sightline.scans.heights.verify import LINES
 from sightline.surveys.csv import CLASSES, INSETS, QUOTAS, SAMPLING, SURVEY
 from sightline.surveys.photographs.csv import FOLDER as PHOTOGRAPHS_FOLDER
 from sightline.surveys.photographs.csv import PHOTOGRAPHS
 from sightline.vehicles.catalogue.csv import CATALOGUE
-
-REPORT = "report.pdf"
-FIGURES = "figures/"
 
 #: After those of measurements; the last ones are derived from the others.
 _OTHER_TABLES: tuple[AnyTable, ...] = (
@@ -151,39 +148,38 @@ def about_of(name: str, site: str, description: str, created: str | None, only: 
     return About(title, "\n\n".join(part for part in parts if part), created, made_with())
 
 
+STATISTICS, DRAWING = "statistics", "drawing"
+PARTS: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
+    HEIGHTS: (("sightline.measurements.height_of_clicks",), ()),
+    LINES: (("sightline.scans.heights.service", "sightline.scans.rig.calibrating"), ()),
+    STATISTICS: (
+        (
+            "sightline.export.measured",
+            "sightline.export.statistics_csv",
+            "sightline.export.exclusions",
+            "sightline.export.response",
+        ),
+        (".ftl",),
+    ),
+    # templates and words of the report; its fonts come with Matplotlib and Typst, named by version
+    DRAWING: (("sightline.export.derived", "sightline.export.page"), (".typ", ".ftl")),
+}
+#: The libraries whose versions a part's results depend on in the last digits, or in how they are drawn.
+LIBRARIES = {
+    HEIGHTS: (),
+    LINES: (),
+    STATISTICS: ("numpy", "scipy"),
+    DRAWING: ("numpy", "scipy", "matplotlib", "pillow", "typst", "fluent.runtime", "babel"),
+}
+
+
 def made_with() -> dict[str, str]:
-    """What figures, report and page were made with: all the same but `sightline` and `page` draw the same
-    figures and report.
+    """The program and its parts, by the hash of each part with all that it imports: what was made by the same
+    parts and libraries, a check makes again and compares.
     """
-    used = ("numpy", "scipy", "matplotlib", "pillow", "typst", "fluent.runtime", "babel")
-    versions = {name: version(name) for name in used}
-    return {"sightline": code_version(), "drawing": _drawing(), "page": page_version(), **versions}
-
-
-#: The folders that figures, report and statistics are made by: a change in them changes what they make.
-_MADE_IN = (
-    "messages",
-    "infra/csv_package",
-    "infra/typesetting",
-    "statistics",
-    "sightdistance",
-    "linescan",
-    "surveys",
-    "quality",
-    "scans",
-    "results",
-    "export",
-)
-#: Code, templates and words of the report; its fonts come with Matplotlib and Typst, named by version.
-_KINDS = ("*.py", "*.typ", "*.ftl")
-
-
-@cache
-def _drawing() -> str:
-    """The hash of the code that statistics, figures and report come from, whatever version it is part of."""
-    root = Path(__file__).resolve().parents[1]
-    digest = hashlib.sha256()
-    files = (file for folder in _MADE_IN for kind in _KINDS for file in (root / folder).rglob(kind))
-    for file in sorted(files):
-        digest.update(file.relative_to(root).as_posix().encode() + b"\0" + file.read_bytes())
-    return digest.hexdigest()[:16]
+    return {
+        "sightline": code_version(),
+        **{part: source_hash(*modules, texts=texts) for part, (modules, texts) in PARTS.items()},
+        "page": page_version(),
+        **{name: version(name) for name in LIBRARIES[DRAWING]},
+    }

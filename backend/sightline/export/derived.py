@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from sightline.export.contents import FIGURES, REPORT
 from sightline.export.exclusions import EXCLUSIONS, exclusion_rows
 from sightline.export.measured import PackageStatistics, statistics_of
 from sightline.export.readme import README, readme
@@ -12,7 +11,7 @@ from sightline.export.report.package_facts import report_facts
 from sightline.export.report.report import report
 from sightline.export.report.said import speaking
 from sightline.export.response import RESPONSE, response_rows
-from sightline.export.seal import AUDIT_SCRIPT, CHECKPOINT, PAGE
+from sightline.export.seal import AUDIT_SCRIPT, CHECKPOINT, FIGURES, PAGE, REPORT
 from sightline.export.statistics_csv import TABLES, statistics_rows
 from sightline.infra.csv_package.audit import AUDIT
 from sightline.infra.csv_package.files import Files, Staging, Tick

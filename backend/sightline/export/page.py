@@ -105,16 +105,23 @@ def write_audit_script(staging: Staging) -> None:
 
 
 def check_page(
-    files: Files, made_with: Mapping[str, Any], tables: Sequence[AnyTable], written: Mapping[str, Written]
-) -> list[str]:
-    """The page is the program that the description names, and what it carries is the package; notes on what
-    could not be compared. Raises Damaged.
+    files: Files,
+    made_with: Mapping[str, Any],
+    tables: Sequence[AnyTable],
+    written: Mapping[str, Written],
+    *,
+    same_program: bool,
+) -> bool:
+    """The page is the program that the description names, and what it carries is the package. Raises Damaged.
+
+    tables: as the package describes them. Returns False where another program made it: what the page says of
+    the package is then sealed, and not compared.
     """
     version = made_with.get("page", "none")
     if version == "none" or PAGE not in files.paths:
         if version != "none" or {PAGE, AUDIT_SCRIPT} & files.paths:
             raise Damaged("export-page-not-described", path=PAGE)
-        return []
+        return True
     try:
         text = read_whole(files, PAGE).decode("utf-8")
     except UnicodeDecodeError as error:
@@ -128,15 +135,12 @@ def check_page(
     for block in blocks:
         if block[1] not in files.paths or _unpacked(block[2]) != read_whole(files, block[1]):
             raise Damaged("export-page-carries-another", path=block[1])
-    if version != page_version():
-        _check_audit_script(files)
-        return ["The page was made by another version: it is sealed, but its program was not compared."]
-    if about[0] != _about_block(files, tables, written, str(json.loads(about[1]).get("made_with"))):
-        raise Damaged("export-page-another-program", path=PAGE)
-    if [block[1] for block in blocks] != list(_carried(tables, written)):
+    told = _about_block(files, tables, written, str(json.loads(about[1]).get("made_with")))
+    agrees = about[0] == told and [block[1] for block in blocks] == list(_carried(tables, written))
+    if version == page_version() and same_program and not agrees:
         raise Damaged("export-page-another-program", path=PAGE)
     _check_audit_script(files)
-    return []
+    return agrees and version == page_version()
 
 
 def _check_audit_script(files: Files) -> None:
@@ -162,7 +166,7 @@ def _carried(tables: Sequence[AnyTable], written: Mapping[str, Written]) -> Iter
     """The files that the page carries, in their order: its tables and the poses that are not too large."""
     known = {table.name: table.path for table in tables}
     poses = sorted(path for path in written if _POSES.fullmatch(path))
-    for path in (README, *(known[name] for name in _NAMES), *poses):
+    for path in (README, *(known[name] for name in _NAMES if name in known), *poses):
         if path in written and written[path].size <= MOST_BYTES:
             yield path
 
@@ -186,20 +190,21 @@ def _about(
             size[0], size[1] = size[0] + 1, size[1] + written[path].size
     carried = set(_carried(tables, written))
     described = {table.name: table for table in tables}
+    there = [name for name in _NAMES if name in described]
     return {
         "made_with": version or code_version(),
         "folders": [
             {"folder": name, "files": files, "bytes": size} for name, (files, size) in sorted(folders.items())
         ],
         "figures": sorted(path for path in written if path.startswith("figures/")),
-        "left_out": [described[name].path for name in _NAMES if described[name].path not in carried],
+        "left_out": [described[name].path for name in there if described[name].path not in carried],
         "tables": [
             {
                 "path": described[name].path,
                 "meaning": described[name].meaning,
                 "columns": {column.name: column.meaning for column in described[name].columns},
             }
-            for name in _NAMES
+            for name in there
             if described[name].path in carried
         ],
     }

@@ -30,6 +30,7 @@ ENTITY, ACTION = "package", "seal"
 CHECKPOINT = "checkpoint.json"
 #: The package's page, and the chain and checkpoint for it, written after both.
 PAGE, AUDIT_SCRIPT = "index.html", "audit.js"
+REPORT, FIGURES = "report.pdf", "figures/"
 _CROPS = "crops/"  # one hash for all of them: there may be a million
 
 

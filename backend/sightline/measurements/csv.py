@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+import re
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import partial
 from typing import get_args
@@ -509,6 +510,14 @@ CLICKS: Table[Clicked] = Table(
     primary=("id",),
     foreign=((("pose_id",), "poses", ("id",)),),
 )
+
+
+_FRAME = re.compile(r"frame(\d+)")
+
+
+def count_frames(columns: Iterable[str]) -> int:
+    """For how many frames of a measurement a table has columns, at least two."""
+    return max((int(found[1]) for name in columns if (found := _FRAME.fullmatch(name))), default=2)
 
 
 def with_frames(table: Table[Measurement], most: int) -> Table[Measurement]:

@@ -6,7 +6,7 @@ import hashlib
 import json
 import math
 import re
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, field, fields
 from datetime import datetime
 from itertools import groupby
@@ -21,9 +21,17 @@ from sightline.infra.audit.hashing import canonical_json, content_hash
 from sightline.infra.audit.records import Who
 from sightline.infra.csv_package.files import Files, read_columns, read_rows, read_whole
 from sightline.infra.csv_package.files import number as figure_of
+from sightline.infra.csv_package.recomputing import Recomputing
 from sightline.infra.csv_package.schema import AnyTable, Table, cell_text
 from sightline.measurements.again.differences import Facts, facts_of
-from sightline.measurements.csv import BUDGET, REVISIONS, budget_entries, clicks_path, with_frames
+from sightline.measurements.csv import (
+    BUDGET,
+    REVISIONS,
+    budget_entries,
+    clicks_path,
+    count_frames,
+    with_frames,
+)
 from sightline.measurements.height_of_clicks import Answer, answer
 from sightline.measurements.records import (
     ClickedFrame,
@@ -38,6 +46,8 @@ from sightline.poses.csv import pose_path
 from sightline.recordings.csv import filmings_in
 from sightline.recordings.filming import Filming
 
+#: The part of the program that computes heights from clicks, by its name in datapackage.json.
+HEIGHTS = "heights"
 Row = Mapping[str, str]
 #: The sentence about a camera that had moved, by recording, pose and frames; None where it had not.
 DriftFlag = Callable[[int, int, Sequence[int]], str | None]
@@ -60,16 +70,21 @@ class MeasurementEvents:
     """What the events say of measurements, as digests: `revisions` by (measurement, revision), `repeats` by
     repeat, of its newest revision (as `table_of_repeats` has it), `budgets` of newest revisions;
     `of_vehicle`: whose each measurement is; `follows_from`: target and facts of its newest revision;
-    `frames`: pts, time and CRC-32 of each frame clicked on, by (recording, frame).
+    `programs_of_repeats`: the version that computed each; `frames`: pts, time and CRC-32 of each frame
+    clicked on, by (recording, frame). Of tables that the package has with other `headers` than this program,
+    what both have is compared.
     """
 
-    table_of_repeats: AnyTable
+    table_of_repeats: Table[Measurement]
+    headers: Mapping[str, Collection[str]]
     revisions: dict[tuple[int, int], bytes] = field(default_factory=dict)
     repeats: dict[int, bytes] = field(default_factory=dict)
     budgets: dict[int, bytes] = field(default_factory=dict)
     of_vehicle: dict[int, int] = field(default_factory=dict)
     follows_from: dict[int, tuple[Target, Facts]] = field(default_factory=dict)
     frames: dict[tuple[int, int], list[str]] = field(default_factory=dict)
+    programs_of_repeats: dict[int, str] = field(default_factory=dict)
+    known: dict[str, frozenset[str]] = field(default_factory=dict, repr=False)
 
     def add(self, number: int, after: Mapping[str, Any]) -> None:
         """An event of a measurement; `after` with the person who did it as `by`. Raises Damaged."""
@@ -83,12 +98,25 @@ class MeasurementEvents:
             if self.frames.setdefault((made.recording_id, one.frame), known) != known:
                 raise Damaged("measurements-events-two-frames", recording=made.recording_id, frame=one.frame)
         if made.repeat_of is not None:
-            self.repeats[number] = _digest(cells_of(self.table_of_repeats, made))
+            self.repeats[number] = self._of_record(self.table_of_repeats, made)
+            self.programs_of_repeats[number] = made.values.code_version
         else:
             self.follows_from[number] = made.values.target, facts_of(made.values, made.values.pose_id)
             most = max(2, len(made.values.frames))
-            self.revisions[number, made.revision] = _digest(cells_of(with_frames(REVISIONS, most), made))
+            self.revisions[number, made.revision] = self._of_record(with_frames(REVISIONS, most), made)
             self.budgets[number] = _digest([cells_of(BUDGET, one) for one in budget_entries(made)])
+
+    def _of_record(self, table: Table[Measurement], made: Measurement) -> bytes:
+        header = self.headers[table.path]
+        return _digest({name: text for name, text in cells_of(table, made).items() if name in header})
+
+    def of_row(self, table: Table[Measurement], cells: Row) -> bytes:
+        """The digest of a row's cells that are not empty, as of the record that its event tells."""
+        known = self.known.get(table.path)
+        if known is None:
+            most = count_frames(self.headers[table.path])
+            known = self.known[table.path] = frozenset(with_frames(table, most).header)
+        return _digest({name: text for name, text in cells.items() if text and name in known})
 
 
 def _told(number: int, after: Mapping[str, Any]) -> Measurement:
@@ -99,7 +127,8 @@ def _told(number: int, after: Mapping[str, Any]) -> Measurement:
         "target_point": (row["target_x_px"], row["target_y_px"]),
         "more_frames": tuple(_told_frame(one) for one in row["more_frames"]),
     }
-    values = {one.name: row[one.name] for one in fields(MeasurementValues) if one.name not in points}
+    # what an event of an earlier version does not tell has the value that says so
+    values = {one.name: row[one.name] for one in fields(MeasurementValues) if one.name in {*row} - {*points}}
     by = row["created_by"]
     return Measurement(
         id=number,
@@ -147,13 +176,12 @@ def check_measurements(
     is_gone: Callable[[int], bool],
     drift_flag: DriftFlag,
     heights: Recomputed,
-) -> int:
-    """Compute the height of every revision again; how many were. `is_gone`: whether a vehicle was deleted.
+) -> None:
+    """Compute the height of every revision again. `is_gone`: whether a vehicle was deleted.
     `drift_flag`: what is added to a row's flags where the camera had moved, by recording, pose and frames.
 
     Raises Damaged.
     """
-    count = 0
     revisions = groupby(read_rows(files, "revisions.csv"), key=lambda row: row["measurement_id"])
     clicks = _Lockstep(files, "clicks.csv", "id")
     of_poses: dict[str, _Lockstep] = {}
@@ -165,9 +193,8 @@ def check_measurements(
         if name != current["id"]:
             raise Damaged("measurements-revisions-csv-measurement-no-revisions-one", id=current["id"])
         for row in rows:
-            heights.check(f"revisions.csv: {name}", row)
+            heights.check(f"revisions.csv: {name}", row, row["code_version"])
             _by_event(events, drift_flag, "revisions.csv", row, (int(name), int(row["revision"])))
-            count += 1
         _is_newest(current, rows[-1])
         _is_filmed(current, filmings.get(current["recording_id"]))
         budget.check(current)
@@ -182,19 +209,19 @@ def check_measurements(
     for left in (clicks, *of_poses.values()):
         left.end()
     _nothing_left(events, is_gone)
-    return count
 
 
 class Recomputed:
     """Heights computed again from the poses of a package, each read once."""
 
-    def __init__(self, files: Files) -> None:
-        self._files = files
+    def __init__(self, files: Files, recomputing: Recomputing) -> None:
+        self._files, self._recomputing = files, recomputing
         self._poses: dict[str, RoadPose] = {}
 
-    def check(self, name: str, row: Row) -> None:
-        """The figures of a row are those that its clicks give. Raises Damaged."""
-        _same(name, row, self._answer(row))
+    def check(self, name: str, row: Row, by: str) -> None:
+        """The figures of a row, computed by this version, are those that its clicks give. Raises Damaged."""
+        with self._recomputing.of(HEIGHTS, by):
+            _same(name, row, self._answer(row))
 
     def _answer(self, row: Row) -> Answer:
         path = pose_path(int(row["pose_id"]))
@@ -333,7 +360,7 @@ class _Budget:
         """The contributions are the event's, and their root sum of squares is the u of the height."""
         mine: list[Row] = []
         if self._next is not None and self._next[0] == current["id"]:
-            mine = self._next[1]
+            mine = [dict(row) for row in self._next[1]]
             self._next = self._take()
         total = math.sqrt(sum(float(row["u_m"]) ** 2 for row in mine))
         told, u95 = (figure_of(current[name]) or 0.0 for name in ("u_height_m", "U95_height_m"))
@@ -362,7 +389,7 @@ def _by_event(
         raise Damaged(
             "measurements-measurement-no-audit-event-revision-put", path=path, key=key[0], key_2=key[1]
         )
-    if digest != _digest(_without_drift(row, drift_flag)):
+    if digest != events.of_row(REVISIONS, _without_drift(row, drift_flag)):
         raise Damaged("measurements-measurement-differs-audit-event-changed", path=path, key=key[0])
 
 
@@ -411,11 +438,6 @@ def check_frames(files: Files, events: MeasurementEvents) -> None:
         for id_, recording, frame, *said in read_columns(files, path, columns):
             if known.get((recording, frame)) != said:
                 raise Damaged("measurements-clicked-another-frame-frames-csv-tells", path=path, id=id_)
-
-
-def same_repeat(told: bytes, row: Row) -> bool:
-    """Whether a row of repeats.csv says what its event said."""
-    return told == _digest({name: text for name, text in row.items() if text})
 
 
 def _digest(words: Any) -> bytes:

@@ -4469,6 +4469,19 @@ demo-no-sample-pictures = There are no sample pictures, because there is no demo
 
 export-crop-could-not-encoded-export-survey = An image could not be encoded; export the survey again.
 export-frame-stored-video-not-one-clicked = Frame { $frame } of the stored video is not the frame that was clicked on.
+export-format-not-known = The package has format { $format }, which this version of Sightline does not know; verify it with { $program } or later.
+export-made-by-another-version = Made by version { $program }; this is { $mine }.
+export-described-otherwise = datapackage.json names every file with its bytes; what it says of { $count ->
+    [one] one file
+   *[other] { $count } files
+  } in words (and: { $names }) is that version's, bound by the seal, not compared.
+export-statistics-sealed-only = Statistics: another version computed them otherwise; bound by the seal, not compared (first difference: { $difference })
+export-drawings-sealed-only = Figures, report and README: drawn by another version; bound by the seal, not compared.
+export-page-sealed-only = The page was made by another version: its tables were compared; its program is bound by the seal, not compared.
+export-heights-of-another-version = { $count ->
+    [one] One number that another version computed differs
+   *[other] { $count } numbers that other versions computed differ
+  } from what this version computes; bound by the audit chain, not compared (first: { $first })
 export-not-follow-these-statistics-put = { $strange } does not follow from these statistics; it was added.
 export-no-row-crops-csv-put = { $there } is in no row of crops.csv; it was added.
 export-crops-csv-other-points-frames-measurement = crops.csv: { $path } has other points or frames than its measurement; one is wrong.

@@ -4463,6 +4463,19 @@ demo-no-sample-pictures = Il n’y a pas d’images d’exemple ici, car la dém
 
 export-crop-could-not-encoded-export-survey = Une vue n’a pas pu être encodée ; exportez à nouveau le relevé.
 export-frame-stored-video-not-one-clicked = L’image { $frame } de la vidéo stockée n’est pas celle qui a été pointée.
+export-format-not-known = Le paquet a le format { $format }, que cette version de Sightline ne connaît pas ; vérifiez-le avec { $program } ou une version ultérieure.
+export-made-by-another-version = Fait par la version { $program } ; celle-ci est { $mine }.
+export-described-otherwise = datapackage.json nomme chaque fichier avec ses octets ; ce qu’il dit en mots { $count ->
+    [one] d’un fichier
+   *[other] de { $count } fichiers
+  } (et : { $names }) est de cette version-là, lié par le sceau, non comparé.
+export-statistics-sealed-only = Statistiques : une autre version les a calculées autrement ; liées par le sceau, non comparées (première différence : { $difference })
+export-drawings-sealed-only = Figures, rapport et README : dessinés par une autre version ; liés par le sceau, non comparés.
+export-page-sealed-only = La page a été faite par une autre version : ses tables ont été comparées ; son programme est lié par le sceau, non comparé.
+export-heights-of-another-version = { $count ->
+    [one] Un nombre calculé par une autre version diffère
+   *[other] { $count } nombres calculés par d’autres versions diffèrent
+  } de ce que calcule cette version ; liés par la chaîne d’audit, non comparés (premier : { $first })
 export-not-follow-these-statistics-put = { $strange } ne découle pas de ces statistiques ; ajouté après coup.
 export-no-row-crops-csv-put = { $there } n’est dans aucune ligne de crops.csv ; ajouté après coup.
 export-crops-csv-other-points-frames-measurement = crops.csv : { $path } a d’autres points ou images que sa mesure ; l’un des deux est faux.

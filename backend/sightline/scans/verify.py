@@ -11,6 +11,7 @@ from typing import Any
 from sightline.errors import Damaged
 from sightline.infra.csv_package.chain import chain
 from sightline.infra.csv_package.files import Files, read_rows
+from sightline.infra.csv_package.recomputing import Recomputing
 from sightline.infra.csv_package.schema import AnyTable, cell_text
 from sightline.linescan.parts import Crossings
 from sightline.scans.clock import Passing, clock_of, passing_of
@@ -49,7 +50,9 @@ _RATES = ("line_rate_hz", "u_line_rate_ratio")
 _OTHER_WORDS = ("notes", "created_at")
 
 
-def check_scans(files: Files, events_of_scans: int, computings: Mapping[str, str]) -> int:
+def check_scans(
+    files: Files, events_of_scans: int, computings: Mapping[str, str], recomputing: Recomputing
+) -> int:
     """Every row is what its events say, none is missing and none too many; how many were held against them.
 
     The current revision of a vehicle is its newest. `computings`: the kind of each, by its number.
@@ -74,8 +77,8 @@ def check_scans(files: Files, events_of_scans: int, computings: Mapping[str, str
     _verdicts(LINE_HEIGHTS, rows["line_height"], "height_id", rows["line_height_review"])
     check_references(rows["scan_reference"], rows["scan_vehicle"], told)
     check_verdicts_gone_over(rows["line_height"], rows["line_height_review"], computings)
-    check_line_heights(files, told["line_pose"])
-    check_rig_calibrations(files, told["rig_calibration"])
+    check_line_heights(files, told["line_pose"], recomputing)
+    check_rig_calibrations(files, told["rig_calibration"], recomputing)
     return sum(len(found) for found in rows.values())
 
 
@@ -119,7 +122,7 @@ def _gone(told: Mapping[str, Mapping[int, Mapping[str, Any]]]) -> dict[str, set[
 
 
 def _rows(files: Files, table: AnyTable) -> dict[int, dict[str, str]]:
-    return {int(row["id"]): dict(row) for row in read_rows(files, table.path)}
+    return {int(row["id"]): row for row in read_rows(files, table.path)}
 
 
 def _in_words_of_table(entity: str, told: Mapping[str, Any]) -> Mapping[str, Any]:
@@ -141,7 +144,7 @@ def _same(table: AnyTable, row: Mapping[str, str], told: Mapping[str, Any]) -> N
     """Raises Damaged where a cell is not what the events say."""
     for column in table.columns:
         name = column.name
-        if name not in told or name in _OTHER_WORDS:
+        if name not in told or name in _OTHER_WORDS or name not in row:
             continue
         value = told[name]
         if column.type == "number" and isinstance(value, int):

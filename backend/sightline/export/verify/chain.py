@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from collections import Counter
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -26,6 +27,7 @@ class ReplayedState:
     `poses`: the hash of each one's content.
     """
 
+    measurements: MeasurementEvents
     count: int = 0
     head: str = ""
     moment: str | None = None
@@ -34,7 +36,6 @@ class ReplayedState:
     standards: list[dict[str, Any]] | None = None
     vehicles: dict[int, dict[str, Any]] = field(default_factory=dict)
     recordings: RecordingEvents = field(default_factory=RecordingEvents)
-    measurements: MeasurementEvents = field(default_factory=lambda: MeasurementEvents(REPEATS))
     reviews: dict[int, dict[str, Any]] = field(default_factory=dict)
     lots: LotEvents = field(default_factory=LotEvents)
     poses: dict[int, str] = field(default_factory=dict)
@@ -51,12 +52,13 @@ class ReplayedState:
         return bool(self.vehicles.get(vehicle_id, {}).get("deleted", False))
 
 
-def walk(files: Files, seal: Seal) -> ReplayedState:
+def walk(files: Files, seal: Seal, headers: Mapping[str, Collection[str]]) -> ReplayedState:
     """Check every link of audit.csv and gather what its events say. Raises Damaged.
 
-    What came into the chain while the package was made, no table tells of.
+    What came into the chain while the package was made, no table tells of. headers: the columns that the
+    package has, by table.
     """
-    told = ReplayedState()
+    told = ReplayedState(MeasurementEvents(REPEATS, headers))
     for event in chain(files):
         told.count, told.head = int(event["number"]), event["hash"]
         first = told.count == 1

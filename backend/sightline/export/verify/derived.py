@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 import tempfile
 from collections.abc import Iterable, Iterator, Mapping
 from contextlib import contextmanager
@@ -12,124 +11,55 @@ from typing import BinaryIO, cast
 import cv2
 import numpy as np
 
-from sightline.errors import Damaged
-from sightline.export.contents import about_of, described, tables_of
+from sightline.errors import BadInput, Damaged
+from sightline.export.contents import DRAWING
 from sightline.export.crops import expected_overlay
 from sightline.export.derived import drawn
 from sightline.export.exclusions import EXCLUSIONS, exclusion_rows
 from sightline.export.measured import PackageStatistics, statistics_of
 from sightline.export.page import check_page
-from sightline.export.report.words import selection_words
 from sightline.export.response import RESPONSE, response_rows
 from sightline.export.statistics_csv import TABLES, same_cell, statistics_rows
-from sightline.export.verify.chain import ReplayedState
+from sightline.export.verify.described import Described
 from sightline.infra.csv_package.audit import AUDIT
-from sightline.infra.csv_package.files import Files, read_columns, read_header, read_rows, read_whole
-from sightline.infra.csv_package.forms import read_json
+from sightline.infra.csv_package.files import Files, read_columns, read_rows, read_whole
 from sightline.infra.csv_package.parquet import check_parquet
-from sightline.infra.csv_package.schema import (
-    DESCRIPTION,
-    AnyTable,
-    Row,
-    Table,
-    Written,
-    cell_text,
-    json_bytes,
-)
-from sightline.messages import languages
-from sightline.results.csv import selection_in
-
-_FRAME = re.compile(r"frame(\d+)")
+from sightline.infra.csv_package.schema import Row, Table, Written, cell_text
 
 
-def described_tables(files: Files) -> tuple[AnyTable, ...]:
-    """The tables that this program would write, for as many frames as this package has columns for."""
-    header = read_header(files, "measurements.csv")
-    numbers = [int(found[1]) for name in header if (found := _FRAME.fullmatch(name))]
-    return tables_of(max(numbers, default=2))
+def check_page_again(files: Files, found: Described, written: Mapping[str, Written]) -> bool:
+    """The page is the program that the description names and carries these tables; whether all was compared.
 
-
-def check_description(
-    files: Files, told: ReplayedState, written: Mapping[str, Written]
-) -> tuple[bool, list[str]]:
-    """datapackage.json is what this program would say of these files. Returns whether this program also draws
-    what drew the figures and the report, and what could not be compared for being of another version.
+    Raises Damaged.
     """
-    try:
-        found = read_json(files, DESCRIPTION)
-        made_with, language = dict(found["made_with"]), str(found["language"])
-    except (KeyError, TypeError) as error:
-        raise Damaged("export-cannot-read-take-whole-export-again", description=DESCRIPTION) from error
-    words = {name: str(told.survey.get(name, "")) for name in ("name", "site", "description")}
-    about = about_of(**words, created=told.moment, only=selection_words(selection_in(files)))
-    expected = described(about, language, described_tables(files), written)
-    other = {
-        name for name in {*made_with, *about.made_with} if made_with.get(name) != about.made_with.get(name)
-    }
-    expected["made_with"] = found["made_with"]
-    notes: list[str] = []
-    if list(found) != list(expected):
-        raise Damaged("export-another-files-chain-changed", description=DESCRIPTION, name="order")
-    for name in sorted({*found, *expected} - {"resources"}):
-        if json_bytes(found[name]) == json_bytes(expected[name]):
-            continue
-        if "sightline" not in other:
-            raise Damaged("export-another-files-chain-changed", description=DESCRIPTION, name=name)
-        notes.append(f"This version has another {name} for a package.")
-    none: dict[str, object] = {}
-    for mine, theirs in zip_longest(expected["resources"], found["resources"], fillvalue=none):
-        if json_bytes(mine) == json_bytes(theirs):
-            continue
-        if "sightline" not in other or _sums(mine) != _sums(theirs):
-            named = (theirs or mine).get("path", "a file")
-            raise Damaged("export-describes-otherwise-program-changed", description=DESCRIPTION, named=named)
-        notes.append(f"{mine['path']} is described otherwise by this version.")
-    drawn_alike = not other - {"sightline", "page"}
-    if drawn_alike and language not in languages():
-        raise Damaged("export-another-files-chain-changed", description=DESCRIPTION, name="language")
-    if not drawn_alike:
-        notes.append("Figures and report were made by another version: not drawn again, but sealed.")
-    if notes:
-        notes.append(f"The package was made with {made_with.get('sightline')}; verify it with that for more.")
-    return drawn_alike, notes
+    same_program = found.is_made_alike(DRAWING)
+    return check_page(files, found.made_with, found.tables, written, same_program=same_program)
 
 
-def check_page_again(files: Files, written: Mapping[str, Written]) -> list[str]:
-    """The page is the program that the description names and carries these tables; notes. Raises Damaged."""
-    made_with = read_json(files, DESCRIPTION)["made_with"]
-    return check_page(files, made_with, described_tables(files), written)
-
-
-def check_tables_again(files: Files) -> int:
+def check_tables_again(files: Files, found: Described) -> int:
     """Each table's Parquet holds what its CSV holds, as datapackage.json describes it; how many."""
-    described = read_json(files, DESCRIPTION)["resources"]
-    return check_parquet(files, {one["path"]: one["schema"] for one in described if "schema" in one})
+    resources = found.document["resources"]
+    return check_parquet(files, {one["path"]: one["schema"] for one in resources if "schema" in one})
 
 
-def _sums(resource: Mapping[str, object]) -> list[object]:
-    return [resource.get(name) for name in ("name", "path", "bytes", "hash")]
-
-
-def check_statistics(files: Files, *, same_program: bool) -> tuple[PackageStatistics, int, list[str]]:
+def check_statistics(files: Files, *, same_program: bool) -> tuple[PackageStatistics | None, int, str]:
     """Every exclusion and every statistic computed again from the rows.
 
-    Returns the statistics, how many figures agree, and notes: another program may estimate otherwise, so
-    where this one did not make the package a difference is told and not called a change.
+    Returns the statistics, how many figures agree, and, where another program made them and they do not
+    agree, what differs: no change is to be seen in that.
     """
-    found = statistics_of(files)
-    own = {EXCLUSIONS.path: exclusion_rows(files), RESPONSE.path: response_rows(files)}
-    rows = {**own, **statistics_rows(found)}
-    count, notes = 0, []
-    for table in (EXCLUSIONS, RESPONSE, *TABLES):
-        try:
-            compared = _compare(files, table, rows[table.path])
-        except Damaged as difference:
-            if same_program:
-                raise
-            notes.append(f"Another version computed the statistics: {difference.message}")
-        else:
-            count += compared if table is not EXCLUSIONS else 0
-    return found, count, notes
+    try:
+        found = statistics_of(files)
+        own = {EXCLUSIONS.path: exclusion_rows(files), RESPONSE.path: response_rows(files)}
+        rows = {**own, **statistics_rows(found)}
+        compared = {
+            table.path: _compare(files, table, rows[table.path]) for table in (EXCLUSIONS, RESPONSE, *TABLES)
+        }
+    except (Damaged, BadInput, LookupError, ValueError, TypeError) as difference:
+        if same_program:
+            raise
+        return None, 0, getattr(difference, "message", "") or repr(difference)
+    return found, sum(count for path, count in compared.items() if path != EXCLUSIONS.path), ""
 
 
 def _compare(files: Files, table: Table, rows: Iterable[Row]) -> int:
@@ -174,9 +104,11 @@ class AsOf:
                 yield cast(BinaryIO, shorter)
 
 
-def check_drawn(files: Files, as_of: int, found: PackageStatistics, written: dict[str, Written]) -> int:
+def check_drawn(
+    files: Files, as_of: int, found: PackageStatistics, written: dict[str, Written], language: str
+) -> int:
     """Figures and report drawn again, byte for byte; how many. `as_of`: the last event that they tell of."""
-    made = drawn(AsOf(files, as_of), found, written, read_json(files, DESCRIPTION)["language"])
+    made = drawn(AsOf(files, as_of), found, written, language)
     for path, content in made:
         if path not in files.paths or read_whole(files, path) != content:
             raise Damaged("export-not-one-these-rows-statistics-give", path=path)

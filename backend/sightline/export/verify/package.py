@@ -6,29 +6,34 @@ height from clicks, pose and camera, and every row against its audit event; keys
 photographs against the chain; verdicts; the description; exclusions and statistics computed again from the
 rows; crops; figures and report drawn again; the page, which carries the tables and nothing else.
 
+A package is read by its own description. What another version of the program computed or drew is compared
+where the source that made it, with all that it imports, is this one's; else the chain and the seal alone
+bind it, and the check says so.
+
 What is left: who holds the installation's key can write and sign another chain; who does not can sign one
 with a key of their own, which is told by the key that the installation shows (`--key`).
 """
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
 from sightline.cameras.calibrations.verify import check_calibrations
 from sightline.cameras.verify import check_cameras
 from sightline.errors import BadInput, Damaged
-from sightline.export.seal import CHECKPOINT, check_seal, read_seal
+from sightline.export.contents import DRAWING, STATISTICS
+from sightline.export.seal import CHECKPOINT, Seal, check_seal, read_seal
 from sightline.export.verify.chain import ReplayedState, walk
 from sightline.export.verify.derived import (
     check_crops,
-    check_description,
     check_drawn,
     check_page_again,
     check_statistics,
     check_tables_again,
-    described_tables,
 )
+from sightline.export.verify.described import Described, check_description, read_description
 from sightline.infra.audit.checkpoints import checkpoint_problem
 from sightline.infra.audit.records import AuditHead, survey_chain
 from sightline.infra.csv_package.files import (
@@ -45,12 +50,14 @@ from sightline.infra.csv_package.files import (
     sum_of,
 )
 from sightline.infra.csv_package.forms import check_forms, read_json
+from sightline.infra.csv_package.recomputing import Recomputing
 from sightline.infra.csv_package.schema import CHECKSUMS, Written
 from sightline.infra.csv_package.verify import check_keys
 from sightline.measurements.again.verify import check_computings, check_out_of_date
 from sightline.measurements.csv import CLICKS, CLICKS_FOLDER
 from sightline.measurements.sheets.verify import check_vehicles
 from sightline.measurements.verify import Recomputed, check_frames, check_measurements
+from sightline.messages import say
 from sightline.poses.verify import check_poses
 from sightline.quality.checks.verify import check_wheel_pairs
 from sightline.quality.repeats.verify import check_repeats
@@ -67,7 +74,11 @@ _LEAST_OF_HEAD = 16
 
 @dataclass(frozen=True)
 class PackageCheck:
-    """What was checked; `problem` is one sentence, None when all is well. `notes`: what could not be."""
+    """What was checked; `problem` is one sentence, None when all is well. `notes`: what could not be.
+
+    `not_checked`: the parts that another version of the program made, which this one did not compare:
+    "heights", "description", "statistics", "drawings", "page".
+    """
 
     ok: bool
     files: int
@@ -81,6 +92,7 @@ class PackageCheck:
     drawings: int = 0
     signed_at: str = ""
     key: str = ""
+    not_checked: list[str] = field(default_factory=list)
     notes: list[str] = field(default_factory=list)
 
 
@@ -97,6 +109,7 @@ class _Found:
     drawings: int = 0
     signed_at: str = ""
     key: str = ""
+    not_checked: list[str] = field(default_factory=list)
     notes: list[str] = field(default_factory=list)
 
 
@@ -148,6 +161,7 @@ def verify_package(
         drawings=found.drawings,
         signed_at=found.signed_at,
         key=found.key,
+        not_checked=found.not_checked,
         notes=found.notes,
     )
 
@@ -155,15 +169,52 @@ def verify_package(
 def _check(files: Files, head: str | None, key: str | None, found: _Found, tick: Tick) -> None:
     written = checksums(files)
     tick(0.1)
+    described = read_description(files)
     check_forms(files, {CLICKS_FOLDER: CLICKS.path})
     seal = read_seal(files)
-    told = walk(files, seal)
+    told = walk(files, seal, described.headers)
     found.checked, found.head = told.count, told.head
     found.notes += _same_head(told, head)
     check_seal(seal, written)
     found.signed_at, found.key = _signed(files, told, seal.survey_id, key)
     found.notes += _of_key(found.key, key)
     tick(0.2)
+    _check_rows(described.read_in_its_format(files), described, seal, told, written, found)
+    tick(0.6)
+    _tell(found, "description", check_description(files, described, told, written))
+    read = described.read_in_its_format(files)
+    statistics, found.statistics, difference = check_statistics(
+        read, same_program=described.is_made_alike(STATISTICS)
+    )
+    if statistics is None:
+        _tell(found, "statistics", [say("export-statistics-sealed-only", {"difference": difference})])
+    found.crops = check_crops(read, written)
+    tick(0.8)
+    if statistics is not None and described.is_made_alike(DRAWING):
+        found.drawings = check_drawn(files, seal.as_of, statistics, written, described.language)
+    else:
+        _tell(found, "drawings", [say("export-drawings-sealed-only", {})])
+    check_tables_again(files, described)
+    if not check_page_again(files, described, written):
+        _tell(found, "page", [say("export-page-sealed-only", {})])
+
+
+def _tell(found: _Found, part: str, notes: Sequence[str]) -> None:
+    """Note what another version made and this one did not compare."""
+    if notes:
+        found.not_checked.append(part)
+        found.notes += notes
+
+
+def _check_rows(
+    files: Files,
+    described: Described,
+    seal: Seal,
+    told: ReplayedState,
+    written: Mapping[str, Written],
+    found: _Found,
+) -> None:
+    """Every row against its audit events, and every height from its clicks."""
     check_poses(files, told.poses)
     check_calibrations(files, told.calibrations)
     check_cameras(files, told.cameras)
@@ -172,11 +223,11 @@ def _check(files: Files, head: str | None, key: str | None, found: _Found, tick:
     check_classes(files, told.survey["classes"])
     check_sampling(files, told.survey)
     check_standards(files, told.standards)
-    heights = Recomputed(files)
-    found.heights = check_measurements(
-        files, told.measurements, told.is_gone, told.recordings.drift_flag, heights
-    )
-    found.heights += check_repeats(files, told.measurements, told.is_gone, heights)
+    recomputing = Recomputing(described.is_computed_alike)
+    heights = Recomputed(files, recomputing)
+    check_measurements(files, told.measurements, told.is_gone, told.recordings.drift_flag, heights)
+    check_repeats(files, told.measurements, told.is_gone, heights)
+    found.heights = recomputing.equal
     check_out_of_date(
         files,
         told.measurements.follows_from,
@@ -184,7 +235,6 @@ def _check(files: Files, head: str | None, key: str | None, found: _Found, tick:
         told.vehicles,
         told.recordings.pose_in_force,
     )
-    tick(0.5)
     check_vehicles(files, told.vehicles, told.is_gone)
     check_recordings(files, told.recordings)
     check_wheel_pairs(files, told.pairs, told.is_gone)
@@ -192,20 +242,12 @@ def _check(files: Files, head: str | None, key: str | None, found: _Found, tick:
     check_verdicts(files, told.reviews, told.is_gone)
     check_lots(files, told.lots, told.reviews, told.measurements.of_vehicle, told.is_gone)
     check_frames(files, told.measurements)
-    check_scans(files, told.scans, computings)
+    check_scans(files, told.scans, computings, recomputing)
     check_photographs(files, told.photographs, written)
-    found.keys = check_keys(files, described_tables(files))
-    tick(0.6)
-    drawn_alike, notes = check_description(files, told, written)
-    found.notes += notes
-    statistics, found.statistics, notes = check_statistics(files, same_program=drawn_alike)
-    found.notes += notes
-    found.crops = check_crops(files, written)
-    tick(0.8)
-    if drawn_alike:
-        found.drawings = check_drawn(files, seal.as_of, statistics, written)
-    check_tables_again(files)
-    found.notes += check_page_again(files, written)
+    found.keys = check_keys(files, described.tables)
+    if recomputing.differing:
+        values: dict[str, str | int] = {"count": recomputing.differing, "first": recomputing.first}
+        _tell(found, "heights", [say("export-heights-of-another-version", values)])
 
 
 def _same_head(told: ReplayedState, head: str | None) -> list[str]:

@@ -14,8 +14,8 @@ import stat
 import tempfile
 import zipfile
 import zlib
-from collections.abc import Callable, Iterable, Iterator
-from contextlib import AbstractContextManager, contextmanager
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from contextlib import AbstractContextManager, contextmanager, nullcontext
 from functools import cached_property
 from itertools import islice
 from pathlib import Path
@@ -24,6 +24,7 @@ from typing import BinaryIO, Generic, Protocol, TypeVar, cast
 from sightline.errors import BadInput, Damaged
 from sightline.infra.csv_package.schema import (
     CHECKSUMS,
+    AnyTable,
     Cell,
     Column,
     Record,
@@ -355,6 +356,39 @@ class InFolder:
         return self._files.open(self._places[path])
 
 
+class EarlierFiles:
+    """A package of another version of the program, read as though it had the tables of this one: those that
+    it lacks have no rows, and the columns that it lacks are empty.
+    """
+
+    def __init__(self, files: Files, mine: Sequence[AnyTable], theirs: Sequence[AnyTable]) -> None:
+        self._files = files
+        self.paths = files.paths
+        headers = {table.path: table.header for table in theirs}
+        #: The columns of this program that a table lacks, by path; of a table that is not there, all.
+        self.lacking = {
+            table.path: lacking
+            for table in mine
+            if (lacking := frozenset(table.header) - set(headers.get(table.path, ())))
+        }
+
+    def open(self, path: str) -> AbstractContextManager[BinaryIO]:
+        if path not in self.paths and path in self.lacking:
+            return nullcontext(io.BytesIO())
+        return self._files.open(path)
+
+
+class _EarlierRow(dict[str, str]):
+    """A row of a table that lacks columns."""
+
+    def __missing__(self, _name: str) -> str:
+        return ""
+
+
+def _lacking(files: Files, path: str) -> frozenset[str]:
+    return files.lacking.get(path, frozenset()) if isinstance(files, EarlierFiles) else frozenset()
+
+
 def open_package(place: Path) -> Files:
     """The files of an exported folder or ZIP. Raises BadInput for anything else."""
     try:
@@ -381,13 +415,14 @@ def read_whole(files: Files, path: str) -> bytes:
 
 def read_rows(files: Files, path: str) -> Iterator[dict[str, str]]:
     """The rows of one CSV, by column. Raises Damaged where it is missing or no CSV."""
+    lacking = _lacking(files, path)
     with files.open(path) as file:
         text = io.TextIOWrapper(file, encoding="utf-8", newline="")
         try:
             for row in csv.DictReader(text, strict=True):
                 if None in row or None in row.values():
                     raise Damaged("csv_package-row-too-long-too-short-changed", path=path)
-                yield row
+                yield _EarlierRow(row) if lacking else row
         except (UnicodeDecodeError, csv.Error) as error:
             raise Damaged("csv_package-cannot-read-csv-take-whole-export", path=path) from error
         finally:
@@ -406,14 +441,17 @@ def read_header(files: Files, path: str) -> list[str]:
 
 def read_columns(files: Files, path: str, names: tuple[str, ...]) -> Iterator[list[str]]:
     """Some columns of one CSV, row by row: several times as quick as `read_rows`. Raises Damaged."""
+    lacking = _lacking(files, path)
     with files.open(path) as file:
         text = io.TextIOWrapper(file, encoding="utf-8", newline="")
         try:
             reader = csv.reader(text, strict=True)
-            header = next(reader, [])
+            header = [*next(reader, []), *lacking]
             places = [header.index(name) for name in names]
+            added = [""] * len(lacking)
             for row in reader:
-                yield [row[place] for place in places]
+                cells = row + added if lacking else row
+                yield [cells[place] for place in places]
         except (UnicodeDecodeError, csv.Error, ValueError, IndexError) as error:
             raise Damaged("csv_package-cannot-read-described-take-whole-export", path=path) from error
         finally:

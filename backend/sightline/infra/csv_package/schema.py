@@ -22,6 +22,9 @@ Row = Mapping[str, Cell]
 #: What a row is made of: a stored record, or a mapping that holds the cells by name.
 Record = TypeVar("Record", contravariant=True, default=Row)
 
+#: What a reader has to know to read a package. Another table or column is no other format: packages are read
+#: by #: their own description. Format 1 stated no number.
+FORMAT = 2
 CHECKSUMS = "SHA256SUMS"
 DESCRIPTION = "datapackage.json"
 PARQUET = "parquet/"
@@ -193,12 +196,50 @@ class About:
     made_with: Mapping[str, str]
 
 
+def tables_described(description: Mapping[str, Any]) -> tuple[AnyTable, ...]:
+    """The tables of a package by its own description. Raises KeyError, TypeError for one of another form."""
+    return tuple(_table_of(one) for one in description["resources"] if "schema" in one)
+
+
+def _table_of(resource: Mapping[str, Any]) -> AnyTable:
+    schema = resource["schema"]
+    columns: tuple[Column[Never], ...] = tuple(
+        Column(
+            one["name"],
+            one["type"],
+            one["description"],
+            one.get("unit", ""),
+            required=one.get("constraints", {}).get("required", False),
+            enum=tuple(one.get("constraints", {}).get("enum", ())),
+            minimum=one.get("constraints", {}).get("minimum"),
+        )
+        for one in schema["fields"]
+    )
+    foreign = (
+        (tuple(one["fields"]), one["reference"]["resource"], tuple(one["reference"]["fields"]))
+        for one in schema.get("foreignKeys", ())
+    )
+    folder, slash, _ = resource["path"].rpartition("/")
+    table = Table(
+        name=resource["name"],
+        meaning=resource["description"],
+        columns=columns,
+        primary=tuple(schema.get("primaryKey", ())),
+        foreign=tuple(foreign),
+        folder=folder + slash,
+    )
+    if table.path != resource["path"]:
+        raise KeyError(resource["path"])
+    return table
+
+
 def description_of(
     about: About, tables: Sequence[AnyTable], others: Sequence[Other], written: Mapping[str, Written]
 ) -> dict[str, Any]:
     """`datapackage.json`: one resource for every table and document, with the hash and size of its bytes."""
     package: dict[str, Any] = {
         "profile": "data-package",
+        "format": FORMAT,
         "name": "sightline-survey",
         "title": about.title,
         "description": about.description,

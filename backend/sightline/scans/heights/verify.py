@@ -12,6 +12,7 @@ from sightline.enums import Category, ComputingCause, DriverSide, InsetSource, T
 from sightline.errors import Damaged
 from sightline.infra.csv_package.columns import joined
 from sightline.infra.csv_package.files import Files, read_columns, read_rows
+from sightline.infra.csv_package.recomputing import Recomputing
 from sightline.linescan.line_height import LineHeight
 from sightline.linescan.line_pose import LinePose, LinePoseError
 from sightline.measurements.again.verify import same_figures, verdict_gone_over
@@ -20,6 +21,9 @@ from sightline.scans.heights.poses import Mark, Rod, solve
 from sightline.scans.heights.service import RowClicks, answer, causes_now_of_line
 from sightline.surveys.csv import insets_in
 
+#: The part of the program that computes what a line scan's points and passes give, by its name in
+#: datapackage.json.
+LINES = "line_heights"
 Row = Mapping[str, str]
 # Half of the last decimal that a CSV carries, and a hair for the rounding of the last binary digit.
 _TOLERANCE = 0.51e-6
@@ -27,8 +31,10 @@ _CLICKED = ("contact_line", "contact_row_px", "target_line", "target_row_px", "s
 _FIGURES = ("distance_m", "u_distance_m", "height_m", "u_height_m", "U95_height_m")
 
 
-def check_line_heights(files: Files, told_poses: Mapping[int, Mapping[str, Any]]) -> int:
-    """Solve every calibration and compute every height again; how many. Raises Damaged.
+def check_line_heights(
+    files: Files, told_poses: Mapping[int, Mapping[str, Any]], recomputing: Recomputing
+) -> None:
+    """Solve every calibration and compute every height again. Raises Damaged.
 
     `told_poses`: what the audit events say of each calibration, its marks too.
     """
@@ -36,15 +42,18 @@ def check_line_heights(files: Files, told_poses: Mapping[int, Mapping[str, Any]]
     marks: dict[int, list[Row]] = defaultdict(list)
     for row in read_rows(files, LINE_MARKS.path):
         marks[int(row["pose_id"])].append(row)
-    poses = {}
+    poses, versions = {}, {}
     for row in read_rows(files, LINE_POSES.path):
-        number = int(row["id"])
-        poses[number] = _pose(row, marks.pop(number, []), told_poses[number])
+        number, mine = int(row["id"]), marks.pop(int(row["id"]), [])
+        versions[number] = row["code_version"]
+        rod = _rod(row, mine, told_poses[number])
+        with recomputing.of(LINES, versions[number]):
+            poses[number] = _pose(row, rod, mine)
     if marks:
         raise Damaged(
             "scans-calibration-no-row", path=LINE_MARKS.path, marks=min(marks), path_2=LINE_POSES.path
         )
-    return len(poses) + _heights(files, poses)
+    _heights(files, poses, versions, recomputing)
 
 
 @dataclass(frozen=True, slots=True)
@@ -113,14 +122,18 @@ def _put_back(then: Row, row: Row) -> bool:
     return all(then[name] == row[name] for name in _CLICKED) and same_figures(then, row)
 
 
-def _pose(row: Row, marks: list[Row], told: Mapping[str, Any]) -> LinePose:
-    name = f"{LINE_POSES.path}: calibration {row['id']}"
+def _rod(row: Row, marks: list[Row], told: Mapping[str, Any]) -> Rod:
+    """What was marked, as the event tells it."""
     numbers = ("distance_m", "height_m", "row_px", "line")
     clicked = tuple(Mark(*(float(mark[column]) for column in numbers)) for mark in marks)
     if [asdict(mark) for mark in clicked] != told["marks"]:
         raise Damaged("scans-marks-calibration-not-those-event", path=LINE_MARKS.path, id=row["id"])
     sigma_px = float(row["sigma_px"]) if row["sigma_px"] else None
-    rod = Rod(clicked, sigma_px, float(row["u_distance_m"]), float(row["u_lean_rad"]))
+    return Rod(clicked, sigma_px, float(row["u_distance_m"]), float(row["u_lean_rad"]))
+
+
+def _pose(row: Row, rod: Rod, marks: list[Row]) -> LinePose:
+    name = f"{LINE_POSES.path}: calibration {row['id']}"
     try:
         pose = solve(rod)
     except LinePoseError as error:
@@ -128,35 +141,37 @@ def _pose(row: Row, marks: list[Row], told: Mapping[str, Any]) -> LinePose:
     _same(name, row, "camera_height_m", pose.camera_height_m)
     _same(name, row, "u_camera_height_m", math.sqrt(pose.covariance[3, 3]))
     _same(name, row, "rms_px", pose.rms_px)
-    for number, (mark, one) in enumerate(zip(clicked, marks, strict=True), 1):
+    for number, (mark, one) in enumerate(zip(rod.marks, marks, strict=True), 1):
         model = float(pose.rows_of(mark.distance_m, mark.height_m))
         _same(f"{LINE_MARKS.path}: mark {number} of {row['id']}", one, "residual_px", model - mark.row_px)
     return pose
 
 
-def _heights(files: Files, poses: Mapping[int, LinePose]) -> int:
+def _heights(
+    files: Files, poses: Mapping[int, LinePose], versions: Mapping[int, str], recomputing: Recomputing
+) -> None:
+    """`versions`: the one that solved each calibration, which this version may solve otherwise."""
     budget: dict[str, list[Row]] = defaultdict(list)
     for row in read_rows(files, LINE_BUDGET.path):
         budget[row["height_id"]].append(row)
     newest: dict[tuple[str, str], Row] = {}
     marked: set[str] = set()
-    count = 0
     for row in read_rows(files, LINE_HEIGHTS.path):
-        _height(row, answer(poses[int(row["pose_id"])], _clicks(row)), budget.pop(row["id"], []))
+        pose_id, mine = int(row["pose_id"]), budget.pop(row["id"], [])
+        with recomputing.of(LINES, row["code_version"], versions[pose_id]):
+            _height(row, answer(poses[pose_id], _clicks(row)), mine)
         place = row["vehicle_id"], row["target"]
         before = newest.get(place)
         if before is None or int(before["revision"]) < int(row["revision"]):
             newest[place] = row
         if row["current"] == "true":
             marked.add(row["id"])
-        count += 1
     if marked != {row["id"] for row in newest.values()}:
         raise Damaged("scans-row-marked-current-not-newest-revision", path=LINE_HEIGHTS.path)
     if budget:
         raise Damaged(
             "scans-height-no-row", path=LINE_BUDGET.path, budget=min(budget), path_2=LINE_HEIGHTS.path
         )
-    return count
 
 
 def _height(row: Row, found: LineHeight, budget: list[Row]) -> None:

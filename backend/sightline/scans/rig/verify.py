@@ -10,8 +10,10 @@ from typing import Any
 from sightline.enums import JsonObject
 from sightline.errors import BadInput, Damaged
 from sightline.infra.csv_package.files import Files, read_rows
+from sightline.infra.csv_package.recomputing import Recomputing
 from sightline.infra.csv_package.schema import AnyTable
 from sightline.linescan.rig_calibration import Common, RigPass
+from sightline.scans.heights.verify import LINES
 from sightline.scans.rig.calibrating import calibration_values, solve_passes
 from sightline.scans.rig.csv import GIVEN, RIG_CALIBRATIONS, RIG_PASSES
 
@@ -31,29 +33,35 @@ _FIGURES = (
 )
 
 
-def check_rig_calibrations(files: Files, told: Mapping[int, Mapping[str, Any]]) -> int:
-    """Solve each calibration again; how many. `told`: what their audit events say. Raises Damaged."""
+def check_rig_calibrations(
+    files: Files, told: Mapping[int, Mapping[str, Any]], recomputing: Recomputing
+) -> None:
+    """Solve each calibration again. `told`: what their audit events say. Raises Damaged."""
     passes: dict[int, list[Row]] = defaultdict(list)
     for row in read_rows(files, RIG_PASSES.path):
         passes[int(row["calibration_id"])].append(row)
-    count = 0
     for row in read_rows(files, RIG_CALIBRATIONS.path):
         number = int(row["id"])
-        _calibration(row, passes.pop(number, []), told[number])
-        count += 1
+        rows = passes.pop(number, [])
+        given = _given(row, rows, told[number])
+        with recomputing.of(LINES, row["code_version"]):
+            _calibration(row, rows, given)
     if passes:
         raise Damaged("scans-rig-passes-without", path=RIG_PASSES.path, id=min(passes))
-    return count
 
 
-def _calibration(row: Row, rows: list[Row], told: Mapping[str, Any]) -> None:
+def _given(row: Row, rows: list[Row], told: Mapping[str, Any]) -> list[RigPass]:
+    """The passes, as the event tells them."""
     given: list[JsonObject] = [
         {"name": one["pass"], **{name: float(one[name]) for name in GIVEN if one[name]}} for one in rows
     ]
     if given != told["passes"] or [int(one["number"]) for one in rows] != list(range(1, len(rows) + 1)):
         raise Damaged("scans-rig-passes-not-those", path=RIG_PASSES.path, id=row["id"])
+    return [RigPass(**one) for one in given]
+
+
+def _calibration(row: Row, rows: list[Row], passes: list[RigPass]) -> None:
     common = Common(**{name: float(row[name]) for name in _COMMON})
-    passes = [RigPass(**one) for one in given]
     try:
         found = solve_passes(passes, common)
     except BadInput as error:

@@ -1,0 +1,275 @@
+"""Packages of earlier versions go on to verify, what other versions made is told, forgeries are found."""
+
+import json
+import tarfile
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from sightline.cli import main
+from sightline.export import contents
+from sightline.export.contents import HEIGHTS, STATISTICS
+from sightline.export.verify import derived, described
+from sightline.export.verify.package import PackageCheck, verify_package
+from sightline.infra import source_hash
+from sightline.infra.audit.hashing import canonical_json, content_hash
+from sightline.infra.csv_package.files import FolderFiles
+from sightline.infra.csv_package.schema import Column, Table, json_bytes
+from sightline.measurements import verify as measured
+from sightline.measurements.height_of_clicks import Answer
+from tests.export.keep_released import KEPT
+from tests.support.forgeries import a_height, roof
+from tests.support.packages import (
+    edit,
+    ground,
+    package,
+    rederive,
+    rehash,
+    reseal,
+    rewrite,
+    rows,
+    worked,
+)
+
+__all__ = ["ground", "package", "worked"]
+
+RELEASED = sorted(KEPT.glob("*.tar.xz"))
+
+
+def check(place: Path, head: str | None = None) -> PackageCheck:
+    return verify_package(FolderFiles(place), head)
+
+
+@pytest.fixture(params=RELEASED, ids=lambda place: place.name.removesuffix(".tar.xz"))
+def released(request: pytest.FixtureRequest, tmp_path: Path) -> Path:
+    """A package that an earlier version made."""
+    place = tmp_path / "released"
+    with tarfile.open(request.param) as archive:
+        archive.extractall(place, filter="data")
+    return place
+
+
+@pytest.fixture
+def later(monkeypatch: pytest.MonkeyPatch) -> Callable[..., None]:
+    """Makes this program a later version, whose parts of these names have another source."""
+
+    def become(*changed: str) -> None:
+        real = contents.made_with()
+
+        def made_with() -> dict[str, str]:
+            return {**real, "sightline": "9.0", **dict.fromkeys(changed, "another")}
+
+        monkeypatch.setattr(described, "made_with", made_with)
+        monkeypatch.setattr(described, "code_version", lambda: "9.0")
+
+    return become
+
+
+def test_a_package_is_kept() -> None:
+    assert RELEASED and all(place.stat().st_size < 600_000 for place in RELEASED)
+
+
+def test_a_package_of_an_earlier_version_verifies(released: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    found = check(released)
+    assert found.ok, found.problem
+    compared = len(rows(released, "revisions.csv")) + len(rows(released, "repeats.csv"))
+    assert found.heights == compared or "heights" in found.not_checked
+    version = json.loads((released / "datapackage.json").read_text())["made_with"]["sightline"]
+    assert f"Made by version {version}" in " ".join(found.notes)
+    assert ("drawings" in found.not_checked) == (found.drawings == 0)
+    assert main(["verify", str(released), "--json"]) == 0
+    assert json.loads(capsys.readouterr().out)["not_checked"] == found.not_checked
+
+
+@pytest.mark.parametrize("name", ["height_m", "u_height_m", "target_y_px", "code_version"])
+def test_a_forged_height_of_an_earlier_version_is_found(released: Path, name: str) -> None:
+    """All sums, the seal and a signature fit; the height's own event does not."""
+    number = "1.210000" if name.endswith("_m") else "99.5" if name.endswith("_px") else "0.0.1+other"
+    for table in ("measurements.csv", "revisions.csv"):
+        edit(released, table, roof, **{name: number})
+    reseal(released)
+    found = check(released)
+    assert not found.ok and "differs from its audit event" in str(found.problem)
+
+
+def forge_with_its_event(place: Path) -> str:
+    """A roof's height everywhere, its event too, and the chain from there on; the head before that."""
+    events = rows(place, "audit.csv")
+    head = events[-1]["hash"]
+    for at, event in enumerate(events):
+        if event["entity"] == "measurement" and '"height_m":1.31' in event["after"]:
+            after = json.loads(event["after"])
+            after["row"]["height_m"] = 1.3099
+            after["content_sha256"] = content_hash(after["row"])
+            events[at]["after"] = canonical_json(after)
+            first = at
+    rewrite(place, "audit.csv", rehash(events, first))
+    for table in ("measurements.csv", "revisions.csv"):
+        edit(place, table, roof, height_m="1.309900")
+    rederive(place, drawings=True)
+    return head
+
+
+def test_a_height_that_another_version_computed_otherwise_is_told(
+    package: Path, later: Callable[..., None]
+) -> None:
+    """Who writes chain and signature anew is found by the same program, and by one that computes alike; any
+    other tells the number, and the head that was kept finds it.
+    """
+    head = forge_with_its_event(package)
+    found = check(package)
+    assert not found.ok and "its clicks give 1.310000 m" in str(found.problem)
+    later()
+    assert "its clicks give 1.310000 m" in str(check(package).problem)
+    later(HEIGHTS)
+    found = check(package)
+    assert found.ok and found.not_checked[0] == "heights", found.problem
+    assert "states height 1.309900, its clicks give 1.310000 m" in " ".join(found.notes)
+    assert "not with the given audit head" in str(check(package, head).problem)
+
+
+def test_a_later_geometry_calls_no_height_wrong(
+    package: Path, later: Callable[..., None], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    real = measured.answer
+
+    def improved(*given: Any) -> Answer:
+        found = real(*given)
+        return found if found.height_m is None else replace(found, height_m=found.height_m + 2e-6)
+
+    monkeypatch.setattr(measured, "answer", improved)
+    assert "one is wrong" in str(check(package).problem)
+    later(HEIGHTS)
+    found = check(package)
+    assert found.ok, found.problem
+    assert found.not_checked == ["heights", "description"]
+    assert "8 numbers that other versions computed differ" in " ".join(found.notes)
+    a_height(package)
+    assert "differs from its audit event" in str(check(package).problem)
+
+
+def test_statistics_and_drawings_of_a_changed_module_are_sealed_and_not_wrong(
+    package: Path, later: Callable[..., None], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    real = derived.statistics_rows
+
+    def otherwise(*given: Any) -> dict[str, list[dict[str, Any]]]:
+        return {path: list(found)[:-1] for path, found in real(*given).items()}
+
+    monkeypatch.setattr(derived, "drawn", lambda *_: [("report.pdf", b"another")])
+    assert "report.pdf is not what these rows" in str(check(package).problem)
+    later("drawing")
+    found = check(package)
+    assert found.ok and (found.drawings, found.not_checked) == (0, ["description", "drawings"]), found.problem
+    assert "bound by the seal, not compared" in " ".join(found.notes)
+    monkeypatch.setattr(derived, "statistics_rows", otherwise)
+    assert not check(package).ok
+    later(STATISTICS, "drawing")
+    found = check(package)
+    assert found.ok and found.not_checked == ["description", "statistics", "drawings"], found.problem
+    assert "Statistics: another version computed them otherwise" in " ".join(found.notes)
+    path = package / "report.pdf"
+    path.write_bytes(path.read_bytes() + b"%")
+    reseal(package, seal=False)
+    assert "is not what the package's seal" in str(check(package).problem)
+
+
+def test_later_tables_and_columns_break_no_package(
+    package: Path, released: Path, later: Callable[..., None], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    table: Table[Any] = Table("later", "Made later.", (Column("id", "integer", "a number"),), primary=("id",))
+    column: Column[Any] = Column("later", "string", "a word", of=lambda _: "word")
+    revisions = replace(measured.REVISIONS, columns=(*measured.REVISIONS.columns, column))
+    monkeypatch.setattr(measured, "REVISIONS", revisions)
+    monkeypatch.setattr(contents, "REVISIONS", revisions)
+    monkeypatch.setattr(contents, "_OTHER_TABLES", (*contents._OTHER_TABLES, table))
+    assert check(released).ok, check(released).problem
+    assert not check(package).ok
+    later()
+    found = check(package)
+    assert found.ok, found.problem
+    assert found.not_checked == ["description"] and found.drawings > 0
+
+
+def test_a_program_knows_its_own_parts(package: Path, later: Callable[..., None]) -> None:
+    """Nobody escapes a comparison by naming another source for the version that checks."""
+    place = package / "datapackage.json"
+    told = json.loads(place.read_text())
+    for drawing, said in (("0" * 16, "another made_with"), (told["made_with"]["drawing"], "None")):
+        told["made_with"] |= {"sightline": "9.0", "drawing": drawing}
+        place.write_bytes(json_bytes(told))
+        reseal(package)
+        later()
+        assert said in str(check(package).problem)
+
+
+def test_another_format_is_refused(package: Path) -> None:
+    place = package / "datapackage.json"
+    text = place.read_text()
+    assert json.loads(text)["format"] == 2
+    place.write_text(text.replace('"format": 2,', '"format": 3,', 1))
+    reseal(package)
+    assert "has format 3, which this version of Sightline does not know" in str(check(package).problem)
+
+
+def test_what_statistics_and_drawings_rest_on_is_found_by_their_imports() -> None:
+    """Among them what a list by hand had left out, and nothing that serves pages or starts the program."""
+
+    def names(part: str) -> set[str]:
+        modules, _ = contents.PARTS[part]
+        files = source_hash.import_closure(*modules)
+        return {path.relative_to(source_hash.ROOT / "sightline").as_posix() for path in files}
+
+    drawing = names("drawing")
+    left_out = {"coverage.py", "enums.py", "geometry/documents.py", "recordings/filming.py"}
+    assert left_out | {"infra/local_time.py", "vehicles/records.py"} <= drawing
+    assert names(STATISTICS) <= drawing
+    assert not {name for name in drawing if name.endswith(("routes.py", "app.py"))}
+    assert "geometry/height.py" in names(HEIGHTS) and not {
+        n for n in names(HEIGHTS) if n.startswith("export")
+    }
+
+
+def test_a_hash_changes_with_what_is_imported_and_with_nothing_else(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(source_hash, "ROOT", tmp_path)
+    room = tmp_path / "sightline" / "somewhere"
+    room.mkdir(parents=True)
+    for folder in (room.parent, room):
+        (folder / "__init__.py").write_text("")
+    lines = (
+        "from typing import TYPE_CHECKING",
+        "if TYPE_CHECKING:",
+        "    from sightline.somewhere import typed",
+        "def f():",
+        "    from sightline.somewhere import late",
+        "    import numpy",
+    )
+    (room / "first.py").write_text("\n".join(lines))
+    for name in ("late", "typed", "beside"):
+        (room / f"{name}.py").write_text("")
+    (room / "words.ftl").write_text("a = A")
+
+    def now() -> tuple[str, str]:
+        for one in (source_hash.source_hash, source_hash._imports, source_hash._file_of):
+            one.cache_clear()
+        place = "sightline.somewhere.first"
+        return source_hash.source_hash(place), source_hash.source_hash(place, texts=(".ftl",))
+
+    before = now()
+    for name in ("typed.py", "beside.py"):
+        (room / name).write_text("changed = 1")
+        assert now() == before
+    (room / "words.ftl").write_text("a = B")
+    assert now()[0] == before[0] and now()[1] != before[1]
+    for name in ("late.py", "__init__.py"):
+        (room / name).write_text("changed = 1")
+        assert now()[0] != before[0]
+        (room / name).write_text("")
+        assert now()[0] == before[0]
+    for one in (source_hash.source_hash, source_hash._imports, source_hash._file_of):
+        one.cache_clear()
