@@ -7,7 +7,7 @@ PIP := $(BIN)/python -m pip --quiet --disable-pip-version-check
 NPM := npm --prefix frontend --no-fund --no-audit --loglevel=error
 WEB_SOURCES := $(shell find frontend/src backend/sightline/messages frontend/public docs CONVENTIONS.md frontend/index.html frontend/vite.config.ts frontend/package.vite.config.ts -type f 2>/dev/null)
 
-.PHONY: run wheel image test test-postgresql test-browser setup check check-server check-pages lock types dev screenshots bench soak faults full-disk hostile flakes proofs nightly sbom audit clean
+.PHONY: run wheel image test test-postgresql test-browser setup check check-server check-pages lock types dev screenshots bench soak faults faults-machines full-disk hostile flakes proofs nightly sbom audit clean
 .DELETE_ON_ERROR:
 
 run: setup
@@ -136,6 +136,10 @@ soak: setup .build/python-dev
 # Kills server, decoder, workers (with --postgresql the database too) under work: make faults FAULTS="--kills 100 --seed 7"
 faults: setup .build/python-dev
 	@$(BIN)/python -m tests.load.faults $(FAULTS)
+
+# Two apps and two workers, PostgreSQL and S3: machines, networks, database and storage that go away, clocks apart
+faults-machines: setup .build/python-dev
+	@$(BIN)/python -m tests.load.machines $(FAULTS)
 
 # A disk that fills up: make full-disk DISK=FOLDER, an empty file system of some 150 MB (mount -t tmpfs -o size=150m ...)
 full-disk: setup .build/python-dev

@@ -90,7 +90,7 @@ class Person:
                 if answer.status_code != 503:
                     self.world.odd[f"{answer.status_code} {method} {answer.text[:150]}"] += 1
             time.sleep(0.1)
-        raise AssertionError(f"{method} {path} had no answer for a quarter of an hour")
+        raise AssertionError(f"{method} {path} had no answer for three minutes")
 
     def made(self, path: str, **body: Any) -> Any:
         answer = self.ask("POST", path, json=body)
@@ -304,22 +304,28 @@ def settled(engine: Engine, seconds: float = 180) -> Counter[str]:
 
 def tell(world: World, killer: Killer, engine: Engine, data: Path) -> bool:
     """Prints what came of it; whether all is as it must be."""
-    states = settled(engine)
+    settled(engine)
     killer.server.stop()
     killer.server = killer.restart()
     killer.server.wait(60)
     killer.logs.append(killer.server.log)
     time.sleep(2)
+    print(f"killed: {dict(killer.killed)}; back after {max(killer.back_s, default=0):.1f} s at most")
+    return tell_stored(world, engine, killer.logs, [data])
+
+
+def tell_stored(world: World, engine: Engine, logs: list[Path], folders: list[Path]) -> bool:
+    """Prints what was acknowledged and what became of it; whether all is as it must be."""
+    states = settled(engine)
     lost, doubled = lost_and_doubled(engine, world)
     done, packages = packages_per_job(engine)
-    left = left_behind(data)
+    left = [one for data in folders for one in left_behind(data)]
     traces = [
         trace.strip()[:900]
-        for log in killer.logs
+        for log in logs
         for trace in log.read_text(errors="replace").split("Traceback (most recent call last):")[1:]
     ]
     verified = check_database(engine.url.render_as_string(hide_password=False))
-    print(f"killed: {dict(killer.killed)}; back after {max(killer.back_s, default=0):.1f} s at most")
     print(f"answers: {dict(world.told)}")
     print(
         f"{len(world.stored)} heights and {len(world.revised)} revisions acknowledged: "

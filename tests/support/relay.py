@@ -3,13 +3,17 @@
 import selectors
 import socket
 import threading
+import time
+from contextlib import suppress
 from typing import Self
 
 
 class Relay:
     """Passes bytes between who connects to `port` and a server, until its connections are frozen.
 
-    Frozen ones pass nothing and are never closed, as of a machine that lost its power; new ones pass.
+    Frozen ones pass nothing and are never closed, as of a machine that lost its power; new ones pass. While
+    `held` nothing passes, as of a server that stands still; while `shut` all are closed, as of one that is
+    gone. A `host` that is a folder has PostgreSQL's socket of that port.
     """
 
     def __init__(self, host: str, port: int) -> None:
@@ -21,6 +25,7 @@ class Relay:
         self._selector = selectors.DefaultSelector()
         self._lock = threading.Lock()
         self._ended = False
+        self.held = self.shut = False
         self._threads = [threading.Thread(target=self._accept, daemon=True)]
         self._threads.append(threading.Thread(target=self._pump, daemon=True))
 
@@ -50,16 +55,37 @@ class Relay:
         while not self._ended:
             try:
                 caller, _ = self._listening.accept()
-                server = socket.create_connection(self._server)
+                if self.shut:
+                    caller.close()
+                    continue
+                server = self._reach()
             except OSError:
-                return
+                if self._ended:
+                    return
+                caller.close()
+                continue
             with self._lock:
                 self._pairs.append((caller, server))
                 self._selector.register(caller, selectors.EVENT_READ, server)
                 self._selector.register(server, selectors.EVENT_READ, caller)
 
+    def _reach(self) -> socket.socket:
+        host, port = self._server
+        if not host.startswith("/"):
+            return socket.create_connection(self._server)
+        reached = socket.socket(socket.AF_UNIX)
+        reached.connect(f"{host}/.s.PGSQL.{port}")
+        return reached
+
     def _pump(self) -> None:
         while not self._ended:
+            if self.held:
+                time.sleep(0.05)
+                continue
+            if self.shut:
+                with self._lock:
+                    for key in list(self._selector.get_map().values()):
+                        self._close(key)
             for key, _ in self._selector.select(timeout=0.05):
                 with self._lock:
                     self._pass_on(key)
@@ -76,7 +102,15 @@ class Relay:
                 return
         except OSError:
             pass
+        self._close(key)
+
+    def _close(self, key: selectors.SelectorKey) -> None:
+        end, other = key.fileobj, key.data
+        assert isinstance(end, socket.socket)
+        if end in self._frozen:
+            return
         for side in (end, other):
             self._selector.unregister(side)
-            side.shutdown(socket.SHUT_RDWR) if side.fileno() >= 0 else None
+            with suppress(OSError):
+                side.shutdown(socket.SHUT_RDWR)
             self._frozen.add(side)

@@ -1,13 +1,13 @@
 import { useEffect, useState } from "preact/hooks";
 import { Button, Icon } from "../components";
-import { connection, tryAgainNow } from "../core/api";
+import { connection, explain, tryAgainNow } from "../core/api";
 import { say } from "../core/messages";
 import { outbox } from "../core/outbox";
 import { saveState } from "../core/save";
 
-/** Says that the server cannot be reached, what waits, and when it is tried again. */
+/** Says that the server cannot be reached, or what it says is away, what waits, and when it is tried again. */
 export function Offline() {
-  const { lost, nextTryAt } = connection.value;
+  const { lost, nextTryAt, away } = connection.value;
   const [now, setNow] = useState(Date.now());
   useEffect(() => {
     if (!lost) return;
@@ -23,7 +23,8 @@ export function Offline() {
     <div class="offline" role="alert">
       <Icon name="warning" />
       <span class="grow">
-        {say("problem-offline")} {kept > 0 && `${say("offline-kept", { count: kept })} `}
+        {away ? explain(away) : say("problem-offline")}{" "}
+        {kept > 0 && `${say("offline-kept", { count: kept })} `}
         {others > 0 && `${say("offline-changes", { count: others })} `}
         {seconds > 0 ? say("offline-next", { seconds }) : say("offline-now")}
       </span>

@@ -152,6 +152,21 @@ describe("a lost connection", () => {
     expect(server.mock.calls[1]?.[1]?.body).toBe('{"version":3,"make":"Saab"}');
   });
 
+  it("names what the server says is away, and forgets it when nothing answers", async () => {
+    const code = "database-database-not-answer-check-runs-address";
+    const said = { kind: "database_away", code, values: {}, message: "The database does not answer." };
+    server.mockResolvedValueOnce(answer(503, { error: said }));
+    const done = api.ask("GET /surveys");
+    await vi.waitFor(() => expect(connection.value.lost).toBe(true));
+    expect(explain(connection.value.away)).toMatch(/^The database does not answer/);
+    server.mockResolvedValueOnce(new Response("Bad gateway", { status: 502 }));
+    tryAgainNow();
+    await vi.waitFor(() => expect(connection.value).toMatchObject({ lost: true, away: null }));
+    server.mockResolvedValueOnce(answer(200, []));
+    tryAgainNow();
+    await expect(done).resolves.toEqual([]);
+  });
+
   it("does not send a write twice that may not be, and says so in words", async () => {
     server.mockRejectedValueOnce(new TypeError("failed to fetch"));
     const error = await api.write("POST /surveys", {}, { body: { name: "A" } }).catch((e: unknown) => e);

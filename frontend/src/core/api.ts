@@ -34,6 +34,8 @@ interface Waiting {
 
 const waiting = signal<Waiting[]>([]);
 const nextTryAt = signal<number | null>(null);
+/** What the last answer said is away: the database, say; null where there was no answer, or one of a proxy. */
+const away = signal<ApiError | null>(null);
 let attempt = 0;
 let timer: ReturnType<typeof setTimeout> | undefined;
 
@@ -42,6 +44,7 @@ export const connection = computed(() => ({
   lost: waiting.value.length > 0,
   waiting: waiting.value.length,
   nextTryAt: nextTryAt.value,
+  away: away.value,
 }));
 
 /** Sends everything that waits for the connection again, now. */
@@ -127,11 +130,12 @@ async function send(
   const mayRepeat = options.retry ?? !["POST", "PATCH"].includes(method);
   for (;;) {
     const answer = await fetchOnce(path, init, mayRepeat);
-    const away = answer && (SERVER_AWAY.includes(answer.status) || !answer.readable);
-    if (answer && !(mayRepeat && away)) {
+    const unable = answer && (SERVER_AWAY.includes(answer.status) || !answer.readable);
+    if (answer && !(mayRepeat && unable)) {
       attempt = 0;
       return answer;
     }
+    away.value = saidBy(answer);
     if (write) changeSave((s) => ({ waiting: s.waiting + 1 }));
     try {
       await waitForConnection(signal);
@@ -139,6 +143,11 @@ async function send(
       if (write) changeSave((s) => ({ waiting: s.waiting - 1 }));
     }
   }
+}
+
+function saidBy(answer: Answer | null): ApiError | null {
+  const error = answer && toApiError(answer.status, answer.body);
+  return error?.said ? error : null;
 }
 
 function contentOf(body: unknown): Pick<RequestInit, "headers" | "body"> {

@@ -15,7 +15,7 @@ from sqlalchemy import URL, Engine, create_engine, event
 
 #: seconds to connect; for an answer to "are you there"; to a statement that reads, or that writes in a short
 #: turn, or in the turn of all
-CONNECT_S, PING_S, READ_S, SHORT_WRITE_S, LONG_WRITE_S = 5, 5.0, 125.0, 15.0, 60.0
+CONNECT_S, PING_S, READ_S, SHORT_WRITE_S, LONG_WRITE_S = 5, 5.0, 125.0, 12.0, 60.0
 #: how long PostgreSQL lets a writer wait for its turn, and a statement run
 LOCK_S, STATEMENT_S = 10, 120
 
