@@ -91,6 +91,23 @@ def test_connections_that_died_in_the_pool_are_found_by_one_question(relay: Rela
     assert time.monotonic() - begun >= 1.0 and through.pool.checkedout() == 0  # type: ignore[attr-defined]
 
 
+def test_a_writer_that_does_nothing_is_ended_and_stores_nothing(
+    factory: database.SessionFactory, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Ten seconds in a survey, thirty in the turn of all; here a tenth of one."""
+    for within, limit in ((1, "10s"), (SIGN_IN, "10s"), (None, "30s")):
+        with writing(factory, within) as session:
+            assert session.execute(text("SHOW idle_in_transaction_session_timeout")).scalar_one() == limit
+    monkeypatch.setattr(database, "SHORT_IDLE_S", 0.1)
+    with pytest.raises(DatabaseAway, match="does not answer"), writing(factory, 1) as session:
+        create_survey(session, name="half", actor=None)
+        with writing(factory, 1) as other:  # its turn comes when the idle one has ended
+            create_survey(other, name="next", actor=None)
+        create_survey(session, name="too late", actor=None)
+    with reading(factory) as session:
+        assert {one.name for one in list_surveys(session)} == {"next"}
+
+
 def test_who_signs_in_waits_for_no_survey(factory: database.SessionFactory) -> None:
     with writing(factory), writing(factory, SIGN_IN) as session:
         session.execute(text("SELECT 1"))

@@ -4784,6 +4784,7 @@ store-disk-full-not-stored-delete-recordings = The disk is full and { $what } wa
 store-media-file-missing-store-restore-backup = The media file { $key } is missing from the store; restore it from a backup.
 store-media-storage-did-not-answer-check = The media storage did not answer for { $key } ({ $name }); check its address, its credentials and that it is running.
 store-names-no-bucket-write-s3-bucket = { $url } names no bucket; write s3://bucket/prefix.
+store-bucket-missing = There is no bucket { $bucket }, and the storage does not let it be made ({ $why }); make it, or name another in SIGHTLINE_MEDIA_URL.
 store-media-file-missing-store = The media file { $key } is missing from the store.
 store-no-such-upload-finished-given-up = There is no such upload; it was finished or cancelled. Start it again.
 store-file-empty-choose-video-file = The file is empty; choose a video file.

@@ -4819,6 +4819,7 @@ store-disk-full-not-stored-delete-recordings = Le disque est plein, { $what } n�
 store-media-file-missing-store-restore-backup = Le fichier média { $key } manque dans le stockage ; restaurez-le depuis une sauvegarde.
 store-media-storage-did-not-answer-check = Le stockage des médias n’a pas répondu pour { $key } ({ $name }) ; vérifiez son adresse, ses identifiants et qu’il est en marche.
 store-names-no-bucket-write-s3-bucket = { $url } ne nomme pas de bucket ; écrivez s3://bucket/prefix.
+store-bucket-missing = Il n’y a pas de compartiment { $bucket }, et le stockage ne permet pas de le créer ({ $why }) ; créez-le, ou nommez-en un autre dans SIGHTLINE_MEDIA_URL.
 store-media-file-missing-store = Le fichier média { $key } manque dans le stockage.
 store-no-such-upload-finished-given-up = Cet envoi n’existe pas ; il a été terminé ou abandonné, recommencez-le.
 store-file-empty-choose-video-file = Le fichier est vide ; choisissez un fichier vidéo.

@@ -50,7 +50,8 @@ _POOL: dict[str, Any] = {"pool_size": 10, "max_overflow": 30, "pool_timeout": 10
 _WRITING, _UNSYNCED = "sightline_writing", "sightline_unsynced"
 # What SQLite says where pages of its file hold something else; PostgreSQL of a block it cannot read.
 _DAMAGED = ("malformed", "Could not decode to UTF-8", "invalid page in block", "could not read block")
-_NO_RIGHT = "42501"
+# PostgreSQL's codes: an account lacks a right; a writer that did nothing for too long was ended.
+_NO_RIGHT, _ENDED = "42501", "25P03"
 _sqlite_writer = threading.RLock()
 _REVISION = re.compile(r'^revision\b[^=\n]*= *"([^"]+)"', re.MULTILINE)
 _FOLLOWS = re.compile(r'^down_revision\b[^=\n]*= *"([^"]+)"', re.MULTILINE)
@@ -344,8 +345,11 @@ def explained() -> Iterator[None]:
 def explanation(error: DatabaseError) -> SightlineError | None:
     """What an error of the database means to the person in front; None for a fault of the program."""
     words = str(error.orig)
-    if getattr(error.orig, "sqlstate", None) == _NO_RIGHT:
+    code = getattr(error.orig, "sqlstate", None)
+    if code == _NO_RIGHT:
         return BadInput("database-account-lacks-rights")
+    if code == _ENDED:
+        return DatabaseAway("database-database-not-answer-check-runs-address")
     if (damage := damage_in(words)) is not None:
         return damage
     if not isinstance(error, OperationalError):

@@ -139,7 +139,11 @@ class S3Store:
             except ClientError as error:
                 if _code(error) not in ("404", "NoSuchBucket"):
                     raise
-                self._client.create_bucket(Bucket=self._bucket)
+                try:
+                    self._client.create_bucket(Bucket=self._bucket)
+                except ClientError as refused:
+                    why = _code(refused)
+                    raise BadInput("store-bucket-missing", bucket=self._bucket, why=why) from refused
 
     def _size(self, key: str) -> int | None:
         with _told(key):
