@@ -23,6 +23,8 @@ type PlainKey = { [K in MessageKey]: Messages[K] extends null ? K : never }[Mess
 type Values<K extends MessageKey> = Messages[K] extends null ? [] : [values: Messages[K]];
 
 const chosen = stored<string>("language", "", (v) => typeof v === "string");
+/** The keys of the English sentences, as they stand there. */
+const KEYS = new Set<string>();
 const source = bundleOf(SOURCE, english);
 /** What is spoken; behind it English, for what it lacks. */
 const bundles = signal<readonly FluentBundle[]>([source]);
@@ -59,13 +61,37 @@ export function say<K extends MessageKey>(key: K, ...[values]: Values<K>): strin
   return sentence(key, values as Record<string, FluentVariable> | undefined);
 }
 
-/** Words looked up by a name, each said when it is read: `wordsOf({ roof: "target-roof" }).roof`. */
-export function wordsOf<N extends string>(keys: Record<N, PlainKey>): Readonly<Record<N, string>> {
-  const words = {} as Record<N, string>;
-  for (const name of Object.keys(keys) as N[]) {
-    Object.defineProperty(words, name, { enumerable: true, get: () => sentence(keys[name]) });
-  }
-  return words;
+type NamesAfter<P extends string, K = PlainKey> = K extends `${P}${infer N}` ? N : never;
+
+/** Words looked up by a name, each said when it is read: `wordsOf("target-noun-").roof` says "target-noun-roof". They are
+ *  all whose keys begin so, or those that are named; where keys have no beginning in common, `{ roof: "target-roof" }`. */
+export function wordsOf<P extends string>(beginning: P): Readonly<Record<NamesAfter<P>, string>>;
+export function wordsOf<P extends string, N extends NamesAfter<P>>(
+  beginning: P,
+  ...names: N[]
+): Readonly<Record<N, string>>;
+export function wordsOf<N extends string>(keys: Record<N, PlainKey>): Readonly<Record<N, string>>;
+export function wordsOf(of: string | Readonly<Record<string, string>>, ...named: string[]) {
+  const keys = typeof of === "object" ? of : Object.fromEntries(named.map((name) => [name, of + name]));
+  const open = typeof of === "string" && named.length === 0 ? of : null;
+  const names = () =>
+    open === null
+      ? Object.keys(keys)
+      : [...KEYS].filter((key) => key.startsWith(open)).map((key) => key.slice(open.length));
+  const word = (name: string | symbol) => {
+    if (typeof name === "symbol") return undefined;
+    const key = open === null ? keys[name] : open + name;
+    return key !== undefined && KEYS.has(key) ? sentence(key) : undefined;
+  };
+  return new Proxy<Record<string, string>>(
+    {},
+    {
+      get: (_, name) => word(name),
+      has: (_, name) => word(name) !== undefined,
+      ownKeys: names,
+      getOwnPropertyDescriptor: (_, name) => ({ enumerable: true, configurable: true, value: word(name) }),
+    },
+  );
 }
 
 /** "F, → or Home" */
@@ -114,7 +140,9 @@ export function sayCode({ code, values }: Said): string | null {
 
 function bundleOf(name: string, text: string): FluentBundle {
   const bundle = new FluentBundle(name, { useIsolating: false });
-  const errors = bundle.addResource(new FluentResource(text));
+  const resource = new FluentResource(text);
+  if (name === SOURCE) for (const { id } of resource.body) KEYS.add(id);
+  const errors = bundle.addResource(resource);
   if (errors.length > 0) console.error(...errors);
   return bundle;
 }

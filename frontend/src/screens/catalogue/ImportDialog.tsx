@@ -1,13 +1,13 @@
 import { useState } from "preact/hooks";
 import {
   Button,
+  DataTable,
   Dialog,
   DropFiles,
   Loading,
   Notice,
   Problem,
   SelectField,
-  TableScroll,
 } from "../../components";
 import { api } from "../../core/api";
 import { allOf, say } from "../../core/messages";
@@ -182,29 +182,23 @@ function Lines({ plan }: { plan: Plan }) {
   const shown = plan.rows.filter((row) => row.change !== "new");
   if (shown.length === 0) return null;
   return (
-    <TableScroll label={say("catalogue-import-lines")} class="catalogue-lines">
-      <table class="table table--dense" data-testid="catalogue-lines">
-        <thead>
-          <tr>
-            <th class="num">{say("catalogue-import-line")}</th>
-            <th>{say("catalogue-model")}</th>
-            <th>{say("catalogue-import-what")}</th>
-            <th>{say("catalogue-import-why")}</th>
-          </tr>
-        </thead>
-        <tbody>
-          {shown.map((row) => (
-            <tr key={row.line}>
-              <td class="num">{row.line}</td>
-              <td>
-                {row.make} {row.model} {row.year_from ?? ""}
-              </td>
-              <td class="nowrap">{CHANGE_WORDS[row.change]}</td>
-              <td>{row.words}</td>
-            </tr>
-          ))}
-        </tbody>
-      </table>
-    </TableScroll>
+    <DataTable
+      label={say("catalogue-import-lines")}
+      scroll="catalogue-lines"
+      class="table--dense"
+      data-testid="catalogue-lines"
+      rows={shown}
+      keyOf={(row) => row.line}
+      columns={({ col, num }) => [
+        num(say("catalogue-import-line"), (row) => row.line),
+        col(say("catalogue-model"), (row) => (
+          <>
+            {row.make} {row.model} {row.year_from ?? ""}
+          </>
+        )),
+        col(say("catalogue-import-what"), (row) => CHANGE_WORDS[row.change], "nowrap"),
+        col(say("catalogue-import-why"), (row) => row.words),
+      ]}
+    />
   );
 }
