@@ -178,6 +178,8 @@ def test_every_message_is_said_somewhere() -> None:
     written = written.union(*(one.messages for one in named(SOURCE.read_text("utf-8")).values()))
     begun = re.findall(r"`([a-z][\w-]*-)\$\{[^}]*\}([\w-]*)`", text)
     made = [re.compile(f"{first}{_slot(first, last)}{last}") for first, last in set(begun)]
+    for first, names in re.findall(r'wordsOf\(\s*"([\w-]+-)"((?:,\s*"[\w-]+")*)', text):
+        made += [re.compile(f"{first}{name}") for name in re.findall(r'"([\w-]+)"', names) or [r"\w+"]]
     unused = [
         key
         for key in known()
@@ -284,7 +286,7 @@ def test_what_is_being_loaded_is_a_thing() -> None:
     told = {
         key
         for page in pages.rglob("*.tsx")
-        for key in re.findall(r'<Loading what=\{say\("([\w-]+)"', page.read_text())
+        for key in re.findall(r'<Load(?:ing|ed of=\{\w+\}) what=\{say\("([\w-]+)"', page.read_text())
     }
     assert len(told) > 40
     for language in messages.languages():

@@ -2,6 +2,7 @@
 import type { ComponentChildren } from "preact";
 import { ApiError, explain } from "../core/api";
 import { say } from "../core/messages";
+import type { Resource } from "../core/resource";
 import type { Job } from "../core/types";
 import { Button } from "./Button";
 import { Icon } from "./Icon";
@@ -57,12 +58,12 @@ export function Notice({ kind = "info", title, children, actions }: NoticeProps)
   );
 }
 
-/** An error in words, with a way to try again. */
 /** What was asked for cannot be: asking once more gives the same answer. */
 function isRefusal(error: unknown): boolean {
   return error instanceof ApiError && [400, 404, 422].includes(error.status);
 }
 
+/** An error in words, with a way to try again. */
 export function Problem({ error, again }: { error: unknown; again?: () => void }) {
   if (!error) return null;
   return (
@@ -79,6 +80,22 @@ export function Problem({ error, again }: { error: unknown; again?: () => void }
     >
       {explain(error)}
     </Notice>
+  );
+}
+
+/** What is read from the server, until it is here: that it is being loaded, or why it cannot be. */
+export function Loaded({
+  of,
+  what,
+}: {
+  of: Pick<Resource<unknown>, "data" | "error" | "loading" | "reload">;
+  what: string;
+}) {
+  return (
+    <>
+      <Problem error={of.error} again={of.reload} />
+      {!of.data && of.loading && <Loading what={what} />}
+    </>
   );
 }
 

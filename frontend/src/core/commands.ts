@@ -110,14 +110,7 @@ export function commandName(id: ActionId): string {
   return say(`command-${id}`);
 }
 
-export const SCOPE_NAMES = wordsOf({
-  anywhere: "scope-anywhere",
-  frames: "scope-frames",
-  measure: "scope-measure",
-  point: "scope-point",
-  scan: "scope-scan",
-  review: "scope-review",
-});
+export const SCOPE_NAMES = wordsOf("scope-");
 
 export const overrides = stored<Overrides>("keys", {}, (v) => typeof v === "object" && v !== null);
 
@@ -190,21 +183,7 @@ const SIGNS: Record<string, string> = {
   ArrowDown: "↓",
   "-": "−",
 };
-const KEY_WORDS: Readonly<Record<string, string>> = wordsOf({
-  Ctrl: "key-Ctrl",
-  Alt: "key-Alt",
-  Shift: "key-Shift",
-  Space: "key-Space",
-  Enter: "key-Enter",
-  Tab: "key-Tab",
-  Backspace: "key-Backspace",
-  Home: "key-Home",
-  End: "key-End",
-  Delete: "key-Delete",
-  Escape: "key-Escape",
-  PageUp: "key-PageUp",
-  PageDown: "key-PageDown",
-});
+const KEY_WORDS: Readonly<Record<string, string>> = wordsOf("key-");
 
 /** A chord as a keycap shows it. */
 export function showChord(chord: string): string {

@@ -18,12 +18,7 @@ export type Direction = NonNullable<Schemas["VehicleBody"]["direction"]>;
 export type DriverSide = NonNullable<Schemas["VehicleBody"]["driver_side"]>;
 export type Category = NonNullable<Schemas["VehicleBody"]["category"]>;
 
-export const ROLE_NAMES = wordsOf({
-  viewer: "role-viewer",
-  operator: "role-operator",
-  reviewer: "role-reviewer",
-  admin: "role-admin",
-});
+export const ROLE_NAMES = wordsOf("role-", "viewer", "operator", "reviewer", "admin");
 
 /** What a member of a survey is there. */
 export type SurveyRole = Schemas["MemberBody"]["role"];
@@ -32,12 +27,7 @@ export type Member = Members["members"][number];
 export type Candidate = Schemas["Candidate"];
 /** What a person is in the survey that is open: a member's role, or that of the account. */
 export type ActingRole = Survey["my_role"];
-export const SURVEY_ROLE_NAMES = wordsOf({
-  viewer: "role-viewer",
-  operator: "role-operator",
-  reviewer: "role-reviewer",
-  manager: "role-manager",
-});
+export const SURVEY_ROLE_NAMES = wordsOf("role-", "viewer", "operator", "reviewer", "manager");
 
 export type Person = Schemas["PersonBody"];
 export type ApiToken = Schemas["TokenBody"];

@@ -21,33 +21,19 @@ export const REQUIRED: readonly Target[] = ["roof", "driver_eye", "taillight"];
 /** What a survey can ask for. */
 export const ASKABLE: readonly AskedTarget[] = ["roof", "driver_eye", "taillight", "headlight"];
 
-export const TARGET_WORDS = wordsOf({
-  roof: "target-roof",
-  driver_eye: "target-driver_eye",
-  taillight: "target-taillight",
-  headlight: "target-headlight",
-  other: "target-other",
-});
+export const TARGET_WORDS = wordsOf("target-", "roof", "driver_eye", "taillight", "headlight", "other");
 
 /** The same within a list, beside a point, after a colon. */
-export const TARGET_NOUNS: Readonly<Record<Target, string>> = wordsOf({
-  roof: "target-noun-roof",
-  driver_eye: "target-noun-driver_eye",
-  taillight: "target-noun-taillight",
-  headlight: "target-noun-headlight",
-  other: "target-noun-other",
-});
+export const TARGET_NOUNS: Readonly<Record<Target, string>> = wordsOf("target-noun-");
 
-export const LIGHTING_WORDS: Readonly<Record<Lighting, string>> = wordsOf({
-  daytime: "lighting-daytime",
-  low_light: "lighting-low_light",
-});
+export const LIGHTING_WORDS: Readonly<Record<Lighting, string>> = wordsOf(
+  "lighting-",
+  "daytime",
+  "low_light",
+);
 
 /** The same within a list. */
-export const LIGHTING_NOUNS: Readonly<Record<Lighting, string>> = wordsOf({
-  daytime: "lighting-noun-daytime",
-  low_light: "lighting-noun-low_light",
-});
+export const LIGHTING_NOUNS: Readonly<Record<Lighting, string>> = wordsOf("lighting-noun-");
 
 /** How a live stream is. */
 export const LIVE_WORDS = wordsOf({
@@ -58,35 +44,16 @@ export const LIVE_WORDS = wordsOf({
 });
 
 /** Why a target cannot be measured. */
-export const NOT_VISIBLE_WORDS: Readonly<Record<NotVisible, string>> = wordsOf({
-  hidden: "not-visible-hidden",
-  glare: "not-visible-glare",
-  too_dark: "not-visible-too_dark",
-  outside: "not-visible-outside",
-  own_body: "not-visible-own_body",
-  no_driver: "not-visible-no_driver",
-});
+export const NOT_VISIBLE_WORDS: Readonly<Record<NotVisible, string>> = wordsOf("not-visible-");
 
 /** Why a pass is none of a vehicle to be measured. */
-export const DISCARDED_WORDS: Readonly<Record<Discarded, string>> = wordsOf({
-  no_vehicle: "discarded-no_vehicle",
-  twice: "discarded-twice",
-  cut_off: "discarded-cut_off",
-  stopped: "discarded-stopped",
-  other: "discarded-other",
-});
+export const DISCARDED_WORDS: Readonly<Record<Discarded, string>> = wordsOf("discarded-");
 
 /** Which way a pass goes in the picture. */
-export const DIRECTION_WORDS: Readonly<Record<Direction, string>> = wordsOf({
-  right: "direction-right",
-  left: "direction-left",
-});
+export const DIRECTION_WORDS: Readonly<Record<Direction, string>> = wordsOf("direction-");
 
 /** On which side of a vehicle, as the camera sees it, its driver sits. */
-export const SIDE_WORDS: Readonly<Record<DriverSide, string>> = wordsOf({
-  near: "side-near",
-  far: "side-far",
-});
+export const SIDE_WORDS: Readonly<Record<DriverSide, string>> = wordsOf("side-");
 
 /** What can be told apart by looking at a vehicle: the spot of a roof, the side of a driver. */
 export const INSET_PLACE_WORDS: Readonly<Record<InsetPlace, string>> = wordsOf({
@@ -121,22 +88,7 @@ export const INSET_WORDS: Readonly<Record<InsetName, string>> = wordsOf({
   other: "target-other",
 });
 
-export const CATEGORY_WORDS: Readonly<Record<Category, string>> = wordsOf({
-  hatchback: "category-hatchback",
-  saloon: "category-saloon",
-  estate: "category-estate",
-  suv: "category-suv",
-  multi_purpose: "category-multi_purpose",
-  pickup: "category-pickup",
-  van: "category-van",
-  lorry: "category-lorry",
-  tractor_unit: "category-tractor_unit",
-  bus: "category-bus",
-  recreational_vehicle: "category-recreational_vehicle",
-  trailer: "category-trailer",
-  motorcycle: "category-motorcycle",
-  other: "category-other",
-});
+export const CATEGORY_WORDS: Readonly<Record<Category, string>> = wordsOf("category-");
 
 /** What classes are counted together, as each survey says. */
 export const CLASS_SET_WORDS: Readonly<Record<ClassSet, string>> = wordsOf({
@@ -145,43 +97,7 @@ export const CLASS_SET_WORDS: Readonly<Record<ClassSet, string>> = wordsOf({
   heavy: "class-set-heavy",
 });
 
-export const STATE_WORDS = wordsOf({
-  // vehicles
-  to_do: "state-to_do",
-  partial: "state-partial",
-  measured: "state-measured",
-  not_visible: "state-not_visible",
-  out_of_sample: "state-out_of_sample",
-  discarded: "state-discarded",
-  // reviews
-  to_review: "state-to_review",
-  accepted: "state-accepted",
-  fixed: "state-fixed",
-  rejected: "state-rejected",
-  reopened: "state-reopened",
-  withdrawn: "state-withdrawn",
-  not_measurable: "state-not_measurable",
-  // steps
-  done: "state-done",
-  next: "state-next",
-  begun: "state-begun",
-  waiting: "state-waiting",
-  // recordings and jobs
-  ingesting: "state-ingesting",
-  ready: "state-ready",
-  failed: "state-failed",
-  queued: "state-queued",
-  running: "state-running",
-  cancelled: "state-cancelled",
-  // calibrations
-  trusted: "state-trusted",
-  not_trusted: "state-not_trusted",
-  used: "state-used",
-  left_out: "state-left_out",
-  // people
-  active: "state-active",
-  inactive: "state-inactive",
-});
+export const STATE_WORDS = wordsOf("state-");
 
 export type StateName = keyof typeof STATE_WORDS;
 

@@ -1,6 +1,7 @@
 /** Did the camera move: the verdict in words, a plot over the recording's time, looking again, and a person's decision. */
 import { useState } from "preact/hooks";
 import { Button, JobProgress, type MarkShape, Problem, Shape, TextField } from "../../components";
+import { useAction } from "../../core/action";
 import { api } from "../../core/api";
 import { jobProblem, useJob } from "../../core/jobs";
 import { say } from "../../core/messages";
@@ -24,7 +25,7 @@ export function DriftVerdict({ recordingId, poseId, open }: Props) {
     [recordingId, poseId],
   );
   const [jobId, setJobId] = useState<number | null>(null);
-  const [problem, setProblem] = useState<unknown>(null);
+  const { problem, setProblem, run } = useAction();
   const over = (ended: Job): void => {
     setJobId(null);
     if (ended.state === "failed") setProblem(jobProblem(ended, say("drift-stopped")));
@@ -33,14 +34,10 @@ export function DriftVerdict({ recordingId, poseId, open }: Props) {
   const job = useJob(jobId ?? drift.data?.job?.id ?? null, over, setProblem);
   if (poseId === null || !drift.data) return null;
   const { check, decision, flagged } = drift.data;
-  const look = async (): Promise<void> => {
-    setProblem(null);
-    try {
+  const look = () =>
+    run(async () => {
       setJobId((await api.write("POST /recordings/{recording_id}/drift", { recording_id: recordingId })).id);
-    } catch (error) {
-      setProblem(error);
-    }
-  };
+    });
   const lookButton = (words: string) =>
     may("operator") &&
     !job && (

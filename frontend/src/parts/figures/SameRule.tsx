@@ -1,4 +1,4 @@
-import { TableScroll } from "../../components";
+import { DataTable, Panel } from "../../components";
 import { say } from "../../core/messages";
 import { lengthScale, plainHeight, plainSmall, smallScale } from "../../core/units";
 import "./figures.css";
@@ -18,55 +18,41 @@ export function SameRule({ rules }: { rules: readonly Rule[] }) {
   if (there.length === 0) return null;
   const unit = lengthScale()[1];
   return (
-    <section class="panel" aria-labelledby="stat-rules" data-testid="same-rule">
-      <header class="panel__head">
-        <h2 id="stat-rules">{say("statistics-rule-title")}</h2>
-      </header>
-      <TableScroll label={say("statistics-rule-title")}>
-        <table class="table">
-          <thead>
-            <tr>
-              <th>{say("statistics-rule-standard")}</th>
-              <th>{say("statistics-rule-rule")}</th>
-              <th class="num">{say("statistics-rule-height", { unit })}</th>
-              <th class="num">{say("statistics-rule-today", { unit })}</th>
-              <th class="num">
-                {say("with-unit", { name: say("statistics-rule-difference"), unit: smallScale()[1] })}
-              </th>
-              <th>{say("statistics-rule-verdict")}</th>
-            </tr>
-          </thead>
-          <tbody>
-            {there.map((one) => (
-              <tr key={`${one.standard.name}|${one.standard.what}`}>
-                <th scope="row">{one.standard.name}</th>
-                <td>
-                  {say("statistics-rule-of", {
-                    percent: String(one.standard.percent),
-                    class: one.by_class ? one.standard.vehicle_class : say("statistics-rule-all"),
+    <Panel title={say("statistics-rule-title")} data-testid="same-rule">
+      <DataTable
+        label={say("statistics-rule-title")}
+        rows={there}
+        keyOf={(one) => `${one.standard.name}|${one.standard.what}`}
+        columns={({ col, num, rowHead }) => [
+          rowHead(say("statistics-rule-standard"), (one) => one.standard.name),
+          col(say("statistics-rule-rule"), (one) =>
+            say("statistics-rule-of", {
+              percent: String(one.standard.percent),
+              class: one.by_class ? one.standard.vehicle_class : say("statistics-rule-all"),
+            }),
+          ),
+          num(say("statistics-rule-height", { unit }), (one) => plainHeight(one.standard.height_m)),
+          num(say("statistics-rule-today", { unit }), (one) => (
+            <>
+              {one.value_m === null ? NONE : <strong>{plainHeight(one.value_m)}</strong>}
+              {one.U95_low_m !== null && one.U95_high_m !== null && (
+                <div class="stat-ci">
+                  {say("statistics-rule-interval", {
+                    low: plainHeight(one.U95_low_m),
+                    high: plainHeight(one.U95_high_m),
                   })}
-                </td>
-                <td class="num">{plainHeight(one.standard.height_m)}</td>
-                <td class="num">
-                  {one.value_m === null ? NONE : <strong>{plainHeight(one.value_m)}</strong>}
-                  {one.U95_low_m !== null && one.U95_high_m !== null && (
-                    <div class="stat-ci">
-                      {say("statistics-rule-interval", {
-                        low: plainHeight(one.U95_low_m),
-                        high: plainHeight(one.U95_high_m),
-                      })}
-                    </div>
-                  )}
-                </td>
-                <td class="num">{plainSmall(one.difference_m, { signed: true })}</td>
-                <td>{verdict(one)}</td>
-              </tr>
-            ))}
-          </tbody>
-        </table>
-      </TableScroll>
+                </div>
+              )}
+            </>
+          )),
+          num(say("with-unit", { name: say("statistics-rule-difference"), unit: smallScale()[1] }), (one) =>
+            plainSmall(one.difference_m, { signed: true }),
+          ),
+          col(say("statistics-rule-verdict"), (one) => verdict(one)),
+        ]}
+      />
       <p class="stat-notes small">{say("statistics-rule-note")}</p>
-    </section>
+    </Panel>
   );
 }
 

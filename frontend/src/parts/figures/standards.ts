@@ -4,14 +4,7 @@ import { formatLength } from "../../core/units";
 import type { Standard } from "./types";
 
 /** What a standard speaks of. */
-export const STANDARD_OF = wordsOf({
-  eye_car: "statistics-standard-of-eye_car",
-  eye_truck: "statistics-standard-of-eye_truck",
-  object_stopping: "statistics-standard-of-object_stopping",
-  object_passing: "statistics-standard-of-object_passing",
-  headlight: "statistics-standard-of-headlight",
-  vehicle: "statistics-standard-of-vehicle",
-});
+export const STANDARD_OF = wordsOf("statistics-standard-of-");
 
 /** The height of a standard: "1.08 m", with a third decimal only where its metres have one. */
 export function formatLimit(height_m: number): string {

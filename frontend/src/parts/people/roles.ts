@@ -2,12 +2,7 @@ import { wordsOf } from "../../core/messages";
 import { ROLE_NAMES, type Role } from "../../core/types";
 
 /** What each role may do. */
-export const DOES: Readonly<Record<Role, string>> = wordsOf({
-  viewer: "people-does-viewer",
-  operator: "people-does-operator",
-  reviewer: "people-does-reviewer",
-  admin: "people-does-admin",
-});
+export const DOES: Readonly<Record<Role, string>> = wordsOf("people-does-");
 
 /** The one that may do least first. */
 export const ROLES = Object.keys(DOES) as readonly Role[];

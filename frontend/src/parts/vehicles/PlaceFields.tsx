@@ -6,7 +6,7 @@ import type { Place } from "../../core/types";
 import { parseNumber, speedScale } from "../../core/units";
 import "./surveyFields.css";
 
-const LAMPS = wordsOf({ present: "place-lamps-present", none: "place-lamps-none" });
+const LAMPS = wordsOf("place-lamps-", "present", "none");
 
 /** The fields as they are typed. */
 export interface TypedPlace {

@@ -2,6 +2,7 @@
 import { useEffect, useState } from "preact/hooks";
 import { Button, JobProgress, Problem } from "../../components";
 import type { IconName } from "../../components/Icon";
+import { useAction } from "../../core/action";
 import { cancelJob, isOver, jobProblem, useJob } from "../../core/jobs";
 import { may } from "../../core/session";
 import { toast } from "../../core/toasts";
@@ -33,7 +34,7 @@ export function RecordingJob({ recording, kind, icon, start, words, over }: Reco
   useEffect(() => {
     if (underWay !== null) setJobId(underWay);
   }, [underWay]);
-  const [problem, setProblem] = useState<unknown>(null);
+  const { problem, setProblem, run } = useAction();
   const job = useJob(
     jobId,
     (done) => {
@@ -48,14 +49,10 @@ export function RecordingJob({ recording, kind, icon, start, words, over }: Reco
     },
   );
   if (!may("operator") || recording.state !== "ready") return null;
-  const begin = async () => {
-    setProblem(null);
-    try {
+  const begin = () =>
+    run(async () => {
       setJobId((await start()).id);
-    } catch (error) {
-      setProblem(error);
-    }
-  };
+    });
   const stop = () => void cancelJob(jobId ?? 0).catch(setProblem);
   return (
     <div class="find-passes">

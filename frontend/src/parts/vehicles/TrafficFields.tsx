@@ -4,9 +4,9 @@ import { say, wordsOf } from "../../core/messages";
 import type { Traffic } from "../../core/types";
 import "./surveyFields.css";
 
-const HANDS = wordsOf({ right: "traffic-right", left: "traffic-left" });
-const WHEELS = wordsOf({ left: "wheel-left", right: "wheel-right" });
-const PLACES = wordsOf({ verge: "camera-verge", median: "camera-median" });
+const HANDS = wordsOf("traffic-", "right", "left");
+const WHEELS = wordsOf("wheel-");
+const PLACES = wordsOf("camera-", "verge", "median");
 
 interface Props {
   traffic: Traffic;

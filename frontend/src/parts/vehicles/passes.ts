@@ -25,11 +25,7 @@ export const FILTER_WORDS = wordsOf({
 });
 
 export const ORDERS: readonly Order[] = ["number", "time", "state"];
-export const ORDER_WORDS = wordsOf({
-  number: "passes-by-number",
-  time: "passes-by-time",
-  state: "passes-by-state",
-});
+export const ORDER_WORDS = wordsOf("passes-by-");
 
 const RANK: Record<Vehicle["state"], number> = {
   rejected: 0,

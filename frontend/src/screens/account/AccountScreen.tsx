@@ -1,5 +1,6 @@
 import { useState } from "preact/hooks";
-import { Button, LanguageChoice, Notice, Problem, TextField } from "../../components";
+import { Button, LanguageChoice, Notice, PageHead, Panel, Problem, TextField } from "../../components";
+import { useAction } from "../../core/action";
 import { api } from "../../core/api";
 import { say } from "../../core/messages";
 import { me } from "../../core/session";
@@ -16,9 +17,7 @@ export default function AccountScreen() {
   if (!person) return null;
   return (
     <div class="page page--alone account">
-      <header class="page__head">
-        <h1>{say("page-account")}</h1>
-      </header>
+      <PageHead title={say("page-account")} />
       <section class="panel panel__body">
         <dl class="facts">
           <dt>{say("account-name")}</dt>
@@ -43,17 +42,14 @@ function PasswordForm({ hasPassword }: { hasPassword: boolean }) {
   const [next, setNext] = useState("");
   const [again, setAgain] = useState("");
   const [tried, setTried] = useState(false);
-  const [problem, setProblem] = useState<unknown>(null);
-  const [busy, setBusy] = useState(false);
+  const { busy, problem, run } = useAction();
   const short = next.length < LEAST;
   const differs = next !== again;
   const submit = async (event: Event) => {
     event.preventDefault();
     setTried(true);
     if (short || differs) return;
-    setBusy(true);
-    setProblem(null);
-    try {
+    await run(async () => {
       me.value = await api.write(
         "PUT /session/password",
         {},
@@ -64,16 +60,10 @@ function PasswordForm({ hasPassword }: { hasPassword: boolean }) {
       setNext("");
       setAgain("");
       setTried(false);
-    } catch (error) {
-      setProblem(error);
-    }
-    setBusy(false);
+    });
   };
   return (
-    <section class="panel">
-      <header class="panel__head">
-        <h2>{say(hasPassword ? "account-password-change" : "account-password-choose")}</h2>
-      </header>
+    <Panel title={say(hasPassword ? "account-password-change" : "account-password-choose")}>
       <form class="panel__body stack" onSubmit={submit} noValidate>
         {!hasPassword && !tried && <Notice>{say("account-no-password")}</Notice>}
         <input type="email" autoComplete="username" value={me.value?.person.email} readOnly hidden />
@@ -112,6 +102,6 @@ function PasswordForm({ hasPassword }: { hasPassword: boolean }) {
           </Button>
         </div>
       </form>
-    </section>
+    </Panel>
   );
 }

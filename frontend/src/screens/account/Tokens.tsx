@@ -1,5 +1,6 @@
 import { useState } from "preact/hooks";
-import { ask, Button, Empty, Loading, Problem, ShowOnce, TableScroll } from "../../components";
+import { ask, Button, DataTable, Empty, Loaded, Panel, Problem, ShowOnce } from "../../components";
+import { useAction } from "../../core/action";
 import { api } from "../../core/api";
 import { say } from "../../core/messages";
 import { useResource } from "../../core/resource";
@@ -13,7 +14,7 @@ export function Tokens() {
   const tokens = useResource((signal) => api.ask("GET /session/tokens", {}, { signal }), []);
   const [making, setMaking] = useState(false);
   const [made, setMade] = useState<MadeToken | null>(null);
-  const [problem, setProblem] = useState<unknown>(null);
+  const { problem, run } = useAction();
   const revoke = async (token: ApiToken) => {
     const yes = await ask({
       title: say("account-token-revoke-title", { name: token.name }),
@@ -21,27 +22,22 @@ export function Tokens() {
       action: say("account-token-revoke"),
     });
     if (!yes) return;
-    setProblem(null);
-    try {
-      await api.write("DELETE /session/tokens/{token_id}", { token_id: token.id });
-    } catch (error) {
-      setProblem(error);
-    }
+    await run(() => api.write("DELETE /session/tokens/{token_id}", { token_id: token.id }));
     await tokens.reload();
   };
   return (
-    <section class="panel">
-      <header class="panel__head">
-        <h2>{say("account-tokens")}</h2>
-        {!!tokens.data?.length && (
+    <Panel
+      title={say("account-tokens")}
+      aside={
+        !!tokens.data?.length && (
           <Button icon="add" onClick={() => setMaking(true)}>
             {say("account-token-make")}
           </Button>
-        )}
-      </header>
+        )
+      }
+    >
       <Problem error={problem} />
-      <Problem error={tokens.error} again={tokens.reload} />
-      {!tokens.data && tokens.loading && <Loading what={say("account-tokens-loading")} />}
+      <Loaded of={tokens} what={say("account-tokens-loading")} />
       {tokens.data?.length === 0 && (
         <Empty
           title={say("account-tokens-none")}
@@ -75,7 +71,7 @@ export function Tokens() {
           close={() => setMade(null)}
         />
       )}
-    </section>
+    </Panel>
   );
 }
 
@@ -86,40 +82,37 @@ interface TableProps {
 
 function TokenTable({ tokens, revoke }: TableProps) {
   return (
-    <TableScroll label={say("account-tokens")}>
-      <table class="table tokens">
-        <thead>
-          <tr>
-            <th>{say("account-token-name")}</th>
-            <th>{say("account-token-scopes")}</th>
-            <th>{say("account-token-ends")}</th>
-            <th>{say("account-token-used")}</th>
-            <th>
-              <span class="visually-hidden">{say("people-actions")}</span>
-            </th>
-          </tr>
-        </thead>
-        <tbody>
-          {tokens.map((token) => (
-            <tr key={token.id}>
-              <td>{token.name}</td>
-              <td>{token.scopes.map((scope) => SCOPE_NAMES[scope]).join(", ")}</td>
-              <td class="nowrap">
-                {ended(token) ? say("account-token-ended") : formatDay(token.expires_at)}
-              </td>
-              <td class="nowrap">
-                {token.last_used_at ? formatAgo(token.last_used_at) : say("account-token-never")}
-              </td>
-              <td class="tokens__revoke">
-                <Button small onClick={() => void revoke(token)}>
-                  {say("account-token-revoke")}
-                </Button>
-              </td>
-            </tr>
-          ))}
-        </tbody>
-      </table>
-    </TableScroll>
+    <DataTable
+      label={say("account-tokens")}
+      class="tokens"
+      rows={tokens}
+      keyOf={(token) => token.id}
+      columns={({ col }) => [
+        col(say("account-token-name"), (token) => token.name),
+        col(say("account-token-scopes"), (token) =>
+          token.scopes.map((scope) => SCOPE_NAMES[scope]).join(", "),
+        ),
+        col(
+          say("account-token-ends"),
+          (token) => (ended(token) ? say("account-token-ended") : formatDay(token.expires_at)),
+          "nowrap",
+        ),
+        col(
+          say("account-token-used"),
+          (token) => (token.last_used_at ? formatAgo(token.last_used_at) : say("account-token-never")),
+          "nowrap",
+        ),
+        col(
+          <span class="visually-hidden">{say("people-actions")}</span>,
+          (token) => (
+            <Button small onClick={() => void revoke(token)}>
+              {say("account-token-revoke")}
+            </Button>
+          ),
+          "tokens__revoke",
+        ),
+      ]}
+    />
   );
 }
 

@@ -6,13 +6,7 @@ export type Scope = ApiToken["scopes"][number];
 
 export const SCOPES: readonly Scope[] = ["read", "upload", "measure", "review", "export"];
 
-export const SCOPE_NAMES = wordsOf({
-  read: "token-scope-read",
-  upload: "token-scope-upload",
-  measure: "token-scope-measure",
-  review: "token-scope-review",
-  export: "token-scope-export",
-});
+export const SCOPE_NAMES = wordsOf("token-scope-", "read", "upload", "measure", "review", "export");
 
 export const SCOPE_HINTS = wordsOf({
   read: "token-scope-read-hint",

@@ -1,7 +1,19 @@
 import { useState } from "preact/hooks";
-import { Button, Empty, Field, Loading, Notice, Problem, SelectField, TableScroll } from "../../components";
+import {
+  Button,
+  Empty,
+  Field,
+  Loaded,
+  Notice,
+  num,
+  PageHead,
+  Problem,
+  SelectField,
+  Table,
+} from "../../components";
 import { CommitField } from "../../components/CommitField";
 import { Said } from "../../components/Said";
+import { useAction } from "../../core/action";
 import { query, setQuery, surveyHere } from "../../core/address";
 import { api, explain, fromAddress } from "../../core/api";
 import { say } from "../../core/messages";
@@ -21,8 +33,7 @@ export default function AuditScreen({ surveyId }: ScreenProps) {
   const filters = filtersOf(surveyId);
   const [older, setOlder] = useState<NamedEvent[]>([]);
   const [atEnd, setAtEnd] = useState(false);
-  const [problem, setProblem] = useState<unknown>(null);
-  const [busy, setBusy] = useState(false);
+  const { busy, problem, run } = useAction();
   const filter = {
     limit: PAGE,
     ...fromAddress<"GET /audit/events">(filters),
@@ -40,30 +51,23 @@ export default function AuditScreen({ surveyId }: ScreenProps) {
   const more = async () => {
     const last = events.at(-1);
     if (!last) return;
-    setBusy(true);
-    setProblem(null);
-    try {
+    await run(async () => {
       const page = await api.ask("GET /audit/events", { ...filter, before_id: last.event.id });
       setOlder([...older, ...page]);
       setAtEnd(page.length < PAGE);
-    } catch (error) {
-      setProblem(error);
-    }
-    setBusy(false);
+    });
   };
   return (
     <div class={surveyId ? "page" : "page page--alone"}>
-      <header class="page__head">
-        <div>
-          <h1>{say(surveyId ? "page-history" : "page-audit")}</h1>
-          <p class="page__lead">{say("audit-lead")}</p>
-          <p class="small muted">{say("audit-numbers")}</p>
-        </div>
+      <PageHead
+        title={say(surveyId ? "page-history" : "page-audit")}
+        lead={say("audit-lead")}
+        more={<p class="small muted">{say("audit-numbers")}</p>}
+      >
         {me.value?.person.role === "admin" && <Verify />}
-      </header>
+      </PageHead>
       <Filters surveyId={surveyId} />
-      <Problem error={first.error} again={first.reload} />
-      {!first.data && first.loading && <Loading what={say("audit-loading")} />}
+      <Loaded of={first} what={say("audit-loading")} />
       {first.data && events.length === 0 && (
         <div class="panel">
           <Empty title={say("audit-none-title")}>
@@ -72,25 +76,23 @@ export default function AuditScreen({ surveyId }: ScreenProps) {
         </div>
       )}
       {events.length > 0 && (
-        <TableScroll label={say("audit-events")} class="panel">
-          <table class="table audit">
-            <thead>
-              <tr>
-                <th class="num">{say("audit-number")}</th>
-                <th>{say("audit-when")}</th>
-                <th>{say("audit-who")}</th>
-                <th>{say("audit-did")}</th>
-                <th>{say("audit-changes")}</th>
-                <th>{say("audit-hash")}</th>
-              </tr>
-            </thead>
-            <tbody>
-              {events.map((one) => (
-                <EventRow key={one.event.id} named={one} />
-              ))}
-            </tbody>
-          </table>
-        </TableScroll>
+        <Table
+          label={say("audit-events")}
+          scroll="panel"
+          class="audit"
+          heads={[
+            num(say("audit-number")),
+            say("audit-when"),
+            say("audit-who"),
+            say("audit-did"),
+            say("audit-changes"),
+            say("audit-hash"),
+          ]}
+        >
+          {events.map((one) => (
+            <EventRow key={one.event.id} named={one} />
+          ))}
+        </Table>
       )}
       <Problem error={problem} again={() => void more()} />
       {events.length > 0 && !atEnd && (
@@ -232,18 +234,11 @@ function hashWords({ hash, previous_hash: previous }: AuditEvent): string {
 
 function Verify() {
   const [check, setCheck] = useState<AuditCheck | null>(null);
-  const [problem, setProblem] = useState<unknown>(null);
-  const [busy, setBusy] = useState(false);
-  const run = async () => {
-    setBusy(true);
-    setProblem(null);
-    try {
+  const { busy, problem, run: attempt } = useAction();
+  const run = () =>
+    attempt(async () => {
       setCheck(await api.ask("POST /audit/verify", {}, { retry: true }));
-    } catch (error) {
-      setProblem(error);
-    }
-    setBusy(false);
-  };
+    });
   return (
     <div class="audit__verify">
       <Button busy={busy} onClick={() => void run()}>

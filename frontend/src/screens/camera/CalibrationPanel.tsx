@@ -118,12 +118,7 @@ function Figures({ calibration }: { calibration: Calibration }) {
   );
 }
 
-const MEANING: Partial<Record<string, string>> = wordsOf({
-  fx: "camera-fx",
-  fy: "camera-fy",
-  cx: "camera-cx",
-  cy: "camera-cy",
-});
+const MEANING: Partial<Record<string, string>> = wordsOf("camera-", "fx", "fy", "cx", "cy");
 
 function FigureRow({ figure }: { figure: Figure }) {
   const digits =

@@ -1,5 +1,5 @@
 import { useState } from "preact/hooks";
-import { Button, DropFiles, Icon, JobProgress, Notice, Problem, Segments } from "../../components";
+import { Button, DropFiles, Icon, JobProgress, Notice, Panel, Problem, Segments } from "../../components";
 import { Said } from "../../components/Said";
 import { cancelJob } from "../../core/jobs";
 import { say } from "../../core/messages";
@@ -43,11 +43,10 @@ export function CameraBench({ camera, surveyId, reload, set }: Props) {
       )}
       <History camera={camera} shownId={work.shownId} show={work.setShownId} />
       {canWork && (
-        <section class="panel">
-          <header class="panel__head">
-            <h2>{say(camera.calibrations.length > 0 ? "camera-calibrate-again" : "camera-calibrate")}</h2>
-            <ImportButton take={(file) => void work.importFile(file)} />
-          </header>
+        <Panel
+          title={say(camera.calibrations.length > 0 ? "camera-calibrate-again" : "camera-calibrate")}
+          aside={<ImportButton take={(file) => void work.importFile(file)} />}
+        >
           <div class="panel__body stack camera-panel">
             <BoardFields board={typed} change={setTyped} />
             <Segments<Source>
@@ -72,7 +71,7 @@ export function CameraBench({ camera, surveyId, reload, set }: Props) {
             {work.failed && <Notice kind="problem">{work.failed}</Notice>}
             <Problem error={work.problem} />
           </div>
-        </section>
+        </Panel>
       )}
     </>
   );

@@ -1,5 +1,5 @@
 import { useState } from "preact/hooks";
-import { Button, Empty, Loading, Notice, Problem } from "../../components";
+import { Button, Empty, Loading, Notice, PageHead, Problem } from "../../components";
 import { asked, query, setQuery } from "../../core/address";
 import { api } from "../../core/api";
 import { say } from "../../core/messages";
@@ -36,11 +36,7 @@ export default function CameraScreen({ surveyId }: ScreenProps) {
   const canWork = may("operator");
   return (
     <div class="page">
-      <header class="page__head">
-        <div>
-          <h1>{say("page-camera")}</h1>
-          <p class="page__lead">{say("camera-lead")}</p>
-        </div>
+      <PageHead title={say("page-camera")} lead={say("camera-lead")}>
         {canWork && list.length > 0 && (
           <div class="row">
             <Button onClick={() => setTaking(true)}>{say("camera-take-open")}</Button>
@@ -49,7 +45,7 @@ export default function CameraScreen({ surveyId }: ScreenProps) {
             </Button>
           </div>
         )}
-      </header>
+      </PageHead>
       <Problem error={cameras.error} again={cameras.reload} />
       {wanted !== null && open && open.id !== wanted && (
         <Notice kind="warning">{say("address-elsewhere", { what: "camera" })}</Notice>

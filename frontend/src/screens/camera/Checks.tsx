@@ -1,3 +1,4 @@
+import { DataTable } from "../../components";
 import { say } from "../../core/messages";
 import type { Calibration } from "../../core/types";
 import { formatLength } from "../../core/units";
@@ -16,26 +17,18 @@ export function Checks({ calibration }: { calibration: Calibration }) {
           {halves.held_out_rms_px !== null && <p>{heldOutInWords(halves)}</p>}
           {halves.height_differences.length > 0 && (
             <>
-              <table class="table lens-checks__table">
-                <thead>
-                  <tr>
-                    <th>{say("camera-vehicle-at")}</th>
-                    <th class="num">{say("camera-heights-differ")}</th>
-                    <th class="num">{say("camera-expected")}</th>
-                  </tr>
-                </thead>
-                <tbody>
-                  {halves.height_differences.map((d) => (
-                    <tr key={d.distance_m}>
-                      <td>{away(d.distance_m)}</td>
-                      <td class="num">
-                        {d.difference_m === null ? say("camera-not-in-picture") : apart(d.difference_m)}
-                      </td>
-                      <td class="num muted">{apart(d.expected_m ?? null)}</td>
-                    </tr>
-                  ))}
-                </tbody>
-              </table>
+              <DataTable
+                class="lens-checks__table"
+                rows={halves.height_differences}
+                keyOf={(d) => d.distance_m}
+                columns={({ col, num }) => [
+                  col(say("camera-vehicle-at"), (d) => away(d.distance_m)),
+                  num(say("camera-heights-differ"), (d) =>
+                    d.difference_m === null ? say("camera-not-in-picture") : apart(d.difference_m),
+                  ),
+                  num(say("camera-expected"), (d) => apart(d.expected_m ?? null), "muted"),
+                ]}
+              />
               <p class="small muted">
                 {say("camera-halves-note", {
                   eye: formatLength(1.16, 2),

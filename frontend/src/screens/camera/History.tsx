@@ -1,4 +1,4 @@
-import { Button, StateMark, TableScroll } from "../../components";
+import { Button, Panel, StateMark, Table } from "../../components";
 import { say, wordsOf } from "../../core/messages";
 import { formatMoment } from "../../core/times";
 import type { CameraDetail } from "../../core/types";
@@ -9,62 +9,50 @@ interface Props {
   show: (id: number) => void;
 }
 
-const SOURCES = wordsOf({
-  images: "camera-source-images",
-  clip: "camera-source-clip",
-  import: "camera-source-import",
-});
+const SOURCES = wordsOf("camera-source-");
 
 /** Every calibration this camera ever had; results name the one they were computed with, so none goes away. */
 export function History({ camera, shownId, show }: Props) {
   const newestFirst = [...camera.calibrations].sort((a, b) => b.id - a.id);
   if (newestFirst.length < 2) return null;
   return (
-    <section class="panel">
-      <header class="panel__head">
-        <h2>{say("camera-calibrations")}</h2>
-      </header>
-      <TableScroll label={say("camera-calibrations")}>
-        <table class="table table--hover">
-          <thead>
-            <tr>
-              <th>{say("camera-history-made")}</th>
-              <th>{say("camera-history-by")}</th>
-              <th>{say("camera-history-from")}</th>
-              <th>{say("camera-history-verdict")}</th>
-              <th>{say("camera-history-summary")}</th>
-              <th>
-                <span class="visually-hidden">{say("camera-history-show")}</span>
-              </th>
-            </tr>
-          </thead>
-          <tbody>
-            {newestFirst.map((entry) => (
-              <tr key={entry.id}>
-                <td class="nowrap">{formatMoment(entry.created_at)}</td>
-                <td class="nowrap">{entry.created_by?.name ?? "–"}</td>
-                <td class="nowrap">{SOURCES[entry.source]}</td>
-                <td>
-                  <StateMark state={entry.trusted ? "trusted" : "not_trusted"} />
-                </td>
-                <td>{entry.summary}</td>
-                <td class="num">
-                  {entry.id === camera.current_calibration_id && (
-                    <span class="badge badge--solid">{say("in-use")}</span>
-                  )}{" "}
-                  {entry.id === shownId ? (
-                    <span class="muted small">{say("camera-history-shown")}</span>
-                  ) : (
-                    <Button small onClick={() => show(entry.id)}>
-                      {say("camera-show")}
-                    </Button>
-                  )}
-                </td>
-              </tr>
-            ))}
-          </tbody>
-        </table>
-      </TableScroll>
-    </section>
+    <Panel title={say("camera-calibrations")}>
+      <Table
+        label={say("camera-calibrations")}
+        class="table--hover"
+        heads={[
+          say("camera-history-made"),
+          say("camera-history-by"),
+          say("camera-history-from"),
+          say("camera-history-verdict"),
+          say("camera-history-summary"),
+          <span class="visually-hidden">{say("camera-history-show")}</span>,
+        ]}
+      >
+        {newestFirst.map((entry) => (
+          <tr key={entry.id}>
+            <td class="nowrap">{formatMoment(entry.created_at)}</td>
+            <td class="nowrap">{entry.created_by?.name ?? "–"}</td>
+            <td class="nowrap">{SOURCES[entry.source]}</td>
+            <td>
+              <StateMark state={entry.trusted ? "trusted" : "not_trusted"} />
+            </td>
+            <td>{entry.summary}</td>
+            <td class="num">
+              {entry.id === camera.current_calibration_id && (
+                <span class="badge badge--solid">{say("in-use")}</span>
+              )}{" "}
+              {entry.id === shownId ? (
+                <span class="muted small">{say("camera-history-shown")}</span>
+              ) : (
+                <Button small onClick={() => show(entry.id)}>
+                  {say("camera-show")}
+                </Button>
+              )}
+            </td>
+          </tr>
+        ))}
+      </Table>
+    </Panel>
   );
 }

@@ -1,5 +1,6 @@
 import { useState } from "preact/hooks";
-import { Button, Empty, Loading, Problem, Segments, TableScroll, TextField } from "../../components";
+import { Button, Empty, Loading, num, PageHead, Problem, Segments, Table, TextField } from "../../components";
+import { useAction } from "../../core/action";
 import { query, setQuery } from "../../core/address";
 import { api } from "../../core/api";
 import { say } from "../../core/messages";
@@ -27,24 +28,17 @@ export default function CatalogueScreen() {
   );
   const [edited, setEdited] = useState<CatalogueRow | "new" | null>(null);
   const [importing, setImporting] = useState(false);
-  const [problem, setProblem] = useState<unknown>(null);
+  const { problem, run } = useAction();
   const retire = async (row: CatalogueRow) => {
-    setProblem(null);
-    try {
+    await run(async () => {
       const body = { version: row.version, retired: row.retired_at === null };
       await api.write("POST /catalogue/{entry_id}/retire", { entry_id: row.id }, { body });
-    } catch (error) {
-      setProblem(error);
-    }
+    });
     await found.reload();
   };
   return (
     <div class="page page--alone catalogue-page">
-      <header class="page__head">
-        <div>
-          <h1>{say("page-catalogue")}</h1>
-          <p class="page__lead">{say("catalogue-lead")}</p>
-        </div>
+      <PageHead title={say("page-catalogue")} lead={say("catalogue-lead")}>
         <div class="row">
           <Button href="/api/catalogue/export" icon="download">
             {say("catalogue-export")}
@@ -60,7 +54,7 @@ export default function CatalogueScreen() {
             </>
           )}
         </div>
-      </header>
+      </PageHead>
       <div class="catalogue-search">
         <TextField
           label={say("catalogue-search")}
@@ -116,55 +110,47 @@ interface ModelsProps {
 function Models({ rows, edit, retire }: ModelsProps) {
   const unit = lengthScale()[1];
   return (
-    <TableScroll label={say("page-catalogue")}>
-      <table class="table table--dense" data-testid="catalogue">
-        <thead>
-          <tr>
-            <th>{say("catalogue-model")}</th>
-            <th>{say("catalogue-years")}</th>
-            <th>{say("catalogue-category")}</th>
-            {SIZES.map((size) => (
-              <th key={size} class="num">
-                {say("catalogue-size-head", { size: SIZE_WORDS[size], unit })}
-              </th>
-            ))}
-            <th>
-              <span class="visually-hidden">{say("people-actions")}</span>
-            </th>
-          </tr>
-        </thead>
-        <tbody>
-          {rows.map((row) => (
-            <tr key={row.id}>
-              <td>
-                <strong>{row.make}</strong> {row.model}
-              </td>
-              <td class="nowrap">{yearsOf(row)}</td>
-              <td>{row.category ? CATEGORY_WORDS[row.category] : ""}</td>
-              {SIZES.map((size) => (
-                <SizeCell key={size} row={row} size={size} />
-              ))}
-              <td class="nowrap">
-                {canWork.value && (
-                  <>
-                    <Button
-                      small
-                      label={say("catalogue-correct-model", { model: `${row.make} ${row.model}` })}
-                      onClick={() => edit(row)}
-                    >
-                      {say("catalogue-correct")}
-                    </Button>{" "}
-                    <Button small onClick={() => void retire(row)}>
-                      {say(row.retired_at === null ? "catalogue-retire" : "catalogue-restore")}
-                    </Button>
-                  </>
-                )}
-              </td>
-            </tr>
+    <Table
+      label={say("page-catalogue")}
+      class="table--dense"
+      data-testid="catalogue"
+      heads={[
+        say("catalogue-model"),
+        say("catalogue-years"),
+        say("catalogue-category"),
+        ...SIZES.map((size) => num(say("catalogue-size-head", { size: SIZE_WORDS[size], unit }))),
+        <span class="visually-hidden">{say("people-actions")}</span>,
+      ]}
+    >
+      {rows.map((row) => (
+        <tr key={row.id}>
+          <td>
+            <strong>{row.make}</strong> {row.model}
+          </td>
+          <td class="nowrap">{yearsOf(row)}</td>
+          <td>{row.category ? CATEGORY_WORDS[row.category] : ""}</td>
+          {SIZES.map((size) => (
+            <SizeCell key={size} row={row} size={size} />
           ))}
-        </tbody>
-      </table>
-    </TableScroll>
+          <td class="nowrap">
+            {canWork.value && (
+              <>
+                <Button
+                  small
+                  label={say("catalogue-correct-model", { model: `${row.make} ${row.model}` })}
+                  onClick={() => edit(row)}
+                >
+                  {say("catalogue-correct")}
+                </Button>{" "}
+                <Button small onClick={() => void retire(row)}>
+                  {say(row.retired_at === null ? "catalogue-retire" : "catalogue-restore")}
+                </Button>
+              </>
+            )}
+          </td>
+        </tr>
+      ))}
+    </Table>
   );
 }
 

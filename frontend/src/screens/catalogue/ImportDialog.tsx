@@ -1,14 +1,15 @@
 import { useState } from "preact/hooks";
 import {
   Button,
+  DataTable,
   Dialog,
   DropFiles,
   Loading,
   Notice,
   Problem,
   SelectField,
-  TableScroll,
 } from "../../components";
+import { useAction } from "../../core/action";
 import { api } from "../../core/api";
 import { allOf, say } from "../../core/messages";
 import { formatCount } from "../../core/units";
@@ -29,33 +30,21 @@ export function ImportDialog({ close, imported }: { close: () => void; imported:
   const [file, setFile] = useState<File | null>(null);
   const [choices, setChoices] = useState<Choices>(NO_CHOICES);
   const [plan, setPlan] = useState<Plan | null>(null);
-  const [problem, setProblem] = useState<unknown>(null);
-  const [busy, setBusy] = useState(false);
+  const { busy, problem, run } = useAction();
   const [done, setDone] = useState<{ added: number; updated: number } | null>(null);
   const look = async (chosen: File, next: Choices) => {
     setFile(chosen);
     setChoices(next);
-    setBusy(true);
-    setProblem(null);
-    try {
+    const read = async () =>
       setPlan(await api.ask("POST /catalogue/import/preview", asked(next), { body: chosen }));
-    } catch (error) {
-      setPlan(null);
-      setProblem(error);
-    }
-    setBusy(false);
+    if (!(await run(read))) setPlan(null);
   };
   const store = async () => {
     if (!file) return;
-    setBusy(true);
-    setProblem(null);
-    try {
+    await run(async () => {
       setDone(await api.write("POST /catalogue/import", asked(choices), { body: file }));
       imported();
-    } catch (error) {
-      setProblem(error);
-    }
-    setBusy(false);
+    });
   };
   const change = (part: Partial<Choices>) => file && void look(file, { ...choices, ...part });
   return (
@@ -182,29 +171,23 @@ function Lines({ plan }: { plan: Plan }) {
   const shown = plan.rows.filter((row) => row.change !== "new");
   if (shown.length === 0) return null;
   return (
-    <TableScroll label={say("catalogue-import-lines")} class="catalogue-lines">
-      <table class="table table--dense" data-testid="catalogue-lines">
-        <thead>
-          <tr>
-            <th class="num">{say("catalogue-import-line")}</th>
-            <th>{say("catalogue-model")}</th>
-            <th>{say("catalogue-import-what")}</th>
-            <th>{say("catalogue-import-why")}</th>
-          </tr>
-        </thead>
-        <tbody>
-          {shown.map((row) => (
-            <tr key={row.line}>
-              <td class="num">{row.line}</td>
-              <td>
-                {row.make} {row.model} {row.year_from ?? ""}
-              </td>
-              <td class="nowrap">{CHANGE_WORDS[row.change]}</td>
-              <td>{row.words}</td>
-            </tr>
-          ))}
-        </tbody>
-      </table>
-    </TableScroll>
+    <DataTable
+      label={say("catalogue-import-lines")}
+      scroll="catalogue-lines"
+      class="table--dense"
+      data-testid="catalogue-lines"
+      rows={shown}
+      keyOf={(row) => row.line}
+      columns={({ col, num }) => [
+        num(say("catalogue-import-line"), (row) => row.line),
+        col(say("catalogue-model"), (row) => (
+          <>
+            {row.make} {row.model} {row.year_from ?? ""}
+          </>
+        )),
+        col(say("catalogue-import-what"), (row) => CHANGE_WORDS[row.change], "nowrap"),
+        col(say("catalogue-import-why"), (row) => row.words),
+      ]}
+    />
   );
 }

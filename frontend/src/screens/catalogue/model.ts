@@ -11,31 +11,19 @@ export type Unit = "m" | "cm" | "mm" | "ft" | "in";
 export const SIZES = ["height", "length", "width", "wheelbase", "taillight", "headlight"] as const;
 export type Size = (typeof SIZES)[number];
 
-export const SIZE_WORDS = wordsOf({
-  height: "catalogue-height",
-  length: "catalogue-length",
-  width: "catalogue-width",
-  wheelbase: "catalogue-wheelbase",
-  taillight: "catalogue-taillight",
-  headlight: "catalogue-headlight",
-});
+export const SIZE_WORDS = wordsOf(
+  "catalogue-",
+  "height",
+  "length",
+  "width",
+  "wheelbase",
+  "taillight",
+  "headlight",
+);
 
-export const CHANGE_WORDS = wordsOf({
-  new: "catalogue-change-new",
-  update: "catalogue-change-update",
-  same: "catalogue-change-same",
-  conflict: "catalogue-change-conflict",
-  duplicate: "catalogue-change-duplicate",
-  refused: "catalogue-change-refused",
-});
+export const CHANGE_WORDS = wordsOf("catalogue-change-");
 
-export const UNIT_WORDS = wordsOf({
-  m: "catalogue-unit-m",
-  cm: "catalogue-unit-cm",
-  mm: "catalogue-unit-mm",
-  ft: "catalogue-unit-ft",
-  in: "catalogue-unit-in",
-});
+export const UNIT_WORDS = wordsOf("catalogue-unit-", "m", "cm", "mm", "ft", "in");
 
 /** Every field that a column of a file can be taken for. */
 export const FIELDS: readonly string[] = [

@@ -6,6 +6,7 @@ import {
   JobProgress,
   Loading,
   Notice,
+  Panel,
   Problem,
   TableScroll,
   TextField,
@@ -173,22 +174,25 @@ interface PoseProps {
 function OfPose({ surveyId, found, busy, put, takeBack }: PoseProps) {
   const camera = found.moved.find((one) => one.name === "camera_height_m");
   return (
-    <section class="panel" data-testid="adjustment">
-      <header class="panel__head row--wrap">
-        <h2>
-          {say("adjust-pose", { pose: String(found.pose_id), recordings: allOf([...found.recordings]) })}
-        </h2>
-        {canWork.value && found.adjusted_from !== null && (
-          <Button small icon="undo" busy={busy} onClick={() => void takeBack()}>
-            {say("adjust-take-back")}
-          </Button>
-        )}
-        {canWork.value && camera && found.used > 0 && (
-          <Button small kind="primary" busy={busy} onClick={() => void put(camera.value)}>
-            {say("adjust-put")}
-          </Button>
-        )}
-      </header>
+    <Panel
+      title={say("adjust-pose", { pose: String(found.pose_id), recordings: allOf([...found.recordings]) })}
+      aside={
+        <>
+          {canWork.value && found.adjusted_from !== null && (
+            <Button small icon="undo" busy={busy} onClick={() => void takeBack()}>
+              {say("adjust-take-back")}
+            </Button>
+          )}
+          {canWork.value && camera && found.used > 0 && (
+            <Button small kind="primary" busy={busy} onClick={() => void put(camera.value)}>
+              {say("adjust-put")}
+            </Button>
+          )}
+        </>
+      }
+      wrap
+      data-testid="adjustment"
+    >
       <div class="panel__body stack">
         {found.adjusted_from !== null ? (
           <p>{say("adjust-adjusted", { pose: String(found.adjusted_from) })}</p>
@@ -207,7 +211,7 @@ function OfPose({ surveyId, found, busy, put, takeBack }: PoseProps) {
       <LeftOut surveyId={surveyId} found={found} />
       {found.without_model.length > 0 && <ModelsTable found={found} />}
       {found.heights.length > 0 && <HeightsTable surveyId={surveyId} found={found} />}
-    </section>
+    </Panel>
   );
 }
 

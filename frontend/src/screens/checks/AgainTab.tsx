@@ -1,5 +1,5 @@
 /** Heights computed again: what is out of date, each time it was done, old beside new, and the undo of all. */
-import { Button, JobProgress, Loading, Notice, Problem, TableScroll } from "../../components";
+import { Button, DataTable, JobProgress, Loading, Notice, Panel, Problem } from "../../components";
 import { query, setQuery } from "../../core/address";
 import { api } from "../../core/api";
 import { cancelJob } from "../../core/jobs";
@@ -13,12 +13,7 @@ import { useComputing } from "../../parts/again/computing";
 import { causesInWords } from "../../parts/again/words";
 import { ComputedHeightsPanel } from "./ComputedHeightsPanel";
 
-const KINDS: Readonly<Record<Computing["kind"], string>> = wordsOf({
-  asked: "computing-kind-asked",
-  sides: "computing-kind-sides",
-  adjustment: "computing-kind-adjustment",
-  undo: "computing-kind-undo",
-});
+const KINDS: Readonly<Record<Computing["kind"], string>> = wordsOf("computing-kind-");
 
 export function AgainTab({ surveyId }: { surveyId: number }) {
   const where = { survey_id: surveyId };
@@ -89,55 +84,41 @@ function Stale({ found, busy, start }: { found: Computings; busy: boolean; start
 
 function Runs({ computings, shown }: { computings: readonly Computing[]; shown: number }) {
   return (
-    <section class="panel" aria-label={say("computing-runs")}>
-      <header class="panel__head">
-        <h2>{say("computing-runs")}</h2>
-      </header>
+    <Panel title={say("computing-runs")}>
       {computings.length === 0 ? (
         <p class="panel__body muted">{say("computing-runs-none")}</p>
       ) : (
-        <TableScroll label={say("computing-runs")} class="again-runs">
-          <table class="table" data-testid="computings">
-            <thead>
-              <tr>
-                <th>{say("computing-when")}</th>
-                <th>{say("computing-who")}</th>
-                <th>{say("computing-kind")}</th>
-                <th class="num">{say("computing-heights")}</th>
-                <th class="num">{say("computing-to-review")}</th>
-                <th class="num">{say("computing-largest")}</th>
-                <th>
-                  <span class="visually-hidden">{say("table-actions")}</span>
-                </th>
-              </tr>
-            </thead>
-            <tbody>
-              {computings.map((one) => (
-                <tr key={one.id} aria-current={one.id === shown ? "true" : undefined}>
-                  <td class="nowrap">{formatMoment(one.created_at)}</td>
-                  <td>{one.created_by?.name}</td>
-                  <td>
-                    {KINDS[one.kind]}{" "}
-                    {one.undone_by !== null && <span class="badge">{say("computing-undone")}</span>}
-                  </td>
-                  <td class="num">{formatCount(one.heights)}</td>
-                  <td class="num">{formatCount(one.to_review)}</td>
-                  <td class="num">{formatSmall(one.largest_m)}</td>
-                  <td>
-                    {one.id === shown ? (
-                      <span class="muted">{say("computing-shown")}</span>
-                    ) : (
-                      <Button small onClick={() => setQuery({ computing: String(one.id) })}>
-                        {say("computing-show")}
-                      </Button>
-                    )}
-                  </td>
-                </tr>
-              ))}
-            </tbody>
-          </table>
-        </TableScroll>
+        <DataTable
+          label={say("computing-runs")}
+          scroll="again-runs"
+          data-testid="computings"
+          rows={computings}
+          keyOf={(one) => one.id}
+          rowAttributes={(one) => ({ "aria-current": one.id === shown ? "true" : undefined })}
+          columns={({ col, num }) => [
+            col(say("computing-when"), (one) => formatMoment(one.created_at), "nowrap"),
+            col(say("computing-who"), (one) => one.created_by?.name),
+            col(say("computing-kind"), (one) => (
+              <>
+                {KINDS[one.kind]}{" "}
+                {one.undone_by !== null && <span class="badge">{say("computing-undone")}</span>}
+              </>
+            )),
+            num(say("computing-heights"), (one) => formatCount(one.heights)),
+            num(say("computing-to-review"), (one) => formatCount(one.to_review)),
+            num(say("computing-largest"), (one) => formatSmall(one.largest_m)),
+            col(<span class="visually-hidden">{say("table-actions")}</span>, (one) =>
+              one.id === shown ? (
+                <span class="muted">{say("computing-shown")}</span>
+              ) : (
+                <Button small onClick={() => setQuery({ computing: String(one.id) })}>
+                  {say("computing-show")}
+                </Button>
+              ),
+            ),
+          ]}
+        />
       )}
-    </section>
+    </Panel>
   );
 }

@@ -1,5 +1,5 @@
 /** What a survey's own vehicles say of its insets and of its road poses, and heights computed again. */
-import { Loading } from "../../components";
+import { Loading, PageHead } from "../../components";
 import { PageTabs } from "../../components/PageTabs";
 import { query } from "../../core/address";
 import { say, wordsOf } from "../../core/messages";
@@ -26,12 +26,7 @@ export default function ChecksScreen({ surveyId }: ScreenProps) {
   if (!survey || survey.id !== surveyId) return <Loading what={say("checks-loading")} />;
   return (
     <div class={`page checks checks--${tab}`}>
-      <header class="page__head">
-        <div>
-          <h1>{say("page-checks")}</h1>
-          <p class="page__lead">{LEADS[tab]}</p>
-        </div>
-      </header>
+      <PageHead title={say("page-checks")} lead={LEADS[tab]} />
       <PageTabs label={say("page-checks")} tabs={checksTabs(surveyId, tab)} />
       {tab === "insets" && <InsetsTab survey={survey} />}
       {tab === "traffic" && <TrafficTab surveyId={surveyId} />}

@@ -1,5 +1,5 @@
 /** One computing: what it changed in words, as a figure, and height by height, with the undo of all. */
-import { Button, Loading, Problem, TableScroll } from "../../components";
+import { Button, Loading, num, Panel, Problem, Table } from "../../components";
 import { api } from "../../core/api";
 import { say } from "../../core/messages";
 import { useResource } from "../../core/resource";
@@ -27,10 +27,10 @@ export function ComputedHeightsPanel({ surveyId, computing, busy, undo }: Props)
   if (!found)
     return read.error ? <Problem error={read.error} /> : <Loading what={say("computing-old-new")} />;
   return (
-    <section class="panel" aria-label={say("computing-old-new")}>
-      <header class="panel__head">
-        <h2>{say("computing-old-new")}</h2>
-        {canWork.value && (
+    <Panel
+      title={say("computing-old-new")}
+      aside={
+        canWork.value && (
           <Button
             small
             icon="undo"
@@ -41,14 +41,15 @@ export function ComputedHeightsPanel({ surveyId, computing, busy, undo }: Props)
           >
             {say("computing-undo")}
           </Button>
-        )}
-      </header>
+        )
+      }
+    >
       <div class="panel__body stack">
         <p>{inWords(found)}</p>
         <Changes found={found} />
       </div>
       <Heights surveyId={surveyId} found={found} />
-    </section>
+    </Panel>
   );
 }
 
@@ -160,46 +161,40 @@ function addressOf(surveyId: number, one: ComputedHeight): string {
 function Heights({ surveyId, found }: { surveyId: number; found: ComputedHeights }) {
   return (
     <>
-      <TableScroll label={say("computing-table")} class="again-heights">
-        <table class="table" data-testid="computed-heights">
-          <thead>
-            <tr>
-              <th>{say("computing-vehicle")}</th>
-              <th>{say("computing-target")}</th>
-              <th class="num">{say("computing-before")}</th>
-              <th class="num">{say("computing-after")}</th>
-              <th class="num">{say("computing-change")}</th>
-              <th class="num" title={say("computing-by-u-help")}>
-                {say("computing-by-u")}
-              </th>
-              <th>
-                <span class="visually-hidden">{say("table-actions")}</span>
-              </th>
-            </tr>
-          </thead>
-          <tbody>
-            {found.listed.map((one) => (
-              <tr key={one.measurement_id ?? `line ${one.line_height_id}`}>
-                <td>
-                  <a href={addressOf(surveyId, one)}>#{one.vehicle_number}</a>
-                </td>
-                <td>
-                  {TARGET_WORDS[one.target]}{" "}
-                  {one.scan_id !== null && <span class="badge">{say("computing-line-scan")}</span>}{" "}
-                  {one.repeat && <span class="badge">{say("computing-repeat")}</span>}
-                </td>
-                <td class="num">{formatHeight(one.height_before_m, one.U95_before_m)}</td>
-                <td class="num" title={one.reason ?? undefined}>
-                  {formatHeight(one.height_m, one.U95_height_m)}
-                </td>
-                <td class="num">{formatSmall(one.change_m)}</td>
-                <td class="num">{one.moved_by_u === null ? "–" : fixed(one.moved_by_u, 2)}</td>
-                <td>{one.to_review && <span class="badge">{say("computing-review-yes")}</span>}</td>
-              </tr>
-            ))}
-          </tbody>
-        </table>
-      </TableScroll>
+      <Table
+        label={say("computing-table")}
+        scroll="again-heights"
+        data-testid="computed-heights"
+        heads={[
+          say("computing-vehicle"),
+          say("computing-target"),
+          num(say("computing-before")),
+          num(say("computing-after")),
+          num(say("computing-change")),
+          { head: say("computing-by-u"), figures: true, title: say("computing-by-u-help") },
+          <span class="visually-hidden">{say("table-actions")}</span>,
+        ]}
+      >
+        {found.listed.map((one) => (
+          <tr key={one.measurement_id ?? `line ${one.line_height_id}`}>
+            <td>
+              <a href={addressOf(surveyId, one)}>#{one.vehicle_number}</a>
+            </td>
+            <td>
+              {TARGET_WORDS[one.target]}{" "}
+              {one.scan_id !== null && <span class="badge">{say("computing-line-scan")}</span>}{" "}
+              {one.repeat && <span class="badge">{say("computing-repeat")}</span>}
+            </td>
+            <td class="num">{formatHeight(one.height_before_m, one.U95_before_m)}</td>
+            <td class="num" title={one.reason ?? undefined}>
+              {formatHeight(one.height_m, one.U95_height_m)}
+            </td>
+            <td class="num">{formatSmall(one.change_m)}</td>
+            <td class="num">{one.moved_by_u === null ? "–" : fixed(one.moved_by_u, 2)}</td>
+            <td>{one.to_review && <span class="badge">{say("computing-review-yes")}</span>}</td>
+          </tr>
+        ))}
+      </Table>
       {found.listed.length < found.computing.heights && (
         <p class="panel__body muted small">
           {say("computing-listed", { count: formatCount(found.listed.length) })}

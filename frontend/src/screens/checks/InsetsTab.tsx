@@ -1,7 +1,8 @@
 /** Per target: the inset in force, what the survey itself says of it, and a button to use that. */
 import { useState } from "preact/hooks";
-import { Button, Loading, Problem, TableScroll } from "../../components";
+import { Button, Loaded, Panel, Problem, TableScroll } from "../../components";
 import { Said } from "../../components/Said";
+import { useAction } from "../../core/action";
 import { api } from "../../core/api";
 import { allOf, say, wordsOf } from "../../core/messages";
 import { useResource } from "../../core/resource";
@@ -14,24 +15,19 @@ import { INSET_PLACE_WORDS, INSET_WORDS } from "../../core/words";
 import { InsetDrawing } from "./InsetDrawing";
 import { type Estimate, type InsetCheck, TARGET_NAMES, type TargetInsets } from "./types";
 
-const METHODS: Readonly<Record<Estimate["method"], string>> = wordsOf({
-  known_heights: "checks-by-known_heights",
-  trend: "checks-by-trend",
-  two_frames: "checks-by-two_frames",
-});
+const METHODS: Readonly<Record<Estimate["method"], string>> = wordsOf("checks-by-");
 
 export function InsetsTab({ survey }: { survey: Survey }) {
   const check = useResource(
     (signal) => api.ask("GET /surveys/{survey_id}/checks/insets", { survey_id: survey.id }, { signal }),
     [survey.id],
   );
-  const [problem, setProblem] = useState<unknown>(null);
+  const { problem, run } = useAction();
   const [busy, setBusy] = useState<string | null>(null);
   const use = async (name: InsetName, estimate: Estimate) => {
     if (!estimate.offer) return;
     setBusy(`${name} ${estimate.method}`);
-    setProblem(null);
-    try {
+    await run(async () => {
       const { site, description, version } = survey;
       const insets = { [name]: estimate.offer };
       await api.write(
@@ -40,21 +36,15 @@ export function InsetsTab({ survey }: { survey: Survey }) {
         { body: { name: survey.name, site, description, version, insets } },
       );
       toast(say("checks-used", { target: name }));
-    } catch (error) {
-      setProblem(error);
-    }
+    });
     await Promise.all([refreshSurvey(), check.reload()]);
     setBusy(null);
   };
   return (
     <>
       <Problem error={problem} />
-      <section class="panel" aria-label={say("checks-insets")}>
-        <header class="panel__head">
-          <h2>{say("checks-insets-title")}</h2>
-        </header>
-        <Problem error={check.error} again={check.reload} />
-        {!check.data && check.loading && <Loading what={say("checks-insets-loading")} />}
+      <Panel aria-label={say("checks-insets")} title={say("checks-insets-title")}>
+        <Loaded of={check} what={say("checks-insets-loading")} />
         {check.data && (
           <TableScroll label={say("checks-insets-table")}>
             <table class="table insets-check" data-testid="insets-check">
@@ -74,7 +64,7 @@ export function InsetsTab({ survey }: { survey: Survey }) {
           </TableScroll>
         )}
         <p class="panel__body muted small insets-check__foot">{say("checks-insets-note")}</p>
-      </section>
+      </Panel>
       {check.data && <Explanation check={check.data} />}
     </>
   );
@@ -171,10 +161,7 @@ function Vehicles({ one }: { one: Estimate }) {
 
 function Explanation({ check }: { check: InsetCheck }) {
   return (
-    <section class="panel" aria-label={say("checks-inset-what")}>
-      <header class="panel__head">
-        <h2>{say("checks-inset-title")}</h2>
-      </header>
+    <Panel aria-label={say("checks-inset-what")} title={say("checks-inset-title")}>
       <div class="panel__body inset-words">
         <InsetDrawing />
         <div class="stack">
@@ -225,6 +212,6 @@ function Explanation({ check }: { check: InsetCheck }) {
           </tbody>
         </table>
       </TableScroll>
-    </section>
+    </Panel>
   );
 }

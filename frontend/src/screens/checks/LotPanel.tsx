@@ -1,6 +1,6 @@
 /** One lot: its plan's operating characteristic with both risk points, how far its sample is, and what is decided. */
 import { useState } from "preact/hooks";
-import { ask, Button, Problem, Progress } from "../../components";
+import { ask, Button, Panel, Problem, Progress } from "../../components";
 import { api } from "../../core/api";
 import { say } from "../../core/messages";
 import { may } from "../../core/session";
@@ -25,10 +25,7 @@ export function LotPanel({ surveyId, shown, done }: Props) {
   const left = leftInWords(shown);
   const title = say("lots-named", { number: String(lot.number), common: commonInWords(lot.common) });
   return (
-    <section class="panel" aria-label={title} data-testid="lot">
-      <header class="panel__head">
-        <h2>{title}</h2>
-      </header>
+    <Panel title={title} data-testid="lot">
       <div class="panel__body stack">
         <p data-testid="lot-words">{inWords(shown)}</p>
         {left && <p class="small">{say("lots-left", { reasons: left })}</p>}
@@ -48,7 +45,7 @@ export function LotPanel({ surveyId, shown, done }: Props) {
           })}
         </p>
       </div>
-    </section>
+    </Panel>
   );
 }
 

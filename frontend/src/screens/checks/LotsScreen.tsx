@@ -1,7 +1,8 @@
 /** Review by lots: what could be drawn, the lots, and one of them with its curve, its progress and its decision in words. */
 import { useState } from "preact/hooks";
-import { Button, Loading, Notice, Problem, TableScroll, TextField } from "../../components";
+import { Button, DataTable, Loading, Notice, Panel, Problem, TextField } from "../../components";
 import { PageTabs } from "../../components/PageTabs";
+import { useAction } from "../../core/action";
 import { query, setQuery } from "../../core/address";
 import { api } from "../../core/api";
 import { say, wordsOf } from "../../core/messages";
@@ -19,12 +20,13 @@ import "./checks.css";
 
 const GROUPINGS = ["target", "lighting", "operator", "day"] as const;
 type Grouping = (typeof GROUPINGS)[number];
-const GROUPING_WORDS: Readonly<Record<Grouping, string>> = wordsOf({
-  target: "lots-by-target",
-  lighting: "lots-by-lighting",
-  operator: "lots-by-operator",
-  day: "lots-by-day",
-});
+const GROUPING_WORDS: Readonly<Record<Grouping, string>> = wordsOf(
+  "lots-by-",
+  "target",
+  "lighting",
+  "operator",
+  "day",
+);
 const RISKS = ["producer_quality", "producer_risk", "consumer_quality", "consumer_risk"] as const;
 type Risk = (typeof RISKS)[number];
 const RISK_WORDS: Readonly<Record<Risk, string>> = wordsOf({
@@ -97,8 +99,7 @@ interface DrawProps {
 function Draw({ surveyId, changed, done }: DrawProps) {
   const [by, setBy] = useState<readonly Grouping[]>(["target", "lighting"]);
   const [typed, setTyped] = useState(USUAL);
-  const [busy, setBusy] = useState(false);
-  const [problem, setProblem] = useState<unknown>(null);
+  const { busy, problem, run } = useAction();
   const risks = fractions(typed);
   const plan = useResource(
     (signal) =>
@@ -110,25 +111,19 @@ function Draw({ surveyId, changed, done }: DrawProps) {
     [surveyId, JSON.stringify([by, risks]), changed],
     { keep: true },
   );
-  const draw = async () => {
-    setBusy(true);
-    setProblem(null);
-    try {
+  const draw = () =>
+    run(async () => {
       const body = { by: [...by], ...risks };
       const made = await api.write("POST /surveys/{survey_id}/lots", { survey_id: surveyId }, { body });
       setQuery({ lot: String(made[0]?.lot.id ?? "") });
       await done();
-    } catch (error) {
-      setProblem(error);
-    }
-    setBusy(false);
-  };
+    });
   const planned = plan.data ?? [];
   return (
-    <section class="panel" aria-label={say("lots-draw-title")} data-testid="lots-draw">
-      <header class="panel__head">
-        <h2>{say("lots-draw-title")}</h2>
-        {may("reviewer") && (
+    <Panel
+      title={say("lots-draw-title")}
+      aside={
+        may("reviewer") && (
           <Button
             kind="primary"
             busy={busy}
@@ -137,8 +132,10 @@ function Draw({ surveyId, changed, done }: DrawProps) {
           >
             {say("lots-draw")}
           </Button>
-        )}
-      </header>
+        )
+      }
+      data-testid="lots-draw"
+    >
       <div class="panel__body stack">
         <fieldset class="lots__by row">
           <legend class="field__label">{say("lots-by")}</legend>
@@ -175,7 +172,7 @@ function Draw({ surveyId, changed, done }: DrawProps) {
         <Problem error={problem ?? plan.error} />
       </div>
       {!plan.error && <Planned planned={planned} />}
-    </section>
+    </Panel>
   );
 }
 
@@ -195,88 +192,65 @@ function fractions(typed: Readonly<Record<Risk, string>>): Record<Risk, number> 
 function Planned({ planned }: { planned: readonly PlannedLot[] }) {
   if (planned.length === 0) return <p class="panel__body muted">{say("lots-nothing-waits")}</p>;
   return (
-    <TableScroll label={say("lots-planned")} class="lots__planned">
-      <table class="table" data-testid="lots-planned">
-        <thead>
-          <tr>
-            <th>{say("lots-lot")}</th>
-            <th class="num">{say("lots-size")}</th>
-            <th class="num">{say("lots-sample")}</th>
-            <th class="num">{say("lots-number")}</th>
-            <th>{say("lots-what")}</th>
-          </tr>
-        </thead>
-        <tbody>
-          {planned.map((one) => (
-            <tr key={JSON.stringify(one.common)}>
-              <td>{commonInWords(one.common)}</td>
-              <td class="num">{formatCount(one.size)}</td>
-              <td class="num">{formatCount(one.sample_size)}</td>
-              <td class="num">{formatCount(one.acceptance_number)}</td>
-              <td>
-                {one.saves ? (
-                  say("lots-saves", { count: one.size - one.sample_size })
-                ) : (
-                  <span class="muted">{say("lots-saves-nothing")}</span>
-                )}
-              </td>
-            </tr>
-          ))}
-        </tbody>
-      </table>
-    </TableScroll>
+    <DataTable
+      label={say("lots-planned")}
+      scroll="lots__planned"
+      data-testid="lots-planned"
+      rows={planned}
+      keyOf={(one) => JSON.stringify(one.common)}
+      columns={({ col, num }) => [
+        col(say("lots-lot"), (one) => commonInWords(one.common)),
+        num(say("lots-size"), (one) => formatCount(one.size)),
+        num(say("lots-sample"), (one) => formatCount(one.sample_size)),
+        num(say("lots-number"), (one) => formatCount(one.acceptance_number)),
+        col(say("lots-what"), (one) =>
+          one.saves ? (
+            say("lots-saves", { count: one.size - one.sample_size })
+          ) : (
+            <span class="muted">{say("lots-saves-nothing")}</span>
+          ),
+        ),
+      ]}
+    />
   );
 }
 
 function Lots({ lots, shown }: { lots: readonly ShownLot[]; shown: ShownLot | undefined }) {
   return (
-    <section class="panel" aria-label={say("page-lots")}>
-      <header class="panel__head">
-        <h2>{say("page-lots")}</h2>
-      </header>
-      <TableScroll label={say("page-lots")} class="lots__planned">
-        <table class="table" data-testid="lots">
-          <thead>
-            <tr>
-              <th>{say("lots-lot")}</th>
-              <th class="num">{say("lots-size")}</th>
-              <th class="num">{say("lots-judged")}</th>
-              <th class="num">{say("lots-bad")}</th>
-              <th>{say("lots-state")}</th>
-              <th>
-                <span class="visually-hidden">{say("table-actions")}</span>
-              </th>
-            </tr>
-          </thead>
-          <tbody>
-            {lots.map((one) => (
-              <tr key={one.lot.id} aria-current={one === shown ? "true" : undefined}>
-                <td>
-                  {say("lots-named", {
-                    number: String(one.lot.number),
-                    common: commonInWords(one.lot.common),
-                  })}
-                </td>
-                <td class="num">{formatCount(one.lot.size)}</td>
-                <td class="num nowrap">
-                  {say("lots-of", { part: one.progress.judged, all: one.progress.sample })}
-                </td>
-                <td class="num">{formatCount(one.progress.nonconforming)}</td>
-                <td>{LOT_STATES[one.state]}</td>
-                <td>
-                  {one === shown ? (
-                    <span class="muted">{say("computing-shown")}</span>
-                  ) : (
-                    <Button small onClick={() => setQuery({ lot: String(one.lot.id) })}>
-                      {say("computing-show")}
-                    </Button>
-                  )}
-                </td>
-              </tr>
-            ))}
-          </tbody>
-        </table>
-      </TableScroll>
-    </section>
+    <Panel title={say("page-lots")}>
+      <DataTable
+        label={say("page-lots")}
+        scroll="lots__planned"
+        data-testid="lots"
+        rows={lots}
+        keyOf={(one) => one.lot.id}
+        rowAttributes={(one) => ({ "aria-current": one === shown ? "true" : undefined })}
+        columns={({ col, num }) => [
+          col(say("lots-lot"), (one) =>
+            say("lots-named", {
+              number: String(one.lot.number),
+              common: commonInWords(one.lot.common),
+            }),
+          ),
+          num(say("lots-size"), (one) => formatCount(one.lot.size)),
+          num(
+            say("lots-judged"),
+            (one) => say("lots-of", { part: one.progress.judged, all: one.progress.sample }),
+            "nowrap",
+          ),
+          num(say("lots-bad"), (one) => formatCount(one.progress.nonconforming)),
+          col(say("lots-state"), (one) => LOT_STATES[one.state]),
+          col(<span class="visually-hidden">{say("table-actions")}</span>, (one) =>
+            one === shown ? (
+              <span class="muted">{say("computing-shown")}</span>
+            ) : (
+              <Button small onClick={() => setQuery({ lot: String(one.lot.id) })}>
+                {say("computing-show")}
+              </Button>
+            ),
+          ),
+        ]}
+      />
+    </Panel>
   );
 }

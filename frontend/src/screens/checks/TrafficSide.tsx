@@ -1,5 +1,5 @@
 /** What the traffic says of the pose, the vehicles with their headings, and the turn before it is accepted. */
-import { Button, SelectField } from "../../components";
+import { Button, DataTable, num, SelectField, Table } from "../../components";
 import { say } from "../../core/messages";
 import { canWork } from "../../core/session";
 import type { Vehicle } from "../../core/types";
@@ -92,26 +92,16 @@ function Preview({ model, preview }: { model: TrafficModel; preview: TurnedPose 
       {changes.count > 0 && (
         // biome-ignore lint/a11y/noNoninteractiveTabindex: a list that scrolls is reached by keyboard
         <div class="traffic__changes" tabIndex={0} role="region" aria-label={say("checks-differences")}>
-          <table class="table">
-            <thead>
-              <tr>
-                <th>{say("checks-vehicle")}</th>
-                <th>{say("checks-target")}</th>
-                <th class="num">{say("checks-height")}</th>
-                <th class="num">{say("checks-turned")}</th>
-              </tr>
-            </thead>
-            <tbody>
-              {changes.listed.map((one) => (
-                <tr key={one.measurement_id}>
-                  <td>#{numberOf(one.vehicle_id)}</td>
-                  <td>{TARGET_NAMES[one.target]}</td>
-                  <td class="num">{formatLength(one.height_m)}</td>
-                  <td class="num">{formatSmall(one.difference_m)}</td>
-                </tr>
-              ))}
-            </tbody>
-          </table>
+          <DataTable
+            rows={changes.listed}
+            keyOf={(one) => one.measurement_id}
+            columns={({ col, num }) => [
+              col(say("checks-vehicle"), (one) => <>#{numberOf(one.vehicle_id)}</>),
+              col(say("checks-target"), (one) => TARGET_NAMES[one.target]),
+              num(say("checks-height"), (one) => formatLength(one.height_m)),
+              num(say("checks-turned"), (one) => formatSmall(one.difference_m)),
+            ]}
+          />
         </div>
       )}
       <div class="row">
@@ -133,21 +123,19 @@ function Preview({ model, preview }: { model: TrafficModel; preview: TurnedPose 
 
 function Passes({ model }: { model: TrafficModel }) {
   return (
-    <table class="table traffic__list">
-      <thead>
-        <tr>
-          <th>{say("checks-vehicle")}</th>
-          <th class="num">{say("checks-heading")}</th>
-          <th class="num">{say("checks-u")}</th>
-          <th class="num">{say("checks-apart")}</th>
-        </tr>
-      </thead>
-      <tbody>
-        {model.passes.value.map((vehicle) => (
-          <Row key={vehicle.id} model={model} vehicle={vehicle} />
-        ))}
-      </tbody>
-    </table>
+    <Table
+      class="traffic__list"
+      heads={[
+        say("checks-vehicle"),
+        num(say("checks-heading")),
+        num(say("checks-u")),
+        num(say("checks-apart")),
+      ]}
+    >
+      {model.passes.value.map((vehicle) => (
+        <Row key={vehicle.id} model={model} vehicle={vehicle} />
+      ))}
+    </Table>
   );
 }
 

@@ -3,13 +3,7 @@ import { allOf, say, wordsOf } from "../../core/messages";
 import type { PlannedLot, ShownLot } from "../../core/types";
 import { LIGHTING_NOUNS, TARGET_NOUNS } from "../../core/words";
 
-export const LOT_STATES: Readonly<Record<ShownLot["state"], string>> = wordsOf({
-  open: "lots-state-open",
-  accepted: "lots-state-accepted",
-  full_inspection: "lots-state-full_inspection",
-  dissolved: "lots-state-dissolved",
-  taken_back: "lots-state-taken_back",
-});
+export const LOT_STATES: Readonly<Record<ShownLot["state"], string>> = wordsOf("lots-state-");
 
 const LEFT: Readonly<Record<string, (count: number) => string>> = {
   measured_again: (count) => say("lots-left-measured_again", { count }),

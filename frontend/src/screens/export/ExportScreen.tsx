@@ -4,11 +4,14 @@ import {
   DateField,
   Empty,
   JobProgress,
-  Loading,
+  Loaded,
   Notice,
+  num,
+  PageHead,
+  Panel,
   Problem,
   SelectField,
-  TableScroll,
+  Table,
 } from "../../components";
 import { nameOfLanguage } from "../../components/LanguageChoice";
 import { Said } from "../../components/Said";
@@ -95,11 +98,7 @@ export default function ExportScreen({ surveyId }: ScreenProps) {
   const counts = survey.value?.counts;
   return (
     <div class="page">
-      <header class="page__head">
-        <div>
-          <h1>{say("page-export")}</h1>
-          <p class="page__lead">{say("export-lead")}</p>
-        </div>
+      <PageHead title={say("page-export")} lead={say("export-lead")}>
         <div class="row row--wrap">
           <label class="row">
             <input
@@ -119,7 +118,7 @@ export default function ExportScreen({ surveyId }: ScreenProps) {
             {say("export-build")}
           </Button>
         </div>
-      </header>
+      </PageHead>
       <OutOfDateNotice surveyId={Number(surveyId)} />
       <Choosing wanted={wanted} onChange={setWanted} />
       {counts && counts.to_review + counts.rejected > 0 && (
@@ -138,24 +137,17 @@ export default function ExportScreen({ surveyId }: ScreenProps) {
       )}
       {failed && <Notice kind="problem">{failed}</Notice>}
       <Problem error={problem} again={() => void build()} />
-      <section class="panel">
-        <header class="panel__head">
-          <h2>{say("export-packages")}</h2>
-        </header>
-        <Problem error={packages.error} again={packages.reload} />
-        {!packages.data && packages.loading && <Loading what={say("export-loading")} />}
+      <Panel title={say("export-packages")}>
+        <Loaded of={packages} what={say("export-loading")} />
         {packages.data?.length === 0 && (
           <Empty title={say("export-none-title")}>
             <p>{say("export-none")}</p>
           </Empty>
         )}
         {packages.data && packages.data.length > 0 && <Packages list={packages.data} />}
-      </section>
+      </Panel>
       {packages.data?.[0] && <Checking newest={packages.data[0]} />}
-      <section class="panel">
-        <header class="panel__head">
-          <h2>{say("export-contents")}</h2>
-        </header>
+      <Panel title={say("export-contents")}>
         <table class="table">
           <tbody>
             {CONTENTS.map(({ files, what }) => (
@@ -168,7 +160,7 @@ export default function ExportScreen({ surveyId }: ScreenProps) {
             ))}
           </tbody>
         </table>
-      </section>
+      </Panel>
     </div>
   );
 }
@@ -248,45 +240,40 @@ async function copy(text: string, said: string) {
 
 function Packages({ list }: { list: ExportPackage[] }) {
   return (
-    <TableScroll label={say("export-packages")}>
-      <table class="table table--hover">
-        <thead>
-          <tr>
-            <th>{say("export-made")}</th>
-            <th>{say("export-by")}</th>
-            <th>{say("export-of")}</th>
-            <th>{say("export-language")}</th>
-            <th class="num">{say("export-size")}</th>
-            <th>{say("export-sha256")}</th>
-            <th>{say("export-audit-head")}</th>
-            <th>
-              <span class="visually-hidden">{say("export-download-column")}</span>
-            </th>
-          </tr>
-        </thead>
-        <tbody>
-          {list.map((entry) => (
-            <tr key={entry.id}>
-              <td class="nowrap">
-                {formatMoment(entry.created_at)}
-                <Outdated since={entry.since} />
-              </td>
-              <td class="nowrap">{entry.created_by?.name ?? "–"}</td>
-              <td>{wantedWords(entry.selection) || say("export-of-all")}</td>
-              <td class="nowrap">{nameOfLanguage(entry.language)}</td>
-              <td class="num nowrap">{formatBytes(entry.size_bytes)}</td>
-              <Hash text={entry.sha256} which="sha256" />
-              <Hash text={entry.audit_head} which="audit-head" />
-              <td class="num">
-                <Button small icon="download" href={entry.url} download>
-                  {say("export-download")}
-                </Button>
-              </td>
-            </tr>
-          ))}
-        </tbody>
-      </table>
-    </TableScroll>
+    <Table
+      label={say("export-packages")}
+      class="table--hover"
+      heads={[
+        say("export-made"),
+        say("export-by"),
+        say("export-of"),
+        say("export-language"),
+        num(say("export-size")),
+        say("export-sha256"),
+        say("export-audit-head"),
+        <span class="visually-hidden">{say("export-download-column")}</span>,
+      ]}
+    >
+      {list.map((entry) => (
+        <tr key={entry.id}>
+          <td class="nowrap">
+            {formatMoment(entry.created_at)}
+            <Outdated since={entry.since} />
+          </td>
+          <td class="nowrap">{entry.created_by?.name ?? "–"}</td>
+          <td>{wantedWords(entry.selection) || say("export-of-all")}</td>
+          <td class="nowrap">{nameOfLanguage(entry.language)}</td>
+          <td class="num nowrap">{formatBytes(entry.size_bytes)}</td>
+          <Hash text={entry.sha256} which="sha256" />
+          <Hash text={entry.audit_head} which="audit-head" />
+          <td class="num">
+            <Button small icon="download" href={entry.url} download>
+              {say("export-download")}
+            </Button>
+          </td>
+        </tr>
+      ))}
+    </Table>
   );
 }
 
@@ -309,10 +296,7 @@ function Hash({ text, which }: { text: string; which: "sha256" | "audit-head" })
 function Checking({ newest }: { newest: ExportPackage }) {
   const command = `sightline verify ${newest.filename} --key ${newest.signing_key.slice(0, 32)}`;
   return (
-    <section class="panel">
-      <header class="panel__head">
-        <h2>{say("export-checking")}</h2>
-      </header>
+    <Panel title={say("export-checking")}>
       <div class="panel__body stack stack--tight">
         <p>{say("export-checking-help")}</p>
         <p class="export__command">
@@ -326,6 +310,6 @@ function Checking({ newest }: { newest: ExportPackage }) {
           />
         </p>
       </div>
-    </section>
+    </Panel>
   );
 }

@@ -1,5 +1,5 @@
 import { useEffect, useRef } from "preact/hooks";
-import { Button, Loading, Problem } from "../../components";
+import { Button, Loading, PageHead, Problem } from "../../components";
 import { query } from "../../core/address";
 import { language, say } from "../../core/messages";
 import { useResource } from "../../core/resource";
@@ -21,10 +21,9 @@ export default function GuideScreen() {
   }, [page.data, section]);
   return (
     <div class="page page--alone guide">
-      <header class="page__head">
-        <h1>{say(`guide-page-${name}`)}</h1>
+      <PageHead title={say(`guide-page-${name}`)}>
         <Button onClick={() => print()}>{say("action-print")}</Button>
-      </header>
+      </PageHead>
       <div class="guide__columns">
         <nav class="guide__pages" aria-label={say("guide-pages")}>
           <ul>

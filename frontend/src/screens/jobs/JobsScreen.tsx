@@ -1,15 +1,16 @@
 /** Long work of the server: what waits, what is under way, what came of it; stopped and done once more here. */
-import { useState } from "preact/hooks";
 import {
   Button,
   Empty,
-  Loading,
+  Loaded,
+  PageHead,
   Problem,
   Progress,
   SelectField,
   StateMark,
-  TableScroll,
+  Table,
 } from "../../components";
+import { useAction } from "../../core/action";
 import { query, setQuery } from "../../core/address";
 import { api, fromAddress } from "../../core/api";
 import { cancelJob, isOver, jobName } from "../../core/jobs";
@@ -33,25 +34,16 @@ export default function JobsScreen() {
     { keep: true },
   );
   const surveys = useResource((signal) => api.ask("GET /surveys", {}, { signal }), []);
-  const [problem, setProblem] = useState<unknown>(null);
+  const { problem, run: attempt } = useAction();
   useEvery(EVERY_MS, jobs.reload);
   const run = async (work: () => Promise<unknown>) => {
-    setProblem(null);
-    try {
-      await work();
-    } catch (error) {
-      setProblem(error);
-    }
+    await attempt(work);
     await jobs.reload();
   };
   const nameOf = (id: number | null): string => surveys.data?.find((survey) => survey.id === id)?.name ?? "–";
   return (
     <div class="page page--alone">
-      <header class="page__head">
-        <div>
-          <h1>{say("page-jobs")}</h1>
-          <p class="page__lead">{say("jobs-lead")}</p>
-        </div>
+      <PageHead title={say("page-jobs")} lead={say("jobs-lead")}>
         <SelectField
           label={say("jobs-show")}
           value={state}
@@ -61,10 +53,9 @@ export default function JobsScreen() {
           ]}
           onChange={(value) => setQuery({ state: value || null })}
         />
-      </header>
+      </PageHead>
       <Problem error={problem} />
-      <Problem error={jobs.error} again={jobs.reload} />
-      {!jobs.data && jobs.loading && <Loading what={say("jobs-loading")} />}
+      <Loaded of={jobs} what={say("jobs-loading")} />
       {jobs.data?.length === 0 && (
         <div class="panel">
           <Empty title={say("jobs-none-title")}>
@@ -73,27 +64,22 @@ export default function JobsScreen() {
         </div>
       )}
       {jobs.data && jobs.data.length > 0 && (
-        <TableScroll label={say("page-jobs")} class="panel">
-          <table class="table">
-            <thead>
-              <tr>
-                <th>{say("jobs-column-what")}</th>
-                <th>{say("jobs-column-for")}</th>
-                <th>{say("jobs-column-state")}</th>
-                <th>{say("jobs-column-said")}</th>
-                <th>{say("jobs-column-begun")}</th>
-                <th>
-                  <span class="visually-hidden">{say("people-actions")}</span>
-                </th>
-              </tr>
-            </thead>
-            <tbody>
-              {jobs.data.map((job) => (
-                <Row key={job.id} job={job} survey={nameOf(job.survey_id)} run={run} />
-              ))}
-            </tbody>
-          </table>
-        </TableScroll>
+        <Table
+          label={say("page-jobs")}
+          scroll="panel"
+          heads={[
+            say("jobs-column-what"),
+            say("jobs-column-for"),
+            say("jobs-column-state"),
+            say("jobs-column-said"),
+            say("jobs-column-begun"),
+            <span class="visually-hidden">{say("people-actions")}</span>,
+          ]}
+        >
+          {jobs.data.map((job) => (
+            <Row key={job.id} job={job} survey={nameOf(job.survey_id)} run={run} />
+          ))}
+        </Table>
       )}
     </div>
   );

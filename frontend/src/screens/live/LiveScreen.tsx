@@ -1,5 +1,5 @@
 /** Line cameras at work: the last vehicles, the flow, and how the stream is; read again every second. */
-import { Button, Empty, Loading, Notice, Problem, StateMark, TableScroll } from "../../components";
+import { Button, Empty, Loaded, Notice, num, PageHead, StateMark, Table } from "../../components";
 import { api } from "../../core/api";
 import { say } from "../../core/messages";
 import type { ScreenProps } from "../../core/places";
@@ -24,15 +24,10 @@ export default function LiveScreen({ surveyId }: ScreenProps) {
   useEvery(EVERY_MS, streams.reload);
   return (
     <div class="page">
-      <header class="page__head">
-        <div>
-          <h1>{say("page-live")}</h1>
-          <p class="page__lead">{say("live-lead")}</p>
-        </div>
+      <PageHead title={say("page-live")} lead={say("live-lead")}>
         <Button href={`/surveys/${surveyId}/scans`}>{say("scans-all")}</Button>
-      </header>
-      <Problem error={streams.error} again={streams.reload} />
-      {!streams.data && streams.loading && <Loading what={say("live-loading")} />}
+      </PageHead>
+      <Loaded of={streams} what={say("live-loading")} />
       {streams.data?.length === 0 && <HowToStart surveyId={surveyId} />}
       <div class="stack">
         {streams.data?.map((stream) => (
@@ -113,26 +108,23 @@ function Vehicles({ stream, surveyId }: { stream: LiveStream; surveyId: number }
   const lanes = stream.vehicles.some((one) => one.lane !== null);
   return (
     <div>
-      <TableScroll label={say("live-vehicles")}>
-        <table class="table table--dense live__vehicles">
-          <thead>
-            <tr>
-              <th>{say("scan-head-number")}</th>
-              <th>{say("scan-head-clock")}</th>
-              <th class="num">{say("scan-head-speed")}</th>
-              <th class="num">{say("scan-head-length")}</th>
-              <th class="num">{say("with-unit", { name: say("scan-head-gap"), unit: "s" })}</th>
-              <th class="num">{say("scan-axles")}</th>
-              {lanes && <th>{say("scan-lane")}</th>}
-            </tr>
-          </thead>
-          <tbody>
-            {stream.vehicles.map((vehicle) => (
-              <Row key={vehicle.id} vehicle={vehicle} stream={stream} surveyId={surveyId} lanes={lanes} />
-            ))}
-          </tbody>
-        </table>
-      </TableScroll>
+      <Table
+        label={say("live-vehicles")}
+        class="table--dense live__vehicles"
+        heads={[
+          say("scan-head-number"),
+          say("scan-head-clock"),
+          num(say("scan-head-speed")),
+          num(say("scan-head-length")),
+          num(say("with-unit", { name: say("scan-head-gap"), unit: "s" })),
+          num(say("scan-axles")),
+          ...(lanes ? [say("scan-lane")] : []),
+        ]}
+      >
+        {stream.vehicles.map((vehicle) => (
+          <Row key={vehicle.id} vehicle={vehicle} stream={stream} surveyId={surveyId} lanes={lanes} />
+        ))}
+      </Table>
       {!stream.ready && <p class="small muted">{say("live-picture-later")}</p>}
     </div>
   );

@@ -11,10 +11,7 @@ export const SIZE_WORDS: Readonly<Record<ModelSize, string>> = wordsOf({
   headlight: "which-model-headlight",
 });
 
-export const CHOSEN_BY_WORDS: Readonly<Record<ModelChosenBy, string>> = wordsOf({
-  size: "model-chosen-word-size",
-  seen: "model-chosen-word-seen",
-});
+export const CHOSEN_BY_WORDS: Readonly<Record<ModelChosenBy, string>> = wordsOf("model-chosen-word-");
 
 /** "roof and wheelbase", of the words that a record keeps. */
 export function sizesWords(sizes: string): string {

@@ -1,6 +1,17 @@
 import { Fragment } from "preact";
 import { useState } from "preact/hooks";
-import { ask, Button, Loading, Notice, Problem, SelectField, StateMark } from "../../components";
+import {
+  ask,
+  Button,
+  Loaded,
+  Notice,
+  PageHead,
+  Problem,
+  SelectField,
+  StateMark,
+  Table,
+} from "../../components";
+import { useAction } from "../../core/action";
 import { api } from "../../core/api";
 import { say } from "../../core/messages";
 import { useResource } from "../../core/resource";
@@ -21,7 +32,7 @@ export default function PeopleScreen() {
   );
   const [adding, setAdding] = useState(false);
   const [invitation, setInvitation] = useState<Invitation | null>(null);
-  const [problem, setProblem] = useState<unknown>(null);
+  const { problem, run: attempt } = useAction();
   if (!may("admin")) {
     return (
       <div class="page page--alone">
@@ -30,12 +41,7 @@ export default function PeopleScreen() {
     );
   }
   const run = async (work: () => Promise<unknown>) => {
-    setProblem(null);
-    try {
-      await work();
-    } catch (error) {
-      setProblem(error);
-    }
+    await attempt(work);
     await people.reload();
   };
   const put = (person: Person, part: Partial<Person>) =>
@@ -67,46 +73,37 @@ export default function PeopleScreen() {
   };
   return (
     <div class="page page--alone">
-      <header class="page__head">
-        <div>
-          <h1>{say("page-people")}</h1>
-          <p class="page__lead">{say("people-lead")}</p>
-        </div>
+      <PageHead title={say("page-people")} lead={say("people-lead")}>
         <Button kind="primary" icon="add" onClick={() => setAdding(true)}>
           {say("people-add")}
         </Button>
-      </header>
+      </PageHead>
       <Problem error={problem} />
-      <Problem error={people.error} again={people.reload} />
-      {!people.data && people.loading && <Loading what={say("people-loading")} />}
+      <Loaded of={people} what={say("people-loading")} />
       {people.data && (
         <div class="panel table-scroll">
-          <table class="table people">
-            <thead>
-              <tr>
-                <th>{say("people-name")}</th>
-                <th>{say("people-email")}</th>
-                <th>{say("people-role")}</th>
-                <th>{say("people-state")}</th>
-                <th>{say("people-last-seen")}</th>
-                <th>
-                  <span class="visually-hidden">{say("people-actions")}</span>
-                </th>
-              </tr>
-            </thead>
-            <tbody>
-              {people.data.map((person) => (
-                <PersonRow
-                  key={person.id}
-                  person={person}
-                  put={put}
-                  newLink={newLink}
-                  switchOff={switchOff}
-                  changeRole={changeRole}
-                />
-              ))}
-            </tbody>
-          </table>
+          <Table
+            class="people"
+            heads={[
+              say("people-name"),
+              say("people-email"),
+              say("people-role"),
+              say("people-state"),
+              say("people-last-seen"),
+              <span class="visually-hidden">{say("people-actions")}</span>,
+            ]}
+          >
+            {people.data.map((person) => (
+              <PersonRow
+                key={person.id}
+                person={person}
+                put={put}
+                newLink={newLink}
+                switchOff={switchOff}
+                changeRole={changeRole}
+              />
+            ))}
+          </Table>
         </div>
       )}
       <dl class="facts people__roles">

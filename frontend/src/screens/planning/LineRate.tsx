@@ -2,7 +2,7 @@
 
 import type { ComponentChildren } from "preact";
 import { useEffect } from "preact/hooks";
-import { Loading, Problem, TableScroll } from "../../components";
+import { DataTable, Loading, Panel, Problem, Table } from "../../components";
 import { Said } from "../../components/Said";
 import { current, query, setQuery } from "../../core/address";
 import { api } from "../../core/api";
@@ -117,10 +117,7 @@ function Result({ plan }: { plan: LinePlan }) {
   const { printed, corrected } = plan;
   return (
     <div class="stack" data-testid="line-plan">
-      <section class="panel" aria-labelledby="plan-speed">
-        <div class="panel__head">
-          <h2 id="plan-speed">{say("planning-speed-title")}</h2>
-        </div>
+      <Panel title={say("planning-speed-title")}>
         <p class="panel__body plan-line__words">
           <Said
             what="planning-lines"
@@ -140,89 +137,63 @@ function Result({ plan }: { plan: LinePlan }) {
             }}
           />
         </p>
-      </section>
+      </Panel>
       <ExpectedValues plan={plan} />
       {plan.exposure && <Exposure plan={plan} exposure={plan.exposure} />}
-      <section class="panel" aria-labelledby="plan-lines">
-        <div class="panel__head">
-          <h2 id="plan-lines">{say("planning-forms-title")}</h2>
-        </div>
-        <TableScroll label={say("planning-forms-label")}>
-          <table class="table plan-lines">
-            <thead>
-              <tr>
-                <th>{say("planning-forms-equation")}</th>
-                <th>{say("planning-forms-printed")}</th>
-                <th>{say("planning-forms-corrected")}</th>
-              </tr>
-            </thead>
-            <tbody>
-              <Row what={say("planning-forms-error")} printed="2 / (n + 2)" corrected="2 / n" />
-              <Row
-                what={say("planning-forms-says")}
-                printed={say("planning-forms-says-printed")}
-                corrected={say("planning-forms-says-corrected")}
-              />
-              <Row
-                what={say("planning-forms-line-rate", { error: percent(plan.error) })}
-                printed={<b>{lineRateWords(printed.line_rate_hz)}</b>}
-                corrected={<b>{lineRateWords(corrected.line_rate_hz)}</b>}
-              />
-              <Row
-                what={say("planning-forms-error-at", { line_rate_hz: formatCount(plan.line_rate_hz) })}
-                printed={errorWords(printed)}
-                corrected={errorWords(corrected)}
-              />
-            </tbody>
-          </table>
-        </TableScroll>
+      <Panel title={say("planning-forms-title")}>
+        <Table
+          label={say("planning-forms-label")}
+          class="plan-lines"
+          heads={[
+            say("planning-forms-equation"),
+            say("planning-forms-printed"),
+            say("planning-forms-corrected"),
+          ]}
+        >
+          <Row what={say("planning-forms-error")} printed="2 / (n + 2)" corrected="2 / n" />
+          <Row
+            what={say("planning-forms-says")}
+            printed={say("planning-forms-says-printed")}
+            corrected={say("planning-forms-says-corrected")}
+          />
+          <Row
+            what={say("planning-forms-line-rate", { error: percent(plan.error) })}
+            printed={<b>{lineRateWords(printed.line_rate_hz)}</b>}
+            corrected={<b>{lineRateWords(corrected.line_rate_hz)}</b>}
+          />
+          <Row
+            what={say("planning-forms-error-at", { line_rate_hz: formatCount(plan.line_rate_hz) })}
+            printed={errorWords(printed)}
+            corrected={errorWords(corrected)}
+          />
+        </Table>
         <p class="plan-note field__hint">{say("planning-forms-note")}</p>
-      </section>
+      </Panel>
       <Advice sentences={plan.advice} />
     </div>
   );
 }
 
-const QUANTITIES = wordsOf({
-  speed: "planning-values-speed",
-  length: "planning-values-length",
-  time_gap: "planning-values-time_gap",
-  distance_gap: "planning-values-distance_gap",
-});
+const QUANTITIES = wordsOf("planning-values-", "speed", "length", "time_gap", "distance_gap");
 
 /** Speed, length and gaps with what their uncertainty is made of. */
 function ExpectedValues({ plan }: { plan: LinePlan }) {
   return (
-    <section class="panel" aria-labelledby="plan-values">
-      <div class="panel__head">
-        <h2 id="plan-values">{say("planning-values-title")}</h2>
-        <span class="muted small">{say("planning-values-note")}</span>
-      </div>
-      <TableScroll label={say("planning-values-title")}>
-        <table class="table" data-testid="line-plan-values">
-          <thead>
-            <tr>
-              <th>{say("planning-values-quantity")}</th>
-              <th class="num">{say("planning-values-value")}</th>
-              <th class="num">{say("planning-values-strips")}</th>
-              <th class="num">{say("planning-values-baseline")}</th>
-              <th class="num">{say("planning-values-edges")}</th>
-            </tr>
-          </thead>
-          <tbody>
-            {plan.values.map((one) => (
-              <tr key={one.quantity}>
-                <th scope="row">{QUANTITIES[one.quantity]}</th>
-                <td class="num">{valueWords(one)}</td>
-                <td class="num">{partWords(one.quantity, one.u_strips)}</td>
-                <td class="num">{partWords(one.quantity, one.u_baseline)}</td>
-                <td class="num">{partWords(one.quantity, one.u_edges)}</td>
-              </tr>
-            ))}
-          </tbody>
-        </table>
-      </TableScroll>
-    </section>
+    <Panel title={say("planning-values-title")} note={say("planning-values-note")}>
+      <DataTable
+        label={say("planning-values-title")}
+        data-testid="line-plan-values"
+        rows={plan.values}
+        keyOf={(one) => one.quantity}
+        columns={({ num, rowHead }) => [
+          rowHead(say("planning-values-quantity"), (one) => QUANTITIES[one.quantity]),
+          num(say("planning-values-value"), (one) => valueWords(one)),
+          num(say("planning-values-strips"), (one) => partWords(one.quantity, one.u_strips)),
+          num(say("planning-values-baseline"), (one) => partWords(one.quantity, one.u_baseline)),
+          num(say("planning-values-edges"), (one) => partWords(one.quantity, one.u_edges)),
+        ]}
+      />
+    </Panel>
   );
 }
 
@@ -241,10 +212,7 @@ function partWords(quantity: PlannedValue["quantity"], u: number): string {
 
 function Exposure({ plan, exposure }: { plan: LinePlan; exposure: NonNullable<LinePlan["exposure"]> }) {
   return (
-    <section class="panel" aria-labelledby="plan-exposure">
-      <div class="panel__head">
-        <h2 id="plan-exposure">{say("planning-exposure-title")}</h2>
-      </div>
+    <Panel title={say("planning-exposure-title")}>
       <div class="panel__body plan-line__words" data-testid="line-plan-exposure">
         <p>
           <Said
@@ -268,15 +236,11 @@ function Exposure({ plan, exposure }: { plan: LinePlan; exposure: NonNullable<Li
           <p key={hint}>{HINTS[hint]}</p>
         ))}
       </div>
-    </section>
+    </Panel>
   );
 }
 
-const HINTS = wordsOf({
-  dark: "planning-exposure-dark",
-  wide: "planning-exposure-wide",
-  tall: "planning-exposure-tall",
-});
+const HINTS = wordsOf("planning-exposure-", "dark", "wide", "tall");
 
 interface RowProps {
   what: string;

@@ -1,5 +1,5 @@
 import { useEffect } from "preact/hooks";
-import { Loading, Notice, Problem, Segments } from "../../components";
+import { Loading, Notice, PageHead, Problem, Segments } from "../../components";
 import { current, query, setQuery } from "../../core/address";
 import { api } from "../../core/api";
 import { say } from "../../core/messages";
@@ -23,14 +23,15 @@ export default function PlanningScreen({ surveyId }: ScreenProps) {
   const what: What = query.value.get("plan") === "lines" ? "lines" : "heights";
   return (
     <div class="page">
-      <header class="page__head">
-        <div>
-          <h1>{say("page-planning")}</h1>
-          <p class="page__lead">
+      <PageHead
+        title={say("page-planning")}
+        lead={
+          <>
             {say(what === "heights" ? "planning-lead-heights" : "planning-lead-lines")}{" "}
             {say("planning-nothing-stored")}
-          </p>
-        </div>
+          </>
+        }
+      >
         <Segments<What>
           label={say("planning-what")}
           value={what}
@@ -40,7 +41,7 @@ export default function PlanningScreen({ surveyId }: ScreenProps) {
           ]}
           onChange={(next) => setQuery({ plan: next === "lines" ? next : null })}
         />
-      </header>
+      </PageHead>
       {what === "heights" ? <Heights surveyId={surveyId} /> : <LineRate surveyId={surveyId} />}
     </div>
   );

@@ -1,5 +1,5 @@
 import { useState } from "preact/hooks";
-import { TableScroll } from "../../components";
+import { num, Panel, Table } from "../../components";
 import { say } from "../../core/messages";
 import { formatLength, formatSmall } from "../../core/units";
 import { type PlannedTarget, wordOf } from "./model";
@@ -12,35 +12,28 @@ interface Props {
 /** Each target's expected uncertainty; the parts it is made of below. */
 export function TargetTable({ targets, travelM }: Props) {
   return (
-    <section class="panel" aria-labelledby="plan-targets">
-      <div class="panel__head">
-        <h2 id="plan-targets">{say("planning-targets-title")}</h2>
-      </div>
-      <TableScroll label={say("planning-targets-title")}>
-        <table class="table">
-          <thead>
-            <tr>
-              <th>{say("planning-target")}</th>
-              <th class="num">{say("planning-planned-height")}</th>
-              <th class="num">{say("planning-inset")}</th>
-              <th class="num">u</th>
-              <th class="num">U95</th>
-              <th class="num">{say("planning-two-frames")}</th>
-              <th class="num">{say("planning-inset-ignored")}</th>
-            </tr>
-          </thead>
-          <tbody>
-            {targets.map((one) => (
-              <Row key={one.target} one={one} />
-            ))}
-          </tbody>
-        </table>
-      </TableScroll>
+    <Panel title={say("planning-targets-title")}>
+      <Table
+        label={say("planning-targets-title")}
+        heads={[
+          say("planning-target"),
+          num(say("planning-planned-height")),
+          num(say("planning-inset")),
+          num("u"),
+          num("U95"),
+          num(say("planning-two-frames")),
+          num(say("planning-inset-ignored")),
+        ]}
+      >
+        {targets.map((one) => (
+          <Row key={one.target} one={one} />
+        ))}
+      </Table>
       <p class="field__hint plan-note">
         {say("planning-targets-note", { travel: formatLength(travelM, 2) })}
       </p>
       <Contributions targets={targets} />
-    </section>
+    </Panel>
   );
 }
 
@@ -76,38 +69,27 @@ function Contributions({ targets }: { targets: readonly PlannedTarget[] }) {
   return (
     <details class="plan-parts" open={open} onToggle={(event) => setOpen(event.currentTarget.open)}>
       <summary>{say("planning-parts-title")}</summary>
-      <TableScroll label={say("planning-parts-label")}>
-        <table class="table">
-          <thead>
-            <tr>
-              <th>{say("planning-parts-source")}</th>
-              {measured.map((one) => (
-                <th key={one.target} class="num">
-                  {wordOf(one.target)}
-                </th>
-              ))}
-            </tr>
-          </thead>
-          <tbody>
-            {sources.map((source, row) => (
-              <tr key={source}>
-                <td>{source}</td>
-                {measured.map((one) => (
-                  <Part key={one.target} one={one} row={row} />
-                ))}
-              </tr>
+      <Table
+        label={say("planning-parts-label")}
+        heads={[say("planning-parts-source"), ...measured.map((one) => num(wordOf(one.target)))]}
+      >
+        {sources.map((source, row) => (
+          <tr key={source}>
+            <td>{source}</td>
+            {measured.map((one) => (
+              <Part key={one.target} one={one} row={row} />
             ))}
-            <tr class="plan-parts__sum">
-              <td>{say("planning-parts-sum")}</td>
-              {measured.map((one) => (
-                <td key={one.target} class="num">
-                  {formatSmall(one.u_height_m)}
-                </td>
-              ))}
-            </tr>
-          </tbody>
-        </table>
-      </TableScroll>
+          </tr>
+        ))}
+        <tr class="plan-parts__sum">
+          <td>{say("planning-parts-sum")}</td>
+          {measured.map((one) => (
+            <td key={one.target} class="num">
+              {formatSmall(one.u_height_m)}
+            </td>
+          ))}
+        </tr>
+      </Table>
     </details>
   );
 }

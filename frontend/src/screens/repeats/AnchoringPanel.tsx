@@ -1,5 +1,5 @@
 /** How far people lean on proposals that they are shown: heights shown against those measured free, with the goal beside it. */
-import { Problem, TableScroll } from "../../components";
+import { num, Panel, Problem, Table } from "../../components";
 import { api } from "../../core/api";
 import { say, sayCode } from "../../core/messages";
 import { useResource } from "../../core/resource";
@@ -31,34 +31,31 @@ export function AnchoringPanel({ surveyId }: { surveyId: number }) {
   };
   if (!data) return <Problem error={found.error} again={found.reload} />;
   return (
-    <section class="panel" aria-labelledby="anchoring" data-testid="anchoring">
-      <header class="panel__head">
-        <h2 id="anchoring">{say("anchoring-title")}</h2>
-        <Plan plan={data.plan} choose={choose} />
-      </header>
-      <TableScroll label={say("anchoring-title")}>
-        <table class="table repeats">
-          <thead>
-            <tr>
-              <th>{say("repeats-target")}</th>
-              <th class="num">{say("anchoring-shown")}</th>
-              <th class="num">{say("anchoring-free")}</th>
-              <th>{say("anchoring-shift")}</th>
-              <th>{say("anchoring-goal", { goal: formatSmall(data.goal_m) })}</th>
-            </tr>
-          </thead>
-          <tbody>
-            {data.targets.map((one) => (
-              <Row key={one.target ?? "all"} one={one} />
-            ))}
-          </tbody>
-        </table>
-      </TableScroll>
+    <Panel
+      title={say("anchoring-title")}
+      aside={<Plan plan={data.plan} choose={choose} />}
+      data-testid="anchoring"
+    >
+      <Table
+        label={say("anchoring-title")}
+        class="repeats"
+        heads={[
+          say("repeats-target"),
+          num(say("anchoring-shown")),
+          num(say("anchoring-free")),
+          say("anchoring-shift"),
+          say("anchoring-goal", { goal: formatSmall(data.goal_m) }),
+        ]}
+      >
+        {data.targets.map((one) => (
+          <Row key={one.target ?? "all"} one={one} />
+        ))}
+      </Table>
       <p class="repeats__note small muted">
         {say("anchoring-help")}{" "}
         {say("anchoring-counts", { confirmed: data.confirmed, moved: data.moved, afresh: data.afresh })}
       </p>
-    </section>
+    </Panel>
   );
 }
 

@@ -1,4 +1,4 @@
-import { Button, TableScroll } from "../../components";
+import { Button, num, Panel, Table } from "../../components";
 import { say } from "../../core/messages";
 import { may } from "../../core/session";
 import type { PersonRepeats } from "../../core/types";
@@ -15,55 +15,49 @@ interface Props {
 /** Per person: clicks and heights of their own repeats, how they lean, and which sigma their clicks count with. */
 export function PeopleTable({ people, busy, choose }: Props) {
   return (
-    <section class="panel" aria-labelledby="repeats-people">
-      <header class="panel__head">
-        <h2 id="repeats-people">{say("repeats-people-title")}</h2>
-        <span class="muted small">{say("repeats-people-note")}</span>
-      </header>
-      <TableScroll label={say("repeats-people-title")}>
-        <table class="table repeats" data-testid="repeats-people">
-          <thead>
-            <tr>
-              <th>{say("repeats-person")}</th>
-              <th class="num">{say("repeats-own")}</th>
-              <th>{say("repeats-contact")}</th>
-              <th>{say("repeats-target")}</th>
-              <th>{say("repeats-height")}</th>
-              <th>{say("repeats-against-others")}</th>
-              <th>{say("repeats-sigma")}</th>
-            </tr>
-          </thead>
-          <tbody>
-            {people.map((one) => (
-              <tr key={one.person.id}>
-                <td>
-                  <strong>{one.person.name}</strong>
-                </td>
-                <td class="num">{one.pairs}</td>
-                {one.sigma.sd === null ? (
-                  <td class="small muted repeats__reason" colSpan={3}>
-                    {one.sigma.reason}
-                  </td>
-                ) : (
-                  <>
-                    <SpreadCell one={one.contact} words={pixelWords} />
-                    <SpreadCell one={one.target_point} words={pixelWords} />
-                    <SpreadCell one={one.heights} />
-                  </>
-                )}
-                <td>
-                  {one.operator_bias_m === null ? "–" : biasWords(one.operator_bias_m)}
-                  <p class="small muted nowrap">{say("repeats-items", { count: one.items })}</p>
-                </td>
-                <td>
-                  <Sigma one={one} busy={busy} choose={choose} />
-                </td>
-              </tr>
-            ))}
-          </tbody>
-        </table>
-      </TableScroll>
-    </section>
+    <Panel title={say("repeats-people-title")} note={say("repeats-people-note")}>
+      <Table
+        label={say("repeats-people-title")}
+        class="repeats"
+        data-testid="repeats-people"
+        heads={[
+          say("repeats-person"),
+          num(say("repeats-own")),
+          say("repeats-contact"),
+          say("repeats-target"),
+          say("repeats-height"),
+          say("repeats-against-others"),
+          say("repeats-sigma"),
+        ]}
+      >
+        {people.map((one) => (
+          <tr key={one.person.id}>
+            <td>
+              <strong>{one.person.name}</strong>
+            </td>
+            <td class="num">{one.pairs}</td>
+            {one.sigma.sd === null ? (
+              <td class="small muted repeats__reason" colSpan={3}>
+                {one.sigma.reason}
+              </td>
+            ) : (
+              <>
+                <SpreadCell one={one.contact} words={pixelWords} />
+                <SpreadCell one={one.target_point} words={pixelWords} />
+                <SpreadCell one={one.heights} />
+              </>
+            )}
+            <td>
+              {one.operator_bias_m === null ? "–" : biasWords(one.operator_bias_m)}
+              <p class="small muted nowrap">{say("repeats-items", { count: one.items })}</p>
+            </td>
+            <td>
+              <Sigma one={one} busy={busy} choose={choose} />
+            </td>
+          </tr>
+        ))}
+      </Table>
+    </Panel>
   );
 }
 

@@ -1,6 +1,6 @@
 /** What clicking again shows: per target and per person, beside what the budgets claim. */
 import { useState } from "preact/hooks";
-import { Button, Empty, Loading, Problem } from "../../components";
+import { Button, Empty, Loading, PageHead, Problem } from "../../components";
 import { PageTabs } from "../../components/PageTabs";
 import { api } from "../../core/api";
 import { say } from "../../core/messages";
@@ -44,13 +44,9 @@ export default function RepeatsScreen({ surveyId }: ScreenProps) {
   const data = found.data;
   return (
     <div class="page">
-      <header class="page__head">
-        <div>
-          <h1>{say("page-repeats")}</h1>
-          <p class="page__lead">{say("repeats-lead", { people: data?.people.length ?? 0 })}</p>
-        </div>
+      <PageHead title={say("page-repeats")} lead={say("repeats-lead", { people: data?.people.length ?? 0 })}>
         {canWork.value && data !== null && data.repeats > 0 && <Again surveyId={surveyId} />}
-      </header>
+      </PageHead>
       <PageTabs label={say("page-checks")} tabs={checksTabs(surveyId, "repeats")} />
       <Problem error={found.error} again={found.reload} />
       <Problem error={plan.error} again={plan.reload} />

@@ -1,4 +1,4 @@
-import { TableScroll } from "../../components";
+import { num, Panel, Table } from "../../components";
 import { say } from "../../core/messages";
 import type { RepeatSpread, Repeats, TargetRepeats } from "../../core/types";
 import { fixed, formatSmall } from "../../core/units";
@@ -8,33 +8,27 @@ import { claimVerdict, spreadWords } from "./words";
 /** Per target: the same person again, another person, and what the budgets claim for the clicks. */
 export function TargetTable({ found }: { found: Repeats }) {
   return (
-    <section class="panel" aria-labelledby="repeats-targets">
-      <header class="panel__head">
-        <h2 id="repeats-targets">{say("repeats-targets-title")}</h2>
-        <span class="muted small">{say("repeats-targets-note")}</span>
-      </header>
-      <TableScroll label={say("repeats-targets-title")}>
-        <table class="table repeats" data-testid="repeats-targets">
-          <thead>
-            <tr>
-              <th>{say("repeats-target")}</th>
-              <th class="num">{say("repeats-clicked-again")}</th>
-              <th>{say("repeats-same-person")}</th>
-              <th>{say("repeats-another-frame")}</th>
-              <th>{say("repeats-another-person")}</th>
-              <th>{say("repeats-claimed")}</th>
-              <th>{say("repeats-seen")}</th>
-            </tr>
-          </thead>
-          <tbody>
-            {found.targets.map((one) => (
-              <Row key={one.target ?? "all"} one={one} />
-            ))}
-          </tbody>
-        </table>
-      </TableScroll>
+    <Panel title={say("repeats-targets-title")} note={say("repeats-targets-note")}>
+      <Table
+        label={say("repeats-targets-title")}
+        class="repeats"
+        data-testid="repeats-targets"
+        heads={[
+          say("repeats-target"),
+          num(say("repeats-clicked-again")),
+          say("repeats-same-person"),
+          say("repeats-another-frame"),
+          say("repeats-another-person"),
+          say("repeats-claimed"),
+          say("repeats-seen"),
+        ]}
+      >
+        {found.targets.map((one) => (
+          <Row key={one.target ?? "all"} one={one} />
+        ))}
+      </Table>
       <p class="repeats__note small muted">{say("repeats-targets-help")}</p>
-    </section>
+    </Panel>
   );
 }
 

@@ -16,13 +16,7 @@ import { STATE_WORDS, TARGET_WORDS, vehicleName } from "../../core/words";
 import type { ReviewModel, Shown } from "./model";
 
 const STATES: readonly Shown[] = ["to_review", "rejected", "accepted", "fixed", "all"];
-const SHOWN_WORDS: Readonly<Record<Shown, string>> = wordsOf({
-  to_review: "review-state-to_review",
-  rejected: "review-state-rejected",
-  accepted: "review-state-accepted",
-  fixed: "review-state-fixed",
-  all: "review-state-all",
-});
+const SHOWN_WORDS: Readonly<Record<Shown, string>> = wordsOf("review-state-");
 
 export function Queue({ model }: { model: ReviewModel }) {
   const items = model.items.value ?? [];

@@ -1,6 +1,7 @@
 /** A new line scan: two uploaded strips, or two pixel columns or rows of a recording; and the rig's values. */
 import { useRef, useState } from "preact/hooks";
 import { Button, DropFiles, Problem, Segments, SelectField, TextField } from "../../components";
+import { useAction } from "../../core/action";
 import { api } from "../../core/api";
 import { say } from "../../core/messages";
 import { useResource } from "../../core/resource";
@@ -24,8 +25,7 @@ export function AddScan({ surveyId, onClose, added }: Props) {
   const [name, setName] = useState("");
   const [typed, setTyped] = useState<RigTyped>(NEW_RIG);
   const [problems, setProblems] = useState<RigProblems>({});
-  const [problem, setProblem] = useState<unknown>(null);
-  const [busy, setBusy] = useState(false);
+  const { busy, problem, run } = useAction();
   const [chosen, setChosen] = useState<ChosenStrips | ChosenCuts | null>(null);
   const send = async (event: Event): Promise<void> => {
     event.preventDefault();
@@ -34,9 +34,7 @@ export function AddScan({ surveyId, onClose, added }: Props) {
     if (!isValues(values)) return setProblems(values);
     if (!chosen) return;
     const named = name.trim() ? { name: name.trim() } : {};
-    setBusy(true);
-    setProblem(null);
-    try {
+    await run(async () => {
       const at = { survey_id: surveyId };
       if ("recording_id" in chosen) {
         const { baseline_m, u_baseline_m } = values;
@@ -46,11 +44,7 @@ export function AddScan({ surveyId, onClose, added }: Props) {
         await api.write("POST /surveys/{survey_id}/scans", at, { body: { ...values, ...chosen, ...named } });
       }
       await added();
-    } catch (error) {
-      setProblem(error);
-    } finally {
-      setBusy(false);
-    }
+    });
   };
   return (
     <form

@@ -163,10 +163,7 @@ function reasonOf(one: LineHeight | null, live: LineHeightAnswer | null): string
   return [...shown.warnings, ...older].join(" ") || null;
 }
 
-const ASKED: Readonly<Partial<Record<Target, string>>> = wordsOf({
-  driver_eye: "scan-height-inset-driver_eye",
-  roof: "scan-height-inset-roof",
-});
+const ASKED: Readonly<Partial<Record<Target, string>>> = wordsOf("scan-height-inset-", "driver_eye", "roof");
 
 function InsetOf({ model, target }: { model: ScanModel; target: Target }) {
   const category = model.chosen.value?.category ?? null;

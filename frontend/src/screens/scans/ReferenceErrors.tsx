@@ -1,5 +1,5 @@
 /** The survey's values against references, by what measured those; and the runs of each car. */
-import { TableScroll } from "../../components";
+import { num, Panel, Table } from "../../components";
 import { say, wordsOf } from "../../core/messages";
 import type { CarRuns, ReferenceGroup, RunsTogether, ScanStatistics } from "../../core/types";
 import { fixed, formatSpeed } from "../../core/units";
@@ -10,32 +10,25 @@ import { formatMeasured } from "./words";
 export function ReferenceErrors({ found }: { found: ScanStatistics }) {
   if (found.references.length === 0) return null;
   return (
-    <section class="panel" aria-labelledby="scan-reference-errors">
-      <header class="panel__head">
-        <h2 id="scan-reference-errors">{say("motion-references-title")}</h2>
-        <span class="muted small">{say("motion-references-note")}</span>
-      </header>
-      <TableScroll label={say("motion-references-title")}>
-        <table class="table" data-testid="scan-reference-errors">
-          <thead>
-            <tr>
-              <th>{say("motion-references-of")}</th>
-              <th class="num">{say("motion-references-n")}</th>
-              <th class="num">{say("motion-references-mean")}</th>
-              <th class="num">{say("motion-sd")}</th>
-              <th class="num">{say("motion-rmse")}</th>
-              <th class="num">{say("motion-references-share")}</th>
-            </tr>
-          </thead>
-          <tbody>
-            {found.references.map((one) => (
-              <Group key={`${one.quantity} ${one.source}`} one={one} />
-            ))}
-          </tbody>
-        </table>
-      </TableScroll>
+    <Panel title={say("motion-references-title")} note={say("motion-references-note")}>
+      <Table
+        label={say("motion-references-title")}
+        data-testid="scan-reference-errors"
+        heads={[
+          say("motion-references-of"),
+          num(say("motion-references-n")),
+          num(say("motion-references-mean")),
+          num(say("motion-sd")),
+          num(say("motion-rmse")),
+          num(say("motion-references-share")),
+        ]}
+      >
+        {found.references.map((one) => (
+          <Group key={`${one.quantity} ${one.source}`} one={one} />
+        ))}
+      </Table>
       <p class="panel__body small muted">{say("motion-references-shared")}</p>
-    </section>
+    </Panel>
   );
 }
 
@@ -69,26 +62,17 @@ function percent(share: number): string {
 export function RunsOfCars({ found }: { found: ScanStatistics }) {
   if (found.cars.length === 0) return null;
   return (
-    <section class="panel" aria-labelledby="scan-cars">
-      <header class="panel__head">
-        <h2 id="scan-cars">{say("motion-cars-title")}</h2>
-        <span class="muted small">{say("motion-cars-note")}</span>
-      </header>
+    <Panel title={say("motion-cars-title")} note={say("motion-cars-note")}>
       <div class="stack" data-testid="scan-cars">
         {found.cars.map((car) => (
           <Car key={car.car} car={car} />
         ))}
       </div>
-    </section>
+    </Panel>
   );
 }
 
-const VERDICTS = wordsOf({
-  agree: "motion-cars-agree",
-  too_far_apart: "motion-cars-too_far_apart",
-  too_alike: "motion-cars-too_alike",
-  too_few: "motion-cars-too_few",
-});
+const VERDICTS = wordsOf("motion-cars-", "agree", "too_far_apart", "too_alike", "too_few");
 
 function Car({ car }: { car: CarRuns }) {
   const sizes = Object.entries(car.sizes) as ["length" | "wheelbase", RunsTogether][];
@@ -109,26 +93,22 @@ function Car({ car }: { car: CarRuns }) {
               })}
         </p>
       </div>
-      <TableScroll label={say("motion-cars-table", { car: car.car })}>
-        <table class="table">
-          <thead>
-            <tr>
-              <th>{say("motion-cars-size")}</th>
-              <th class="num">{say("motion-references-n")}</th>
-              <th class="num">{say("motion-cars-mean")}</th>
-              <th class="num">{say("motion-sd")}</th>
-              <th class="num">{say("motion-cars-stated")}</th>
-              <th class="num">{say("motion-cars-chi-square")}</th>
-              <th>{say("motion-cars-says")}</th>
-            </tr>
-          </thead>
-          <tbody>
-            {sizes.map(([size, one]) => (
-              <Size key={size} size={size} one={one} />
-            ))}
-          </tbody>
-        </table>
-      </TableScroll>
+      <Table
+        label={say("motion-cars-table", { car: car.car })}
+        heads={[
+          say("motion-cars-size"),
+          num(say("motion-references-n")),
+          num(say("motion-cars-mean")),
+          num(say("motion-sd")),
+          num(say("motion-cars-stated")),
+          num(say("motion-cars-chi-square")),
+          say("motion-cars-says"),
+        ]}
+      >
+        {sizes.map(([size, one]) => (
+          <Size key={size} size={size} one={one} />
+        ))}
+      </Table>
     </div>
   );
 }

@@ -1,7 +1,8 @@
 /** Reference values from a CSV: what each line would do, before anything is stored. */
 import { useState } from "preact/hooks";
-import { Button, Dialog, DropFiles, Loading, Notice, Problem, TableScroll } from "../../components";
+import { Button, Dialog, DropFiles, Loading, Notice, num, Problem, Table } from "../../components";
 import { CommitField } from "../../components/CommitField";
+import { useAction } from "../../core/action";
 import { api } from "../../core/api";
 import { say, wordsOf } from "../../core/messages";
 import type { ReferencePlan, ReferenceRow } from "../../core/types";
@@ -9,13 +10,7 @@ import { fixed, formatCount, parseNumber } from "../../core/units";
 import type { ScanModel } from "./model";
 import { apartWords, QUANTITY_WORDS, referenceValue } from "./referenceWords";
 
-const CHANGES = wordsOf({
-  new: "scan-references-new",
-  replaces: "scan-references-replaces",
-  same: "scan-references-same",
-  ambiguous: "scan-references-ambiguous",
-  refused: "scan-references-refused",
-});
+const CHANGES = wordsOf("scan-references-", "new", "replaces", "same", "ambiguous", "refused");
 
 interface Done {
   values: number;
@@ -27,20 +22,11 @@ export function ReferenceImport({ model, onClose }: { model: ScanModel; onClose:
   const [file, setFile] = useState<File | null>(null);
   const [plan, setPlan] = useState<ReferencePlan | null>(null);
   const [done, setDone] = useState<Done | null>(null);
-  const [problem, setProblem] = useState<unknown>(null);
-  const [busy, setBusy] = useState(false);
+  const { busy, problem, run } = useAction();
   const [tolerance_s, setTolerance] = useState(1);
   const scan = { scan_id: model.id };
   const attempt = async (work: () => Promise<void>): Promise<void> => {
-    setBusy(true);
-    setProblem(null);
-    try {
-      await work();
-    } catch (error) {
-      setPlan(null);
-      setProblem(error);
-    }
-    setBusy(false);
+    if (!(await run(work))) setPlan(null);
   };
   const look = (chosen: File, within_s = tolerance_s) =>
     attempt(async () => {
@@ -126,36 +112,33 @@ function Preview({ plan }: { plan: ReferencePlan }) {
           </span>
         ))}
       </p>
-      <TableScroll label={say("scan-references-lines")} class="scan__lines">
-        <table class="table table--dense" data-testid="reference-lines">
-          <thead>
-            <tr>
-              <th class="num">{say("scan-references-line")}</th>
-              {timed && <th>{say("scan-references-time")}</th>}
-              <th class="num">{say("scan-references-vehicle")}</th>
-              {timed && <th class="num">{say("scan-references-apart")}</th>}
-              <th>{say("scan-references-given")}</th>
-              <th>{say("scan-references-what")}</th>
-              <th>{say("scan-references-why")}</th>
-            </tr>
-          </thead>
-          <tbody>
-            {plan.rows.map((row) => (
-              <tr key={row.line}>
-                <td class="num">{row.line}</td>
-                {timed && <td class="nowrap">{row.time}</td>}
-                <td class="num">{row.by_time ? say("scan-references-by-time", row) : row.number}</td>
-                {timed && (
-                  <td class="num nowrap">{row.apart_s === null ? "–" : apartSeconds(row.apart_s)}</td>
-                )}
-                <td>{givenWords(row)}</td>
-                <td class="nowrap">{CHANGES[row.change]}</td>
-                <td>{row.words}</td>
-              </tr>
-            ))}
-          </tbody>
-        </table>
-      </TableScroll>
+      <Table
+        label={say("scan-references-lines")}
+        scroll="scan__lines"
+        class="table--dense"
+        data-testid="reference-lines"
+        heads={[
+          num(say("scan-references-line")),
+          ...(timed ? [say("scan-references-time")] : []),
+          num(say("scan-references-vehicle")),
+          ...(timed ? [num(say("scan-references-apart"))] : []),
+          say("scan-references-given"),
+          say("scan-references-what"),
+          say("scan-references-why"),
+        ]}
+      >
+        {plan.rows.map((row) => (
+          <tr key={row.line}>
+            <td class="num">{row.line}</td>
+            {timed && <td class="nowrap">{row.time}</td>}
+            <td class="num">{row.by_time ? say("scan-references-by-time", row) : row.number}</td>
+            {timed && <td class="num nowrap">{row.apart_s === null ? "–" : apartSeconds(row.apart_s)}</td>}
+            <td>{givenWords(row)}</td>
+            <td class="nowrap">{CHANGES[row.change]}</td>
+            <td>{row.words}</td>
+          </tr>
+        ))}
+      </Table>
     </>
   );
 }

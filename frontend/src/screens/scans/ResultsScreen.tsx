@@ -1,6 +1,6 @@
 /** What the line scans of a survey say together: errors against known sizes, distributions, the paper's table. */
 import { useState } from "preact/hooks";
-import { Button, Empty, Loading, Notice, Problem, Segments } from "../../components";
+import { Button, Empty, Loaded, Notice, PageHead, Segments } from "../../components";
 import { PageTabs } from "../../components/PageTabs";
 import { api } from "../../core/api";
 import { say } from "../../core/messages";
@@ -32,11 +32,7 @@ export default function ResultsScreen({ surveyId }: ScreenProps) {
   const vehicles = data?.table.length ?? 0;
   return (
     <div class="page">
-      <header class="page__head">
-        <div>
-          <h1>{say("page-scan-results")}</h1>
-          <p class="page__lead">{say("motion-lead")}</p>
-        </div>
+      <PageHead title={say("page-scan-results")} lead={say("motion-lead")}>
         <div class="row row--wrap">
           <Segments
             label={say("motion-which")}
@@ -49,10 +45,9 @@ export default function ResultsScreen({ surveyId }: ScreenProps) {
           />
           <Button href={`/surveys/${surveyId}/scans`}>{say("scans-all")}</Button>
         </div>
-      </header>
+      </PageHead>
       <PageTabs label={say("page-statistics")} tabs={resultsTabs("scan-results")} />
-      <Problem error={found.error} again={found.reload} />
-      {!data && found.loading && <Loading what={say("motion-loading")} />}
+      <Loaded of={found} what={say("motion-loading")} />
       {data && vehicles === 0 && (
         <div class="panel">
           <Empty title={say(which === "accepted" ? "motion-none-accepted-title" : "motion-none-title")}>

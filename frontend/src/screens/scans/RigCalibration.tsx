@@ -5,15 +5,18 @@ import { useState } from "preact/hooks";
 import type { components } from "#schema";
 import {
   Button,
+  DataTable,
   Dialog,
   DropFiles,
   Loading,
   Notice,
+  num,
   Problem,
   Segments,
-  TableScroll,
+  Table,
   TextField,
 } from "../../components";
+import { useAction } from "../../core/action";
 import { api } from "../../core/api";
 import { say } from "../../core/messages";
 import { useResource } from "../../core/resource";
@@ -63,19 +66,10 @@ export function RigCalibration({ scan, onClose, put, take }: Props) {
   const [beside, setBeside] = useState<BesideTyped>(() => besideOf(scan));
   const [file, setFile] = useState<File | null>(null);
   const [look, setLook] = useState<Look | null>(null);
-  const [problem, setProblem] = useState<unknown>(null);
-  const [busy, setBusy] = useState(false);
+  const { busy, problem, run } = useAction();
   const said = saidOf(beside);
   const attempt = async (work: () => Promise<void>): Promise<void> => {
-    setBusy(true);
-    setProblem(null);
-    try {
-      await work();
-    } catch (error) {
-      setLook(null);
-      setProblem(error);
-    }
-    setBusy(false);
+    if (!(await run(work))) setLook(null);
   };
   const compute = (chosen: File | null) =>
     attempt(async () => {
@@ -256,44 +250,34 @@ interface PassesProps {
 function Passes({ way, passes, change }: PassesProps) {
   const columns = COLUMNS[way];
   return (
-    <TableScroll label={say("scans-passes")}>
-      <table class="table table--dense scan__passes">
-        <thead>
-          <tr>
-            <th class="num">{say("scans-passes-number")}</th>
-            {columns.map((name) => (
-              <th key={name} class="num">
-                {headOf(name)}
-              </th>
-            ))}
-          </tr>
-        </thead>
-        <tbody>
-          {passes.map((pass, at) => (
-            <tr key={at}>
-              <th scope="row" class="num">
-                {at + 1}
-              </th>
-              {columns.map((name) => (
-                <td key={name}>
-                  <input
-                    class="input input--num"
-                    inputMode="decimal"
-                    aria-label={say("scans-passes-cell", { number: at + 1, column: headOf(name) })}
-                    value={pass[name] ?? ""}
-                    placeholder={USUAL[name]}
-                    onInput={(event) => {
-                      const cell = event.currentTarget.value;
-                      change(passes.map((one, row) => (row === at ? { ...one, [name]: cell } : one)));
-                    }}
-                  />
-                </td>
-              ))}
-            </tr>
+    <Table
+      label={say("scans-passes")}
+      class="table--dense scan__passes"
+      heads={[num(say("scans-passes-number")), ...columns.map((name) => num(headOf(name)))]}
+    >
+      {passes.map((pass, at) => (
+        <tr key={at}>
+          <th scope="row" class="num">
+            {at + 1}
+          </th>
+          {columns.map((name) => (
+            <td key={name}>
+              <input
+                class="input input--num"
+                inputMode="decimal"
+                aria-label={say("scans-passes-cell", { number: at + 1, column: headOf(name) })}
+                value={pass[name] ?? ""}
+                placeholder={USUAL[name]}
+                onInput={(event) => {
+                  const cell = event.currentTarget.value;
+                  change(passes.map((one, row) => (row === at ? { ...one, [name]: cell } : one)));
+                }}
+              />
+            </td>
           ))}
-        </tbody>
-      </table>
-    </TableScroll>
+        </tr>
+      ))}
+    </Table>
   );
 }
 
@@ -366,30 +350,21 @@ function FiguresOf({ figures }: { figures: Figures }) {
 
 function Residuals({ figures }: { figures: Figures }) {
   return (
-    <TableScroll label={say("scans-calibrate-passes")} class="scan__lines">
-      <table class="table table--dense">
-        <thead>
-          <tr>
-            <th>{say("scans-passes-number")}</th>
-            <th class="num">{say("scans-passes-distance-shown")}</th>
-            <th class="num">{say("scans-calibrate-span")}</th>
-            <th class="num">{say("scans-calibrate-residual")}</th>
-          </tr>
-        </thead>
-        <tbody>
-          {figures.passes.map((one) => (
-            <tr key={one.name}>
-              <td>{one.name}</td>
-              <td class="num">{formatLength(one.distance_m, 2)}</td>
-              <td class="num">
-                {say("with-u", { value: formatLength(one.span_m, 4), u: formatLength(one.u_span_m, 4) })}
-              </td>
-              <td class="num">{formatSmall(one.residual_m)}</td>
-            </tr>
-          ))}
-        </tbody>
-      </table>
-    </TableScroll>
+    <DataTable
+      label={say("scans-calibrate-passes")}
+      scroll="scan__lines"
+      class="table--dense"
+      rows={figures.passes}
+      keyOf={(one) => one.name}
+      columns={({ col, num }) => [
+        col(say("scans-passes-number"), (one) => one.name),
+        num(say("scans-passes-distance-shown"), (one) => formatLength(one.distance_m, 2)),
+        num(say("scans-calibrate-span"), (one) =>
+          say("with-u", { value: formatLength(one.span_m, 4), u: formatLength(one.u_span_m, 4) }),
+        ),
+        num(say("scans-calibrate-residual"), (one) => formatSmall(one.residual_m)),
+      ]}
+    />
   );
 }
 

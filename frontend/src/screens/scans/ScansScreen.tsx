@@ -1,6 +1,6 @@
 /** The line-scan recordings of a survey, and where new ones come in. */
 import { useState } from "preact/hooks";
-import { ask, Button, Empty, JobProgress, Loading, Notice, Problem, StateMark } from "../../components";
+import { ask, Button, Empty, JobProgress, Loaded, Notice, PageHead, StateMark } from "../../components";
 import { api } from "../../core/api";
 import { say } from "../../core/messages";
 import type { ScreenProps } from "../../core/places";
@@ -29,11 +29,7 @@ export default function ScansScreen({ surveyId }: ScreenProps) {
   const none = scans.data?.length === 0;
   return (
     <div class="page">
-      <header class="page__head">
-        <div>
-          <h1>{say("page-scans")}</h1>
-          <p class="page__lead">{say("scans-lead")}</p>
-        </div>
+      <PageHead title={say("page-scans")} lead={say("scans-lead")}>
         <div class="row row--wrap">
           <Button href={`/surveys/${surveyId}/planning?plan=lines`}>{say("page-planning")}</Button>
           <Button href={`/surveys/${surveyId}/live`}>{say("page-live")}</Button>
@@ -48,9 +44,8 @@ export default function ScansScreen({ surveyId }: ScreenProps) {
             </Button>
           )}
         </div>
-      </header>
-      <Problem error={scans.error} again={scans.reload} />
-      {!scans.data && scans.loading && <Loading what={say("scans-loading")} />}
+      </PageHead>
+      <Loaded of={scans} what={say("scans-loading")} />
       {canWork.value && (adding || none) && (
         <AddScan
           surveyId={surveyId}

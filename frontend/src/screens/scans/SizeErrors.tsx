@@ -1,19 +1,11 @@
 /** Lengths and wheelbases against what their makers say. */
-import { TableScroll } from "../../components";
+import { num, Panel, Table } from "../../components";
 import { say, wordsOf } from "../../core/messages";
 import type { ScanErrorGroup, ScanStatistics } from "../../core/types";
 import { formatSmall } from "../../core/units";
 
-const LENGTHS = wordsOf({
-  daytime: "motion-length-daytime",
-  low_light: "motion-length-low_light",
-  overall: "motion-length-overall",
-});
-const WHEELBASES = wordsOf({
-  daytime: "motion-wheelbase-daytime",
-  low_light: "motion-wheelbase-low_light",
-  overall: "motion-wheelbase-overall",
-});
+const LENGTHS = wordsOf("motion-length-");
+const WHEELBASES = wordsOf("motion-wheelbase-");
 const COLUMNS = ["bias_m", "mae_m", "rmse_m", "sd_m"] as const;
 const HEADS = wordsOf({
   bias_m: "motion-bias",
@@ -24,31 +16,20 @@ const HEADS = wordsOf({
 
 export function SizeErrors({ found }: { found: ScanStatistics }) {
   return (
-    <section class="panel" aria-labelledby="scan-errors">
-      <header class="panel__head">
-        <h2 id="scan-errors">{say("motion-errors-title")}</h2>
-        <span class="muted small">{say("motion-errors-note")}</span>
-      </header>
-      <TableScroll label={say("motion-errors-table")}>
-        <table class="table" data-testid="scan-errors">
-          <thead>
-            <tr>
-              <th>{say("motion-errors-of")}</th>
-              <th class="num">{say("motion-errors-n")}</th>
-              {COLUMNS.map((name) => (
-                <th key={name} class="num">
-                  {HEADS[name]}
-                </th>
-              ))}
-            </tr>
-          </thead>
-          <tbody>
-            <Rows words={LENGTHS} groups={found.length_errors} />
-            <Rows words={WHEELBASES} groups={found.wheelbase_errors} />
-          </tbody>
-        </table>
-      </TableScroll>
-    </section>
+    <Panel title={say("motion-errors-title")} note={say("motion-errors-note")}>
+      <Table
+        label={say("motion-errors-table")}
+        data-testid="scan-errors"
+        heads={[
+          say("motion-errors-of"),
+          num(say("motion-errors-n")),
+          ...COLUMNS.map((name) => num(HEADS[name])),
+        ]}
+      >
+        <Rows words={LENGTHS} groups={found.length_errors} />
+        <Rows words={WHEELBASES} groups={found.wheelbase_errors} />
+      </Table>
+    </Panel>
   );
 }
 

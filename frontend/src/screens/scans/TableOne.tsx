@@ -1,5 +1,5 @@
 /** The vehicles in the layout of the paper's Table I, the printed table beside them. */
-import { TableScroll } from "../../components";
+import { Panel, TableScroll } from "../../components";
 import { say } from "../../core/messages";
 import type { ScanStatistics } from "../../core/types";
 import { fixed, heads, plainAcceleration, plainLength, plainSpeed, speedScale } from "../../core/units";
@@ -8,16 +8,13 @@ import { SOURCE_WORDS } from "./referenceWords";
 
 export function TableOne({ found }: { found: ScanStatistics }) {
   return (
-    <section class="panel" aria-labelledby="scan-table-one">
-      <header class="panel__head">
-        <h2 id="scan-table-one">{say("motion-paper-title")}</h2>
-      </header>
+    <Panel title={say("motion-paper-title")}>
       <div class="scan-tables">
         <Own found={found} />
         <Printed found={found} />
       </div>
       <p class="small muted scan-traffic__note">{found.paper_note}</p>
-    </section>
+    </Panel>
   );
 }
 

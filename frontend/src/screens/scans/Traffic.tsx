@@ -1,6 +1,6 @@
 /** Traffic past the line cameras by the clock: flow, speeds, occupancy and length classes per interval. */
 import { useState } from "preact/hooks";
-import { Button, Empty, Loading, Notice, Problem, Segments, TableScroll } from "../../components";
+import { Button, Empty, Loaded, Notice, num, Segments, Table } from "../../components";
 import { api } from "../../core/api";
 import { say } from "../../core/messages";
 import { useResource } from "../../core/resource";
@@ -42,8 +42,7 @@ export function Traffic({ surveyId, acceptedOnly }: Props) {
           onChange={setMinutes}
         />
       </header>
-      <Problem error={found.error} again={found.reload} />
-      {!found.data && found.loading && <Loading what={say("flows-loading")} />}
+      <Loaded of={found} what={say("flows-loading")} />
       {found.data &&
         named(scans).map((scan) => (
           <OfScan key={placeOf(scan)} scan={scan} of={found.data as TrafficOfScans} surveyId={surveyId} />
@@ -111,36 +110,30 @@ function Intervals({ scan, limits_m }: { scan: ScanTraffic; limits_m: readonly n
     `> ${plainLength(limits_m.at(-1) ?? 0, 1)}`,
   ];
   return (
-    <TableScroll label={say("flows-table", { scan: scan.name })}>
-      <table class="table table--dense" data-testid={`traffic-${placeOf(scan)}`}>
-        <thead>
-          <tr>
-            <th>{say("flows-head-from")}</th>
-            <th class="num">{withUnit(say("flows-head-watched"), "s")}</th>
-            <th class="num">{say("flows-head-vehicles")}</th>
-            <th class="num">{withUnit(say("flows-head-flow"), say("unit-per-hour"))}</th>
-            <th class="num">{withUnit(say("scan-head-headway"), "s")}</th>
-            <th class="num">{say("flows-head-measured")}</th>
-            <th class="num">{withUnit(say("flows-head-time-mean"), units.speed)}</th>
-            <th class="num">{withUnit(say("flows-head-space-mean"), units.speed)}</th>
-            <th class="num">{withUnit("P85", units.speed)}</th>
-            <th class="num">{withUnit(say("flows-head-occupancy"), "%")}</th>
-            <th class="num">{withUnit(say("flows-head-density"), say("unit-per-km"))}</th>
-            {classes.map((name) => (
-              <th key={name} class="num nowrap">
-                {withUnit(name, units.length)}
-              </th>
-            ))}
-            <th class="num">{say("flows-head-unclassed")}</th>
-          </tr>
-        </thead>
-        <tbody>
-          {scan.intervals.map((one) => (
-            <Row key={one.begins_at} one={one} />
-          ))}
-        </tbody>
-      </table>
-    </TableScroll>
+    <Table
+      label={say("flows-table", { scan: scan.name })}
+      class="table--dense"
+      data-testid={`traffic-${placeOf(scan)}`}
+      heads={[
+        say("flows-head-from"),
+        num(withUnit(say("flows-head-watched"), "s")),
+        num(say("flows-head-vehicles")),
+        num(withUnit(say("flows-head-flow"), say("unit-per-hour"))),
+        num(withUnit(say("scan-head-headway"), "s")),
+        num(say("flows-head-measured")),
+        num(withUnit(say("flows-head-time-mean"), units.speed)),
+        num(withUnit(say("flows-head-space-mean"), units.speed)),
+        num(withUnit("P85", units.speed)),
+        num(withUnit(say("flows-head-occupancy"), "%")),
+        num(withUnit(say("flows-head-density"), say("unit-per-km"))),
+        ...classes.map((name) => ({ ...num(withUnit(name, units.length)), class: "nowrap" })),
+        num(say("flows-head-unclassed")),
+      ]}
+    >
+      {scan.intervals.map((one) => (
+        <Row key={one.begins_at} one={one} />
+      ))}
+    </Table>
   );
 }
 

@@ -1,5 +1,5 @@
 /** Parts of the chosen vehicle's panel: what is known of it, the motion's budget, its revisions. */
-import { TableScroll } from "../../components";
+import { num, Table } from "../../components";
 import { CommitField } from "../../components/CommitField";
 import { Said } from "../../components/Said";
 import { say } from "../../core/messages";
@@ -89,38 +89,35 @@ export function Budget({ detail }: { detail: ScanVehicleDetail }) {
         <h3 id="scan-budget">{say("budget-title")}</h3>
         <span class="muted small">{say("scan-budget-note")}</span>
       </header>
-      <TableScroll label={say("scan-budget")}>
-        <table class="table table--dense">
-          <thead>
-            <tr>
-              <th>{say("scan-budget-source")}</th>
-              <th class="num">{say("scan-budget-speed")}</th>
-              <th class="num">{say("scan-budget-acceleration")}</th>
-              <th class="num">{say("scan-budget-length")}</th>
-            </tr>
-          </thead>
-          <tbody>
-            {detail.budget.map((one) => (
-              <tr key={one.source}>
-                <td>{one.source}</td>
-                <td class="num">{formatSpeed(one.u_speed_mps, null, 3)}</td>
-                <td class="num">{formatAcceleration(one.u_acceleration_mps2, null, 3)}</td>
-                <td class="num">{formatSmall(one.u_length_m)}</td>
-              </tr>
-            ))}
-            {m && (
-              <tr>
-                <td>
-                  <strong>{say("budget-together")}</strong>
-                </td>
-                <td class="num">{formatSpeed(m.u_speed_mps, null, 3)}</td>
-                <td class="num">{formatAcceleration(m.u_acceleration_mps2, null, 3)}</td>
-                <td class="num">{formatSmall(m.u_length_m)}</td>
-              </tr>
-            )}
-          </tbody>
-        </table>
-      </TableScroll>
+      <Table
+        label={say("scan-budget")}
+        class="table--dense"
+        heads={[
+          say("scan-budget-source"),
+          num(say("scan-budget-speed")),
+          num(say("scan-budget-acceleration")),
+          num(say("scan-budget-length")),
+        ]}
+      >
+        {detail.budget.map((one) => (
+          <tr key={one.source}>
+            <td>{one.source}</td>
+            <td class="num">{formatSpeed(one.u_speed_mps, null, 3)}</td>
+            <td class="num">{formatAcceleration(one.u_acceleration_mps2, null, 3)}</td>
+            <td class="num">{formatSmall(one.u_length_m)}</td>
+          </tr>
+        ))}
+        {m && (
+          <tr>
+            <td>
+              <strong>{say("budget-together")}</strong>
+            </td>
+            <td class="num">{formatSpeed(m.u_speed_mps, null, 3)}</td>
+            <td class="num">{formatAcceleration(m.u_acceleration_mps2, null, 3)}</td>
+            <td class="num">{formatSmall(m.u_length_m)}</td>
+          </tr>
+        )}
+      </Table>
     </section>
   );
 }

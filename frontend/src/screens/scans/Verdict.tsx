@@ -14,12 +14,8 @@ const OF_MOTION = wordsOf({
   notOne: "scan-reason-not-one",
   match: "scan-reason-match",
 });
-const OF_HEIGHT = wordsOf({
-  contact: "review-reason-contact",
-  point: "review-reason-point",
-  wrong: "review-reason-wrong",
-});
-const OF_EYE = wordsOf({ side: "review-reason-side" });
+const OF_HEIGHT = wordsOf("review-reason-", "contact", "point", "wrong");
+const OF_EYE = wordsOf("review-reason-", "side");
 
 interface Judging {
   readonly model: ScanModel;

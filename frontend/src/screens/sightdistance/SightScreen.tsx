@@ -1,6 +1,6 @@
 /** From heights to roads: crests by a standard's heights, by the survey's and by another fleet's. */
 import { useEffect } from "preact/hooks";
-import { Loading, Notice, Problem, TableScroll } from "../../components";
+import { Loading, Notice, num, PageHead, Panel, Problem, Table } from "../../components";
 import { PageTabs } from "../../components/PageTabs";
 import { query } from "../../core/address";
 import { api, fromAddress } from "../../core/api";
@@ -37,12 +37,7 @@ export default function SightScreen(_props: ScreenProps) {
   const data = found.data;
   return (
     <div class="page page--alone sight-page">
-      <header class="page__head">
-        <div>
-          <h1>{say("page-sight-distance")}</h1>
-          <p class="page__lead">{say("sight-lead")}</p>
-        </div>
-      </header>
+      <PageHead title={say("page-sight-distance")} lead={say("sight-lead")} />
       <PageTabs label={say("page-statistics")} tabs={resultsTabs("sight-distance")} />
       {query.value.getAll("survey").map((id) => (
         <OutOfDateNotice key={id} surveyId={Number(id)} computed={found.reload} />
@@ -106,52 +101,46 @@ const whole = (metres: number) => plain(metres, 0);
 function Cases({ sight }: { sight: Sight }) {
   const unit = lengthScale()[1];
   return (
-    <section class="panel" aria-labelledby="sight-cases">
-      <header class="panel__head">
-        <h2 id="sight-cases">{say("sight-cases-title")}</h2>
-        <span class="muted small">
-          {say("sight-cases-distance", {
-            speed: formatSpeed(Number(query.value.get("speed_mps") ?? 100 / 3.6), null, 0),
-            distance: formatLength(sight.distance.distance_m, 1),
-            design: formatLength(sight.distance.design_m, 0),
-            formula: sight.distance.formula,
-          })}
-        </span>
-      </header>
-      <TableScroll label={say("sight-cases-title")}>
-        <table class="table" data-testid="sight-cases">
-          <thead>
-            <tr>
-              <th>{say("sight-case")}</th>
-              <th class="num">{say("sight-column-eye", { unit })}</th>
-              <th class="num">{say("sight-column-object", { unit })}</th>
-              <th class="num">{say("sight-column-constant", { unit })}</th>
-              <th class="num">{say("sight-column-k", { unit })}</th>
-              <th class="num">{say("sight-column-length", { unit })}</th>
-              <th class="num">{say("sight-column-seen", { unit })}</th>
-            </tr>
-          </thead>
-          <tbody>
-            {sight.cases.map((one) => (
-              <tr key={one.name}>
-                <th scope="row">{CASE_WORDS[one.name]}</th>
-                {one.crest ? (
-                  <>
-                    <Cell of={one.crest.eye_m} print={plainHeight} />
-                    <Cell of={one.crest.object_m} print={plainHeight} />
-                    <Cell of={one.crest.constant_m} print={tenths} />
-                    <Cell of={one.crest.k_m} print={tenths} strong />
-                    <Cell of={one.crest.length_m} print={whole} />
-                    <Cell of={one.crest.seen_m} print={whole} />
-                  </>
-                ) : (
-                  <td colSpan={6}>{withoutCrest(one)}</td>
-                )}
-              </tr>
-            ))}
-          </tbody>
-        </table>
-      </TableScroll>
+    <Panel
+      title={say("sight-cases-title")}
+      note={say("sight-cases-distance", {
+        speed: formatSpeed(Number(query.value.get("speed_mps") ?? 100 / 3.6), null, 0),
+        distance: formatLength(sight.distance.distance_m, 1),
+        design: formatLength(sight.distance.design_m, 0),
+        formula: sight.distance.formula,
+      })}
+    >
+      <Table
+        label={say("sight-cases-title")}
+        data-testid="sight-cases"
+        heads={[
+          say("sight-case"),
+          num(say("sight-column-eye", { unit })),
+          num(say("sight-column-object", { unit })),
+          num(say("sight-column-constant", { unit })),
+          num(say("sight-column-k", { unit })),
+          num(say("sight-column-length", { unit })),
+          num(say("sight-column-seen", { unit })),
+        ]}
+      >
+        {sight.cases.map((one) => (
+          <tr key={one.name}>
+            <th scope="row">{CASE_WORDS[one.name]}</th>
+            {one.crest ? (
+              <>
+                <Cell of={one.crest.eye_m} print={plainHeight} />
+                <Cell of={one.crest.object_m} print={plainHeight} />
+                <Cell of={one.crest.constant_m} print={tenths} />
+                <Cell of={one.crest.k_m} print={tenths} strong />
+                <Cell of={one.crest.length_m} print={whole} />
+                <Cell of={one.crest.seen_m} print={whole} />
+              </>
+            ) : (
+              <td colSpan={6}>{withoutCrest(one)}</td>
+            )}
+          </tr>
+        ))}
+      </Table>
       <p class="field__hint sight-note">
         {say("sight-cases-note", {
           eyes: sight.eyes,
@@ -160,7 +149,7 @@ function Cases({ sight }: { sight: Sight }) {
         })}{" "}
         {sight.distance.source}.
       </p>
-    </section>
+    </Panel>
   );
 }
 
@@ -182,10 +171,7 @@ function Cell({ of, print, strong }: { of: Bounded; print: (metres: number) => s
 function Besides({ sight }: { sight: Sight }) {
   const unit = lengthScale()[1];
   return (
-    <section class="panel sight-besides" aria-labelledby="sight-besides">
-      <header class="panel__head">
-        <h2 id="sight-besides">{say("sight-besides-title")}</h2>
-      </header>
+    <Panel title={say("sight-besides-title")} class="sight-besides">
       <dl class="facts">
         <dt>{say("sight-sag")}</dt>
         <dd>
@@ -204,6 +190,6 @@ function Besides({ sight }: { sight: Sight }) {
         </dd>
       </dl>
       <Notice>{say("sight-besides-note")}</Notice>
-    </section>
+    </Panel>
   );
 }

@@ -11,23 +11,9 @@ export type Case = Schemas["CaseOfHeights"];
 export type Bounded = Schemas["Bounded"];
 export type Kind = keyof typeof KIND_WORDS;
 
-export const CASE_WORDS = wordsOf({
-  standard: "sight-case-standard",
-  survey: "sight-case-survey",
-  mix: "sight-case-mix",
-});
+export const CASE_WORDS = wordsOf("sight-case-");
 
-export const KIND_WORDS = wordsOf({
-  stopping: "sight-kind-stopping",
-  decision_a: "sight-kind-decision_a",
-  decision_b: "sight-kind-decision_b",
-  decision_c: "sight-kind-decision_c",
-  decision_d: "sight-kind-decision_d",
-  decision_e: "sight-kind-decision_e",
-  passing: "sight-kind-passing",
-  intersection_left: "sight-kind-intersection_left",
-  intersection_right: "sight-kind-intersection_right",
-});
+export const KIND_WORDS = wordsOf("sight-kind-");
 
 /** What stands for the object where the address does not say. */
 export const STANDARDS_OBJECT = "standard";

@@ -1,5 +1,6 @@
 import { useEffect, useState } from "preact/hooks";
 import { Button, Loading, Mark, Notice, TextField } from "../../components";
+import { useAction } from "../../core/action";
 import { navigate, query } from "../../core/address";
 import { ApiError, api, explain } from "../../core/api";
 import { say } from "../../core/messages";
@@ -26,16 +27,12 @@ export default function SignInScreen() {
 
 /** The link signs in by itself; only what goes wrong needs a word. */
 function LinkSignIn({ token }: { token: string }) {
-  const [problem, setProblem] = useState<unknown>(null);
-  const go = async () => {
-    setProblem(null);
-    try {
+  const { problem, run } = useAction();
+  const go = () =>
+    run(async () => {
       const answer = await api.ask("POST /session/link", {}, { body: { token }, allowSignedOut: true });
       enter(answer, safeNext(query.value.get("next")));
-    } catch (error) {
-      setProblem(error);
-    }
-  };
+    });
   useEffect(() => void go(), []);
   if (problem === null) return <Loading what={say("signin-loading")} />;
   const used = problem instanceof ApiError && problem.status === 401;
@@ -57,22 +54,16 @@ function LinkSignIn({ token }: { token: string }) {
 function PasswordSignIn() {
   const [email, setEmail] = useState("");
   const [password, setPassword] = useState("");
-  const [problem, setProblem] = useState<unknown>(null);
-  const [busy, setBusy] = useState(false);
+  const { busy, problem, run } = useAction();
   useEffect(() => {
     if (me.value) navigate("/", { replace: true });
   }, []);
   const submit = async (event: Event) => {
     event.preventDefault();
-    setBusy(true);
-    setProblem(null);
-    try {
+    await run(async () => {
       const answer = await api.ask("POST /session", {}, { body: { email, password }, allowSignedOut: true });
       enter(answer, safeNext(query.value.get("next")));
-    } catch (error) {
-      setProblem(error);
-      setBusy(false);
-    }
+    });
   };
   return (
     <form class="stack" onSubmit={submit}>

@@ -1,4 +1,4 @@
-import { TableScroll } from "../../components";
+import { num, Panel, Table } from "../../components";
 import { say } from "../../core/messages";
 import { formatSmall } from "../../core/units";
 import { TARGET_WORDS } from "../../core/words";
@@ -14,33 +14,26 @@ export function ComparisonSection({ compared }: { compared: Comparison }) {
     second: compared.second.name,
   });
   return (
-    <section class="panel" aria-labelledby="stat-compared" data-testid="comparison">
-      <header class="panel__head">
-        <h2 id="stat-compared">{title}</h2>
-      </header>
+    <Panel title={title} data-testid="comparison">
       {compared.figures.length === 0 ? (
         <p class="stat-notes small">{say("statistics-compared-none")}</p>
       ) : (
-        <TableScroll label={title}>
-          <table class="table">
-            <thead>
-              <tr>
-                <th>{say("statistics-compared-figure")}</th>
-                <th class="num">{say("statistics-compared-heights")}</th>
-                <th class="num">{say("statistics-compared-difference")}</th>
-                <th>{say("statistics-compared-verdict")}</th>
-              </tr>
-            </thead>
-            <tbody>
-              {compared.figures.map((one) => (
-                <Row key={`${one.target}|${one.percent}`} one={one} />
-              ))}
-            </tbody>
-          </table>
-        </TableScroll>
+        <Table
+          label={title}
+          heads={[
+            say("statistics-compared-figure"),
+            num(say("statistics-compared-heights")),
+            num(say("statistics-compared-difference")),
+            say("statistics-compared-verdict"),
+          ]}
+        >
+          {compared.figures.map((one) => (
+            <Row key={`${one.target}|${one.percent}`} one={one} />
+          ))}
+        </Table>
       )}
       <p class="stat-notes small">{say("statistics-compared-note")}</p>
-    </section>
+    </Panel>
   );
 }
 

@@ -1,4 +1,4 @@
-import { Button, TableScroll } from "../../components";
+import { Button, num, Panel, Table, TableScroll } from "../../components";
 import { Said } from "../../components/Said";
 import { say, wordsOf } from "../../core/messages";
 import { formatCount, formatSmall, smallScale } from "../../core/units";
@@ -49,9 +49,9 @@ function headOf({ key, unit }: Column): string {
 /** The paper's Table 1 for this survey, each figure with its interval, the printed one below it. */
 export function ErrorTable({ errors }: { errors: Errors }) {
   return (
-    <section class="panel" aria-labelledby="stat-errors">
-      <header class="panel__head">
-        <h2 id="stat-errors">{say("statistics-errors-title")}</h2>
+    <Panel
+      title={say("statistics-errors-title")}
+      aside={
         <Button
           small
           icon="download"
@@ -61,27 +61,18 @@ export function ErrorTable({ errors }: { errors: Errors }) {
         >
           {say("file-csv")}
         </Button>
-      </header>
-      <TableScroll label={say("statistics-errors-title")}>
-        <table class="table stat-errors" data-testid="error-table">
-          <thead>
-            <tr>
-              <th>{say("statistics-errors-head")}</th>
-              <th class="num">n</th>
-              {COLUMNS.map((column) => (
-                <th key={column.key} class="num">
-                  {headOf(column)}
-                </th>
-              ))}
-            </tr>
-          </thead>
-          <tbody>
-            {errors.groups.map((group) => (
-              <Rows key={group.group} group={group} errors={errors} />
-            ))}
-          </tbody>
-        </table>
-      </TableScroll>
+      }
+    >
+      <Table
+        label={say("statistics-errors-title")}
+        class="stat-errors"
+        data-testid="error-table"
+        heads={[say("statistics-errors-head"), num("n"), ...COLUMNS.map((column) => num(headOf(column)))]}
+      >
+        {errors.groups.map((group) => (
+          <Rows key={group.group} group={group} errors={errors} />
+        ))}
+      </Table>
       <div class="stat-notes small">
         <p>
           {errors.words} {say("statistics-errors-note")}
@@ -102,7 +93,7 @@ export function ErrorTable({ errors }: { errors: Errors }) {
           </details>
         )}
       </div>
-    </section>
+    </Panel>
   );
 }
 

@@ -9,13 +9,7 @@ import { ClassChoice } from "../../parts/vehicles/ClassChoice";
 import { CORRECTIONS, narrowed, type SingleName, setFilter, WIDE } from "./filters";
 import { type Statistics, TARGET_TITLES } from "./model";
 
-const CORRECTION_WORDS = wordsOf({
-  inset: "statistics-correction-inset",
-  shift: "statistics-correction-shift",
-  none: "statistics-correction-none",
-  regression: "statistics-correction-regression",
-  deconvolution: "statistics-correction-deconvolution",
-});
+const CORRECTION_WORDS = wordsOf("statistics-correction-");
 
 /** What stands behind "More": open where one of them is set. */
 const MORE: readonly SingleName[] = [

@@ -1,5 +1,5 @@
 import { useState } from "preact/hooks";
-import { Segments, TableScroll } from "../../components";
+import { Panel, Segments, TableScroll } from "../../components";
 import { say, wordsOf } from "../../core/messages";
 import { lengthScale } from "../../core/units";
 import { type Curve, ECDF_COLUMNS, ecdfMarks, ecdfRows } from "../../parts/figures/curves";
@@ -15,13 +15,7 @@ const MOST_DRAWN = 6;
 const MOST_BANDS = 3;
 const GROUPINGS = ["category", "class_set", "lighting", "site", "operator"] as const;
 type GroupingName = (typeof GROUPINGS)[number];
-const GROUPING_WORDS = wordsOf({
-  category: "statistics-grouping-category",
-  class_set: "statistics-grouping-class_set",
-  lighting: "statistics-grouping-lighting",
-  site: "statistics-grouping-site",
-  operator: "statistics-grouping-operator",
-});
+const GROUPING_WORDS = wordsOf("statistics-grouping-");
 const PERCENTS = [10, 50, 90];
 
 /** Corrected heights of one target, by category, set of classes, lighting, site or operator. */
@@ -36,9 +30,9 @@ export function GroupSection({ targets }: { targets: readonly OfTarget[] }) {
   const curves = drawn(groups, grouping);
   const title = TARGET_TITLES[target.target];
   return (
-    <section class="panel" aria-labelledby="stat-groups" data-testid="groups">
-      <header class="panel__head row--wrap">
-        <h2 id="stat-groups">{say("statistics-groups-title")}</h2>
+    <Panel
+      title={say("statistics-groups-title")}
+      aside={
         <div class="row row--wrap stat-noprint">
           <Segments
             label={say("statistics-groups-target")}
@@ -53,7 +47,10 @@ export function GroupSection({ targets }: { targets: readonly OfTarget[] }) {
             onChange={setGrouping}
           />
         </div>
-      </header>
+      }
+      wrap
+      data-testid="groups"
+    >
       <div class="stat-groups">
         <PlotFigure
           name={`${target.target}-by-${grouping}`}
@@ -89,7 +86,7 @@ export function GroupSection({ targets }: { targets: readonly OfTarget[] }) {
         />
         <GroupTable groups={groups} grouping={grouping} />
       </div>
-    </section>
+    </Panel>
   );
 }
 

@@ -1,6 +1,6 @@
 /** Errors against heights that were known before, a row a target, its lightings and classes below; check targets. */
 import type { ComponentChildren } from "preact";
-import { TableScroll } from "../../components";
+import { num, Panel, Table } from "../../components";
 import { say, wordsOf } from "../../core/messages";
 import { formatCount, smallScale } from "../../core/units";
 import { TARGET_WORDS } from "../../core/words";
@@ -20,37 +20,28 @@ const HEADS = wordsOf({
 export function KnownErrorsTable({ found }: { found: readonly KnownErrors[] }) {
   const unit = smallScale()[1];
   return (
-    <section class="panel" aria-labelledby="stat-known">
-      <header class="panel__head">
-        <h2 id="stat-known">{say("statistics-known-title")}</h2>
-      </header>
+    <Panel title={say("statistics-known-title")}>
       {found.length === 0 ? (
         <p class="stat-notes small">{say("statistics-known-none")}</p>
       ) : (
-        <TableScroll label={say("statistics-known-title")}>
-          <table class="table stat-errors" data-testid="known-errors">
-            <thead>
-              <tr>
-                <th>{say("statistics-known-target")}</th>
-                <th class="num">n</th>
-                {FIGURES.map((key) => (
-                  <th key={key} class="num">
-                    {say("with-unit", { name: HEADS[key], unit })}
-                  </th>
-                ))}
-                <th class="num">{say("statistics-known-inside")}</th>
-              </tr>
-            </thead>
-            <tbody>
-              {found.map((one) => (
-                <Rows key={`${one.target}-${one.check_target}`} one={one} />
-              ))}
-            </tbody>
-          </table>
-        </TableScroll>
+        <Table
+          label={say("statistics-known-title")}
+          class="stat-errors"
+          data-testid="known-errors"
+          heads={[
+            say("statistics-known-target"),
+            num("n"),
+            ...FIGURES.map((key) => num(say("with-unit", { name: HEADS[key], unit }))),
+            num(say("statistics-known-inside")),
+          ]}
+        >
+          {found.map((one) => (
+            <Rows key={`${one.target}-${one.check_target}`} one={one} />
+          ))}
+        </Table>
       )}
       {found.length > 0 && <p class="stat-notes small">{say("statistics-known-help")}</p>}
-    </section>
+    </Panel>
   );
 }
 

@@ -1,5 +1,5 @@
 /** Where vehicles drive across the road: by lane as a figure, by lane and class as a table. */
-import { TableScroll } from "../../components";
+import { Panel, TableScroll } from "../../components";
 import { say } from "../../core/messages";
 import { lengthScale } from "../../core/units";
 import { ECDF_COLUMNS, ecdfMarks, ecdfRows } from "../../parts/figures/curves";
@@ -17,10 +17,7 @@ export function LateralSection({ lateral }: { lateral: Lateral }) {
   const lanes = lateral.lanes.groups;
   const curves = drawn(lanes, "lane");
   return (
-    <section class="panel" aria-labelledby="stat-lateral" data-testid="lateral">
-      <header class="panel__head">
-        <h2 id="stat-lateral">{say("statistics-lateral-title")}</h2>
-      </header>
+    <Panel title={say("statistics-lateral-title")} data-testid="lateral">
       <div class="stat-groups">
         <PlotFigure
           name="lateral-position"
@@ -45,7 +42,7 @@ export function LateralSection({ lateral }: { lateral: Lateral }) {
         />
         <LanesTable lateral={lateral} />
       </div>
-    </section>
+    </Panel>
   );
 }
 

@@ -1,5 +1,5 @@
 import { useEffect, useState } from "preact/hooks";
-import { Problem, TextField } from "../../components";
+import { Panel, Problem, TextField } from "../../components";
 import { api } from "../../core/api";
 import { say } from "../../core/messages";
 import { lengthText, lengthUnit, parseLength, parseNumber } from "../../core/units";
@@ -44,10 +44,7 @@ export function SamplePlan({ sdM }: { sdM: number | null }) {
     };
   }, asked);
   return (
-    <section class="panel stat-noprint" aria-labelledby="stat-plan">
-      <header class="panel__head">
-        <h2 id="stat-plan">{say("statistics-plan-title")}</h2>
-      </header>
+    <Panel title={say("statistics-plan-title")} class="stat-noprint">
       <form class="stat-plan" onSubmit={(event) => event.preventDefault()}>
         <TextField label={say("statistics-plan-percentile")} numeric value={percent} onInput={setPercent} />
         <TextField
@@ -63,6 +60,6 @@ export function SamplePlan({ sdM }: { sdM: number | null }) {
         </p>
       </form>
       {complete && <Problem error={error} />}
-    </section>
+    </Panel>
   );
 }

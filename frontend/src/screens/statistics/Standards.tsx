@@ -1,5 +1,5 @@
 import { useState } from "preact/hooks";
-import { Button, SelectField, TableScroll, TextField } from "../../components";
+import { Button, num, Panel, SelectField, Table, TextField } from "../../components";
 import { query } from "../../core/address";
 import { say } from "../../core/messages";
 import { canWork } from "../../core/session";
@@ -33,15 +33,19 @@ export function Standards({ standards, surveyId, reload }: Props) {
   const toggle = (key: string, on: boolean) =>
     setFilter({ off: on ? off.filter((one) => one !== key) : [...off, key] });
   return (
-    <section class="panel stat-noprint" aria-labelledby="stat-standards">
-      <header class="panel__head">
-        <h2 id="stat-standards">{say("statistics-standards-title")}</h2>
-        {surveyId && canWork.value && !editing && (
+    <Panel
+      title={say("statistics-standards-title")}
+      aside={
+        surveyId &&
+        canWork.value &&
+        !editing && (
           <Button small onClick={() => setEditing(true)}>
             {say("statistics-standards-change")}
           </Button>
-        )}
-      </header>
+        )
+      }
+      class="stat-noprint"
+    >
       {editing && surveyId ? (
         <StandardsEditor
           surveyId={surveyId}
@@ -58,7 +62,7 @@ export function Standards({ standards, surveyId, reload }: Props) {
         {say("statistics-standards-address")}
       </p>
       {!editing && <AddOwn />}
-    </section>
+    </Panel>
   );
 }
 
@@ -70,66 +74,61 @@ interface DrawnProps {
 
 function Drawn({ standards, off, toggle }: DrawnProps) {
   return (
-    <TableScroll label={say("statistics-standards-title")}>
-      <table class="table" data-testid="standards">
-        <thead>
-          <tr>
-            <th>{say("statistics-standards-drawn")}</th>
-            <th>{say("statistics-standards-standard")}</th>
-            <th>{say("statistics-standards-for")}</th>
-            <th class="num">{say("statistics-standards-height")}</th>
-            <th>{say("statistics-standards-rule")}</th>
-            <th>{say("statistics-standards-source")}</th>
-            <th>
-              <span class="visually-hidden">{say("statistics-standards-remove")}</span>
-            </th>
+    <Table
+      label={say("statistics-standards-title")}
+      data-testid="standards"
+      heads={[
+        say("statistics-standards-drawn"),
+        say("statistics-standards-standard"),
+        say("statistics-standards-for"),
+        num(say("statistics-standards-height")),
+        say("statistics-standards-rule"),
+        say("statistics-standards-source"),
+        <span class="visually-hidden">{say("statistics-standards-remove")}</span>,
+      ]}
+    >
+      {standards.map((one) => {
+        const key = standardKey(one);
+        return (
+          <tr key={key}>
+            <td>
+              {one.drawn && COMPARED.includes(one.what) && (
+                <input
+                  type="checkbox"
+                  aria-label={say("statistics-standard-draw", {
+                    standard: one.name,
+                    what: WHAT[one.what],
+                    height: formatLimit(one.height_m),
+                  })}
+                  checked={!off.includes(key)}
+                  onChange={(event) => toggle(key, event.currentTarget.checked)}
+                />
+              )}
+            </td>
+            <td>{one.name}</td>
+            <td>{WHAT[one.what]}</td>
+            <td class="num">{formatLimit(one.height_m)}</td>
+            <td>{ruleOf(one)}</td>
+            <td>
+              {sourceOf(one)}
+              {one.cited_by && (
+                <div class="muted small">{say("statistics-standard-cited", { by: one.cited_by })}</div>
+              )}
+            </td>
+            <td class="num">
+              {one.name === "own value" && (
+                <Button
+                  small
+                  icon="close"
+                  label={say("statistics-standard-remove", { standard: formatLimit(one.height_m) })}
+                  onClick={() => remove(one)}
+                />
+              )}
+            </td>
           </tr>
-        </thead>
-        <tbody>
-          {standards.map((one) => {
-            const key = standardKey(one);
-            return (
-              <tr key={key}>
-                <td>
-                  {one.drawn && COMPARED.includes(one.what) && (
-                    <input
-                      type="checkbox"
-                      aria-label={say("statistics-standard-draw", {
-                        standard: one.name,
-                        what: WHAT[one.what],
-                        height: formatLimit(one.height_m),
-                      })}
-                      checked={!off.includes(key)}
-                      onChange={(event) => toggle(key, event.currentTarget.checked)}
-                    />
-                  )}
-                </td>
-                <td>{one.name}</td>
-                <td>{WHAT[one.what]}</td>
-                <td class="num">{formatLimit(one.height_m)}</td>
-                <td>{ruleOf(one)}</td>
-                <td>
-                  {sourceOf(one)}
-                  {one.cited_by && (
-                    <div class="muted small">{say("statistics-standard-cited", { by: one.cited_by })}</div>
-                  )}
-                </td>
-                <td class="num">
-                  {one.name === "own value" && (
-                    <Button
-                      small
-                      icon="close"
-                      label={say("statistics-standard-remove", { standard: formatLimit(one.height_m) })}
-                      onClick={() => remove(one)}
-                    />
-                  )}
-                </td>
-              </tr>
-            );
-          })}
-        </tbody>
-      </table>
-    </TableScroll>
+        );
+      })}
+    </Table>
   );
 }
 

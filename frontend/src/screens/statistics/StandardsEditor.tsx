@@ -1,5 +1,6 @@
 import { useState } from "preact/hooks";
 import { Button, Loading, Problem, SelectField, TextField } from "../../components";
+import { useAction } from "../../core/action";
 import { ApiError, api } from "../../core/api";
 import { say } from "../../core/messages";
 import { useResource } from "../../core/resource";
@@ -35,8 +36,7 @@ export function StandardsEditor({ surveyId, done }: { surveyId: string; done: (s
     [survey_id],
   );
   const [typed, setTyped] = useState<Row[] | null>(null);
-  const [problem, setProblem] = useState<unknown>(null);
-  const [busy, setBusy] = useState(false);
+  const { busy, problem, setProblem, run } = useAction();
   if (!found.data)
     return found.error ? (
       <Problem error={found.error} />
@@ -53,8 +53,7 @@ export function StandardsEditor({ surveyId, done }: { surveyId: string; done: (s
       setProblem(new ApiError(heightProblem(wrong), 422));
       return;
     }
-    setBusy(true);
-    try {
+    await run(async () => {
       const table = rows.map(({ height, ...row }) => ({
         ...row,
         height_m: parseLength(height) ?? 0,
@@ -64,10 +63,7 @@ export function StandardsEditor({ surveyId, done }: { surveyId: string; done: (s
       const body = { version, standards: table };
       await api.write("PUT /surveys/{survey_id}/standards", { survey_id }, { body });
       done(true);
-    } catch (error) {
-      setProblem(error);
-      setBusy(false);
-    }
+    });
   };
   return (
     <form

@@ -1,6 +1,6 @@
 /** Errors against known heights and the distributions of what was measured, for the measurements a filter leaves. */
 import { useEffect } from "preact/hooks";
-import { Button, Empty, Loading, Notice, Problem } from "../../components";
+import { Button, Empty, Loaded, Notice, PageHead } from "../../components";
 import { PageTabs } from "../../components/PageTabs";
 import { Said } from "../../components/Said";
 import { query } from "../../core/address";
@@ -42,13 +42,14 @@ export default function StatisticsScreen() {
   const only = query.value.getAll("survey").length === 1 ? query.value.get("survey") : null;
   return (
     <div class="page page--alone stat-page">
-      <header class="page__head">
-        <div>
-          <h1>{say("page-statistics")}</h1>
+      <PageHead
+        title={say("page-statistics")}
+        more={
           <p class="page__lead" data-testid="stat-counted">
             {data ? countedWords(data) : say("statistics-lead")}
           </p>
-        </div>
+        }
+      >
         <div class="row stat-noprint">
           <label class="row" title={say("results-paper-help")}>
             <input
@@ -60,7 +61,7 @@ export default function StatisticsScreen() {
           </label>
           <Button onClick={() => window.print()}>{say("action-print")}</Button>
         </div>
-      </header>
+      </PageHead>
       <PageTabs label={say("page-statistics")} tabs={resultsTabs(errors ? "errors" : "heights")} />
       <p class="stat-printonly small">{location.href}</p>
       {query.value.getAll("survey").map((id) => (
@@ -80,8 +81,7 @@ export default function StatisticsScreen() {
       {only && !narrowed(query.value) && <Conclusion surveyId={Number(only)} of={data} />}
       {only && <ByLot surveyId={Number(only)} />}
       <FilterBar found={data} />
-      <Problem error={found.error} again={found.reload} />
-      {!data && found.loading && <Loading what={say("statistics-loading")} />}
+      <Loaded of={found} what={say("statistics-loading")} />
       {data && !found.error && (
         <div class="stat-body" aria-busy={found.loading}>
           {data.counted.measurements === 0 ? (

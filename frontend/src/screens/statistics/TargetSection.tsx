@@ -1,4 +1,4 @@
-import { Button, Notice, TableScroll } from "../../components";
+import { Button, Notice, Panel, TableScroll } from "../../components";
 import { Said } from "../../components/Said";
 import { allOf, say } from "../../core/messages";
 import { fixed, formatLength, lengthScale, plainHeight } from "../../core/units";
@@ -43,15 +43,13 @@ export function TargetSection({ target, standards }: Props) {
   const title = TARGET_TITLES[target.target];
   const { corrected } = target;
   return (
-    <section
-      class="panel stat-target"
-      aria-labelledby={`stat-${target.target}`}
+    <Panel
+      id={`stat-${target.target}`}
+      title={title}
+      note={heightsWords(target)}
+      class="stat-target"
       data-testid={`target-${target.target}`}
     >
-      <header class="panel__head">
-        <h2 id={`stat-${target.target}`}>{title}</h2>
-        <span class="muted small">{heightsWords(target)}</span>
-      </header>
       <div class="stat-target__words small">
         <p data-testid={`correction-${target.target}`}>{corrected.reason ?? corrected.words}</p>
         {corrected.warning && <Notice kind="warning">{corrected.warning}</Notice>}
@@ -62,7 +60,7 @@ export function TargetSection({ target, standards }: Props) {
       </div>
       <Shares target={target} standards={standards} />
       <Percentiles target={target} />
-    </section>
+    </Panel>
   );
 }
 

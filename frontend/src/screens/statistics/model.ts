@@ -31,10 +31,7 @@ export const GROUP_WORDS: Readonly<Record<string, string>> = wordsOf({
   unknown: "statistics-group-unknown",
 });
 
-const LANE_WORDS: Readonly<Record<string, string>> = wordsOf({
-  right: "statistics-lane-right",
-  left: "statistics-lane-left",
-});
+const LANE_WORDS: Readonly<Record<string, string>> = wordsOf("statistics-lane-");
 
 export const TARGET_TITLES = wordsOf({
   driver_eye: "statistics-eye",

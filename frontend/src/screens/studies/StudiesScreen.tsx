@@ -1,5 +1,5 @@
 import { useState } from "preact/hooks";
-import { Button, Empty, FormDialog, Loading, Problem, TableScroll, TextField } from "../../components";
+import { Button, DataTable, Empty, FormDialog, Loaded, PageHead, TextField } from "../../components";
 import { navigate } from "../../core/address";
 import { api } from "../../core/api";
 import { say } from "../../core/messages";
@@ -19,15 +19,10 @@ export default function StudiesScreen() {
   );
   return (
     <div class="page page--alone">
-      <header class="page__head">
-        <div>
-          <h1>{say("page-studies")}</h1>
-          <p class="page__lead">{say("studies-lead")}</p>
-        </div>
+      <PageHead title={say("page-studies")} lead={say("studies-lead")}>
         {studies.data && studies.data.length > 0 && make}
-      </header>
-      <Problem error={studies.error} again={studies.reload} />
-      {!studies.data && studies.loading && <Loading what={say("studies-loading")} />}
+      </PageHead>
+      <Loaded of={studies} what={say("studies-loading")} />
       {studies.data?.length === 0 && (
         <section class="panel">
           <Empty title={say("studies-none-title")} actions={make || undefined}>
@@ -44,35 +39,29 @@ export default function StudiesScreen() {
 function List({ studies }: { studies: readonly ListedStudy[] }) {
   return (
     <section class="panel" aria-label={say("page-studies")}>
-      <TableScroll label={say("page-studies")}>
-        <table class="table table--hover" data-testid="studies">
-          <thead>
-            <tr>
-              <th>{say("studies-name")}</th>
-              <th class="num">{say("studies-surveys")}</th>
-              <th class="num">{say("studies-sites")}</th>
-              <th class="num">{say("studies-heights")}</th>
-              <th>{say("studies-computed")}</th>
-            </tr>
-          </thead>
-          <tbody>
-            {studies.map((one) => (
-              <tr key={one.id}>
-                <th scope="row">
-                  <a href={`/study?id=${one.id}`}>{one.name}</a>{" "}
-                  {one.simulated && <span class="badge">{say("study-simulated")}</span>}
-                </th>
-                <td class="num">{one.surveys}</td>
-                <td class="num">{one.sites}</td>
-                <td class="num">{one.heights ?? "–"}</td>
-                <td class="nowrap">
-                  {one.computed_at ? formatMoment(one.computed_at) : say("studies-not-computed")}
-                </td>
-              </tr>
-            ))}
-          </tbody>
-        </table>
-      </TableScroll>
+      <DataTable
+        label={say("page-studies")}
+        class="table--hover"
+        data-testid="studies"
+        rows={studies}
+        keyOf={(one) => one.id}
+        columns={({ col, num, rowHead }) => [
+          rowHead(say("studies-name"), (one) => (
+            <>
+              <a href={`/study?id=${one.id}`}>{one.name}</a>{" "}
+              {one.simulated && <span class="badge">{say("study-simulated")}</span>}
+            </>
+          )),
+          num(say("studies-surveys"), (one) => one.surveys),
+          num(say("studies-sites"), (one) => one.sites),
+          num(say("studies-heights"), (one) => one.heights ?? "–"),
+          col(
+            say("studies-computed"),
+            (one) => (one.computed_at ? formatMoment(one.computed_at) : say("studies-not-computed")),
+            "nowrap",
+          ),
+        ]}
+      />
     </section>
   );
 }

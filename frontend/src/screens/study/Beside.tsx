@@ -1,5 +1,5 @@
 import { useState } from "preact/hooks";
-import { Loading, Notice, Problem, SelectField } from "../../components";
+import { Loading, Notice, Panel, Problem, SelectField } from "../../components";
 import { api } from "../../core/api";
 import { say } from "../../core/messages";
 import { useResource } from "../../core/resource";
@@ -12,10 +12,7 @@ export function Beside({ studyId }: { studyId: number }) {
   const [other, setOther] = useState<number | null>(null);
   const others = (studies.data ?? []).filter((one) => one.id !== studyId && one.computed_at !== null);
   return (
-    <section class="panel" aria-labelledby="study-beside" data-testid="study-beside">
-      <header class="panel__head">
-        <h2 id="study-beside">{say("study-beside")}</h2>
-      </header>
+    <Panel title={say("study-beside")} data-testid="study-beside">
       <div class="panel__body stack stack--tight">
         <Problem error={studies.error} again={studies.reload} />
         <SelectField
@@ -29,7 +26,7 @@ export function Beside({ studyId }: { studyId: number }) {
         />
         {other !== null && <Compared key={other} studyId={studyId} otherId={other} />}
       </div>
-    </section>
+    </Panel>
   );
 }
 

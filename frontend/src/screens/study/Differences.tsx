@@ -1,3 +1,4 @@
+import { num, Table } from "../../components";
 import { say } from "../../core/messages";
 import type { StudiesBeside } from "../../core/types";
 import { formatSmall } from "../../core/units";
@@ -16,34 +17,31 @@ interface Props {
 /** Differences of figures, each with its interval and whether it is more than noise. */
 export function Differences({ rows, column }: Props) {
   return (
-    <table class="table">
-      <thead>
-        <tr>
-          <th>{say("study-figure")}</th>
-          {column && <th>{column}</th>}
-          <th class="num">{say("statistics-compared-heights")}</th>
-          <th class="num">{say("statistics-compared-difference")}</th>
-          <th>{say("statistics-compared-verdict")}</th>
+    <Table
+      heads={[
+        say("study-figure"),
+        ...(column ? [column] : []),
+        num(say("statistics-compared-heights")),
+        num(say("statistics-compared-difference")),
+        say("statistics-compared-verdict"),
+      ]}
+    >
+      {rows.map((one) => (
+        <tr key={`${one.target}|${one.between}|${one.percent}`}>
+          <th scope="row">
+            {TARGET_WORDS[one.target]}, {one.percent === null ? say("study-mean") : `P${one.percent}`}
+          </th>
+          {column && <td>{one.between}</td>}
+          <td class="num">{say("statistics-compared-of", { first: one.n_first, second: one.n_second })}</td>
+          <Bounded
+            value={one.value_m === null ? NONE : formatSmall(one.value_m)}
+            low={one.low_m === null ? null : formatSmall(one.low_m)}
+            high={one.high_m === null ? null : formatSmall(one.high_m)}
+          />
+          <td>{verdictOf(one)}</td>
         </tr>
-      </thead>
-      <tbody>
-        {rows.map((one) => (
-          <tr key={`${one.target}|${one.between}|${one.percent}`}>
-            <th scope="row">
-              {TARGET_WORDS[one.target]}, {one.percent === null ? say("study-mean") : `P${one.percent}`}
-            </th>
-            {column && <td>{one.between}</td>}
-            <td class="num">{say("statistics-compared-of", { first: one.n_first, second: one.n_second })}</td>
-            <Bounded
-              value={one.value_m === null ? NONE : formatSmall(one.value_m)}
-              low={one.low_m === null ? null : formatSmall(one.low_m)}
-              high={one.high_m === null ? null : formatSmall(one.high_m)}
-            />
-            <td>{verdictOf(one)}</td>
-          </tr>
-        ))}
-      </tbody>
-    </table>
+      ))}
+    </Table>
   );
 }
 

@@ -1,3 +1,4 @@
+import { DataTable, num, Table } from "../../components";
 import { say } from "../../core/messages";
 import type { Category, StudyResult } from "../../core/types";
 import { fixed, formatSmall, lengthScale, plainHeight } from "../../core/units";
@@ -60,44 +61,32 @@ function Percentiles({ found, targets }: { found: Found; targets: readonly Row["
   const columns = found.figures.filter((one) => one.target === longest(found.figures));
   return (
     <Section id="study-percentiles" title={say("study-percentiles", { unit })} note={say("study-holds")}>
-      <table class="table table--dense">
-        <thead>
-          <tr>
-            <th>{say("study-target")}</th>
-            {columns.map((one) => (
-              <th class="num" key={nameOf(one)}>
-                {nameOf(one)}
+      <Table class="table--dense" heads={[say("study-target"), ...columns.map((one) => num(nameOf(one)))]}>
+        {targets.map((target) => {
+          const rows = found.figures.filter((one) => one.target === target);
+          const reason = rows[0]?.value_m === null ? rows[0].reason : null;
+          return (
+            <tr key={target}>
+              <th scope="row">
+                {TARGET_WORDS[target]}
+                <div class="stat-ci">{say("study-n", { n: rows[0]?.n ?? 0 })}</div>
               </th>
-            ))}
-          </tr>
-        </thead>
-        <tbody>
-          {targets.map((target) => {
-            const rows = found.figures.filter((one) => one.target === target);
-            const reason = rows[0]?.value_m === null ? rows[0].reason : null;
-            return (
-              <tr key={target}>
-                <th scope="row">
-                  {TARGET_WORDS[target]}
-                  <div class="stat-ci">{say("study-n", { n: rows[0]?.n ?? 0 })}</div>
-                </th>
-                {reason ? (
-                  <td colSpan={columns.length}>{reason}</td>
-                ) : (
-                  rows.map((one) => (
-                    <Bounded
-                      key={nameOf(one)}
-                      value={plainHeight(one.value_m)}
-                      low={one.low_m === null ? null : plainHeight(one.low_m)}
-                      high={one.high_m === null ? null : plainHeight(one.high_m)}
-                    />
-                  ))
-                )}
-              </tr>
-            );
-          })}
-        </tbody>
-      </table>
+              {reason ? (
+                <td colSpan={columns.length}>{reason}</td>
+              ) : (
+                rows.map((one) => (
+                  <Bounded
+                    key={nameOf(one)}
+                    value={plainHeight(one.value_m)}
+                    low={one.low_m === null ? null : plainHeight(one.low_m)}
+                    high={one.high_m === null ? null : plainHeight(one.high_m)}
+                  />
+                ))
+              )}
+            </tr>
+          );
+        })}
+      </Table>
     </Section>
   );
 }
@@ -120,30 +109,25 @@ function Effects({ rows, targets }: { rows: readonly Row[]; targets: readonly Ro
   if (shown.length === 0) return null;
   return (
     <Section id="study-effects" title={say("study-effects")} note={say("study-effects-note")}>
-      <table class="table">
-        <thead>
-          <tr>
-            <th>{say("study-figure")}</th>
-            <th class="num">{say("study-vehicles")}</th>
-            <th class="num">{say("study-effect")}</th>
-            <th class="num">{say("study-effective")}</th>
-            <th class="num">{say("study-weighting")}</th>
-          </tr>
-        </thead>
-        <tbody>
-          {shown.map((one) => (
-            <tr key={one.target + nameOf(one)}>
-              <th scope="row">
-                {TARGET_WORDS[one.target]}, {nameOf(one)}
-              </th>
-              <td class="num">{one.n}</td>
-              <td class="num">{one.design_effect === null ? NONE : fixed(one.design_effect, 2)}</td>
-              <td class="num">{one.effective_n === null ? NONE : fixed(one.effective_n, 0)}</td>
-              <td class="num">{one.weighting_effect === null ? NONE : fixed(one.weighting_effect, 2)}</td>
-            </tr>
-          ))}
-        </tbody>
-      </table>
+      <DataTable
+        rows={shown}
+        keyOf={(one) => one.target + nameOf(one)}
+        columns={({ num, rowHead }) => [
+          rowHead(say("study-figure"), (one) => (
+            <>
+              {TARGET_WORDS[one.target]}, {nameOf(one)}
+            </>
+          )),
+          num(say("study-vehicles"), (one) => one.n),
+          num(say("study-effect"), (one) =>
+            one.design_effect === null ? NONE : fixed(one.design_effect, 2),
+          ),
+          num(say("study-effective"), (one) => (one.effective_n === null ? NONE : fixed(one.effective_n, 0))),
+          num(say("study-weighting"), (one) =>
+            one.weighting_effect === null ? NONE : fixed(one.weighting_effect, 2),
+          ),
+        ]}
+      />
     </Section>
   );
 }
@@ -167,40 +151,37 @@ function Errors({ rows }: { rows: Found["errors"] }) {
   const groups = [...new Set(rows.map((one) => one.group))];
   return (
     <Section id="study-errors" title={say("study-errors")} note={say("study-errors-note")}>
-      <table class="table">
-        <thead>
-          <tr>
-            <th>{say("study-lighting")}</th>
-            <th class="num">{say("study-vehicles")}</th>
-            <th class="num">{say("study-bias")}</th>
-            <th class="num">{say("statistics-mae")}</th>
-            <th class="num">{say("statistics-rmse")}</th>
-            <th class="num">{say("study-sd")}</th>
-          </tr>
-        </thead>
-        <tbody>
-          {groups.map((group) => {
-            const of = rows.filter((one) => one.group === group);
-            return (
-              <tr key={group}>
-                <th scope="row">{lightingOf(group)}</th>
-                <td class="num">{of[0]?.n}</td>
-                {ERRORS.map((figure) => {
-                  const one = of.find((row) => row.figure === figure);
-                  return (
-                    <Bounded
-                      key={figure}
-                      value={one ? formatSmall(one.value_m) : NONE}
-                      low={one && one.low_m !== null ? formatSmall(one.low_m) : null}
-                      high={one && one.high_m !== null ? formatSmall(one.high_m) : null}
-                    />
-                  );
-                })}
-              </tr>
-            );
-          })}
-        </tbody>
-      </table>
+      <Table
+        heads={[
+          say("study-lighting"),
+          num(say("study-vehicles")),
+          num(say("study-bias")),
+          num(say("statistics-mae")),
+          num(say("statistics-rmse")),
+          num(say("study-sd")),
+        ]}
+      >
+        {groups.map((group) => {
+          const of = rows.filter((one) => one.group === group);
+          return (
+            <tr key={group}>
+              <th scope="row">{lightingOf(group)}</th>
+              <td class="num">{of[0]?.n}</td>
+              {ERRORS.map((figure) => {
+                const one = of.find((row) => row.figure === figure);
+                return (
+                  <Bounded
+                    key={figure}
+                    value={one ? formatSmall(one.value_m) : NONE}
+                    low={one && one.low_m !== null ? formatSmall(one.low_m) : null}
+                    high={one && one.high_m !== null ? formatSmall(one.high_m) : null}
+                  />
+                );
+              })}
+            </tr>
+          );
+        })}
+      </Table>
     </Section>
   );
 }
@@ -214,30 +195,27 @@ function Classes({ rows }: { rows: Found["classes"] }) {
   const all = rows.filter((one) => one.group === "all");
   return (
     <Section id="study-classes" title={say("study-classes")} note={say("study-classes-note")}>
-      <table class="table">
-        <thead>
-          <tr>
-            <th>{say("study-class")}</th>
-            <th class="num">{say("study-vehicles")}</th>
-            <th class="num">{say("study-share")}</th>
-            <th class="num">{say("study-fleet-share")}</th>
+      <Table
+        heads={[
+          say("study-class"),
+          num(say("study-vehicles")),
+          num(say("study-share")),
+          num(say("study-fleet-share")),
+        ]}
+      >
+        {all.map((one) => (
+          <tr key={one.category}>
+            <th scope="row">{CATEGORY_WORDS[one.category as Category] ?? one.category}</th>
+            <td class="num">{one.n}</td>
+            <Bounded
+              value={percent(one.share)}
+              low={one.low === null ? null : percent(one.low)}
+              high={one.high === null ? null : percent(one.high)}
+            />
+            <td class="num">{one.fleet_share === null ? NONE : percent(one.fleet_share)}</td>
           </tr>
-        </thead>
-        <tbody>
-          {all.map((one) => (
-            <tr key={one.category}>
-              <th scope="row">{CATEGORY_WORDS[one.category as Category] ?? one.category}</th>
-              <td class="num">{one.n}</td>
-              <Bounded
-                value={percent(one.share)}
-                low={one.low === null ? null : percent(one.low)}
-                high={one.high === null ? null : percent(one.high)}
-              />
-              <td class="num">{one.fleet_share === null ? NONE : percent(one.fleet_share)}</td>
-            </tr>
-          ))}
-        </tbody>
-      </table>
+        ))}
+      </Table>
     </Section>
   );
 }
@@ -248,35 +226,23 @@ function Plan({ rows }: { rows: Found["plan"] }) {
   const goal = formatSmall(rows[0]?.goal_U95_m ?? 0);
   return (
     <Section id="study-plan" title={say("study-plan", { goal })} note={say("study-plan-note")}>
-      <table class="table">
-        <thead>
-          <tr>
-            <th class="num">{say("study-plan-sites")}</th>
-            {targets.map((one) => (
-              <th class="num" key={one}>
-                {TARGET_WORDS[one]}
-              </th>
-            ))}
+      <Table heads={[num(say("study-plan-sites")), ...targets.map((one) => num(TARGET_WORDS[one]))]}>
+        {sites.map((count) => (
+          <tr key={count}>
+            <th scope="row" class="num">
+              {count}
+            </th>
+            {targets.map((target) => {
+              const one = rows.find((row) => row.target === target && row.sites === count);
+              return (
+                <td class="num" key={target}>
+                  {one?.vehicles_each ?? say("study-plan-none")}
+                </td>
+              );
+            })}
           </tr>
-        </thead>
-        <tbody>
-          {sites.map((count) => (
-            <tr key={count}>
-              <th scope="row" class="num">
-                {count}
-              </th>
-              {targets.map((target) => {
-                const one = rows.find((row) => row.target === target && row.sites === count);
-                return (
-                  <td class="num" key={target}>
-                    {one?.vehicles_each ?? say("study-plan-none")}
-                  </td>
-                );
-              })}
-            </tr>
-          ))}
-        </tbody>
-      </table>
+        ))}
+      </Table>
     </Section>
   );
 }

@@ -1,4 +1,4 @@
-import { Button, TableScroll } from "../../components";
+import { Button, num, Panel, Table } from "../../components";
 import { say } from "../../core/messages";
 import type { Study, StudyResult } from "../../core/types";
 import { formatSmall } from "../../core/units";
@@ -14,9 +14,9 @@ interface Props {
 export function Joined({ study, result, edit, remove }: Props) {
   const counted = new Map(result?.found.packages.map((one) => [one.place, one]));
   return (
-    <section class="panel" aria-labelledby="study-joined" data-testid="study-joined">
-      <header class="panel__head">
-        <h2 id="study-joined">{say("study-joined")}</h2>
+    <Panel
+      title={say("study-joined")}
+      aside={
         <div class="row">
           {remove && (
             <Button small kind="quiet" icon="trash" onClick={remove}>
@@ -29,45 +29,41 @@ export function Joined({ study, result, edit, remove }: Props) {
             </Button>
           )}
         </div>
-      </header>
+      }
+      data-testid="study-joined"
+    >
       {study.surveys.length > 0 && (
-        <TableScroll label={say("study-joined")}>
-          <table class="table">
-            <thead>
-              <tr>
-                <th>{say("study-survey")}</th>
-                <th>{say("study-site")}</th>
-                <th>{say("study-stratum")}</th>
-                <th>{say("study-year")}</th>
-                <th class="num">{say("study-counted")}</th>
-                <th class="num">{say("study-outside")}</th>
-                <th>
-                  <span class="visually-hidden">{say("page-statistics")}</span>
+        <Table
+          label={say("study-joined")}
+          heads={[
+            say("study-survey"),
+            say("study-site"),
+            say("study-stratum"),
+            say("study-year"),
+            num(say("study-counted")),
+            num(say("study-outside")),
+            <span class="visually-hidden">{say("page-statistics")}</span>,
+          ]}
+        >
+          {study.surveys.map((one) => {
+            const row = counted.get(`survey ${one.survey_id}`);
+            return (
+              <tr key={one.survey_id}>
+                <th scope="row">
+                  <a href={`/surveys/${one.survey_id}`}>{one.name}</a>
                 </th>
+                <td>{one.site}</td>
+                <td>{one.stratum || "–"}</td>
+                <td>{one.year ?? "–"}</td>
+                <td class="num">{row?.counted ?? "–"}</td>
+                <td class="num">{row?.out_of_sample ?? "–"}</td>
+                <td>
+                  <a href={`/statistics?survey=${one.survey_id}`}>{say("page-statistics")}</a>
+                </td>
               </tr>
-            </thead>
-            <tbody>
-              {study.surveys.map((one) => {
-                const row = counted.get(`survey ${one.survey_id}`);
-                return (
-                  <tr key={one.survey_id}>
-                    <th scope="row">
-                      <a href={`/surveys/${one.survey_id}`}>{one.name}</a>
-                    </th>
-                    <td>{one.site}</td>
-                    <td>{one.stratum || "–"}</td>
-                    <td>{one.year ?? "–"}</td>
-                    <td class="num">{row?.counted ?? "–"}</td>
-                    <td class="num">{row?.out_of_sample ?? "–"}</td>
-                    <td>
-                      <a href={`/statistics?survey=${one.survey_id}`}>{say("page-statistics")}</a>
-                    </td>
-                  </tr>
-                );
-              })}
-            </tbody>
-          </table>
-        </TableScroll>
+            );
+          })}
+        </Table>
       )}
       <div class="stat-notes small">
         <p>{say(study.fleet_csv ? "study-weighted" : "study-not-weighted")}</p>
@@ -77,6 +73,6 @@ export function Joined({ study, result, edit, remove }: Props) {
           <p key={note}>{note}</p>
         ))}
       </div>
-    </section>
+    </Panel>
   );
 }

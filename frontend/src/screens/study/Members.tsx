@@ -1,5 +1,5 @@
-import { useState } from "preact/hooks";
-import { Button, Problem, SelectField } from "../../components";
+import { Button, Panel, Problem, SelectField } from "../../components";
+import { useAction } from "../../core/action";
 import { api } from "../../core/api";
 import { say } from "../../core/messages";
 import { useResource } from "../../core/resource";
@@ -12,23 +12,16 @@ export function Members({ studyId }: { studyId: number }) {
     (signal) => api.ask("GET /studies/{study_id}/members", here, { signal }),
     [studyId],
   );
-  const [problem, setProblem] = useState<unknown>(null);
-  const change = async (sent: Promise<NonNullable<typeof found.data>>) => {
-    setProblem(null);
-    try {
+  const { problem, run } = useAction();
+  const change = (sent: Promise<NonNullable<typeof found.data>>) =>
+    run(async () => {
       found.set(await sent);
-    } catch (error) {
-      setProblem(error);
-    }
-  };
+    });
   if (!found.data) return <Problem error={found.error} again={found.reload} />;
   const { members, others, open_to_all } = found.data;
   const person = (id: number) => ({ ...here, person_id: id });
   return (
-    <section class="panel" aria-labelledby="study-members" data-testid="study-members">
-      <header class="panel__head">
-        <h2 id="study-members">{say("study-members")}</h2>
-      </header>
+    <Panel title={say("study-members")} data-testid="study-members">
       <div class="panel__body stack stack--tight">
         <label class="row">
           <input
@@ -82,6 +75,6 @@ export function Members({ studyId }: { studyId: number }) {
         <Problem error={problem} />
         <p class="field__hint">{say("study-members-note")}</p>
       </div>
-    </section>
+    </Panel>
   );
 }

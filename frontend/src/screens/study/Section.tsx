@@ -1,5 +1,5 @@
 import type { ComponentChildren } from "preact";
-import { TableScroll } from "../../components";
+import { Panel, TableScroll } from "../../components";
 import { say } from "../../core/messages";
 
 interface SectionProps {
@@ -12,13 +12,10 @@ interface SectionProps {
 /** A table under its name. */
 export function Section({ id, title, note, children }: SectionProps) {
   return (
-    <section class="panel" aria-labelledby={id} data-testid={id}>
-      <header class="panel__head">
-        <h2 id={id}>{title}</h2>
-      </header>
+    <Panel id={id} title={title} data-testid={id}>
       <TableScroll label={title}>{children}</TableScroll>
       {note && <p class="stat-notes small">{note}</p>}
-    </section>
+    </Panel>
   );
 }
 

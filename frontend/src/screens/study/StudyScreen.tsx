@@ -1,6 +1,7 @@
 /** A study of surveys of this installation: what is joined, what came out of it, and its package and report. */
 import { useState } from "preact/hooks";
-import { Button, Empty, FormDialog, JobProgress, Loading, Notice, Problem } from "../../components";
+import { Button, Empty, FormDialog, JobProgress, Loaded, Notice, PageHead, Problem } from "../../components";
+import { useAction } from "../../core/action";
 import { asked, navigate } from "../../core/address";
 import { api } from "../../core/api";
 import { cancelJob, isOver, useJob } from "../../core/jobs";
@@ -45,8 +46,7 @@ function Chosen({ id }: { id: number }) {
   );
   return (
     <div class="page page--alone study">
-      <Problem error={page.error} again={page.reload} />
-      {!page.data && page.loading && <Loading what={say("study-loading")} />}
+      <Loaded of={page} what={say("study-loading")} />
       {page.data && <Page page={page.data} reload={page.reload} />}
     </div>
   );
@@ -56,21 +56,17 @@ function Chosen({ id }: { id: number }) {
 function useComputing({ study, job: newest }: StudyPage, reload: () => Promise<void>) {
   const underWay = newest && !isOver(newest) ? newest.id : null;
   const [started, setStarted] = useState<number | null>(null);
-  const [problem, setProblem] = useState<unknown>(null);
+  const { problem, setProblem, run } = useAction();
   const over = async (ended: Job) => {
     if (ended.state === "done") toast(say("study-computed"));
     await reload();
     setStarted(null);
   };
   const job = useJob(started ?? underWay, (ended) => void over(ended), setProblem);
-  const compute = async () => {
-    setProblem(null);
-    try {
+  const compute = () =>
+    run(async () => {
       setStarted((await api.write("POST /studies/{study_id}/computings", { study_id: study.id })).id);
-    } catch (error) {
-      setProblem(error);
-    }
-  };
+    });
   const running = job !== null && !isOver(job) ? job : null;
   const failed = !running && newest?.state === "failed" ? newest.error : null;
   return { running, failed, problem, setProblem, compute };
@@ -119,13 +115,14 @@ function Head({ page, running, compute }: { page: StudyPage; running: boolean; c
   const { study, result } = page;
   const fresh = result !== null && !isOld(result);
   return (
-    <header class="page__head">
-      <div>
-        <h1>
+    <PageHead
+      title={
+        <>
           {study.name} {study.simulated && <span class="badge">{say("study-simulated")}</span>}
-        </h1>
-        {study.description && <p class="page__lead">{study.description}</p>}
-      </div>
+        </>
+      }
+      lead={study.description && study.description}
+    >
       <div class="row row--wrap">
         {result && (
           <>
@@ -143,7 +140,7 @@ function Head({ page, running, compute }: { page: StudyPage; running: boolean; c
           </Button>
         )}
       </div>
-    </header>
+    </PageHead>
   );
 }
 

@@ -1,6 +1,6 @@
 /** What a survey makes of the classes of its vehicles: the set that each counts in, and what the EU and FHWA call it. */
 import { useState } from "preact/hooks";
-import { FormDialog, SelectField, TableScroll, TextField } from "../../components";
+import { FormDialog, SelectField, Table, TextField } from "../../components";
 import { api } from "../../core/api";
 import { say } from "../../core/messages";
 import { refreshSurvey } from "../../core/survey";
@@ -32,23 +32,15 @@ export function ClassesDialog({ survey, close }: { survey: Survey; close: () => 
   return (
     <FormDialog wide title={say("classes-title")} action={say("action-save")} onClose={close} submit={submit}>
       <p class="field__hint">{say("classes-help")}</p>
-      <TableScroll label={say("classes-title")}>
-        <table class="table classes">
-          <thead>
-            <tr>
-              <th>{say("classes-class")}</th>
-              <th>{say("classes-set")}</th>
-              <th>{say("classes-eu")}</th>
-              <th>{say("classes-fhwa")}</th>
-            </tr>
-          </thead>
-          <tbody>
-            {rows.map((row) => (
-              <ClassRow key={row.category} row={row} sets={sets} change={change} />
-            ))}
-          </tbody>
-        </table>
-      </TableScroll>
+      <Table
+        label={say("classes-title")}
+        class="classes"
+        heads={[say("classes-class"), say("classes-set"), say("classes-eu"), say("classes-fhwa")]}
+      >
+        {rows.map((row) => (
+          <ClassRow key={row.category} row={row} sets={sets} change={change} />
+        ))}
+      </Table>
     </FormDialog>
   );
 }

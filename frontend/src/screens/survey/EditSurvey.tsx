@@ -1,5 +1,5 @@
 import { useState } from "preact/hooks";
-import { FormDialog, TextField } from "../../components";
+import { FormDialog, num, Table, TextField } from "../../components";
 import { api } from "../../core/api";
 import { say } from "../../core/messages";
 import { refreshSurvey } from "../../core/survey";
@@ -71,43 +71,40 @@ export function EditSurvey({ survey, close }: { survey: Survey; close: () => voi
       <fieldset class="insets">
         <legend>{say("survey-insets")}</legend>
         <p class="field__hint">{say("survey-insets-help")}</p>
-        <table class="table">
-          <thead>
-            <tr>
-              <th>{say("survey-insets-target")}</th>
-              <th class="num">{say("survey-insets-inset", { unit })}</th>
-              <th class="num">{say("survey-insets-u", { unit })}</th>
+        <Table
+          heads={[
+            say("survey-insets-target"),
+            num(say("survey-insets-inset", { unit })),
+            num(say("survey-insets-u", { unit })),
+          ]}
+        >
+          {INSET_NAMES.map((key) => (
+            <tr key={key}>
+              <td>
+                {INSET_WORDS[key]}
+                {survey.insets[key]?.note && <div class="field__hint">{survey.insets[key].note}</div>}
+              </td>
+              <td>
+                <TextField
+                  hideLabel
+                  numeric
+                  label={say("survey-inset-label", { target: INSET_WORDS[key], unit })}
+                  value={insets[key].inset}
+                  onInput={(v) => change(key, "inset", v)}
+                />
+              </td>
+              <td>
+                <TextField
+                  hideLabel
+                  numeric
+                  label={say("survey-inset-u-label", { target: INSET_WORDS[key], unit })}
+                  value={insets[key].u}
+                  onInput={(v) => change(key, "u", v)}
+                />
+              </td>
             </tr>
-          </thead>
-          <tbody>
-            {INSET_NAMES.map((key) => (
-              <tr key={key}>
-                <td>
-                  {INSET_WORDS[key]}
-                  {survey.insets[key]?.note && <div class="field__hint">{survey.insets[key].note}</div>}
-                </td>
-                <td>
-                  <TextField
-                    hideLabel
-                    numeric
-                    label={say("survey-inset-label", { target: INSET_WORDS[key], unit })}
-                    value={insets[key].inset}
-                    onInput={(v) => change(key, "inset", v)}
-                  />
-                </td>
-                <td>
-                  <TextField
-                    hideLabel
-                    numeric
-                    label={say("survey-inset-u-label", { target: INSET_WORDS[key], unit })}
-                    value={insets[key].u}
-                    onInput={(v) => change(key, "u", v)}
-                  />
-                </td>
-              </tr>
-            ))}
-          </tbody>
-        </table>
+          ))}
+        </Table>
         {wrong && <p class="field__problem">{wrong}</p>}
       </fieldset>
     </FormDialog>

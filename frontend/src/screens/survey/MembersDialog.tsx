@@ -1,6 +1,7 @@
 /** Who belongs to the survey and as what; a manager changes it, everybody who sees the survey reads it. */
 import { useState } from "preact/hooks";
-import { ask, Button, Dialog, Loading, Problem, SelectField, TableScroll } from "../../components";
+import { ask, Button, Dialog, Loaded, Problem, SelectField, Table } from "../../components";
+import { useAction } from "../../core/action";
 import { api } from "../../core/api";
 import { say, wordsOf } from "../../core/messages";
 import { useResource } from "../../core/resource";
@@ -17,12 +18,7 @@ import {
 import { AddPerson } from "../../parts/people/AddPerson";
 import { type Invitation, ShowLink } from "../../parts/people/ShowLink";
 
-const DOES: Readonly<Record<SurveyRole, string>> = wordsOf({
-  viewer: "members-does-viewer",
-  operator: "members-does-operator",
-  reviewer: "members-does-reviewer",
-  manager: "members-does-manager",
-});
+const DOES: Readonly<Record<SurveyRole, string>> = wordsOf("members-does-");
 const ROLES = Object.keys(DOES) as SurveyRole[];
 
 const roleOptions = () => ROLES.map((value) => ({ value, label: SURVEY_ROLE_NAMES[value] }));
@@ -40,17 +36,14 @@ export function MembersDialog({ surveyId, close }: { surveyId: number; close: ()
         : Promise.resolve([]),
     [surveyId, manages],
   );
-  const [problem, setProblem] = useState<unknown>(null);
+  const { problem, run: attempt } = useAction();
   const [inviting, setInviting] = useState(false);
   const [invitation, setInvitation] = useState<Invitation | null>(null);
   const run = async (work: () => Promise<Members>) => {
-    setProblem(null);
-    try {
+    await attempt(async () => {
       await work();
       await refreshSurvey();
-    } catch (error) {
-      setProblem(error);
-    }
+    });
     await Promise.all([found.reload(), others.reload()]);
   };
   const put = (person_id: number, role: SurveyRole) =>
@@ -92,8 +85,7 @@ export function MembersDialog({ surveyId, close }: { surveyId: number; close: ()
   return (
     <Dialog wide title={say("members-title")} onClose={close}>
       <Problem error={problem} />
-      <Problem error={found.error} again={found.reload} />
-      {!data && found.loading && <Loading what={say("members-loading")} />}
+      <Loaded of={found} what={say("members-loading")} />
       {data && (
         <>
           <p class="field__hint">{say(data.open_to_all ? "members-lead-open" : "members-lead")}</p>
@@ -132,50 +124,45 @@ interface TableProps {
 
 function MemberTable({ members, manages, put, remove }: TableProps) {
   return (
-    <TableScroll label={say("members-title")}>
-      <table class="table members">
-        <thead>
-          <tr>
-            <th>{say("members-name")}</th>
-            <th>{say("members-role")}</th>
-            <th>
-              <span class="visually-hidden">{say("members-remove")}</span>
-            </th>
-          </tr>
-        </thead>
-        <tbody>
-          {members.map((one) => (
-            <tr key={one.person_id}>
-              <td>
-                <strong>{one.name}</strong>
-                {!one.active && <span class="muted"> {say("members-inactive")}</span>}
-              </td>
-              <td>
-                {manages ? (
-                  <SelectField
-                    hideLabel
-                    label={say("members-role-of", { person: one.name })}
-                    value={one.role}
-                    options={roleOptions()}
-                    onChange={(role) => void put(one.person_id, role)}
-                  />
-                ) : (
-                  SURVEY_ROLE_NAMES[one.role]
-                )}
-                {one.account_role === "admin" && <p class="field__hint">{say("members-admin")}</p>}
-              </td>
-              <td class="num">
-                {manages && (
-                  <Button small kind="quiet" onClick={() => void remove(one)}>
-                    {say("members-remove")}
-                  </Button>
-                )}
-              </td>
-            </tr>
-          ))}
-        </tbody>
-      </table>
-    </TableScroll>
+    <Table
+      label={say("members-title")}
+      class="members"
+      heads={[
+        say("members-name"),
+        say("members-role"),
+        <span class="visually-hidden">{say("members-remove")}</span>,
+      ]}
+    >
+      {members.map((one) => (
+        <tr key={one.person_id}>
+          <td>
+            <strong>{one.name}</strong>
+            {!one.active && <span class="muted"> {say("members-inactive")}</span>}
+          </td>
+          <td>
+            {manages ? (
+              <SelectField
+                hideLabel
+                label={say("members-role-of", { person: one.name })}
+                value={one.role}
+                options={roleOptions()}
+                onChange={(role) => void put(one.person_id, role)}
+              />
+            ) : (
+              SURVEY_ROLE_NAMES[one.role]
+            )}
+            {one.account_role === "admin" && <p class="field__hint">{say("members-admin")}</p>}
+          </td>
+          <td class="num">
+            {manages && (
+              <Button small kind="quiet" onClick={() => void remove(one)}>
+                {say("members-remove")}
+              </Button>
+            )}
+          </td>
+        </tr>
+      ))}
+    </Table>
   );
 }
 

@@ -1,5 +1,5 @@
 /** The sample of a survey: its rule in words, quotas, and what became of the passes. */
-import { Button, Notice, Problem, TableScroll } from "../../components";
+import { Button, DataTable, Notice, Panel, Problem } from "../../components";
 import { say } from "../../core/messages";
 import { may } from "../../core/session";
 import type { Response, Sampling, Survey } from "../../core/types";
@@ -11,22 +11,24 @@ export function SampleSection({ survey, edit }: { survey: Survey; edit(): void }
   const found = useSample(survey.id, () => null);
   const rows = (found.data?.response ?? []).filter(isShown);
   return (
-    <section class="panel" aria-labelledby="sample-title" data-testid="sample">
-      <header class="panel__head">
-        <h2 id="sample-title">{say("sample-title")}</h2>
-        {may("operator") && (
+    <Panel
+      title={say("sample-title")}
+      aside={
+        may("operator") && (
           <Button small onClick={edit}>
             {say("sample-edit")}
           </Button>
-        )}
-      </header>
+        )
+      }
+      data-testid="sample"
+    >
       <div class="panel__body stack">
         <p>{ruleWords(survey.sampling)}</p>
         <Problem error={found.error} again={found.reload} />
         {found.data && <SampleQuotas quotas={found.data.quotas} />}
         {rows.length > 0 && <ResponseTable rows={rows} counts={survey.sampling.outside_counts} />}
       </div>
-    </section>
+    </Panel>
   );
 }
 
@@ -34,40 +36,27 @@ function ResponseTable({ rows, counts }: { rows: readonly Response[]; counts: bo
   const outside = rows[0]?.outside ?? 0;
   return (
     <>
-      <TableScroll label={say("sample-response")}>
-        <table class="table">
-          <thead>
-            <tr>
-              <th>{say("sample-lighting")}</th>
-              <th>{say("sample-classes")}</th>
-              <th>{say("sample-of")}</th>
-              <th class="num">{say("sample-passes")}</th>
-              <th class="num">{say("sample-discarded")}</th>
-              <th class="num">{say("sample-out")}</th>
-              <th class="num">{say("sample-measured")}</th>
-              <th class="num">{say("sample-unseen")}</th>
-              <th class="num">{say("sample-open")}</th>
-              <th class="num">{say("sample-rate")}</th>
-            </tr>
-          </thead>
-          <tbody>
-            {rows.map((one) => (
-              <tr key={`${one.lighting}.${one.class_set}.${one.target}`}>
-                <td class="nowrap">{lightingWord(one.lighting)}</td>
-                <td>{setWord(one.class_set)}</td>
-                <td class="nowrap">{one.target ? TARGET_WORDS[one.target] : say("sample-vehicle")}</td>
-                <td class="num">{formatCount(one.passes)}</td>
-                <td class="num">{formatCount(one.discarded)}</td>
-                <td class="num">{formatCount(one.out_of_sample)}</td>
-                <td class="num">{formatCount(one.measured)}</td>
-                <td class="num">{formatCount(one.not_visible)}</td>
-                <td class="num">{formatCount(one.open)}</td>
-                <td class="num nowrap">{rate(one)}</td>
-              </tr>
-            ))}
-          </tbody>
-        </table>
-      </TableScroll>
+      <DataTable
+        label={say("sample-response")}
+        rows={rows}
+        keyOf={(one) => `${one.lighting}.${one.class_set}.${one.target}`}
+        columns={({ col, num }) => [
+          col(say("sample-lighting"), (one) => lightingWord(one.lighting), "nowrap"),
+          col(say("sample-classes"), (one) => setWord(one.class_set)),
+          col(
+            say("sample-of"),
+            (one) => (one.target ? TARGET_WORDS[one.target] : say("sample-vehicle")),
+            "nowrap",
+          ),
+          num(say("sample-passes"), (one) => formatCount(one.passes)),
+          num(say("sample-discarded"), (one) => formatCount(one.discarded)),
+          num(say("sample-out"), (one) => formatCount(one.out_of_sample)),
+          num(say("sample-measured"), (one) => formatCount(one.measured)),
+          num(say("sample-unseen"), (one) => formatCount(one.not_visible)),
+          num(say("sample-open"), (one) => formatCount(one.open)),
+          num(say("sample-rate"), (one) => rate(one), "nowrap"),
+        ]}
+      />
       {outside > 0 && (
         <Notice kind="warning">
           {say("sample-outside", { count: outside, counts: counts ? "yes" : "no" })}

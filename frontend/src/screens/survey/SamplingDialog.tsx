@@ -8,7 +8,7 @@ import type { ClassSet, Lighting, Quota, Sampling, Survey } from "../../core/typ
 import { CLASS_SET_WORDS, LIGHTING_WORDS } from "../../core/words";
 import { quotaWords } from "../../parts/vehicles/SampleQuotas";
 
-const METHODS = wordsOf({ every: "sample-every", nth: "sample-nth", share: "sample-share" });
+const METHODS = wordsOf("sample-", "every", "nth", "share");
 
 interface Typed {
   method: Sampling["method"];

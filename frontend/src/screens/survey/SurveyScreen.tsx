@@ -1,5 +1,5 @@
 import { useState } from "preact/hooks";
-import { Button, Icon, JobProgress, Loading, Notice, Shape } from "../../components";
+import { Button, Icon, JobProgress, Loading, Notice, PageHead, Shape } from "../../components";
 import { Said } from "../../components/Said";
 import { api } from "../../core/api";
 import { isOver } from "../../core/jobs";
@@ -33,19 +33,23 @@ export default function SurveyScreen({ surveyId }: ScreenProps) {
   if (!survey || survey.id !== surveyId) return <Loading what={say("survey-loading")} />;
   return (
     <div class="page">
-      <header class="page__head">
-        <div>
-          <h1>
+      <PageHead
+        title={
+          <>
             {survey.name}{" "}
             {survey.is_demo && <span class="badge title-badge">{say("survey-demonstration")}</span>}
-          </h1>
-          {survey.site && <p class="page__lead">{survey.site}</p>}
-          <p class="muted small" data-testid="place-said">
-            {placeWords(survey.place)}
-          </p>
-          {survey.description && <p class="page__lead">{survey.description}</p>}
-        </div>
-      </header>
+          </>
+        }
+        lead={survey.site}
+        more={
+          <>
+            <p class="muted small" data-testid="place-said">
+              {placeWords(survey.place)}
+            </p>
+            {survey.description && <p class="page__lead">{survey.description}</p>}
+          </>
+        }
+      />
       {survey.is_demo && !tour.value && isTourNew() && <TourOffer />}
       {running.map((job) => (
         <div class="panel panel__body" key={job.id}>

@@ -1,6 +1,6 @@
 import type { ComponentChildren } from "preact";
 import { useState } from "preact/hooks";
-import { Button, Empty, JobProgress, Loading, Notice, Problem, StateMark } from "../../components";
+import { Button, Empty, JobProgress, Loading, Notice, PageHead, Problem, StateMark } from "../../components";
 import { Said } from "../../components/Said";
 import { api } from "../../core/api";
 import { isOver } from "../../core/jobs";
@@ -58,13 +58,9 @@ function SurveyList({ surveys, lastDemo, children }: SurveyListProps) {
   const onlyDemo = surveys.every((survey) => survey.is_demo);
   return (
     <div class="page page--alone">
-      <header class="page__head">
-        <div>
-          <h1>{say("page-surveys")}</h1>
-          {!nothing && <p class="page__lead">{say("surveys-lead")}</p>}
-        </div>
+      <PageHead title={say("page-surveys")} lead={!nothing && say("surveys-lead")}>
         {!nothing && may("operator") && <AddSurvey primary={!onlyDemo} make={make} />}
-      </header>
+      </PageHead>
       <OwnName />
       {me.value?.needs_password && <ChoosePassword />}
       {children}

@@ -1,6 +1,6 @@
 /** How the installation is doing, for administrators: the same figures that Prometheus reads. */
 import type { ComponentChildren } from "preact";
-import { Loading, Problem } from "../../components";
+import { Loaded, PageHead, Panel } from "../../components";
 import { api } from "../../core/api";
 import { say } from "../../core/messages";
 import { useEvery, useResource } from "../../core/resource";
@@ -19,20 +19,11 @@ export default function SystemScreen() {
   const state = found.data;
   return (
     <div class="page page--alone">
-      <header class="page__head">
-        <div>
-          <h1>{say("page-system")}</h1>
-          <p class="page__lead">{say("system-lead")}</p>
-        </div>
-      </header>
-      <Problem error={found.error} again={found.reload} />
-      {!state && found.loading && <Loading what={say("system-loading")} />}
+      <PageHead title={say("page-system")} lead={say("system-lead")} />
+      <Loaded of={found} what={say("system-loading")} />
       {state && (
         <>
-          <section class="panel">
-            <header class="panel__head">
-              <h2>{say("system-program")}</h2>
-            </header>
+          <Panel title={say("system-program")}>
             <div class="panel__body">
               <dl class="facts" data-testid="system-facts">
                 <Fact term={say("system-version")}>{state.version}</Fact>
@@ -68,11 +59,8 @@ export default function SystemScreen() {
                 )}
               </dl>
             </div>
-          </section>
-          <section class="panel">
-            <header class="panel__head">
-              <h2>{say("system-jobs")}</h2>
-            </header>
+          </Panel>
+          <Panel title={say("system-jobs")}>
             <div class="panel__body">
               <dl class="facts">
                 {STATES.map((one) => (
@@ -82,7 +70,7 @@ export default function SystemScreen() {
                 ))}
               </dl>
             </div>
-          </section>
+          </Panel>
           <Checkpoints />
           <Licences />
         </>

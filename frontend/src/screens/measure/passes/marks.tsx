@@ -5,7 +5,7 @@ import { vehicleName } from "../../../core/words";
 import { isUnconfirmed } from "../../../parts/vehicles/passes";
 
 const WAY = { right: "→", left: "←" } as const;
-const WAY_WORDS = wordsOf({ right: "measure-way-right", left: "measure-way-left" });
+const WAY_WORDS = wordsOf("measure-way-");
 
 /** "found →": the word for what the search found and nobody has touched; the arrow wherever it is known. */
 export function PassMark({ vehicle }: { vehicle: Vehicle }) {

@@ -1,0 +1,127 @@
+/** Tables: their heads as a list and, where each row says the same of its thing, the columns as data. */
+import type { ComponentChildren, HTMLAttributes } from "preact";
+import { TableScroll } from "./TableScroll";
+
+interface HeadProps {
+  head: ComponentChildren;
+  /** Figures stand on the right. */
+  figures?: boolean;
+  class?: string;
+  title?: string;
+}
+type Head = ComponentChildren | HeadProps;
+
+type Cell<R> = (row: R, index: number) => ComponentChildren;
+
+/** The head of a column of figures. */
+export function num(head: ComponentChildren): HeadProps {
+  return { head, figures: true };
+}
+
+interface Column<R> extends HeadProps {
+  cell: Cell<R>;
+  cellClass?: string;
+  /** The row is known by it. */
+  rowHead?: boolean;
+}
+
+/** What columns are made with: of words, of figures, and the one that says which row it is. */
+class Columns<R> {
+  col = (head: ComponentChildren, cell: Cell<R>, cellClass?: string): Column<R> => ({
+    head,
+    cell,
+    cellClass,
+  });
+  num = (head: ComponentChildren, cell: Cell<R>, cellClass?: string): Column<R> => ({
+    ...num(head),
+    cell,
+    cellClass,
+  });
+  rowHead = (head: ComponentChildren, cell: Cell<R>): Column<R> => ({ head, cell, rowHead: true });
+}
+
+interface Shell extends Omit<HTMLAttributes<HTMLTableElement>, "label" | "rows"> {
+  /** Of the place in which a wide table scrolls; without it the table stands as it is. */
+  label?: string;
+  /** A class of that place. */
+  scroll?: string;
+  caption?: ComponentChildren;
+  "data-testid"?: string;
+}
+
+export function Table({
+  label,
+  scroll,
+  caption,
+  class: more,
+  heads,
+  children,
+  ...rest
+}: Shell & { heads: readonly Head[] }) {
+  const table = (
+    <table {...rest} class={more ? `table ${more}` : "table"}>
+      {caption && <caption>{caption}</caption>}
+      <thead>
+        <tr>
+          {heads.map((one, i) => {
+            const { head, figures, ...how } = isProps(one) ? one : { head: one };
+            return (
+              <th key={i} {...how} class={classes(figures && "num", how.class)}>
+                {head}
+              </th>
+            );
+          })}
+        </tr>
+      </thead>
+      <tbody>{children}</tbody>
+    </table>
+  );
+  if (label === undefined) return table;
+  return (
+    <TableScroll label={label} class={scroll}>
+      {table}
+    </TableScroll>
+  );
+}
+
+interface DataProps<R> extends Shell {
+  rows: readonly R[];
+  keyOf: (row: R, index: number) => string | number;
+  rowAttributes?: (row: R, index: number) => HTMLAttributes<HTMLTableRowElement>;
+  columns: (made: Columns<R>) => Column<R>[];
+}
+
+export function DataTable<R>({ rows, keyOf, rowAttributes, columns: columnsOf, ...shell }: DataProps<R>) {
+  const columns = columnsOf(new Columns<R>());
+  const heads = columns.map(({ head, figures, class: more, title }) => ({
+    head,
+    figures,
+    class: more,
+    title,
+  }));
+  return (
+    <Table {...shell} heads={heads}>
+      {rows.map((row, index) => (
+        <tr key={keyOf(row, index)} {...rowAttributes?.(row, index)}>
+          {columns.map(({ figures, rowHead: known, cellClass, cell }, i) => {
+            const name = classes(figures && "num", cellClass);
+            const Cell = known ? "th" : "td";
+            return (
+              <Cell key={i} scope={known ? "row" : undefined} class={name}>
+                {cell(row, index)}
+              </Cell>
+            );
+          })}
+        </tr>
+      ))}
+    </Table>
+  );
+}
+
+function isProps(head: Head): head is HeadProps {
+  return typeof head === "object" && head !== null && "head" in head;
+}
+
+function classes(...names: (string | false | undefined)[]): string | undefined {
+  return names.filter(Boolean).join(" ") || undefined;
+}

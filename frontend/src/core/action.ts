@@ -1,0 +1,29 @@
+/** Something that a person sets going: whether it is still under way, and what went wrong. */
+import { useState } from "preact/hooks";
+
+export interface Action {
+  busy: boolean;
+  problem: unknown;
+  setProblem: (problem: unknown) => void;
+  /** Does the work and keeps what it throws as the problem; tells whether it went well. */
+  run: (work: () => Promise<unknown>) => Promise<boolean>;
+}
+
+export function useAction(): Action {
+  const [busy, setBusy] = useState(false);
+  const [problem, setProblem] = useState<unknown>(null);
+  const run = async (work: () => Promise<unknown>) => {
+    setBusy(true);
+    setProblem(null);
+    try {
+      await work();
+      return true;
+    } catch (error) {
+      setProblem(error);
+      return false;
+    } finally {
+      setBusy(false);
+    }
+  };
+  return { busy, problem, setProblem, run };
+}
