@@ -124,6 +124,8 @@ ScanDirection = Literal["camera_1_first", "camera_2_first"]
 AxlesBy = Literal["machine", "person"]
 LaneBy = Literal["machine", "person"]
 TimeAxis = Literal["width", "height"]
+# frames per second at which a road is filmed: what a person may state
+FILMED_HZ = (1.0, 2000.0)
 # Why the times of a video are not those of filming.
 ClockDoubt = Literal["slow_motion", "impossible_rate", "no_rate"]
 # of a video: columns for traffic to the left or right; rows for traffic up or down, roofs to one side

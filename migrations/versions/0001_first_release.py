@@ -420,6 +420,8 @@ def create_tables() -> None:
         sa.Column("pose_id", sa.Integer(), nullable=True),
         sa.Column("lighting", sa.String(length=20), nullable=True),
         sa.Column("lighting_proposed", sa.String(length=20), nullable=True),
+        sa.Column("stream_number", sa.Integer(), nullable=True),
+        sa.Column("filmed_hz", sa.Float(), nullable=True),
         sa.Column("start_proposed", sa.DateTime(timezone=True), nullable=True),
         sa.Column("started_at", sa.DateTime(timezone=True), nullable=True),
         sa.Column("time_zone", sa.String(length=60), nullable=True),

@@ -5,6 +5,9 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import Page, expect
 
+from tests.media.test_other_recorders import two_pictures
+from tests.recordings.test_filming import clip
+
 
 @pytest.mark.usefixtures("kept")
 def test_a_start_is_confirmed_and_passes_have_their_time(
@@ -48,3 +51,37 @@ def test_a_start_is_confirmed_and_passes_have_their_time(
     expect(page.get_by_test_id("camera-words")).to_contain_text("wide angle")
     page.get_by_test_id("camera-words").get_by_role("button", name="Change").click()
     page.screenshot(path=screenshots / "filming-camera.png")
+
+
+@pytest.mark.usefixtures("kept")
+def test_a_rate_is_stated_and_another_picture_imported(
+    page: Page, survey_id: int, screenshots: Path, tmp_path: Path
+) -> None:
+    files = [
+        clip(tmp_path / "slow.mp4", {"com.android.capture.fps": "100"}, {}),
+        two_pictures(tmp_path / "two.mp4", (30, 30), (True, True)),
+    ]
+    page.goto(f"/surveys/{survey_id}/recordings")
+    page.locator("input[type=file]").first.set_input_files(files)
+    slow, two = (page.get_by_role("article").filter(has_text=one.name) for one in files)
+    rate, pictures = slow.get_by_test_id("filming-rate"), two.get_by_test_id("pictures")
+    expect(rate).to_contain_text("not stated; no motion is measured", timeout=60_000)
+    expect(pictures).to_contain_text("Picture 1 of the 2 in the file", timeout=60_000)
+    page.screenshot(path=screenshots / "filming-rate.png", full_page=True)
+    rate.get_by_role("button").click()
+    dialog = page.get_by_role("dialog")
+    dialog.get_by_label("Frames per second when it was filmed").fill("0")
+    expect(dialog.get_by_text("Give a number from 1 to 2000.")).to_be_visible()
+    dialog.get_by_label("Frames per second when it was filmed").fill("100")
+    page.screenshot(path=screenshots / "filming-rate-dialog.png")
+    dialog.get_by_role("button", name="Import with this rate").click()
+    expect(rate).to_contain_text("Filmed at 100 frames per second, as stated", timeout=60_000)
+    pictures.get_by_role("button", name="Import picture 2 of two.mp4").click()
+    second = page.get_by_role("article").filter(has_text="two.mp4 (2)")
+    expect(second.get_by_test_id("pictures")).to_contain_text("Picture 2 of the 2", timeout=60_000)
+    expect(second).to_contain_text("640 × 480")
+    second.scroll_into_view_if_needed()
+    page.screenshot(path=screenshots / "filming-pictures.png")
+    page.set_viewport_size({"width": 1024, "height": 768})
+    slow.scroll_into_view_if_needed()
+    page.screenshot(path=screenshots / "filming-pictures-1024.png")

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -14,7 +15,7 @@ from sightline.media.video.seeker import RecordingMedia
 from tests.media.clips import Spec, write
 
 ROOT = Path(__file__).resolve().parents[2]
-Ingest = Callable[[Path], Ingested]
+Ingest = Callable[..., Ingested]
 Clip = Callable[..., Path]
 
 
@@ -37,8 +38,9 @@ def clip(tmp_path_factory: pytest.TempPathFactory) -> Callable[..., Path]:
 
 @pytest.fixture
 def take_in(tmp_path: Path) -> Ingest:
-    def run(path: Path) -> Ingested:
-        return ingest(path, lambda _: None, lambda: False, tmp_path / "thumbs", work_dir=tmp_path / "work")
+    def run(path: Path, **asked: Any) -> Ingested:
+        thumbs, work = tmp_path / "thumbs", tmp_path / "work"
+        return ingest(path, lambda _: None, lambda: False, thumbs, work_dir=work, **asked)
 
     return run
 

@@ -15,11 +15,12 @@ import pytest
 
 from sightline.cli import main
 from sightline.errors import BadInput
+from sightline.media.strips.video import cut_strips
 from sightline.media.video.decode import frames_of
 from sightline.media.video.frames import FrameServer
 from sightline.media.video.ingest import Ingested
 from sightline.media.video.passing import frames_between
-from sightline.media.video.report import clock_doubt_of
+from sightline.media.video.report import clock_doubt_of, times_of_filming
 from sightline.media.video.stated import Stated
 from sightline.recordings.ingest_job import facts_of
 from tests.media.clips import X264_B, X264_OPEN, Spec, painted, read_number, tagged, write
@@ -121,7 +122,7 @@ def test_one_that_is_switched_off_is_left_alone(tmp_path: Path, take_in: Ingest,
 
 def test_a_single_picture_says_nothing_of_others(clip: Clip, take_in: Ingest) -> None:
     result = take_in(clip(Spec("cfr.mp4")))
-    assert result.facts.others == () and not any("picture" in note for note in result.report.notes)
+    assert result.facts.pictures == () and not any("picture" in note for note in result.report.notes)
 
 
 def test_the_command_line_lets_one_choose(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -135,6 +136,41 @@ def test_the_command_line_lets_one_choose(tmp_path: Path, capsys: pytest.Capture
     cover = two_pictures(tmp_path / "cover.mp4", (1, 30), cover=True)
     assert main(["passes", str(cover), "--stream", "1"]) == 2
     assert "is a still picture" in capsys.readouterr().err
+
+
+def test_another_picture_is_read_where_it_is_chosen(
+    tmp_path: Path, take_in: Ingest, server: FrameServer
+) -> None:
+    path = two_pictures(tmp_path / "two.mp4", (30, 30), (True, True))
+    result = take_in(path, stream_number=2)
+    media = replace(media_of(result), stream_number=2)
+    assert [read_number(server.gray(media, n)) for n in range(30)] == list(range(1000, 1030))
+    assert (result.facts.stream, result.facts.width_px) == (2, 640)
+    assert [one.words for one in result.facts.pictures] == ["h264, 320x240", "h264, 640x480"]
+    first, _ = cut_strips(path, (1, 2), np.arange(30) / 25, stream_number=2)
+    with closing(first):
+        assert first.rows == 480
+
+
+def test_another_picture_of_a_stream_without_an_index(
+    tmp_path: Path, take_in: Ingest, server: FrameServer
+) -> None:
+    """Its working copy holds the one picture that was chosen."""
+    path = two_pictures(tmp_path / "two.ts", (30, 30))
+    assert numbers(take_in(path), server) == list(range(30))
+    result = take_in(path, stream_number=2)
+    assert numbers(result, server) == list(range(1000, 1030))
+    assert (result.facts.stream, len(result.facts.pictures)) == (2, 2)
+
+
+def test_one_that_is_switched_off_cannot_be_chosen(
+    tmp_path: Path, take_in: Ingest, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = two_pictures(tmp_path / "off.mp4", (30, 30), (False, True))
+    with pytest.raises(BadInput, match=r"Picture 1 of off.mp4 is switched off"):
+        take_in(path, stream_number=1)
+    assert main(["passes", str(path), "--stream", "1"]) == 2
+    assert "is switched off" in capsys.readouterr().err
 
 
 def packs(data: bytes) -> list[int]:
@@ -235,6 +271,29 @@ def test_slow_motion_is_said_and_no_motion_is_measured(
         return
     with pytest.raises(BadInput, match="not those of filming"):
         frames_between(path, 5, 20, (320, 240), path.name)
+
+
+def test_a_rate_of_filming_that_is_stated_gives_the_times(tmp_path: Path, take_in: Ingest) -> None:
+    """40 pictures filmed in a third of a second, played in one and a third."""
+    slow = tagged(tmp_path / "slow.mp4", {"com.android.capture.fps": "120.000000"})
+    result = take_in(slow, filmed_hz=120.0)
+    assert result.frames.time_s == pytest.approx(np.arange(40) / 120, abs=1e-9)
+    assert result.report.rate_hz == pytest.approx(120) and result.report.clock_doubt is None
+    assert any("Filmed at 120 frames per second, as a person stated; the file plays 30" in note
+               for note in result.report.notes)  # fmt: skip
+    frames = frames_between(slow, 9, 39, (320, 240), "slow.mp4", filmed_hz=120.0)
+    assert frames[-1].time_s - frames[0].time_s == pytest.approx(30 / 120)
+
+
+def test_a_recording_slowed_in_part_has_no_one_rate() -> None:
+    steps_s = np.repeat([1 / 30, 1 / 240], 30)
+    with pytest.raises(BadInput, match=r"Only part of slow.mp4 plays slowly"):
+        times_of_filming(np.cumsum(steps_s), 240.0, "slow.mp4")
+
+
+@pytest.mark.parametrize("step_s", [1 / 90_000, 0.0])
+def test_a_rate_that_is_stated_mends_impossible_times(step_s: float) -> None:
+    assert times_of_filming(np.arange(5) * step_s, 50.0) == pytest.approx(np.arange(5) / 50)
 
 
 def test_slow_motion_of_sony_stands_beside_the_index(tmp_path: Path, take_in: Ingest) -> None:

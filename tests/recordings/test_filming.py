@@ -5,13 +5,17 @@ from pathlib import Path
 from typing import Any
 
 import av
+import cv2
+import numpy as np
 import pytest
 
+from sightline.infra.services import Services
 from sightline.media.video.ingest import ingest
 from sightline.media.video.stated import Stated
 from sightline.recordings.filming import misfits
 from tests.media.clips import painted
-from tests.support.app import Client
+from tests.media.test_other_recorders import two_pictures
+from tests.support.app import Client, run_jobs, upload
 
 LENS = {"width_px": 1920, "height_px": 1080, "fx_px": 1400.0, "fy_px": 1400.0}
 START = {"local": "2026-05-03T08:10:00", "time_zone": "Europe/Paris"}
@@ -134,3 +138,70 @@ def test_lamps_lit_along_a_road_without_any_are_questioned(
     (sentence,) = said("none", "on")
     assert "states that the road has none" in sentence
     assert [said("present", "on"), said("none", "off"), said(None, "on")] == [[], [], []]
+
+
+def read(operator: Client, services: Services, path: str) -> Any:
+    """A recording once its file was read."""
+    assert "done" in [job.state for job in run_jobs(services)]
+    recording = operator.seen(path)
+    assert recording["state"] == "ready", recording["error"]
+    return recording
+
+
+SLOW = {"com.android.capture.fps": "100"}
+
+
+def test_a_filming_rate_is_asked_for_and_gives_the_times(
+    operator: Client, viewer: Client, survey_id: int, services: Services, tmp_path: Path
+) -> None:
+    """Four pictures played at 25 a second, filmed at 100: 1/100 s apart once somebody has said so."""
+    path = f"/recordings/{upload(operator, survey_id, clip(tmp_path / 'slow.mp4', SLOW, {}))}"
+    before = read(operator, services, path)
+    assert (before["clock_doubt"], before["filmed_hz"]) == ("slow_motion", None)
+    assert before["duration_s"] == pytest.approx(4 / 25)
+    assert viewer.put(f"{path}/filming-rate", json={"filmed_hz": 100}).status_code == 403
+    assert operator.put(f"{path}/filming-rate", json={"filmed_hz": 0.5}).status_code == 422
+    assert operator.put(f"{path}/filming-rate", json={"filmed_hz": 100}).status_code == 202
+    after = read(operator, services, path)
+    assert (after["clock_doubt"], after["filmed_hz"]) == (None, 100)
+    assert after["duration_s"] == pytest.approx(4 / 100)
+    assert "Filmed at 100 frames per second" in " ".join(after["notes"])
+    table = operator.seen(f"{path}/frames?first=0&count=4")
+    assert table["time_s"] == pytest.approx([0, 0.01, 0.02, 0.03], abs=1e-6)
+
+
+def test_a_rate_that_nobody_has_to_state_is_refused(operator: Client, recording_id: int) -> None:
+    answer = operator.put(f"/recordings/{recording_id}/filming-rate", json={"filmed_hz": 100})
+    assert answer.json()["error"]["code"] == "recordings-times-not-in-doubt"
+
+
+def test_another_picture_of_a_file_becomes_a_recording(
+    operator: Client, survey_id: int, services: Services, tmp_path: Path
+) -> None:
+    file = two_pictures(tmp_path / "two.mp4", (5, 6), (True, True))
+    path = f"/recordings/{upload(operator, survey_id, file)}"
+    first = read(operator, services, path)
+    assert (first["stream_number"], first["frame_count"], first["width_px"]) == (1, 5, 320)
+    assert [(one["width_px"], one["off"]) for one in first["pictures"]] == [(320, False), (640, False)]
+    made = operator.post(f"{path}/pictures/2")
+    assert made.status_code == 201, made.text
+    second = read(operator, services, f"/recordings/{made.json()['id']}")
+    assert (second["stream_number"], second["frame_count"], second["width_px"]) == (2, 6, 640)
+    assert second["name"] == f"{first['name']} (2)"
+    still = operator.get(f"/recordings/{second['id']}/frames/5.jpg")
+    assert still.status_code == 200
+    assert cv2.imdecode(np.frombuffer(still.content, np.uint8), cv2.IMREAD_GRAYSCALE).shape == (480, 640)
+    assert operator.get(second["thumbs"][0]["url"].removeprefix("/api")).status_code == 200
+    assert operator.post(f"{path}/pictures/2").json()["error"]["code"] == "recordings-picture-is-there"
+    assert operator.post(f"{path}/pictures/3").json()["error"]["code"] == "video-no-such-stream"
+    assert operator.delete(path).status_code == 204  # the file stays for the other
+    assert operator.get(f"/recordings/{second['id']}/frames/0.jpg").status_code == 200
+
+
+def test_one_that_is_switched_off_is_not_to_be_had(
+    operator: Client, survey_id: int, services: Services, tmp_path: Path
+) -> None:
+    file = two_pictures(tmp_path / "off.mp4", (5, 6), (False, True))
+    path = f"/recordings/{upload(operator, survey_id, file)}"
+    assert read(operator, services, path)["stream_number"] == 2
+    assert operator.post(f"{path}/pictures/1").json()["error"]["code"] == "video-stream-is-off"

@@ -1,6 +1,7 @@
 """Pictures and clips of a checkerboard, read for the command line's `calibrate` and `pose`."""
 
 from collections.abc import Callable, Iterator, Sequence
+from functools import partial
 from pathlib import Path
 from time import perf_counter
 
@@ -60,13 +61,15 @@ def pictures_of(path: Path, frames: Frames) -> Iterator[tuple[str, Gray]]:
     yield path.name, picture
 
 
-def spread_frames(path: Path, most: int = CLIP_VIEWS) -> Iterator[tuple[str, Gray]]:
+def spread_frames(
+    path: Path, most: int = CLIP_VIEWS, stream_number: int | None = None
+) -> Iterator[tuple[str, Gray]]:
     """At most twice `most` frames, evenly spread: the step doubles when so many are held, for a clip tells
     its length only at its end.
     """
     held: list[tuple[int, Gray]] = []
     step = 1
-    for n, _, gray in frames_of(path):
+    for n, _, gray in frames_of(path, number=stream_number):
         if n % step == 0:
             held.append((n, gray))
         if len(held) >= 2 * most:
@@ -76,10 +79,12 @@ def spread_frames(path: Path, most: int = CLIP_VIEWS) -> Iterator[tuple[str, Gra
         yield f"{path.name} frame {n}", gray
 
 
-def early_frames(path: Path, most: int = POSE_FRAMES) -> Iterator[tuple[str, Gray]]:
+def early_frames(
+    path: Path, most: int = POSE_FRAMES, stream_number: int | None = None
+) -> Iterator[tuple[str, Gray]]:
     """Every frame of a short clip; of a long one every second, then every fourth: none is held."""
     step, taken = 1, 0
-    for n, _, gray in frames_of(path):
+    for n, _, gray in frames_of(path, number=stream_number):
         if n % step:
             continue
         yield f"{path.name} frame {n}", gray
@@ -88,17 +93,19 @@ def early_frames(path: Path, most: int = POSE_FRAMES) -> Iterator[tuple[str, Gra
             step, taken = 2 * step, most
 
 
-def calibration_views(paths: Sequence[Path], board: Board) -> list[NamedCorners]:
+def calibration_views(
+    paths: Sequence[Path], board: Board, stream_number: int | None = None
+) -> list[NamedCorners]:
     """One detection per picture or chosen frame, as `geometry.calibration.calibrate` takes them."""
     views: list[NamedCorners] = []
     for path in paths:
-        for name, gray in pictures_of(path, spread_frames):
+        for name, gray in pictures_of(path, partial(spread_frames, stream_number=stream_number)):
             views.append((name, detect(gray, board), (gray.shape[1], gray.shape[0])))
     return views
 
 
 def pose_detections(
-    paths: Sequence[Path], camera: Camera, board: Board
+    paths: Sequence[Path], camera: Camera, board: Board, stream_number: int | None = None
 ) -> tuple[list[Corners], NDArray[np.float64] | None]:
     """The board in every picture or frame, in time order, found once and then followed; and the mean
     picture of the frames in which it stood still.
@@ -111,7 +118,7 @@ def pose_detections(
     mean = MeanPicture()
     searched_s = 0.0
     for path in paths:
-        for name, gray in pictures_of(path, early_frames):
+        for name, gray in pictures_of(path, partial(early_frames, stream_number=stream_number)):
             require_size(camera, gray.shape[1], gray.shape[0], name)
             corners = not_found(board, "The search was stopped.") if last is None else track(gray, last)
             if not corners.found and searched_s < SEARCH_S:

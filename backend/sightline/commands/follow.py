@@ -8,7 +8,7 @@ from typing import get_args
 
 import click
 
-from sightline.commands.options import json_option, stream_option
+from sightline.commands.options import filmed_at_option, json_option, stream_option
 from sightline.enums import DriverSide, Target
 from sightline.errors import BadInput
 
@@ -35,6 +35,7 @@ _MOST_FRAMES = 120  # to each side, where the pass is not given
 @click.option("--last", type=click.IntRange(0), help="Last frame of the pass.")
 @click.option("-o", "--output", type=_PATH, help="tracks.csv to write.")
 @stream_option
+@filmed_at_option
 @json_option
 def follow_command(
     video: Path,
@@ -52,6 +53,7 @@ def follow_command(
     last: int | None,
     output: Path | None,
     stream_number: int | None,
+    filmed_hz: float | None,
     as_json: bool,
 ) -> None:
     """Follow one vehicle through a VIDEO, starting from confirmed points, and measure it from its whole
@@ -75,7 +77,7 @@ def follow_command(
         raise BadInput("commands-follow-none", reason=assumed)
     span = max(0, frame - _MOST_FRAMES) if first is None else first, last or frame + _MOST_FRAMES
     size_px = pose.camera.width_px, pose.camera.height_px
-    frames = frames_between(video, *span, size_px, str(video), stream_number)
+    frames = frames_between(video, *span, size_px, str(video), stream_number, filmed_hz)
     found = follow_pass(pose, frames, frame, points, kind, assumed.inset_m, sigma)
     if isinstance(found, str):
         raise BadInput("commands-follow-none", reason=found)

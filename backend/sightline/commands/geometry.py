@@ -13,6 +13,7 @@ from click.core import ParameterSource
 
 from sightline.commands.clicks import Assumed, assumed_inset, heights_csv
 from sightline.commands.files import read_json, read_text, write_json, write_whole
+from sightline.commands.options import stream_option
 from sightline.commands.tracks_csv import pass_to_dict, read_tracks
 from sightline.coverage import expanded
 from sightline.enums import BoardSide, DriverSide, LensModel, Target
@@ -98,6 +99,7 @@ def read_pose_file(path: Path) -> RoadPose:
 @click.option("--model", type=click.Choice(get_args(LensModel)), default="brown", show_default=True)
 @click.option("--bent-board", is_flag=True, help="The board may be bent: model its shape too.")
 @click.option("-o", "--output", type=_PATH, required=True, help="camera.json to write.")
+@stream_option
 @_JSON
 def calibrate(
     images: tuple[Path, ...],
@@ -108,13 +110,14 @@ def calibrate(
     model: Any,
     bent_board: bool,
     output: Path,
+    stream_number: int | None,
     as_json: bool,
 ) -> None:
     """Calibrate a camera from checkerboard IMAGES (or a clip) and write camera.json."""
     from sightline.cameras.camera_files import calibration_views
 
     board = parse_board(board_text, square_m, charuco, marker_m)
-    views = calibration_views(images, board)
+    views = calibration_views(images, board, stream_number)
     try:
         checked = calibrate_and_check(views, board, model, bent_board)
     except BadInput as error:
@@ -223,6 +226,7 @@ def parse_size(text: str | None) -> tuple[int, int] | None:
     help="u of the board's flatness (middle out of plane), metres.",
 )
 @click.option("-o", "--output", type=_PATH, required=True, help="pose.json to write.")
+@stream_option
 @_JSON
 def pose(
     pictures: tuple[Path, ...],
@@ -238,6 +242,7 @@ def pose(
     u_square: float | None,
     u_bow: float,
     output: Path,
+    stream_number: int | None,
     as_json: bool,
 ) -> None:
     """Compute the camera pose from a clip or PICTURES of the checkerboard on the road, as pose.json."""
@@ -245,7 +250,7 @@ def pose(
 
     camera = read_camera_file(camera_file)
     board = parse_board(board_text, square_m, charuco, marker_m)
-    frames, mean_picture = pose_detections(pictures, camera, board)
+    frames, mean_picture = pose_detections(pictures, camera, board, stream_number)
     try:
         solved = pose_from_corners(
             camera,

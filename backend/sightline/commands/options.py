@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 import click
 
+from sightline.enums import FILMED_HZ
 from sightline.errors import BadInput
 
 if TYPE_CHECKING:
@@ -42,6 +43,17 @@ def stream_option(command: Command) -> Command:
         "stream_number",
         type=click.IntRange(1),
         help="Which picture of a video with several, from 1 (default: the first that moves).",
+    )(command)
+
+
+def filmed_at_option(command: Command) -> Command:
+    """`--filmed-at`: at what rate a video was filmed, where its times are not those of filming."""
+    return click.option(
+        "--filmed-at",
+        "filmed_hz",
+        type=click.FloatRange(*FILMED_HZ),
+        metavar="RATE",
+        help="Frames per second when it was filmed, where it plays at another rate (slow motion).",
     )(command)
 
 

@@ -4,19 +4,20 @@ from pathlib import Path
 
 import click
 
-from sightline.commands.options import json_option, print_json, stream_option
+from sightline.commands.options import filmed_at_option, json_option, print_json, stream_option
 from sightline.detection.classify import FoundPass
 
 
 @click.command()
 @click.argument("video", type=click.Path(path_type=Path))
 @stream_option
+@filmed_at_option
 @json_option
-def passes(video: Path, stream_number: int | None, as_json: bool) -> None:
+def passes(video: Path, stream_number: int | None, filmed_hz: float | None, as_json: bool) -> None:
     """Find the vehicle passes in a VIDEO (frame numbers start at 0)."""
     from sightline.media.video.passes import find_passes
 
-    search = find_passes(video, name=str(video), stream_number=stream_number)
+    search = find_passes(video, rate_hz=filmed_hz, name=str(video), stream_number=stream_number)
     if as_json:
         print_json({"passes": [_told(one) for one in search.passes], "notes": list(search.notes)})
         return

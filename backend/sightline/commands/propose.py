@@ -5,7 +5,7 @@ from typing import Any
 
 import click
 
-from sightline.commands.options import json_option, print_json, stream_option
+from sightline.commands.options import filmed_at_option, json_option, print_json, stream_option
 from sightline.detection.classify import FoundPass
 from sightline.messages import say
 from sightline.proposals.propose import Proposals, Proposed
@@ -17,8 +17,11 @@ _PATH = click.Path(path_type=Path)
 @click.argument("video", type=_PATH)
 @click.option("--pose", "pose_file", type=_PATH, required=True, help="pose.json of the recording.")
 @stream_option
+@filmed_at_option
 @json_option
-def propose_command(video: Path, pose_file: Path, stream_number: int | None, as_json: bool) -> None:
+def propose_command(
+    video: Path, pose_file: Path, stream_number: int | None, filmed_hz: float | None, as_json: bool
+) -> None:
     """Suggest tyre contacts, roof, rear lamp and eye of each vehicle in a VIDEO, or state why not."""
     from sightline.commands.geometry import read_pose_file
     from sightline.media.video.passes import find_passes
@@ -26,8 +29,14 @@ def propose_command(video: Path, pose_file: Path, stream_number: int | None, as_
     from sightline.vehicles.passes.find_job import square_at
 
     pose = read_pose_file(pose_file)
-    search = find_passes(video, square_at=square_at(pose), name=str(video), stream_number=stream_number)
-    found = dict(propose_in_video(video, search.passes, pose, name=str(video), stream_number=stream_number))
+    search = find_passes(
+        video, rate_hz=filmed_hz, square_at=square_at(pose), name=str(video), stream_number=stream_number
+    )
+    found = dict(
+        propose_in_video(
+            video, search.passes, pose, rate_hz=filmed_hz, name=str(video), stream_number=stream_number
+        )
+    )
     told = [_told(one, found[index]) for index, one in enumerate(search.passes)]
     if as_json:
         print_json({"passes": told, "notes": list(search.notes)})

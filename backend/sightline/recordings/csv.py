@@ -120,6 +120,17 @@ _FACTS: tuple[Column[Recording], ...] = (
     text("codec", "codec of the video stream", lambda r: r.codec),
     text("container", "container of the file", lambda r: r.container),
     flag("variable_rate", "true where the time between frames varies", lambda r: r.vfr),
+    integer(
+        "stream_number",
+        "which of the file's pictures was read, where it has several",
+        lambda r: r.stream_number,
+    ),
+    number(
+        "filmed_hz",
+        "frames per second when it was filmed, where a person had to state it",
+        "Hz",
+        lambda r: r.filmed_hz,
+    ),
     text("lighting", "light in the recording", lambda r: r.lighting, enum=get_args(Lighting)),
     started_column("when its first frame was filmed", lambda r: r.started_at, lambda r: r.time_zone),
     text("time_zone", "whose clocks these are (IANA)", lambda r: r.time_zone),

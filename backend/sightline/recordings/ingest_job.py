@@ -3,12 +3,13 @@
 import tempfile
 import zipfile
 from collections.abc import Mapping
+from dataclasses import asdict
 from pathlib import Path
 from statistics import median
 from typing import Any
 
 from sightline.enums import Lighting
-from sightline.errors import Conflict, NotFound
+from sightline.errors import BadInput, Conflict, NotFound
 from sightline.infra.database import Session
 from sightline.infra.database.types import now
 from sightline.infra.jobs import registry
@@ -70,6 +71,48 @@ def mark_cancelled(session: Session, job: Job) -> None:
     mark_failed(session, job, STOPPED)
 
 
+def read_at_rate(services: Services, recording_id: int, filmed_hz: float, actor: int) -> Job:
+    """Read the video again with the times of filming at a rate that a person states.
+
+    Raises NotFound, Conflict.
+    """
+    with services.writing() as session:
+        recording = recordings.state_filming_rate(session, recording_id, filmed_hz, actor=actor)
+        job = queue_ingest(session, recording, actor)
+    stills_of(services).forget(recording_id)
+    return job
+
+
+def add_picture(session: Session, recording_id: int, number: int, actor: int) -> Recording:
+    """Another picture of a recording's file as a recording of its own, to be read.
+
+    Raises NotFound; BadInput where the file has no such picture, one that is still or switched off;
+    Conflict where the survey has it already.
+    """
+    of = recordings.get_recording(session, recording_id)
+    pictures = of.report.get("pictures", [])
+    if not 1 <= number <= len(pictures):
+        raise BadInput("video-no-such-stream", name=of.name, number=number, count=max(1, len(pictures)))
+    for what, code in (("still", "video-stream-is-a-still"), ("off", "video-stream-is-off")):
+        if pictures[number - 1][what]:
+            raise BadInput(code, name=of.name, number=number)
+    for one in recordings.list_recordings(session, of.survey_id):
+        if (one.sha256, one.stream_number) == (of.sha256, number):
+            raise Conflict("recordings-picture-is-there", number=number, name=one.name)
+    made = recordings.create_recording(
+        session,
+        of.survey_id,
+        name=f"{of.name} ({number})",
+        media_key=of.media_key,
+        sha256=of.sha256,
+        size_bytes=of.size_bytes,
+        stream_number=number,
+        actor=actor,
+    )
+    queue_ingest(session, made, actor)
+    return recordings.get_recording(session, made.id)
+
+
 @registry.handler(KIND, failed=mark_failed, on_cancel=mark_cancelled)
 def run_ingest(context: JobContext) -> Finish:
     """Decode the video once. May be killed at any moment: nothing is stored before it is whole."""
@@ -104,6 +147,8 @@ def _read(context: JobContext, path: Path, recording: Recording, folder: Path) -
             folder / "thumbs",
             work_dir=folder,
             name=recording.name,
+            stream_number=recording.stream_number,
+            filmed_hz=recording.filmed_hz,
         )
     except IngestCancelled as stopped:
         raise Cancelled("recordings-ingest-cancelled-start-again-delete-recording") from stopped
@@ -113,14 +158,14 @@ def _keep_working_copy(store: MediaStore, recording: Recording, found: Ingested)
     """Store the working copy of a stream without an index and give its key; None where there is none."""
     if not found.is_working_copy:
         return None
-    key = key_of(recording.sha256, f".work{found.media_path.suffix}")
+    key = key_of(recording.sha256, f".work{_of_picture(_number(found))}{found.media_path.suffix}")
     store.delete(key)
     store.put_file(key, found.media_path, link=True)
     return key
 
 
 def _keep_thumbnails(store: MediaStore, recording: Recording, folder: Path, found: Ingested) -> None:
-    key = thumbnails_key(recording)
+    key = thumbnails_key_of(recording.sha256, _number(found))
     store.delete(key)
     store.put_file(key, pack_thumbnails(folder, found), link=True)
 
@@ -136,12 +181,21 @@ def pack_thumbnails(folder: Path, found: Ingested) -> Path:
 
 def thumbnails_key(recording: Recording) -> str:
     """Where the thumbnails of a recording's content are."""
-    return thumbnails_key_of(recording.sha256)
+    return thumbnails_key_of(recording.sha256, recording.stream_number)
 
 
-def thumbnails_key_of(sha256: str) -> str:
-    """Where the thumbnails of a video with this content are."""
-    return key_of(sha256, ".thumbs.zip")
+def thumbnails_key_of(sha256: str, stream_number: int | None = None) -> str:
+    """Where the thumbnails of a video with this content are, or of one of its pictures."""
+    return key_of(sha256, f".thumbs{_of_picture(stream_number)}.zip")
+
+
+def _of_picture(stream_number: int | None) -> str:
+    return "" if stream_number is None else f"-{stream_number}"
+
+
+def _number(found: Ingested) -> int | None:
+    """Which of several pictures was read; None of a file with one."""
+    return found.facts.stream if found.facts.pictures else None
 
 
 def thumbnail(services: Services, recording_id: int, n: int) -> bytes:
@@ -174,6 +228,8 @@ def facts_of(found: Ingested, working_copy: str | None) -> Facts:
         "focal_35mm_mm": found.stated.focal_35mm_mm,
         "clock_doubt": report.clock_doubt,
     }
+    if facts.pictures:
+        kept["pictures"] = [asdict(one) for one in facts.pictures]
     if working_copy is not None:
         kept["working_copy"] = working_copy
     return Facts(
@@ -188,6 +244,7 @@ def facts_of(found: Ingested, working_copy: str | None) -> Facts:
         thumbs=[thumb.n for thumb in found.thumbnails],
         lighting_proposed=_lighting(found),
         start_proposed=begun,
+        stream_number=_number(found),
     )
 
 
@@ -218,7 +275,7 @@ def remove_recording(services: Services, recording_id: int, actor: int) -> None:
     with services.writing() as session:
         if not recordings.recording_media_in_use(session, recording.media_key):
             services.media.delete(recording.media_key)
-        if not recordings.recording_content_in_use(session, recording.sha256):
+        if not recordings.recording_content_in_use(session, recording.sha256, recording.stream_number):
             copy = recording.report.get("working_copy")
             for key in (thumbnails_key(recording), *([str(copy)] if copy else [])):
                 services.media.delete(key)

@@ -30,6 +30,7 @@ class Facts:
     thumbs: list[int] = field(default_factory=list)
     lighting_proposed: Lighting | None = None
     start_proposed: datetime | None = None
+    stream_number: int | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,7 +38,8 @@ class Recording:
     """A video. Facts are None until it is ready; `thumbs` are the frame numbers that have a thumbnail.
 
     `start_proposed`: when the file states that it was begun; `started_at`: what a person said, with the zone
-    whose clocks it is told by.
+    whose clocks it is told by. `stream_number`: which of its file's pictures is read, from 1, where there are
+    several; `filmed_hz`: frames per second when it was filmed, as a person said.
     """
 
     id: int
@@ -63,6 +65,8 @@ class Recording:
     pose_id: int | None
     lighting: Lighting | None
     lighting_proposed: Lighting | None
+    stream_number: int | None
+    filmed_hz: float | None
     start_proposed: datetime | None
     started_at: datetime | None
     time_zone: str | None

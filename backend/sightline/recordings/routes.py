@@ -10,10 +10,10 @@ from fastapi.responses import FileResponse
 from pydantic import Field
 
 from sightline.cameras.calibrations.store import documents_in_force
-from sightline.enums import Lighting, RecordingState, StreetLamps, StreetLighting
+from sightline.enums import FILMED_HZ, ClockDoubt, Lighting, RecordingState, StreetLamps, StreetLighting
 from sightline.infra.database import Session
 from sightline.infra.web.bodies import In, JobBody, Name, Out, example
-from sightline.infra.web.deps import Exporter, Operator, PathId, Reading, Uploader, Viewer, Wired
+from sightline.infra.web.deps import Exporter, Operator, PathId, Reading, Uploader, Viewer, Wired, Writing
 from sightline.infra.web.named import CameraId, PoseId
 from sightline.recordings import ingest_job, store
 from sightline.recordings.bodies import StartIn
@@ -30,6 +30,24 @@ router = APIRouter()
 class Thumb(Out):
     frame: int
     url: str
+
+
+class PictureBody(Out):
+    """One of a file's pictures, where it has several."""
+
+    codec: str | None
+    width_px: int
+    height_px: int
+    still: bool
+    off: Annotated[bool, Field(description="The file switches it off.")]
+
+
+class RateIn(In):
+    model_config = example(filmed_hz=120.0)
+
+    filmed_hz: float = Field(
+        ge=FILMED_HZ[0], le=FILMED_HZ[1], description="Frames per second when it was filmed."
+    )
 
 
 class RecordingBody(Out):
@@ -53,6 +71,17 @@ class RecordingBody(Out):
     pose_id: int | None
     lighting: Lighting | None
     lighting_proposed: Lighting | None
+    stream_number: Annotated[
+        int | None, Field(description="Which of `pictures` is read, from 1; null where the file has one.")
+    ]
+    pictures: list[PictureBody]
+    clock_doubt: Annotated[
+        ClockDoubt | None,
+        Field(description="Why its times are not those of filming, so that no motion is measured."),
+    ]
+    filmed_hz: Annotated[
+        float | None, Field(description="Frames per second when it was filmed, as a person stated.")
+    ]
     start_proposed: Annotated[
         datetime | None, Field(description="When it was begun, as its file states; for a person to confirm.")
     ]
@@ -87,7 +116,7 @@ class RecordingChange(In):
     street_lighting: StreetLighting | None = None
 
 
-_MADE_HERE = ("thumbs", "started_local", "misfits")
+_MADE_HERE = ("thumbs", "started_local", "misfits", "pictures", "clock_doubt")
 
 
 def recording_body(
@@ -98,6 +127,8 @@ def recording_body(
     """
     values = {name: getattr(recording, name) for name in RecordingBody.model_fields if name not in _MADE_HERE}
     values["started_local"] = started_text(recording.started_at, recording.time_zone)
+    values["pictures"] = recording.report.get("pictures", [])
+    values["clock_doubt"] = recording.report.get("clock_doubt")
     size, focal = (recording.width_px, recording.height_px), recording.report.get("focal_35mm_mm")
     of_lens = [] if lens is None else misfits(size, focal, lens)
     values["misfits"] = [*of_lens, *lamps_misfits(recording.street_lighting, lamps)]
@@ -178,3 +209,15 @@ def remove_recording(recording_id: PathId, who: Operator, services: Wired) -> No
 def retry_ingest(recording_id: PathId, who: Uploader, services: Wired) -> JobBody:
     """Read the video again, after a failed or cancelled ingest."""
     return JobBody.model_validate(ingest_job.retry_ingest(services, recording_id, who.id))
+
+
+@router.put("/recordings/{recording_id}/filming-rate", status_code=202)
+def state_filming_rate(recording_id: PathId, body: RateIn, who: Operator, services: Wired) -> JobBody:
+    """State at what rate it was filmed, where its times are in doubt; it is read again with those times."""
+    return JobBody.model_validate(ingest_job.read_at_rate(services, recording_id, body.filmed_hz, who.id))
+
+
+@router.post("/recordings/{recording_id}/pictures/{number}", status_code=201)
+def add_picture(recording_id: PathId, number: PathId, who: Operator, session: Writing) -> RecordingBody:
+    """Read another picture of its file, as a recording of its own."""
+    return _body(session, ingest_job.add_picture(session, recording_id, number, who.id))

@@ -1,7 +1,7 @@
 """Recordings: from upload through ingest to use. Their frame tables are in `frames`."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import asdict
+from dataclasses import asdict, replace
 from typing import Any, cast, get_args
 
 from sqlalchemy import ColumnElement, select
@@ -12,7 +12,7 @@ from sightline.enums import StreetLighting
 from sightline.errors import BadInput, Conflict
 from sightline.infra.audit import trail
 from sightline.infra.database.rows import add_row, change_row, get_row, is_held, name_of, named_table
-from sightline.infra.database.types import columns_of, now
+from sightline.infra.database.types import HOLDS, KEEPS_TIMES, columns_of, now
 from sightline.infra.jobs.store import latest_jobs_of_recordings
 from sightline.recordings.drift import (
     DriftCheck,
@@ -24,6 +24,7 @@ from sightline.recordings.drift import (
 )
 from sightline.recordings.frames.records import FrameTable
 from sightline.recordings.frames.store import (
+    change_times,
     frame_table_fingerprint,
     get_frame_table,
     remove_frames,
@@ -33,7 +34,16 @@ from sightline.recordings.records import Facts, Recording, RecordingChanges
 from sightline.recordings.tables import recordings
 from sightline.surveys.tables import surveys
 
-_INGESTED = ("width_px", "height_px", "duration_s", "codec", "container", "vfr", "frame_count")
+_INGESTED = (
+    "width_px",
+    "height_px",
+    "duration_s",
+    "codec",
+    "container",
+    "vfr",
+    "frame_count",
+    "stream_number",
+)
 _ALIVE: ColumnElement[bool] = recordings.c.deleted_at.is_(None)
 _NAMED = [column.name for column in columns_of(recordings, "created_by", "deleted_at")]
 
@@ -47,12 +57,14 @@ def create_recording(
     sha256: str,
     size_bytes: int,
     camera_id: int | None = None,
+    stream_number: int | None = None,
     actor: int | None,
 ) -> Recording:
     """A recording whose file is stored and whose ingest is to come (state "ingesting")."""
     get_row(session, surveys, survey_id, "survey")
     content = {"survey_id": survey_id, "name": name.strip() or "recording", "media_key": media_key}
     content |= {"sha256": sha256, "size_bytes": size_bytes, "camera_id": camera_id}
+    content |= {} if stream_number is None else {"stream_number": stream_number}
     if camera_id is not None:
         _same_survey(session, cameras, camera_id, "camera", survey_id)
     empty: dict[str, Any] = {"vfr": False, "notes": [], "report": {}, "thumbs": []}
@@ -112,12 +124,18 @@ def note_ingested(
 ) -> Recording:
     """Store what the ingest found and the frame table; the recording is ready. May be repeated.
 
-    Raises Conflict when measurements exist and the new frames are not the ones they were clicked on.
+    Raises Conflict when measurements exist and the new frames are not the ones they were clicked on; their
+    times may be others where those of before were in doubt, so that nothing was measured from them.
     """
     before = _row(session, recording_id)
     fingerprint = frame_table_fingerprint(found)
     if is_held(session, recordings, recording_id):
-        if fingerprint != frame_table_fingerprint(get_frame_table(session, recording_id)):
+        known = get_frame_table(session, recording_id)
+        if before["report"].get("clock_doubt") and before["filmed_hz"] is not None:
+            known = replace(known, time_s=found.time_s if len(known) == len(found) else known.time_s)
+            if fingerprint == frame_table_fingerprint(known):
+                change_times(session, recording_id, found.time_s)
+        if fingerprint != frame_table_fingerprint(known):
             raise Conflict("recordings-frames-found-now-not-those-measured")
     else:
         replace_frames(session, recording_id, found)
@@ -138,6 +156,28 @@ def note_ingest_failed(session: Session, recording_id: int, error: str, *, actor
 def restart_ingest(session: Session, recording_id: int, *, actor: int | None) -> Recording:
     """Back to "ingesting" for another try."""
     return _state(session, recording_id, "ingesting", None, "restart_ingest", actor)
+
+
+def state_filming_rate(
+    session: Session, recording_id: int, filmed_hz: float, *, actor: int | None
+) -> Recording:
+    """A person says at how many frames per second it was filmed: it is to be read again, with those times.
+
+    Raises Conflict where it is not ready, where nothing is in doubt, and where the rate that was said before
+    has been measured with.
+    """
+    before = _row(session, recording_id)
+    if before["state"] != "ready":
+        raise Conflict("recordings-still-being-ingested-wait-until-ready", name=before["name"])
+    if not before["report"].get("clock_doubt"):
+        if before["filmed_hz"] is None:
+            raise Conflict("recordings-times-not-in-doubt", name=before["name"])
+        if is_held(session, recordings, recording_id, (HOLDS, KEEPS_TIMES)):
+            raise Conflict("recordings-rate-was-measured-with", name=before["name"])
+    change_row(session, recordings, recording_id, {"filmed_hz": filmed_hz})
+    change = {"filmed_hz": before["filmed_hz"]}, {"filmed_hz": filmed_hz}
+    trail.record(session, actor, "update", "recording", recording_id, before["survey_id"], *change)
+    return restart_ingest(session, recording_id, actor=actor)
 
 
 def remove_recording(session: Session, recording_id: int, *, actor: int | None) -> Recording:
@@ -221,9 +261,10 @@ def recording_media_in_use(session: Session, media_key: str) -> bool:
     return session.execute(query).first() is not None
 
 
-def recording_content_in_use(session: Session, sha256: str) -> bool:
-    """Whether a recording that was not deleted has this content, under whatever file name."""
-    query = select(recordings.c.id).where(recordings.c.sha256 == sha256, _ALIVE).limit(1)
+def recording_content_in_use(session: Session, sha256: str, stream_number: int | None) -> bool:
+    """Whether a recording that was not deleted reads this picture of this content, whatever its name."""
+    same = recordings.c.sha256 == sha256, recordings.c.stream_number.is_not_distinct_from(stream_number)
+    query = select(recordings.c.id).where(*same, _ALIVE).limit(1)
     return session.execute(query).first() is not None
 
 

@@ -49,6 +49,10 @@ recordings = Table(
     Column("pose_id", ForeignKey("road_poses.id", use_alter=True)),
     Column("lighting", String(20)),
     Column("lighting_proposed", String(20)),
+    # of a file with several pictures, the one that is read; frames per second when it was filmed, where a
+    # person had to say
+    Column("stream_number", Integer),
+    Column("filmed_hz", Float),
     # when its first frame was filmed: as the file states, and as a person said, with the zone of the clocks
     Column("start_proposed", UtcDateTime),
     Column("started_at", UtcDateTime),

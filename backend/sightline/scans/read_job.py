@@ -132,6 +132,7 @@ def _opened(
             name=video.recording.name,
             on_progress=lambda fraction: context.progress(share * fraction, "Cutting the strips."),
             is_cancelled=context.is_cancelled,
+            stream_number=video.media.stream_number,
         )
     keys = (scan.first_source_key, scan.second_source_key)
     names = (scan.first_name, scan.second_name)

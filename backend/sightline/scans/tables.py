@@ -35,6 +35,7 @@ from sightline.enums import (
 )
 from sightline.infra.audit.vouched import ChangedByEvents, WrittenOnce, vouched
 from sightline.infra.database.types import (
+    KEEPS_TIMES,
     NEEDS_MEDIA,
     CanonicalJson,
     UtcDateTime,
@@ -54,7 +55,7 @@ scans = Table(
     Column("error", Text),
     # two strips that were uploaded, or two pixel columns or rows of a video
     Column("source", String(20), nullable=False),
-    Column("recording_id", ForeignKey("recordings.id"), index=True),
+    Column("recording_id", ForeignKey("recordings.id"), index=True, info=KEEPS_TIMES),
     Column("cut_along", String(20)),
     Column("cut_1_px", Integer),
     Column("cut_2_px", Integer),

@@ -12,7 +12,7 @@ from sightline.errors import NotFound
 from sightline.infra.audit.hashing import content_hash
 from sightline.infra.audit.records import Who
 from sightline.infra.database.people import people
-from sightline.infra.database.types import metadata
+from sightline.infra.database.types import HOLDS, metadata
 from sightline.infra.slices import load_tables
 
 
@@ -55,14 +55,16 @@ def get_row(
     return dict(row)
 
 
-def is_held(session: Session, table: Table, row_id: int) -> bool:
-    """Whether a row of another table holds this one (`HOLDS`)."""
+def is_held(
+    session: Session, table: Table, row_id: int, ways: tuple[Mapping[str, bool], ...] = (HOLDS,)
+) -> bool:
+    """Whether a row of another table holds this one in one of these ways."""
     load_tables()
     holding = (
         column
         for other in metadata.tables.values()
         for column in other.columns
-        if "holds" in column.info and column.references(table.c.id)
+        if column.info in ways and column.references(table.c.id)
     )
     return any(
         session.execute(select(column).where(column == row_id).limit(1)).first() is not None

@@ -29,6 +29,8 @@ metadata = MetaData(naming_convention=NAMING)
 
 #: `info` of a column whose rows hold the row that it names: that one may neither go nor become another.
 HOLDS = {"holds": True}
+# This row rests on the times of the row that is named.
+KEEPS_TIMES = {"keeps_times": True}
 #: `info` of a column whose rows, while they are not removed, need the file of the media store that it names.
 NEEDS_MEDIA = {"needs_media": True}
 

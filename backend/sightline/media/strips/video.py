@@ -57,6 +57,7 @@ def cut_strips(
     name: str | None = None,
     on_progress: Callable[[float], None] = lambda _: None,
     is_cancelled: Cancelled = lambda: False,
+    stream_number: int | None = None,
 ) -> tuple[Strip, Strip]:
     """The strips of two pixel columns or rows, the first one being what vehicles reach first; the video is
     decoded once.
@@ -74,7 +75,7 @@ def cut_strips(
         no_room_told(f"what is cut from {name}"),
     ):
         rows = count = 0
-        for n, _, upright in frames_of(path, name):
+        for n, _, upright in frames_of(path, name, stream_number):
             gray = _turned(upright, along)
             if n == 0:
                 rows = gray.shape[0]

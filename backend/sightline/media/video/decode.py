@@ -29,10 +29,28 @@ _WAY_OUT = "convert it to MP4 with H.264 or choose another file"
 
 
 @dataclass(frozen=True)
+class Picture:
+    """One of a file's pictures; `still`: it does not move; `off`: the file switches it off."""
+
+    codec: str | None
+    width_px: int
+    height_px: int
+    still: bool
+    off: bool
+
+    @property
+    def words(self) -> str:
+        """As "h264, 640x480"."""
+        told = ["unknown codec"] if self.codec is None else [self.codec, f"{self.width_px}x{self.height_px}"]
+        return ", ".join(told + ["a still picture"] * self.still + ["switched off"] * self.off)
+
+
+@dataclass(frozen=True)
 class VideoFacts:
     """What a container says of its picture; sizes are upright and in square pixels, counts are only claims.
 
-    `stream`: the picture that was read, from 1, of those in the file; `others` says what the rest are.
+    `stream`: the picture that was read, from 1, of those in the file; `pictures`: what they all are, in
+    order, where there are several.
     `rotation_deg` is the clockwise turn applied to the decoded frame, `sample_aspect` the width of a
     coded pixel over its height. `rate_hz`, `duration_s` and `reported_frames` are the header's and None
     where it is silent.
@@ -56,7 +74,7 @@ class VideoFacts:
     interlaced: bool
     left_turned_deg: float = 0.0
     stream: int = 1
-    others: tuple[str, ...] = ()
+    pictures: tuple[Picture, ...] = ()
 
     @property
     def layout_note(self) -> str | None:
@@ -125,13 +143,14 @@ def video_stream(
     How a decoder fills up damaged pictures depends on the race of its threads; with `threads` = 1 it is the
     same every time. Sound pictures never differ.
 
-    Raises BadInput for sound without a picture, no or a still picture of that number, a codec nobody here can
-    decode, and dimensions out of bounds.
+    Raises BadInput for sound without a picture, no, a still or a switched-off picture of that number, a codec
+    nobody here can decode, and dimensions out of bounds.
     """
     moving = _moving(container)
     if not moving:
         raise BadInput("video-holds-no-moving-picture-only-sound", name=name)
-    stream = next((one for one in moving if not _is_off(container, one)), moving[0])
+    on = [one for one in moving if not _is_off(container, one)] or moving
+    stream = on[0]
     if number is not None:
         every = container.streams.video
         if not 1 <= number <= len(every):
@@ -139,6 +158,8 @@ def video_stream(
         stream = every[number - 1]
         if stream not in moving:
             raise BadInput("video-stream-is-a-still", name=name, number=number)
+        if stream not in on:
+            raise BadInput("video-stream-is-off", name=name, number=number)
     context = stream.codec_context
     if context is None:
         raise BadInput("video-uses-video-codec-cannot-decoded-here", name=name)
@@ -182,19 +203,27 @@ def _is_off(container: InputContainer, stream: VideoStream) -> bool:
     return "mp4" in container.format.name and not stream.disposition & av.stream.Disposition.default
 
 
-def _others(container: InputContainer, read: VideoStream) -> tuple[str, ...]:
-    """What the file's other pictures are, as "2 (h264, 640x480)"."""
-    if len(container.streams.video) < 2:
+def picture_read(
+    container: InputContainer, name: str, number: int | None = None
+) -> tuple[int, tuple[Picture, ...]]:
+    """The number of the picture that `video_stream` takes, and what the file's pictures are, where there are
+    several.
+    """
+    stream = video_stream(container, name, number=number)
+    return 1 + list(container.streams.video).index(stream), _pictures(container)
+
+
+def _pictures(container: InputContainer) -> tuple[Picture, ...]:
+    """What the file's pictures are, where there are several."""
+    streams = container.streams.video
+    if len(streams) < 2:
         return ()
     moving, told = _moving(container), []
-    for number, one in enumerate(container.streams.video, start=1):
-        if one is read:
-            continue
-        context = one.codec_context
-        words = ["unknown codec"] if context is None else [context.name, f"{context.width}x{context.height}"]
-        words += [] if one in moving else ["a still picture"]
-        words += ["switched off"] if one in moving and _is_off(container, one) else []
-        told.append(f"{number} ({', '.join(words)})")
+    for one in streams:
+        context, moves = one.codec_context, one in moving
+        size = (0, 0) if context is None else (context.width, context.height)
+        name = None if context is None else context.name
+        told.append(Picture(name, *size, still=not moves, off=moves and _is_off(container, one)))
     return tuple(told)
 
 
@@ -308,8 +337,6 @@ def facts_of(container: InputContainer, stream: VideoStream, first: av.VideoFram
         full_range=int(first.color_range) == 2 or first.format.name.startswith("yuvj") or first.format.is_rgb,
         interlaced=bool(first.interlaced_frame),
         left_turned_deg=layout.left_turned_deg,
-        stream=1 + list(container.streams.video).index(stream),
-        others=_others(container, stream),
     )
 
 

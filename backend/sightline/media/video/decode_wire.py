@@ -67,6 +67,7 @@ def packed(media: RecordingMedia) -> tuple[Header, bytes]:
     """A recording's file and frame table as a message."""
     arrays = (media.pts.astype("<i8"), media.crc.astype("<u4"), media.key.astype("u1"))
     header = {"do": "know", "media": media.identity, "path": str(media.path), "count": len(media)}
+    header["stream"] = media.stream_number
     return header, b"".join(array.tobytes() for array in arrays)
 
 
@@ -76,7 +77,8 @@ def unpacked(header: Header, body: bytes) -> RecordingMedia:
     pts = np.frombuffer(body, "<i8", count)
     crc = np.frombuffer(body, "<u4", count, 8 * count)
     key = np.frombuffer(body, "u1", count, 12 * count).astype(bool)
-    return RecordingMedia(Path(header["path"]), pts.astype(np.int64), crc.astype(np.uint32), key)
+    path, stream = Path(header["path"]), header["stream"]
+    return RecordingMedia(path, pts.astype(np.int64), crc.astype(np.uint32), key, stream)
 
 
 def error_header(error: Exception) -> Header:

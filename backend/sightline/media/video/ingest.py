@@ -19,17 +19,19 @@ from sightline.media.store.local import check_room, no_room_told
 from sightline.media.video.decode import (
     NO_PTS,
     Damage,
+    Picture,
     VideoFacts,
     decoded,
     facts_of,
     frame_pts,
     open_container,
+    picture_read,
     same_size,
     video_stream,
 )
 from sightline.media.video.picture import Layout, layout_of, luma_crc
 from sightline.media.video.remux import WorkingCopy, make_copy, needs_copy
-from sightline.media.video.report import IngestReport, report_of
+from sightline.media.video.report import IngestReport, report_of, times_of_filming
 from sightline.media.video.sniff import extent_of
 from sightline.media.video.stated import Stated, stated_of
 from sightline.media.video.thumbnails import ROOM_BYTES, Thumbnail, ThumbnailWriter
@@ -94,32 +96,45 @@ def ingest(
     *,
     work_dir: Path | None = None,
     name: str | None = None,
+    stream_number: int | None = None,
+    filmed_hz: float | None = None,
 ) -> Ingested:
     """Decode the recording once, from the first frame to the last, and write down what it is.
 
     `on_progress` gets a fraction 0..1 a few times a second; `is_cancelled` is asked at every frame.
     Thumbnails are written to `thumb_dir` (emptied of older ones first), a working copy if one is needed
-    to `work_dir` (default: beside the file). `name` is what people call the file. May be called again
-    after being killed at any moment.
+    to `work_dir` (default: beside the file). `name` is what people call the file. `stream_number`: see
+    `video_stream`; `filmed_hz`: see `times_of_filming`. May be called again after being killed at any moment.
 
     Raises BadInput (not a video, or nothing in it can be decoded), NoRoom and IngestCancelled.
     """
     name = name or path.name
     folder = work_dir or path.parent
     copy: WorkingCopy | None = None
-    container = open_container(path, name)
-    stated = stated_of(container, path)  # of the file as it came: a working copy has lost it
-    if needs_copy(container.format.name):
-        container.close()
-        copy = make_copy(path, folder, name, is_cancelled, keep_times=True)
-        container = open_container(copy.path, name)
+    with closing(open_container(path, name)) as original:
+        stated = stated_of(original, path)
+        number, pictures = picture_read(original, name, stream_number)
+        by_copy = needs_copy(original.format.name)
+    if by_copy:
+        copy = make_copy(path, folder, name, is_cancelled, keep_times=True, stream_number=number)
+    asked = _Asked(number, filmed_hz, pictures)
     watch = _Watch(on_progress, is_cancelled, name)
-    result = _ingest_open(container, path, copy, watch, thumb_dir, stated)
+    container = open_container(copy.path if copy else path, name)
+    result = _ingest_open(container, path, copy, watch, thumb_dir, stated, asked)
     if copy is None and bool(np.any(result.frames.pts == NO_PTS)):
-        copy = make_copy(path, folder, name, is_cancelled, keep_times=False)
-        result = _ingest_open(open_container(copy.path, name), path, copy, watch, thumb_dir, stated)
+        copy = make_copy(path, folder, name, is_cancelled, keep_times=False, stream_number=number)
+        result = _ingest_open(open_container(copy.path, name), path, copy, watch, thumb_dir, stated, asked)
     on_progress(1.0)
     return replace(result, stated=stated)
+
+
+@dataclass(frozen=True)
+class _Asked:
+    """What a person asked of the reading, and what the original's pictures are (a working copy has one)."""
+
+    number: int
+    filmed_hz: float | None
+    pictures: tuple[Picture, ...]
 
 
 def _ingest_open(
@@ -129,27 +144,32 @@ def _ingest_open(
     watch: _Watch,
     thumb_dir: Path,
     stated: Stated,
+    asked: _Asked,
 ) -> Ingested:
     """Decode an open container to its end and close it; a damaged one again, so that it can be repeated."""
     damage = Damage()
-    media_path = copy.path if copy else path
+    media_path, of_copy = (copy.path, None) if copy else (path, asked.number)
     watch.size = media_path.stat().st_size
     with no_room_told(f"what {watch.name} needs"):
         with closing(container):
             thumb_dir.mkdir(parents=True, exist_ok=True)
             check_room(thumb_dir, ROOM_BYTES, f"the thumbnails of {watch.name}")
-            stream = video_stream(container, watch.name)
+            stream = video_stream(container, watch.name, number=of_copy)
             facts, rows, thumbs = _decode_all(container, stream, damage, watch, thumb_dir)
         if damage.any:
             damage = Damage()
             with closing(open_container(media_path, watch.name)) as again:
-                stream = video_stream(again, watch.name, threads=1)
+                stream = video_stream(again, watch.name, threads=1, number=of_copy)
                 facts, rows, thumbs = _decode_all(again, stream, damage, watch, thumb_dir)
+    facts = replace(facts, stream=asked.number, pictures=asked.pictures)
     table = _table(rows, float(facts.time_base))
+    played = table.time_s, table.crc32, damage, copy, stated, extent_of(path)
+    if asked.filmed_hz is not None:
+        table = replace(table, time_s=times_of_filming(table.time_s, asked.filmed_hz, watch.name))
     return Ingested(
         facts=facts,
         frames=table,
-        report=report_of(facts, table.pts, table.time_s, table.crc32, damage, copy, stated, extent_of(path)),
+        report=report_of(facts, table.pts, *played, asked.filmed_hz),
         thumbnails=thumbs.finish(),
         media_path=media_path,
         is_working_copy=copy is not None,

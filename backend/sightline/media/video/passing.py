@@ -1,6 +1,7 @@
 """The frames of one pass of a video, in memory, with their times."""
 
 from contextlib import closing
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -16,14 +17,21 @@ from sightline.media.video.decode import (
     video_stream,
 )
 from sightline.media.video.picture import layout_of, upright_gray
-from sightline.media.video.report import clock_doubt_of, require_clock_of_filming
+from sightline.media.video.report import clock_doubt_of, require_clock_of_filming, times_of_filming
 from sightline.media.video.stated import stated_of
 
 
 def frames_between(
-    path: Path, first: int, last: int, size_px: tuple[int, int], name: str, stream_number: int | None = None
+    path: Path,
+    first: int,
+    last: int,
+    size_px: tuple[int, int],
+    name: str,
+    stream_number: int | None = None,
+    filmed_hz: float | None = None,
 ) -> list[PassFrame]:
-    """Frames `first` to `last`, upright, as far as the video has them; `size_px`: width and height.
+    """Frames `first` to `last`, upright, as far as the video has them; `size_px`: width and height;
+    `filmed_hz`: the rate of filming, where its times are not those of filming (`times_of_filming`).
 
     Raises BadInput for what is no video, one of another size, without times, or whose times are not those of
     filming.
@@ -53,5 +61,9 @@ def frames_between(
                 raise BadInput("video-no-times-follow", name=name)
             out.append(PassFrame(n, float(pts * base), upright_gray(frame, layout)))
         stated = stated_of(container, path)
-    require_clock_of_filming(clock_doubt_of(np.array([one.time_s for one in out]), stated), name)
-    return out
+    time_s = np.array([one.time_s for one in out])
+    if filmed_hz is None:
+        require_clock_of_filming(clock_doubt_of(time_s, stated), name)
+        return out
+    times = times_of_filming(time_s, filmed_hz, name)
+    return [replace(one, time_s=float(at)) for one, at in zip(out, times, strict=True)]

@@ -42,15 +42,32 @@ class WorkingCopy:
     assumed_rate_hz: float | None
 
 
+@dataclass(frozen=True)
+class _Read:
+    """What is copied, what people call it, and which of its pictures."""
+
+    path: Path
+    name: str
+    stream_number: int | None
+    is_cancelled: Cancelled
+
+
 def needs_copy(container_name: str) -> bool:
     """Whether files of this container are addressed through a working copy."""
     return container_name in _NO_INDEX
 
 
 def make_copy(
-    path: Path, folder: Path, name: str, is_cancelled: Cancelled, *, keep_times: bool
+    path: Path,
+    folder: Path,
+    name: str,
+    is_cancelled: Cancelled,
+    *,
+    keep_times: bool,
+    stream_number: int | None = None,
 ) -> WorkingCopy:
-    """Write the working copy of `path` into `folder`; whole or not at all.
+    """Write the working copy of `path` into `folder`, of the one picture that `video_stream` takes; whole
+    or not at all.
 
     With `keep_times`, time stamps are taken over where they are complete and in order; otherwise they
     are made from the frame rate of the header and the order in which a decoder shows the packets. Raises
@@ -58,9 +75,10 @@ def make_copy(
     """
     folder.mkdir(parents=True, exist_ok=True)
     check_room(folder, path.stat().st_size, f"the working copy of {name}")
-    if keep_times and (copy := _try_with_times(path, folder, name, is_cancelled)):
+    read = _Read(path, name, stream_number, is_cancelled)
+    if keep_times and (copy := _try_with_times(read, folder)):
         return copy
-    order, rate = _display_order(path, name, is_cancelled)
+    order, rate = _display_order(read)
     ranks = _ranks(order)
     delay = max((i - rank for i, rank in enumerate(ranks)), default=0)
 
@@ -70,14 +88,14 @@ def make_copy(
         return True
 
     try:
-        return WorkingCopy(_write(path, folder, name, number, is_cancelled), float(rate))
+        return WorkingCopy(_write(read, folder, number), float(rate))
     except (av.error.FFmpegError, ValueError) as error:
         if isinstance(error, OSError) and error.errno == errno.ENOSPC:
             raise NoRoom("video-disk-full-not-taken-make-room", name=name) from error
         raise BadInput("video-cannot-made-addressable-frame-frame-convert", name=name) from error
 
 
-def _try_with_times(path: Path, folder: Path, name: str, is_cancelled: Cancelled) -> WorkingCopy | None:
+def _try_with_times(read: _Read, folder: Path) -> WorkingCopy | None:
     last_dts: int | None = None
     turn = 0
 
@@ -97,23 +115,17 @@ def _try_with_times(path: Path, folder: Path, name: str, is_cancelled: Cancelled
         return True
 
     try:
-        return WorkingCopy(_write(path, folder, name, check, is_cancelled), None)
+        return WorkingCopy(_write(read, folder, check), None)
     except (av.error.FFmpegError, ValueError):
         return None
 
 
-def _write(
-    path: Path,
-    folder: Path,
-    name: str,
-    prepare: Callable[[int, _VideoPacket], bool | None],
-    is_cancelled: Cancelled,
-) -> Path:
+def _write(read: _Read, folder: Path, prepare: Callable[[int, _VideoPacket], bool | None]) -> Path:
     """Copy packets, but those to which `prepare` says None; ValueError if it says no to one."""
-    with closing(open_container(path, name)) as source:
-        stream = video_stream(source, name)
+    with closing(open_container(read.path, read.name)) as source:
+        stream = video_stream(source, read.name, number=read.stream_number)
         suffix = "mp4" if stream.codec_context.name in _IN_MP4 else "mkv"
-        target = folder / f"{path.stem}.work.{suffix}"
+        target = folder / f"{read.path.stem}.work.{suffix}"
         with (
             atomic_file(target) as part,
             closing(av.open(str(part), "w", format="mp4" if suffix == "mp4" else "matroska")) as container,
@@ -121,7 +133,7 @@ def _write(
             out = container.add_stream_from_template(stream)
             out.time_base = Fraction(1, TICKS_HZ)
             for i, packet in enumerate(_packets(source, stream)):
-                check_cancelled(is_cancelled, name)
+                check_cancelled(read.is_cancelled, read.name)
                 wanted = prepare(i, packet)
                 if wanted is None:
                     continue
@@ -140,14 +152,14 @@ def _packets(source: InputContainer, stream: VideoStream) -> Iterator[_VideoPack
                 yield packet
 
 
-def _display_order(path: Path, name: str, is_cancelled: Cancelled) -> tuple[list[int | None], Fraction]:
+def _display_order(read: _Read) -> tuple[list[int | None], Fraction]:
     """For each packet the place of its frame in the decoder's order (None: no frame), and the rate in Hz.
 
     Each packet carries its own number through the decoder as its time stamp; the decoder hands it on
     with the frame, so the order is the decoder's own and not an estimate.
     """
-    with closing(open_container(path, name)) as source:
-        stream = video_stream(source, name)
+    with closing(open_container(read.path, read.name)) as source:
+        stream = video_stream(source, read.name, number=read.stream_number)
         rate = Fraction(stream.average_rate or stream.guessed_rate or 25)
         order: list[int | None] = []
         shown = 0
@@ -160,7 +172,7 @@ def _display_order(path: Path, name: str, is_cancelled: Cancelled) -> tuple[list
                 if 0 <= index < len(order):
                     order[index] = shown
                     shown += 1
-            check_cancelled(is_cancelled, name)
+            check_cancelled(read.is_cancelled, read.name)
     return order, rate
 
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from sightline.enums import ClockDoubt
+from sightline.enums import FILMED_HZ, ClockDoubt
 from sightline.errors import BadInput
 from sightline.media.video.decode import Damage, VideoFacts
 from sightline.media.video.remux import WorkingCopy
@@ -20,7 +20,10 @@ JITTER = 0.05
 # Containers that write down how long they are but not how many frames; other durations may be estimates.
 DURATION_IN_HEADER = ("matroska,webm",)
 SLOWED = 1.5  # filmed so many times faster than played, or slower: not the trembling of a telephone's rate
-MOST_HZ = 2000.0  # no camera that films a road takes more pictures a second
+MOST_OFF_STEP = (
+    0.05  # share of the steps between frames that may be longer or shorter, as where some are lost
+)
+MOST_HZ = FILMED_HZ[1]  # no camera that films a road takes more pictures a second
 LEAST_TURN_DEG = 0.5
 GAP = 5.0  # usual steps without a picture, and at least
 GAP_S = 0.25
@@ -54,9 +57,12 @@ def report_of(
     copy: WorkingCopy | None,
     stated: Stated,
     extent: Extent,
+    filmed_hz: float | None = None,
 ) -> IngestReport:
-    """The report of a finished decode; arrays are those of the frame table, shape (N,)."""
-    doubt = clock_doubt_of(time_s, stated)
+    """The report of a finished decode; arrays are those of the frame table, shape (N,), but for `time_s`,
+    whose times are those of playing. With `filmed_hz`, as a person said, nothing is in doubt.
+    """
+    doubt = clock_doubt_of(time_s, stated) if filmed_hz is None else None
     vfr = _varies(np.sort(pts))
     duplicates = int(np.count_nonzero(crc32[1:] == crc32[:-1]))
     unordered = int(np.count_nonzero(np.diff(pts) <= 0))
@@ -64,7 +70,7 @@ def report_of(
     notes = [
         *_shape_notes(facts),
         *_time_notes(facts, time_s, rate, vfr, copy),
-        *_clock_notes(doubt, time_s, stated),
+        *(_clock_notes(doubt, time_s, stated) if filmed_hz is None else _filmed_notes(filmed_hz, time_s)),
         *_gap_notes(time_s),
         *_order_notes(duplicates, unordered),
         *_damage_notes(facts, len(pts), damage),
@@ -76,7 +82,7 @@ def report_of(
         duplicates=duplicates,
         unordered=unordered,
         damaged=damage.any or extent.missing > 0 or _cut_short(facts, pts, time_s),
-        rate_hz=rate,
+        rate_hz=rate if filmed_hz is None else _rate_hz(times_of_filming(time_s, filmed_hz)),
         notes=tuple(notes),
         clock_doubt=doubt,
     )
@@ -102,6 +108,31 @@ def require_clock_of_filming(doubt: object, name: str) -> None:
     """Raise BadInput before a motion is measured from times in doubt (`IngestReport.clock_doubt`)."""
     if doubt is not None:
         raise BadInput("video-times-not-of-filming", name=name)
+
+
+def times_of_filming(time_s: NDArray[np.float64], filmed_hz: float, name: str = "") -> NDArray[np.float64]:
+    """Times of playing (N,), s, as those of filming at `filmed_hz`: the usual step becomes one over
+    that rate.
+
+    Raises BadInput where the steps are of several lengths, as where only part of it is played slowly.
+    """
+    played_hz = _played_hz(time_s)
+    if played_hz is None:
+        return time_s
+    if played_hz == float("inf"):
+        return np.arange(len(time_s)) / filmed_hz
+    steps = np.diff(np.sort(time_s)) * played_hz
+    if np.mean((steps < 1 / SLOWED) | (steps > SLOWED)) > MOST_OFF_STEP:
+        raise BadInput("video-slowed-in-part", name=name)
+    return time_s * (played_hz / filmed_hz)
+
+
+def _filmed_notes(filmed_hz: float, time_s: NDArray[np.float64]) -> list[str]:
+    played_hz = _played_hz(time_s) or 0.0
+    return [
+        f"Filmed at {filmed_hz:.6g} frames per second, as a person stated; the file plays {played_hz:.4g} "
+        "per second. Times are those of filming."
+    ]
 
 
 def _played_hz(time_s: NDArray[np.float64]) -> float | None:
@@ -133,7 +164,7 @@ def _clock_notes(doubt: ClockDoubt | None, time_s: NDArray[np.float64], stated: 
         how = f"The file states that it was filmed at {stated.filmed_hz:.4g} frames per second"
     return [
         f"{how}; its times play {played_hz:.4g} per second. Heights of single frames hold, but no speed or "
-        "motion is measured: have it saved with the times of filming."
+        "motion is measured: say at what rate it was filmed."
     ]
 
 
@@ -187,11 +218,13 @@ def _rate_hz(time_s: NDArray[np.float64]) -> float | None:
 
 def _shape_notes(facts: VideoFacts) -> list[str]:
     notes = []
-    if facts.others:
-        count = "another picture" if len(facts.others) == 1 else f"{len(facts.others)} other pictures"
+    if facts.pictures:
+        numbered = list(enumerate(facts.pictures, start=1))
+        others = [f"{number} ({one.words})" for number, one in numbered if number != facts.stream]
+        count = "another picture" if len(others) == 1 else f"{len(others)} other pictures"
         notes.append(
-            f"The file holds {count}: {', '.join(facts.others)}; {facts.stream} ({facts.codec}, "
-            f"{facts.width_px}x{facts.height_px}) was read. To read another, save it as a file of its own."
+            f"The file holds {count}: {', '.join(others)}; {facts.stream} ({facts.codec}, "
+            f"{facts.width_px}x{facts.height_px}) was read."
         )
     if facts.layout_note:
         notes.append(f"The frames were {facts.layout_note}, as their header states.")

@@ -44,12 +44,16 @@ Skip = Literal["DEFAULT", "NONREF", "BIDIR"]
 
 @dataclass(frozen=True, eq=False)
 class RecordingMedia:
-    """A recording's file and its frame table as stored: arrays of shape (N,), int64, uint32 and bool."""
+    """A recording's file and its frame table as stored: arrays of shape (N,), int64, uint32 and bool.
+
+    `stream_number`: which of the file's pictures, where a person may have chosen (`decode.video_stream`).
+    """
 
     path: Path
     pts: NDArray[np.int64]
     crc: NDArray[np.uint32]
     key: NDArray[np.bool_]
+    stream_number: int | None = None
 
     def __len__(self) -> int:
         return len(self.pts)
@@ -101,7 +105,9 @@ class Seeker:
         name = self._media.path.name
         try:
             self._container = open_container(self._media.path, name)
-            self._stream: VideoStream = video_stream(self._container, name, threads)
+            self._stream: VideoStream = video_stream(
+                self._container, name, threads, self._media.stream_number
+            )
         except BadInput as error:
             raise Damaged("video-stored-video-missing-no-longer-opened", name=name) from error
         self._threads = threads

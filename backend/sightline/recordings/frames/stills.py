@@ -142,7 +142,9 @@ class Stills:
             table = get_frame_table(session, recording_id)
         if len(table) != recording.frame_count:
             raise Damaged("recordings-frame-table-not-whole-ingest-recording", name=recording.name)
-        media = RecordingMedia(self._store.local_path(file_key(recording)), table.pts, table.crc32, table.key)
+        path, report = self._store.local_path(file_key(recording)), recording.report
+        stream = None if "working_copy" in report else recording.stream_number
+        media = RecordingMedia(path, table.pts, table.crc32, table.key, stream)
         return OpenRecording(recording, media, table.time_s, self._timer())
 
 
@@ -157,7 +159,11 @@ def _make_stills(services: Services) -> Stills:
 
 def _same_frames(then: Recording, now: Recording) -> bool:
     """Whether the frame table in memory still holds: the same content, read with the same outcome."""
-    return (then.sha256, then.frame_count, then.report) == (now.sha256, now.frame_count, now.report)
+
+    def read(one: Recording) -> tuple[object, ...]:
+        return one.sha256, one.frame_count, one.report, one.stream_number
+
+    return read(then) == read(now)
 
 
 def file_key(recording: Recording) -> str:

@@ -4,7 +4,8 @@ import hashlib
 from typing import Any
 
 import numpy as np
-from sqlalchemy import delete, insert, select
+import numpy.typing as npt
+from sqlalchemy import bindparam, delete, insert, select, update
 from sqlalchemy.orm import Session
 
 from sightline.errors import NotFound
@@ -63,6 +64,13 @@ def replace_frames(session: Session, recording_id: int, found: FrameTable) -> No
         _copy(connection.connection.driver_connection, rows)
     else:
         session.execute(insert(frames), [dict(zip(frames.columns.keys(), row, strict=True)) for row in rows])
+
+
+def change_times(session: Session, recording_id: int, time_s: npt.NDArray[np.float64]) -> None:
+    """Give the frames of a recording other times (N,), s; numbers, stamps and checksums stay."""
+    of_frame = (frames.c.recording_id == recording_id) & (frames.c.n == bindparam("at"))
+    change = update(frames).where(of_frame).values(time_s=bindparam("then_s"))
+    session.connection().execute(change, [{"at": n, "then_s": t} for n, t in enumerate(time_s.tolist())])
 
 
 def remove_frames(session: Session, recording_id: int) -> None:

@@ -65,6 +65,7 @@ def look_for_passes(context: JobContext) -> Finish:
             on_progress=lambda fraction: context.progress(0.98 * fraction, "Searching for passes."),
             is_cancelled=context.is_cancelled,
             name=recording.name,
+            stream_number=opened.media.stream_number,
         )
     except PassesCancelled as stopped:
         raise Cancelled("vehicles-search-passes-cancelled-start-again-when") from stopped

@@ -74,6 +74,7 @@ def make_proposals(context: JobContext) -> Finish:
             on_progress=lambda fraction: context.progress(0.98 * fraction, say("proposals-looking", {})),
             is_cancelled=context.is_cancelled,
             name=recording.name,
+            stream_number=opened.media.stream_number,
         )
         for index, one in found:
             made += proposals_of(vehicles[index].id, one)

@@ -12,6 +12,7 @@ import { DriftVerdict } from "../../parts/drift/Drift";
 import { FindPasses } from "../../parts/vehicles/FindPasses";
 import { Filmed } from "./Filmed";
 import { CameraPick, LightPick } from "./pickers";
+import { ReadAs } from "./ReadAs";
 
 interface Props {
   recording: Recording;
@@ -92,6 +93,7 @@ export function RecordingCard({ recording, passes, cameras, changed, reload }: P
         </header>
         <Facts recording={recording} passes={passes} />
         <Filmed recording={recording} change={change} />
+        <ReadAs recording={recording} run={run} reload={reload} />
         {recording.misfits.map((misfit) => (
           <Notice key={misfit} kind="warning">
             {misfit}
