@@ -128,7 +128,7 @@ def length_in(table: GivenTable, line: int, row: Mapping[str, str], name: str) -
     """A cell in metres: a height, or an uncertainty. Raises BadInput naming the line."""
     cell = row.get(name, "")
     value = table.size_m(line, name, cell)
-    if value < 0.0 and name.startswith("u_"):
+    if value < 0.0 and name.startswith(("u_", "reference_")):
         where = f"{table.name}, line {line}"
         raise BadInput("commands-row-not-length", where=where, name=name, cell=cell)
     return value

@@ -22,6 +22,8 @@ _USUAL_M = 1.6  # about which vehicles' sizes lie: what tells the unit of a numb
 _UNITS_M = {"mm": 0.001, "cm": 0.01, "in": 0.0254, "ft": 0.3048}
 _LINE_END = re.compile(r"\r\n|\r|\n")
 _QUOTED = re.compile(r'"[^"]*"?')
+# what spreadsheets put before the header: the header itself tells the separator
+_NAMES_ITS_SEPARATOR = re.compile(r'"?sep=[,;\t]"?', re.IGNORECASE)
 _NUMBER = re.compile(r"[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]{1,4})?")
 # What separates thousands or decimals in other countries: "1,48", "1.234,5", "1 234.5", "1'234".
 _SEPARATED = re.compile(r"[+-]?[0-9]+(?:[.,' \u00a0\u2009\u202f\u2019][0-9]+)+")
@@ -99,7 +101,8 @@ def read_table(data: bytes | str, name: object, most_bytes: int = MOST_BYTES) ->
     Raises BadInput for what is no UTF-8 text, or whose header is not sound.
     """
     lines = enumerate(_LINE_END.split(_text(data, str(name), most_bytes)), start=1)
-    at, first = next(((at, line) for at, line in lines if line.strip(" \t,;")), (0, ""))
+    written = ((at, line) for at, line in lines if line.strip(" \t,;"))
+    at, first = next((one for one in written if not _NAMES_ITS_SEPARATOR.fullmatch(one[1])), (0, ""))
     delimiter = _delimiter(first)
     header, problem = _cells(first, delimiter, str(name), at)
     if problem is not None:
@@ -110,7 +113,7 @@ def read_table(data: bytes | str, name: object, most_bytes: int = MOST_BYTES) ->
     twice = next((one for one in header if one and header.count(one) > 1), None)
     if twice is not None:
         raise BadInput("csv-column-twice", name=str(name), line=at, column=twice[:60])
-    return GivenTable(str(name), header, list(_rows(lines, str(name), len(header), delimiter)))
+    return GivenTable(str(name), header, list(_rows(lines, str(name), header, delimiter)))
 
 
 def given_number(cell: str) -> float | None:
@@ -153,7 +156,10 @@ def _delimiter(header: str) -> str:
     return there[0] if len(there) == 1 else ","
 
 
-def _rows(lines: Iterator[tuple[int, str]], name: str, width: int, delimiter: str) -> Iterator[GivenRow]:
+def _rows(
+    lines: Iterator[tuple[int, str]], name: str, header: list[str], delimiter: str
+) -> Iterator[GivenRow]:
+    width = len(header)
     opened = 0  # line of a quote that was not closed: a later line with a quote astray may be its end
     for line, text in lines:
         cells, problem = _cells(text, delimiter, name, line)
@@ -163,6 +169,8 @@ def _rows(lines: Iterator[tuple[int, str]], name: str, width: int, delimiter: st
             continue
         elif opened and _has_a_quote_astray(text, delimiter):
             problem, opened = BadInput("csv-rest-of-a-cell", name=name, line=line, opened=opened), 0
+        elif [cell.strip() for cell in cells[:width]] == header:
+            problem = BadInput("csv-header-again", name=name, line=line)
         elif any(map(str.strip, cells[width:])):
             problem = BadInput("csv-more-cells", name=name, line=line, cells=len(cells), columns=width)
         elif len(cells) < width:

@@ -171,7 +171,7 @@ class _Sorter:
 
     def sort(self, table: GivenTable, given: GivenRow, columns: Sequence[ImportColumn]) -> None:
         named = {
-            one.field: cell.strip()
+            one.field: " ".join(cell.split())
             for one, cell in zip(columns, given.cells, strict=True)
             if one.field is not None
         }
@@ -277,15 +277,17 @@ def _empty(value: object) -> bool:
 
 
 def _columns(table: GivenTable, choices: Choices) -> list[ImportColumn]:
-    """What each column is taken for, by choice or by its name; each field once."""
-    taken: set[str] = set()
+    """What each column is taken for, by choice or by its name; doubtful where two are taken for one field."""
+    taken: dict[str, str] = {}
     found: list[ImportColumn] = []
     for at, title in enumerate(table.header):
         field, unit = _field(title, choices)
-        if field in taken:
-            field = None
+        if field is not None and field in taken:
+            twice = say("catalogue-column-twice", {"field": field, "first": taken[field], "second": title})
+            found.append(ImportColumn(header=title, field=None, unit=None, problem=twice))
+            continue
         if field is not None:
-            taken.add(field)
+            taken[field] = title
         cells = (row.cells[at] for row in table.rows if row.problem is None)
         found.append(_column(title, field, unit, cells, choices.unit))
     return found
