@@ -93,9 +93,10 @@ def add_picture(session: Session, recording_id: int, number: int, actor: int) ->
     pictures = of.report.get("pictures", [])
     if not 1 <= number <= len(pictures):
         raise BadInput("video-no-such-stream", name=of.name, number=number, count=max(1, len(pictures)))
-    for what, code in (("still", "video-stream-is-a-still"), ("off", "video-stream-is-off")):
-        if pictures[number - 1][what]:
-            raise BadInput(code, name=of.name, number=number)
+    if pictures[number - 1]["still"]:
+        raise BadInput("video-stream-is-a-still", name=of.name, number=number)
+    if pictures[number - 1]["off"]:
+        raise BadInput("video-stream-is-off", name=of.name, number=number)
     for one in recordings.list_recordings(session, of.survey_id):
         if (one.sha256, one.stream_number) == (of.sha256, number):
             raise Conflict("recordings-picture-is-there", number=number, name=one.name)

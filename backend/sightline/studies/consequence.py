@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from sightline.enums import LengthUnit
-from sightline.export.report.sight import crest_sentence, question_of
+from sightline.export.report.crest import crest_sentence, question_of
 from sightline.results.sightdistance.service import case_of, exact, height_of_rule
 from sightline.studies.records import StudyRule
 

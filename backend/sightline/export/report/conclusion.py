@@ -9,10 +9,9 @@ from dataclasses import dataclass
 
 from sightline.enums import LengthUnit
 from sightline.export.report import words
+from sightline.export.report.crest import consequence
 from sightline.export.report.facts import ReportFacts
-from sightline.export.report.results import in_brackets, verdict_of
 from sightline.export.report.said import said, told
-from sightline.export.report.sight import consequence
 from sightline.export.report.units import HEIGHT, SMALL, decimal, limit
 from sightline.results.survey_statistics import RULE_OF, Statistics
 from sightline.statistics.errors import Interval
@@ -73,6 +72,31 @@ def _of_rule(one: RuleToday, unit: LengthUnit) -> str:
         limit=limit(standard.height_m, unit),
         verdict=verdict_of(one),
     )
+
+
+def verdict_of(one: RuleToday) -> str:
+    """What may be said of today's percentile against the standard's height."""
+    if one.verdict == "unknown" or one.lower is None:
+        return said("report-no-verdict", reason=told(one.reason or ""))
+    if one.verdict == "alike":
+        return said("report-alike", percent=percent(one.lower))
+    key = "report-lower" if one.verdict == "lower" else "report-higher"
+    return said(key, risk=_risk(one.risk))
+
+
+def _risk(risk: float | None) -> str:
+    """A risk in per cent; none is said to be smaller than draws can tell."""
+    if risk is None or risk < 0.001:
+        return said("report-less-than", percent=decimal("0.1 %"))
+    return decimal(f"{100 * risk:.1f} %")
+
+
+def in_brackets(low: float | None, high: float | None, scale: Scale) -> str:
+    """ " (95 %: 1.060 to 1.103)" behind a figure; nothing where it has no interval."""
+    if low is None or high is None:
+        return ""
+    between = said("report-between", low=scale.number(low), high=scale.number(high))
+    return " " + said("report-brackets", interval=between)
 
 
 def _errors(result: Statistics, unit: LengthUnit) -> str:

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 from sightline.enums import LengthUnit, StatisticsTarget
 from sightline.export.report import words
+from sightline.export.report.conclusion import verdict_of
 from sightline.export.report.facts import ReportFacts
 from sightline.export.report.pictures import Pictures
 from sightline.export.report.said import said, told
@@ -58,23 +59,6 @@ def rule_values(one: RuleToday, scale: Scale, small: Scale) -> Values:
         "difference": small.number(one.difference_m, signed=True),
         "verdict": verdict_of(one),
     }
-
-
-def verdict_of(one: RuleToday) -> str:
-    """What may be said of today's percentile against the standard's height."""
-    if one.verdict == "unknown" or one.lower is None:
-        return said("report-no-verdict", reason=told(one.reason or ""))
-    if one.verdict == "alike":
-        return said("report-alike", percent=percent(one.lower))
-    key = "report-lower" if one.verdict == "lower" else "report-higher"
-    return said(key, risk=_risk(one.risk))
-
-
-def _risk(risk: float | None) -> str:
-    """A risk in per cent; none is said to be smaller than draws can tell."""
-    if risk is None or risk < 0.001:
-        return said("report-less-than", percent=decimal("0.1 %"))
-    return decimal(f"{100 * risk:.1f} %")
 
 
 def _interval(found: Interval | None, scale: Scale) -> Values | None:
@@ -275,14 +259,6 @@ def _total_figures(total: TotalFigures, mine: Scale, other: Scale) -> list[Json]
         }
         for name, one in named
     ]
-
-
-def in_brackets(low: float | None, high: float | None, scale: Scale) -> str:
-    """ " (95 %: 1.060 to 1.103)" behind a figure; nothing where it has no interval."""
-    if low is None or high is None:
-        return ""
-    between = said("report-between", low=scale.number(low), high=scale.number(high))
-    return " " + said("report-brackets", interval=between)
 
 
 def percentile_interval(found: Percentile | None, scale: Scale) -> Values | None:
