@@ -4,19 +4,25 @@ import { basename, dirname, join } from "node:path";
 import GithubSlugger from "github-slugger";
 import { Marked, type Token } from "marked";
 import { defineConfig, type Plugin } from "vite";
+import { words, wordsName } from "./tools/words.ts";
 
 /** Where `npm run dev` finds the server; the built front end is served by the server itself. */
 const server = `http://127.0.0.1:${process.env.SIGHTLINE_PORT ?? "8000"}`;
 
 export default defineConfig({
-  plugins: [guide(), licences()],
+  plugins: [guide(), licences(), words()],
   // the catalogue of messages lies beside the server's code, the guide in docs/
   server: {
     fs: { allow: [".", "../backend/sightline/messages", "../docs", "../CONVENTIONS.md"] },
     proxy: { "/api": server, "/openapi.json": server },
   },
-  // A language's whole catalogue is one file, half a megabyte before it is packed.
-  build: { target: "es2022", sourcemap: false, chunkSizeWarningLimit: 700 },
+  build: {
+    target: "es2022",
+    sourcemap: false,
+    rollupOptions: {
+      output: { chunkFileNames: ({ moduleIds }) => `assets/${wordsName(moduleIds) ?? "[name]"}-[hash].js` },
+    },
+  },
   test: {
     environment: "happy-dom",
     include: ["src/**/*.test.{ts,tsx}"],

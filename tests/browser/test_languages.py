@@ -130,7 +130,7 @@ def made_up_language() -> str:
 
 
 def speak_made_up(route: Route) -> None:
-    """In the place of the French file, which the pages ask for by itself."""
+    """In the place of the French files, which the pages ask for by themselves."""
     body = f"export default {json.dumps(made_up_language())};"
     route.fulfill(body=body, content_type="text/javascript")
 
@@ -299,7 +299,7 @@ def test_nothing_is_said_outside_the_catalogue(
         bypass_csp=True,
         reduced_motion="reduce",
     )
-    context.route(re.compile(r"/assets/fr-[^/]*\.js$"), speak_made_up)
+    context.route(re.compile(r"/assets/words-fr-[^/]*\.js$"), speak_made_up)
     page = context.new_page()
     answers, wrong = Answers(page), []
     for name, (address, sign) in SCREENS.items():

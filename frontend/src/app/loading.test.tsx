@@ -1,8 +1,9 @@
+import { readFileSync } from "node:fs";
 import { render } from "preact";
 import { afterEach, describe, expect, it, vi } from "vitest";
-import { match } from "../core/places";
+import { match, PLACES } from "../core/places";
 import { Screen } from "./Screen";
-import { loadScreen } from "./screens";
+import { loadScreen, roomOf } from "./screens";
 
 vi.mock("../screens/camera/CameraScreen", () => ({ default: () => <p>the camera</p> }));
 
@@ -15,5 +16,16 @@ describe("a screen's code", () => {
     if (here) render(<Screen here={here} />, document.body);
     await coming;
     await vi.waitFor(() => expect(document.body.textContent).toBe("the camera"));
+  });
+
+  it("comes with the words of the folder that it is in", () => {
+    const text = readFileSync(`${import.meta.dirname}/screens.ts`, "utf8");
+    const folders = [...text.matchAll(/"?([\w-]+)"?: \(\) => import\("\.\.\/screens\/(\w+)\//g)].map((m) => [
+      m[1],
+      m[2],
+    ]);
+    expect(Object.fromEntries(folders)).toEqual(
+      Object.fromEntries(PLACES.map(({ name }) => [name, roomOf(name)])),
+    );
   });
 });

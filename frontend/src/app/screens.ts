@@ -1,6 +1,7 @@
-/** The code of each place; it comes when the place is first shown. */
+/** The code and the words of each place; they come when the place is first shown. */
 import { signal } from "@preact/signals";
 import type { ComponentType } from "preact";
+import { learn } from "../core/messages";
 import type { PlaceName, ScreenProps } from "../core/places";
 
 type Screen = ComponentType<ScreenProps>;
@@ -39,8 +40,24 @@ const LOADERS: Record<PlaceName, () => Promise<{ default: Screen }>> = {
   guide: () => import("../screens/guide/GuideScreen"),
 };
 
+/** Whose words a place says, where that is not the folder of its own name. */
+const ROOMS: Partial<Record<PlaceName, string>> = {
+  "sign-in": "signin",
+  lots: "checks",
+  history: "audit",
+  settings: "survey",
+  "click-again": "repeats",
+  "scan-results": "scans",
+  scan: "scans",
+  "sight-distance": "sightdistance",
+};
+
 // a signal: the code may come while a page is between being drawn and being looked after
 const loaded = signal<ReadonlyMap<PlaceName, Screen>>(new Map());
+
+export function roomOf(name: PlaceName): string {
+  return ROOMS[name] ?? name;
+}
 
 /** The screen of a place whose code is here. */
 export function loadedScreen(name: PlaceName): Screen | undefined {
@@ -48,6 +65,6 @@ export function loadedScreen(name: PlaceName): Screen | undefined {
 }
 
 export async function loadScreen(name: PlaceName): Promise<void> {
-  const screen = (await LOADERS[name]()).default;
+  const [{ default: screen }] = await Promise.all([LOADERS[name](), learn(roomOf(name))]);
   loaded.value = new Map(loaded.value).set(name, screen);
 }

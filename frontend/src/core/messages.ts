@@ -3,20 +3,21 @@
  * The sentences are in `backend/sightline/messages/<language>.ftl` (Project Fluent), which the server reads too.
  * Keys and the values that a sentence takes are type-checked: `npm run types` makes `#messages` out of en.ftl.
  */
+
+import words from "virtual:words";
+import english from "virtual:words/en/everywhere";
 import { FluentBundle, FluentNumber, FluentResource, type FluentVariable } from "@fluent/bundle";
 import { computed, signal } from "@preact/signals";
 import type { Messages } from "#messages";
-import english from "../../../backend/sightline/messages/en.ftl?raw";
 import { stored } from "./stored";
 
 const SOURCE = "en";
-const OTHERS = import.meta.glob<string>(
-  ["../../../backend/sightline/messages/*.ftl", "!../../../backend/sightline/messages/en.ftl"],
-  { query: "?raw", import: "default" },
-);
+/** The rooms of words beside those of the screens: see `tools/words.ts`. */
+const EVERYWHERE = "everywhere";
+const OF_SERVER = "server";
 
 /** The languages that there are, by their BCP 47 names. */
-export const LANGUAGES: readonly string[] = [SOURCE, ...Object.keys(OTHERS).map(languageOf)];
+export const LANGUAGES: readonly string[] = [SOURCE, ...Object.keys(words).filter((name) => name !== SOURCE)];
 
 export type MessageKey = keyof Messages;
 type PlainKey = { [K in MessageKey]: Messages[K] extends null ? K : never }[MessageKey];
@@ -25,7 +26,11 @@ type Values<K extends MessageKey> = Messages[K] extends null ? [] : [values: Mes
 const chosen = stored<string>("language", "", (v) => typeof v === "string");
 /** The keys of the English sentences, as they stand there. */
 const KEYS = new Set<string>();
-const source = bundleOf(SOURCE, english);
+const source = new FluentBundle(SOURCE, { useIsolating: false });
+addWords(source, english);
+/** Whose words are wanted, and those that each language has. */
+const rooms = new Set([EVERYWHERE]);
+const known = new Map([[source, new Set([EVERYWHERE])]]);
 /** What is spoken; behind it English, for what it lacks. */
 const bundles = signal<readonly FluentBundle[]>([source]);
 
@@ -43,10 +48,18 @@ export function preferredLanguage(wishes: readonly string[] = navigator.language
   return SOURCE;
 }
 
+/** Loads the words of a screen, in the language spoken and in English. */
+export async function learn(room: string): Promise<void> {
+  rooms.add(room);
+  const news = await Promise.all(bundles.value.map(complete));
+  if (news.some(Boolean)) bundles.value = [...bundles.value];
+}
+
 /** Loads a language and speaks it; until it is here the app speaks as before. */
 export async function speak(name: string): Promise<void> {
-  const file = Object.entries(OTHERS).find(([path]) => languageOf(path) === name)?.[1];
-  bundles.value = file ? [bundleOf(name, await file()), source] : [source];
+  const other = name === SOURCE || !words[name] ? [] : [new FluentBundle(name, { useIsolating: false })];
+  await Promise.all(other.map(complete));
+  bundles.value = [...other, source];
   document.documentElement.lang = language.value;
 }
 
@@ -128,7 +141,10 @@ const MOST_DIGITS = 15;
 /** A sentence of the server in the language spoken, or null where this program has none of that name. Numbers are frames
  *  and identifiers more often than counts, so they are not grouped unless the sentence asks for it. */
 export function sayCode({ code, values }: Said): string | null {
-  if (!bundles.value.some((one) => one.hasMessage(code))) return null;
+  if (!bundles.value.some((one) => one.hasMessage(code))) {
+    if (!rooms.has(OF_SERVER)) learn(OF_SERVER).catch(() => undefined); // the server said it itself meanwhile
+    return null;
+  }
   const given = Object.entries(values).map(([name, value]) => [
     name,
     typeof value === "number"
@@ -138,15 +154,25 @@ export function sayCode({ code, values }: Said): string | null {
   return sentence(code, Object.fromEntries(given));
 }
 
-function bundleOf(name: string, text: string): FluentBundle {
-  const bundle = new FluentBundle(name, { useIsolating: false });
-  const resource = new FluentResource(text);
-  if (name === SOURCE) for (const { id } of resource.body) KEYS.add(id);
-  const errors = bundle.addResource(resource);
-  if (errors.length > 0) console.error(...errors);
-  return bundle;
+/** Fetches the words that a language lacks, those of screens asked for meanwhile included; tells whether there were any. */
+async function complete(bundle: FluentBundle): Promise<boolean> {
+  const has = known.get(bundle) ?? new Set();
+  known.set(bundle, has);
+  const missing = [...rooms].filter((room) => !has.has(room));
+  if (missing.length === 0) return false;
+  const fetched = missing.map(async (room) => {
+    const text = await words[bundle.locales[0] ?? SOURCE]?.[room]?.();
+    if (text) addWords(bundle, text.default);
+    has.add(room);
+  });
+  await Promise.all(fetched);
+  await complete(bundle);
+  return true;
 }
 
-function languageOf(path: string): string {
-  return path.replace(/^.*\//, "").replace(/\.ftl$/, "");
+function addWords(bundle: FluentBundle, text: string): void {
+  const resource = new FluentResource(text);
+  if (bundle.locales[0] === SOURCE) for (const { id } of resource.body) KEYS.add(id);
+  const errors = bundle.addResource(resource, { allowOverrides: true });
+  if (errors.length > 0) console.error(...errors);
 }

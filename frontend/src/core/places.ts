@@ -5,204 +5,57 @@ export interface ScreenProps {
   surveyId: number;
 }
 
-export type PlaceName =
-  | "sign-in"
-  | "surveys"
-  | "survey"
-  | "planning"
-  | "camera"
-  | "recordings"
-  | "pose"
-  | "measure"
-  | "checks"
-  | "review"
-  | "lots"
-  | "repeats"
-  | "click-again"
-  | "scans"
-  | "scan-results"
-  | "live"
-  | "scan"
-  | "export"
-  | "statistics"
-  | "sight-distance"
-  | "studies"
-  | "study"
-  | "catalogue"
-  | "audit"
-  | "history"
-  | "settings"
-  | "jobs"
-  | "system"
-  | "people"
-  | "account"
-  | "guide";
+/** "bench": the order of work beside it; "full": the whole window; "alone": a page by itself; "bare": without the top bar */
+type Layout = "bench" | "full" | "alone" | "bare";
+
+/** Each place's path, ":id" for the survey's, and its layout. */
+const TABLE = {
+  "sign-in": ["/sign-in", "bare"],
+  surveys: ["/", "alone"],
+  survey: ["/surveys/:id", "bench"],
+  planning: ["/surveys/:id/planning", "bench"],
+  camera: ["/surveys/:id/camera", "bench"],
+  recordings: ["/surveys/:id/recordings", "bench"],
+  pose: ["/surveys/:id/pose", "full"],
+  measure: ["/surveys/:id/measure", "full"],
+  checks: ["/surveys/:id/checks", "bench"],
+  review: ["/surveys/:id/review", "full"],
+  lots: ["/surveys/:id/lots", "bench"],
+  repeats: ["/surveys/:id/repeats", "bench"],
+  "click-again": ["/surveys/:id/repeats/click", "full"],
+  scans: ["/surveys/:id/scans", "bench"],
+  "scan-results": ["/surveys/:id/scans/results", "bench"],
+  live: ["/surveys/:id/live", "bench"],
+  scan: ["/surveys/:id/scan", "full"],
+  export: ["/surveys/:id/export", "bench"],
+  history: ["/surveys/:id/history", "bench"],
+  settings: ["/surveys/:id/settings", "bench"],
+  statistics: ["/statistics", "alone"],
+  "sight-distance": ["/sight-distance", "alone"],
+  studies: ["/studies", "alone"],
+  study: ["/study", "alone"],
+  catalogue: ["/catalogue", "alone"],
+  audit: ["/audit", "alone"],
+  jobs: ["/jobs", "alone"],
+  system: ["/system", "alone"],
+  people: ["/people", "alone"],
+  account: ["/account", "alone"],
+  guide: ["/guide", "alone"],
+} as const satisfies Record<string, readonly [pattern: string, layout: Layout]>;
+
+export type PlaceName = keyof typeof TABLE;
 
 export interface Place {
   name: PlaceName;
   /** "/surveys/:id/camera" */
   pattern: string;
-  /** "bench": the order of work beside it; "full": the whole window; "alone": a page by itself; "bare": without the top bar */
-  layout: "bench" | "full" | "alone" | "bare";
+  layout: Layout;
 }
 
-export const PLACES: readonly Place[] = [
-  {
-    name: "sign-in",
-    pattern: "/sign-in",
-    layout: "bare",
-  },
-  {
-    name: "surveys",
-    pattern: "/",
-    layout: "alone",
-  },
-  {
-    name: "survey",
-    pattern: "/surveys/:id",
-    layout: "bench",
-  },
-  {
-    name: "planning",
-    pattern: "/surveys/:id/planning",
-    layout: "bench",
-  },
-  {
-    name: "camera",
-    pattern: "/surveys/:id/camera",
-    layout: "bench",
-  },
-  {
-    name: "recordings",
-    pattern: "/surveys/:id/recordings",
-    layout: "bench",
-  },
-  {
-    name: "pose",
-    pattern: "/surveys/:id/pose",
-    layout: "full",
-  },
-  {
-    name: "measure",
-    pattern: "/surveys/:id/measure",
-    layout: "full",
-  },
-  {
-    name: "checks",
-    pattern: "/surveys/:id/checks",
-    layout: "bench",
-  },
-  {
-    name: "review",
-    pattern: "/surveys/:id/review",
-    layout: "full",
-  },
-  {
-    name: "lots",
-    pattern: "/surveys/:id/lots",
-    layout: "bench",
-  },
-  {
-    name: "repeats",
-    pattern: "/surveys/:id/repeats",
-    layout: "bench",
-  },
-  {
-    name: "click-again",
-    pattern: "/surveys/:id/repeats/click",
-    layout: "full",
-  },
-  {
-    name: "scans",
-    pattern: "/surveys/:id/scans",
-    layout: "bench",
-  },
-  {
-    name: "scan-results",
-    pattern: "/surveys/:id/scans/results",
-    layout: "bench",
-  },
-  {
-    name: "live",
-    pattern: "/surveys/:id/live",
-    layout: "bench",
-  },
-  {
-    name: "scan",
-    pattern: "/surveys/:id/scan",
-    layout: "full",
-  },
-  {
-    name: "export",
-    pattern: "/surveys/:id/export",
-    layout: "bench",
-  },
-  {
-    name: "history",
-    pattern: "/surveys/:id/history",
-    layout: "bench",
-  },
-  {
-    name: "settings",
-    pattern: "/surveys/:id/settings",
-    layout: "bench",
-  },
-  {
-    name: "statistics",
-    pattern: "/statistics",
-    layout: "alone",
-  },
-  {
-    name: "sight-distance",
-    pattern: "/sight-distance",
-    layout: "alone",
-  },
-  {
-    name: "studies",
-    pattern: "/studies",
-    layout: "alone",
-  },
-  {
-    name: "study",
-    pattern: "/study",
-    layout: "alone",
-  },
-  {
-    name: "catalogue",
-    pattern: "/catalogue",
-    layout: "alone",
-  },
-  {
-    name: "audit",
-    pattern: "/audit",
-    layout: "alone",
-  },
-  {
-    name: "jobs",
-    pattern: "/jobs",
-    layout: "alone",
-  },
-  {
-    name: "system",
-    pattern: "/system",
-    layout: "alone",
-  },
-  {
-    name: "people",
-    pattern: "/people",
-    layout: "alone",
-  },
-  {
-    name: "account",
-    pattern: "/account",
-    layout: "alone",
-  },
-  {
-    name: "guide",
-    pattern: "/guide",
-    layout: "alone",
-  },
-];
+export const PLACES: readonly Place[] = (Object.keys(TABLE) as PlaceName[]).map((name) => {
+  const [pattern, layout] = TABLE[name];
+  return { name, pattern, layout };
+});
 
 /** What a page is called. */
 export function titleOf(name: PlaceName): string {

@@ -9,6 +9,7 @@ import {
   Problem,
   SelectField,
 } from "../../components";
+import { useAction } from "../../core/action";
 import { api } from "../../core/api";
 import { allOf, say } from "../../core/messages";
 import { formatCount } from "../../core/units";
@@ -29,33 +30,21 @@ export function ImportDialog({ close, imported }: { close: () => void; imported:
   const [file, setFile] = useState<File | null>(null);
   const [choices, setChoices] = useState<Choices>(NO_CHOICES);
   const [plan, setPlan] = useState<Plan | null>(null);
-  const [problem, setProblem] = useState<unknown>(null);
-  const [busy, setBusy] = useState(false);
+  const { busy, problem, run } = useAction();
   const [done, setDone] = useState<{ added: number; updated: number } | null>(null);
   const look = async (chosen: File, next: Choices) => {
     setFile(chosen);
     setChoices(next);
-    setBusy(true);
-    setProblem(null);
-    try {
+    const read = async () =>
       setPlan(await api.ask("POST /catalogue/import/preview", asked(next), { body: chosen }));
-    } catch (error) {
-      setPlan(null);
-      setProblem(error);
-    }
-    setBusy(false);
+    if (!(await run(read))) setPlan(null);
   };
   const store = async () => {
     if (!file) return;
-    setBusy(true);
-    setProblem(null);
-    try {
+    await run(async () => {
       setDone(await api.write("POST /catalogue/import", asked(choices), { body: file }));
       imported();
-    } catch (error) {
-      setProblem(error);
-    }
-    setBusy(false);
+    });
   };
   const change = (part: Partial<Choices>) => file && void look(file, { ...choices, ...part });
   return (

@@ -2,6 +2,7 @@
 import { useState } from "preact/hooks";
 import { Button, Dialog, DropFiles, Loading, Notice, num, Problem, Table } from "../../components";
 import { CommitField } from "../../components/CommitField";
+import { useAction } from "../../core/action";
 import { api } from "../../core/api";
 import { say, wordsOf } from "../../core/messages";
 import type { ReferencePlan, ReferenceRow } from "../../core/types";
@@ -21,20 +22,11 @@ export function ReferenceImport({ model, onClose }: { model: ScanModel; onClose:
   const [file, setFile] = useState<File | null>(null);
   const [plan, setPlan] = useState<ReferencePlan | null>(null);
   const [done, setDone] = useState<Done | null>(null);
-  const [problem, setProblem] = useState<unknown>(null);
-  const [busy, setBusy] = useState(false);
+  const { busy, problem, run } = useAction();
   const [tolerance_s, setTolerance] = useState(1);
   const scan = { scan_id: model.id };
   const attempt = async (work: () => Promise<void>): Promise<void> => {
-    setBusy(true);
-    setProblem(null);
-    try {
-      await work();
-    } catch (error) {
-      setPlan(null);
-      setProblem(error);
-    }
-    setBusy(false);
+    if (!(await run(work))) setPlan(null);
   };
   const look = (chosen: File, within_s = tolerance_s) =>
     attempt(async () => {

@@ -16,6 +16,7 @@ import {
   Table,
   TextField,
 } from "../../components";
+import { useAction } from "../../core/action";
 import { api } from "../../core/api";
 import { say } from "../../core/messages";
 import { useResource } from "../../core/resource";
@@ -65,19 +66,10 @@ export function RigCalibration({ scan, onClose, put, take }: Props) {
   const [beside, setBeside] = useState<BesideTyped>(() => besideOf(scan));
   const [file, setFile] = useState<File | null>(null);
   const [look, setLook] = useState<Look | null>(null);
-  const [problem, setProblem] = useState<unknown>(null);
-  const [busy, setBusy] = useState(false);
+  const { busy, problem, run } = useAction();
   const said = saidOf(beside);
   const attempt = async (work: () => Promise<void>): Promise<void> => {
-    setBusy(true);
-    setProblem(null);
-    try {
-      await work();
-    } catch (error) {
-      setLook(null);
-      setProblem(error);
-    }
-    setBusy(false);
+    if (!(await run(work))) setLook(null);
   };
   const compute = (chosen: File | null) =>
     attempt(async () => {

@@ -1,0 +1,55 @@
+/** Words come with the room that says them, in the language that is spoken. */
+import { expect, it, vi } from "vitest";
+import { learn, say, sayCode, speak } from "./messages";
+
+const files = vi.hoisted(() => ({
+  french: null as (() => void) | null,
+  failing: true,
+}));
+
+vi.mock("virtual:words/en/everywhere", () => ({ default: "app-name = Sightline\n" }));
+vi.mock("virtual:words", () => ({
+  default: {
+    en: {
+      checks: async () => ({ default: "action-save = Save\n" }),
+      server: async () => ({ default: "not-enough = Too few\n" }),
+      review: async () => {
+        if (files.failing) throw new TypeError("offline");
+        return { default: "action-print = Print\n" };
+      },
+    },
+    fr: {
+      everywhere: async () => ({ default: "app-name = Sightline\n" }),
+      checks: async () => {
+        await new Promise<void>((done) => {
+          files.french = done;
+        });
+        return { default: "action-save = Enregistrer\n" };
+      },
+    },
+  },
+}));
+
+it("says a room's words once they are here, in a language chosen meanwhile too", async () => {
+  const french = speak("fr");
+  await learn("checks");
+  expect(say("action-save")).toBe("Save");
+  await vi.waitFor(() => expect(files.french).not.toBeNull());
+  files.french?.();
+  await french;
+  expect(say("action-save")).toBe("Enregistrer");
+  await speak("en");
+  expect(say("action-save")).toBe("Save");
+});
+
+it("tries again after a failure", async () => {
+  await expect(learn("review")).rejects.toThrow("offline");
+  files.failing = false;
+  await learn("review");
+  expect(say("action-print")).toBe("Print");
+});
+
+it("fetches the server's words for a sentence that no page says", async () => {
+  expect(sayCode({ code: "not-enough", values: {} })).toBeNull();
+  await vi.waitFor(() => expect(sayCode({ code: "not-enough", values: {} })).toBe("Too few"));
+});
