@@ -12,7 +12,7 @@ from sightline.export.report import words
 from sightline.export.report.crest import consequence
 from sightline.export.report.facts import ReportFacts
 from sightline.export.report.said import said, told
-from sightline.export.report.units import HEIGHT, SMALL, decimal, limit
+from sightline.export.report.units import HEIGHT, SMALL, Scale, decimal, limit, percent
 from sightline.results.survey_statistics import RULE_OF, Statistics
 from sightline.statistics.errors import Interval
 from sightline.statistics.rules import RuleToday
