@@ -498,6 +498,8 @@ NO_EVENT = {
     "note_progress": "how far it is",
     "replace_frames": "part of recordings.ingested",
     "remove_frames": "part of recordings.remove",
+    "change_times": "part of recordings.ingested, whose event holds the frame table's fingerprint",
+    "state_filming_rate": "writes an event, before the one of restart_ingest",
     "append_measurement_revision": "writes an event; part of revise, withdraw, restore and reviews.add",
     "append_computed_again": "writes an event of each, after the one of add_computing",
     "append_line_heights_again": "writes an event of each, after the one of add_computing",

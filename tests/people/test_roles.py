@@ -87,6 +87,8 @@ MATRIX = {
     "PUT /recordings/{recording_id}": "operator",
     "DELETE /recordings/{recording_id}": "operator",
     "POST /recordings/{recording_id}/ingest": "operator",
+    "POST /recordings/{recording_id}/pictures/{number}": "operator",
+    "PUT /recordings/{recording_id}/filming-rate": "operator",
     "GET /recordings/{recording_id}/frames": "viewer",
     "GET /recordings/{recording_id}/frames/ready": "viewer",
     "GET /recordings/{recording_id}/frames/{n}.jpg": "viewer",

@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 
 from sightline.cli import main
-from sightline.export.report.sight import _cases
+from sightline.export.report.crest import cases_of
 from sightline.infra.jobs.records import Job
 from sightline.infra.services import Services
 from sightline.results.survey_statistics import (
@@ -95,7 +95,7 @@ def test_every_place_says_the_same_to_the_last_digit(
         assert three(crest[name], "value", "low", "high") == figure[what], name
     # the report's crest, from the statistics that it has at hand
     with services.reading() as session:
-        found = _cases(survey_statistics(session, Filter(survey_ids=(survey,))), "m")
+        found = cases_of(survey_statistics(session, Filter(survey_ids=(survey,))), "m")
     assert found is not None and found[4].crest is not None
     for one, what in ((found[4].crest.eye_m, "eye_car"), (found[4].crest.object_m, "object_stopping")):
         assert (one.value, one.low, one.high) == figure[what]

@@ -37,7 +37,7 @@ pytestmark = pytest.mark.dialect
 TABLES = {**THINGS, "results": "study_results"}
 #: What else stands in braces.
 PLAIN = {"n": "20", "frame": "20", "picture": "first", "quantity": "speed", "source": "radar"}
-PLAIN |= {"camera": "1", "level": "0", "index": "0"}
+PLAIN |= {"camera": "1", "number": "1", "level": "0", "index": "0"}
 
 
 def hidden_things(session: Session) -> tuple[samples.Sample, dict[str, int]]:

@@ -43,8 +43,6 @@ class PictureBody(Out):
 
 
 class RateIn(In):
-    model_config = example(filmed_hz=120.0)
-
     filmed_hz: float = Field(
         ge=FILMED_HZ[0], le=FILMED_HZ[1], description="Frames per second when it was filmed."
     )
