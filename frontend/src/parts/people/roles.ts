@@ -4,9 +4,9 @@ import { ROLE_NAMES, type Role } from "../../core/types";
 /** What each role may do. */
 export const DOES: Readonly<Record<Role, string>> = wordsOf("people-does-");
 
-/** The one that may do least first. */
-export const ROLES = Object.keys(DOES) as readonly Role[];
+/** The one that may do least first. Asked when it is drawn: a room's words may come after its code. */
+export const roles = (): readonly Role[] => Object.keys(DOES) as Role[];
 
 export function roleOptions(): { value: Role; label: string }[] {
-  return ROLES.map((value) => ({ value, label: ROLE_NAMES[value] }));
+  return roles().map((value) => ({ value, label: ROLE_NAMES[value] }));
 }

@@ -21,7 +21,7 @@ import { type Person, ROLE_NAMES, type Role } from "../../core/types";
 import { STATE_WORDS } from "../../core/words";
 import { AddPerson } from "../../parts/people/AddPerson";
 import "./people.css";
-import { DOES, ROLES, roleOptions } from "../../parts/people/roles";
+import { DOES, roleOptions, roles } from "../../parts/people/roles";
 import { type Invitation, ShowLink } from "../../parts/people/ShowLink";
 
 /** Accounts and roles, for administrators. */
@@ -107,7 +107,7 @@ export default function PeopleScreen() {
         </div>
       )}
       <dl class="facts people__roles">
-        {ROLES.map((role) => (
+        {roles().map((role) => (
           <Fragment key={role}>
             <dt>{ROLE_NAMES[role]}</dt>
             <dd>{DOES[role]}</dd>

@@ -19,9 +19,10 @@ import { AddPerson } from "../../parts/people/AddPerson";
 import { type Invitation, ShowLink } from "../../parts/people/ShowLink";
 
 const DOES: Readonly<Record<SurveyRole, string>> = wordsOf("members-does-");
-const ROLES = Object.keys(DOES) as SurveyRole[];
+/** Asked when it is drawn: a room's words may come after its code. */
+const roles = () => Object.keys(DOES) as SurveyRole[];
 
-const roleOptions = () => ROLES.map((value) => ({ value, label: SURVEY_ROLE_NAMES[value] }));
+const roleOptions = () => roles().map((value) => ({ value, label: SURVEY_ROLE_NAMES[value] }));
 
 export function MembersDialog({ surveyId, close }: { surveyId: number; close: () => void }) {
   const manages = may("manager");
