@@ -182,7 +182,7 @@ def create_app(settings: Settings | None = None, services: Services | None = Non
     """The web app on an already migrated database. With `services` given, they stay open when it ends."""
     settings = settings or (services.settings if services else Settings())
     own = services is None
-    services = services or open_services(settings)
+    services = services or open_services(settings, serving=True)
     prefetch_around_passes(services)
 
     @asynccontextmanager

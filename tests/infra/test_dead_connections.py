@@ -94,9 +94,11 @@ def test_connections_that_died_in_the_pool_are_found_by_one_question(relay: Rela
 def test_a_writer_that_does_nothing_is_ended_and_stores_nothing(
     factory: database.SessionFactory, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """Ten seconds in a survey, thirty in the turn of all; here a tenth of one."""
-    for within, limit in ((1, "10s"), (SIGN_IN, "10s"), (None, "30s")):
-        with writing(factory, within) as session:
+    """Ten seconds in a survey and in what answers people, thirty in the turn of all; here a tenth of one."""
+    serving = session_factory(database.engine_of(factory), idle_s=database.SHORT_IDLE_S)
+    turns = ((factory, 1, "10s"), (factory, SIGN_IN, "10s"), (factory, None, "30s"), (serving, None, "10s"))
+    for sessions, within, limit in turns:
+        with writing(sessions, within) as session:
             assert session.execute(text("SHOW idle_in_transaction_session_timeout")).scalar_one() == limit
     monkeypatch.setattr(database, "SHORT_IDLE_S", 0.1)
     with pytest.raises(DatabaseAway, match="does not answer"), writing(factory, 1) as session:

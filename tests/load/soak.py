@@ -4,7 +4,8 @@ Starts the real server on a copy of a small demonstration and prints, for each n
 clicks a second, their median and 99th percentile, what else was answered, and the processor time that the
 server spent on a click; then the same with people who look at frames and lists beside. Every click is one
 revision: audit, budget and all. The clicks are counted again in the database at the end: as many as were
-acknowledged.
+acknowledged. `--postgresql` puts a PostgreSQL of its own in the place of SQLite, `--apps 2` two servers
+before it, between which people are divided.
 """
 
 from __future__ import annotations
@@ -12,12 +13,14 @@ from __future__ import annotations
 import argparse
 import asyncio
 import os
+import secrets
 import shutil
 import statistics
 import tempfile
 import time
 from collections import Counter
 from collections.abc import Awaitable, Callable
+from contextlib import ExitStack
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -27,8 +30,9 @@ import httpx2
 from sqlalchemy import make_url, text
 
 from sightline.infra.database.engine import make_engine
-from tests.browser.conftest import made_once
+from tests.browser.conftest import made_once, make_small_survey
 from tests.browser.server import Server, start
+from tests.load.cluster import Cluster
 from tests.load.light import Answer, Light
 
 LATE = "1"
@@ -54,11 +58,12 @@ class Told:
 
 @dataclass
 class Ground:
-    url: str
+    urls: tuple[str, ...]
     cookies: Any
     survey: int
     recording: dict[str, Any]
-    server_pid: int
+    server_pids: tuple[int, ...]
+    pause_s: float
 
 
 def signed_in(server: Server) -> tuple[Any, int]:
@@ -105,7 +110,7 @@ async def click(http: Light, ground: Ground, told: Told, until: float) -> None:
 
 
 async def look(http: Light, ground: Ground, told: Told, until: float) -> None:
-    """One person who plays the recording at 25 frames a second and reads a list now and then."""
+    """One person who plays the recording, `pause_s` a frame, and reads a list now and then."""
     count, number = int(ground.recording["frame_count"]), 0
     while time.perf_counter() < until:
         number += 1
@@ -117,34 +122,42 @@ async def look(http: Light, ground: Ground, told: Told, until: float) -> None:
         took = time.perf_counter() - started
         told.took_s.append(took)
         told.note(answer)
-        await asyncio.sleep(max(0.0, 0.04 - took))
+        await asyncio.sleep(max(0.0, ground.pause_s - took))
 
 
 async def under_load(ground: Ground, clickers: int, lookers: int, seconds: float) -> tuple[Told, Told]:
     clicked, seen = Told(), Told()
     until = time.perf_counter() + seconds
-    people = [_person(click, ground, clicked, until) for _ in range(clickers)]
-    people += [_person(look, ground, seen, until) for _ in range(lookers)]
+    people = [_person(click, ground, clicked, until, n) for n in range(clickers)]
+    people += [_person(look, ground, seen, until, n) for n in range(lookers)]
     await asyncio.gather(*people)
     return clicked, seen
 
 
 async def _person(
-    work: Callable[[Light, Ground, Told, float], Awaitable[None]], ground: Ground, told: Told, until: float
+    work: Callable[[Light, Ground, Told, float], Awaitable[None]],
+    ground: Ground,
+    told: Told,
+    until: float,
+    number: int,
 ) -> None:
-    async with Light(ground.url, ground.cookies) as http:
+    async with Light(ground.urls[number % len(ground.urls)], ground.cookies) as http:
         await work(http, ground, told, until)
 
 
 def processor_s(ground: Ground) -> float:
-    """Seconds of processor time that the server has spent (Linux)."""
-    fields = Path(f"/proc/{ground.server_pid}/stat").read_text().rsplit(")", 1)[1].split()
-    return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
+    """Seconds of processor time that the servers have spent (Linux)."""
+    ticks = 0
+    for pid in ground.server_pids:
+        fields = Path(f"/proc/{pid}/stat").read_text().rsplit(")", 1)[1].split()
+        ticks += int(fields[11]) + int(fields[12])
+    return ticks / os.sysconf("SC_CLK_TCK")
 
 
 def resident_mb(ground: Ground) -> float:
-    pages = int(Path(f"/proc/{ground.server_pid}/statm").read_text().split()[1])
-    return pages * os.sysconf("SC_PAGE_SIZE") / 1e6
+    """Of all servers together."""
+    pages = [int(Path(f"/proc/{pid}/statm").read_text().split()[1]) for pid in ground.server_pids]
+    return sum(pages) * os.sysconf("SC_PAGE_SIZE") / 1e6
 
 
 def report(ground: Ground, clickers: int, lookers: int, seconds: float) -> int:
@@ -176,33 +189,61 @@ def counted(database_url: str) -> int:
         engine.dispose()
 
 
+def served(chosen: argparse.Namespace, here: Path, stack: ExitStack) -> tuple[list[Server], str]:
+    """The servers that answer, and the address of their database."""
+    if not chosen.postgresql:
+        data = here / "data"
+        shutil.copytree(chosen.ground or made_once(here / "small"), data)
+        servers = [start("demo", data)]
+        url = make_url(f"sqlite:///{data / 'sightline.db'}").render_as_string(hide_password=False)
+    else:
+        cluster = Cluster(here / "cluster")
+        cluster.start()
+        stack.callback(cluster.stop)
+        url, media = cluster.url, str(here / "made" / "media")
+        make_small_survey(here / "made", database_url=url)
+        common = {
+            "SIGHTLINE_DATABASE_URL": url,
+            "SIGHTLINE_MEDIA_URL": media,
+            "SIGHTLINE_UPLOADS_DIR": str(here / "uploads"),
+            "SIGHTLINE_WORKERS": "0",
+        }
+        common |= {name: secrets.token_hex(32) for name in ("SIGHTLINE_SECRET", "SIGHTLINE_SIGNING_KEY")}
+        servers = [start("serve", here / f"app-{n}", extra=common) for n in range(chosen.apps)]
+    for server in servers:
+        stack.callback(server.stop)
+        server.wait(120)
+    return servers, url
+
+
 def main() -> None:
     options = argparse.ArgumentParser(description=__doc__)
     options.add_argument("--seconds", type=float, default=10.0)
     options.add_argument("--clients", default="1,8,32,64")
+    options.add_argument("--beside", type=int, default=8, help="people who click beside those who look")
     options.add_argument("--looking", type=int, default=8)
-    options.add_argument("--ground", type=Path, help="a small demonstration made before")
+    options.add_argument("--pause", type=float, default=0.04, help="seconds from frame to frame of who looks")
+    options.add_argument("--ground", type=Path, help="a small demonstration made before (SQLite)")
+    options.add_argument("--postgresql", action="store_true")
+    options.add_argument("--apps", type=int, default=1, help="servers before PostgreSQL")
     chosen = options.parse_args()
-    with tempfile.TemporaryDirectory() as made:
-        here = Path(made)
-        data = here / "data"
-        shutil.copytree(chosen.ground or made_once(here / "small"), data)
-        server = start("demo", data)
-        try:
-            server.wait(120)
-            cookies, survey = signed_in(server)
-            with httpx2.Client(base_url=server.url, cookies=cookies, timeout=120) as http:
-                recording = http.get(f"/api/surveys/{survey}/recordings").json()[0]
-            ground = Ground(server.url, cookies, survey, recording, server.process.pid)
-            url = make_url(f"sqlite:///{data / 'sightline.db'}").render_as_string(hide_password=False)
-            before, acknowledged = counted(url), 0
-            for number in (int(one) for one in chosen.clients.split(",")):
-                acknowledged += number + report(ground, number, 0, chosen.seconds)
-            acknowledged += 8 + report(ground, 8, chosen.looking, chosen.seconds)
-            lost = acknowledged - (counted(url) - before)
-            print(f"{acknowledged} clicks acknowledged, {lost} of them not in the database")
-        finally:
-            server.stop()
+    if chosen.apps > 1 and not chosen.postgresql:
+        options.error("several servers need --postgresql")
+    with ExitStack() as stack:
+        here = Path(stack.enter_context(tempfile.TemporaryDirectory(ignore_cleanup_errors=True)))
+        servers, url = served(chosen, here, stack)
+        cookies, survey = signed_in(servers[0])
+        urls = tuple(server.url for server in servers)
+        with httpx2.Client(base_url=urls[0], cookies=cookies, timeout=120) as http:
+            recording = http.get(f"/api/surveys/{survey}/recordings").json()[0]
+        pids = tuple(server.process.pid for server in servers)
+        ground = Ground(urls, cookies, survey, recording, pids, chosen.pause)
+        before, acknowledged = counted(url), 0
+        for number in (int(one) for one in chosen.clients.split(",")):
+            acknowledged += number + report(ground, number, 0, chosen.seconds)
+        acknowledged += chosen.beside + report(ground, chosen.beside, chosen.looking, chosen.seconds)
+        lost = acknowledged - (counted(url) - before)
+        print(f"{acknowledged} clicks acknowledged, {lost} of them not in the database")
 
 
 if __name__ == "__main__":

@@ -112,7 +112,7 @@ def serve_on(
     with explained(), engine.connect() as connection:
         require_guards(connection)
     engine.dispose()
-    services = open_services(settings)
+    services = open_services(settings, serving=True)
     stack.callback(services.close)
     require_alike(services.engine, settings, app=True)
     services.part(PageWatch).require_whole()

@@ -14,6 +14,7 @@ from sqlalchemy import Engine
 from sqlalchemy.orm import Session
 
 from sightline.infra.database.engine import (
+    SHORT_IDLE_S,
     InSurvey,
     SessionFactory,
     SignIn,
@@ -106,13 +107,14 @@ class Services:
             shutil.rmtree(self._aside, ignore_errors=True)
 
 
-def open_services(settings: Settings, *, decode_in_child: bool = True) -> Services:
+def open_services(settings: Settings, *, decode_in_child: bool = True, serving: bool = False) -> Services:
     """Open database and media store, and remove what killed processes left. Migrates and starts nothing.
 
+    `serving`: people wait for what it writes, so that no write of it may keep the others waiting for long.
     `decode_in_child`: a hostile file may end the child in which stills are decoded, never this process.
     """
     engine = make_engine(settings.database_url)
-    sessions = session_factory(engine)
+    sessions = session_factory(engine, idle_s=SHORT_IDLE_S if serving else None)
     aside = None
     if settings.data_dir.is_dir() and not os.access(settings.data_dir, os.W_OK):
         aside = Path(tempfile.mkdtemp(prefix="sightline-"))

@@ -43,7 +43,8 @@ _UNLIMITED = text(
 # A commit that writes to the log is waited for, with all that stands in the log before it.
 _FLUSH = text("SELECT pg_logical_emit_message(true, 'sightline', '')")
 _EVERYTHING = {"turn": "/everything"}
-#: seconds that PostgreSQL lets a writer do nothing: in a turn that is short by nature, and in that of all
+#: seconds that PostgreSQL lets a writer do nothing in a turn: one that answers people, or keeps a survey's
+#: turn, and one that works by itself in the turn of all (a worker's job, a command)
 SHORT_IDLE_S, LONG_IDLE_S = 10.0, 30.0
 # More connections than requests may read at once (infra/web/turns.py), for there are short questions beside.
 _POOL: dict[str, Any] = {"pool_size": 10, "max_overflow": 30, "pool_timeout": 10}
@@ -204,9 +205,14 @@ def lift_limits(connection: Connection) -> None:
     connection.execute(_UNLIMITED)
 
 
-def session_factory(engine: Engine) -> SessionFactory:
-    """The maker of sessions on this engine; hand it to `reading` and `writing`."""
-    return sessionmaker(engine, expire_on_commit=False, autoflush=False)
+def session_factory(engine: Engine, *, idle_s: float | None = None) -> SessionFactory:
+    """The maker of sessions on this engine; hand it to `reading` and `writing`.
+
+    `idle_s`: how long a writer in the turn of all may do nothing before PostgreSQL gives the turn to the
+    next (LONG_IDLE_S unless given).
+    """
+    info = {} if idle_s is None else {"idle_s": idle_s}
+    return sessionmaker(engine, expire_on_commit=False, autoflush=False, info=info)
 
 
 @contextmanager
@@ -301,7 +307,7 @@ def _write(factory: SessionFactory, within: InSurvey | SignIn | None, unsynced: 
 def _await_turn(session: Session, within: InSurvey | SignIn | None, unsynced: bool) -> None:
     """Wait for the turn to write; SQLite's BEGIN IMMEDIATE has done it already."""
     limits = _limits()
-    idle_s, answer_s = LONG_IDLE_S, limits.LONG_WRITE_S
+    idle_s, answer_s = float(session.info.get("idle_s", LONG_IDLE_S)), limits.LONG_WRITE_S
     if within is not None:
         idle_s, answer_s = SHORT_IDLE_S, limits.SHORT_WRITE_S
     limits.limit_answers(session.connection(), answer_s)
