@@ -45,7 +45,7 @@ _FLUSH = text("SELECT pg_logical_emit_message(true, 'sightline', '')")
 _EVERYTHING = {"turn": "/everything"}
 #: seconds that PostgreSQL lets a writer do nothing in a turn: one that answers people, or keeps a survey's
 #: turn, and one that works by itself in the turn of all (a worker's job, a command)
-SHORT_IDLE_S, LONG_IDLE_S = 10.0, 30.0
+SHORT_IDLE_S, LONG_IDLE_S = 8.0, 30.0
 # More connections than requests may read at once (infra/web/turns.py), for there are short questions beside.
 _POOL: dict[str, Any] = {"pool_size": 10, "max_overflow": 30, "pool_timeout": 10}
 _WRITING, _UNSYNCED = "sightline_writing", "sightline_unsynced"

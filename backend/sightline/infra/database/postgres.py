@@ -15,9 +15,10 @@ from sqlalchemy import URL, Engine, create_engine, event
 
 #: seconds to connect; for an answer to "are you there"; to a statement that reads, or that writes in a short
 #: turn, or in the turn of all
-CONNECT_S, PING_S, READ_S, SHORT_WRITE_S, LONG_WRITE_S = 5, 5.0, 125.0, 12.0, 60.0
-#: how long PostgreSQL lets a writer wait for its turn, and a statement run
-LOCK_S, STATEMENT_S = 10, 120
+CONNECT_S, PING_S, READ_S, SHORT_WRITE_S, LONG_WRITE_S = 5, 4.0, 125.0, 10.0, 60.0
+#: how long PostgreSQL lets a writer wait for its turn, and a statement run; the wait is shorter than the idle
+#: limit of who has the turn (engine.py), else the turn of a dead writer goes to one that died while it waited
+LOCK_S, STATEMENT_S = 7, 120
 
 _KEPT_ALIVE = {"keepalives": 1, "keepalives_idle": 10, "keepalives_interval": 5, "keepalives_count": 3}
 #: the same from the server's side: it gives the connection of a machine that fell off the net up
