@@ -118,6 +118,7 @@ def test_what_broke_off_goes_on_where_it_was(
         ("a.txt", b"words", "not have the ending of a video"),
         ("none.mp4", b"", "empty"),
         ("bad.mp4", b"no video", "cannot be read"),
+        ("of a recorder.TS", b"no video", "cannot be read"),
     ],
 )
 def test_what_cannot_be_used_is_refused_in_words(

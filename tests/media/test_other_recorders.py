@@ -66,6 +66,7 @@ def test_a_clock_that_begins_again_loses_no_frame(
     assert result.frames.time_s == pytest.approx(np.arange(120) / rate, abs=2e-3)
     assert numbers(result, server) == list(range(120))
     assert result.report.rate_hz == pytest.approx(rate, rel=1e-4)
+    assert result.facts.container == container  # of the file, whatever it is served from
 
 
 def two_pictures(

@@ -17,6 +17,7 @@ from sightline.geometry.mean_picture import MeanPicture
 from sightline.geometry.tracking import track
 from sightline.media.images import HEIF, read_image
 from sightline.media.video.decode import frames_of
+from sightline.media.video.endings import VIDEO_ENDINGS
 
 Frames = Callable[[Path], Iterator[tuple[str, Gray]]]
 
@@ -24,20 +25,6 @@ CLIP_VIEWS = 24  # views taken from a clip for a calibration: enough, and little
 POSE_FRAMES = 150  # frames of a clip that a pose looks at before it skips some
 SEARCH_S = 8.0  # how long frames are searched in vain, all together
 _IMAGE_ENDINGS = {".png", ".jpg", ".jpeg", ".bmp", ".tif", ".tiff", ".webp", ".pgm", ".ppm", ".pnm", ".jp2"}
-_CLIP_ENDINGS = {
-    ".mp4",
-    ".mov",
-    ".m4v",
-    ".avi",
-    ".mkv",
-    ".webm",
-    ".ts",
-    ".mts",
-    ".mpg",
-    ".mpeg",
-    ".h264",
-    ".hevc",
-}
 
 
 def pictures_of(path: Path, frames: Frames) -> Iterator[tuple[str, Gray]]:
@@ -48,7 +35,7 @@ def pictures_of(path: Path, frames: Frames) -> Iterator[tuple[str, Gray]]:
     if not path.is_file():
         raise BadInput("cameras-not-file-give-picture-files-clip", path=path)
     ending = path.suffix.lower()
-    if ending in _CLIP_ENDINGS:
+    if ending in VIDEO_ENDINGS:
         yield from frames(path)
         return
     try:

@@ -12,11 +12,11 @@ import click
 
 from sightline.commands.options import json_option, print_json, progress_told, settings_of
 from sightline.errors import BadInput, Busy, TooMany
+from sightline.media.video.endings import VIDEO_ENDINGS
 
 if TYPE_CHECKING:
     from sightline.commands.remote import Remote
 
-SUFFIXES = frozenset({".mp4", ".mov", ".m4v", ".mkv", ".avi", ".mts", ".m2ts", ".mpg", ".mpeg", ".webm"})
 _POLL_S = 0.5
 Tell = Callable[[float, str], None]
 
@@ -107,8 +107,8 @@ def _survey_id(remote: Remote, wanted: str) -> int:
 def _require_video(video: Path) -> None:
     if not video.is_file():
         raise BadInput("import-no-such-file", name=str(video))
-    if video.suffix.lower() not in SUFFIXES:
-        raise BadInput("import-not-a-video", name=video.name, suffixes=", ".join(sorted(SUFFIXES)))
+    if video.suffix.lower() not in VIDEO_ENDINGS:
+        raise BadInput("import-not-a-video", name=video.name, suffixes=", ".join(sorted(VIDEO_ENDINGS)))
     if video.stat().st_size == 0:
         raise BadInput("import-empty-file", name=video.name)
 
@@ -244,7 +244,7 @@ def _watch(remote: Remote, survey_id: int, folder: Path, settle_s: float, tell: 
 
 def _videos_in(folder: Path) -> Iterator[tuple[Path, State]]:
     for path in folder.iterdir():
-        if path.suffix.lower() in SUFFIXES and path.is_file() and path.stat().st_size > 0:
+        if path.suffix.lower() in VIDEO_ENDINGS and path.is_file() and path.stat().st_size > 0:
             yield path, _state(path)
 
 

@@ -297,7 +297,7 @@ it("asks which of two heights of one target counts", async () => {
   await quiet();
   const found = outbox.get("first") as Wish;
   expect(found).toMatchObject({ state: "conflict", mine: "1.460 m", theirs: { id: 5, revision: 3 } });
-  expect(outbox.theirs(found)).toBe("1.480 ± 0.030 m");
+  expect(outbox.theirs(found)).toBe("1.480\u00a0±\u00a00.030\u00a0m");
   outbox.discard("first");
 });
 

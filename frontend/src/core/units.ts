@@ -10,7 +10,7 @@ const SECONDS_PER_HOUR = 3600;
 /** Metres by default, feet on request, everywhere. */
 export const lengthUnit = stored<LengthUnit>("unit", "m", (v) => v === "m" || v === "ft");
 
-const NBSP = " ";
+const NBSP = "\u00a0";
 
 /** What a number of the server is multiplied by to be shown, and the name of the unit it then has. */
 export type Scale<Unit extends string = string> = readonly [factor: number, unit: Unit];

@@ -114,10 +114,11 @@ def ingest(
     with closing(open_container(path, name)) as original:
         stated = stated_of(original, path)
         number, pictures = picture_read(original, name, stream_number)
-        by_copy = needs_copy(original.format.name)
+        kind = original.format.name
+        by_copy = needs_copy(kind)
     if by_copy:
         copy = make_copy(path, folder, name, is_cancelled, keep_times=True, stream_number=number)
-    asked = _Asked(number, filmed_hz, pictures)
+    asked = _Asked(number, filmed_hz, kind, pictures)
     watch = _Watch(on_progress, is_cancelled, name)
     container = open_container(copy.path if copy else path, name)
     result = _ingest_open(container, path, copy, watch, thumb_dir, stated, asked)
@@ -130,10 +131,13 @@ def ingest(
 
 @dataclass(frozen=True)
 class _Asked:
-    """What a person asked of the reading, and what the original's pictures are (a working copy has one)."""
+    """What a person asked of the reading, and what the original is: its container and its pictures (a working
+    copy has a container of its own, and one picture).
+    """
 
     number: int
     filmed_hz: float | None
+    container: str
     pictures: tuple[Picture, ...]
 
 
@@ -161,7 +165,7 @@ def _ingest_open(
             with closing(open_container(media_path, watch.name)) as again:
                 stream = video_stream(again, watch.name, threads=1, number=of_copy)
                 facts, rows, thumbs = _decode_all(again, stream, damage, watch, thumb_dir)
-    facts = replace(facts, stream=asked.number, pictures=asked.pictures)
+    facts = replace(facts, container=asked.container, stream=asked.number, pictures=asked.pictures)
     table = _table(rows, float(facts.time_base))
     played = table.time_s, table.crc32, damage, copy, stated, extent_of(path)
     if asked.filmed_hz is not None:

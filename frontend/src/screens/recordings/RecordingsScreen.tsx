@@ -77,7 +77,7 @@ export default function RecordingsScreen({ surveyId }: ScreenProps) {
           label={say("recordings-choose")}
           title={say("recordings-drop")}
           hint={say("recordings-drop-hint")}
-          accept="video/*,.mp4,.mov,.avi,.mkv,.mts,.m2ts,.webm,.mpg,.mpeg,.wmv"
+          accept="video/*,.3gp,.asf,.avi,.m2ts,.mkv,.mpeg,.mpg,.mts,.mxf,.ts,.wmv"
           add={add}
         />
       )}

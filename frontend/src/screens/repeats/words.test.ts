@@ -6,14 +6,16 @@ const few = { sd: null, low: null, high: null, freedom: 2, reason: "Too few repe
 describe("figures of repeats in words", () => {
   it("says a spread with its interval, and nothing where there is none", () => {
     const spread = { sd: 0.0041, low: 0.0032, high: 0.0156, freedom: 22, reason: null };
-    expect(spreadWords(spread)).toEqual({ value: "4.1 mm", interval: "3.2 to 16 mm" });
+    expect(spreadWords(spread)).toEqual({ value: "4.1\u00a0mm", interval: "3.2 to 16\u00a0mm" });
     expect(spreadWords(few)).toBeNull();
     expect(pixelWords({ ...spread, sd: 0.62, low: 0.54, high: 0.72 })?.interval).toBe("0.54 to 0.72 px");
   });
 
   it("says a shift with its interval, and nothing where too few vehicles tell", () => {
     const shift = { shown: 90, free: 10, shown_m: 0.001, free_m: 0.0021, reason: null };
-    expect(shiftWords({ ...shift, shift_m: -0.0011, U95_shift_m: 0.0024 })).toBe("−1.1 ± 2.4 mm");
+    expect(shiftWords({ ...shift, shift_m: -0.0011, U95_shift_m: 0.0024 })).toBe(
+      "−1.1\u00a0±\u00a02.4\u00a0mm",
+    );
     expect(shiftWords({ ...shift, shift_m: null, U95_shift_m: null })).toBeNull();
   });
 

@@ -29,5 +29,5 @@ export function claimVerdict(claim: TargetRepeats["uncertainty_check"]): string 
 /** "-0.8 ± 1.4 mm"; null where too few vehicles tell. */
 export function shiftWords(shift: ProposedTarget["shift"]): string | null {
   if (shift.shift_m === null) return null;
-  return `${formatSmall(shift.shift_m).replace(/\s(mm|in)$/, "")} ± ${formatSmall(shift.U95_shift_m)}`;
+  return `${formatSmall(shift.shift_m).replace(/\s(mm|in)$/, "")}\u00a0±\u00a0${formatSmall(shift.U95_shift_m)}`;
 }
