@@ -61,4 +61,4 @@ def test_strays_are_named_all_at_once_and_apart_from_what_was_changed(
     for name in strays:
         (package / name).unlink()
     assert main(["verify", str(package)]) == 1
-    assert "mine.txt does not belong to the export" in capsys.readouterr().err
+    assert "mine.txt is not listed in SHA256SUMS" in capsys.readouterr().err

@@ -382,7 +382,7 @@ def the_description(place: Path) -> str:
 
 def a_file_put_in(place: Path) -> str:
     (place / "notes.txt").write_text("Trust me.")
-    return "notes.txt does not belong to the export"
+    return "notes.txt is not listed in SHA256SUMS"
 
 
 def bytes_alone(place: Path) -> str:

@@ -4518,7 +4518,10 @@ export-stray-files = { $count ->
     [one] The system put a file beside those of the package: { $names }
    *[other] The system put { $count } files beside those of the package: { $names }
  }. Delete what is named here and check again; no file of the package has been looked at yet.
-export-not-belong-export-take-out-check = { $strange } does not belong to the export; remove it and check again.
+export-zip-in-zip = { $place } contains { $inner }; unpack it and give that.
+export-checksums-no-list = { $checksums } is not a list of hashes: it was changed or cut off after the export; take the whole export again.
+export-file-renamed = { $path } is here as { $there }: file names were changed on the way; copy or unpack the export again with its names.
+export-not-belong-export-take-out-check = { $strange } is not listed in SHA256SUMS: it was added, or the list was changed. Remove what you added, or take the whole export again.
 export-changed-after-export-take-whole-export = { $path } was changed after the export; take the whole export again.
 export-checkpoint-form = checkpoint.json is not written as this program writes it; take the whole export again.
 export-checkpoint-signature = checkpoint.json carries a signature that its key does not give; it was changed.
@@ -4618,6 +4621,8 @@ csv_package-zip-odd-entry = { $place } contains { $path }, which is not a plain 
 csv_package-zip-bomb = { $place }: { $path } would unpack to far more than any table has; take the whole export again.
 csv_package-too-many-files = { $place } lists more files than a package can have; take the whole export again.
 csv_package-link = { $path } is a link, not a file (or a pipe or device): an export has none; take the whole export again.
+csv_package-no-json = { $path } cannot be read as JSON: it was cut off or changed after the export; take the whole export again.
+csv_package-zip-encrypted = { $place } is protected with a password; unpack it with the password and give the folder.
 csv_package-json-of-another-form = { $path } is not written as Sightline writes JSON (a key twice, other blanks or numbers), so programs might read it differently; take the whole export again.
 csv_package-other-columns-than-described = { $path } has other columns than datapackage.json describes ({ $column }): it was changed after the export.
 csv_package-cannot-read-csv-take-whole-export = { $path } cannot be read as CSV; take the whole export again.

@@ -4515,7 +4515,10 @@ export-stray-files = { $count ->
     [one] Le système a ajouté un fichier à ceux du paquet : { $names }
    *[other] Le système a ajouté { $count } fichiers à ceux du paquet : { $names }
  }. Supprimez ce qui est nommé ici et relancez le contrôle ; aucun fichier du paquet n’a encore été examiné.
-export-not-belong-export-take-out-check = { $strange } n’appartient pas à l’export ; retirez-le et contrôlez à nouveau.
+export-zip-in-zip = { $place } contient { $inner } ; décompressez-le et indiquez celui-là.
+export-checksums-no-list = { $checksums } n’est pas une liste d’empreintes : il a été modifié ou coupé après l’export ; reprenez l’export complet.
+export-file-renamed = { $path } est ici sous le nom { $there } : des noms de fichiers ont été changés en route ; copiez ou décompressez l’export à nouveau avec ses noms.
+export-not-belong-export-take-out-check = { $strange } n’est pas dans SHA256SUMS : il a été ajouté, ou la liste a été modifiée. Retirez ce que vous avez ajouté, ou reprenez l’export complet.
 export-changed-after-export-take-whole-export = { $path } a été modifié après l’export ; reprenez l’export complet.
 export-checkpoint-form = checkpoint.json n’est pas écrit comme ce programme l’écrit ; reprenez l’export complet.
 export-checkpoint-signature = checkpoint.json porte une autre signature que celle que donne sa clé ; il a été modifié.
@@ -4615,6 +4618,8 @@ csv_package-zip-odd-entry = { $place } contient { $path }, qui n’est pas un si
 csv_package-zip-bomb = { $place } : { $path } se décompresserait en bien plus que ne contient un tableau ; reprenez l’export complet.
 csv_package-too-many-files = { $place } énumère plus de fichiers qu’une archive ne peut en avoir ; reprenez l’export complet.
 csv_package-link = { $path } est un lien, non un fichier (ou un tube ou périphérique) : un export n’en a pas ; reprenez l’export complet.
+csv_package-no-json = { $path } ne peut pas être lu comme JSON : il a été coupé ou modifié après l’export ; reprenez l’export complet.
+csv_package-zip-encrypted = { $place } est protégé par un mot de passe ; décompressez-le avec le mot de passe et indiquez le dossier.
 csv_package-json-of-another-form = { $path } n’est pas écrit comme Sightline écrit du JSON (une clé en double, d’autres espaces ou nombres) : des programmes pourraient y lire des choses différentes ; reprenez l’export complet.
 csv_package-other-columns-than-described = { $path } a d’autres colonnes que celles que décrit datapackage.json ({ $column }) : il a été modifié après l’export.
 csv_package-cannot-read-csv-take-whole-export = { $path } ne peut pas être lu comme CSV ; reprenez l’export complet.

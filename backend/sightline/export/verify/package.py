@@ -41,6 +41,7 @@ from sightline.infra.csv_package.files import (
     InFolder,
     Tick,
     checksum_lines,
+    is_plain,
     is_stray,
     missing,
     no_tick,
@@ -122,8 +123,10 @@ def verify_place(
     files = open_package(place)
     if CHECKSUMS in files.paths or (inner := package_inside(files.paths)) is None:
         return verify_package(files, head, key, tick)
-    if place.is_dir() or inner.lower().endswith(".zip"):
+    if place.is_dir():
         raise BadInput("export-package-is-inside", inner=place / inner)
+    if inner.lower().endswith(".zip"):
+        raise BadInput("export-zip-in-zip", place=place, inner=inner)
     found = verify_package(InFolder(files, inner), head, key, tick)
     found.notes.append(
         f"In the ZIP the package lies in the folder {inner}: this is not the file that Sightline wrote, but "
@@ -299,10 +302,17 @@ def checksums(files: Files) -> dict[str, Written]:
     listed: dict[str, str] = {}
     for line in read_whole(files, CHECKSUMS).decode("utf-8", "replace").splitlines():
         sum_, _, path = line.partition("  ")
+        if len(sum_) != 64 or not is_plain(path):
+            raise Damaged("export-checksums-no-list", checksums=CHECKSUMS)
         listed[path] = sum_
+    if not listed:
+        raise Damaged("export-checksums-no-list", checksums=CHECKSUMS)
     strange = sorted(there - set(listed) - {CHECKSUMS})
     if stray := [path for path in strange if is_stray(path)]:
         raise Damaged("export-stray-files", count=len(stray), names=", ".join(stray))
+    awaited = {path.lower(): path for path in set(listed) - there}
+    if renamed := [path for path in strange if path.lower() in awaited]:
+        raise Damaged("export-file-renamed", path=awaited[renamed[0].lower()], there=renamed[0])
     if strange:
         raise Damaged("export-not-belong-export-take-out-check", strange=strange[0])
     written: dict[str, Written] = {}

@@ -279,9 +279,11 @@ class ZipFiles:
         if len(self.paths) < len(entries):
             raise BadInput("csv_package-holds-file-twice-no-export-take", place=place)
         for one in entries:
-            if not _is_plain(one.filename) or (one.external_attr >> 28) not in (0, _REGULAR):
+            if not is_plain(one.filename) or (one.external_attr >> 28) not in (0, _REGULAR):
                 raise BadInput("csv_package-zip-odd-entry", place=place, path=one.filename[:100])
-            if one.flag_bits & 1 or one.compress_type not in (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED):
+            if one.flag_bits & 1:
+                raise BadInput("csv_package-zip-encrypted", place=place)
+            if one.compress_type not in (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED):
                 raise BadInput("csv_package-zip-odd-entry", place=place, path=one.filename[:100])
             if one.file_size > _SMALL_BYTES and one.file_size > MOST_RATIO * max(one.compress_size, 1):
                 raise BadInput("csv_package-zip-bomb", place=place, path=one.filename[:100])
@@ -293,11 +295,11 @@ class ZipFiles:
         try:
             with self._archive.open(path) as file:
                 yield cast(BinaryIO, file)
-        except (zipfile.BadZipFile, zlib.error, EOFError) as error:
+        except (zipfile.BadZipFile, zlib.error, EOFError, OSError) as error:
             raise Damaged("csv_package-cannot-unpacked-take-whole-export-again", path=path) from error
 
 
-def _is_plain(path: str) -> bool:
+def is_plain(path: str) -> bool:
     """Whether a path leads to a file in the package and nowhere else, on any machine."""
     parts = path.split("/")
     return not ({"", ".", ".."} & set(parts) or "\\" in path or "\0" in path or ":" in parts[0])

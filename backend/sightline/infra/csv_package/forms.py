@@ -28,7 +28,9 @@ def read_json(files: Files, path: str) -> Any:
         found = json.loads(content, object_pairs_hook=_each_once)
         if json_bytes(found) == content:
             return found
-    except (ValueError, RecursionError) as error:
+    except (json.JSONDecodeError, UnicodeDecodeError, RecursionError) as error:
+        raise Damaged("csv_package-no-json", path=path) from error
+    except ValueError as error:
         raise Damaged("csv_package-json-of-another-form", path=path) from error
     raise Damaged("csv_package-json-of-another-form", path=path)
 
