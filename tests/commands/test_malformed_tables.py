@@ -13,7 +13,13 @@ from typing import Any
 import pytest
 
 from sightline.cli import main
+from sightline.commands.passes_csv import read_passes
+from sightline.commands.tracks_csv import read_tracks
+from sightline.errors import BadInput
 from sightline.infra.database.engine import make_engine, migrate
+from sightline.linescan.rig_calibration import Common
+from sightline.scans.rig.passes_csv import read_rig_passes
+from sightline.studies.fleet_csv import read_fleet, read_sites
 
 HEIGHTS = "id,height_m,u_height_m,reference_height_m,lighting,status\n"
 GOOD = "1,1.41,0.005,1.40,daytime,ok\n2,1.52,0.005,1.50,daytime,ok\n3,1.63,0.005,1.60,daytime,ok\n"
@@ -112,3 +118,158 @@ def test_catalogue(name: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
         assert "Traceback" not in err and all(word in said for word in right), (status, out, err)
         return
     assert {row["line"]: row["change"] for row in json.loads(out)["rows"]} == right
+
+
+FLEET = "category,share\n"
+SITES = "site,stratum,sites_there,traffic\n"
+EVEN = {"category": {"car": pytest.approx(0.7), "van": pytest.approx(0.3)}}
+
+# name: content, and the shares that it says, or the words of the refusal
+FLEETS: dict[str, tuple[str, dict[str, Any] | tuple[str, ...]]] = {
+    "shares in per cent": (FLEET + "car,70\nvan,30\n", ("100",)),
+    "per cent signs": (FLEET + "car,70 %\nvan,30 %\n", ("line 2", "share")),
+    "decimal commas": (FLEET + "car,0,7\nvan,0,3\n", ("line 2", "cells")),
+    "a negative share": (FLEET + "car,1.1\nvan,-0.1\n", ("share", "-0.1")),
+    "a class twice": (FLEET + "car,0.4\ncar,0.3\nvan,0.3\n", ("car",)),
+    "a class without a name": (FLEET + "car,0.7\n,0.3\n", ("3", "category")),
+    "a share that is empty": (FLEET + "car,0.7\nvan,\n", ("line 3", "share")),
+    "a share that is no number": (FLEET + "car,NaN\nvan,0.3\n", ("line 2", "share")),
+    "shares that lack a class": (FLEET + "car,0.7\nvan,0.2\n", ("0.9",)),
+    "a line with the total": (FLEET + "car,0.7\nvan,0.3\ntotal,1.0\n", ("2",)),
+    "registrations of nobody": ("category,registrations\ncar,0\nvan,0\n", ("category",)),
+    "shares and registrations": ("category,share,registrations\ncar,1,10\n", ("share",)),
+    "no classes": (FLEET, ("fleet.csv",)),
+    "no class in the header": ("kind,share\ncar,1\n", ("category",)),
+    "registrations": ("category,registrations\ncar,700\nvan,300\n", EVEN),
+    "blank lines and semicolons": ("category;share\n\ncar;0.7\n\nvan;0.3\n", EVEN),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", FLEETS)
+def test_fleet(name: str) -> None:
+    content, right = FLEETS[name]
+    if isinstance(right, tuple):
+        with pytest.raises(BadInput) as refused:
+            read_fleet(Path("fleet.csv"), content)
+        assert all(word in str(refused.value) for word in ("fleet.csv", *right)), refused.value
+        return
+    assert read_fleet(Path("fleet.csv"), content).margins == right
+
+
+OF_SITES: dict[str, tuple[str, int | tuple[str, ...]]] = {
+    "a site twice": (SITES + "A,rural,10,\nA,rural,10,\n", ("A",)),
+    "a stratum of two sizes": (SITES + "A,rural,10,\nB,rural,12,\n", ("rural",)),
+    "half a site": (SITES + "A,rural,10.5,\n", ("sites_there", "10.5")),
+    "no site there": (SITES + "A,rural,0,\n", ("sites_there", "0")),
+    "traffic of some": (SITES + "A,rural,10,400\nB,rural,10,\n", ("traffic",)),
+    "no traffic": (SITES + "A,rural,10,0\nB,rural,10,100\n", ("traffic",)),
+    "traffic below nothing": (SITES + "A,rural,10,-5\nB,rural,10,100\n", ("traffic", "-5")),
+    "a site without a name": (SITES + ",rural,10,\n", ("2", "site")),
+    "a site without a stratum": (SITES + "A,,10,\n", ("2", "stratum")),
+    "no strata": ("site,sites_there\nA,10\n", ("stratum",)),
+    "thousands": (SITES + '"A",rural,"1,000",\n', ("line 2", "sites_there")),
+    "no sites": (SITES, 0),
+    "nobody knows how many": ("site,stratum\nA,rural\nB,urban\n", 2),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", OF_SITES)
+def test_sites(name: str) -> None:
+    content, right = OF_SITES[name]
+    if isinstance(right, tuple):
+        with pytest.raises(BadInput) as refused:
+            read_sites(Path("sites.csv"), content)
+        assert all(word in str(refused.value) for word in ("sites.csv", *right)), refused.value
+        return
+    assert len(read_sites(Path("sites.csv"), content)) == right
+
+
+STAFF = "pass,distance_m,position_1_m,position_2_m,u_position_m\n"
+
+# name: content, and the rows that are refused with words of their reasons, or the words of the refusal
+RIG: dict[str, tuple[str, dict[int, str] | tuple[str, ...]]] = {
+    "millimetres": (STAFF + "a,5,0,1200,2\n", {2: "1200 m"}),
+    "a distance below nothing": (STAFF + "a,-5,0,1.2,0.002\n", {2: "distance_m"}),
+    "no distance": (STAFF + "a,,0,1.2,0.002\nb,5,0,1.2,0.002\n", {2: "distance_m"}),
+    "an uncertainty of nothing": (STAFF + "a,5,0,1.2,0\n", {2: "u_position_m"}),
+    "a pass twice": (STAFF + "a,5,0,1.2,0.002\na,8,0,1.2,0.002\n", {3: "same name"}),
+    "a decimal comma": (STAFF.replace(",", ";") + "a;5;0;1,2;0.002\n", {2: "1,2"}),
+    "a number that is none": (STAFF + "a,5,0,inf,0.002\n", {2: "position_2_m"}),
+    "half a method": (STAFF + "a,5,0,,0.002\n", {2: "position_2_m"}),
+    "no distances at all": ("pass,position_1_m,position_2_m,u_position_m\na,0,1.2,0.002\n", ("rig.csv",)),
+    "no method": ("pass,distance_m\na,5\n", ("rig.csv",)),
+    "nothing": ("", ("rig.csv",)),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", RIG)
+def test_rig_passes(name: str) -> None:
+    content, right = RIG[name]
+    if isinstance(right, tuple):
+        with pytest.raises(BadInput) as refused:
+            read_rig_passes(content.encode(), "rig.csv", Common())
+        assert all(word in str(refused.value) for word in right), refused.value
+        return
+    refused_rows = {
+        one.row: one.reason for one in read_rig_passes(content.encode(), "rig.csv", Common()).refused
+    }
+    assert refused_rows.keys() == right.keys(), refused_rows
+    assert all(word in refused_rows[row] for row, word in right.items()), refused_rows
+
+
+OBSERVED = "pass,frame,point,x_px,y_px,wheelbase_m,u_wheelbase_m\n"
+POINT = "front_tyre"
+
+# name: content, and the passes left out with words of why, or the words of the refusal
+PASSES: dict[str, tuple[str, dict[str, str] | tuple[str, ...]]] = {
+    "a wheelbase in millimetres": (OBSERVED + f"a,1,{POINT},10,20,2700,5\n", {"a": "wheelbase_m"}),
+    "a wheelbase without its uncertainty": (OBSERVED + f"a,1,{POINT},10,20,2.7,\n", {"a": "u_wheelbase_m"}),
+    "half a frame": (OBSERVED + f"a,1.5,{POINT},10,20,2.7,0.01\n", {"a": "frame"}),
+    "a point of no name": (OBSERVED + "a,1,bonnet,10,20,2.7,0.01\n", {"a": "rear_tyre"}),
+    "a pixel that is none": (OBSERVED + f"a,1,{POINT},nan,20,2.7,0.01\n", {"a": "x_px"}),
+    "no name": (OBSERVED + f",1,{POINT},10,20,2.7,0.01\n", ("2",)),
+    "a row too long": (OBSERVED + f"a,1,{POINT},10,20,2,7,0.01\n", ("line 2",)),
+    "an open quote": (OBSERVED + f'"a,1,{POINT},10,20,2.7,0.01\n', ("line 2",)),
+    "no pixels": ("pass,frame,point\na,1,front\n", ("x_px",)),
+    "another language's names": ("passage,image,point,x,y\na,1,front,1,2\n", ("pass",)),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", PASSES)
+def test_observed_passes(name: str, tmp_path: Path) -> None:
+    content, right = PASSES[name]
+    path = tmp_path / "passes.csv"
+    path.write_text(content)
+    if isinstance(right, tuple):
+        with pytest.raises(BadInput) as refused:
+            read_passes(path)
+        assert all(word in str(refused.value) for word in ("passes.csv", *right)), refused.value
+        return
+    good, left_out = read_passes(path)
+    assert not good and {one.name for one in left_out} == set(right)
+    assert all(right[one.name] in one.reason for one in left_out), left_out
+
+
+TRACK = "frame,time_s,point,x_px,y_px\n"
+TRACKS: dict[str, tuple[str, tuple[str, ...]]] = {
+    "no time": (TRACK + "1,,target,10,20\n", ("line 2", "time_s")),
+    "a time of day": (TRACK + "1,12:00:01,target,10,20\n", ("line 2", "time_s")),
+    "a point of no name": (TRACK + "1,0.04,nose,10,20\n", ("nose",)),
+    "half a frame": (TRACK + "1.5,0.04,target,10,20\n", ("frame",)),
+    "a frame without end": (TRACK + "inf,0.04,target,10,20\n", ("line 2", "frame")),
+    "a pixel that is none": (TRACK + "1,0.04,target,,20\n", ("line 2", "x_px")),
+    "decimal commas": (TRACK + "1,0,04,target,10,20\n", ("line 2", "6 cells")),
+    "no points": ("frame,time_s\n1,0.04\n", ("point",)),
+    "a header twice": (TRACK + TRACK, ("2",)),
+    "nothing": ("", ("is empty",)),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", TRACKS)
+def test_tracks(name: str, tmp_path: Path) -> None:
+    content, words = TRACKS[name]
+    path = tmp_path / "tracks.csv"
+    path.write_text(content)
+    with pytest.raises(BadInput) as refused:
+        read_tracks(path)
+    assert all(word in str(refused.value) for word in ("tracks.csv", *words)), refused.value

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from pathlib import Path
 
 from sightline.errors import BadInput
@@ -34,7 +35,7 @@ def read_fleet(path: Path, text: str) -> Fleet:
     found: dict[str, dict[str, float]] = {}
     for at, row in rows:
         variable = row["variable"] if several else str(kind)
-        name = row["class"] if several else row[str(kind)]
+        name = _named(path, at, row, "class" if several else str(kind))
         if variable not in KINDS:
             raise BadInput("studies-fleet-variable", path=path, row=at, cell=variable, known=", ".join(KINDS))
         of = found.setdefault(variable, {})
@@ -79,7 +80,7 @@ def read_sites(path: Path, text: str) -> dict[str, SiteFacts]:
     found: dict[str, SiteFacts] = {}
     there: dict[str, float] = {}
     for at, row in rows:
-        site, stratum = row["site"], row["stratum"]
+        site, stratum = (_named(path, at, row, column) for column in ("site", "stratum"))
         told = row.get("sites_there", "")
         sites_there = _whole(path, table, at, told, "sites_there") if told else math.inf
         if there.setdefault(stratum, sites_there) != sites_there:
@@ -100,6 +101,12 @@ def read_sites(path: Path, text: str) -> dict[str, SiteFacts]:
 def _rows(path: Path, text: str) -> tuple[GivenTable, list[tuple[int, dict[str, str]]]]:
     table = read_table(text, path)
     return table, list(table.sound_rows())
+
+
+def _named(path: Path, at: int, row: Mapping[str, str], column: str) -> str:
+    if not row[column]:
+        raise BadInput("csv-empty-cell", name=path, line=at, column=column)
+    return row[column]
 
 
 def _whole(path: Path, table: GivenTable, at: int, cell: str, name: str) -> float:
