@@ -30,6 +30,11 @@ def both_ways() -> tuple[list[Passage], tuple[ScanTruth, ...]]:
     return found(strips(SITE, cars), OF_RIG)[0], truths(SITE, cars)
 
 
+@lru_cache(maxsize=1)
+def motions() -> list[Motion]:
+    return [MEASURE["direct"](passage, OF_RIG) for passage in both_ways()[0]]
+
+
 def at_camera_1(true: ScanTruth) -> float:
     """The true speed when the front reaches camera 1."""
     car = true.vehicle
@@ -41,8 +46,7 @@ def test_both_directions_are_measured_with_uncertainties_that_hold() -> None:
     passages, truth = both_ways()
     ways = [passage.crossings.direction for passage in passages]
     assert ways == ["camera_1_first", "camera_2_first"] * 2
-    for passage, true in zip(passages, truth, strict=True):
-        motion = MEASURE["direct"](passage, OF_RIG)
+    for passage, motion, true in zip(passages, motions(), truth, strict=True):
         assert motion.status == "ok" and motion.crossings == passage.crossings
         assert motion.speed_mps is not None and motion.u_speed_mps is not None
         assert motion.length_m is not None and motion.u_length_m is not None
@@ -114,7 +118,7 @@ def test_a_vehicle_that_would_stop_between_the_cameras_has_its_reason() -> None:
 
 def test_gaps_are_those_to_the_vehicle_of_the_same_direction() -> None:
     passages, truth = both_ways()
-    told = gaps([(passage.crossings, MEASURE["direct"](passage, OF_RIG)) for passage in passages], OF_RIG)
+    told = gaps([(motion.crossings, motion) for motion in motions()], OF_RIG)
     assert [gap.reason for gap in told[:2]] == [NONE_BEFORE] * 2
     for gap, this, before in zip(told[2:], truth[2:], truth, strict=False):
         expected = (this.front_line_1 - before.rear_line_1) / OF_RIG.line_rate_hz

@@ -131,6 +131,7 @@ X264_OPEN = (
     ("preset", "superfast"),
     ("x264-params", "keyint=24:min-keyint=24:scenecut=0:bframes=3:b-adapt=0:open-gop=1"),
 )
+SMALL = (192, 144)
 SPECS = (
     Spec("cfr.mp4"),
     Spec("bframes.mp4", options=X264_B, b_frames=3),
@@ -150,21 +151,28 @@ SPECS = (
     Spec("mpeg4_b.avi", codec="mpeg4", options=(), b_frames=2),
     Spec("mpeg4_b.mp4", codec="mpeg4", options=(), b_frames=2),
     Spec("h264_b.avi", options=X264_B, b_frames=3),
-    Spec("hevc.mp4", codec="libx265", options=(("preset", "ultrafast"), ("x265-params", "log-level=none"))),
+    Spec(
+        "hevc.mp4",
+        size=SMALL,
+        codec="libx265",
+        options=(("preset", "ultrafast"), ("x265-params", "log-level=none")),
+    ),
     Spec(
         "hevc.mkv",
+        size=SMALL,
         codec="libx265",
         options=(("preset", "ultrafast"), ("x265-params", "log-level=none")),
         b_frames=3,
     ),
     Spec(
         "hevc.ts",
+        size=SMALL,
         codec="libx265",
         options=(("preset", "ultrafast"), ("x265-params", "log-level=none:keyint=20")),
     ),
     Spec("ten_bit.mkv", pix_fmt="yuv420p10le", options=X264_B, b_frames=3),
     Spec("full_range.mp4", pix_fmt="yuvj420p"),
-    Spec("cinepak.avi", codec="cinepak", pix_fmt="rgb24", options=(), size=(144, 96), count=24),
+    Spec("cinepak.avi", codec="cinepak", pix_fmt="rgb24", options=(), size=(144, 96), count=12),
     Spec("lossless.mkv", codec="ffv1", pix_fmt="yuv420p", options=()),
     Spec("mpeg2.mpg", codec="mpeg2video", options=(), b_frames=2, container="mpeg"),
     Spec("wide_pixels.mp4", aspect=Fraction(4, 3)),

@@ -60,10 +60,11 @@ def test_no_frame_is_wrong(
     media = media_of(result)
     assert len(media) == spec.count
     asked = access_orders(spec.count)
+    frame_bytes = 200_000 * spec.size[0] * spec.size[1] // (320 * 240)
     for order in orders:
         numbers = asked[order]
         # a cache of four frames: nearly every request has to seek and decode
-        server = FrameServer(tmp_path / order, 4 * 200_000, 1_000_000)
+        server = FrameServer(tmp_path / order, 4 * frame_bytes, 1_000_000)
         wrong = [n for n in numbers if number_in(server.bgr(media, n), spec) != n]
         assert wrong == [], order
     assert np.all(np.diff(result.frames.time_s) > 0)
