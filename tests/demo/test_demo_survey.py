@@ -194,7 +194,11 @@ def test_cancelled_by_somebody_it_ends_as_cancelled(
 
 
 @pytest.mark.once
-def test_cancelled_in_the_middle_it_leaves_nothing(services: Services) -> None:
+def test_cancelled_in_the_middle_it_leaves_nothing(
+    services: Services, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("sightline.demo.parts.os.cpu_count", lambda: 1)
+
     def cancelled(_fraction: float, _message: str) -> None:
         raise Cancelled("said", sentence="Cancelled.")
 
