@@ -17,7 +17,7 @@ from sightline.linescan.parts import Crossings, Entry, Motion, Passage
 from sightline.linescan.passing import measured
 from sightline.simulation.scan_strips import strips
 from sightline.simulation.scan_traffic import ScanTruth, traffic, truths
-from tests.linescan.scenes import RIG, SITE, found, plain
+from tests.linescan.scenes import RIG, SITE, found, plain_found
 
 OF_RIG = replace(RIG, u_baseline_m=0.0003, u_line_rate_ratio=1e-4)
 
@@ -61,7 +61,7 @@ def test_both_directions_are_measured_with_uncertainties_that_hold() -> None:
 
 @pytest.mark.parametrize("method", ["direct", "paper"])
 def test_swapped_strips_give_the_same_motion_seen_from_the_other_camera(method: ScanMethod) -> None:
-    given_, swapped = found(plain())[0][0], exchanged(found(plain())[0][0])
+    given_, swapped = plain_found()[0][0], exchanged(plain_found()[0][0])
     one, other = MEASURE[method](given_, OF_RIG), MEASURE[method](swapped, OF_RIG)
     assert one.speed_mps and one.acceleration_mps2 is not None and other.speed_mps
     there = sqrt(one.speed_mps**2 + 2 * one.acceleration_mps2 * OF_RIG.baseline_m)

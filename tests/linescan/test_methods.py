@@ -13,7 +13,7 @@ from sightline.linescan.methods import MEASURE, believed, unlikely
 from sightline.linescan.parts import Crossings, Motion, Passage, Rig
 from sightline.simulation.scan_strips import strips
 from sightline.simulation.scan_traffic import traffic, truths
-from tests.linescan.scenes import RIG, SITE, found, plain
+from tests.linescan.scenes import RIG, SITE, found, plain_found
 
 SEEN = Crossings(1000.0, 2000.0, 1200.0, 2200.0)
 GOOD = Motion(
@@ -31,7 +31,7 @@ GOOD = Motion(
 
 @pytest.fixture(scope="module")
 def passage() -> Passage:
-    return found(plain())[0][0]
+    return plain_found()[0][0]
 
 
 @pytest.mark.parametrize(
