@@ -95,10 +95,11 @@ BROWSERS := 3
 test-browser:
 	@SIGHTLINE_TEST_DATABASE_URL= $(BIN)/python -m pytest -n $(BROWSERS) --dist loadgroup --no-loadscope-reorder --reruns 1 -rR tests/browser
 
-# The long runs of what make test shows on a small case: statistics, fuzz, exactness; new examples every time.
+# The long runs of what make test shows on a small case: statistics, fuzz, exactness; every property by many new
+# examples.
 proofs: export OPENBLAS_NUM_THREADS := 1
 proofs: setup .build/python-dev
-	@SIGHTLINE_PROOFS=1 SIGHTLINE_TEST_DATABASE_URL= $(BIN)/python -m pytest -n 2 --dist worksteal -m proof --ignore=tests/browser
+	@SIGHTLINE_PROOFS=1 SIGHTLINE_TEST_DATABASE_URL= $(BIN)/python -m pytest -n 2 --dist worksteal -m "proof or hypothesis" --ignore=tests/browser
 
 check: check-server check-pages
 

@@ -44,6 +44,7 @@ class _Named(Visitor):  # type: ignore[misc]
         self.messages.add(node.id.name)
 
 
+@cache
 def named(text: str) -> dict[str, _Named]:
     """What each message names. Fails for what is no Fluent, and for a key that is there twice."""
     found: dict[str, _Named] = {}

@@ -51,6 +51,7 @@ def test_it_is_made_once_and_its_heights_are_the_truth(
         return made[0]
 
     monkeypatch.setattr(build, "make_parts", make_once)
+    monkeypatch.setattr("sightline.demo.parts.os.cpu_count", lambda: 1)  # one child draws: two import twice
     first, again = request(services), request(services)
     assert first is not None and again is not None and first.id == again.id
 
@@ -193,7 +194,11 @@ def test_cancelled_by_somebody_it_ends_as_cancelled(
 
 
 @pytest.mark.once
-def test_cancelled_in_the_middle_it_leaves_nothing(services: Services) -> None:
+def test_cancelled_in_the_middle_it_leaves_nothing(
+    services: Services, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("sightline.demo.parts.os.cpu_count", lambda: 1)
+
     def cancelled(_fraction: float, _message: str) -> None:
         raise Cancelled("said", sentence="Cancelled.")
 

@@ -7,6 +7,7 @@ pattern.
 
 import math
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 
@@ -53,6 +54,7 @@ def unbend(lens: Lens, u, v):
     return a, b
 
 
+@lru_cache(maxsize=1000)
 def road_to_camera(yaw=0.0, pitch=0.0, roll=0.0):
     """Rows: the camera's right, down and forward in the road frame (X right, Y away, Z up). Degrees.
 
@@ -64,7 +66,9 @@ def road_to_camera(yaw=0.0, pitch=0.0, roll=0.0):
     level_down = np.cross(forward, level_right)
     right = math.cos(r) * level_right + math.sin(r) * level_down
     down = -math.sin(r) * level_right + math.cos(r) * level_down
-    return np.array([right, down, forward])
+    axes = np.array([right, down, forward])
+    axes.flags.writeable = False
+    return axes
 
 
 @dataclass(frozen=True)
@@ -82,12 +86,9 @@ class Scene:
 
     def look(self, points):
         """Pixels (N, 2) of road points (N, 3)."""
-        out = []
-        for point in np.atleast_2d(points):
-            x, y, z = self.axes() @ (np.asarray(point, float) - self.eye)
-            a, b = bend(self.lens, x / z, y / z)
-            out.append((self.lens.f * a + self.lens.cx, self.lens.f * b + self.lens.cy))
-        return np.array(out, dtype=float)
+        x, y, z = self.axes() @ (np.atleast_2d(np.asarray(points, float)) - self.eye).T
+        a, b = bend(self.lens, x / z, y / z)
+        return np.stack([self.lens.f * a + self.lens.cx, self.lens.f * b + self.lens.cy], axis=1)
 
     def board(self, columns, rows, square, top_m):
         """Inner corners (rows, columns, 3) of a board standing at Y = 0, its top row at `top_m`."""

@@ -3,7 +3,7 @@
 import cv2
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from sightline.errors import BadInput
@@ -19,7 +19,6 @@ ORDERS = [
 ]  # fmt: skip
 
 
-@settings(max_examples=150, deadline=None)
 @given(
     st.integers(3, 9), st.integers(3, 9), st.floats(-60, 60), st.floats(-30, 30), st.floats(0, 18),
     st.integers(0, 7),
@@ -36,7 +35,6 @@ def test_every_order_becomes_the_order_as_seen(columns, rows, roll, yaw, pitch, 
     assert np.array_equal(ordered, truth)
 
 
-@settings(max_examples=60, deadline=None)
 @given(st.integers(3, 9), st.integers(3, 9), st.floats(-20, 20), st.integers(0, 7))
 def test_exchanged_columns_and_rows_are_seen_in_the_picture(columns, rows, roll, order) -> None:
     scene = Scene(Lens(), (0.05 * columns, -3.0, 1.5), 0.0, 5.0, roll)

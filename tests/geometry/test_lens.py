@@ -4,7 +4,7 @@ import dataclasses
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from sightline.geometry.camera import Camera, normalised_to_pixels, project, project_with_jacobians, undistort
@@ -36,7 +36,6 @@ def test_projection_equals_the_textbook_formulas(lens: Lens) -> None:
     assert np.abs(project(camera_of(lens), points) - wanted).max() < 1e-9
 
 
-@settings(max_examples=60, deadline=None)
 @given(
     st.tuples(
         st.floats(-0.45, 0.3), st.floats(-0.2, 0.3), st.floats(-2e-3, 2e-3), st.floats(-2e-3, 2e-3),
@@ -55,7 +54,6 @@ def test_any_brown_lens_round_trips_or_refuses(k: tuple[float, ...], f: float) -
     assert (radius[seen.ok] <= camera.limit.radius).all()
 
 
-@settings(max_examples=40, deadline=None)
 @given(st.floats(0.02, 1.2), st.floats(0, 6.28))
 def test_directions_inside_the_valid_radius_come_back(radius: float, angle: float) -> None:
     for lens in LENSES:

@@ -22,7 +22,7 @@ from sightline.geometry.site import (
     site_pose,
 )
 from tests.geometry.scenes import camera_of
-from tests.geometry.simulate import Lens, Scene, bend
+from tests.geometry.simulate import Lens, Scene
 
 # f (for both axes), cx, cy, then the distortion
 LENS_SD = np.array([1.5, 1.5, 1.5, 2e-3, 3e-3, 2e-4, 2e-4, 2e-3])
@@ -51,13 +51,6 @@ def scene_of(site: Site, tilt_rad: float) -> Scene:
     return Scene(Lens(), eye, np.rad2deg(site.direction_rad), np.rad2deg(tilt_rad))
 
 
-def looked_at(scene: Scene, points: np.ndarray) -> np.ndarray:
-    """As Scene.look, all points at once."""
-    x, y, z = scene.axes() @ (np.asarray(points) - scene.eye).T
-    u, v = bend(scene.lens, x / z, y / z)
-    return np.stack([scene.lens.f * u + scene.lens.cx, scene.lens.f * v + scene.lens.cy], axis=1)
-
-
 def worn_board(scene: Scene, known: BoardOnRoad, rng: np.random.Generator) -> np.ndarray:
     """Corners of a board as it really stands: off in height, size, lean and roll, and bent."""
     grid = scene.board(6, 4, 0.1 + rng.normal(0, known.u_square_m), 0.0)
@@ -79,7 +72,7 @@ def drawn(scene: Scene, start: RoadPose, rng: np.random.Generator) -> tuple[Scen
     lens = scene.lens
     k = tuple(np.array(lens.k) + error[3:])
     real = dataclasses.replace(scene, lens=Lens(lens.f + error[0], lens.cx + error[1], lens.cy + error[2], k))
-    seen = looked_at(real, worn_board(scene, start.board, rng)) + rng.normal(0, CORNER_SIGMA_PX, (24, 2))
+    seen = real.look(worn_board(scene, start.board, rng)) + rng.normal(0, CORNER_SIGMA_PX, (24, 2))
     points = road_points(PLANNING_BOARD, "top", BOARD_TOP_M)
     found = refine(CAMERA, start.rotation, start.translation_m, points, seen)
     return real, RoadPose(CAMERA, found.rotation, found.translation)
@@ -88,16 +81,17 @@ def drawn(scene: Scene, start: RoadPose, rng: np.random.Generator) -> tuple[Scen
 def points_on_vehicle(scene: Scene, site: Site, along: float, inset: float, height: float) -> np.ndarray:
     x = scene.eye[0] + site.distance_m * np.tan(site.direction_rad) + along
     y = scene.eye[1] + site.distance_m
-    return looked_at(scene, np.array([(x, y, 0.0), (x, y + inset, height)]))
+    return scene.look(np.array([(x, y, 0.0), (x, y + inset, height)]))
 
 
+@pytest.mark.parametrize("draws", [200, pytest.param(400, marks=pytest.mark.proof)])
 @pytest.mark.parametrize("site", PLACES, ids=["square", "oblique"])
-def test_planned_uncertainty_is_the_scatter_of_measured_heights(site: Site) -> None:
+def test_planned_uncertainty_is_the_scatter_of_measured_heights(site: Site, draws: int) -> None:
     plan = planned(site)
     scene, start = scene_of(site, plan.tilt_rad), site_pose(CAMERA, site)
     rng = np.random.default_rng(7)
     names = [t.target for t in plan.targets]
-    heights = np.empty((400, len(names)))
+    heights = np.empty((draws, len(names)))
     for row in heights:
         real, pose = drawn(scene, start, rng)
         clicks = np.array(
@@ -117,13 +111,14 @@ def test_planned_uncertainty_is_the_scatter_of_measured_heights(site: Site) -> N
         assert abs(found.mean() - target.height_m) < 4 * found.std() / np.sqrt(len(heights)) + 5e-4, name
 
 
-def test_planned_two_frames_are_the_scatter_of_measured_ones() -> None:
+@pytest.mark.parametrize("draws", [150, pytest.param(300, marks=pytest.mark.proof)])
+def test_planned_two_frames_are_the_scatter_of_measured_ones(draws: int) -> None:
     plan = planned()
     eye = of(plan, "driver_eye")
     scene, start = scene_of(SITE, plan.tilt_rad), site_pose(CAMERA, SITE)
     rng = np.random.default_rng(11)
     rows = []
-    for _ in range(300):
+    for _ in range(draws):
         real, pose = drawn(scene, start, rng)
         heading = rng.normal(0, np.deg2rad(1.0))
         inset = rng.normal(eye.inset_m, eye.u_inset_m)
@@ -131,9 +126,7 @@ def test_planned_two_frames_are_the_scatter_of_measured_ones() -> None:
         for along in (-1.0, 1.0):
             x, y = 0.25 + along * np.cos(heading), along * np.sin(heading)
             across = (-np.sin(heading) * inset, np.cos(heading) * inset)
-            pairs.append(
-                looked_at(real, np.array([(x, y, 0.0), (x + across[0], y + across[1], eye.height_m)]))
-            )
+            pairs.append(real.look(np.array([(x, y, 0.0), (x + across[0], y + across[1], eye.height_m)])))
         clicks = np.array(pairs) + rng.normal(size=(2, 2, 2))
         found = measure_frames(pose, clicks[:, 0], clicks[:, 1])
         rows.append((found.height.height_m, found.solved_inset_m - inset))
@@ -230,7 +223,7 @@ def test_blur_and_frames_are_those_of_a_vehicle_that_drives_by(site) -> None:
     eye = of(plan, "driver_eye").height_m
     for one in plan.passing:
         step = one.speed_mps * 0.5e-3
-        there = looked_at(scene, [[middle - step, across, eye], [middle + step, across, eye]])
+        there = scene.look([[middle - step, across, eye], [middle + step, across, eye]])
         assert one.blur_px == pytest.approx(np.hypot(*(there[1] - there[0])), rel=2e-3)
         assert one.longest_exposure_s == pytest.approx(2e-3 / one.blur_px)
         assert 0.0 <= one.shutter * one.longest_exposure_s - 1.0 < 0.1

@@ -25,7 +25,15 @@ def seen(printed: PrintedBoard) -> np.ndarray:
     return sheet
 
 
-@pytest.mark.parametrize(("columns", "rows", "square_m"), [(9, 6, 0.025), (6, 4, 0.1), (7, 7, 0.02)])
+@pytest.mark.parametrize(
+    ("columns", "rows", "square_m"),
+    [
+        (9, 6, 0.025),
+        (6, 4, 0.05),
+        (7, 7, 0.02),
+        pytest.param(6, 4, 0.1, marks=pytest.mark.proof),
+    ],
+)
 def test_a_checkerboard_has_its_corners_at_its_size(columns: int, rows: int, square_m: float) -> None:
     found, corners = cv2.findChessboardCornersSB(
         seen(printed_board(Board(columns, rows, square_m))), (columns, rows)

@@ -62,3 +62,9 @@ def found(pair: Strips, rig: Rig = RIG, piece: int = 1500) -> tuple[list[Passage
     for start in range(0, len(pair[0]), piece):
         out += finder.push(pair[0][start : start + piece], pair[1][start : start + piece])
     return out + finder.finish(), finder
+
+
+@lru_cache(maxsize=1)
+def plain_found() -> tuple[list[Passage], Finder]:
+    """The three vehicles, found once for all tests; nobody changes them."""
+    return found(plain())

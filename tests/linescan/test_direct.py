@@ -14,7 +14,7 @@ from sightline.linescan.parts import Crossings, Passage, Rig
 from sightline.linescan.warp import Course, solved_by_boundaries
 from sightline.simulation.scan_strips import strips
 from sightline.simulation.scan_traffic import ScanSite, ScanVehicle, truths
-from tests.linescan.scenes import RIG, SITE, cars, found, plain, plain_truth
+from tests.linescan.scenes import RIG, SITE, cars, found, plain_found, plain_truth
 
 pytestmark = pytest.mark.once
 SOURCES = ("baseline", "clock", "misalignment", "fit", "boundaries")
@@ -22,7 +22,7 @@ SOURCES = ("baseline", "clock", "misalignment", "fit", "boundaries")
 
 @lru_cache(maxsize=1)
 def passages() -> tuple[Passage, ...]:
-    return tuple(found(plain())[0])
+    return tuple(plain_found()[0])
 
 
 def test_few_lines_from_camera_to_camera_are_named_as_that() -> None:

@@ -17,7 +17,7 @@ from sightline.linescan.parts import Crossings, Entry, Motion, Passage
 from sightline.linescan.passing import measured
 from sightline.simulation.scan_strips import strips
 from sightline.simulation.scan_traffic import ScanTruth, traffic, truths
-from tests.linescan.scenes import RIG, SITE, found, plain
+from tests.linescan.scenes import RIG, SITE, found, plain_found
 
 OF_RIG = replace(RIG, u_baseline_m=0.0003, u_line_rate_ratio=1e-4)
 
@@ -28,6 +28,11 @@ def both_ways() -> tuple[list[Passage], tuple[ScanTruth, ...]]:
     drawn = traffic(21, 4, speeds_mps=(11.0, 24.0), gaps_s=(0.3, 0.5))
     cars = tuple(replace(car, against=number % 2 == 1) for number, car in enumerate(drawn))
     return found(strips(SITE, cars), OF_RIG)[0], truths(SITE, cars)
+
+
+@lru_cache(maxsize=1)
+def motions() -> list[Motion]:
+    return [MEASURE["direct"](passage, OF_RIG) for passage in both_ways()[0]]
 
 
 def at_camera_1(true: ScanTruth) -> float:
@@ -41,8 +46,7 @@ def test_both_directions_are_measured_with_uncertainties_that_hold() -> None:
     passages, truth = both_ways()
     ways = [passage.crossings.direction for passage in passages]
     assert ways == ["camera_1_first", "camera_2_first"] * 2
-    for passage, true in zip(passages, truth, strict=True):
-        motion = MEASURE["direct"](passage, OF_RIG)
+    for passage, motion, true in zip(passages, motions(), truth, strict=True):
         assert motion.status == "ok" and motion.crossings == passage.crossings
         assert motion.speed_mps is not None and motion.u_speed_mps is not None
         assert motion.length_m is not None and motion.u_length_m is not None
@@ -57,7 +61,7 @@ def test_both_directions_are_measured_with_uncertainties_that_hold() -> None:
 
 @pytest.mark.parametrize("method", ["direct", "paper"])
 def test_swapped_strips_give_the_same_motion_seen_from_the_other_camera(method: ScanMethod) -> None:
-    given_, swapped = found(plain())[0][0], exchanged(found(plain())[0][0])
+    given_, swapped = plain_found()[0][0], exchanged(plain_found()[0][0])
     one, other = MEASURE[method](given_, OF_RIG), MEASURE[method](swapped, OF_RIG)
     assert one.speed_mps and one.acceleration_mps2 is not None and other.speed_mps
     there = sqrt(one.speed_mps**2 + 2 * one.acceleration_mps2 * OF_RIG.baseline_m)
@@ -114,7 +118,7 @@ def test_a_vehicle_that_would_stop_between_the_cameras_has_its_reason() -> None:
 
 def test_gaps_are_those_to_the_vehicle_of_the_same_direction() -> None:
     passages, truth = both_ways()
-    told = gaps([(passage.crossings, MEASURE["direct"](passage, OF_RIG)) for passage in passages], OF_RIG)
+    told = gaps([(motion.crossings, motion) for motion in motions()], OF_RIG)
     assert [gap.reason for gap in told[:2]] == [NONE_BEFORE] * 2
     for gap, this, before in zip(told[2:], truth[2:], truth, strict=False):
         expected = (this.front_line_1 - before.rear_line_1) / OF_RIG.line_rate_hz

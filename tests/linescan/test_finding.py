@@ -26,6 +26,7 @@ from tests.linescan.scenes import (
     cars,
     found,
     plain,
+    plain_found,
     plain_truth,
     side_by_side,
     stopping,
@@ -52,7 +53,7 @@ def _boundaries_m(passages, truth):
 
 
 def test_all_are_found_with_boundaries_to_millimetres_despite_the_shadow():
-    passages, finder = found(plain())
+    passages, finder = plain_found()
     errors = _boundaries_m(passages, plain_truth())
     # the shadow begins 270 mm before the front
     assert np.abs(errors).max() < 0.010
@@ -72,7 +73,7 @@ def test_the_shadow_zone_is_the_rigs():
 
 
 def test_time_gaps_are_right_within_half_a_millisecond():
-    passages, _ = found(plain())
+    passages, _ = plain_found()
     for before, this, true in zip(passages, passages[1:], plain_truth()[1:], strict=False):
         gap_s = (this.crossings.front_line_1 - before.crossings.rear_line_1) / RIG.line_rate_hz
         assert gap_s == pytest.approx(true.time_gap_s, abs=0.5e-3)
@@ -80,7 +81,7 @@ def test_time_gaps_are_right_within_half_a_millisecond():
 
 @pytest.mark.parametrize("piece", [97, 40_000])
 def test_pieces_of_any_size_give_the_same_vehicles(piece):
-    first, _ = found(plain())
+    first, _ = plain_found()
     other, _ = found(plain(), piece=piece)
     for a, b in zip(first, other, strict=True):
         assert a.crossings == b.crossings
@@ -89,7 +90,7 @@ def test_pieces_of_any_size_give_the_same_vehicles(piece):
 
 def test_pictures_are_cut_with_their_margin_at_the_right_lines():
     first, second = plain()
-    for passage in found(plain())[0]:
+    for passage in plain_found()[0]:
         assert np.array_equal(passage.first, first[passage.start_1 : passage.start_1 + len(passage.first)])
         assert np.array_equal(passage.second, second[passage.start_2 : passage.start_2 + len(passage.second)])
         assert passage.start_1 < passage.crossings.front_line_1 - 40
@@ -98,7 +99,7 @@ def test_pictures_are_cut_with_their_margin_at_the_right_lines():
 
 def test_sixteen_bits_give_the_same_boundaries():
     pair = tuple(np.asarray(strip.astype(np.uint16) * 200) for strip in plain())
-    for a, b in zip(found(pair)[0], found(plain())[0], strict=True):
+    for a, b in zip(found(pair)[0], plain_found()[0], strict=True):
         assert a.crossings.front_line_1 == pytest.approx(b.crossings.front_line_1, abs=0.3)
         assert a.crossings.rear_line_2 == pytest.approx(b.crossings.rear_line_2, abs=0.3)
 

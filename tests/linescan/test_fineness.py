@@ -8,7 +8,7 @@ import pytest
 from sightline.linescan.fineness import carried_on, too_coarse
 from sightline.linescan.methods import MEASURE
 from sightline.linescan.parts import Rig
-from tests.linescan.scenes import RIG, SITE, found, plain, plain_truth
+from tests.linescan.scenes import RIG, SITE, found, plain, plain_found, plain_truth
 
 pytestmark = pytest.mark.once
 
@@ -53,7 +53,7 @@ def test_what_is_carried_on_does_not_mind_noise() -> None:
 
 
 def test_a_picture_that_shows_nothing_is_not_called_too_coarse() -> None:
-    passage = found(plain())[0][0]
+    passage = plain_found()[0][0]
     flat = np.full_like(passage.first, 90)
     assert too_coarse(passage, RIG) is None
     assert too_coarse(replace(passage, first=flat, second=flat[: len(passage.second)]), RIG) is None

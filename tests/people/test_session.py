@@ -1,6 +1,7 @@
 """Signing in and out: links, passwords, limits, and what a cookie is worth."""
 
 import pytest
+from argon2 import PasswordHasher
 from fastapi import FastAPI, Request
 from fastapi.testclient import TestClient
 
@@ -79,6 +80,13 @@ def test_password_then_sign_in(app: FastAPI, operator: Client) -> None:
     # The other browser's session ended with the change.
     assert operator.get("/session").status_code == 401
     assert other.get("/session").status_code == 200
+
+
+def test_passwords_are_hashed_with_much_work(quick_passwords: PasswordHasher) -> None:
+    """As RFC 9106 recommends where memory is short, at least; all other tests hash them quickly."""
+    assert quick_passwords.memory_cost >= 64 * 1024 and quick_passwords.time_cost >= 3
+    stored = quick_passwords.hash(PASSWORD)
+    assert stored.startswith("$argon2id$") and quick_passwords.verify(stored, PASSWORD)
 
 
 @pytest.mark.parametrize(

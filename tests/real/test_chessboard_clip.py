@@ -43,10 +43,12 @@ def corners_at(client: Client, recording_id: int, frame: int) -> np.ndarray | No
     return np.array(found["corners_px"]).reshape(ROWS, COLUMNS, 2) if found["found"] else None
 
 
-def stillest_pair(client: Client, recording_id: int, frames: int) -> tuple[int, float]:
-    """First frame of the neighbouring pair between which the corners move least, and that motion in px."""
+def stillest_pair(client: Client, recording_id: int, frames: int, every: int) -> tuple[int, float]:
+    """First frame of the neighbouring pair between which the corners move least, and that motion in px; every
+    so many frames a pair is looked at.
+    """
     best = (0, np.inf)
-    for frame in range(0, frames - 1, 12):
+    for frame in range(0, frames - 1, every):
         pair = [corners_at(client, recording_id, n) for n in (frame, frame + 1)]
         if pair[0] is None or pair[1] is None:
             continue
@@ -76,7 +78,8 @@ def heights_on(client: Client, recording_id: int, frame: int) -> list[tuple[floa
     return answers
 
 
-def test_from_upload_to_heights(client: Client, record_property: Any) -> None:
+@pytest.mark.parametrize("every", [36, pytest.param(12, marks=pytest.mark.proof)])
+def test_from_upload_to_heights(client: Client, record_property: Any, every: int) -> None:
     survey = client.post("/surveys", name="Screen board", site="Desk", description="")
     camera = client.post(f"/surveys/{survey['id']}/cameras", name="Hand-held", notes="")
     recording_id = client.upload(survey["id"], CLIP)
@@ -91,7 +94,7 @@ def test_from_upload_to_heights(client: Client, record_property: Any) -> None:
         square_m=SQUARE_M,
         model="brown",
         recording_id=recording_id,
-        every=12,
+        every=every,
     )
     calibration_id = client.finished(job["id"])["result"]["calibration_id"]
     calibration = client.get(f"/calibrations/{calibration_id}")
@@ -99,7 +102,7 @@ def test_from_upload_to_heights(client: Client, record_property: Any) -> None:
     assert calibration["document"]["fx_px"] == pytest.approx(1167.1, rel=0.01)
     assert calibration["document"]["rms_px"] < 0.35
 
-    frame, motion_px = stillest_pair(client, recording_id, recording["frame_count"])
+    frame, motion_px = stillest_pair(client, recording_id, recording["frame_count"], every)
     assert motion_px < 2.0
     job = client.post(
         f"/recordings/{recording_id}/poses",

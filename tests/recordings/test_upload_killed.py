@@ -30,16 +30,21 @@ def longer(clip: Path) -> bytes:
     return clip.read_bytes() + struct.pack(">I4s", 2 * PIECE_BYTES, b"free") + bytes(2 * PIECE_BYTES - 8)
 
 
-def announced(server: Server, name: str, size_bytes: int) -> tuple[httpx2.Client, str]:
-    """Who signed in by the first link, and where the upload that they announced is sent."""
+def signed_in(server: Server) -> httpx2.Client:
+    """Who signed in by the first link."""
     server.wait()
     client = httpx2.Client(base_url=server.url, headers={"X-Sightline": "1"}, timeout=NEVER_S)
     token = server.sign_in_link().partition("token=")[2]
     assert client.post("/api/session/link", json={"token": token}).status_code == 200
+    return client
+
+
+def announced(client: httpx2.Client, name: str, size_bytes: int) -> str:
+    """Where the upload that was announced is sent."""
     survey_id = client.post("/api/surveys", json={"name": "Road"}).json()["id"]
     coded = base64.b64encode(name.encode()).decode()
     headers = {**TUS, "Upload-Length": str(size_bytes), "Upload-Metadata": f"filename {coded}"}
-    return client, client.post(f"/api/surveys/{survey_id}/uploads", headers=headers).headers["Location"]
+    return client.post(f"/api/surveys/{survey_id}/uploads", headers=headers).headers["Location"]
 
 
 @contextmanager
@@ -61,23 +66,16 @@ def sent_in_part(client: httpx2.Client, location: str, content: bytes, much: int
         yield
 
 
-def test_a_silent_connection_is_taken_over(tmp_path: Path, clip: Path) -> None:
+def taken_over(client: httpx2.Client, location: str, content: bytes) -> None:
     """The line of the first PATCH stays open and says nothing more; the next one goes on at once."""
-    content = longer(clip)
-    server = start("serve", tmp_path)
-    try:
-        client, location = announced(server, clip.name, len(content))
-        with sent_in_part(client, location, content, PIECE_BYTES + 6000):
-            at = offset_of(client, location, PIECE_BYTES)
-            rest = {**BYTES, "Upload-Offset": str(at)}
-            answer = client.patch(location, content=content[at:], headers=rest)
-            assert answer.status_code == 204, answer.text
-            recording = client.get(f"/api/recordings/{answer.headers['Sightline-Recording']}").json()
-        assert recording["size_bytes"] == len(content)
-        assert recording["sha256"] == hashlib.sha256(content).hexdigest()
-        client.close()
-    finally:
-        server.stop()
+    with sent_in_part(client, location, content, PIECE_BYTES + 6000):
+        at = offset_of(client, location, PIECE_BYTES)
+        rest = {**BYTES, "Upload-Offset": str(at)}
+        answer = client.patch(location, content=content[at:], headers=rest)
+        assert answer.status_code == 204, answer.text
+        recording = client.get(f"/api/recordings/{answer.headers['Sightline-Recording']}").json()
+    assert recording["size_bytes"] == len(content)
+    assert recording["sha256"] == hashlib.sha256(content).hexdigest()
 
 
 def offset_of(client: httpx2.Client, location: str, least: int) -> int:
@@ -90,11 +88,15 @@ def offset_of(client: httpx2.Client, location: str, least: int) -> int:
     return offset()
 
 
-def test_cut_killed_and_resumed(tmp_path: Path, clip: Path) -> None:
+def test_a_silent_line_is_taken_over_and_what_is_cut_and_killed_is_resumed(
+    tmp_path: Path, clip: Path
+) -> None:
     content = longer(clip)
     server = start("serve", tmp_path)
     try:
-        client, location = announced(server, clip.name, len(content))
+        client = signed_in(server)
+        taken_over(client, announced(client, clip.name, len(content)), content)
+        location = announced(client, clip.name, len(content))
         with sent_in_part(client, location, content, sent := PIECE_BYTES + 6000):
             assert offset_of(client, location, PIECE_BYTES) <= sent
         client.close()

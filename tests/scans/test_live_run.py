@@ -69,10 +69,15 @@ def pair() -> tuple[Pixels, Pixels]:
     return strips(SITE, traffic(5, 4, speeds_mps=(14.0, 24.0), gaps_s=(0.5, 0.8), start_s=0.8))
 
 
+@pytest.fixture(scope="module")
+def clean(pair: tuple[Pixels, Pixels]) -> list[LiveVehicle]:
+    """The vehicles of a stream in which nothing happens."""
+    return run_of(Played(pair))[0]
+
+
 def test_lost_lines_are_listed_in_the_files_and_spoil_only_whom_they_hit(
-    pair: tuple[Pixels, Pixels], tmp_path: Path
+    pair: tuple[Pixels, Pixels], clean: list[LiveVehicle], tmp_path: Path
 ) -> None:
-    clean, _ = run_of(Played(pair))
     second = clean[1].vehicle.motion.crossings
     hit = int(second.front_line_2 + second.rear_line_2) // 2
     lost = (Lost(1, 300, 40), Lost(2, 480, 40), Lost(2, hit, 30), Lost(1, len(pair[0]) - 20, 20))
@@ -99,8 +104,9 @@ def test_lost_lines_are_listed_in_the_files_and_spoil_only_whom_they_hit(
         assert again[k].motion.length_m == live[k].vehicle.motion.length_m
 
 
-def test_a_clock_that_is_set_changes_no_number_and_is_said(pair: tuple[Pixels, Pixels]) -> None:
-    clean, _ = run_of(Played(pair))
+def test_a_clock_that_is_set_changes_no_number_and_is_said(
+    pair: tuple[Pixels, Pixels], clean: list[LiveVehicle]
+) -> None:
     ticks = iter(range(10_000))
     steady = [0.0]
 
@@ -126,7 +132,7 @@ def test_swapped_cameras_are_said_while_the_stream_goes_on(pair: tuple[Pixels, P
 def test_segments_begin_where_the_road_is_empty_and_lose_nothing(
     pair: tuple[Pixels, Pixels], tmp_path: Path
 ) -> None:
-    twice = tuple(np.concatenate([one, one, one]) for one in pair)
+    twice = tuple(np.concatenate([one, one]) for one in pair)
     whole, _ = run_of(Played(twice))  # type: ignore[arg-type]
     live, _ = run_of(Played(twice), tmp_path, segment_s=1.5)  # type: ignore[arg-type]
     assert [one.vehicle.number for one in live] == list(range(1, len(whole) + 1))

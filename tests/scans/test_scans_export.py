@@ -1,6 +1,7 @@
 """Line-scan recordings in a package: rows with their description, and tampering that verify finds."""
 
 import csv
+import shutil
 from dataclasses import replace
 from datetime import UTC, datetime
 from pathlib import Path
@@ -59,14 +60,21 @@ def one(services: Services) -> Sample:
     return made
 
 
+@pytest.fixture(scope="module")
+def kept(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Where the package is that the first test made."""
+    return tmp_path_factory.mktemp("exported") / "package"
+
+
 @pytest.fixture
-def package(services: Services, one: Sample, tmp_path: Path) -> Path:
+def package(request: pytest.FixtureRequest, services: Services, kept: Path, tmp_path: Path) -> Path:
     """The exported folder."""
-    folder = tmp_path / "package"
-    folder.mkdir()
-    with services.reading() as session:
-        build(Staging(folder), session, one.survey.id, services)
-    return folder
+    if not kept.exists():
+        one: Sample = request.getfixturevalue("one")
+        kept.mkdir()
+        with services.reading() as session:
+            build(Staging(kept), session, one.survey.id, services)
+    return shutil.copytree(kept, tmp_path / "package")
 
 
 def rows(package: Path, name: str) -> list[dict[str, str]]:

@@ -131,7 +131,7 @@ def test_too_few_rows_have_a_reason_and_no_interval() -> None:
     assert one.reason and one.reason.startswith("1 vehicle is too few") and set(one.ci95.values()) == {None}
 
 
-@pytest.mark.parametrize("surveys", [100, pytest.param(200, marks=pytest.mark.proof)])
+@pytest.mark.parametrize("surveys", [70, *(pytest.param(n, marks=pytest.mark.proof) for n in (100, 200))])
 def test_intervals_hold_what_they_promise(surveys: int) -> None:
     """Coverage of the 95 % interval of MAE and bias over simulated surveys of 60 vehicles."""
     rng = np.random.default_rng(7)
@@ -143,7 +143,7 @@ def test_intervals_hold_what_they_promise(surveys: int) -> None:
             assert interval
             inside[name] += interval.low <= truth <= interval.high
     # BCa undercovers by about 1 % at n = 60; a standard deviation of such a share is 1.7 % of 200 draws, and
-    # 2.4 % of 100: they are held to the same bounds.
+    # 2.6 % of 70: they are held to the same bounds.
     assert all(0.90 <= count / surveys <= 0.99 for count in inside.values()), inside
 
 

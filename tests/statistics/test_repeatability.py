@@ -48,7 +48,13 @@ def test_the_order_of_rows_and_single_values_change_nothing() -> None:
     assert after.reproducibility.high == pytest.approx(before.reproducibility.high, rel=1e-6)
 
 
-@pytest.mark.parametrize(("persons", "items", "s_person"), [(2, 20, 0.004), (4, 14, 0.002), (3, 16, 0.02)])
+@pytest.mark.parametrize(
+    ("persons", "items", "s_person"),
+    [
+        (2, 20, 0.004),
+        *(pytest.param(*one, marks=pytest.mark.proof) for one in ((4, 14, 0.002), (3, 16, 0.02))),
+    ],
+)
 def test_unbalanced_data_unbiased_and_the_intervals_cover(persons: int, items: int, s_person: float) -> None:
     s_click, sims = 0.005, 600
     rng = np.random.default_rng(persons)

@@ -33,8 +33,8 @@ def test_what_lies_far_apart_is_told_apart(away_m: float, verdict: str) -> None:
     assert found.difference_m == pytest.approx(-away_m, abs=0.03)
 
 
-def test_a_standard_that_is_right_is_seldom_called_wrong() -> None:
-    runs = 80
+@pytest.mark.parametrize("runs", [40, pytest.param(80, marks=pytest.mark.proof)])
+def test_a_standard_that_is_right_is_seldom_called_wrong(runs: int) -> None:
     told = [
         rule_today(standard(TRUE_P10), TotalUncertainty(sample(seed)), by_class=True) for seed in range(runs)
     ]

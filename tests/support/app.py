@@ -14,6 +14,7 @@ import httpx2
 import numpy as np
 import pytest
 from anyio.from_thread import start_blocking_portal
+from argon2 import PasswordHasher
 from fastapi import FastAPI
 from fastapi.testclient import TestClient
 from pydantic import SecretStr
@@ -23,6 +24,7 @@ from sightline.enums import Role
 from sightline.infra.jobs.records import Job
 from sightline.infra.services import Services, open_services
 from sightline.media.video.writer import write_mp4
+from sightline.people import service
 from sightline.people.store import create_person, create_sign_in_link
 from sightline.settings import Settings
 from tests.media.clips import painted
@@ -53,6 +55,17 @@ def settings_of(home: Path, database_url: str) -> Settings:
 def settings(tmp_path: Path, database_url: str) -> Settings:
     """Settings of a data folder and a database of this test alone."""
     return settings_of(tmp_path, database_url)
+
+
+@pytest.fixture(scope="session", autouse=True)
+def quick_passwords() -> Iterator[PasswordHasher]:
+    """Passwords are hashed with as little work as there is, which else is half of what people's tests take.
+    Gives what the product hashes them with.
+    """
+    own = service._hasher
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(service, "_hasher", PasswordHasher(time_cost=1, memory_cost=8, parallelism=1))
+        yield own
 
 
 @pytest.fixture

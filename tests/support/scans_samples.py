@@ -92,11 +92,11 @@ def values(**changed: Any) -> ScanValues:
     )
 
 
-def facts() -> StripFacts:
-    """What the reading of two small strips says."""
+def facts(lines: int = 50_000_000) -> StripFacts:
+    """What the reading of two strips of some three hours says."""
     keys = {"first_key": "aa/1.strip.tif", "second_key": "bb/2.strip.tif"}
     hashes = {"first_sha256": "a1" * 32, "second_sha256": "b2" * 32}
-    return StripFacts(**keys, **hashes, rows_px=256, lines=5_000_000_000, bits=8, notes=["Some lines lost."])
+    return StripFacts(**keys, **hashes, rows_px=256, lines=lines, bits=8, notes=["Some lines lost."])
 
 
 def scan(session: Session, one: Sample) -> Scan:
@@ -226,7 +226,10 @@ WRITES: dict[str, tuple[Write, Callable[[Session, Sample, Any], Any]]] = {
         live,
         lambda s, o, made: note_scan_recorded(s, made.id, SOURCE, actor=o.olga.id),
     ),
-    "note_scan_read": (scan, lambda s, o, made: note_scan_read(s, made.id, facts(), actor=None)),
+    "note_scan_read": (
+        scan,
+        lambda s, o, made: note_scan_read(s, made.id, facts(lines=5_000_000_000), actor=None),
+    ),
     "note_reading_failed": (
         scan,
         lambda s, o, made: note_reading_failed(s, made.id, "It is no picture.", actor=None),

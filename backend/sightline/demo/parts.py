@@ -117,7 +117,7 @@ def _side_by_side(
     with ThreadPoolExecutor(len(scenes), "demonstration") as pool:
         try:
             videos = [pool.submit(_video, services, name, scratch, drawing, len(scenes)) for name in scenes]
-            lens = pool.submit(_lens, services)
+            lens = pool.submit(_lens, services, drawing.stop.is_set)
             _watch([*videos, lens], drawing, progress)
         except BaseException:
             drawing.stop.set()
@@ -149,11 +149,16 @@ def _video(services: Services, name: str, scratch: Path, drawing: _Drawing, side
     return _read(services, name, path, scratch, drawing.stop.is_set)
 
 
-def _lens(services: Services) -> tuple[tuple[LabPicture, ...], CheckedCalibration]:
-    """The lab pictures and the calibration from them."""
-    lab = tuple(_lab_picture(services, index) for index in range(LAB_COUNT))
+def _lens(
+    services: Services, is_cancelled: Callable[[], bool]
+) -> tuple[tuple[LabPicture, ...], CheckedCalibration]:
+    """The lab pictures and the calibration from them. Raises IngestCancelled when it is to stop."""
+    lab = []
+    for index in range(LAB_COUNT):
+        check_cancelled(is_cancelled, "the demonstration")
+        lab.append(_lab_picture(services, index))
     seen = [(one.seen.name, one.seen.corners, one.seen.size) for one in lab]
-    return lab, calibrate_and_check(seen, LAB_BOARD, "brown")
+    return tuple(lab), calibrate_and_check(seen, LAB_BOARD, "brown")
 
 
 def file_of(name: str) -> str:

@@ -128,14 +128,12 @@ def intervals(
     long_s = 60.0 * minutes
     end_s = max([watched_s, *(one.since_s + one.occupied_s for one in passed)])
     headways = [None, *(behind.since_s - ahead.since_s for ahead, behind in pairwise(passed))]
-    covered, fronts_s = _covered(passed), np.array([one.since_s for one in passed])
+    covered, spans = _covered(passed), _spans(into_hour_s, long_s, end_s)
+    fronts_s = np.array([one.since_s for one in passed])
+    begins, stops = np.searchsorted(fronts_s, np.array(spans).reshape(-1, 2).T).tolist()
     out = []
-    first = int(into_hour_s // long_s)
-    at = first * long_s - into_hour_s
-    while at < end_s:
-        begin_s, stop_s = max(at, 0.0), min(at + long_s, end_s)
-        begin = int(np.searchsorted(fronts_s, begin_s))
-        stop = len(passed) if stop_s == end_s else int(np.searchsorted(fronts_s, stop_s))
+    for begin, before_stop, (begin_s, stop_s) in zip(begins, stops, spans, strict=True):
+        stop = len(passed) if stop_s == end_s else before_stop
         out.append(
             _interval(
                 passed[begin:stop],
@@ -146,9 +144,16 @@ def intervals(
                 limits_m,
             )
         )
-        first += 1
-        at = first * long_s - into_hour_s
     return tuple(out)
+
+
+def _spans(into_hour_s: float, long_s: float, end_s: float) -> list[tuple[float, float]]:
+    """Where the intervals begin and stop, seconds after line 0."""
+    out, number = list[tuple[float, float]](), int(into_hour_s // long_s)
+    while (at := number * long_s - into_hour_s) < end_s:
+        out.append((max(at, 0.0), min(at + long_s, end_s)))
+        number += 1
+    return out
 
 
 def _interval(
@@ -216,8 +221,18 @@ def mean_speeds(moving: Sequence[Passed]) -> tuple[Figure, Figure]:
 
 def length_classes(measured: Sequence[Passed], limits_m: Sequence[float]) -> tuple[LengthClass, ...]:
     """How many vehicles lie between the limits; a length at a limit belongs to the shorter class."""
-    edges: list[float | None] = [None, *limits_m, None]
+    edges = (None, *limits_m, None)
+    return _nobody(edges) if not measured else _classes(measured, edges)
+
+
+def _classes(measured: Sequence[Passed], edges: tuple[float | None, ...]) -> tuple[LengthClass, ...]:
     return tuple(_class_between(measured, above, up_to) for above, up_to in pairwise(edges))
+
+
+@lru_cache(maxsize=100)
+def _nobody(edges: tuple[float | None, ...]) -> tuple[LengthClass, ...]:
+    """The classes of an interval without traffic: most of those of a long recording."""
+    return _classes((), edges)
 
 
 def _class_between(measured: Sequence[Passed], above: float | None, up_to: float | None) -> LengthClass:

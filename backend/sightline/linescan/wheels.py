@@ -9,6 +9,7 @@ lifted axles are not seen, and twin wheels of one axle are one.
 """
 
 from dataclasses import dataclass
+from functools import lru_cache
 from math import ceil
 
 import cv2
@@ -103,8 +104,11 @@ def _laid_out(picture: Pixels, start: int, motion: Motion, rig: Rig) -> tuple[Ar
     return np.asarray((np.diff(at, axis=0) / width).T, np.float32), lines + start
 
 
-def _ring(along: float, upwards: float) -> tuple[Array, Array]:
-    """Template and its weights: the tyre -1, its foot's surroundings and the rim +1."""
+@lru_cache(maxsize=len(RADII_M) * len(RADII_ROWS))
+def _ring(along: float, upwards: float) -> tuple[Array, Array, float]:
+    """Weights of a ring, the tyre -1, its foot's surroundings and the rim +1, weighted less its mean, and its
+    spread.
+    """
     half_x, half_y = ceil(FOOT * along), ceil(FOOT * upwards)
     y, x = np.mgrid[-half_y : half_y + 1, -half_x : half_x + 1]
     r = np.hypot(x / along, y / upwards)
@@ -114,7 +118,10 @@ def _ring(along: float, upwards: float) -> tuple[Array, Array]:
     template = np.where(tyre, -1.0, np.where(foot | rim, 1.0, 0.0)).astype(np.float32)
     count = np.maximum([tyre.sum(), foot.sum(), rim.sum()], 1)
     weight = 2.0 * tyre / count[0] + 1.2 * foot / count[1] + 0.8 * rim / count[2]
-    return template, np.asarray(weight / weight.sum(), np.float32)
+    weight = np.asarray(weight / weight.sum(), np.float32)
+    centred = template - float((weight * template).sum())
+    spread = float(np.sqrt((weight * centred**2).sum()))
+    return weight, np.asarray(weight * centred, np.float32), spread
 
 
 def _best(laid: Array, radius_m: float, upwards: float) -> tuple[float, Array, float, float, float]:
@@ -137,12 +144,10 @@ def _best(laid: Array, radius_m: float, upwards: float) -> tuple[float, Array, f
 
 def _likeness(laid: Array, along: float, upwards: float) -> Array:
     """Weighted normalised correlation (rows, steps) with the ring, rows whose ring does not fit left out."""
-    template, weight = _ring(along, upwards)
-    if template.shape[0] > laid.shape[0] or template.shape[1] > laid.shape[1]:
+    weight, ring, spread = _ring(along, upwards)
+    if weight.shape[0] > laid.shape[0] or weight.shape[1] > laid.shape[1]:
         return np.zeros((0, 0), np.float32)
-    centred = template - float((weight * template).sum())
-    spread = float(np.sqrt((weight * centred**2).sum()))
-    half_y, half_x = template.shape[0] // 2, template.shape[1] // 2
+    half_y, half_x = weight.shape[0] // 2, weight.shape[1] // 2
     low = laid.shape[0] // 2
     bordered = cv2.copyMakeBorder(laid[low:], 0, half_y, half_x, half_x, cv2.BORDER_REPLICATE)
     part = np.asarray(bordered, np.float32)
@@ -154,7 +159,7 @@ def _likeness(laid: Array, along: float, upwards: float) -> Array:
 
     mean = correlated(part, weight)
     square = correlated(part * part, weight)
-    found = correlated(part, np.asarray(weight * centred, np.float32))
+    found = correlated(part, ring)
     deviation = np.sqrt(np.maximum(square - mean * mean, 4.0))
     out = np.asarray((found / (spread * deviation))[: laid.shape[0] - low, half_x:-half_x], np.float32)
     # no wheel stands out beyond a bumper

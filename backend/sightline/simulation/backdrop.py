@@ -6,6 +6,7 @@ import cv2
 import numpy as np
 
 from sightline.simulation.camera import Array, DemoCamera, Floats, slope_maps
+from sightline.simulation.paint import around
 from sightline.simulation.scene import Scene
 from sightline.simulation.scenery import sky_colours, street_plates
 
@@ -53,41 +54,43 @@ def ground_colour(camera: DemoCamera, seed: int, low: bool, a: Floats, b: Floats
     tone -= 7 * np.exp(-(((y - 0.28) / 0.28) ** 2)) + 7 * np.exp(-(((y - 1.72) / 0.28) ** 2))
     tone -= 6 * np.exp(-(((y - 2.75) / 0.28) ** 2)) + 6 * np.exp(-(((y - 4.2) / 0.28) ** 2))
     tone -= 5 * np.exp(-(((y - 1.0) / 0.22) ** 2)) * (1 + 0.5 * patch)
-    colour = tone[..., None] * np.array([0.985, 1.0, 1.012], np.float32)
-    colour = _cracks(colour, x, y, soft, seed)
-    colour = _markings(colour, x, y, soft, rough, patch)
-    colour = _verges(colour, x, y, soft, seed, rough, patch)
-    return colour.astype(np.float32), mask
+    colour = np.asarray(tone[..., None] * np.array([0.985, 1.0, 1.012], np.float32), np.float32)
+    _cracks(colour, x, y, soft, seed)
+    _markings(colour, x, y, soft, rough, patch)
+    _verges(colour, x, y, soft, seed, rough, patch)
+    return colour, mask
 
 
-def _mix(colour: Floats, mask: Floats, paint: object) -> Floats:
-    m = mask[..., None]
-    return np.asarray(colour * (1 - m) + np.asarray(paint, np.float32) * m, np.float32)
+def _lay(colour: Floats, mask: Floats, paint: object) -> None:
+    """Covers with a colour, or a picture of colours, where the mask is."""
+    at = around(mask)
+    m, ink = mask[at][..., None], np.asarray(paint, np.float32)
+    colour[at] = colour[at] * (1 - m) + (ink[at] if ink.ndim == 3 else ink) * m
 
 
-def _cracks(colour: Floats, x: Floats, y: Floats, soft: Floats, seed: int) -> Floats:
+def _cracks(colour: Floats, x: Floats, y: Floats, soft: Floats, seed: int) -> None:
     """Tar lines that wander along and across the road, and a repair patch."""
     rng = np.random.default_rng(seed + 5)
     for _ in range(5):
         x0, y0, bend = rng.uniform(-1, 9), rng.uniform(-0.4, 4.5), rng.uniform(0.05, 0.2)
         path = y0 + bend * np.sin(1.9 * (x - x0)) + 0.05 * np.sin(7 * x + x0)
         near = np.exp(-(((y - path) / (0.012 + 0.5 * soft)) ** 2)) * (np.abs(x - x0) < rng.uniform(0.6, 1.9))
-        colour = _mix(colour, (near * 0.55 * np.clip(0.02 / soft, 0, 1)).astype(np.float32), (58, 58, 60))
+        _lay(colour, (near * 0.55 * np.clip(0.02 / soft, 0, 1)).astype(np.float32), (58, 58, 60))
     patch = _band(y, 2.62, 3.9, soft) * _band(x, 3.3, 5.9, soft)
-    return _mix(colour, (patch * 0.22).astype(np.float32), (78, 78, 80))
+    _lay(colour, (patch * 0.22).astype(np.float32), (78, 78, 80))
 
 
-def _markings(colour: Floats, x: Floats, y: Floats, soft: Floats, rough: Floats, patch: Floats) -> Floats:
+def _markings(colour: Floats, x: Floats, y: Floats, soft: Floats, rough: Floats, patch: Floats) -> None:
     worn = np.clip(0.80 + 0.10 * rough + 0.10 * patch, 0, 0.95)
     dash = _band(np.mod(x + 1.2, 4.5).astype(np.float32), 0.0, 2.2, np.full_like(soft, 0.02))
     centre = _band(y, 2.16, 2.28, soft) * dash
     edges = _band(y, -0.52, -0.40, soft) + _band(y, 4.92, 5.04, soft)
-    return _mix(colour, np.clip((centre + edges) * worn, 0, 1).astype(np.float32), (218, 221, 222))
+    _lay(colour, np.clip((centre + edges) * worn, 0, 1).astype(np.float32), (218, 221, 222))
 
 
 def _verges(
     colour: Floats, x: Floats, y: Floats, soft: Floats, seed: int, rough: Floats, patch: Floats
-) -> Floats:
+) -> None:
     size = int(TILE_PPM * TILE_M)
     blades = noise_tile(seed + 9, ((0.8, 0.6), (2.5, 0.6), (9.0, 0.7)), size)
     turf = _sample(blades, x, y * 0.6, TILE_PPM * 0.8) * np.clip(0.7 / (1 + soft * 5), 0.12, 1)
@@ -96,12 +99,12 @@ def _verges(
     slab = _band(np.mod(x, 1.0).astype(np.float32), 0.0, 0.025, soft * 0.6 + 0.006)
     kerb = (176 + 5 * rough)[..., None] * np.array([1.0, 1.0, 0.995], np.float32)
     far = np.full_like(soft, 400)
-    colour = _mix(colour, _band(y, 5.28, 5.40, soft), (64, 66, 68))
-    colour = _mix(colour, _band(y, 5.40, 5.58, soft), kerb)
-    colour = _mix(colour, _band(y, 5.58, 7.3, soft), stone)
-    colour = _mix(colour, (_band(y, 5.40, 7.3, soft) * slab * 0.35).astype(np.float32), (96, 98, 100))
-    colour = _mix(colour, np.minimum(_band(y, 7.3, 400, soft), far), green)
-    return _mix(colour, _band(y, -3, -0.86, soft), green * 0.96)
+    _lay(colour, _band(y, 5.28, 5.40, soft), (64, 66, 68))
+    _lay(colour, _band(y, 5.40, 5.58, soft), kerb)
+    _lay(colour, _band(y, 5.58, 7.3, soft), stone)
+    _lay(colour, (_band(y, 5.40, 7.3, soft) * slab * 0.35).astype(np.float32), (96, 98, 100))
+    _lay(colour, np.minimum(_band(y, 7.3, 400, soft), far), green)
+    _lay(colour, _band(y, -3, -0.86, soft), green * 0.96)
 
 
 def lamp_pool(camera: DemoCamera, a: Floats, b: Floats) -> Floats:

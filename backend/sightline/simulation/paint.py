@@ -91,7 +91,7 @@ class Stencil:
         return self.area(ring)
 
 
-def _around(mask: Floats) -> tuple[slice, slice]:
+def around(mask: Floats) -> tuple[slice, slice]:
     """The smallest box that holds all of a mask."""
     rows, columns = np.flatnonzero(mask.any(1)), np.flatnonzero(mask.any(0))
     if not len(rows):
@@ -108,7 +108,7 @@ class Layer:
 
     def lay(self, mask: Floats, colour: object, opacity: float = 1.0) -> None:
         """Covers with a colour (BGR, or a picture of BGR) where the mask is."""
-        at = _around(mask)
+        at = around(mask)
         m = (mask[at] * np.float32(opacity))[..., None]
         ink = np.asarray(colour, np.float32)
         ink = ink[at] if ink.ndim == 3 else ink
@@ -117,14 +117,14 @@ class Layer:
 
     def cut(self, mask: Floats) -> None:
         """Takes away what the mask covers."""
-        at = _around(mask)
+        at = around(mask)
         keep = 1 - mask[at][..., None]
         self.colour[at] *= keep
         self.alpha[at] *= keep
 
     def tint(self, mask: Floats, gain: float) -> None:
         """Darkens (gain < 1) or lightens what is there."""
-        at = _around(mask)
+        at = around(mask)
         self.colour[at] *= 1 + np.float32(gain - 1) * mask[at][..., None]
 
     def copy(self) -> "Layer":
@@ -197,8 +197,13 @@ def glass_area(shape: Shape, stencil: Stencil) -> Floats:
 
 
 def pane_area(shape: Shape, stencil: Stencil) -> Floats:
-    """Coverage of the glass one can see through: the windows less the pillars between them."""
-    panes = glass_area(shape, stencil)
+    """Coverage of the glass one can see through."""
+    return less_pillars(shape, stencil, glass_area(shape, stencil))
+
+
+def less_pillars(shape: Shape, stencil: Stencil, glass: Floats) -> Floats:
+    """The windows less the pillars between them."""
+    panes = glass
     for pillar in shape.vehicle.style.pillars:
         at, _ = shape.at(pillar, 0)
         panes = panes * (1 - stencil.line(np.array([[at - 0.05, 0.6], [at + 0.05, 2.2]]), 0.085))

@@ -9,10 +9,11 @@ from sightline.simulation.paint import (
     Layer,
     Plate,
     Stencil,
+    around,
     body_outline,
     glass_area,
+    less_pillars,
     painted_body,
-    pane_area,
 )
 from sightline.simulation.shape import Shape
 
@@ -190,20 +191,21 @@ def _windows(shape: Shape, light: Light, stencil: Stencil, layer: Layer) -> None
     rim = np.clip(cv2.GaussianBlur(glass, (0, 0), 0.012 * stencil.ppm) * 2.6, 0, 1)
     dim = 0.3 if light.low else 1.0
     layer.lay(np.asarray(rim, np.float32) * (layer.alpha[..., 0] > 0.5), (26 * dim, 25 * dim, 25 * dim))
-    panes = pane_area(shape, stencil)
-    along, z = stencil.grid()
+    panes = less_pillars(shape, stencil, glass)
+    layer.cut(panes)
+    at = around(panes)
+    along, z = (part[at] for part in stencil.grid())
     belt = shape.belt(along)
     rise = np.clip((z - belt) / 0.42, 0, 1)
     sky = np.array(light.horizon) * 0.42 + np.array(light.zenith) * 0.58
     bank = np.clip(0.5 + 0.5 * np.sin(3.1 * along - 1.4 * z + shape.vehicle.seed % 7), 0, 1)
     mirror = (0.07 + 0.15 * rise**1.3 + 0.05 * bank * rise)[..., None] * sky
     streak = np.exp(-((((along - 0.55 * z) % 1.6) - 0.7) ** 2) / 0.02)[..., None] * sky * 0.07
-    layer.cut(panes)
     see = np.clip(0.50 - 0.10 * rise, 0, 1).astype(np.float32)
-    m = panes[..., None]
+    m = panes[at][..., None]
     tint = np.array([20.0, 22.0, 18.0]) * dim
-    layer.colour += m * (mirror + streak + tint * see[..., None]).astype(np.float32)
-    layer.alpha += m * see[..., None]
+    layer.colour[at] += m * (mirror + streak + tint * see[..., None]).astype(np.float32)
+    layer.alpha[at] += m * see[..., None]
     sill = stencil.line(np.stack([stencil.along, shape.belt(stencil.along)], -1), 0.016)
     trim = np.clip(cv2.GaussianBlur(glass, (0, 0), 0.03 * stencil.ppm) * 4, 0, 1) * sill
     bright = style.name in ("saloon", "estate") and shape.vehicle.seed % 2 == 0
