@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+import tifffile
 
 from sightline.enums import TimeAxis
 from sightline.errors import BadInput
@@ -42,6 +43,18 @@ def test_every_packing_gives_the_same_lines(
     got = read(tiff(tmp_path / "a.tif", picture, **how), time_axis, 500)
     assert got.dtype == dtype
     np.testing.assert_array_equal(got, strip)
+
+
+@pytest.mark.parametrize("told", [70_000 - 65_536, 65_535])
+@pytest.mark.parametrize("compression", [None, "zlib"])
+def test_more_lines_than_16_bits_can_count_are_all_read(
+    tmp_path: Path, compression: str | None, told: int
+) -> None:
+    strip = pattern(70_000, 9, np.uint8)
+    path = tiff(tmp_path / "long.tif", strip, rowsperstrip=70_000, compression=compression)
+    with tifffile.TiffFile(path, mode="r+") as file:
+        file.pages.first.tags["RowsPerStrip"].overwrite(told, dtype="H")
+    np.testing.assert_array_equal(read(path, "height", 8_192), strip)
 
 
 @pytest.mark.parametrize("time_axis", ["width", "height"])

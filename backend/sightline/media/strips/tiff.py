@@ -38,6 +38,7 @@ _UNPACK: dict[int, Any] = {
     34926: imagecodecs.zstd_decode,
     50000: imagecodecs.zstd_decode,
 }
+_MOST_IN_16_BITS = 0xFFFF
 _PACKED = (imagecodecs.ZstdError, imagecodecs.DeflateError, imagecodecs.LzwError)
 
 
@@ -103,7 +104,7 @@ def pieces_of(page: tifffile.TiffPage, handle: int, byteorder: str, least: int =
     width, length = page.imagewidth, page.imagelength
     tiled = page.is_tiled
     piece_width = page.tilewidth if tiled else width
-    piece_length = page.tilelength if tiled else min(page.rowsperstrip, length)
+    piece_length = page.tilelength if tiled else _rows_per_strip(page)
     across, down = -(-width // max(1, piece_width)), -(-length // max(1, piece_length))
     offsets, counts = np.asarray(page.dataoffsets, np.int64), np.asarray(page.databytecounts, np.int64)
     if min(piece_width, piece_length) < 1 or min(len(offsets), len(counts)) < max(least, across * down):
@@ -120,6 +121,13 @@ def pieces_of(page: tifffile.TiffPage, handle: int, byteorder: str, least: int =
         compression=int(page.compression),
         predictor=int(page.predictor),
     )
+
+
+def _rows_per_strip(page: tifffile.TiffPage) -> int:
+    """Lines in a strip: all of them where there is one strip whose lines 16 bits could not count."""
+    length, told = page.imagelength, page.rowsperstrip
+    overflown = length > _MOST_IN_16_BITS and told in (_MOST_IN_16_BITS, length % (_MOST_IN_16_BITS + 1))
+    return int(length if overflown and len(page.dataoffsets) == 1 else min(told, length))
 
 
 def opened(path: Path, name: str) -> tifffile.TiffFile:
