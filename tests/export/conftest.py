@@ -11,6 +11,7 @@ import pytest
 
 from sightline.export import derived
 from sightline.export.report import report
+from sightline.export.report.figures import drawings
 from sightline.export.report.said import spoken
 
 # What says of the drawing itself that the same tables give the same bytes draws every time.
@@ -37,7 +38,7 @@ class _Kept:
         return pickle.loads(self._made[key])
 
 
-_drawings = _Kept(derived.drawings)
+_drawings = _Kept(drawings)
 _set_pdf = _Kept(report.set_pdf)
 
 
