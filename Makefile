@@ -150,10 +150,11 @@ full-disk: setup .build/python-dev
 hostile: setup .build/python-dev
 	@$(BIN)/python -m tests.load.hostile.run $(HOSTILE)
 
-# How often a test fails by chance, beside busy loops: make flakes N=20 [FLAKES="tests/infra/test_turns.py"]
+# How often a test fails by chance, beside busy loops: make flakes N=20 [FLAKES="tests/infra/test_turns.py"];
+# MINUTES=60 instead of N goes on where the last one stopped
 N ?= 20
 flakes: setup .build/python-dev .build/chromium
-	@$(BIN)/python -m tests.load.flakes $(N) $(FLAKES)
+	@$(BIN)/python -m tests.load.flakes $(if $(MINUTES),--minutes $(MINUTES),$(N)) $(FLAKES)
 
 # All of it for a night, one after the other, with one seed; the report: .build/nightly.md
 nightly: setup .build/python-dev

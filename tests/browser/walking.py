@@ -66,6 +66,7 @@ SHOWN = """(twice) => {
     && document.querySelector("#main h1, .page--bare h1") !== null
     && document.querySelector(".loading, .frame-loading--on, [data-testid=axes-awaited]") === null
     && [...document.querySelectorAll(".stat-figure__box:empty")].every(box => box.clientWidth < 200)
+    && document.querySelector(".plan-figure__box:empty") === null
     && ![...document.querySelectorAll(".spinner")].some(s => s.checkVisibility({opacityProperty: true}));
   if (!rests) window.drawn = 0;
   if (!rests || ++window.drawn < 3) return null;  // asked once a frame
