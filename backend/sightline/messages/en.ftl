@@ -4485,7 +4485,7 @@ export-crop-could-not-encoded-export-survey = An image could not be encoded; exp
 export-frame-stored-video-not-one-clicked = Frame { $frame } of the stored video is not the frame that was clicked on.
 export-format-not-known = The package has format { $format }, which this version of Sightline does not know; verify it with { $program } or later.
 export-made-by-another-version = Made by version { $program }; this is { $mine }.
-export-described-otherwise = datapackage.json lists every file with its hash; its descriptions of { $count ->
+export-described-otherwise = datapackage.json lists every file with its size and hash; its descriptions of { $count ->
     [one] one file
    *[other] { $count } files
   } (and: { $names }) are those of that version; covered by the seal, not compared.

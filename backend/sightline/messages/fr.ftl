@@ -4479,7 +4479,7 @@ export-crop-could-not-encoded-export-survey = Une vue n’a pas pu être encodé
 export-frame-stored-video-not-one-clicked = L’image { $frame } de la vidéo stockée n’est pas celle qui a été pointée.
 export-format-not-known = Le paquet a le format { $format }, que cette version de Sightline ne connaît pas ; vérifiez-le avec { $program } ou une version ultérieure.
 export-made-by-another-version = Fait par la version { $program } ; celle-ci est { $mine }.
-export-described-otherwise = datapackage.json énumère chaque fichier avec son empreinte ; ses descriptions { $count ->
+export-described-otherwise = datapackage.json énumère chaque fichier avec sa taille et son empreinte ; ses descriptions { $count ->
     [one] d’un fichier
    *[other] de { $count } fichiers
   } (et : { $names }) sont celles de cette version-là ; couvertes par le sceau, non comparées.
