@@ -1312,7 +1312,7 @@ computing-before = Ancienne
 computing-after = Nouvelle
 computing-change = Variation
 computing-by-u = Variation / u
-computing-by-u-help = La variation divisée par l’incertitude-type qu’avait la hauteur
+computing-by-u-help = Variation divisée par l’incertitude-type précédente
 computing-review-yes = à vérifier
 computing-repeat = répétition
 computing-listed = Les { $count } plus grandes variations rapportées à u sont affichées ; l’archive les contient toutes.
@@ -2339,7 +2339,7 @@ scans-new-time-width = la largeur, comme d’usage
 scans-new-time-height = la hauteur
 scans-new-no-recording = aucun enregistrement prêt
 scans-new-choose-recording = choisissez un enregistrement
-scans-new-recording-hint = Sa cadence d’images est la cadence de lignes : elle doit être stable et rapide.
+scans-new-recording-hint = La cadence d’images devient la cadence de lignes : utilisez une cadence constante et élevée.
 scans-new-cut-along = Sens de circulation dans la vidéo
 scans-new-cut-along-columns = Vers la gauche ou la droite : colonnes
 scans-new-cut-along-left = Vers le haut ou le bas, toits à gauche : rangées
@@ -4623,7 +4623,7 @@ csv_package-cannot-read-described-take-whole-export = { $path } ne peut pas êtr
 csv_package-row-too-long-too-short-changed = { $path } a une ligne trop longue ou trop courte ; il a été modifié.
 csv_package-without-audit-event-missing = { $path } : { $kind_name } { $odd } est là sans événement d’audit, ou manque.
 csv_package-twice-one-put = { $path } : { $columns } { $values } est là deux fois ; ajout après coup.
-csv_package-not-what-audit-event-says-changed = { $path } n’est pas ce que dit son événement d’audit ; il a été modifié.
+csv_package-not-what-audit-event-says-changed = { $path } diffère de son événement d’audit ; il a été modifié.
 csv_package-not-one-audit-chain-vouches-changed = { $path_of } n’est pas celui que garantit la chaîne d’audit ; il a été modifié.
 csv_package-made-others-another-time-says = { $path } : { $kind_name } { $id } a un autre auteur ou une autre date que ne le dit { $path_2 }.
 csv_package-differs-one-changed = { $path } : { $kind_name } { $id } diffère de { $path_2 } ; l’un des deux a été modifié.
@@ -4678,13 +4678,13 @@ jobs-job-already-nothing-cancel = La tâche { $job_id } est déjà dans l’éta
     [cancelled] annulé
    *[other] { $state }
 } ; il n’y a rien à annuler.
-jobs-job-moved-meanwhile-nothing = La tâche { $id } a avancé entre-temps ; rien à faire.
+jobs-job-moved-meanwhile-nothing = L’état de la tâche { $id } a changé entre-temps ; il n’y a rien à faire.
 jobs-job-given-another-worker-one-stops = La tâche { $id } a été confiée à un autre processus ; celui-ci s’arrête.
 
 ## Erreurs : web
 
 web-disk-not-writable = Le dossier des données ne peut pas être écrit ({ $why }) ; vérifiez le disque et ses droits.
-web-part-silent = Pas de réponse depuis { $seconds } secondes ; vérifiez que ce service est en marche et joignable.
+web-part-silent = Pas de réponse depuis { $seconds } s ; vérifiez que ce service est en marche et joignable.
 web-writer-stuck = Une modification est en cours depuis { $seconds } secondes et les autres l’attendent ; vérifiez la base de données.
 web-secret-weak = SIGHTLINE_SECRET peut être deviné ; utilisez au moins { $characters } caractères aléatoires qui ne sont publiés nulle part (openssl rand -hex 32).
 web-signing-key-missing = SIGHTLINE_SIGNING_KEY n’est pas défini, chaque machine signerait donc avec sa propre clé ; donnez à toutes les mêmes 64 chiffres hexadécimaux (openssl rand -hex 32).
@@ -4750,7 +4750,7 @@ measurements-only-two-passes-same-recording-joined = Seuls deux passages du mêm
 measurements-vehicles-both-measurements-measurement-stays-vehicle = Les véhicules { $number } et { $number_2 } ont tous deux des mesures, et une mesure reste avec son véhicule ; écartez plutôt l’un des passages.
 measurements-vehicle-measured-before-after-frame-measurement = Le véhicule { $number } a été mesuré avant et après l’image { $frame }, et une mesure reste avec son véhicule ; coupez à une autre image.
 measurements-vehicles-csv-missing-though-audit-event = vehicles.csv : { $missing } manque, bien que son événement d’audit soit là.
-measurements-vehicles-csv-not-what-audit-events = vehicles.csv : { $id } n’est pas ce que disent ses événements d’audit ; il a été modifié.
+measurements-vehicles-csv-not-what-audit-events = vehicles.csv : { $id } diffère de ses événements d’audit ; il a été modifié.
 measurements-measurement-withdrawn-restore-before-you-change = Cette mesure est retirée ; restaurez-la avant de la modifier.
 measurements-repeat-stands-clicked-withdraw-click-again = Une répétition reste telle que pointée ; retirez-la et repointez.
 measurements-measurement-withdrawn-already-restore-use-again = Cette mesure est déjà retirée ; restaurez-la pour l’utiliser à nouveau.
@@ -4759,7 +4759,7 @@ adjusting-not-an-adjusted-pose-in-force = Ce n’est pas une pose ajustée en vi
 computing-undo-cannot-be-undone = Une annulation ne s’annule pas ; recalculez plutôt les hauteurs.
 computing-undone-already = Ceci a déjà été annulé ; recalculez les hauteurs pour les retrouver.
 computing-undo-the-later-first = Les hauteurs ont été recalculées le { $when } ; annulez d’abord ce calcul.
-computing-computings-csv-not-what-event-says = computings.csv : { $id } n’est pas ce que dit son événement d’audit ; reprenez l’export complet.
+computing-computings-csv-not-what-event-says = computings.csv : { $id } diffère de son événement d’audit ; reprenez l’export complet.
 computing-computing-made-other-revisions = computings.csv : { $id } a fait un autre nombre de révisions qu’il ne dit ; reprenez l’export complet.
 computing-out-of-date-not-so = { $path } : la marque « périmé » de { $id } ne découle pas de ses données ; reprenez l’export complet.
 computing-computing-missing = computings.csv : { $id } manque, bien que son événement d’audit soit là ; reprenez l’export complet.
@@ -4791,7 +4791,7 @@ measurements-budget-csv-not-what-audit-event = budget.csv : les contributions �
 cameras-calibration-of-other-images = calibrations.csv : { $id } nomme d’autres photos que ses événements d’audit ; reprenez l’export complet.
 measurements-event-another-row = audit.csv : un événement de la mesure { $id } contient une autre ligne que celle qu’il a hachée ; il a été modifié.
 measurements-events-two-frames = audit.csv : deux événements décrivent différemment l’image { $frame } de l’enregistrement { $recording } ; l’un des deux a été modifié.
-measurements-frames-csv-not-as-clicked = frames.csv : l’image { $frame } de l’enregistrement { $recording } n’est pas ce que disent les événements d’audit de ses mesures ; elle a été modifiée.
+measurements-frames-csv-not-as-clicked = frames.csv : l’image { $frame } de l’enregistrement { $recording } diffère des événements d’audit de ses mesures ; elle a été modifiée.
 measurements-budget-csv-not-measurements-csv-put = budget.csv : { $next } n’est pas dans measurements.csv ; ajout après coup.
 measurements-revisions-csv-revision-measurement-missing-though = revisions.csv : la révision { $revision } de la mesure { $number } manque, bien que son événement d’audit soit là ; elle a été retirée.
 measurements-clicked-another-frame-frames-csv-tells = { $path } : { $id } a été pointé sur une autre image que ne le dit frames.csv ; l’un des deux est faux.
@@ -4962,10 +4962,10 @@ poses-calibration-belongs-another-survey-choose-one = L’étalonnage { $calibra
 quality-no-recording-uses-road-pose-any = Plus aucun enregistrement n’utilise cette pose de la caméra ; regardez à nouveau les contrôles.
 quality-traffics-direction-now-not-what-you = La direction de la circulation est maintenant de { $turn_deg }°, non celle que vous avez vue ; regardez à nouveau.
 quality-frame-not-vehicle-which-passes-frames = L’image { $frame } n’est pas du véhicule { $number }, qui passe dans les images { $first_frame } à { $last_frame } ; allez à l’une d’elles.
-quality-wheel-pairs-csv-not-what-audit = wheel_pairs.csv : { $id } n’est pas ce que dit son événement d’audit ; il a été modifié.
+quality-wheel-pairs-csv-not-what-audit = wheel_pairs.csv : { $id } diffère de son événement d’audit ; il a été modifié.
 quality-clicked-their-own-measurements-again-needed = { $name } a repointé { $pairs } de ses propres mesures ; il en faut { $least_pairs } pour un sigma propre. Repointez-en d’autres.
 quality-repeats-csv-repeat-missing-though-audit = repeats.csv : la répétition { $left } manque, bien que son événement d’audit soit là.
-quality-repeats-csv-not-what-audit-event = repeats.csv : { $number } n’est pas ce que dit son événement d’audit ; il a été modifié.
+quality-repeats-csv-not-what-audit-event = repeats.csv : { $number } diffère de son événement d’audit ; il a été modifié.
 
 ## Erreurs : enregistrements
 
@@ -5023,7 +5023,7 @@ recordings-upload-finished-already-look-recording-list = Cet envoi est déjà te
 recordings-upload-became-recording-deleted-since-upload = Cet envoi est devenu un enregistrement supprimé depuis ; envoyez-le à nouveau.
 recordings-upload-finished-already-make-scan = Cet envoi est déjà terminé ; créez-en le balayage.
 recordings-upload-finished-delete-recording-instead = Cet envoi est terminé ; supprimez plutôt son enregistrement.
-recordings-recordings-csv-not-what-audit-events = recordings.csv : { $id } n’est pas ce que disent ses événements d’audit ; il a été modifié.
+recordings-recordings-csv-not-what-audit-events = recordings.csv : { $id } diffère de ses événements d’audit ; il a été modifié.
 
 ## Erreurs : résultats
 
@@ -5040,7 +5040,7 @@ results-height-must-lie-between-0-10 = La hauteur de { $name } doit être entre 
 results-standard-percent = { $name } : un centile est supérieur à 0 et inférieur à 100 ; corrigez-le, ou laissez-le vide.
 results-last-day-lies-before-first-exchange = Le dernier jour précède le premier ; inversez-les.
 results-no-survey-may-been-removed = Il n’y a pas de relevé { $survey_id } ; il a pu être supprimé.
-results-standards-csv-not-what-surveys-audit = standards.csv n’est pas ce que disent les événements d’audit du relevé ; il a été modifié.
+results-standards-csv-not-what-surveys-audit = standards.csv diffère des événements d’audit du relevé ; il a été modifié.
 
 ## Erreurs : vérifications
 
@@ -5050,13 +5050,13 @@ reviews-measurement-withdrawn-nothing-review = Cette mesure est retirée ; il 
 reviews-repeat-not-reviewed-review-measurement-repeats = Une répétition ne se vérifie pas ; vérifiez la mesure qu’elle répète.
 reviews-rejection-needs-reason-say-what-wrong = Un rejet demande un motif ; dites ce qui ne va pas pour que ce soit rectifié.
 reviews-fix-needs-new-points-only-fix = Une correction demande les nouveaux points, et seule une correction en a ; pointez-les et joignez-les.
-reviews-somebody-changed-plan-meanwhile = Quelqu’un a modifié le plan entre-temps ; rechargez-le et refaites le vôtre.
+reviews-somebody-changed-plan-meanwhile = Le plan a été modifié entre-temps ; rechargez-le et refaites votre modification.
 reviews-plan-one-in-between = « Une sur combien » est un nombre entre 0 (aucune) et { $most }.
 reviews-click-it-again-before = Le plan du relevé veut que celle-ci soit repointée avant d’être montrée ; pointez contact et cible, puis jugez-la.
 reviews-fix-changes-nothing-accept = Cette correction ne change rien ; déplacez un point, ou validez la mesure.
 reviews-measurement-waits-review-already = Cette mesure attend déjà une vérification.
 reviews-nobody-reviews-their-own-measurement-ask = Personne ne vérifie sa propre mesure ; demandez à un autre vérificateur.
-reviews-reviews-csv-not-what-audit-event = reviews.csv : { $id } n’est pas ce que dit son événement d’audit ; il a été modifié.
+reviews-reviews-csv-not-what-audit-event = reviews.csv : { $id } diffère de son événement d’audit ; il a été modifié.
 reviews-reviews-csv-missing-though-audit-event = reviews.csv : { $id } manque, bien que son événement d’audit soit là.
 reviews-measurements-csv-verdict-not-newest-review = measurements.csv : la décision sur { $one } n’est pas celle de sa dernière vérification ; l’une des deux est fausse.
 
@@ -5106,7 +5106,7 @@ scans-strip-not-arrived-whole-yet-finish = La { $word ->
     [first] première
    *[second] seconde
 } bande, { $filename }, n’est pas encore arrivée en entier ; terminez son envoi.
-scans-changed-look-again-redo-yours = { $name } a modifié { $name_2 } le { $when } ; regardez à nouveau et refaites votre modification.
+scans-changed-look-again-redo-yours = { $name } a modifié { $name_2 } le { $when } ; rechargez et refaites votre modification.
 scans-scans-cannot-changed-leave-out = { $unknown } d’un balayage n’est pas modifiable ; omettez-le.
 scans-start-u-cannot-be = Un début connu à { $u_s } s près est inutilisable ; indiquez une incertitude-type supérieure à 0 et d’au plus 3600 s.
 scans-vehicle-passed-at-another-time = { $path } : le véhicule { $number } est passé à une autre heure que ne le donnent le début de son enregistrement et ses lignes ; l’un des deux a été modifié.
@@ -5126,7 +5126,7 @@ scans-vehicle-not-measured-yet-no-wheelbase = Ce véhicule n’est pas encore me
 scans-wheel-lies-outside-strips-which-end = Une roue est hors des bandes, qui finissent à la ligne { $lines }.
 scans-camera-front-line-must-come-before = À la caméra { $camera }, l’avant (ligne { NUMBER($front, minimumFractionDigits: 1, maximumFractionDigits: 1) }) doit précéder l’arrière ({ NUMBER($rear, minimumFractionDigits: 1, maximumFractionDigits: 1) }) ; replacez-les.
 scans-boundaries-camera-lie-outside-strip-which = Les bornes à la caméra { $camera } sont hors de la bande, qui finit à la ligne { $lines } ; replacez-les.
-scans-front-rear-camera-lines-apart-more = L’avant et l’arrière à la caméra { $camera } sont à { NUMBER($rear, minimumFractionDigits: 0, maximumFractionDigits: 0) } lignes l’un de l’autre, plus qu’un seul véhicule ne peut l’être ; replacez-les.
+scans-front-rear-camera-lines-apart-more = L’avant et l’arrière à la caméra { $camera } sont à { NUMBER($rear, minimumFractionDigits: 0, maximumFractionDigits: 0) } lignes l’un de l’autre, plus qu’un véhicule n’en occupe ; replacez-les.
 scans-nothing-camera-2s-strip-looks-like = Rien dans la bande de la caméra 2 ne ressemble à ce véhicule ; placez-y son avant et son arrière à la main, ou écartez-le si ce n’en est pas un.
 scans-vehicle-no-speed-needs-reason-why = Un véhicule qui n’a pas de vitesse demande un motif ; remesurez-le.
 scans-vehicle-measured-again-meanwhile-look-newer = Ce véhicule a été remesuré entre-temps ; regardez le nouveau résultat.
@@ -5144,7 +5144,7 @@ scans-changed-vehicle-look-again-redo-yours = { $name } a modifié le véhicule 
 scans-scanned-vehicle-no-leave-out = Un véhicule balayé n’a pas de { $unknown } ; omettez-le.
 scans-m-cannot-used-give-metres-4 = { $name } de { $value } m : inutilisable ; indiquez-le en mètres, par exemple 4,447.
 scans-row-without-audit-event-missing = { $path } : la ligne { $odd } est là sans événement d’audit, ou manque.
-scans-row-not-what-audit-event-says = { $path } : { $name } de la ligne { $id } n’est pas ce que dit son événement d’audit.
+scans-row-not-what-audit-event-says = { $path } : { $name } de la ligne { $id } diffère de son événement d’audit.
 scans-vehicle-not-newest-revision-changed = { $path } : le véhicule { $number } n’est pas sa dernière révision ; il a été modifié.
 scans-verdict-went-over = { $path } : la hauteur { $id } porte une décision rendue sur une autre hauteur ; reprenez l’export complet.
 scans-verdict-row-not-one-given = { $path } : la décision de la ligne { $number } n’est pas celle qui a été rendue.
@@ -5164,20 +5164,20 @@ surveys-caption-most-characters-shorten = Une légende a au plus { $most_caption
 surveys-not-photographs-audit-events-changed = { $path } n’a pas les photos des événements d’audit ; il a été modifié.
 surveys-no-row-put = { $strange } n’est dans aucune ligne de { $path } ; ajouté après coup.
 surveys-not-photograph-audit-event-names-exchanged = { $file } n’est pas la photo que nomme son événement d’audit ; elle a été échangée.
-surveys-not-what-audit-events-say-changed = { $path } : { $name } de { $id } n’est pas ce que disent ses événements d’audit ; il a été modifié.
+surveys-not-what-audit-events-say-changed = { $path } : { $name } de { $id } diffère de ses événements d’audit ; il a été modifié.
 surveys-no-survey-named-check-name-home = Il n’y a pas de relevé nommé « { $name } » ; vérifiez le nom sur la page d’accueil.
 surveys-changed-survey-look-again-redo = { $name } a modifié ce relevé le { $when } ; regardez à nouveau et refaites votre modification.
 surveys-place-half-coordinates = Des coordonnées sont une latitude et une longitude ; indiquez les deux ou aucune.
 surveys-place-latitude = Une latitude est entre -90 et 90 degrés, pas { $latitude } : latitude et longitude sont-elles inversées ?
-surveys-place-longitude = Une longitude est entre -180 et 180 degrés, pas { $longitude }.
+surveys-place-longitude = Une longitude de { $longitude } est hors plage ; indiquez de −180 à 180 degrés.
 surveys-place-speed-limit = Une vitesse limite est supérieure à 0 et d’au plus { $fastest } km/h, pas { $kmh } km/h.
 surveys-survey-needs-name-fill = Un relevé doit avoir un nom ; indiquez-le.
 surveys-inset-cannot-used-give-known-target = Le retrait de « { $target } » est inutilisable ; indiquez une cible connue et une incertitude >= 0.
 surveys-asks-nothing-choose-target = Un relevé demande au moins une cible de jour et une en faible luminosité ; choisissez-les.
-surveys-survey-csv-not-what-audit = survey.csv n’est pas ce que disent les événements d’audit du relevé ; il a été modifié.
-surveys-insets-csv-not-what-surveys-audit = insets.csv n’est pas ce que disent les événements d’audit du relevé ; il a été modifié.
-surveys-classes-csv-not-what-surveys-audit = classes.csv n’est pas ce que disent les événements d’audit du relevé ; il a été modifié.
-surveys-sampling-csv-not-what-audit = sampling.csv ou quotas.csv n’est pas ce que disent les événements d’audit du relevé ; il a été modifié.
+surveys-survey-csv-not-what-audit = survey.csv diffère des événements d’audit du relevé ; il a été modifié.
+surveys-insets-csv-not-what-surveys-audit = insets.csv diffère des événements d’audit du relevé ; il a été modifié.
+surveys-classes-csv-not-what-surveys-audit = classes.csv diffère des événements d’audit du relevé ; il a été modifié.
+surveys-sampling-csv-not-what-audit = sampling.csv ou quotas.csv diffère des événements d’audit du relevé ; il a été modifié.
 surveys-sampling-step = Un passage sur n : n est entre 1 et { $most_step }, le premier numéro entre 1 et n ; corrigez-les.
 surveys-sampling-share = Une part des passages est supérieure à 0 et d’au plus 100 % ; corrigez-la.
 surveys-sampling-headway = Le temps intervéhiculaire des véhicules libres doit être supérieur à 0 et d’au plus { $most_headway_s } s ; corrigez-le.
@@ -5372,7 +5372,7 @@ lots-not-accepted = Seul un lot accepté peut être annulé ; regardez ce qu�
 lots-decided-already = Le lot { $number } a reçu une décision entre-temps ; regardez-la d’abord.
 lots-event-another-row = audit.csv : l’événement { $number } contient un autre lot que celui qu’il a haché ; reprenez l’export complet.
 lots-verdict-of-no-lot = reviews.csv : une décision par le lot { $lot }, qui n’existe pas ; reprenez l’export complet.
-lots-lots-csv-not-what-event-says = lots.csv : le lot { $id } n’est pas ce que disent ses événements d’audit ; il a été modifié.
+lots-lots-csv-not-what-event-says = lots.csv : le lot { $id } diffère de ses événements d’audit ; il a été modifié.
 lots-lot-missing = lots.csv : le lot { $id } manque, bien que son événement d’audit soit là.
 lots-seed-not-the-chains = lots.csv : la graine du lot { $id } ne découle pas de la chaîne d’audit ; le tirage a été choisi.
 lots-not-drawn-by-its-seed = audit.csv : le lot { $id } n’a pas été tiré dans l’ordre de sa graine ; le tirage a été modifié.
@@ -5383,7 +5383,7 @@ lots-counts-not-those-of-verdicts = audit.csv : les nombres du lot { $id } ne s
 lots-accepted-beyond-its-plan = audit.csv : le lot { $id } a été accepté avec plus de hauteurs non conformes que son plan n’en admet, ou sans jugement.
 lots-verdicts-not-those-of-its-rest = reviews.csv : les décisions par le lot { $id } ne sont pas celles de son reste ; certaines ont été ajoutées ou retirées.
 lots-verdict-before-the-decision = audit.csv : une décision par le lot { $id } précède la décision sur le lot ; l’une des deux est fausse.
-lots-items-csv-not-what-events-say = lot_items.csv : la place { $place } du lot { $id } n’est pas ce que disent les événements d’audit ; elle a été modifiée.
+lots-items-csv-not-what-events-say = lot_items.csv : la place { $place } du lot { $id } diffère des événements d’audit ; elle a été modifiée.
 reviews-verdict-given-meanwhile = { $name } a rendu entre-temps la décision « { $verdict } » ; regardez-la d’abord.
 
 ## Distance de visibilité : la page
@@ -5428,7 +5428,7 @@ sight-case-standard = la norme
 sight-case-survey = le relevé
 sight-case-mix = l’autre parc
 sight-sentence = Signification
-sight-missing = Le filtre n’en laisse aucune hauteur : { $targets }. Mesurez et validez-en, ou affichez tous les états.
+sight-missing = Aucune hauteur de cette cible ne correspond au filtre : { $targets }. Mesurez et validez-en, ou affichez tous les états.
 sight-too-few = Trop peu de hauteurs pour le centile : { $targets }.
 sight-too-few-of = { $target }, { $reason }
 sight-read-class = de la classe que nomme chaque règle
@@ -5742,7 +5742,7 @@ opened-seal-holds = Les { NUMBER($count) } fichiers que porte cette page sont ce
 opened-seal-wrong = Fichiers autres que ceux que nomme le sceau : { $named }.
 opened-rows-agree = Chaque mesure dit ce que dit son événement d’audit.
 opened-rows-differ = { $count ->
-    [one] { NUMBER($count) } mesure n’est pas ce que dit son événement d’audit : { $named }.
+    [one] { NUMBER($count) } mesure diffère de son événement d’audit : { $named }.
    *[other] { NUMBER($count) } mesures ne sont pas ce que disent leurs événements d’audit : { $named }.
   }
 opened-poses-agree = Chaque pose de la caméra est celle que nomme son événement d’audit.
