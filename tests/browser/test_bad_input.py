@@ -147,7 +147,7 @@ def test_boards_that_cannot_be_used_are_named_and_left_out(page: Page, camera: t
     )
     assert "9x6" in one_sentence(reason_for(page, "cut.png"))
     refused = page.locator(".notice--problem .notice__body").filter(has_text="letter.png")
-    assert "is not a picture" in one_sentence(refused.inner_text())
+    assert "is not an image" in one_sentence(refused.inner_text())
     expect(page.get_by_text("The board was found in 2 of 3 images")).to_be_visible()
     expect(page.get_by_role("button", name="Calibrate", exact=True)).to_be_disabled()
     expect(page.get_by_text("Add at least three images")).to_be_visible()

@@ -34,7 +34,7 @@ def test_a_manager_adds_a_member_and_takes_them_out(
         dialog.get_by_role("button", name="Add").click()
         expect(dialog.get_by_label("Role of Rosa in this survey")).to_have_value("operator")
         page.screenshot(path=screenshots / "members-1440.png")
-        dialog.get_by_role("button", name="Invite somebody new").click()
+        dialog.get_by_role("button", name="Invite a new user").click()
         form = page.get_by_role("dialog", name="Add a user")
         form.get_by_label("Name", exact=True).fill("Nils")
         form.get_by_label("E-mail").fill("nils@example.org")

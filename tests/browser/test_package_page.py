@@ -225,7 +225,7 @@ def test_a_zip_dropped_on_the_page_is_checked_whole(
     expect(check).to_contain_text(f"All {files} files")
     zipped.write_bytes(zipped.read_bytes()[:-200])
     drop(page, zipped)
-    expect(check).to_contain_text("no whole package")
+    expect(check).to_contain_text("not a complete package")
     place = Path(shutil.copytree(whole, tmp_path / "changed" / "package"))
     (place / "measurements.csv").write_text((place / "measurements.csv").read_text() + "\n")
     page.locator('[data-choice="zip"]').set_input_files(

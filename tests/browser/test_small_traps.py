@@ -25,7 +25,7 @@ def test_a_surveys_audit_events_are_numbered_without_a_gap_and_its_jobs_named(
     page: Page, survey_id: int
 ) -> None:
     page.goto(f"/audit?survey_id={survey_id}")
-    expect(page.get_by_text("filters leave some out of this list")).to_be_visible()
+    expect(page.get_by_text("a filtered list has gaps")).to_be_visible()
     rows = page.locator("table.audit tbody tr")
     wait_until(page, lambda: rows.count() >= 100)
     seen = numbers_of(page)
@@ -185,5 +185,5 @@ def test_what_does_not_fit_and_what_has_no_class_stand_in_the_list(
     expect(row).to_have_count(0)  # it has a class now
     page.get_by_label("Show", exact=True).select_option("doubtful")
     expect(row).to_be_visible()
-    expect(mark).to_have_attribute("title", "A height does not fit: look at it again.")
+    expect(mark).to_have_attribute("title", "One height is unusual: check it again.")
     page.screenshot(path=screenshots / "doubts-in-the-list.png")

@@ -71,8 +71,8 @@ def test_a_model_is_taken_by_key_and_one_that_cannot_fit_is_said(
     until_stored(page, one.vehicle["id"], "model_sizes", "height")
     panel.scroll_into_view_if_needed()
     # somebody sees the badge: said by an act of its own, and unsaid by undo
-    page.get_by_role("button", name="The model is seen on the vehicle").click()
-    expect(chosen).to_contain_text("then seen on the vehicle")
+    page.get_by_role("button", name="Confirm the model").click()
+    expect(chosen).to_contain_text("then confirmed on the vehicle")
     expect(chosen.get_by_role("button")).to_have_count(0)
     until_stored(page, one.vehicle["id"], "model_chosen_by", "seen")
     page.locator("body").press("Control+z")

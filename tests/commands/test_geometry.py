@@ -370,4 +370,4 @@ def test_a_picture_of_a_telephone_is_called_one(tmp_path, capsys) -> None:
     command = ["calibrate", str(path), "--board", "9x6", "--square", "0.1", "-o", str(tmp_path / "c.json")]
     assert main(command) == 2
     said = capsys.readouterr().err
-    assert "is a HEIC or AVIF picture" in said and "PNG or JPEG" in said and "video" not in said
+    assert "is a HEIC or AVIF image" in said and "PNG or JPEG" in said and "video" not in said

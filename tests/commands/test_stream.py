@@ -220,7 +220,7 @@ def test_a_growing_file_is_followed_until_it_rests(
     assert [measured_of(line) for line in capsys.readouterr().out.splitlines()] == batch
 
     assert main([*STREAM, "--follow", str(tmp_path / "none")]) == 2
-    assert "give the file that the cameras' program is writing" in capsys.readouterr().err
+    assert "give the file that the cameras’ program is writing" in capsys.readouterr().err
 
 
 @pytest.mark.parametrize("follow", [True, False])

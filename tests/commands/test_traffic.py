@@ -62,8 +62,8 @@ def test_from_strips_to_figures(recording: Path, tmp_path: Path, capsys: pytest.
     said_by(capsys, "flows", folder, "--minutes", "1", "--lengths", "4,6", "-o", str(out))
     rows = list(csv.DictReader(io.StringIO(out.read_text())))
     assert [one["class"] for one in rows] == ["all", "under 4 m", "4 to 6 m", "6 m or more", "length unknown"]
-    assert said_by(capsys, "remove", folder, "recording.json").startswith("recording.json is taken out")
-    assert "holds nothing yet" in said_by(capsys, "sites", folder)
+    assert said_by(capsys, "remove", folder, "recording.json").startswith("recording.json was removed")
+    assert "is empty; add a recording" in said_by(capsys, "sites", folder)
 
 
 @pytest.mark.parametrize(

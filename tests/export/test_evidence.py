@@ -360,7 +360,7 @@ def test_pictures_page_and_form_are_bound(viewer: Client, scan: dict[str, Any]) 
     other = [StripPicture(name=one, content=old.pictures[one], facts={}) for one in old.pictures]
     other[0] = replace(other[0], content=data[:-1] + b"\0")
     spoiled = page.written_page(old.document, old.signature, other).decode()
-    assert f"picture {name} is not the one" in (checked(spoiled).problem or "")
+    assert f"image {name} is not the one" in (checked(spoiled).problem or "")
     spaced = html.replace('"format":"', '"format": "', 1)
     assert "canonical JSON" in (checked(spaced).problem or "")
     assert html.count("<") == PROGRAM.count("<") + 2 * 4, "no text of the document can end its element"

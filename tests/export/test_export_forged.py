@@ -111,7 +111,7 @@ def test_a_crop_repainted_with_its_hash_takes_the_head(package: Path) -> None:
         package, "crops.csv", lambda one: one == row, sha256=sha256_hex((package / row["file"]).read_bytes())
     )
     rederive(package, drawings=True, seal=False)
-    assert "is not what the package's seal" in str(check(package).problem)
+    assert "is not what the package’s seal" in str(check(package).problem)
     reseal(package)
     assert check(package).ok
     assert "not with the given audit head" in str(check(package, kept).problem)
@@ -124,7 +124,7 @@ def test_a_name_takes_the_head(package: Path) -> None:
     changed = [{**row, "name": f"Not {row['name']}"} for row in rows(package, "people.csv")]
     rewrite(package, "people.csv", changed)
     rederive(package, drawings=True, seal=False)
-    assert str(check(package).problem).startswith("people.csv is not what the package's seal")
+    assert str(check(package).problem).startswith("people.csv is not what the package’s seal")
     reseal(package)
     assert check(package).ok
     assert "not with the given audit head" in str(check(package, kept).problem)

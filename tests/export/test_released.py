@@ -164,17 +164,17 @@ def test_statistics_and_drawings_of_a_changed_module_are_sealed_and_not_wrong(
     later("drawing")
     found = check(package)
     assert found.ok and (found.drawings, found.not_checked) == (0, ["description", "drawings"]), found.problem
-    assert "bound by the seal, not compared" in " ".join(found.notes)
+    assert "covered by the seal, not compared" in " ".join(found.notes)
     monkeypatch.setattr(derived, "statistics_rows", otherwise)
     assert not check(package).ok
     later(STATISTICS, "drawing")
     found = check(package)
     assert found.ok and found.not_checked == ["description", "statistics", "drawings"], found.problem
-    assert "Statistics: another version computed them otherwise" in " ".join(found.notes)
+    assert "Statistics differ from those of this version" in " ".join(found.notes)
     path = package / "report.pdf"
     path.write_bytes(path.read_bytes() + b"%")
     reseal(package, seal=False)
-    assert "is not what the package's seal" in str(check(package).problem)
+    assert "is not what the package’s seal" in str(check(package).problem)
 
 
 def test_later_tables_and_columns_break_no_package(

@@ -198,7 +198,7 @@ def test_a_roi_of_the_whole_picture_changes_nothing(roi: str) -> None:
             "0.5, y_offset: 0, width: 100, height: 100"],
 )  # fmt: skip
 def test_a_roi_that_cannot_be_is_refused(roi: str) -> None:
-    with pytest.raises(BadInput, match="does not fit the picture's size"):
+    with pytest.raises(BadInput, match="does not fit the image’s size"):
         read_camera(f"{ROS_TOPIC}roi: {{x_offset: {roi}}}\n", "info.yaml")
 
 
@@ -214,7 +214,7 @@ def test_a_lens_that_turns_back_is_said_as_after_a_calibration() -> None:
 
 def test_size_can_be_given() -> None:
     text = OPENCV_JSON.replace('"image_size": [640, 480], ', "")
-    with pytest.raises(BadInput, match="picture size"):
+    with pytest.raises(BadInput, match="image size"):
         read_camera(text, "a.json")
     assert read_camera(text, "a.json", size=(640, 480)).camera.height_px == 480
 
@@ -242,7 +242,7 @@ def test_refusals_are_one_sentence_that_names_the_file(text: str) -> None:
 def test_a_small_file_cannot_be_a_huge_one() -> None:
     rows = ["a0: &a0 [1, 1, 1, 1, 1, 1, 1, 1, 1, 1]"]
     rows += [f"a{n}: &a{n} [{', '.join([f'*a{n - 1}'] * 10)}]" for n in range(1, 9)]
-    with pytest.raises(BadInput, match="no readable camera file"):
+    with pytest.raises(BadInput, match="not a readable camera file"):
         read_camera("\n".join([*rows, "camera_matrix: *a8"]), "bomb.yml")
 
 

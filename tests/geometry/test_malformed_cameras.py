@@ -8,13 +8,13 @@ from sightline.cli import main
 from tests.support.malformed import CAMERA_FILES, camera_files
 
 NO_CAMERA = "holds no camera; give OpenCV"
-NO_FILE = "is no readable camera file"
+NO_FILE = "is not a readable camera file"
 REFUSED = {
     "transposed.yaml": "must be 3x3 with 0 0 1",
     "not_a_number.yaml": "not finite",
     "endless.yaml": "not finite",
     "negative_focal.yaml": "must be positive",
-    "shares_of_the_width.yaml": "0.703 is not plausible for pictures 1280 px wide",
+    "shares_of_the_width.yaml": "0.703 is not plausible for images 1280 px wide",
     "eight_numbers.yaml": "3 rows and 3 columns but holds 8 numbers",
     "skewed.yaml": "has a skew",
     "scaled_by_two.yaml": "must be 3x3 with 0 0 1",
@@ -27,7 +27,7 @@ REFUSED = {
     "no_width.yaml": "two whole numbers of pixels",
     "half_a_pixel.yaml": "two whole numbers of pixels",
     "enormous.json": "the image size is not a list of numbers",
-    "written_twice.yaml": "holds the key 'camera_matrix' twice",
+    "written_twice.yaml": "contains the key “camera_matrix” twice",
     "powershell.yaml": "not UTF-8 text",
     "latin_one.yaml": "not UTF-8 text",
     "tabs.yaml": NO_FILE,

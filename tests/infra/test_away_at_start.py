@@ -71,4 +71,4 @@ def test_a_bucket_that_is_missing(
         monkeypatch.setenv(name, "key")
     monkeypatch.setenv("SIGHTLINE_MEDIA_URL", f"s3://videos?endpoint={storage}")
     assert main(["serve"]) == 2
-    assert "no bucket videos, and the storage does not let it be made (AccessDenied)" in told(capsys)
+    assert "no bucket videos, and it cannot be created (AccessDenied)" in told(capsys)

@@ -67,7 +67,7 @@ def test_two_apps_and_a_worker_that_are_alike_start(start: Start, tmp_path: Path
 def test_a_setting_that_differs_is_named(start: Start, name: str, other: object, tmp_path: Path) -> None:
     start()
     given = tmp_path / other if other == "elsewhere" else other
-    with pytest.raises(BadInput, match=f"{name} is not what the other processes"):
+    with pytest.raises(BadInput, match=f"{name} differs from the value of the other processes"):
         start(**{name.removeprefix("SIGHTLINE_").lower(): given})
 
 

@@ -17,7 +17,7 @@ AGENCY = "postgresql+psycopg://sightline@database/sightline"
 
 @pytest.mark.parametrize("secret", ["x", "x" * 31, "at-least-32-random-characters-go-here"])
 def test_a_secret_that_can_be_guessed_is_refused(tmp_path: Path, secret: str) -> None:
-    with pytest.raises(BadInput, match="can be guessed: give it 32 random characters"):
+    with pytest.raises(BadInput, match="can be guessed; use at least 32 random characters"):
         require_secrets(Settings(data_dir=tmp_path, secret=SecretStr(secret)))
 
 

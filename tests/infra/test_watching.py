@@ -106,14 +106,14 @@ def test_a_part_that_is_silent_is_told_within_its_seconds(
     monkeypatch.setattr(services.media, "exists", lambda _key: ended.wait(NEVER_S))
     told = viewer.http.get("/api/ready")
     ended.set()
-    assert told.status_code == 503 and "has not answered" in told.json()["media"]
+    assert told.status_code == 503 and "No answer" in told.json()["media"]
     assert told.json()["database"] is None
 
 
 def test_a_change_that_hangs_is_told(viewer: Client, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(Turns, "longest_s", 16.4)
     told = viewer.http.get("/api/ready")
-    assert told.status_code == 503 and "under way for 16 seconds" in told.json()["writing"]
+    assert told.status_code == 503 and "running for 16 s" in told.json()["writing"]
 
 
 def test_administrators_see_the_state_of_the_system(admin: Client, viewer: Client) -> None:

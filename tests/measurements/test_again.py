@@ -404,4 +404,4 @@ def test_the_package_marks_what_is_out_of_date_as_the_pages_do(
         rederive(place)
         told = verify_package(FolderFiles(place))
         assert not told.ok and told.problem is not None
-        assert told.problem.startswith(f"measurements.csv: {id_} is not marked as out of date")
+        assert told.problem.startswith(f"measurements.csv: the out-of-date mark of {id_}")

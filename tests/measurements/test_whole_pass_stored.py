@@ -111,11 +111,11 @@ def test_no_pass_is_followed_by_times_that_are_not_those_of_filming(
         change_row(session, recordings, ground.recording_id, {"report": report})
     stills_of(services).forget(ground.recording_id)
     refused = operator.post(f"/vehicles/{vehicle_id}/follow", clicks(second_contact=second()))
-    assert "are not those of filming" in error_of(refused)
+    assert "are not the times of filming" in error_of(refused)
     body = {"client_key": str(uuid4()), **clicks()}
     of_pass = {**body, "follow": {"second_contact": None}}
     stored = operator.post(f"/vehicles/{vehicle_id}/measurements", of_pass)
-    assert "are not those of filming" in error_of(stored)
+    assert "are not the times of filming" in error_of(stored)
     assert followed == []
     of_one_frame = operator.made(f"/vehicles/{vehicle_id}/measurements", body)
     assert of_one_frame["followed"] is None and of_one_frame["height_m"] is not None

@@ -192,8 +192,8 @@ def test_still_pictures_are_decoded_there_too(plain: RecordingMedia, served: Fra
     data = png(picture)
     assert np.array_equal(served.image(data, "board.png"), picture)
     assert served.image_bgr(data, "board.png").shape == (20, 30, 3)
-    with pytest.raises(BadInput, match=r"^notes.txt is not a picture"):
-        served.image(b"not a picture", "notes.txt")
+    with pytest.raises(BadInput, match=r"^notes.txt is not an image"):
+        served.image(b"not an image", "notes.txt")
     with pytest.raises(CannotDecode, match=r"^crash.png cannot be decoded: the decoder crashed; save it"):
         served.image(data, "crash.png")
     assert read_number(served.bgr(plain, 50)) == 50

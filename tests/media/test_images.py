@@ -65,9 +65,9 @@ def test_bombs_are_refused_before_decoding(size: tuple[int, int]) -> None:
     ("data", "words"),
     [
         (b"", "is empty"),
-        (b"hello", "not a picture"),
-        (b"\x00\x00\x00\x20ftypisom", "not a picture"),
-        (b"\x00\x00\x00\x18ftypheic\x00\x00\x00\x00", "is a HEIC or AVIF picture"),
+        (b"hello", "not an image"),
+        (b"\x00\x00\x00\x20ftypisom", "not an image"),
+        (b"\x00\x00\x00\x18ftypheic\x00\x00\x00\x00", "is a HEIC or AVIF image"),
         (b"\x89PNG\r\n\x1a\n", "damaged"),
         (b"\xff\xd8\xff\xe0\x00\x10JFIF", "damaged"),
         (b"II*\x00\xff\xff\xff\xff", "damaged"),

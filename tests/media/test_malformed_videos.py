@@ -13,10 +13,10 @@ from tests.support.malformed import videos
 
 REFUSED = {
     "encrypted.mp4": "cannot be decoded here",
-    "huge_samples.mp4": "no picture that can be decoded",
+    "huge_samples.mp4": "no frame that can be decoded",
     "mail_header.mp4": "not a video that can be read",
-    "text_mode.mp4": "no picture that can be decoded",
-    "two_sizes.ts": "changes its picture size partway",
+    "text_mode.mp4": "no frame that can be decoded",
+    "two_sizes.ts": "changes its frame size partway",
     "unknown_codec.mp4": "cannot be decoded here",
 }
 NOTED = {

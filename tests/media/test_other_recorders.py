@@ -135,10 +135,10 @@ def test_the_command_line_lets_one_choose(tmp_path: Path, capsys: pytest.Capture
     assert main(["passes", str(path), "--stream", "2", "--json"]) == 0
     assert json.loads(capsys.readouterr().out)["passes"] == []
     assert main(["passes", str(path), "--stream", "3"]) == 2
-    assert "has no picture 3; it holds 2" in capsys.readouterr().err
+    assert "has no video track 3; it has 2" in capsys.readouterr().err
     cover = two_pictures(tmp_path / "cover.mp4", (1, 30), cover=True)
     assert main(["passes", str(cover), "--stream", "1"]) == 2
-    assert "is a still picture" in capsys.readouterr().err
+    assert "is a still image" in capsys.readouterr().err
 
 
 def test_another_picture_is_read_where_it_is_chosen(
@@ -170,10 +170,10 @@ def test_one_that_is_switched_off_cannot_be_chosen(
     tmp_path: Path, take_in: Ingest, capsys: pytest.CaptureFixture[str]
 ) -> None:
     path = two_pictures(tmp_path / "off.mp4", (30, 30), (False, True))
-    with pytest.raises(BadInput, match=r"Picture 1 of off.mp4 is switched off"):
+    with pytest.raises(BadInput, match=r"Video track 1 of off.mp4 is disabled"):
         take_in(path, stream_number=1)
     assert main(["passes", str(path), "--stream", "1"]) == 2
-    assert "is switched off" in capsys.readouterr().err
+    assert "is disabled" in capsys.readouterr().err
 
 
 def packs(data: bytes) -> list[int]:
@@ -272,7 +272,7 @@ def test_slow_motion_is_said_and_no_motion_is_measured(
     if said is None:
         assert len(frames_between(path, 5, 20, (320, 240), path.name)) == 16
         return
-    with pytest.raises(BadInput, match="not those of filming"):
+    with pytest.raises(BadInput, match="not the times of filming"):
         frames_between(path, 5, 20, (320, 240), path.name)
 
 
@@ -290,7 +290,7 @@ def test_a_rate_of_filming_that_is_stated_gives_the_times(tmp_path: Path, take_i
 
 def test_a_recording_slowed_in_part_has_no_one_rate() -> None:
     steps_s = np.repeat([1 / 30, 1 / 240], 30)
-    with pytest.raises(BadInput, match=r"Only part of slow.mp4 plays slowly"):
+    with pytest.raises(BadInput, match=r"Only part of slow.mp4 is in slow motion"):
         times_of_filming(np.cumsum(steps_s), 240.0, "slow.mp4")
 
 

@@ -67,7 +67,7 @@ def pages(path: Path) -> None:
         (written(b"II*\0" + b"\xff" * 40), "directory"),
         (written(b"II+\0" + bytes(60)), "directory"),
         (huge_tiff, "states 100000 x 100000"),
-        (pages, "several pictures"),
+        (pages, "several images"),
         (lambda p: tiff(p, np.zeros((40, 600, 3), np.uint8), photometric="rgb"), "colour"),
         (lambda p: tiff(p, np.zeros((40, 600), np.float32)), "floating-point"),
         (lambda p: tiff(p, np.zeros((40, 600), np.int16)), "signed"),

@@ -80,7 +80,7 @@ def test_contacts_that_give_no_direction_are_refused_in_a_sentence(
     sky = operator.post(path, {**good, "second": [300.0, 20.0]})
     assert sky.status_code == 422 and error_of(sky).startswith("The second tyre contact")
     crc = operator.post(path, {**good, "frame_crc32": 1})
-    assert crc.status_code == 409 and "not the picture" in error_of(crc)
+    assert crc.status_code == 409 and "not the image" in error_of(crc)
     frame = operator.post(path, {**good, "frame": 0})
     assert frame.status_code == 422 and "passes in frames 1 to 8" in error_of(frame)
     assert operator.post(path, {**good, "first": [300.0]}).status_code == 422

@@ -121,7 +121,7 @@ def test_how_a_model_was_chosen_is_said_whole(operator: Client, ground: Ground) 
     assert bare.status_code == 422 and "needs the sizes" in error_of(bare)
     wrong = operator.put(f"/vehicles/{car}", {**BY_SIZE, "model_sizes": "colour", "version": 1})
     assert wrong.status_code == 422 and error_of(wrong).startswith(
-        "colour is no size of a model; give some of"
+        "colour is not a size of a model; give some of"
     )
     operator.put(f"/vehicles/{car}", {**BY_SIZE, "version": 1})
     named = operator.put(f"/vehicles/{car}", {"model_chosen_by": None, "version": 2}).json()

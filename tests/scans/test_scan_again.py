@@ -355,7 +355,7 @@ def test_the_package_marks_lines_heights_that_are_out_of_date_and_a_forged_mark_
     rederive(place)
     told = verify_package(FolderFiles(place))
     assert told.problem is not None
-    assert told.problem.startswith(f"line_heights.csv: {own['id']} is not marked as out of date")
+    assert told.problem.startswith(f"line_heights.csv: the out-of-date mark of {own['id']}")
 
 
 def _a_verdict_goes_over(place: Path) -> str:

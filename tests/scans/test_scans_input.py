@@ -42,7 +42,7 @@ def test_strips_that_cannot_be_are_refused_in_words(
         return error_of(operator.post(address, {**RIG, **body}))
 
     assert "same upload" in refused({"first_upload": one, "second_upload": one})
-    assert "are the same picture" in refused({"first_upload": one, "second_upload": twin})
+    assert "are the same image" in refused({"first_upload": one, "second_upload": twin})
     assert "no upload 999" in refused({"first_upload": one, "second_upload": 999})
     assert "baseline_m" in refused({"first_upload": one, "second_upload": short, "baseline_m": 0})
 
@@ -131,7 +131,7 @@ def test_slow_motion_is_no_line_scan(operator: Client, survey_id: int, tmp_path:
     body = {"recording_id": recording, "cut_1_px": 40, "cut_2_px": 100, "baseline_m": 1.5, "find": None}
     refused = operator.post(f"/surveys/{survey_id}/scans/from-video", body)
     assert refused.status_code == 422
-    assert "times of slow.mp4 are not those of filming" in error_of(refused)
+    assert "time stamps of slow.mp4 are not the times of filming" in error_of(refused)
     assert operator.seen(f"/surveys/{survey_id}/scans") == []
 
 

@@ -204,7 +204,7 @@ def test_the_command_counts_what_heights_share(tmp_path: Path, capsys: pytest.Ca
         assert "shared_errors" in total["holds"][name] and "shared_errors" not in alone["holds"][name]
     assert total["ci95"]["skewness"] == alone["ci95"]["skewness"]
     assert main(["errors", str(path)]) == 0
-    assert "Intervals hold sampling, errors that heights share, random errors" in capsys.readouterr().out
+    assert "Intervals include sampling, errors that heights share, random errors" in capsys.readouterr().out
 
 
 @pytest.mark.parametrize(

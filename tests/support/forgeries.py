@@ -267,13 +267,13 @@ def a_frame(place: Path) -> str:
 def an_inset(place: Path) -> str:
     edit(place, "insets.csv", lambda row: row["target"] == "driver_eye_near", inset_m="0.100000")
     rederive(place)
-    return "insets.csv differs from the survey's audit events"
+    return "insets.csv differs from the survey’s audit events"
 
 
 def a_standard(place: Path) -> str:
     edit(place, "standards.csv", lambda row: row["name"] == "France", height_m="0.900000")
     rederive(place)
-    return "standards.csv differs from the survey's audit events"
+    return "standards.csv differs from the survey’s audit events"
 
 
 def the_report(place: Path) -> str:

@@ -58,8 +58,8 @@ def test_other_formats_become_the_same_kind(operator: Client, survey_id: int, fo
 
 @pytest.mark.parametrize(
     ("content", "said"),
-    [(b"", "empty"), (b"%PDF-1.7", "not a picture"), (told_bytes()[:200], "damaged")],
-    ids=["empty", "no picture", "cut off"],
+    [(b"", "empty"), (b"%PDF-1.7", "not an image"), (told_bytes()[:200], "damaged")],
+    ids=["empty", "no image", "cut off"],
 )
 def test_what_is_no_picture_is_refused_by_name(
     operator: Client, survey_id: int, content: bytes, said: str

@@ -81,8 +81,8 @@ def test_an_empty_road_is_a_recording(tmp_path: Path) -> None:
         (whole(VEHICLE).replace("20.0", "1e999"), None, "Vehicle 1 .* has no readable speed_mps"),
         (whole({**VEHICLE, "status": None}), None, "Vehicle 1 .* has no readable status"),
         (whole(VEHICLE, VEHICLE), None, "has vehicle 1 twice"),
-        (whole({**VEHICLE, "rear_s": 3.0}), None, "outside the recording's 2 s"),
-        (whole({**VEHICLE, "front_s": -1}), None, "outside the recording's 2 s"),
+        (whole({**VEHICLE, "rear_s": 3.0}), None, "outside the recording’s 2 s"),
+        (whole({**VEHICLE, "front_s": -1}), None, "outside the recording’s 2 s"),
         ("[" * 100_000, None, "is not output of sightline linescan --json"),
     ],
 )

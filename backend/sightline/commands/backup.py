@@ -31,9 +31,9 @@ def backup(folder: Path, reading_back: bool, prune: bool, data_dir: Path | None)
     """Back up the database, the media and the keys into DIR, while the server runs.
 
     Into an existing backup only new files are copied. An interrupted backup can be continued; until it is
-    complete, DIR remains the earlier backup. The database is read back first: of a damaged one no backup is
-    made, and the last good one stays. DIR keeps the last two. DIR contains the signing key and everyone's
-    data: protect it accordingly.
+    complete, DIR remains the earlier backup. The database is checked first; if it is damaged, no backup is
+    made and the last good one is kept. DIR keeps the last two states. It contains the signing key and
+    everyone's data: protect it accordingly.
     """
     from sightline.infra.backup.make import make_backup
     from sightline.infra.backup.restore import check_backup

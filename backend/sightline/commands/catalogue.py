@@ -131,9 +131,9 @@ def _tell(plan: ImportPlan, done: Imported | None, as_json: bool) -> None:
         click.echo(f"line {row.line}, {row.make} {row.model}{year}: {row.change}. {row.words}")
     rest = sum(plan.counts[word] for word in plan.counts if word not in ("new", "same")) - len(noted[:_SHOWN])
     if rest > 0:
-        click.echo(f"... and {rest} more lines to look at (--json lists up to 500).")
+        click.echo(f"... and {rest} more lines to check (--json lists up to 500).")
     click.echo(", ".join(f"{count} {word}" for word, count in plan.counts.items() if count) + ".")
     if done is None:
-        click.echo("Nothing is stored: this was a dry run.")
+        click.echo("Dry run: nothing was saved.")
     else:
         click.echo(f"{done.added} models added, {done.updated} updated.")

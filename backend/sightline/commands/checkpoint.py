@@ -40,7 +40,7 @@ def checkpoint(output: Path | None, new_key: bool, data_dir: Path | None) -> Non
             if settings.signing_key is None:
                 put_in_force(settings.data_dir, waiting)
             else:
-                click.echo(f"Set SIGHTLINE_SIGNING_KEY everywhere to what stands in {waiting}.", err=True)
+                click.echo(f"Set SIGHTLINE_SIGNING_KEY on all machines to the key in {waiting}.", err=True)
     if output is None:
         click.echo(document, nl=False)
     else:

@@ -50,7 +50,7 @@ def distribution(heights: Path, by: str | None, percents: str, compare: str | No
 
     Besides height_m, u_height_m and status, these columns are used: u_random_m (error of this row only;
     usually u_height_m), shared_group and u_shared_m (error common to all rows of a group), site (a cluster),
-    counts (rows with "false" are left out: a package writes it by what its survey counts).
+    counts (rows with "false" are excluded; a package sets it by the survey's sampling rule).
     """
     from sightline.statistics.total_uncertainty import TotalUncertainty
 
@@ -69,7 +69,7 @@ def distribution(heights: Path, by: str | None, percents: str, compare: str | No
     if pair is not None:
         click.echo("\n" + _compared_text(pair, found, wanted))
     if left_out:
-        click.echo(f"\n{left_out} rows do not count: without a height, or counts is false.")
+        click.echo(f"\n{left_out} rows are excluded: no height, or counts is false.")
 
 
 def percents_of(text: str) -> list[tuple[str, float]]:
@@ -238,9 +238,7 @@ def _compared_text(
         value = "-" if one.verdict is None else f"{one.difference.value:+.4f}"
         said = (one.verdict or one.difference.reason or "").replace("_", " ")
         lines.append(f"{label:>8} {value:>9} {_ends(one.difference, '{:.4f}'.format):>20}  {said}")
-    lines.append(
-        "Higher or lower: the 95 % interval of that figure's difference leaves 0 out (risk at most 2.5 %)."
-    )
+    lines.append("Higher or lower: the 95 % interval of the difference excludes 0 (risk at most 2.5 %).")
     return "\n".join(
         [*lines, "Errors that both share (a pose, a site, an inset) make the intervals too wide."]
     )
@@ -249,7 +247,7 @@ def _compared_text(
 def _text(name: str, found: TotalUncertainty, percents: Sequence[tuple[str, float]]) -> str:
     lines = [f"{name}: {found.n} heights", f"{'':>8} {'value m':>9} {'95 % interval m':>20} {'raw m':>9}"]
     lines += _lines(found, percents)
-    return "\n".join([*lines, f"Intervals hold {found.holds_in_words}."])
+    return "\n".join([*lines, f"Intervals include {found.holds_in_words}."])
 
 
 def _lines(found: TotalUncertainty, percents: Sequence[tuple[str, float]]) -> Iterator[str]:

@@ -38,9 +38,9 @@ def errors(heights: Path, rounding: Rounding, by: str | None, as_json: bool) -> 
     """Compute the error table of HEIGHTS (heights.csv) against its reference heights, by lighting and
     overall.
 
-    Of several targets (column target) it is of roofs; --by target tells each. Intervals are total where these
-    columns are there: shared_group and u_shared_m (error common to all rows of a group), site (a cluster).
-    Without them they hold sampling, and the errors of each height with it.
+    With several targets (column target) the table covers roofs; --by target covers each target. Intervals
+    are total if these columns are present: shared_group and u_shared_m (error common to all rows of a group),
+    site (a cluster). Without them they include sampling and the errors of each height.
     """
     from sightline.statistics.errors import error_table
 
@@ -112,7 +112,7 @@ def _by_target(found: dict[Key, _Rows], left_out: int, as_json: bool) -> None:
             lines.append(f"{name.replace('_', ' '):34}{part.errors.n:>6}{cells}")
     lines.append("Errors are measured minus known, not rounded; in brackets total 95 % intervals.")
     if words := next((one.overall.words for one in told if one.overall.words), None):
-        lines.append(f"Intervals hold {words}.")
+        lines.append(f"Intervals include {words}.")
     click.echo("\n".join(lines))
     _tell_left_out(left_out)
 
@@ -194,7 +194,7 @@ def as_text(table: dict[str, ErrorGroup], rounding: str) -> str:
     said = "rounded to whole centimetres, as in the paper" if rounding == "cm" else "not rounded"
     lines.append(f"Errors are measured minus reference, {said}; in brackets 95 % intervals.")
     if words := next((group.words for group in reversed(table.values()) if group.words), None):
-        lines.append(f"Intervals hold {words}. Those of Pearson and skewness hold sampling alone.")
+        lines.append(f"Intervals include {words}. Those of Pearson and skewness include sampling only.")
     lines += [f"{heads[name]}: {group.reason}." for name, group in table.items() if group.reason]
     return "\n".join(lines)
 

@@ -39,7 +39,7 @@ def evidence(
     limit_source: str,
     data_dir: Path | None,
 ) -> None:
-    """Write the evidence file of one vehicle: pictures, times, rig, motion, budget, decision, signature.
+    """Write the evidence file of one vehicle: images, times, rig, motion, budget, decision, signature.
 
     Without a limit, no decision is made. The file opens without a server; `sightline verify FILE` checks it.
     """

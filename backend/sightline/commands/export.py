@@ -25,9 +25,7 @@ _DAY = click.DateTime(["%Y-%m-%d"])
     type=click.Path(path_type=Path),
     help="Folder to write; an earlier export there is replaced.",
 )
-@click.option(
-    "--crops/--no-crops", default=True, help="Include crops of the pictures that were clicked on (default)."
-)
+@click.option("--crops/--no-crops", default=True, help="Include crops of the clicked frames (default).")
 @click.option(
     "--lighting", type=click.Choice(get_args(Lighting)), help="Limit statistics and report to this lighting."
 )

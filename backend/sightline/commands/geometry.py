@@ -151,7 +151,7 @@ def _calibration_text(checked: CheckedCalibration, output: Path) -> str:
     lines += [f"warning: {warning}" for warning in result.warnings]
     lines += [f"missing: {advice}" for advice in result.reshoot]
     if not result.trusted:
-        lines.append("This calibration is not to be trusted.")
+        lines.append("This calibration is unreliable.")
     return "\n".join(lines)
 
 
@@ -161,7 +161,7 @@ def _calibration_text(checked: CheckedCalibration, output: Path) -> str:
 @click.option(
     "--model", type=click.Choice(get_args(LensModel)), help="Lens model, if the file does not state it."
 )
-@click.option("--size", "size_text", metavar="WxH", help="Picture size, if the file does not state it.")
+@click.option("--size", "size_text", metavar="WxH", help="Image size, if the file does not state it.")
 @click.option("--which", help="Camera to use from a file with several: left, right or its name.")
 @_JSON
 def import_camera(
@@ -245,7 +245,7 @@ def pose(
     stream_number: int | None,
     as_json: bool,
 ) -> None:
-    """Compute the camera pose from a clip or PICTURES of the checkerboard on the road, as pose.json."""
+    """Compute the camera pose from a clip or IMAGES of the checkerboard on the road, as pose.json."""
     from sightline.cameras.camera_files import pose_detections
 
     camera = read_camera_file(camera_file)
@@ -328,9 +328,7 @@ def pose(
 @click.option(
     "--depth-share", type=float, default=0.0, help="Relief around the followed target: depth / distance."
 )
-@click.option(
-    "--matched", is_flag=True, help="Places count from the clicked frame, by shifts against a common picture."
-)
+@click.option("--matched", is_flag=True, help="Followed points are given as shifts from the clicked frame.")
 @click.option("-o", "--output", type=_PATH, help="heights.csv to write.")
 @_JSON
 def height(
@@ -415,7 +413,7 @@ def tell_pass(found: WholePass, as_json: bool, also: Mapping[str, Any] | None = 
             f"{found.frames} frames"
         )
     for one in found.dropped:
-        click.echo(f"left out: {one.point} on frame {one.frame}. {one.reason}")
+        click.echo(f"excluded: {one.point} on frame {one.frame}. {one.reason}")
     for flag in measured.flags:
         click.echo(f"note: {flag}")
 

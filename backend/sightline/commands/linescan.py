@@ -60,7 +60,7 @@ def linescan(
 ) -> None:
     """Measure vehicles from two line-scan strips: speed, acceleration, length and gaps.
 
-    FIRST and SECOND are PNG or TIFF pictures; FIRST is from the camera that vehicles reach first. Vehicles of
+    FIRST and SECOND are PNG or TIFF images; FIRST is from the camera that vehicles reach first. Vehicles of
     the other direction are measured too (column direction). A file FIRST.json beside it may list lines that
     the recorder lost: {"dropped_lines": [[line, count], ...]}.
     """

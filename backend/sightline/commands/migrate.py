@@ -12,10 +12,11 @@ from sightline.commands.options import data_dir_option, settings_of
 @click.command("migrate")
 @data_dir_option
 def migrate(data_dir: Path | None) -> None:
-    """Bring the database to the schema of this version. `serve` does it too, where its account may.
+    """Migrate the database to this version. `serve` also does this, if its account has the rights.
 
-    On PostgreSQL, with the account that owns the tables: SIGHTLINE_SERVING_ROLE, which owns none and cannot
-    switch their triggers off, then gets the rights to serve (with SIGHTLINE_SERVING_PASSWORD it is made).
+    On PostgreSQL, run this with the account that owns the tables. SIGHTLINE_SERVING_ROLE, which owns no
+    table and cannot switch off triggers, then gets the rights that the server needs; with
+    SIGHTLINE_SERVING_PASSWORD the role is created.
     """
     from sightline.infra.database.engine import explained, make_engine
     from sightline.infra.database.engine import migrate as bring_up_to_date

@@ -42,7 +42,7 @@ def stream_option(command: Command) -> Command:
         "--stream",
         "stream_number",
         type=click.IntRange(1),
-        help="Which picture of a video with several, from 1 (default: the first that moves).",
+        help="Video track to use, from 1 (default: the first that is not a still image).",
     )(command)
 
 
@@ -53,7 +53,7 @@ def filmed_at_option(command: Command) -> Command:
         "filmed_hz",
         type=click.FloatRange(*FILMED_HZ),
         metavar="RATE",
-        help="Frames per second when it was filmed, where it plays at another rate (slow motion).",
+        help="Filming rate, frames per second, if it differs from the playback rate (slow motion).",
     )(command)
 
 

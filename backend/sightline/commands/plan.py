@@ -19,7 +19,7 @@ from sightline.linescan.planner import USUAL_LENGTH_M, USUAL_TIME_GAP_S, LinePla
 
 @click.command()
 @click.option("--camera", "camera_file", type=click.Path(path_type=Path), help="camera.json of the camera.")
-@click.option("--size", "size_text", metavar="WxH", help="Picture size, instead of --camera ...")
+@click.option("--size", "size_text", metavar="WxH", help="Image size, instead of --camera ...")
 @click.option(
     "--field-of-view", type=float, metavar="DEGREES", help="... with the horizontal field of view, degrees."
 )

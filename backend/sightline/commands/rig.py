@@ -74,7 +74,7 @@ def calibrate(
     try:
         found = calibrate_rig(given.passes, common)
     except BadInput as error:
-        left = "".join(f" Row {one.row} was left out: {one.reason}" for one in given.refused[:3])
+        left = "".join(f" Row {one.row} is skipped: {one.reason}" for one in given.refused[:3])
         raise BadInput("rig-passes-problem", path=passes_csv, message=error.message, left=left) from None
     at = [lane_baseline(found, *one) for one in asked]
     document = {

@@ -72,7 +72,7 @@ def rig_options(command: Command) -> Command:
             type=float,
             default=USUAL_SHADOW_SHARE,
             show_default=True,
-            help="Lowest share of the rows in which no vehicle is searched (shadows).",
+            help="Shadow zone: share of the rows, from the bottom, that is not searched.",
         ),
         click.option(
             "--u-line-rate", type=float, default=0.0, help="Relative u of the line rate (1e-4 is 0.01 %)."
@@ -83,7 +83,7 @@ def rig_options(command: Command) -> Command:
             "--rig",
             "rig_file",
             type=click.Path(path_type=Path),
-            help="JSON of `sightline rig calibrate -o`, with the rig's lanes, in the place of --baseline.",
+            help="JSON of `sightline rig calibrate -o`, with the lanes of the rig, instead of --baseline.",
         ),
         click.option(
             "--baseline", type=float, help="Baseline: distance between the scanning planes, metres."
@@ -183,7 +183,7 @@ def left_out(rig: Rig, measured: int) -> list[str]:
     """What the uncertainties of `measured` vehicles do not hold, in words."""
     if not measured or rig.u_baseline_m > 0:
         return []
-    return ["The uncertainties leave out the baseline's, which was not given (--u-baseline)."]
+    return ["The uncertainty of the baseline is not included, because it was not given (--u-baseline)."]
 
 
 def about_rig(rig: Rig) -> dict[str, Any]:

@@ -157,8 +157,8 @@ def request_demonstration(services: Services) -> None:
         job = request_both(session)
     if job is not None:
         click.echo(
-            "The demonstration is being made: a simulated study of four sites at once, the survey within a "
-            "minute; they appear on the home page."
+            "The demonstration is being created: a simulated study of four sites now, the survey within a "
+            "minute. Both appear on the home page."
         )
 
 
@@ -205,7 +205,7 @@ def answer(
     address = f"http://{shown}:{port}"
     click.echo(f"Sightline is at {address} (stop with Ctrl+C).")
     if link is not None:
-        click.echo(f"Sign in for the first time, once, with {site.rstrip('/') or address}{link}")
+        click.echo(f"First sign-in (one-time link): {site.rstrip('/') or address}{link}")
     # uvicorn raises the signal that ended it once more: taken as Ctrl+C, so that what we opened is closed.
     signal.signal(signal.SIGTERM, signal.default_int_handler)
     with suppress(KeyboardInterrupt):

@@ -66,8 +66,8 @@ def sightdistance(
 ) -> None:
     """Compute the constant and K of a crest curve from the heights of eye and object.
 
-    Heights are given, or taken from heights.csv: the percentile of true heights with its total interval, as
-    `sightline distribution` prints it. Results have total 95 % intervals where the heights have.
+    Give heights, or heights.csv: its percentile of true heights with the total interval is then used, as
+    printed by `sightline distribution`. Results have total 95 % intervals if the heights have.
     """
     from sightline.sightdistance.workbench import sight_distance, with_u
 

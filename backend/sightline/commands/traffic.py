@@ -88,7 +88,7 @@ def remove(archive: Path, recording: str) -> None:
     from sightline.traffic.archive import remove_recorded
 
     days = remove_recorded(archive, recording)
-    click.echo(f"{recording} is taken out of {archive}; days touched: {days}.")
+    click.echo(f"{recording} was removed from {archive}; days changed: {days}.")
 
 
 @traffic.command()
@@ -107,7 +107,7 @@ def sites(archive: Path, as_json: bool) -> None:
         print_json({"sites": rows})
         return
     if not rows:
-        click.echo(f"{archive} holds nothing yet; put a recording into it with: sightline traffic add")
+        click.echo(f"{archive} is empty; add a recording with: sightline traffic add")
         return
     _write(sys.stdout, list(rows[0]), rows)
 

@@ -121,6 +121,6 @@ def _evidence_words(place: str, found: dict[str, Any]) -> str:
     if found["lines"] is not None:
         v, a, length = (found["lines"][name] for name in ("speed_mps", "acceleration_mps2", "length_m"))
         said.append(
-            f"To compare with, the four boundary lines alone give {v:.3f} m/s, {a:.2f} m/s2, {length:.3f} m."
+            f"For comparison, the four boundary lines alone give {v:.3f} m/s, {a:.2f} m/s2, {length:.3f} m."
         )
     return " ".join([*said, *found["notes"]])

@@ -43,7 +43,7 @@ inset-driver_eye_far = Driver’s eye, far side
 ## Words of the domain: how traffic goes at a site
 
 traffic-title = Traffic and camera
-traffic-help = With each vehicle’s direction, these settings determine whether its driver sits on the camera side (near) or the far side. Without them no driver’s eye has a height.
+traffic-help = With each vehicle’s direction, these settings determine whether its driver sits on the camera side (near) or the far side. Without them, no eye height can be computed.
 traffic-not-said = Not set
 traffic-side = Traffic keeps
 traffic-right = right
@@ -191,7 +191,7 @@ sample-outside = { $counts ->
     }
 }
 sample-outside-counts = Heights measured outside the sample count in the results
-sample-outside-counts-help = Usually not: whoever chose them followed no rule. This holds for every page, package, report and study.
+sample-outside-counts-help = Usually off: these vehicles were not chosen by the sampling rule. Applies to every page, package, report and study.
 sample-open = Open
 sample-rate = Response
 sample-rate-of = { $rate } % ({ $low } to { $high })
@@ -461,18 +461,18 @@ system-decoder-runs = process { $process }
 system-waiting = Queued
 system-waiting-of = { $reading } reads, { $writing } writes
 system-clock = Clock
-system-clock-back = It went back by { $seconds } s, noticed on { $when }. Set it by a time server; times of about then may be out of order.
+system-clock-back = The clock went back by { $seconds } s, noticed on { $when }. Synchronise it with a time server (NTP); times recorded around then may be out of order.
 system-jobs = Jobs
 system-checkpoints = Checkpoints
 system-checkpoints-sign = Sign a checkpoint
 system-checkpoints-lead = A checkpoint signs where every audit chain ends. Keep the files outside this server: they reveal a chain that is cut or rewritten later. Every export signs one too.
 system-checkpoints-loading = the checkpoints
-system-checkpoints-key = Key in force
+system-checkpoints-key = Current key
 system-checkpoints-keys-before = { $count ->
     [one] It replaced { $count } earlier key, which signed it.
    *[other] It replaced { $count } earlier keys; each signed the next.
   }
-system-checkpoints-none = Nothing is signed yet.
+system-checkpoints-none = No checkpoints yet.
 system-checkpoints-chains = Chains
 system-checkpoints-events = Events
 system-checkpoints-root = Root
@@ -657,8 +657,8 @@ passes-rejected = Rejected
 passes-doubtful = Doubtful
 passes-no-class = No class
 passes-doubts = { $count ->
-    [one] A height does not fit: look at it again.
-   *[other] { NUMBER($count) } heights do not fit: look at them again.
+    [one] One height is unusual: check it again.
+   *[other] { NUMBER($count) } heights are unusual: check them again.
 }
 passes-class-missing = The class is missing.
 passes-measured = Measured
@@ -1031,19 +1031,19 @@ recordings-delete-one = Delete { $recording }
 recordings-download-one = Download the video of { $recording }
 recordings-deleted = { $recording } was deleted.
 recordings-vfr-title = Variable frame rate: times come from each frame’s own time stamp
-recordings-picture-read = Picture { $number } of the { $count } in the file
-recordings-picture-read-too = Import picture { $number } too ({ $codec }, { $size })
-recordings-picture-read-of = Import picture { $number } of { $recording } as a recording of its own
+recordings-picture-read = Video track { $number } of { $count } in the file
+recordings-picture-read-too = Import video track { $number } too ({ $codec }, { $size })
+recordings-picture-read-of = Import video track { $number } of { $recording } as a separate recording
 recordings-picture-added = { $name } is being imported.
-recordings-filming-rate-unknown = Rate at which it was filmed: not stated; no motion is measured.
-recordings-filming-rate-is = Filmed at { $rate } frames per second, as stated
-recordings-filming-rate-state = State the filming rate
-recordings-filming-rate-of = State the rate at which { $recording } was filmed
+recordings-filming-rate-unknown = Filming rate not stated; motion is not measured.
+recordings-filming-rate-is = Filmed at { $rate } frames/s, as entered
+recordings-filming-rate-state = Enter the filming rate
+recordings-filming-rate-of = Enter the filming rate of { $recording }
 recordings-filming-rate-title = Filming rate of { $recording }
-recordings-filming-rate = Frames per second when it was filmed
+recordings-filming-rate = Filming rate
 recordings-filming-rate-unit = frames/s
-recordings-filming-rate-hint = From the camera’s settings or its manual. The video is imported again with these times; heights already measured stay.
-recordings-filming-rate-bounds = Give a number from 1 to 2000.
+recordings-filming-rate-hint = From the camera’s settings or manual. The video is imported again with these times; existing heights do not change.
+recordings-filming-rate-bounds = Enter a number from 1 to 2000.
 recordings-filming-rate-action = Import with this rate
 recordings-find-road = Compute camera pose
 recordings-measure = Measure
@@ -1475,11 +1475,11 @@ measure-passes-order = Order
 measure-passes-none = No vehicles yet. Detect passes, or mark the first frame of a vehicle.
 measure-passes-none-in-state = No pass is in this state.
 measure-class-missing = Missing: the inset of the roof and the figures of each class depend on it.
-measure-proposals-late = Show the proposals
-measure-proposals-late-title = They came after you had begun, so your keys and clicks kept their meaning.
+measure-proposals-late = Show the suggestions
+measure-proposals-late-title = They arrived after you started, so your keys and clicks kept their meaning.
 measure-progress = { NUMBER($count) } of { NUMBER($all) }
 measure-pass-begins = Pass begins on this frame
-measure-pass-begin = New pass here
+measure-pass-begin = Add pass here
 measure-pass-ends = Pass ends on this frame
 measure-pass-end = …ends here
 measure-pass-drop = Cancel the new pass
@@ -1698,8 +1698,8 @@ measure-side-from = { $from ->
        *[left] left
     }
     [place] direction unknown: seen from the median, all traffic runs one way
-    [undirected] direction unknown, so the eye has no height: set near or far here, or the direction of the vehicle
-   *[unknown] unknown, so the eye has no height: set it here for this vehicle, or <link>on the survey’s page</link> for all
+    [undirected] direction unknown, so the eye height cannot be computed: set near or far here, or the direction of the vehicle
+   *[unknown] unknown, so the eye height cannot be computed: set it here for this vehicle, or <link>on the survey’s page</link> for all
 }
 measure-inset-roof = Roof point
 measure-inset-needs-class = Choose the class: the inset of a roof depends on it.
@@ -1807,19 +1807,19 @@ recent-models-title = Recently used models
 recent-models-taken = Make and model: { $model }
 recent-models-gone = { $model } is no longer in the catalogue.
 which-model-title = Models that fit
-which-model-cannot = { $model } does not fit: { $differences } (measured minus catalogue). For the right model, differences this large have a probability of { $p }; the limit is { $limit }.
-which-model-ranked = Ranked by { $sizes }. Measured heights do not rank: they are compared with the model later.
+which-model-cannot = { $model } does not fit: { $differences } (measured minus catalogue). If the model were right, differences this large would have a probability of { $p }; the limit is { $limit }.
+which-model-ranked = Ranked by { $sizes }. Measured heights are not used for ranking: they are compared with the model later.
 which-model-by-name = No length of this vehicle is measured, so the models of its class come first, then by name. Click both tyres (Checks, Direction) to rank by wheelbase.
 which-model-shown = The first { $shown } of { $count } are shown.
 which-model-left-out = { $count ->
     [one] 1 model that does not fit the measured sizes is not shown.
    *[other] { $count } models that do not fit the measured sizes are not shown.
 }
-model-chosen-by-size = The model was chosen by its sizes ({ $sizes }). Its heights are not used as references until somebody has seen the model on the vehicle.
-model-chosen-see = The model is seen on the vehicle
-model-chosen-seen = The model was chosen by its sizes ({ $sizes }), then seen on the vehicle.
+model-chosen-by-size = The model was chosen by its sizes ({ $sizes }). Its heights are not used as references until a person confirms the model on the vehicle.
+model-chosen-see = Confirm the model
+model-chosen-seen = The model was chosen by its sizes ({ $sizes }), then confirmed on the vehicle.
 model-chosen-word-size = by its sizes
-model-chosen-word-seen = seen on the vehicle
+model-chosen-word-seen = confirmed on the vehicle
 which-model-height = roof
 which-model-length = length
 which-model-width = width
@@ -1851,7 +1851,7 @@ measure-field-make = Make
 measure-field-model = Model
 measure-field-year = Year
 measure-field-model_chosen_by = How the model was chosen
-measure-field-model_sizes = Sizes that the model was chosen by
+measure-field-model_sizes = Sizes used to choose the model
 measure-field-category = Category
 measure-field-manufacturer_height_m = Manufacturer’s height
 measure-field-u_manufacturer_height_m = u of the manufacturer’s height
@@ -2160,7 +2160,7 @@ repeats-sigma-back = Back to 1 px
 anchoring-title = Effect of showing suggestions
 anchoring-shown = Suggestions shown
 anchoring-free = Suggestions hidden
-anchoring-shift = Shift due to showing
+anchoring-shift = Shift caused by suggestions
 anchoring-goal = Goal: below { $goal }
 anchoring-vehicles = { $count ->
     [one] 1 vehicle
@@ -2176,7 +2176,7 @@ anchoring-plan = { $one_in ->
    *[other] suggestions hidden for 1 vehicle in { $one_in }
 }
 anchoring-plan-choose = Share of vehicles with suggestions hidden, drawn at random by the server
-anchoring-help = For each vehicle: stored height minus height of the suggested points, on the same frame. The server draws at random for which vehicles suggestions are hidden, so the two groups differ only in the showing. The shift is how much higher heights are stored when suggestions are shown (95 % CI, Welch). Heights measured by one person are not independent, so the result applies to the operators who measured here. It does not state how accurate the suggestions are.
+anchoring-help = For each vehicle: stored height minus height of the suggested points, on the same frame. The server draws at random for which vehicles suggestions are hidden, so the two groups differ only in whether suggestions are shown. The shift is the mean increase of stored heights when suggestions are shown (95 % CI, Welch). Heights measured by one person are not independent, so the result applies to the operators who measured here. It does not state how accurate the suggestions are.
 anchoring-counts = With suggestions shown, { $confirmed } heights were confirmed, { $moved } moved and { $afresh } clicked by hand; all are included.
 repeats-differences-title = Second minus first height, over their mean
 repeats-differences-note = Bars show the expanded uncertainty of the difference (U95). About 95 % of the bars should include zero.
@@ -2383,7 +2383,7 @@ scans-rig-divergence-u-hint = For planes set parallel: the uncertainty of the se
 scans-rig-distance = Distance to lane (near side of vehicles)
 scans-rig-distance-hint = Needed for the divergence only.
 scans-lanes = Lanes at several distances
-scans-lanes-why = Each vehicle is measured with the baseline at its own lane. A lane is told by its direction and by the row at which tyres meet the road (camera 1, row 0 on top); you can choose it on the vehicle. Without lanes, all vehicles are at the distance above.
+scans-lanes-why = Each vehicle is measured with the baseline at its own lane. A lane is identified by its direction and by the row at which tyres meet the road (camera 1, row 0 on top); you can also choose it for the vehicle. Without lanes, all vehicles are at the distance above.
 scans-lane-of = Lane { $number }
 scans-lane-name = Name of the lane
 scans-lane-way = { $way ->
@@ -2394,8 +2394,8 @@ scans-lane-way = { $way ->
 scans-lane-distance = Distance to its vehicles (near side)
 scans-lane-from = Tyres from row
 scans-lane-to = Tyres to row
-scans-lane-rows-hint = Leave both empty if the direction tells the lane.
-scans-lane-shadow-rig = as the rig
+scans-lane-rows-hint = Leave both empty if the direction identifies the lane.
+scans-lane-shadow-rig = as for the rig
 scans-lane-add = Add a lane
 scans-lane-remove = Remove this lane
 scans-lane-problem-name = Enter a name of at most 40 characters.
@@ -2614,12 +2614,12 @@ scan-passed-unknown = Time of day unknown: the start of the recording is not con
 scan-lane = Lane
 scan-lane-unknown = lane not known
 scan-lane-of = { $lane }, { $by ->
-    [person] chosen by a person
-   *[machine] found
+    [person] chosen by hand
+   *[machine] found by Sightline
 }
 scan-lane-tyres = (tyres at row { $row })
 scan-lane-choose = Choose the lane
-scan-lane-by-program = as the program finds it
+scan-lane-by-program = as found by Sightline
 scan-direction = Direction
 scan-direction-of = { $direction ->
     [camera_2_first] camera 2 first
@@ -3160,7 +3160,7 @@ motion-head-fit-error = Fit error (%)
 
 results-heights = Heights and standards
 results-errors = Errors
-results-conclusion = What came out
+results-conclusion = Conclusion
 results-paper = As in the paper
 results-paper-help = Shows corrected and uncorrected percentiles, densities and the rows of Dupuis et al. beside the true heights.
 statistics-filter-more = More filters
@@ -3182,8 +3182,8 @@ statistics-counted = { $measurements ->
    *[other] { $roofs } roofs
 } with a manufacturer’s height.
 statistics-without-class = { $count ->
-    [one] { NUMBER($count) } vehicle has no class, so no figure of a class counts it. <link>Choose it in Measure</link> (list: No class).
-   *[other] { NUMBER($count) } vehicles have no class, so no figure of a class counts them. <link>Choose them in Measure</link> (list: No class).
+    [one] { NUMBER($count) } vehicle has no class and is excluded from results by class. <link>Choose it in Measure</link> (list: No class).
+   *[other] { NUMBER($count) } vehicles have no class and are excluded from results by class. <link>Choose them in Measure</link> (list: No class).
 }
 statistics-left-out = Excluded: { $states }.
 statistics-left-out-state = { $state ->
@@ -3273,14 +3273,14 @@ statistics-bland-altman = Bland and Altman: limits of agreement { $lower } ({ $l
 
 ## Samples: files to try with
 
-samples-pictures = To try: { $count } laboratory pictures as a ZIP (unpack it; the board has { $columns } × { $rows } inner corners, squares of { $square })
+samples-pictures = To try: { $count } laboratory images as a ZIP (unpack it; the board has { $columns } × { $rows } inner corners, squares of { $square })
 samples-clip = To try: the demonstration’s clip
 samples-catalogue = To try: a catalogue of invented models
 
 ## Statistics: errors against known heights, by target
 
 statistics-known-title = Errors by target
-statistics-known-help = Measured minus known height, for accepted heights with a known value (the manufacturer’s or a taped one). Heights are not rounded. Intervals are total; hold the pointer over one to see what it includes. A model that was chosen by its size is no reference. Check targets have their own rows and are excluded from distributions.
+statistics-known-help = Measured minus known height, for accepted heights with a known value (the manufacturer’s or a taped one). Heights are not rounded. Intervals are total; hold the pointer over one to see what it includes. A model chosen by its sizes is not used as a reference. Check targets have their own rows and are excluded from distributions.
 statistics-known-target = Target
 statistics-known-check = { $target }, check targets
 statistics-known-holds = Includes { $words }.
@@ -3623,7 +3623,7 @@ sheet-weather = Weather, street lighting, speed limit
 sheet-checks = Check list
 sheet-check-calibrated = Camera calibrated at this zoom and focus; both taped
 sheet-check-board = Square measured across ten squares; board flat against a straight edge
-sheet-check-place = Straight, even road; tyre contacts in the picture; tripod weighted
+sheet-check-place = Straight, even road; tyre contacts in the image; tripod weighted
 sheet-check-exposure = Exposure, gain, focus and white balance fixed; blur below 2 px
 sheet-check-stood = Board at the wheel path, perpendicular to the road, turned by 20 to 30 degrees
 sheet-check-row = Reference row taped twice, to a millimetre
@@ -3706,18 +3706,18 @@ planning-forms-note = n = b f / s: number of lines from camera 1 to camera 2, wi
 survey-loading = the survey
 survey-demonstration = demonstration
 survey-edit = Edit
-settings-lead = What is set for this survey.
+settings-lead = Settings of this survey.
 settings-site = Site, traffic, targets and insets
 settings-traffic-unsaid = Traffic is not described yet.
 settings-inset = { $inset } (u = { $u })
 settings-members = Members
-settings-members-lead = Who can see this survey, and what each person may do.
+settings-members-lead = People who can see this survey, and their roles.
 settings-classes = Vehicle classes
-settings-classes-lead = Which vehicles count as passenger cars, vans and heavy vehicles.
+settings-classes-lead = Classes that count as passenger cars, light trucks and heavy vehicles.
 settings-standards-open = Open in Results
-settings-standards-lead = The design heights that the figures are compared with.
+settings-standards-lead = Design heights shown in the figures.
 members-open = Members
-members-invite = Invite somebody new
+members-invite = Invite a new user
 members-title = Members of the survey
 members-lead = Only members and administrators can see this survey.
 members-lead-open = Everyone who signs in can see this survey and acts with the role of their account. Members have the role shown here.
@@ -3761,7 +3761,7 @@ survey-traffic = Traffic keeps { $traffic ->
    *[median] in the median
 }.
 survey-asked = Targets by day: { $daytime }; in low light: { $low_light }.
-survey-traffic-unsaid = The traffic side and the camera position are not set. Until they are, no driver’s eye has a height; existing clicks get theirs when you set them.
+survey-traffic-unsaid = The traffic side and the camera position are not set. Eye heights are computed when you set them, for existing clicks too.
 survey-traffic-say = Set
 survey-scans-none = <link>Line scans</link>: { $summary }
 survey-scans-label = Line scans, separate from these steps
@@ -3841,7 +3841,7 @@ surveys-new-description-hint = Notes for anyone who opens this survey later.
 surveys-choose-password = Choose a password
 surveys-link-used = Set a password so you can sign in again. Your link has been used.
 surveys-demo-failed = The demonstration survey could not be created.
-surveys-demo-first = The demonstration survey is rendered from a known scene, so every height can be compared with its true value. Try the work there first, then create your own survey.
+surveys-demo-first = The demonstration survey is rendered from a known scene, so every height can be compared with its true value. Try Sightline there first, then create your own survey.
 surveys-demo-open = Open the demonstration survey
 surveys-demo-title = Demonstration survey
 surveys-demo-being-made = being created
@@ -3888,7 +3888,7 @@ study-remove = Remove study
 study-remove-now = Remove
 study-remove-words = { $name } is removed from the list of studies. Its surveys do not change, and its results remain stored.
 study-members = Members of this study
-study-members-note = Members see the study, its package and its report as long as they see each of its surveys. Whoever manages each survey can make it visible to everyone. Administrators see every study.
+study-members-note = Members see the study, its package and its report as long as they see each of its surveys. A person who manages all of these surveys can make the study visible to everyone. Administrators see every study.
 study-members-open = Visible to everyone who signs in
 study-members-add = Add a member
 study-members-choose = Choose a person
@@ -3930,7 +3930,7 @@ study-n = n = { NUMBER($n) }
 study-mean = Mean
 study-sd = SD
 study-effects = Design effects
-study-effects-note = Design effect: variance under this design divided by that of a simple random sample of the same size. Effective n: number of heights divided by the design effect. Both are estimated from how sites differ: with few sites they are rough, and a design effect below 1, so an effective n above the number of vehicles, is chance rather than a gain.
+study-effects-note = Design effect: variance under this design divided by that of a simple random sample of the same size. Effective n: number of heights divided by the design effect. Both are estimated from the differences between sites, so with few sites they are rough. A design effect below 1 (an effective n above the number of vehicles) is then due to chance.
 study-figure = Figure
 study-vehicles = Vehicles
 study-effect = Design effect
@@ -3984,7 +3984,7 @@ surveys-simulated = { $count ->
     [one] Simulated study: 1 survey
    *[other] Simulated study: { NUMBER($count) } surveys
 }
-surveys-simulated-help = Nothing was filmed here; the surveys show statistics, standards and <link>studies</link> at work.
+surveys-simulated-help = Nothing was filmed here; these surveys demonstrate statistics, standards and <link>studies</link>.
 surveys-all-done = All steps done
 surveys-tally = { NUMBER($done) } <muted>of { NUMBER($all) }</muted>
 
@@ -4106,7 +4106,7 @@ people-link-copied = The link is on the clipboard.
 ## Audit: the page
 
 audit-lead = Every change is one event in a hash chain. Any later edit or deletion breaks the chain.
-audit-numbers = Each survey has a chain of its own, and what belongs to no survey has another. Numbers count the events of a chain; filters leave some out of this list. Check the chain to see whether any is missing.
+audit-numbers = Each survey has its own chain; changes outside surveys have another. Numbers count the events of a chain, so a filtered list has gaps. Check the chain to see whether an event is missing.
 audit-loading = the audit trail
 audit-survey = Survey
 audit-survey-all = All
@@ -4375,15 +4375,15 @@ cameras-frames-not-recording-frames-0 = Frames { $first } to { $last } are not i
 cameras-every-th-frame-would-views-take = Every { $every }th frame gives { $count } views; take every { $least }th frame or fewer frames.
 cameras-too-large-calibration-file-choose-file = { $file_name } is too large for a calibration file; choose the file with the intrinsics.
 cameras-not-text-file-choose-calibration-yaml = { $file_name } is not a text file; choose a calibration as YAML, JSON or cameramodel.
-cameras-not-file-give-picture-files-clip = { $path } is not a file; give picture files or a clip.
-cameras-choose-calibration-give-pictures-width-height = Choose a calibration, or give the picture's width and height in pixels and its horizontal field of view in degrees.
-cameras-calibration-belongs-another-survey-choose-one = Calibration { $calibration_id } belongs to another survey; choose one of this survey's cameras.
+cameras-not-file-give-picture-files-clip = { $path } is not a file; give image files or a clip.
+cameras-choose-calibration-give-pictures-width-height = Choose a calibration, or give the image’s width and height in pixels and its horizontal field of view in degrees.
+cameras-calibration-belongs-another-survey-choose-one = Calibration { $calibration_id } belongs to another survey; choose one of this survey’s cameras.
 cameras-cameras-csv-not-what-audit = cameras.csv: camera { $id } differs from its audit events; the table was changed.
 cameras-calibration-of-another-camera = calibrations.csv: { $id } names another camera than the audit events; the table was changed.
 cameras-taken-without-calibration = Camera { $camera } has no calibration to copy; calibrate it in its own survey, or add it here as a new camera.
 cameras-taken-from-itself = Camera { $camera } belongs to this survey already; choose one of another survey.
 cameras-camera-needs-name-fill = A camera needs a name; enter one.
-cameras-calibration-belongs-another-camera-choose-one = Calibration { $calibration_id } belongs to another camera; choose one of this camera's.
+cameras-calibration-belongs-another-camera-choose-one = Calibration { $calibration_id } belongs to another camera; choose one of this camera’s.
 cameras-image-without-board-needs-reason-why = An image without a board needs a reason; state what was searched for.
 commands-baseline-or-rig = Give either --baseline (with --u-baseline) or --rig.
 
@@ -4402,13 +4402,13 @@ commands-cannot-written-choose-another-place = { $path } cannot be written ({ $s
 commands-stream-camera-missing = Camera { $name } cannot be opened ({ $error }); check its cable, power and address, and that no other program uses it.
 commands-stream-camera-rows = Camera { $name } delivers lines of { $width } pixels, but { $rows } were requested; give --rows { $width }, or change the camera setting.
 commands-stream-empty = Standard input ended before one pair of lines ({ $pair_bytes } bytes) arrived; start the cameras first, and check --rows.
-commands-stream-follow-missing = { $path } cannot be read ({ $strerror }); give the file that the cameras' program is writing.
+commands-stream-follow-missing = { $path } cannot be read ({ $strerror }); give the file that the cameras’ program is writing.
 commands-stream-no-aravis = GigE Vision cameras need Aravis and PyGObject, which are not installed ({ $error }); install gir1.2-aravis-0.8 and python3-gi, or give the lines on standard input.
 commands-stream-other-rig = { $path } holds an interrupted stream (segment { $number }) recorded with other rows or another rig; start it with the same options to resume it, or choose another --spool.
 commands-stream-spool-taken = Another stream writes into { $path }; give this one another --spool.
 commands-stream-two-cameras = Give --camera twice, first the camera that vehicles reach first, and no --follow with it.
 commands-cannot-written-because-disk-full-free = { $path } cannot be written because the disk is full; free some space.
-commands-charuco-marker-go-together-give-dictionary = --charuco and --marker go together; give the dictionary and the marker's side.
+commands-charuco-marker-go-together-give-dictionary = --charuco and --marker go together; give the dictionary and the marker’s side.
 commands-board-not-form-9x6-count-inner = --board { $text } does not have the form 9x6; count the inner corners across and down.
 commands-size-not-form-1920x1080-give-width = --size { $text } does not have the form 1920x1080; give width and height in pixels.
 commands-give-contact-x-y-target-x = Give --contact X,Y and --target X,Y, or --clicks with a CSV file.
@@ -4442,7 +4442,7 @@ backup-rows-do-not-fit = The rows of { $name } in the backup do not fit their ta
 backup-older-crosses-later = The backup is of an older version of the program; restore it into PostgreSQL, back that up with this version, and restore the new backup here.
 backup-place-not-empty = { $place } is not empty; restore into a new or empty place.
 backup-database-not-empty = The PostgreSQL database already has tables; restore into an empty one.
-backup-chains-end-elsewhere = The audit chains in the backup's database do not end as its manifest states; use another backup.
+backup-chains-end-elsewhere = The audit chains in the backup’s database do not end as its manifest states; use another backup.
 backup-chain-broken = The database in the backup does not verify: { $problem }
 backup-damaged-kept = { $problem } No new backup was made; the last good one, of { $at } UTC, is still in { $folder }.
 backup-damaged-none-before = { $problem } No backup was made; { $folder } has no earlier one, only copies of the media files.
@@ -4457,7 +4457,7 @@ commands-cannot-used-correct = { $name } cannot be used ({ $said }{ $said_2 }); 
 commands-give-either-camera-size-field-view = Give either --camera, or --size and --field-of-view.
 commands-speed-speed-error-line-rate-u = --speed, --speed-error, --line-rate and --u-baseline need --baseline.
 commands-give-camera-height-distance-baseline-line = Give --camera-height and --distance; or --baseline for a line scan.
-commands-line-scans-plan-needs-speed-speed = A line scan's plan needs --speed and --speed-error beside --baseline.
+commands-line-scans-plan-needs-speed-speed = A line scan’s plan needs --speed and --speed-error beside --baseline.
 commands-numbers-plan-must-finite = The numbers of a plan must be finite.
 commands-line-scan-planned-without-camera-place = A line scan is planned without a camera and its position; leave those options out.
 commands-metrics-port-cannot-be-used = Metrics cannot be served on port { $port } of { $host } ({ $why }); choose another with SIGHTLINE_METRICS_PORT.
@@ -4477,7 +4477,7 @@ commands-not-exist-name-database-data-folder = { $place } does not exist; name a
 ## Errors: demo
 
 demo-drawing-demonstration-stopped-middle-start-server = Rendering the demonstration stopped before it was finished; start the server again.
-demo-no-sample-pictures = There are no sample pictures, because there is no demonstration; create it with sightline demo.
+demo-no-sample-pictures = There are no sample images, because there is no demonstration; create it with sightline demo.
 
 ## Errors: export
 
@@ -4485,30 +4485,30 @@ export-crop-could-not-encoded-export-survey = An image could not be encoded; exp
 export-frame-stored-video-not-one-clicked = Frame { $frame } of the stored video is not the frame that was clicked on.
 export-format-not-known = The package has format { $format }, which this version of Sightline does not know; verify it with { $program } or later.
 export-made-by-another-version = Made by version { $program }; this is { $mine }.
-export-described-otherwise = datapackage.json names every file with its bytes; what it says of { $count ->
+export-described-otherwise = datapackage.json lists every file with its size and hash; its descriptions of { $count ->
     [one] one file
    *[other] { $count } files
-  } in words (and: { $names }) is that version's, bound by the seal, not compared.
-export-statistics-sealed-only = Statistics: another version computed them otherwise; bound by the seal, not compared (first difference: { $difference })
-export-drawings-sealed-only = Figures, report and README: drawn by another version; bound by the seal, not compared.
-export-page-sealed-only = The page was made by another version: its tables were compared; its program is bound by the seal, not compared.
+  } (and: { $names }) are those of that version; covered by the seal, not compared.
+export-statistics-sealed-only = Statistics differ from those of this version because another version computed them; covered by the seal, not compared (first difference: { $difference })
+export-drawings-sealed-only = Figures, report and README were made by another version; covered by the seal, not compared.
+export-page-sealed-only = The page was made by another version: its tables were compared; its program is covered by the seal, not compared.
 export-heights-of-another-version = { $count ->
     [one] One number that another version computed differs
    *[other] { $count } numbers that other versions computed differ
-  } from what this version computes; bound by the audit chain, not compared (first: { $first })
+  } from what this version computes; covered by the audit chain, not compared (first: { $first })
 export-not-follow-these-statistics-put = { $strange } does not follow from these statistics; it was added.
 export-no-row-crops-csv-put = { $there } is in no row of crops.csv; it was added.
 export-crops-csv-other-points-frames-measurement = crops.csv: { $path } has other points or frames than its measurement; one is wrong.
 export-not-one-whose-hash-crops-csv = { $path } does not have the hash stated in crops.csv; it was replaced.
-export-no-picture-size-crops-csv-tells = { $path } is not a picture of the size stated in crops.csv; it was replaced.
+export-no-picture-size-crops-csv-tells = { $path } is not an image of the size stated in crops.csv; it was replaced.
 export-not-show-points-measurement-changed = { $overlay } does not show the points of its measurement; it was changed.
-export-cannot-read-take-whole-export-again = { $description } cannot be read; take the whole export again.
+export-cannot-read-take-whole-export-again = { $description } cannot be read; get the complete export again.
 export-another-files-chain-changed = { $description } states another { $name } than the files and the chain; it was changed.
 export-describes-otherwise-program-changed = { $description } describes { $named } differently from this program; it was changed.
 export-too-rows-changed = { $path } has too { $value } rows; it was changed.
 export-not-one-these-rows-statistics-give = { $path } is not what these rows and statistics give; it was replaced.
 export-line-says-rows-give-one-wrong = { $path }, line { $at }: { $name } states { $told }, the rows give { $found }; one is wrong.
-export-missing-named-twice-crops-csv-take = { $path } is missing or named twice in crops.csv; take the whole export again.
+export-missing-named-twice-crops-csv-take = { $path } is missing or named twice in crops.csv; get the complete export again.
 export-first-characters-head-prove-little-give = The audit head is too short ({ $count } characters). Enter at least { $least_of_head }.
 export-audit-csv-ends-not-head-kept = audit.csv ends with { $head }, not with the given audit head: it was rewritten, or this is another export.
 export-no-no-whole-export-export-survey = There is no { $checksums }, so this is not a complete export; export the survey again.
@@ -4519,35 +4519,35 @@ export-stray-files = { $count ->
    *[other] The system put { $count } files beside those of the package: { $names }
  }. Delete what is named here and check again; no file of the package has been looked at yet.
 export-zip-in-zip = { $place } contains { $inner }; unpack it and give that.
-export-checksums-no-list = { $checksums } is not a list of hashes: it was changed or cut off after the export; take the whole export again.
+export-checksums-no-list = { $checksums } is not a list of hashes: it was changed or cut off after the export; get the complete export again.
 export-file-renamed = { $path } is here as { $there }: file names were changed on the way; copy or unpack the export again with its names.
-export-not-belong-export-take-out-check = { $strange } is not listed in SHA256SUMS: it was added, or the list was changed. Remove what you added, or take the whole export again.
-export-changed-after-export-take-whole-export = { $path } was changed after the export; take the whole export again.
-export-checkpoint-form = checkpoint.json is not written as this program writes it; take the whole export again.
+export-not-belong-export-take-out-check = { $strange } is not listed in SHA256SUMS: it was added, or the list was changed. Remove what you added, or get the complete export again.
+export-changed-after-export-take-whole-export = { $path } was changed after the export; get the complete export again.
+export-checkpoint-form = checkpoint.json is not written as this program writes it; get the complete export again.
 export-checkpoint-signature = checkpoint.json carries a signature that its key does not give; it was changed.
 export-checkpoint-other-chain = checkpoint.json does not vouch for the end of audit.csv; one was changed.
 export-checkpoint-keys = checkpoint.json does not show how its key follows from the earlier keys; it was changed.
 export-checkpoint-other-key = The package was signed with key { $key }, not with the given key; it is from another installation, or forged.
 export-key-too-short = The key is too short. Enter at least its first { $least } characters.
-export-no-seal = audit.csv does not end with the event that seals the package: it was cut off or changed; take the whole export again.
-export-page-not-described = { $path } is not described by datapackage.json, or missing although it is; take the whole export again.
-export-page-another-program = { $path } is not the page that datapackage.json names; take the whole export again.
-export-page-carries-another = The page carries another { $path } than the package; take the whole export again.
-export-not-the-file-that-the-seal-names = { $path } is not what the package's seal, the last event of audit.csv, states: it was changed, removed or added after the export, and the checksums with it.
-export-event-of-another-survey-or-time = audit.csv: event { $number } is shown or withheld against the package's seal, or the chain does not begin with the survey; audit.csv was changed after the export.
+export-no-seal = audit.csv does not end with the event that seals the package: it was cut off or changed; get the complete export again.
+export-page-not-described = { $path } is not described by datapackage.json, or missing although it is; get the complete export again.
+export-page-another-program = { $path } is not the page that datapackage.json names; get the complete export again.
+export-page-carries-another = The page carries another { $path } than the package; get the complete export again.
+export-not-the-file-that-the-seal-names = { $path } is not what the package’s seal, the last event of audit.csv, states: it was changed, removed or added after the export, and the checksums with it.
+export-event-of-another-survey-or-time = audit.csv: event { $number } is shown or withheld against the package’s seal, or the chain does not begin with the survey; audit.csv was changed after the export.
 
 ## Errors: geometry
 
-geometry-too-few-pictures = Only { $used } of { $given } pictures can be used and at least { $least } are needed; take more pictures of the whole board, from different sides.
-geometry-too-few-pictures-why = Only { $used } of { $given } pictures can be used and at least { $least } are needed; take more pictures of the whole board, from different sides. { $file }: { $reason }
+geometry-too-few-pictures = Only { $used } of { $given } images can be used and at least { $least } are needed; take more images of the whole board, from different sides.
+geometry-too-few-pictures-why = Only { $used } of { $given } images can be used and at least { $least } are needed; take more images of the whole board, from different sides. { $file }: { $reason }
 geometry-board-x-inner-corners-cannot-used = A board of { $columns }x{ $rows } inner corners cannot be used; count the inner corners (where four squares meet), 3 to 60 in each direction.
 geometry-square-m-cannot-right-give-side = A square of { $square_m } m is not plausible; give the side of one square in metres.
 geometry-model-could-not-fitted-these-views = The { $model } model could not be fitted to these views; add views from different sides or use the other model.
-geometry-x-px-camera-calibrated-x-px = { $what } is { $width_px }x{ $height_px } px but the camera was calibrated at { $width_px_2 }x{ $height_px_2 } px; use a calibration made at the recording's size.
+geometry-x-px-camera-calibrated-x-px = { $what } is { $width_px }x{ $height_px } px but the camera was calibrated at { $width_px_2 }x{ $height_px_2 } px; use a calibration made at the recording’s size.
 geometry-no-dictionary-markers-one-maker-board = { $dictionary } is not a marker dictionary; use one of { $dictionaries }, as stated by the maker of the board.
 geometry-markers-m-not-go-squares-m = Markers of { $marker_m } m do not fit squares of { $square_m } m; give the side of the black marker, which is smaller than its square.
 geometry-board-x-inner-corners-markers-holds = A board of { $columns }x{ $rows } inner corners has { $needed } markers, but { $dictionary } has { $held }; choose the dictionary that the board was made with.
-adjustment-nothing-uncertain = the pose states neither its own uncertainty nor the board's, so the traffic cannot change anything; make it with sightline pose.
+adjustment-nothing-uncertain = the pose states neither its own uncertainty nor the board’s, so the traffic cannot change anything; make it with sightline pose.
 adjustment-contradictory = { $out } of { $passes } passes contradict the others; check the known lengths, their uncertainties and which points were followed.
 adjustment-does-not-settle = the passes do not converge to one pose; check that each point follows the same place of its vehicle.
 geometry-must-correct-key-make-file-again = { $what }: '{ $key }' must be { $wanted }; correct that key or make the file again.
@@ -4560,43 +4560,43 @@ geometry-holds-no-camera-matrix-camera-matrix = { $file_name } holds no camera m
 geometry-camera-matrix-must-3x3-0-0 = { $file_name }: the camera matrix must be 3x3 with 0 0 1 as its last row.
 geometry-camera-matrix-skew-which-not-supported = { $file_name }: the camera matrix has a skew, which is not supported; calibrate without.
 geometry-holds-no-camera-holds = { $file_name } holds no camera '{ $which }'; it holds { $cameras }.
-geometry-key-written-twice = { $file_name } holds the key '{ $key }' twice; leave in the one that holds.
+geometry-key-written-twice = { $file_name } contains the key “{ $key }” twice; keep the right one.
 geometry-rows-and-columns-contradict = { $file_name }: { $what } states { $rows } rows and { $columns } columns but holds { $count } numbers; export the file again.
 geometry-camera-not-calibrated = { $file_name }: the camera matrix is all 0, which is how a driver says that the camera is not calibrated; calibrate it first.
-geometry-roi-contradicts-size = { $file_name }: the part of the picture (roi) does not fit the picture's size; give the camera_info of whole pictures.
-geometry-focal-length-not-of-these-pixels = { $file_name }: a focal length of { $focal } is not plausible for pictures { $width } px wide; it must be in pixels.
-geometry-lens-turns-back-early = { $file_name }: with these distortion coefficients the lens turns back near the middle of the picture; check their order and the lens model.
+geometry-roi-contradicts-size = { $file_name }: the part of the image (roi) does not fit the image’s size; give the camera_info of whole images.
+geometry-focal-length-not-of-these-pixels = { $file_name }: a focal length of { $focal } is not plausible for images { $width } px wide; it must be in pixels.
+geometry-lens-turns-back-early = { $file_name }: with these distortion coefficients the lens turns back near the middle of the image; check their order and the lens model.
 geometry-camera-model-not-supported-calibrate-pinhole = { $file_name }: the camera model '{ $camera_model }' is not supported; calibrate as pinhole.
 geometry-intrinsics-must-four-numbers-fu-fv = { $file_name }: intrinsics must be four numbers, fu fv pu pv.
 geometry-lens-model-not-supported-convert-mrcal = { $file_name }: the lens model { $word } is not supported; convert it with mrcal-convert-lensmodel to LENSMODEL_OPENCV8.
 geometry-needs-intrinsics-file = { $file_name }: { $word } needs { $value } intrinsics, the file has { $count }.
-geometry-not-say-how-large-pictures-add = { $file_name } does not state the picture size; add image_width and image_height to it.
+geometry-not-say-how-large-pictures-add = { $file_name } does not state the image size; add image_width and image_height to it.
 geometry-focal-lengths-must-positive-numbers-pixels = { $file_name }: the focal lengths must be positive numbers of pixels.
-geometry-principal-point-lies-far-outside-picture = { $file_name }: the principal point lies far outside the picture; correct the image size.
+geometry-principal-point-lies-far-outside-picture = { $file_name }: the principal point lies far outside the image; correct the image size.
 geometry-thin-prism-tilt-coefficients-not-supported = { $file_name }: thin-prism and tilt coefficients are not supported; calibrate with at most eight.
 geometry-distortion-coefficients-4-5-8-supported = { $file_name }: { $count } distortion coefficients; 4, 5 or 8 are supported.
-geometry-no-readable-camera-file-give-opencv = { $file_name } is no readable camera file; give OpenCV YAML or JSON, ROS camera_info, a Kalibr camchain or a mrcal .cameramodel.
+geometry-no-readable-camera-file-give-opencv = { $file_name } is not a readable camera file; give OpenCV YAML or JSON, ROS camera_info, a Kalibr camchain or a mrcal .cameramodel.
 geometry-not-list-numbers-export-file-again = { $file_name }: { $what } is not a list of numbers; export the file again.
 geometry-image-size-must-two-numbers-width = { $file_name }: the image size must be two numbers, width and height.
-geometry-give-camera-info-unbinned-pictures = { $file_name }: { $key } is { $data }; give the camera_info of unbinned pictures.
+geometry-give-camera-info-unbinned-pictures = { $file_name }: { $key } is { $data }; give the camera_info of unbinned images.
 geometry-fisheye-model-needs-four-coefficients-file = { $file_name }: a fisheye model needs four coefficients, the file has { $count }.
 geometry-board-found-none-frames = The board was found in none of the { $count } frames. { $reason }
-geometry-no-pose-fits-corners-check-camera = No pose fits the corners; check that the camera file belongs to this recording and that the whole board lies within the lens's valid radius.
-geometry-reference-height-boards-uncertainties-must-numbers = The reference height and the board's uncertainties must be numbers, in metres and radians, the uncertainties not negative.
+geometry-no-pose-fits-corners-check-camera = No pose fits the corners; check that the camera file belongs to this recording and that the whole board lies within the lens’s valid radius.
+geometry-reference-height-boards-uncertainties-must-numbers = The reference height and the board’s uncertainties must be numbers, in metres and radians, the uncertainties not negative.
 geometry-reference-row-m-above-road-cannot = A reference row { $height_m } m above the road is not plausible; give the height of the { $side } row of inner corners above the road in metres.
 geometry-board-camera-moves-during-these-frames = The board or the camera moves during these frames (by up to { NUMBER($moved_px, minimumFractionDigits: 1, maximumFractionDigits: 1) } px); choose frames, or a single frame, in which both are at rest.
 geometry-corners-not-fit-camera-model-residual = The corners do not fit the camera model (residual { NUMBER($rms, minimumFractionDigits: 1, maximumFractionDigits: 1) } px); the camera file belongs to another camera or zoom, or the board is bent.
 geometry-board-seen-edge-turn-towards-camera = The board is seen edge-on; turn it towards the camera by at least 10 degrees.
 geometry-board-lies-on-road = The board seems to lie on the road; stand it perpendicular to the road, with its rows level, or measure the height of the row of corners that you named.
 geometry-reference-height-m-puts-camera-below = The reference height of { $height_m } m puts the camera below the road; give the height of the { $side } row of inner corners above the road, in metres.
-geometry-picture-x-px-cannot-planned-give = A picture of { $width_px } x { $height_px } px is out of range; give a width and a height from 16 to 16384.
+geometry-picture-x-px-cannot-planned-give = An image of { $width_px } x { $height_px } px is out of range; give a width and a height from 16 to 16384.
 geometry-horizontal-field-view-degrees-cannot-planned = A horizontal field of view of { $degrees } degrees is out of range; give 5 to 150.
 geometry-cannot-planned-give-one = A { $what } of { $value } { $unit } is out of range; give { $least } to { $most }.
 
 ## Errors: audit
 
 audit-signing-key-unreadable = { $path } holds no signing key (64 hexadecimal digits); put it back from a backup.
-audit-signing-key-another = This machine's signing key is not the one that the database was signed with; put signing.key back from a backup, or give all machines the same SIGHTLINE_SIGNING_KEY.
+audit-signing-key-another = This machine’s signing key is not the one that the database was signed with; put signing.key back from a backup, or give all machines the same SIGHTLINE_SIGNING_KEY.
 audit-database-made-another-version-verify-one = This database was made by another version; verify it with that version, or open it once with this one (`sightline serve`), which updates it.
 audit-guard-missing = The database no longer protects { $table }: a trigger that refuses changes is missing or switched off. Restore a backup, or restore the trigger and find out who removed it.
 audit-not-sightline-database-name-sightline-db = { $name } is not a Sightline database, or its beginning is damaged; name the sightline.db of a data folder, or restore a backup.
@@ -4605,29 +4605,29 @@ audit-not-sightline-database-name-sightline-db = { $name } is not a Sightline da
 
 csv_package-audit-csv-event-not-follow-one = audit.csv: event { $number } does not follow from the one before; it was changed.
 csv_package-audit-csv-event-not-one-hashed = audit.csv: event { $number } is not the one that was hashed; it was changed.
-csv_package-missing-take-whole-export-again = { $path } is missing; take the whole export again.
+csv_package-missing-take-whole-export-again = { $path } is missing; get the complete export again.
 csv_package-file-name-folder-export-not-exist = { $target } is a file; name a folder for the export that does not exist yet.
 csv_package-holds-other-files-name-folder-empty = { $target } holds other files; name a folder that is empty or does not exist yet.
 csv_package-holds-file-twice-no-export-take = { $place } contains a file twice, so it is not an export; get the export again.
 csv_package-cannot-read-export-name-folder-zip = { $place } cannot be read as an export; name its folder or ZIP.
-csv_package-parquet-and-csv-not-pairs = { $path } lacks its other form: a package has every table as CSV and as Parquet; take the whole export again.
+csv_package-parquet-and-csv-not-pairs = { $path } has no counterpart: a package has every table as CSV and as Parquet; get the complete export again.
 csv_package-parquet-described-otherwise = { $path } has other columns, units or meanings than datapackage.json describes; it was changed.
 csv_package-parquet-not-csv = { $path } differs from { $csv_path }: column { $name }, row { $at }; one was changed.
 csv_package-parquet-other-rows = { $path } does not have the rows of { $csv_path }; one was changed.
-csv_package-parquet-cannot-be-read = { $path } cannot be read as Parquet; take the whole export again.
+csv_package-parquet-cannot-be-read = { $path } cannot be read as Parquet; get the complete export again.
 csv_package-cell-not-of-its-type = { $path } has a cell that does not have the type stated in datapackage.json; it was changed.
-csv_package-csv-of-another-form = { $path } is not written as Sightline writes a table (near line { $at }: line ending or quotes differ), so programs might read it differently; take the whole export again.
-csv_package-zip-odd-entry = { $place } contains { $path }, which is not a plain file of a package; take the whole export again.
-csv_package-zip-bomb = { $place }: { $path } would unpack to far more than any table has; take the whole export again.
-csv_package-too-many-files = { $place } lists more files than a package can have; take the whole export again.
-csv_package-link = { $path } is a link, not a file (or a pipe or device): an export has none; take the whole export again.
-csv_package-no-json = { $path } cannot be read as JSON: it was cut off or changed after the export; take the whole export again.
+csv_package-csv-of-another-form = { $path } is not written as Sightline writes a table (near line { $at }: line ending or quotes differ), so programs might read it differently; get the complete export again.
+csv_package-zip-odd-entry = { $place } contains { $path }, which is not a plain file of a package; get the complete export again.
+csv_package-zip-bomb = { $place }: { $path } would unpack to far more than any table has; get the complete export again.
+csv_package-too-many-files = { $place } lists more files than a package can have; get the complete export again.
+csv_package-link = { $path } is a link, not a file (or a pipe or device): an export has none; get the complete export again.
+csv_package-no-json = { $path } cannot be read as JSON: it was cut off or changed after the export; get the complete export again.
 csv_package-zip-encrypted = { $place } is protected with a password; unpack it with the password and give the folder.
-csv_package-json-of-another-form = { $path } is not written as Sightline writes JSON (a key twice, other blanks or numbers), so programs might read it differently; take the whole export again.
+csv_package-json-of-another-form = { $path } is not written as Sightline writes JSON (a key twice, other blanks or numbers), so programs might read it differently; get the complete export again.
 csv_package-other-columns-than-described = { $path } has other columns than datapackage.json describes ({ $column }): it was changed after the export.
-csv_package-cannot-read-csv-take-whole-export = { $path } cannot be read as CSV; take the whole export again.
-csv_package-cannot-unpacked-take-whole-export-again = { $path } cannot be unpacked; take the whole export again.
-csv_package-cannot-read-described-take-whole-export = { $path } cannot be read as it was described; take the whole export again.
+csv_package-cannot-read-csv-take-whole-export = { $path } cannot be read as CSV; get the complete export again.
+csv_package-cannot-unpacked-take-whole-export-again = { $path } cannot be unpacked; get the complete export again.
+csv_package-cannot-read-described-take-whole-export = { $path } cannot be read as it was described; get the complete export again.
 csv_package-row-too-long-too-short-changed = { $path } has a row that is too long or too short; it was changed.
 csv_package-without-audit-event-missing = { $path }: { $kind_name } { $odd } has no audit event, or is missing.
 csv_package-twice-one-put = { $path }: { $columns } { $values } appears twice; one was added.
@@ -4644,11 +4644,11 @@ database-database-not-answer-check-runs-address = The database does not answer; 
 database-memory-database-would-lost-name-file = An in-memory database would be lost; name a file, as in sqlite:///sightline.db.
 database-disk-full-nothing-saved-make-room = The disk is full, so nothing was saved; free some space and try again.
 database-database-busy-another-writer-try-again = The database is busy with another writer; try again in a moment.
-database-database-file-cannot-opened-writing-check = The database file cannot be opened for writing; check the folder's permissions.
+database-database-file-cannot-opened-writing-check = The database file cannot be opened for writing; check the folder’s permissions.
 database-database-address-cannot-read-use-sqlite = The database address cannot be read; use sqlite:///FILE or postgresql+psycopg://.
 database-no-database-check-name = There is no database { $path }; check its name.
 database-file-not-database-program-give-right = This file is not a Sightline database, or its beginning is damaged; give the right file, or restore a backup.
-database-damaged = The database is damaged: parts of its file hold something else. Stop the server, keep a copy of the data folder, and restore the last backup (sightline restore).
+database-damaged = The database is damaged: parts of its file contain other data. Stop the server, keep a copy of the data folder, and restore the last backup (sightline restore).
 database-read-only-with-log = { $path } cannot be written, and its last changes are still in the file beside it that ends in -wal; copy the folder to a disk that can be written, and give that.
 database-damaged-tables = The database is damaged in { $tables }; its { $whole } other tables can be read. Stop the server, keep a copy of the data folder, and restore the last backup (sightline restore).
 database-account-lacks-rights = The database’s account lacks a right that this needs; run `sightline migrate` with the account that owns the tables.
@@ -4662,18 +4662,18 @@ jobs-somebody-else-started-job-ask-them = Another person started this job; ask t
 jobs-worker-knows-no-job-kind-start = This worker knows no job of kind { $kind_name }; start one of this version.
 jobs-job-went-another-worker-one-stops = Job { $id } went to another worker; this one stops.
 jobs-job-already-nothing-cancel = Job { $job_id } is already { $state }, so there is nothing to cancel.
-jobs-job-moved-meanwhile-nothing = Job { $id } moved on meanwhile; nothing to do.
+jobs-job-moved-meanwhile-nothing = The state of job { $id } has changed meanwhile; there is nothing to do.
 jobs-job-given-another-worker-one-stops = Job { $id } was given to another worker; this one stops.
 
 ## Errors: web
 
-web-disk-not-writable = The data folder cannot be written ({ $why }); check the disk and its rights.
-web-part-silent = It has not answered for { $seconds } seconds; check that it runs and can be reached.
-web-writer-stuck = A change has been under way for { $seconds } seconds and the others wait for it; look at the database.
-web-secret-weak = SIGHTLINE_SECRET can be guessed: give it { $characters } random characters or more, none that were printed anywhere (openssl rand -hex 32).
+web-disk-not-writable = The data folder cannot be written ({ $why }); check the disk and the permissions.
+web-part-silent = No answer for { $seconds } s; check that it is running and can be reached.
+web-writer-stuck = A change has been running for { $seconds } s and blocks the others; check the database.
+web-secret-weak = SIGHTLINE_SECRET can be guessed; use at least { $characters } random characters that are published nowhere (openssl rand -hex 32).
 web-signing-key-missing = SIGHTLINE_SIGNING_KEY is not set, so each machine would sign with a key of its own; set the same 64 hexadecimal digits on all of them (openssl rand -hex 32).
-infra-setting-differs = { $name } is not what the other processes on this database have; give all of them the same, or stop the others first.
-infra-clocks-apart = This machine’s clock and the database’s are { $minutes } minutes apart; set both by a time server (NTP) and start again.
+infra-setting-differs = { $name } differs from the value of the other processes on this database; use the same value for all of them, or stop the others first.
+infra-clocks-apart = This machine’s clock and the database’s are { $minutes } minutes apart; synchronise both with a time server (NTP) and start again.
 web-server-busy = The server is busy and nothing was done; try again in a few seconds.
 web-you-not-signed-sign-try-again = You are not signed in; sign in and try again.
 web-token-does-not-hold = This token is not valid: it is wrong, has expired or was revoked. Create a new one in Account.
@@ -4712,9 +4712,9 @@ commands-option-above-zero = { $option } must be a finite number above 0; correc
 
 measurements-vehicle-not-recording-choose-one-passes = The vehicle does not belong to this recording; choose one of its passes.
 measurements-frame-clicked-twice-click-two-points = Frame { $twice } is clicked twice; click the two points on another frame of the pass.
-measurements-point-not-any-picture-click-again = The { $word } point { $point }, { $point_2 } is not in any picture; click again.
+measurements-point-not-any-picture-click-again = The { $word } point { $point }, { $point_2 } is not in any image; click again.
 measurements-no-road-pose-yet-make-choose = { $name } has no camera pose yet; compute or choose one on the page Road first.
-measurements-road-pose-pictures-x-px-not = The camera pose of { $name } is for pictures of { $size_px } x { $size_px_2 } px, not for its own size; compute or choose another one on the page Road.
+measurements-road-pose-pictures-x-px-not = The camera pose of { $name } is for images of { $size_px } x { $size_px_2 } px, not for its own size; compute or choose another one on the page Road.
 measurements-frame-not-part-vehicle-go-frame = Frame { $frame } cannot split vehicle { $number }; go to a frame after its first ({ $first_frame }) and up to its last ({ $last_frame }).
 measurements-only-two-passes-same-recording-joined = Only passes of the same recording can be joined; choose another one.
 measurements-vehicles-both-measurements-measurement-stays-vehicle = Vehicles { $number } and { $number_2 } both have measurements, and a measurement stays with its vehicle; discard one of the passes instead.
@@ -4729,27 +4729,27 @@ adjusting-not-an-adjusted-pose-in-force = This is not a current adjusted pose, s
 computing-undo-cannot-be-undone = An undo cannot be undone; compute the heights again instead.
 computing-undone-already = This was already undone; compute the heights again to restore them.
 computing-undo-the-later-first = Heights were computed again at { $when }; undo that first.
-computing-computings-csv-not-what-event-says = computings.csv: { $id } differs from its audit event; take the whole export again.
-computing-computing-made-other-revisions = computings.csv: { $id } made a different number of revisions than it states; take the whole export again.
-computing-out-of-date-not-so = { $path }: { $id } is not marked as out of date as its facts have it; take the whole export again.
-computing-computing-missing = computings.csv: { $id } is missing, although it has an audit event; take the whole export again.
-computing-verdict-went-over = revisions.csv: revision { $revision } of measurement { $name } has a verdict that was given to another height; take the whole export again.
+computing-computings-csv-not-what-event-says = computings.csv: { $id } differs from its audit event; get the complete export again.
+computing-computing-made-other-revisions = computings.csv: { $id } made a different number of revisions than it states; get the complete export again.
+computing-out-of-date-not-so = { $path }: the out-of-date mark of { $id } does not follow from its facts; get the complete export again.
+computing-computing-missing = computings.csv: { $id } is missing, although it has an audit event; get the complete export again.
+computing-verdict-went-over = revisions.csv: revision { $revision } of measurement { $name } has a verdict that was given to another height; get the complete export again.
 measurements-measurement-not-withdrawn-nothing-restore = This measurement is not withdrawn, so there is nothing to restore.
 measurements-deleted-vehicle-restore-first = { $name } deleted vehicle { $vehicle_number } at { $when }; restore it first.
 measurements-changed-measurement-utc-look-again = { $name } changed this measurement at { $created_at } UTC; reload it.
 measurements-repeat-needs-vehicle-target-measurement-repeats = A repeat needs the vehicle and the target of the measurement that it repeats.
-measurements-road-pose-belongs-another-survey-choose = Camera pose { $pose_id } belongs to another survey; choose one of this survey's.
+measurements-road-pose-belongs-another-survey-choose = Camera pose { $pose_id } belongs to another survey; choose one of this survey’s.
 measurements-measurement-without-height-needs-reason-why = A measurement without a height needs a reason; compute it again.
 measurements-measurement-no-height-needs-reason-why = A measurement without a height needs a reason; compute it again.
 measurements-measurement-stored-another-vehicle-already-click = This measurement was already stored for another vehicle; click again.
-measurements-frame-not-picture-clicked-load-again = Frame { $frame } is not the picture that was clicked on; load it again.
+measurements-frame-not-picture-clicked-load-again = Frame { $frame } is not the image that was clicked on; load it again.
 measurements-measurements-csv-lacks-measurement-revisions-csv = measurements.csv lacks a measurement of revisions.csv; one was removed.
 measurements-says-clicks-give-one-wrong = { $name } states { $status }, its clicks give { $status_2 }; one is wrong.
 measurements-names-another-pose-file-pose-changed = { $path }: { $id } names another pose file than its pose; it was changed.
 measurements-measurement-no-audit-event-revision-put = { $path }: measurement { $key } has no audit event for revision { $key_2 }; it was added.
 measurements-measurement-differs-audit-event-changed = { $path }: measurement { $key } differs from its audit event; it was changed.
 measurements-revisions-csv-measurement-no-revisions-one = revisions.csv: measurement { $id } has no revisions; one was removed.
-measurements-missing-no-road-pose-take-whole = { $path } is missing or is not a camera pose; take the whole export again.
+measurements-missing-no-road-pose-take-whole = { $path } is missing or is not a camera pose; get the complete export again.
 measurements-says-clicks-give-one-wrong-2 = { $name } states { $words } { $told }, its clicks give { $computed }; one is wrong.
 measurements-measurements-csv-another-last-revision = measurements.csv: { $id } has another { $column } than its last revision.
 measurements-another-measurements-csv-one-wrong = { $path }: { $id } has another { $name } than measurements.csv; one is wrong.
@@ -4758,7 +4758,7 @@ measurements-not-measurements-csv-put = { $path }: { $row } is not in measuremen
 measurements-measurements-csv-u95-not-1-96 = measurements.csv: { $id } has a U95 that is not 1.96 u; one is wrong.
 measurements-budget-csv-contributions-give-m-measurements = budget.csv: the contributions to { $id } give { NUMBER($total, minimumFractionDigits: 6, maximumFractionDigits: 6) } m, measurements.csv states { NUMBER($told, minimumFractionDigits: 6, maximumFractionDigits: 6) } m; one is wrong.
 measurements-budget-csv-not-what-audit-event = budget.csv: the contributions to { $id } differ from its audit event; one was changed.
-cameras-calibration-of-other-images = calibrations.csv: { $id } names other images than its audit events; take the whole export again.
+cameras-calibration-of-other-images = calibrations.csv: { $id } names other images than its audit events; get the complete export again.
 measurements-event-another-row = audit.csv: an event of measurement { $id } contains another row than it hashed; it was changed.
 measurements-events-two-frames = audit.csv: two events describe frame { $frame } of recording { $recording } differently; one was changed.
 measurements-frames-csv-not-as-clicked = frames.csv: frame { $frame } of recording { $recording } differs from the audit events of its measurements; it was changed.
@@ -4771,11 +4771,11 @@ measurements-clicked-another-frame-frames-csv-tells = { $path }: { $id } was cli
 media-ingest-cancelled-nothing-kept = The import of { $name } was cancelled; nothing was kept.
 media-claims-x-pixels-more-side-million = { $name } states { $width } x { $height } pixels, more than { $max_side_px } on a side or { $max_pixels } million in all; make it smaller and try again.
 media-damaged-cannot-decoded-save-png-jpeg = { $name } is damaged and cannot be decoded; save it as PNG or JPEG and try again.
-media-empty-choose-picture = { $name } is empty; choose a picture.
-media-heif-picture = { $name } is a HEIC or AVIF picture, which cannot be read here; save it as PNG or JPEG and try again.
-media-not-picture-read-here-save-png = { $name } is not a picture that can be read here; save it as PNG or JPEG and try again.
+media-empty-choose-picture = { $name } is empty; choose an image.
+media-heif-picture = { $name } is a HEIC or AVIF image, which cannot be read here; save it as PNG or JPEG and try again.
+media-not-picture-read-here-save-png = { $name } is not an image that can be read here; save it as PNG or JPEG and try again.
 media-damaged-header-not-say-how-large = { $name } is damaged: its header does not state its size; save it as PNG or JPEG and try again.
-media-picture-shape-could-not-encoded = A picture of shape { $shape } could not be encoded as { $suffix }.
+media-picture-shape-could-not-encoded = An image of shape { $shape } could not be encoded as { $suffix }.
 media-larger-mb-make-smaller = { $name } is larger than { $max_bytes } MB; make it smaller.
 media-cannot-read-check-path = { $name } cannot be read ({ $strerror }); check the path.
 
@@ -4789,7 +4789,7 @@ store-disk-full-not-stored-delete-recordings = The disk is full and { $what } wa
 store-media-file-missing-store-restore-backup = The media file { $key } is missing from the store; restore it from a backup.
 store-media-storage-did-not-answer-check = The media storage did not answer for { $key } ({ $name }); check its address, its credentials and that it is running.
 store-names-no-bucket-write-s3-bucket = { $url } names no bucket; write s3://bucket/prefix.
-store-bucket-missing = There is no bucket { $bucket }, and the storage does not let it be made ({ $why }); make it, or name another in SIGHTLINE_MEDIA_URL.
+store-bucket-missing = There is no bucket { $bucket }, and it cannot be created ({ $why }); create it, or name another in SIGHTLINE_MEDIA_URL.
 store-media-file-missing-store = The media file { $key } is missing from the store.
 store-no-such-upload-finished-given-up = There is no such upload; it was finished or cancelled. Start it again.
 store-file-empty-choose-video-file = The file is empty; choose a video file.
@@ -4797,7 +4797,7 @@ store-upload-not-complete-bytes-arrived-continue = The upload is not complete: {
 store-upload-stands-byte-not-continue = The upload is at byte { $have }, not { $at }; continue from there.
 store-upload-name-already-under-way-start = An upload with this name is already under way; start a new one.
 store-upload-being-written-another-connection-try = Another connection is writing this upload; try again.
-store-upload-goes-on-over-newer-connection = This upload goes on over a newer connection; this one has ended.
+store-upload-goes-on-over-newer-connection = This upload continues over a newer connection; this one has ended.
 store-more-bytes-came-announced-start-upload = More bytes arrived than the { $size } announced; start the upload again.
 
 ## Errors: strips
@@ -4813,7 +4813,7 @@ strips-bits-pixel = { $name } has { $depth } bits per pixel; { $grey }.
 strips-interlaced-cannot-read-pieces-save-without = { $name } is interlaced and cannot be read in pieces; save it without interlacing.
 strips-pixels-wide-png-here-save-tiff = { $name } is { $width_px } pixels wide, more than a PNG may have here ({ $most_wide_px }); save it as TIFF or with time along the height.
 strips-damaged-checksum-inside-not-match-copy = { $name } is damaged: a checksum inside does not match; copy it again from the recorder.
-strips-no-plain-picture-animation-damaged = { $name } is not a plain picture (an animation, or damaged); { $grey }.
+strips-no-plain-picture-animation-damaged = { $name } is not a plain image (an animation, or damaged); { $grey }.
 strips-give-png-tiff-line-scan-camera = { $name } { $what }; give a PNG or TIFF of the line-scan camera.
 strips-pixels-line-give-two-strips-equal = { $name } has { $rows } pixels per line and { $name_2 } { $rows_2 }; give two strips of equal height, or crop them to the part of the scene that both show.
 strips-bits-pixel-save-both-alike = { $name } has { $value } bits per pixel and { $name_2 } { $value_2 }; save both alike.
@@ -4827,8 +4827,8 @@ strips-notes-say-lines-lost-record-again = { $name }: its notes state that { $lo
 strips-notes-name-lost-lines-ends-correct = { $name }: its notes state lost lines at { $line }, but it ends at { $lines }; correct them.
 strips-cannot-read-give-png-tiff-line = { $name } cannot be read ({ $strerror }); give a PNG or TIFF of the line-scan camera.
 strips-cut-off-ends-row-copy-again = { $name } is cut off: it ends in row { $row } of { $height }; copy it again from the recorder.
-strips-damaged-row-cannot-read-copy-again = { $name } is damaged at row { $row } of { $height } and cannot be read on; copy it again from the recorder.
-strips-claims-picture-x-pixels-copy-again = { $name } states a picture of { $width } x { $height } pixels; copy it again from the recorder.
+strips-damaged-row-cannot-read-copy-again = { $name } is damaged at row { $row } of { $height } and cannot be read further; copy it again from the recorder.
+strips-claims-picture-x-pixels-copy-again = { $name } states an image of { $width } x { $height } pixels; copy it again from the recorder.
 strips-claims-x-pixels-more-mb-file = { $name } states { $width } x { $height } pixels, more than { $file_bytes } MB of file can hold; it is damaged or not a recording: copy it again from the recorder.
 strips-rows-pixels-too-long-read-copy = { $name } has rows of { $width_px } pixels, too long to be read; copy it again from the recorder.
 strips-stored-strip-damaged-restore-backup-read = The stored strip { $name } is damaged; restore it from a backup or read it again.
@@ -4838,7 +4838,7 @@ strips-strip-no-level-only-0 = The strip { $name } has no level { $level }, only
 strips-gain-cannot-shown-choose-one-0 = A gain of { $gain } is out of range; choose 0.1 to 50.
 strips-strip-no-tile-level = The strip { $name } has no tile { $index } in level { $level }.
 strips-index-pixels-not-fit-size = has a pixel index that does not fit its size; { $again }
-strips-holds-several-pictures-give-each-strip = { $name } holds several pictures; give each strip as one long picture.
+strips-holds-several-pictures-give-each-strip = { $name } holds several images; give each strip as one long image.
 strips-palette-line-scan-grey = { $name } has a palette, and a line scan is grey; { $grey }.
 strips-colour-transparency-channel-line-scan-grey = { $name } is in colour or has a transparency channel, a line scan is grey; { $grey }.
 strips-holds-signed-floating-point-numbers = { $name } holds signed or floating-point numbers; { $grey }.
@@ -4864,32 +4864,32 @@ strips-now-gives-frames-not-ingest-again = { $name } now has { $count } frames, 
 video-not-file-choose-video-file = { $name } is not a file; choose a video file.
 video-problem = { $name } { $reason }; { $way_out }.
 video-holds-no-moving-picture-only-sound = { $name } contains no video, only sound or data; choose a video file.
-video-no-such-stream = { $name } has no picture { $number }; it holds { $count }, counted from 1.
-video-stream-is-a-still = Picture { $number } of { $name } is a still picture; choose one that moves.
-video-stream-is-off = Picture { $number } of { $name } is switched off in the file; choose another.
-video-slowed-in-part = Only part of { $name } plays slowly, so one rate does not give its times; have it saved with the times of filming.
+video-no-such-stream = { $name } has no video track { $number }; it has { $count }, counted from 1.
+video-stream-is-a-still = Video track { $number } of { $name } is a still image; choose another track.
+video-stream-is-off = Video track { $number } of { $name } is disabled in the file; choose another track.
+video-slowed-in-part = Only part of { $name } is in slow motion, so one filming rate does not give its times; save it with the times of filming.
 video-uses-video-codec-cannot-decoded-here = { $name } uses a video codec that cannot be decoded here; convert it to MP4 with H.264 or choose another file.
-video-not-say-how-large-picture-says = { $name } does not state its picture size, or states an impossible one; convert it to MP4 with H.264 or choose another file.
-video-claims-picture-x-pixels-more-side = { $name } states a picture of { $width } x { $height } pixels, more than { $max_side_px } on a side or { $max_pixels } million in all; convert it to MP4 with H.264 or choose another file.
+video-not-say-how-large-picture-says = { $name } does not state its frame size, or states an impossible one; convert it to MP4 with H.264 or choose another file.
+video-claims-picture-x-pixels-more-side = { $name } states a frame of { $width } x { $height } pixels, more than { $max_side_px } on a side or { $max_pixels } million in all; convert it to MP4 with H.264 or choose another file.
 video-claims-pixels-width-height-which-not = { $name } states a pixel aspect ratio of { $aspect }, which is not plausible; convert it to MP4 with H.264 or choose another file.
 video-not-video-read-here-convert-mp4 = { $name } is not a video that can be read here; convert it to MP4 with H.264 or choose another file.
-video-holds-no-picture-decoded-codec-convert = { $name } contains no picture that can be decoded (codec { $codec }); convert it to MP4 with H.264 or choose another file.
+video-holds-no-picture-decoded-codec-convert = { $name } contains no frame that can be decoded (codec { $codec }); convert it to MP4 with H.264 or choose another file.
 video-no-times-follow = { $name } does not state the times of its frames, so a vehicle cannot be followed in it; convert it to MP4.
-video-times-not-of-filming = The times of { $name } are not those of filming, so no motion is measured from them; its notes say why. State the rate at which it was filmed.
-video-holds-no-picture-decoded-convert-mp4 = { $name } contains no picture that can be decoded; convert it to MP4 with H.264 or choose another file.
+video-times-not-of-filming = The time stamps of { $name } are not the times of filming (its notes give the reason), so motion is not measured. Enter its filming rate.
+video-holds-no-picture-decoded-convert-mp4 = { $name } contains no frame that can be decoded; convert it to MP4 with H.264 or choose another file.
 video-recording-ended-decoder-times-set-aside = This recording crashed the decoder { $count } times and is not tried again; convert it to MP4 with H.264 and upload it again.
 video-decoder-ended-again-again-look-memory = The decoder crashed repeatedly; check the memory of this server.
 video-cannot-decoded-decoder-save-another-format = { $header } cannot be decoded: the decoder { $why }; save it in another format and try again.
 video-frame-no-longer-wanted = This frame is no longer needed.
 video-no-frame-recording-frames-0 = There is no frame { $n }; this recording has frames 0 to { $count }.
 video-crop-x-pixels-scale-out-bounds = A crop of { $w } x { $h } pixels at scale { $scale } is out of bounds; ask for a smaller one.
-video-holds-no-picture-decoded-copy-again = { $name } contains no picture that can be decoded; copy it again or convert it to MP4.
-video-changes-picture-size-way-split-where = { $name } changes its picture size partway; split it there.
+video-holds-no-picture-decoded-copy-again = { $name } contains no frame that can be decoded; copy it again or convert it to MP4.
+video-changes-picture-size-way-split-where = { $name } changes its frame size partway; split it there.
 video-proposals-cancelled = Suggesting points for { $name } was cancelled; nothing was kept.
 video-search-passes-cancelled-nothing-kept = The search for passes in { $name } was cancelled; nothing was kept.
 video-cannot-made-addressable-frame-frame-convert = The frames of { $name } cannot be addressed one by one; convert it to MP4 with H.264 and try again.
 video-disk-full-not-taken-make-room = The disk is full and { $name } was not imported; free some space and try again.
-video-frame-cannot-shown-stored-video-no = Frame { $n } cannot be shown: the stored video no longer gives the picture whose checksum was recorded at import; restore the file from a backup or import it as a new recording.
+video-frame-cannot-shown-stored-video-no = Frame { $n } cannot be shown: the stored video no longer gives the frame whose checksum was recorded at import; restore the file from a backup or import it as a new recording.
 video-stored-video-missing-no-longer-opened = The stored video { $name } is missing or can no longer be opened; restore it from a backup.
 video-frame-no-longer-wanted-2 = Frame { $n } is no longer needed.
 video-needs-bgr-frames-one-even-size = { $name } needs BGR frames of one even size, got { $shape } for { $width } x { $height }.
@@ -4918,8 +4918,8 @@ people-no-role-use-one = There is no role “{ $role }”; use one of { $roles }
 poses-no-frames-yet-wait-until-ready = { $name } has no frames yet; wait until it is ready.
 poses-frames-no-span-frames-0 = Frames { $first_frame } to { $last_frame } are not in { $name }; it has frames 0 to { $frame_count }.
 poses-no-frame-shows-board = Frames { $first } to { $last }: { $reason }
-poses-calibration-pictures-x-px-x-px = The calibration is for pictures of { $width_px } x { $height_px } px and { $name } has { $width_px_2 } x { $height_px_2 } px; choose a calibration made at the recording's size.
-poses-calibration-belongs-another-survey-choose-one = Calibration { $calibration_id } belongs to another survey; choose one of this survey's.
+poses-calibration-pictures-x-px-x-px = The calibration is for images of { $width_px } x { $height_px } px and { $name } has { $width_px_2 } x { $height_px_2 } px; choose a calibration made at the recording’s size.
+poses-calibration-belongs-another-survey-choose-one = Calibration { $calibration_id } belongs to another survey; choose one of this survey’s.
 
 ## Errors: quality
 
@@ -4934,7 +4934,7 @@ quality-repeats-csv-not-what-audit-event = repeats.csv: { $number } differs from
 ## Errors: recordings
 
 recordings-images-add-least-three-better-15 = { $name } has { $images } images; add at least three, preferably 15 to 25.
-recordings-belongs-another-survey-choose-one-surveys = { $name } belongs to another survey; choose one of this survey's.
+recordings-belongs-another-survey-choose-one-surveys = { $name } belongs to another survey; choose one of this survey’s.
 recordings-no-frames-yet-wait-until-ingest = { $name } has no frames yet; wait until it has been imported.
 recordings-no-road-pose-yet-nothing-says = { $name } has no camera pose yet, so the position of its camera is unknown.
 recordings-still-being-ingested-wait-until-ready = { $name } is still being imported; wait until it is ready.
@@ -4945,10 +4945,10 @@ recordings-frame-no-thumbnail-ask-frame-itself = Frame { $n } of { $name } has n
 recordings-being-ingested-already-wait-cancel = { $name } is already being imported; wait for it or cancel it.
 recordings-ingest-cancelled-start-again-delete-recording = The import was cancelled; start it again or delete the recording.
 recordings-being-ingested-cancel-first = { $name } is being imported; cancel that first.
-recordings-times-not-in-doubt = The times of { $name } are those of filming; no rate is needed.
-recordings-rate-was-measured-with = Measurements or line scans use the rate stated for { $name }; to state another, upload the file again.
-recordings-picture-is-there = Picture { $number } is already in this survey, as { $name }.
-recordings-recordings-cannot-changed-leave-out = A recording's { $unknown } cannot be changed; leave it out.
+recordings-times-not-in-doubt = The time stamps of { $name } are the times of filming; no filming rate is needed.
+recordings-rate-was-measured-with = Measurements or line scans already use the filming rate of { $name }; to use another rate, upload the file again.
+recordings-picture-is-there = Video track { $number } is already in this survey, as { $name }.
+recordings-recordings-cannot-changed-leave-out = A recording’s { $unknown } cannot be changed; leave it out.
 recordings-recording-needs-name-fill = A recording needs a name; fill it in.
 recordings-street-lighting-on-or-off = Street lighting was either on or off; choose one.
 recordings-start-in-future = { $start } in { $zone } is in the future; enter the time at which the recording began.
@@ -4968,16 +4968,16 @@ recordings-recording-measurements-stays-audit-needs-frames = This recording has 
 recordings-camera-not-found-moved-since-road = No camera movement was detected since the camera pose; there is nothing to decide.
 recordings-say-why-road-pose-still-good = State why the camera pose is still valid, so that an audit can follow the decision.
 recordings-nothing-decided-about-recordings-camera-nothing = There is no decision about this recording’s camera to undo.
-recordings-belongs-another-survey-choose-one-surveys-2 = The { $word } { $row_id } belongs to another survey; choose one of this survey's.
-recordings-road-pose-pictures-x-px-x = The camera pose { $pose_id } is for pictures of { $posed } x { $posed_2 } px and { $name } has { $filmed } x { $filmed_2 } px; choose a pose made at the recording's size.
+recordings-belongs-another-survey-choose-one-surveys-2 = The { $word } { $row_id } belongs to another survey; choose one of this survey’s.
+recordings-road-pose-pictures-x-px-x = The camera pose { $pose_id } is for images of { $posed } x { $posed_2 } px and { $name } has { $filmed } x { $filmed_2 } px; choose a pose made at the recording’s size.
 recordings-frames-found-now-not-those-measured = The frames found now are not those that were measured; upload the video as a new one.
 recordings-uploads-speak-tus-1-0-0 = Uploads speak tus 1.0.0; send the header Tus-Resumable: 1.0.0.
 recordings-too-many-uploads-announced = You have { $most } uploads that are not complete; finish or cancel some first.
 recordings-upload-not-say-how-long-file = The upload does not state the length of the file; send the header Upload-Length.
 recordings-bytes-upload-come-application-offset-octet = The bytes of an upload come as application/offset+octet-stream; send that Content-Type.
 recordings-upload-not-name-file-send-filename = The upload does not name its file; send filename in the header Upload-Metadata.
-recordings-uploads-purpose-video-strip-send-one = The upload's purpose is video or strip; send one of them in Upload-Metadata.
-recordings-uploads-cannot-read-send-base64-utf = The upload's { $word } cannot be read; send it as base64 of UTF-8.
+recordings-uploads-purpose-video-strip-send-one = The upload’s purpose is video or strip; send one of them in Upload-Metadata.
+recordings-uploads-cannot-read-send-base64-utf = The upload’s { $word } cannot be read; send it as base64 of UTF-8.
 recordings-upload-finished-already-look-recording-list = This upload is already finished; look for its recording in the list.
 recordings-upload-became-recording-deleted-since-upload = This upload became a recording that was deleted since; upload it again.
 recordings-upload-finished-already-make-scan = This upload is already finished; create the line scan from it.
@@ -4986,9 +4986,9 @@ recordings-recordings-csv-not-what-audit-events = recordings.csv: { $id } differ
 
 ## Errors: results
 
-results-cannot-read-take-whole-export-again = { $path }: { $name } cannot be read; take the whole export again.
+results-cannot-read-take-whole-export-again = { $path }: { $name } cannot be read; get the complete export again.
 results-database-holds-which-version-not-know = The database holds the { $name } “{ $unknown }”, which this version does not know.
-results-reference-heights-u-must-least-0 = The reference heights' u must be at least 0 and below 1 m, such as 0.0173.
+results-reference-heights-u-must-least-0 = The reference heights’ u must be at least 0 and below 1 m, such as 0.0173.
 results-more-values-your-own-cannot-drawn = At most { $most_own } values of your own can be shown; remove some.
 results-value-your-own-must-lie-between = A value of your own must lie between 0 and 10 m, such as 1.08.
 results-somebody-changed-standards-meanwhile-load-them = The standards were changed meanwhile; reload them and repeat your change.
@@ -4999,7 +4999,7 @@ results-height-must-lie-between-0-10 = The height of { $name } must lie between 
 results-standard-percent = { $name }: a percentile lies above 0 and below 100; correct it, or leave it empty.
 results-last-day-lies-before-first-exchange = The last day is before the first; swap them.
 results-no-survey-may-been-removed = There is no survey { $survey_id }; it may have been removed.
-results-standards-csv-not-what-surveys-audit = standards.csv differs from the survey's audit events; it was changed.
+results-standards-csv-not-what-surveys-audit = standards.csv differs from the survey’s audit events; it was changed.
 
 ## Errors: reviews
 
@@ -5011,7 +5011,7 @@ reviews-rejection-needs-reason-say-what-wrong = A rejection needs a reason; stat
 reviews-fix-needs-new-points-only-fix = A correction needs the new points, and only a correction has them; click them and send them along.
 reviews-somebody-changed-plan-meanwhile = The plan was changed meanwhile; reload it and repeat your change.
 reviews-plan-one-in-between = Enter a number from 0 (no blind checks) to { $most }.
-reviews-click-it-again-before = The survey's plan requires a blind repeat of this measurement; click contact and target, then give your verdict.
+reviews-click-it-again-before = The survey’s plan requires a blind repeat of this measurement; click contact and target, then give your verdict.
 reviews-fix-changes-nothing-accept = Nothing was changed; move a point, or accept the measurement.
 reviews-measurement-waits-review-already = This measurement is already waiting for a review.
 reviews-nobody-reviews-their-own-measurement-ask = You cannot review your own measurement; ask another reviewer.
@@ -5023,7 +5023,7 @@ reviews-measurements-csv-verdict-not-newest-review = measurements.csv: the verdi
 
 scans-calibrated-line-scan-meanwhile-look-calibration = { $name } calibrated this line scan meanwhile; check that calibration first.
 scans-mark-row-line-lies-outside-strip = A mark at row { NUMBER($row_px, minimumFractionDigits: 1, maximumFractionDigits: 1) }, line { NUMBER($line, minimumFractionDigits: 0, maximumFractionDigits: 0) } lies outside the strip; click it again.
-scans-heights-need-line-cameras-pose-calibrate = Heights need the line camera's pose; calibrate the height with a rod first (Calibrate height).
+scans-heights-need-line-cameras-pose-calibrate = Heights need the line camera’s pose; calibrate the height with a rod first (Calibrate height).
 scans-eye-needs-side-say-which = The driver’s side of this vehicle is not set; choose near or far first.
 scans-click-line-row-lies-outside-strip = A click at line { NUMBER($line, minimumFractionDigits: 0, maximumFractionDigits: 0) }, row { NUMBER($row, minimumFractionDigits: 1, maximumFractionDigits: 1) } lies outside the strip; click again.
 scans-target-no-height-needs-reason-why = A target without a height needs a reason; measure it again.
@@ -5044,7 +5044,7 @@ scans-cannot-solved-marks-one-wrong = { $name } cannot be solved for from its ma
 scans-vehicle-no-measured-motion-no-match = This vehicle has no measured motion, so there is no registration to show.
 scans-camera-2s-strip-ends-before-vehicle = The strip of camera 2 ends before this vehicle, so there is no registration to show.
 scans-both-cameras-name-same-upload-upload = Both cameras name the same upload; upload a strip for each.
-scans-same-picture-give-strip-each-camera = { $name } and { $name_2 } are the same picture; give the strip of each camera.
+scans-same-picture-give-strip-each-camera = { $name } and { $name_2 } are the same image; give the strip of each camera.
 scans-frames-uneven-times-line-scan-needs = { $name } has frames at uneven times, and a line scan needs a steady rate; record at a constant frame rate.
 scans-cuts-cannot-cut-choose-two-different = { $what ->
     [rows] Rows
@@ -5052,7 +5052,7 @@ scans-cuts-cannot-cut-choose-two-different = { $what ->
 } { $cut_1 } and { $cut_2 } cannot be cut; choose two different ones from 0 to { $last_px }.
 scans-read-already-nothing-done = { $name } was already imported; there is nothing to do.
 scans-could-not-read-see-error-try = { $name } could not be imported; see its error and try again.
-scans-still-being-recorded = { $name } is still being recorded; its picture is available when this part of the stream ends.
+scans-still-being-recorded = { $name } is still being recorded; its image is available when this part of the stream ends.
 scans-still-being-read-wait-until-ready = { $name } is still being imported; wait until it is ready.
 scans-already-wait-cancel = { $name } is already { $what }; wait for that or cancel it.
 scans-strip-uploaded-another-survey-upload-one = The { $word } strip was uploaded to another survey; upload it to this one.
@@ -5060,7 +5060,7 @@ scans-uploaded-video-upload-again-strip = { $filename } was uploaded as a video;
 scans-belongs-line-scan-recording-already-upload = { $filename } belongs to a line-scan recording already; upload it again.
 scans-strip-not-arrived-whole-yet-finish = The { $word } strip, { $filename }, has not arrived completely; finish its upload.
 scans-changed-look-again-redo-yours = { $name } changed { $name_2 } at { $when }; reload it and repeat your change.
-scans-scans-cannot-changed-leave-out = A scan's { $unknown } cannot be changed; leave it out.
+scans-scans-cannot-changed-leave-out = A scan’s { $unknown } cannot be changed; leave it out.
 scans-start-u-cannot-be = An uncertainty of the start of { $u_s } s is out of range; enter a standard uncertainty above 0 and up to 3600 s.
 scans-vehicle-passed-at-another-time = { $path }: vehicle { $number } has another passing time than its recording’s start and its lines give; one of them was changed.
 scans-direction-not-of-lines = { $path }: revision { $number } has another direction than its lines at both cameras give; one of them was changed.
@@ -5071,7 +5071,7 @@ scans-traffic-other-minutes = Traffic cannot be counted in intervals of { $minut
 scans-traffic-not-read = This line scan is not imported, so its traffic is unknown.
 scans-scan-needs-name-fill = A scan needs a name; fill it in.
 scans-people-worked-scans-vehicles-stays-audit = People have worked on the vehicles of this line scan, so it cannot be deleted: an audit needs its strips.
-scans-recording-belongs-another-survey-choose-one = The recording belongs to another survey; choose one of this survey's.
+scans-recording-belongs-another-survey-choose-one = The recording belongs to another survey; choose one of this survey’s.
 scans-changed-look-again = { $name_of } changed { $name }; reload it.
 scans-not-been-read-yet-wait-until = { $name } has not been imported yet; wait until it is ready.
 scans-people-worked-cameras-stay-add-line = People have worked on { $name }, so its cameras cannot be swapped; add a line scan with the strips swapped.
@@ -5079,7 +5079,7 @@ scans-vehicle-not-measured-yet-no-wheelbase = This vehicle is not measured yet, 
 scans-wheel-lies-outside-strips-which-end = A wheel lies outside the strips, which end at line { $lines }.
 scans-camera-front-line-must-come-before = At camera { $camera } the front (line { NUMBER($front, minimumFractionDigits: 1, maximumFractionDigits: 1) }) must come before the rear ({ NUMBER($rear, minimumFractionDigits: 1, maximumFractionDigits: 1) }); place them again.
 scans-boundaries-camera-lie-outside-strip-which = The boundaries at camera { $camera } lie outside the strip, which ends at line { $lines }; place them again.
-scans-front-rear-camera-lines-apart-more = Front and rear at camera { $camera } are { NUMBER($rear, minimumFractionDigits: 0, maximumFractionDigits: 0) } lines apart, more than one vehicle can be; place them again.
+scans-front-rear-camera-lines-apart-more = Front and rear at camera { $camera } are { NUMBER($rear, minimumFractionDigits: 0, maximumFractionDigits: 0) } lines apart, more than a vehicle takes; place them again.
 scans-nothing-camera-2s-strip-looks-like = Nothing in the strip of camera 2 looks like this vehicle; place its front and rear there by hand, or remove it if it is not a vehicle.
 scans-vehicle-no-speed-needs-reason-why = A vehicle without a speed needs a reason; measure it again.
 scans-vehicle-measured-again-meanwhile-look-newer = This vehicle was measured again meanwhile; check the newer result.
@@ -5099,7 +5099,7 @@ scans-m-cannot-used-give-metres-4 = A { $name } of { $value } m is out of range;
 scans-row-without-audit-event-missing = { $path }: row { $odd } has no audit event, or is missing.
 scans-row-not-what-audit-event-says = { $path }: { $name } of row { $id } differs from its audit event.
 scans-vehicle-not-newest-revision-changed = { $path }: vehicle { $number } is not its newest revision; it was changed.
-scans-verdict-went-over = { $path }: height { $id } has a verdict that was given to another height; take the whole export again.
+scans-verdict-went-over = { $path }: height { $id } has a verdict that was given to another height; get the complete export again.
 scans-verdict-row-not-one-given = { $path }: the verdict of row { $number } is not the one given.
 
 ## Errors: statistics
@@ -5127,10 +5127,10 @@ surveys-place-speed-limit = A speed limit of { $kmh } km/h is out of range; give
 surveys-survey-needs-name-fill = A survey needs a name; fill it in.
 surveys-inset-cannot-used-give-known-target = The inset of “{ $target }” cannot be used; give a known target and an uncertainty of 0 or more.
 surveys-asks-nothing-choose-target = A survey needs at least one target by day and one in low light; choose them.
-surveys-survey-csv-not-what-audit = survey.csv differs from the survey's audit events; it was changed.
-surveys-insets-csv-not-what-surveys-audit = insets.csv differs from the survey's audit events; it was changed.
-surveys-classes-csv-not-what-surveys-audit = classes.csv differs from the survey's audit events; it was changed.
-surveys-sampling-csv-not-what-audit = sampling.csv or quotas.csv differs from the survey's audit events; it was changed.
+surveys-survey-csv-not-what-audit = survey.csv differs from the survey’s audit events; it was changed.
+surveys-insets-csv-not-what-surveys-audit = insets.csv differs from the survey’s audit events; it was changed.
+surveys-classes-csv-not-what-surveys-audit = classes.csv differs from the survey’s audit events; it was changed.
+surveys-sampling-csv-not-what-audit = sampling.csv or quotas.csv differs from the survey’s audit events; it was changed.
 surveys-sampling-step = Every n-th pass: n must be from 1 to { $most_step }, the first number from 1 to n; correct them.
 surveys-sampling-share = A share of the passes must be above 0 and at most 100 %; correct it.
 surveys-sampling-headway = The headway of free-flowing vehicles must be above 0 and at most { $most_headway_s } s; correct it.
@@ -5167,7 +5167,7 @@ vehicles-year-to-come = No model of { $year } can have passed yet; give a year u
 vehicles-vehicle-no-leave-out = A vehicle has no { $unknown }; leave it out.
 vehicles-frames-not-span-recording-ends-frame = Frames { $first } to { $last } are not a span of this recording; it ends at frame { $end }.
 vehicles-best-frame-lies-outside-frames-choose = The best frame { $best } is outside frames { $first } to { $last }; choose one of them.
-vehicles-model-size-unknown = { $size } is no size of a model; give some of { $known }.
+vehicles-model-size-unknown = { $size } is not a size of a model; give some of { $known }.
 vehicles-model-by-size-needs-sizes = A model chosen by size needs the sizes that it was chosen by; add model_sizes.
 vehicles-no-driver-only-eye-choose-another = “No driver seen” is a reason for the driver’s eye, not for { $target }; choose another.
 vehicles-known-height-m-cannot-used-give = A known height of { $height } m is out of range; give it in metres, as in 1.624.
@@ -5184,15 +5184,15 @@ vehicles-uncertainty-m-cannot-used-give-metres = An uncertainty of { $u_height }
 
 said = { $sentence }
 request-needs-header = Requests that change data need the header { $header }; add it and send it again.
-request-from-another-site = This request comes from another site and was refused; use Sightline's own pages.
-request-no-json = The request's body is not valid JSON; send a JSON object.
+request-from-another-site = This request comes from another site and was refused; use Sightline’s own pages.
+request-no-json = The request’s body is not valid JSON; send a JSON object.
 request-cannot-be-used = The { $place } of the request cannot be used: { $said }; correct it and send it again.
 request-value-cannot-be-used = The value "{ $name }" of the { $place } cannot be used: { $said }; correct it and send it again.
 request-nothing-there = There is nothing at { $path }; check the address.
-request-bad-method = { $method } is not possible at { $path }; see /docs for what is.
+request-bad-method = { $method } is not possible at { $path }; see /docs for the methods there.
 request-refused = { $detail }; correct it and try again.
 request-value-not-storable = A value in the request cannot be stored; correct it and send it again.
-server-something-went-wrong = Something went wrong on the server and nothing was saved; see the server's log.
+server-something-went-wrong = Something went wrong on the server and nothing was saved; see the server’s log.
 
 ## Errors: another person was quicker
 
@@ -5323,8 +5323,8 @@ lots-own-heights = You cannot accept your own heights, and the rest of this lot 
 lots-judged-already = Part of this sample is already reviewed, so the lot cannot be dissolved; accept it or inspect it fully.
 lots-not-accepted = Only an accepted lot can be undone; check the state of this one.
 lots-decided-already = Lot { $number } was decided meanwhile; check it first.
-lots-event-another-row = audit.csv: event { $number } holds another lot than it hashed; take the whole export again.
-lots-verdict-of-no-lot = reviews.csv: a verdict by lot { $lot }, of which there is none; take the whole export again.
+lots-event-another-row = audit.csv: event { $number } holds another lot than it hashed; get the complete export again.
+lots-verdict-of-no-lot = reviews.csv: a verdict by lot { $lot }, of which there is none; get the complete export again.
 lots-lots-csv-not-what-event-says = lots.csv: lot { $id } differs from its audit events; it was changed.
 lots-lot-missing = lots.csv: lot { $id } is missing, although it has an audit event.
 lots-seed-not-the-chains = lots.csv: the seed of lot { $id } does not follow from the audit chain; the draw was chosen.
@@ -5447,7 +5447,7 @@ sightdistance-gradient = A vehicle cannot brake on a gradient of { $gradient_per
 sightdistance-reaction-deceleration = The reaction time must be 0 or more and the deceleration more than 0; correct them.
 sightdistance-manoeuvre-time = Manoeuvre { $manoeuvre } takes { $least } to { $most } s; give a time in this range.
 sightdistance-passing-speed = There is no passing sight distance at { $speed_kmh } km/h; the table runs from 30 to 130 km/h.
-sightdistance-headlight = The headlight's height and its beam's rise must not be negative, nor both 0; correct them.
+sightdistance-headlight = The headlight’s height and its beam’s rise must not be negative, nor both 0; correct them.
 sightdistance-radius = The radius must be above 0, and its curve must hold the distance and the offset; correct them.
 sightdistance-shares = The shares of a fleet must sum to 100 %; these sum to { $total_percent } %. Correct them.
 sightdistance-share = “{ $share }” is not a share of a fleet; write the class, a colon and 0 to 100 percent (suv:40).
@@ -5612,7 +5612,7 @@ traffic-file-too-large = { $path } is larger than { $most_gb } GB; add the recor
 traffic-cannot-read = { $path } cannot be read ({ $strerror }); give the output of sightline linescan --json or sightline stream.
 traffic-vehicle-without = Vehicle { $vehicle } of { $path } has no readable { $column }; write it again with sightline linescan --json.
 traffic-number-twice = { $path } has vehicle { $vehicle } twice; give one recording per file.
-traffic-outside-recording = Vehicle { $vehicle } of { $path } passed from { $front_s } s to { $rear_s } s, outside the recording's { $duration_s } s; correct --duration, or write the file again.
+traffic-outside-recording = Vehicle { $vehicle } of { $path } passed from { $front_s } s to { $rear_s } s, outside the recording’s { $duration_s } s; correct --duration, or write the file again.
 import-videos-or-folder = Name videos, or a folder with --watch, and not both; see sightline import --help.
 import-no-token = A token is needed: make one in Account with read and upload, and set SIGHTLINE_TOKEN to it.
 import-no-address = “{ $url }” is not an address of Sightline; write it as http://name:8000.
@@ -5632,7 +5632,7 @@ traffic-recording-there = { $name } is already in the archive (site { $site }, {
 traffic-other-zone = Site { $site } uses the time zone { $there }, not { $zone }; give that zone, or another site.
 traffic-overlap = { $name } and { $other }, which is in the archive, both observed this lane of { $site } from { $start } to { $end }; correct --start, or name the lane with --lane.
 traffic-no-name = "{ $name }" cannot name a { $what } here; use up to { $most } letters, digits, spaces and - _ . with no dot in front.
-traffic-no-such-recording = { $path } has no recording { $name }; give its file's name or the beginning of its SHA-256.
+traffic-no-such-recording = { $path } has no recording { $name }; give its file’s name or the beginning of its SHA-256.
 traffic-several-recordings = { $path } has several recordings that match { $name }; give the beginning of the SHA-256 of one.
 traffic-no-archive = { $path } is not a traffic archive; create one with: sightline traffic add
 traffic-being-changed = { $path } is being changed by another process; try again when it is done.
@@ -5656,7 +5656,7 @@ commands-compare-no-such-value = No row with a height has { $name } in { $by }; 
 opened-reading = Reading the package…
 opened-unreadable = This page cannot read the package that it carries. Use a browser of 2023 or later, or run sightline verify.
 opened-made-with = Made with Sightline { $version }.
-opened-only = This package is limited. Statistics, figures and report cover only: { $only }. The survey’s other vehicles are in the tables and count in no result.
+opened-only = This package is limited. Statistics, figures and report cover only: { $only }. The survey’s other vehicles are in the tables and excluded from the results.
 opened-report = Report (PDF)
 opened-measurements = Measurements
 opened-figures = Figures
@@ -5700,9 +5700,9 @@ opened-signature-holds = Signed on { $at } with key { $key }…: compare it with
 opened-signature-wrong = The signature is not valid for the end of this chain.
 opened-signature-unknown = The signature was not checked because this browser does not support Ed25519. Use sightline verify.
 opened-folder-choose = Check the files too: drop the package’s ZIP or folder anywhere on this page, or choose it here. Nothing leaves this computer.
-opened-folder-folder = The folder in which this page lies
+opened-folder-folder = The folder that contains this page
 opened-folder-zip = Or the package’s ZIP
-opened-folder-unreadable = The files were not checked: what was chosen is no whole package. Take the ZIP again, or choose the folder.
+opened-folder-unreadable = The files were not checked: the selection is not a complete package. Get the ZIP again, or choose the folder.
 opened-folder-checking = Checking the files…
 opened-folder-fine = All { NUMBER($count) } files of the package ({ NUMBER($mb, maximumSignificantDigits: 2) } MB) match the seal.
 opened-folder-changed = Changed after the export: { $named }.
@@ -5710,7 +5710,7 @@ opened-folder-missing = Missing from the package: { $named }.
 opened-folder-strange = Not part of the package: { $named }.
 opened-what-title = Which checks are made where
 opened-what-here = Here, from the copies of the tables that this page carries: every current height from clicks, lens and camera pose, with this page’s own arithmetic; U95 as 1.96 u and u as the root sum of squares of its budget; the audit chain with its seal and signature; every measurement and camera pose against its audit event.
-opened-what-folder = Only after you choose the folder or drop the ZIP: whether the files of the package (pictures, figures, report, tables) match the seal. A browser does not let a page read other files without asking.
+opened-what-folder = Only after you choose the folder or drop the ZIP: whether the files of the package (images, figures, report, tables) match the seal. A browser does not let a page read other files without asking.
 opened-what-verify = Only with sightline verify: earlier revisions and repeats, the components of the budgets, verdicts against reviews, vehicles, line scans, recomputed statistics, figures and report, Parquet against CSV.
 opened-what-page = A page can be forged as a whole and would then state whatever its forger wants. If it matters, run sightline verify with the key shown by the installation.
 opened-measurements-none = This package has no measurements.
@@ -5726,8 +5726,8 @@ opened-filter-all = all
 opened-filter-differs = those that differ
 opened-filter-stale = those out of date
 opened-stale-count = { $count ->
-    [one] { NUMBER($count) } height is out of date: it follows from a camera pose, an inset or a driver’s side that was changed after it was computed. It counts as it stands.
-   *[other] { NUMBER($count) } heights are out of date: they follow from a camera pose, an inset or a driver’s side that was changed after they were computed. They count as they stand.
+    [one] { NUMBER($count) } height is out of date: it follows from a camera pose, an inset or a driver’s side that was changed after it was computed. It is included unchanged.
+   *[other] { NUMBER($count) } heights are out of date: they follow from a camera pose, an inset or a driver’s side that was changed after they were computed. They are included unchanged.
 }
 opened-stale-mark = out of date
 opened-stale = { $cause ->
@@ -5760,8 +5760,8 @@ opened-height-none = no height
 opened-refused-pose = not computed: its camera pose is not in the package
 opened-refused-form = not computed: the table lacks some of its frames
 opened-one = Measurement { $id }: { $target }
-opened-crops-none = There is no picture of it in this package.
-opened-crops-outside = Outside the limits of this package ({ $only }), so it has no picture here and counts in no result.
+opened-crops-none = There is no image of it in this package.
+opened-crops-outside = Outside the limits of this package ({ $only }), so it has no image here and is excluded from the results.
 opened-crop = Frame { $frame } with both points
 opened-differs = Differs from what the clicks give: { $named }.
 opened-pair-package = Height in the package, m
@@ -5787,8 +5787,8 @@ opened-evidence-is-wrong = This file was changed after it was made.
 opened-evidence-failed = The file could not be checked completely: { $words }.
 opened-evidence-text-fine = The data are in exactly the form that is signed (RFC 8785).
 opened-evidence-text-wrong = The data are not in the form that is signed.
-opened-evidence-pictures-fine = Both pictures match the SHA-256 in the data.
-opened-evidence-pictures-wrong = Pictures that do not match the data: { $named }.
+opened-evidence-pictures-fine = Both images match the SHA-256 in the data.
+opened-evidence-pictures-wrong = Images that do not match the data: { $named }.
 opened-evidence-events-fine = { $count ->
     [one] The audit event matches its hash.
    *[other] The { NUMBER($count) } audit events match their hashes.
@@ -5800,7 +5800,7 @@ opened-evidence-signature-holds = The signature is valid for key { $key }…
 opened-evidence-signature-wrong = The signature is not valid for key { $key }…
 opened-evidence-signature-unknown = The signature was not checked because this browser does not support Ed25519; the hashes were checked. Use sightline verify, or a newer browser.
 opened-evidence-proves = A signature proves only that the holder of this key signed these data: not who holds the key, nor that the data are true, nor when they were made. Compare the key with the key shown by the installation.
-opened-evidence-what-here = Here: the hashes of both pictures and of the audit events, the motion against its event, and the signature with the chain of keys.
+opened-evidence-what-here = Here: the hashes of both images and of the audit events, the motion against its event, and the signature with the chain of keys.
 opened-evidence-what-verify = Only with sightline verify: length, budget, gap, time of day and decision recomputed from boundary lines and rig, the verdict against its event, and the program of this page. The motion itself comes from the two complete strips, which the installation keeps.
 opened-evidence-what-page = A file can be forged as a whole and would then state whatever its forger wants. If it matters, run sightline verify with the key shown by the installation.
 opened-evidence-data = All data of this file
@@ -5821,7 +5821,7 @@ opened-evidence-lane-unknown = not known
 opened-evidence-axles = Axles
 opened-evidence-axles-of = { $count }, { $by ->
     [person] counted by a person
-   *[machine] counted by the program
+   *[machine] found by Sightline
 }
 opened-evidence-lines-1 = Front and rear at camera 1, line
 opened-evidence-lines-2 = Front and rear at camera 2, line
@@ -5877,8 +5877,8 @@ opened-evidence-event-at = At (UTC)
 opened-evidence-event-what = Event
 opened-evidence-event-hash = Hash
 opened-evidence-keys = The installation’s keys up to the one that signed, each signed by the one before:
-opened-evidence-pictures = Both pictures, and your own boundaries
-opened-evidence-by-hand = Time runs to the right, one column per line. Choose front or rear, then click its position in each picture; you can also enter lines in the fields below.
+opened-evidence-pictures = Both images, and your own boundaries
+opened-evidence-by-hand = Time runs to the right, one column per line. Choose front or rear, then click its position in each image; you can also enter lines in the fields below.
 opened-evidence-set = { $edge ->
     [rear] Set the rear (blue)
    *[front] Set the front (yellow)
@@ -5956,14 +5956,14 @@ evidence-no-scan = The survey has no line-scan recording { $scan }; it has: { $n
 evidence-no-vehicle = There is no vehicle { $number } in { $scan }; check the number on the line scan page.
 evidence-not-one = This is not an evidence file as written by this program, or it was truncated; get the file again.
 evidence-form = The part “{ $part }” cannot be read ({ $words }); it was changed.
-evidence-another-page = The page's program is not the one named by the document; it was changed.
+evidence-another-page = The page’s program is not the one named by the document; it was changed.
 evidence-not-canonical = The document is not canonical JSON; it was changed.
 evidence-signature = The signature is not valid for the document.
 evidence-keys = The document does not show how its key follows from the earlier keys.
 evidence-other-key = The file was signed with key { $key }, which is not linked to the given key; it is from another installation, or forged.
-evidence-pictures = The two pictures, of camera 1 and camera 2, are not both there.
-evidence-picture = The picture { $name } is not the one named by the document.
-evidence-picture-size = The picture { $name } has another size than the document states.
+evidence-pictures = The two images, of camera 1 and camera 2, are not both there.
+evidence-picture = The image { $name } is not the one named by the document.
+evidence-picture-size = The image { $name } has another size than the document states.
 evidence-event = Audit event { $number } is not the one that was hashed, or belongs to another chain.
 evidence-no-event = There is no audit event of the { $part ->
     [before] vehicle in front
@@ -5995,7 +5995,7 @@ geometry-paper-not-known = Paper { $paper } is not known; use one of { $papers }
 # Reference values of scanned vehicles, said or imported
 reference-value-cannot-be = A reference { $quantity } of { $value } { $unit } is out of range; give a value above 0 and up to { $most } { $unit }.
 reference-u-cannot-be = An uncertainty of { $u } { $unit } for a { $quantity } of { $value } { $unit } is out of range; give a standard uncertainty above 0 and not above the value itself.
-reference-device-too-long = The instrument's name is longer than { $most } characters; shorten it.
+reference-device-too-long = The instrument’s name is longer than { $most } characters; shorten it.
 reference-withdrawn-already = This reference value was already removed; there is nothing to do.
 reference-changed-meanwhile = { $name } changed this reference value meanwhile; check it first.
 reference-columns-missing = { $name } needs a column “number” (of the vehicle in its recording) or “time” (at which it passed) and one of speed_kmh, length_m, wheelbase_m or run_of; its first line must name the columns.
@@ -6023,8 +6023,8 @@ reference-times-earlier = The times of { $count } lines are { $off_s } s earlier
 reference-times-start = The start of this line scan is known to ± { $U95_s } s only, more than the tolerance of { $tolerance_s } s: a line may fit a neighbour. Check the pairs.
 reference-line-replaces = Replaces the { $quantity } { $value } { $unit } (u { $u } { $unit }).
 reference-line-renames = Was a run of { $car }.
-reference-car-too-long = The car's name is longer than 100 characters; shorten it.
-scans-reference-does-not-follow = { $path }: { $name } of row { $number } does not follow from the reference and the vehicle's own value.
+reference-car-too-long = The car’s name is longer than 100 characters; shorten it.
+scans-reference-does-not-follow = { $path }: { $name } of row { $number } does not follow from the reference and the vehicle’s own value.
 ## What the server says in English, found again by its text (sightline/messages/recognised.py)
 
 told-adjustment-its-of-m-is = Its { $lengths } of { $known_m } m is { $u } standard uncertainties too { $u2 } for the observed points; check the model.
@@ -6816,12 +6816,12 @@ report-photo-broken = The photograph “{ $caption }” cannot be read as PNG or
 report-no-recording = There are no recordings.
 report-recordings = Recordings. recordings.csv contains the complete SHA-256 of each file.
 report-filmed-from = Filmed from
-report-picture = Picture
+report-picture = Frame size
 report-frames = Frames
 report-duration = Duration
 report-model-brown = Brown’s radial and tangential model
 report-model-fisheye = equidistant fisheye (Kannala and Brandt)
-report-from-images = from pictures of a board
+report-from-images = from images of a board
 report-from-clip = from a clip of a board
 report-from-import = imported from another tool’s file
 report-lens = { $camera }, calibration { $number }
@@ -6901,7 +6901,7 @@ report-eq-contact = contact
 report-eq-target = target
 report-method-height = the distance { $distance } from the camera to the contact plane and the height { $height } are
 report-method-inset = The paper assumes { $inset }. A target at { $height } then reads too high by
-report-method-raw = 44 mm for an eye at 1.16 m, 0.45 m inboard, 3 m from a camera 1.5 m high. Heights are therefore given twice: “raw” with { $inset }, for comparison with the paper, and corrected by the inset below. Where the same two points were clicked on several frames of a pass, the inset is estimated together with the height by least squares.
+report-method-raw = 44 mm for an eye at 1.16 m, 0.45 m inboard, 3 m from a camera 1.5 m high. Heights are therefore given twice: uncorrected (“raw”) with { $inset }, for comparison with the paper, and corrected by the inset below. Where the same two points were clicked on several frames of a pass, the inset is estimated together with the height by least squares.
 report-method-u = The standard uncertainty of each height follows by linear propagation (JCGM 100:2008),
 report-method-u-over = over both clicks, lens and pose (jointly, with their covariance), the board’s tilt, roll, height above the road, square size and bow, and the inset. One pose serves many vehicles: its error is common to all their heights.
 report-assumed = Assumptions
@@ -6964,7 +6964,7 @@ report-concluded-of = { $measurements ->
  }, measured from roadside video.
 report-concluded-rule = P{ $percent } of { $of } ({ $classes }, n = { $n }): { $value }{ $interval }. { $standard } uses { $limit }: { $verdict }.
 report-concluded-none = P{ $percent } of { $of } ({ $classes }, n = { $n }) cannot be stated: { $reason }.
-report-uncovered-selection = Vehicles outside the limits of this package, which holds only: { $selection }.
+report-uncovered-selection = Vehicles outside the limits of this package, which covers only: { $selection }.
 report-uncovered-classes = Vehicle classes: no class is known for some targets, so their figures include all vehicles.
 report-uncovered-excluded = { $n ->
     [one] 1 measurement is excluded; the table of exclusions gives the reason.
@@ -6975,8 +6975,8 @@ report-uncovered-not-visible = { $n ->
    *[other] { $n } targets were not visible.
  }
 report-uncovered-out-of-date = { $n ->
-    [one] 1 height is out of date: it follows from facts that were changed after it was computed, and counts as it stands.
-   *[other] { $n } heights are out of date: they follow from facts that were changed after they were computed, and count as they stand.
+    [one] 1 height is out of date: facts that it depends on were changed after it was computed. It is included unchanged.
+   *[other] { $n } heights are out of date: facts that they depend on were changed after they were computed. They are included unchanged.
  }
 report-uncovered-others = Other roads, days and traffic: the intervals are for the traffic that passes this site.
 report-readme-contents = What is in this package
@@ -6984,7 +6984,7 @@ report-readme-page = This package as a page: open it in a browser. It checks its
 report-readme-report = The report.
 report-readme-statistics = The figures of the report as tables, unrounded.
 report-readme-tables = Every vehicle, measurement and review as tables; datapackage.json describes each column.
-report-readme-files = Pictures, figures, camera poses and calibrations, and the same tables as Parquet.
+report-readme-files = Images, figures, camera poses and calibrations, and the same tables as Parquet.
 report-readme-audit = The audit chain and its signature.
 report-readme-check = To check everything: sightline verify, with the key that the installation shows. To check that no file changed: sha256sum -c SHA256SUMS
 report-error-none = No vehicle has a reference height, so the errors of heights cannot be stated.
@@ -7023,14 +7023,14 @@ report-limits = Limits of agreement (Bland and Altman): { $lower } ({ $lower_int
 report-as-in-the-paper = As in the paper
 report-as-in-the-paper-words = For comparison with Dupuis et al. (Sensors 2019, 19(7), 1611) only. As the paper measures: inset 0, and for errors both heights rounded to whole centimetres. Percentiles are those of the measured heights, random error included; their intervals cover sampling only. No other section uses these values.
 report-paper-errors = Errors as in the paper: inset 0, whole centimetres, with their 95 % CIs.
-report-paper-percentiles = Percentiles as in the paper, of the heights of the { $target }; vehicles: { $raw } raw, { $corrected } corrected.
+report-paper-percentiles = Percentiles as in the paper, of the heights of the { $target }; vehicles: { $raw } uncorrected, { $corrected } corrected.
 report-paper = Table 1 of the paper as printed.
 report-its-column = Its column
 report-inconsistent = Inconsistencies
 report-known-errors = Errors by target, lighting and class: measured minus known height, not rounded, with total 95 % intervals. Check targets are excluded everywhere else.
 report-check-errors = Check targets: measured minus taped height, with total 95 % intervals.
 report-within-u95 = Within their U95
-report-known-errors-note = The intervals include errors that heights share (pose, mean inset). A model that was chosen by its size is no reference.
+report-known-errors-note = The intervals include errors that heights share (pose, mean inset). A model chosen by its sizes is not used as a reference.
 report-check-targets = { $target }, check targets
 
 ## Report: distributions of heights
@@ -7044,7 +7044,7 @@ report-percentile = Percentile
 report-true-heights = True heights
 report-corrected = Corrected
 report-interval-sampling = 95 %, sampling
-report-raw-inset = Raw, inset 0
+report-raw-inset = Uncorrected, inset 0
 report-reason-of = { $percents }: { $reason }.
 report-shares = Standards, and the share of { $targets } below them (true heights), with total 95 % intervals.
 report-height = Height
@@ -7054,7 +7054,7 @@ report-not-corrected-why = Not corrected: { $reason }
 report-percentile-of = P{ $percent } of { $of }
 report-cited-by = as cited in: { $who }
 report-lateral = Lateral positions
-report-lateral-words = Distance of the tyre contact from the camera, measured across the road: one value per vehicle, the median of its contacts. A lane is all traffic that travels one way in the picture.
+report-lateral-words = Distance of the tyre contact from the camera, measured across the road: one value per vehicle, the median of its contacts. A lane is all traffic that travels one way in the frame.
 report-lateral-table = Lateral positions by lane and class.
 report-lateral-all = All
 
@@ -7225,7 +7225,7 @@ report-fig-trend-caption = { $seen }; regression with its 95 % band: slope { $sl
 report-fig-trend-caption-absolute = { $seen }; regression with its 95 % band: slope { $slope } ({ $interval }), r = { $r }; absolute error: r = { $r_absolute }.
 report-fig-lateral = Lateral position by lane and class
 report-fig-lateral-axis = Distance from the camera across the road ({ $unit })
-report-fig-lateral-caption = Tyre contact, one per vehicle, by travel direction in the picture and class (number of vehicles): median (ring), 15th to 85th percentile (thick), 5th to 95th (thin).
+report-fig-lateral-caption = Tyre contact, one per vehicle, by travel direction in the frame and class (number of vehicles): median (ring), 15th to 85th percentile (thick), 5th to 95th (thin).
 report-fig-crest = K of a crest against design speed
 report-fig-by-standard = standard’s heights
 report-fig-by-survey = survey’s heights
@@ -7276,7 +7276,7 @@ report-year-no-interval = no interval
 report-verdict-why = { $verdict } ({ $reason })
 report-makers-words = Roof heights of { $n } vehicles with a manufacturer’s height: mean absolute error { $mae } (95 %: { $mae_interval }), bias { $bias } (95 %: { $bias_interval }).
 report-studied = Data
-report-surveys = The surveys. “Included”: accepted heights that count by what the survey says of its sample; “excluded”: those of vehicles outside it that do not.
+report-surveys = The surveys. “Included”: accepted heights that count by the survey’s sampling rule; “excluded”: those of vehicles outside the sample that do not count.
 report-survey-column = Survey
 report-site = Site
 report-stratum = Stratum

@@ -41,7 +41,7 @@ inset-driver_eye_far = Œil du conducteur, côté éloigné
 ## Mots du domaine : comment on circule sur un site
 
 traffic-title = Circulation et caméra
-traffic-help = On en déduit, selon le sens de chaque véhicule, si le conducteur est assis du côté de la caméra (proche) ou du côté opposé (éloigné). Sans ces données, aucun œil de conducteur n’a de hauteur.
+traffic-help = Avec le sens de chaque véhicule, ces réglages déterminent si le conducteur est assis du côté de la caméra (proche) ou du côté opposé (éloigné). Sans eux, aucune hauteur d’œil ne peut être calculée.
 traffic-not-said = Non indiqué
 traffic-side = Circulation
 traffic-right = à droite
@@ -189,7 +189,7 @@ sample-outside = { $counts ->
     }
 }
 sample-outside-counts = Les hauteurs mesurées hors échantillon comptent dans les résultats
-sample-outside-counts-help = En général non : aucune règle n’a guidé leur choix. Ceci vaut pour chaque page, archive, rapport et étude.
+sample-outside-counts-help = En général non : ces véhicules n’ont pas été choisis par la règle d’échantillonnage. Vaut pour chaque page, archive, rapport et étude.
 sample-open = À faire
 sample-rate = Taux de réponse
 sample-rate-of = { $rate } % ({ $low } à { $high })
@@ -459,18 +459,18 @@ system-decoder-runs = processus { $process }
 system-waiting = En attente
 system-waiting-of = { $reading } en lecture, { $writing } en écriture
 system-clock = Horloge
-system-clock-back = Elle a reculé de { $seconds } s, constaté le { $when }. Réglez-la sur un serveur de temps ; les heures d’alors peuvent être en désordre.
+system-clock-back = L’horloge a reculé de { $seconds } s, constaté le { $when }. Synchronisez-la avec un serveur de temps (NTP) ; les heures enregistrées à ce moment peuvent être en désordre.
 system-jobs = Tâches
 system-checkpoints = Points de contrôle
 system-checkpoints-sign = Signer un point de contrôle
 system-checkpoints-lead = Un point de contrôle signe la fin de chaque chaîne d’audit. Conservez les fichiers hors de ce serveur : ils révèlent une chaîne coupée ou réécrite plus tard. Chaque export en signe un aussi.
 system-checkpoints-loading = les points de contrôle
-system-checkpoints-key = Clé en vigueur
+system-checkpoints-key = Clé actuelle
 system-checkpoints-keys-before = { $count ->
     [one] Elle remplace { $count } clé antérieure, qui l’a signée.
    *[other] Elle remplace { $count } clés antérieures ; chacune a signé la suivante.
   }
-system-checkpoints-none = Rien n’est encore signé.
+system-checkpoints-none = Aucun point de contrôle pour l’instant.
 system-checkpoints-chains = Chaînes
 system-checkpoints-events = Événements
 system-checkpoints-root = Racine
@@ -655,8 +655,8 @@ passes-rejected = Rejetés
 passes-doubtful = Douteux
 passes-no-class = Sans classe
 passes-doubts = { $count ->
-    [one] Une hauteur ne convient pas : revoyez-la.
-   *[other] { NUMBER($count) } hauteurs ne conviennent pas : revoyez-les.
+    [one] Une hauteur est inhabituelle : vérifiez-la.
+   *[other] { NUMBER($count) } hauteurs sont inhabituelles : vérifiez-les.
 }
 passes-class-missing = La classe manque.
 passes-measured = Mesurés
@@ -1029,19 +1029,19 @@ recordings-delete-one = Supprimer { $recording }
 recordings-download-one = Télécharger la vidéo de { $recording }
 recordings-deleted = { $recording } a été supprimé.
 recordings-vfr-title = Cadence d’images variable : les temps viennent de l’horodatage de chaque image
-recordings-picture-read = Image { $number } sur les { $count } du fichier
-recordings-picture-read-too = Importer aussi l’image { $number } ({ $codec }, { $size })
-recordings-picture-read-of = Importer l’image { $number } de { $recording } comme un enregistrement à part
+recordings-picture-read = Piste vidéo { $number } sur les { $count } du fichier
+recordings-picture-read-too = Importer aussi la piste vidéo { $number } ({ $codec }, { $size })
+recordings-picture-read-of = Importer la piste vidéo { $number } de { $recording } comme un enregistrement à part
 recordings-picture-added = { $name } est en cours d’import.
-recordings-filming-rate-unknown = Cadence de la prise de vue : non indiquée ; aucun mouvement n’est mesuré.
-recordings-filming-rate-is = Filmé à { $rate } images par seconde, d’après votre indication
-recordings-filming-rate-state = Indiquer la cadence filmée
-recordings-filming-rate-of = Indiquer la cadence à laquelle { $recording } a été filmé
-recordings-filming-rate-title = Cadence filmée de { $recording }
-recordings-filming-rate = Images par seconde à la prise de vue
+recordings-filming-rate-unknown = Cadence de prise de vue non indiquée ; aucun mouvement n’est mesuré.
+recordings-filming-rate-is = Filmé à { $rate } images/s, valeur saisie
+recordings-filming-rate-state = Saisir la cadence de prise de vue
+recordings-filming-rate-of = Saisir la cadence de prise de vue de { $recording }
+recordings-filming-rate-title = Cadence de prise de vue de { $recording }
+recordings-filming-rate = Cadence de prise de vue
 recordings-filming-rate-unit = images/s
 recordings-filming-rate-hint = D’après les réglages de la caméra ou sa notice. La vidéo est importée à nouveau avec ces instants ; les hauteurs déjà mesurées restent.
-recordings-filming-rate-bounds = Donnez un nombre de 1 à 2000.
+recordings-filming-rate-bounds = Saisissez un nombre de 1 à 2000.
 recordings-filming-rate-action = Importer à cette cadence
 recordings-find-road = Calculer la pose
 recordings-measure = Mesurer
@@ -1312,7 +1312,7 @@ computing-before = Ancienne
 computing-after = Nouvelle
 computing-change = Variation
 computing-by-u = Variation / u
-computing-by-u-help = La variation divisée par l’incertitude-type qu’avait la hauteur
+computing-by-u-help = Variation divisée par l’incertitude-type précédente
 computing-review-yes = à vérifier
 computing-repeat = répétition
 computing-listed = Les { $count } plus grandes variations rapportées à u sont affichées ; l’archive les contient toutes.
@@ -1475,10 +1475,10 @@ measure-passes-none = Pas encore de véhicules. Détectez les passages, ou marqu
 measure-passes-none-in-state = Aucun passage n’est dans cet état.
 measure-class-missing = Manque : le retrait du toit et les chiffres par classe en dépendent.
 measure-proposals-late = Montrer les propositions
-measure-proposals-late-title = Elles sont arrivées après votre début : vos touches et vos clics ont gardé leur sens.
+measure-proposals-late-title = Elles sont arrivées après que vous avez commencé : vos touches et vos clics ont gardé leur sens.
 measure-progress = { NUMBER($count) } sur { NUMBER($all) }
 measure-pass-begins = Le passage commence à cette image
-measure-pass-begin = Nouveau passage
+measure-pass-begin = Ajouter un passage ici
 measure-pass-ends = Le passage finit à cette image
 measure-pass-end = …finit ici
 measure-pass-drop = Ne pas ajouter de passage
@@ -1806,19 +1806,19 @@ recent-models-title = Modèles récents
 recent-models-taken = Marque et modèle : { $model }
 recent-models-gone = { $model } n’est plus dans le catalogue.
 which-model-title = Modèles qui conviennent
-which-model-cannot = { $model } ne peut convenir : { $differences } (mesuré moins catalogue). Le bon modèle différerait d’autant avec une probabilité de { $p } ; la limite est { $limit }.
-which-model-ranked = Classés par { $sizes }. Les hauteurs mesurées ne classent pas : elles seront comparées au modèle.
+which-model-cannot = { $model } ne convient pas : { $differences } (mesuré moins catalogue). Si le modèle était le bon, de tels écarts auraient une probabilité de { $p } ; la limite est { $limit }.
+which-model-ranked = Classés par { $sizes }. Les hauteurs mesurées ne servent pas au classement : elles seront comparées au modèle.
 which-model-by-name = Aucune longueur de ce véhicule n’est mesurée : les modèles de sa catégorie viennent d’abord, puis l’ordre alphabétique. Cliquez les deux pneus (Contrôles, Direction) pour classer par empattement.
 which-model-shown = Les { $shown } premiers sur { $count } sont affichés.
 which-model-left-out = { $count ->
     [one] 1 modèle qui ne convient pas aux dimensions mesurées n’est pas affiché.
    *[other] { $count } modèles qui ne conviennent pas aux dimensions mesurées ne sont pas affichés.
 }
-model-chosen-by-size = Le modèle a été choisi d’après ses dimensions ({ $sizes }). Ses hauteurs ne servent pas de référence tant que personne n’a vu le modèle sur le véhicule.
-model-chosen-see = Le modèle est vu sur le véhicule
-model-chosen-seen = Le modèle a été choisi d’après ses dimensions ({ $sizes }), puis vu sur le véhicule.
+model-chosen-by-size = Le modèle a été choisi d’après ses dimensions ({ $sizes }). Ses hauteurs ne servent pas de référence tant que personne n’a confirmé le modèle sur le véhicule.
+model-chosen-see = Confirmer le modèle
+model-chosen-seen = Le modèle a été choisi d’après ses dimensions ({ $sizes }), puis confirmé sur le véhicule.
 model-chosen-word-size = d’après ses dimensions
-model-chosen-word-seen = vu sur le véhicule
+model-chosen-word-seen = confirmé sur le véhicule
 which-model-height = toit
 which-model-length = longueur
 which-model-width = largeur
@@ -2159,7 +2159,7 @@ repeats-sigma-back = Revenir à 1 px
 anchoring-title = Effet de l’affichage des propositions
 anchoring-shown = Propositions affichées
 anchoring-free = Propositions masquées
-anchoring-shift = Décalage dû à l’affichage
+anchoring-shift = Décalage dû aux propositions
 anchoring-goal = Objectif : moins de { $goal }
 anchoring-vehicles = { $count ->
     [one] { $count } véhicule
@@ -2175,7 +2175,7 @@ anchoring-plan = { $one_in ->
    *[other] propositions masquées pour 1 véhicule sur { $one_in }
 }
 anchoring-plan-choose = Part des véhicules aux propositions masquées, tirés au sort par le serveur
-anchoring-help = Pour chaque véhicule : hauteur enregistrée moins hauteur des points proposés, sur la même image. Le serveur tire au sort les véhicules dont les propositions sont masquées : les deux groupes ne diffèrent que par l’affichage. Le décalage est l’écart moyen des hauteurs enregistrées quand les propositions sont affichées (IC à 95 %, Welch). Les hauteurs mesurées par une même personne ne sont pas indépendantes : le résultat vaut pour les opérateurs qui ont mesuré ici. Il ne dit pas si les propositions sont exactes.
+anchoring-help = Pour chaque véhicule : hauteur enregistrée moins hauteur des points proposés, sur la même image. Le serveur tire au sort les véhicules dont les propositions sont masquées : les deux groupes ne diffèrent que par l’affichage des propositions. Le décalage est l’écart moyen des hauteurs enregistrées quand les propositions sont affichées (IC à 95 %, Welch). Les hauteurs mesurées par une même personne ne sont pas indépendantes : le résultat vaut pour les opérateurs qui ont mesuré ici. Il ne dit pas si les propositions sont exactes.
 anchoring-counts = Propositions affichées : { $confirmed } hauteurs confirmées, { $moved } déplacées et { $afresh } pointées à la main ; toutes sont comprises.
 repeats-differences-title = Seconde hauteur moins la première, selon leur moyenne
 repeats-differences-note = Les barres sont l’incertitude élargie de l’écart (U95). Environ 95 % des barres devraient contenir zéro.
@@ -2339,7 +2339,7 @@ scans-new-time-width = la largeur, comme d’usage
 scans-new-time-height = la hauteur
 scans-new-no-recording = aucun enregistrement prêt
 scans-new-choose-recording = choisissez un enregistrement
-scans-new-recording-hint = Sa cadence d’images est la cadence de lignes : elle doit être stable et rapide.
+scans-new-recording-hint = La cadence d’images devient la cadence de lignes : utilisez une cadence constante et élevée.
 scans-new-cut-along = Sens de circulation dans la vidéo
 scans-new-cut-along-columns = Vers la gauche ou la droite : colonnes
 scans-new-cut-along-left = Vers le haut ou le bas, toits à gauche : rangées
@@ -2382,7 +2382,7 @@ scans-rig-divergence-u-hint = Plans réglés parallèles : l’incertitude du r
 scans-rig-distance = Distance à la voie (côté proche des véhicules)
 scans-rig-distance-hint = Nécessaire pour la divergence seulement.
 scans-lanes = Voies à plusieurs distances
-scans-lanes-why = Chaque véhicule est mesuré avec la base à sa propre voie. Une voie se reconnaît à son sens et à la rangée où les pneus touchent la route (caméra 1, rangée 0 en haut) ; vous pouvez la choisir sur le véhicule. Sans voies, tous les véhicules sont à la distance ci-dessus.
+scans-lanes-why = Chaque véhicule est mesuré avec la base à sa propre voie. Une voie se reconnaît à son sens et à la rangée où les pneus touchent la chaussée (caméra 1, rangée 0 en haut) ; vous pouvez aussi la choisir pour le véhicule. Sans voies, tous les véhicules sont à la distance ci-dessus.
 scans-lane-of = Voie { $number }
 scans-lane-name = Nom de la voie
 scans-lane-way = { $way ->
@@ -2613,12 +2613,12 @@ scan-passed-unknown = heure inconnue : le début de l’enregistrement n’est 
 scan-lane = Voie
 scan-lane-unknown = voie inconnue
 scan-lane-of = { $lane }, { $by ->
-    [person] choisie par une personne
-   *[machine] trouvée
+    [person] choisie à la main
+   *[machine] trouvée par Sightline
 }
 scan-lane-tyres = (pneus à la rangée { $row })
 scan-lane-choose = Choisir la voie
-scan-lane-by-program = telle que le programme la trouve
+scan-lane-by-program = telle que trouvée par Sightline
 scan-direction = Sens
 scan-direction-of = { $direction ->
     [camera_2_first] caméra 2 d’abord
@@ -3156,7 +3156,7 @@ motion-head-fit-error = Erreur d’ajust. (%)
 
 results-heights = Hauteurs et normes
 results-errors = Erreurs
-results-conclusion = Ce qui en ressort
+results-conclusion = Conclusion
 results-paper = Comme dans l’article
 results-paper-help = Affiche, à côté des hauteurs vraies, les centiles corrigés et non corrigés, les densités et les lignes de Dupuis et al.
 statistics-filter-more = Plus de filtres
@@ -3178,8 +3178,8 @@ statistics-counted = { $measurements ->
    *[other] { $roofs } toits
 } avec hauteur du constructeur.
 statistics-without-class = { $count ->
-    [one] { NUMBER($count) } véhicule n’a pas de classe et ne compte dans aucun chiffre par classe. <link>Choisissez-la dans Mesurer</link> (liste : Sans classe).
-   *[other] { NUMBER($count) } véhicules n’ont pas de classe et ne comptent dans aucun chiffre par classe. <link>Choisissez-la dans Mesurer</link> (liste : Sans classe).
+    [one] { NUMBER($count) } véhicule n’a pas de classe et est exclu des résultats par classe. <link>Choisissez-la dans Mesurer</link> (liste : Sans classe).
+   *[other] { NUMBER($count) } véhicules n’ont pas de classe et sont exclus des résultats par classe. <link>Choisissez-la dans Mesurer</link> (liste : Sans classe).
 }
 statistics-left-out = Exclues : { $states }.
 statistics-left-out-state = { $state ->
@@ -3702,18 +3702,18 @@ planning-forms-note = n = b f / s : les lignes de la caméra 1 à la caméra 2,
 survey-loading = relevé
 survey-demonstration = démonstration
 survey-edit = Modifier
-settings-lead = Ce qui est défini pour ce relevé.
+settings-lead = Paramètres de ce relevé.
 settings-site = Site, trafic, cibles et retraits
 settings-traffic-unsaid = Le trafic n’est pas encore décrit.
 settings-inset = { $inset } (u = { $u })
 settings-members = Membres
-settings-members-lead = Qui voit ce relevé, et ce que chacun peut y faire.
+settings-members-lead = Personnes qui voient ce relevé, et leurs rôles.
 settings-classes = Classes de véhicules
-settings-classes-lead = Quels véhicules comptent comme voitures particulières, utilitaires et poids lourds.
+settings-classes-lead = Classes comptées comme voitures particulières, utilitaires légers et poids lourds.
 settings-standards-open = Ouvrir dans Résultats
-settings-standards-lead = Les hauteurs de projet auxquelles les chiffres sont comparés.
+settings-standards-lead = Hauteurs de projet montrées dans les figures.
 members-open = Membres
-members-invite = Inviter une personne
+members-invite = Inviter un nouvel utilisateur
 members-title = Membres du relevé
 members-lead = Seuls les membres et les administrateurs voient ce relevé.
 members-lead-open = Toute personne connectée voit ce relevé et y agit selon le rôle de son compte. Les membres ont le rôle indiqué ici.
@@ -3757,7 +3757,7 @@ survey-traffic = La circulation est à { $traffic ->
    *[median] sur le terre-plein central
 }.
 survey-asked = Cibles de jour : { $daytime } ; en faible luminosité : { $low_light }.
-survey-traffic-unsaid = Le côté de circulation et la place de la caméra ne sont pas définis. D’ici là, aucun œil de conducteur n’a de hauteur ; les pointés existants auront la leur une fois ces choix faits.
+survey-traffic-unsaid = Le côté de circulation et la place de la caméra ne sont pas définis. Les hauteurs d’œil seront calculées dès qu’ils le seront, aussi pour les pointés existants.
 survey-traffic-say = Définir
 survey-scans-none = <link>Balayages</link> : { $summary }
 survey-scans-label = Balayages linéaires, à part de ces étapes
@@ -3837,7 +3837,7 @@ surveys-new-description-hint = Notes pour qui ouvrira ce relevé plus tard.
 surveys-choose-password = Choisir un mot de passe
 surveys-link-used = Définissez un mot de passe pour pouvoir vous reconnecter. Votre lien a servi.
 surveys-demo-failed = Le relevé de démonstration n’a pas pu être créé.
-surveys-demo-first = Le relevé de démonstration est le rendu d’une scène connue : chaque hauteur que vous y mesurez peut être comparée à sa valeur vraie. Essayez-y d’abord le travail ; créez ensuite votre propre relevé.
+surveys-demo-first = Le relevé de démonstration est le rendu d’une scène connue : chaque hauteur peut être comparée à sa valeur vraie. Essayez-y d’abord Sightline, puis créez votre propre relevé.
 surveys-demo-open = Ouvrir le relevé de démonstration
 surveys-demo-title = Relevé de démonstration
 surveys-demo-being-made = création en cours
@@ -3884,7 +3884,7 @@ study-remove = Retirer l’étude
 study-remove-now = Retirer
 study-remove-words = { $name } est retirée de la liste des études. Ses relevés ne changent pas, et ses résultats restent conservés.
 study-members = Membres de cette étude
-study-members-note = Les membres voient l’étude, son archive et son rapport tant qu’ils voient chacun de ses relevés. Qui gère chaque relevé peut la montrer à toute personne connectée. Les administrateurs voient toutes les études.
+study-members-note = Les membres voient l’étude, son archive et son rapport tant qu’ils voient chacun de ses relevés. Une personne qui gère tous ces relevés peut montrer l’étude à toute personne connectée. Les administrateurs voient toutes les études.
 study-members-open = Toute personne connectée la voit
 study-members-add = Ajouter un membre
 study-members-choose = Choisir une personne
@@ -3926,7 +3926,7 @@ study-n = n = { NUMBER($n) }
 study-mean = Moyenne
 study-sd = Écart-type
 study-effects = Effets de plan
-study-effects-note = Effet de plan : variance de ce plan divisée par celle d’un échantillon aléatoire simple de même taille. n effectif : nombre de hauteurs divisé par l’effet de plan. Tous deux s’estiment par les écarts entre sites : avec peu de sites ils sont grossiers, et un effet de plan inférieur à 1, donc un n effectif supérieur au nombre de véhicules, relève du hasard plutôt que d’un gain.
+study-effects-note = Effet de plan : variance de ce plan divisée par celle d’un échantillon aléatoire simple de même taille. n effectif : nombre de hauteurs divisé par l’effet de plan. Tous deux sont estimés d’après les écarts entre sites : avec peu de sites, ils sont grossiers. Un effet de plan inférieur à 1 (un n effectif supérieur au nombre de véhicules) relève alors du hasard.
 study-figure = Grandeur
 study-vehicles = Véhicules
 study-effect = Effet de plan
@@ -3980,7 +3980,7 @@ surveys-simulated = { $count ->
     [one] Étude simulée : 1 relevé
    *[other] Étude simulée : { NUMBER($count) } relevés
 }
-surveys-simulated-help = Rien n’a été filmé ici ; ces relevés montrent les statistiques, les normes et les <link>études</link>.
+surveys-simulated-help = Rien n’a été filmé ici ; ces relevés illustrent les statistiques, les normes et les <link>études</link>.
 surveys-all-done = Tout est terminé
 surveys-tally = { NUMBER($done) } <muted>sur { NUMBER($all) }</muted>
 
@@ -4102,7 +4102,7 @@ people-link-copied = Le lien est dans le presse-papiers.
 ## Audit : la page
 
 audit-lead = Chaque modification est un événement d’une chaîne de hachage. Toute retouche ou suppression ultérieure rompt la chaîne.
-audit-numbers = Chaque relevé a sa propre chaîne, et ce qui n’est d’aucun relevé en a une autre. Les numéros comptent les événements d’une chaîne ; les filtres en omettent dans cette liste. Vérifiez la chaîne pour savoir s’il en manque.
+audit-numbers = Chaque relevé a sa propre chaîne ; les modifications hors relevé en ont une autre. Les numéros comptent les événements d’une chaîne : une liste filtrée a des trous. Vérifiez la chaîne pour savoir s’il en manque.
 audit-loading = journal d’audit
 audit-survey = Relevé
 audit-survey-all = Tous
@@ -4479,17 +4479,17 @@ export-crop-could-not-encoded-export-survey = Une vue n’a pas pu être encodé
 export-frame-stored-video-not-one-clicked = L’image { $frame } de la vidéo stockée n’est pas celle qui a été pointée.
 export-format-not-known = Le paquet a le format { $format }, que cette version de Sightline ne connaît pas ; vérifiez-le avec { $program } ou une version ultérieure.
 export-made-by-another-version = Fait par la version { $program } ; celle-ci est { $mine }.
-export-described-otherwise = datapackage.json nomme chaque fichier avec ses octets ; ce qu’il dit en mots { $count ->
+export-described-otherwise = datapackage.json énumère chaque fichier avec sa taille et son empreinte ; ses descriptions { $count ->
     [one] d’un fichier
    *[other] de { $count } fichiers
-  } (et : { $names }) est de cette version-là, lié par le sceau, non comparé.
-export-statistics-sealed-only = Statistiques : une autre version les a calculées autrement ; liées par le sceau, non comparées (première différence : { $difference })
-export-drawings-sealed-only = Figures, rapport et README : dessinés par une autre version ; liés par le sceau, non comparés.
-export-page-sealed-only = La page a été faite par une autre version : ses tables ont été comparées ; son programme est lié par le sceau, non comparé.
+  } (et : { $names }) sont celles de cette version-là ; couvertes par le sceau, non comparées.
+export-statistics-sealed-only = Les statistiques diffèrent de celles de cette version, car une autre version les a calculées ; couvertes par le sceau, non comparées (première différence : { $difference })
+export-drawings-sealed-only = Figures, rapport et README ont été faits par une autre version ; couverts par le sceau, non comparés.
+export-page-sealed-only = La page a été faite par une autre version : ses tables ont été comparées ; son programme est couvert par le sceau, non comparé.
 export-heights-of-another-version = { $count ->
     [one] Un nombre calculé par une autre version diffère
    *[other] { $count } nombres calculés par d’autres versions diffèrent
-  } de ce que calcule cette version ; liés par la chaîne d’audit, non comparés (premier : { $first })
+  } de ce que calcule cette version ; couverts par la chaîne d’audit, non comparés (premier : { $first })
 export-not-follow-these-statistics-put = { $strange } ne découle pas de ces statistiques ; ajouté après coup.
 export-no-row-crops-csv-put = { $there } n’est dans aucune ligne de crops.csv ; ajouté après coup.
 export-crops-csv-other-points-frames-measurement = crops.csv : { $path } a d’autres points ou images que sa mesure ; l’un des deux est faux.
@@ -4628,7 +4628,7 @@ csv_package-cannot-read-described-take-whole-export = { $path } ne peut pas êtr
 csv_package-row-too-long-too-short-changed = { $path } a une ligne trop longue ou trop courte ; il a été modifié.
 csv_package-without-audit-event-missing = { $path } : { $kind_name } { $odd } est là sans événement d’audit, ou manque.
 csv_package-twice-one-put = { $path } : { $columns } { $values } est là deux fois ; ajout après coup.
-csv_package-not-what-audit-event-says-changed = { $path } n’est pas ce que dit son événement d’audit ; il a été modifié.
+csv_package-not-what-audit-event-says-changed = { $path } diffère de son événement d’audit ; il a été modifié.
 csv_package-not-one-audit-chain-vouches-changed = { $path_of } n’est pas celui que garantit la chaîne d’audit ; il a été modifié.
 csv_package-made-others-another-time-says = { $path } : { $kind_name } { $id } a un autre auteur ou une autre date que ne le dit { $path_2 }.
 csv_package-differs-one-changed = { $path } : { $kind_name } { $id } diffère de { $path_2 } ; l’un des deux a été modifié.
@@ -4683,18 +4683,18 @@ jobs-job-already-nothing-cancel = La tâche { $job_id } est déjà dans l’éta
     [cancelled] annulé
    *[other] { $state }
 } ; il n’y a rien à annuler.
-jobs-job-moved-meanwhile-nothing = La tâche { $id } a avancé entre-temps ; rien à faire.
+jobs-job-moved-meanwhile-nothing = L’état de la tâche { $id } a changé entre-temps ; il n’y a rien à faire.
 jobs-job-given-another-worker-one-stops = La tâche { $id } a été confiée à un autre processus ; celui-ci s’arrête.
 
 ## Erreurs : web
 
 web-disk-not-writable = Le dossier des données ne peut pas être écrit ({ $why }) ; vérifiez le disque et ses droits.
-web-part-silent = Pas de réponse depuis { $seconds } secondes ; vérifiez que ce service est en marche et joignable.
+web-part-silent = Pas de réponse depuis { $seconds } s ; vérifiez que ce service est en marche et joignable.
 web-writer-stuck = Une modification est en cours depuis { $seconds } secondes et les autres l’attendent ; vérifiez la base de données.
-web-secret-weak = SIGHTLINE_SECRET peut être deviné : donnez-lui au moins { $characters } caractères tirés au hasard, qui ne figurent nulle part (openssl rand -hex 32).
+web-secret-weak = SIGHTLINE_SECRET peut être deviné ; utilisez au moins { $characters } caractères aléatoires qui ne sont publiés nulle part (openssl rand -hex 32).
 web-signing-key-missing = SIGHTLINE_SIGNING_KEY n’est pas défini, chaque machine signerait donc avec sa propre clé ; donnez à toutes les mêmes 64 chiffres hexadécimaux (openssl rand -hex 32).
-infra-setting-differs = { $name } n’est pas la valeur qu’ont les autres processus sur cette base de données ; donnez à tous la même, ou arrêtez d’abord les autres.
-infra-clocks-apart = L’horloge de cette machine et celle de la base de données diffèrent de { $minutes } minutes ; réglez-les sur un serveur de temps (NTP) et redémarrez.
+infra-setting-differs = { $name } diffère de la valeur des autres processus sur cette base de données ; donnez à tous la même, ou arrêtez d’abord les autres.
+infra-clocks-apart = L’horloge de cette machine et celle de la base de données diffèrent de { $minutes } minutes ; synchronisez-les avec un serveur de temps (NTP) et redémarrez.
 web-server-busy = Le serveur est occupé et rien n’a été fait ; réessayez dans quelques secondes.
 web-you-not-signed-sign-try-again = Vous n’êtes pas connecté ; connectez-vous et réessayez.
 web-token-does-not-hold = Ce jeton n’est pas valable : il est faux, expiré ou révoqué ; créez-en un nouveau dans Compte.
@@ -4755,7 +4755,7 @@ measurements-only-two-passes-same-recording-joined = Seuls deux passages du mêm
 measurements-vehicles-both-measurements-measurement-stays-vehicle = Les véhicules { $number } et { $number_2 } ont tous deux des mesures, et une mesure reste avec son véhicule ; écartez plutôt l’un des passages.
 measurements-vehicle-measured-before-after-frame-measurement = Le véhicule { $number } a été mesuré avant et après l’image { $frame }, et une mesure reste avec son véhicule ; coupez à une autre image.
 measurements-vehicles-csv-missing-though-audit-event = vehicles.csv : { $missing } manque, bien que son événement d’audit soit là.
-measurements-vehicles-csv-not-what-audit-events = vehicles.csv : { $id } n’est pas ce que disent ses événements d’audit ; il a été modifié.
+measurements-vehicles-csv-not-what-audit-events = vehicles.csv : { $id } diffère de ses événements d’audit ; il a été modifié.
 measurements-measurement-withdrawn-restore-before-you-change = Cette mesure est retirée ; restaurez-la avant de la modifier.
 measurements-repeat-stands-clicked-withdraw-click-again = Une répétition reste telle que pointée ; retirez-la et repointez.
 measurements-measurement-withdrawn-already-restore-use-again = Cette mesure est déjà retirée ; restaurez-la pour l’utiliser à nouveau.
@@ -4764,9 +4764,9 @@ adjusting-not-an-adjusted-pose-in-force = Ce n’est pas une pose ajustée en vi
 computing-undo-cannot-be-undone = Une annulation ne s’annule pas ; recalculez plutôt les hauteurs.
 computing-undone-already = Ceci a déjà été annulé ; recalculez les hauteurs pour les retrouver.
 computing-undo-the-later-first = Les hauteurs ont été recalculées le { $when } ; annulez d’abord ce calcul.
-computing-computings-csv-not-what-event-says = computings.csv : { $id } n’est pas ce que dit son événement d’audit ; reprenez l’export complet.
+computing-computings-csv-not-what-event-says = computings.csv : { $id } diffère de son événement d’audit ; reprenez l’export complet.
 computing-computing-made-other-revisions = computings.csv : { $id } a fait un autre nombre de révisions qu’il ne dit ; reprenez l’export complet.
-computing-out-of-date-not-so = { $path } : { $id } n’est pas marquée périmée comme ses données le veulent ; reprenez l’export complet.
+computing-out-of-date-not-so = { $path } : la marque « périmé » de { $id } ne découle pas de ses données ; reprenez l’export complet.
 computing-computing-missing = computings.csv : { $id } manque, bien que son événement d’audit soit là ; reprenez l’export complet.
 computing-verdict-went-over = revisions.csv : la révision { $revision } de la mesure { $name } a une décision rendue sur une autre hauteur ; reprenez l’export complet.
 measurements-measurement-not-withdrawn-nothing-restore = Cette mesure n’est pas retirée : il n’y a rien à restaurer.
@@ -4796,7 +4796,7 @@ measurements-budget-csv-not-what-audit-event = budget.csv : les contributions �
 cameras-calibration-of-other-images = calibrations.csv : { $id } nomme d’autres photos que ses événements d’audit ; reprenez l’export complet.
 measurements-event-another-row = audit.csv : un événement de la mesure { $id } contient une autre ligne que celle qu’il a hachée ; il a été modifié.
 measurements-events-two-frames = audit.csv : deux événements décrivent différemment l’image { $frame } de l’enregistrement { $recording } ; l’un des deux a été modifié.
-measurements-frames-csv-not-as-clicked = frames.csv : l’image { $frame } de l’enregistrement { $recording } n’est pas ce que disent les événements d’audit de ses mesures ; elle a été modifiée.
+measurements-frames-csv-not-as-clicked = frames.csv : l’image { $frame } de l’enregistrement { $recording } diffère des événements d’audit de ses mesures ; elle a été modifiée.
 measurements-budget-csv-not-measurements-csv-put = budget.csv : { $next } n’est pas dans measurements.csv ; ajout après coup.
 measurements-revisions-csv-revision-measurement-missing-though = revisions.csv : la révision { $revision } de la mesure { $number } manque, bien que son événement d’audit soit là ; elle a été retirée.
 measurements-clicked-another-frame-frames-csv-tells = { $path } : { $id } a été pointé sur une autre image que ne le dit frames.csv ; l’un des deux est faux.
@@ -4905,10 +4905,10 @@ strips-now-gives-frames-not-ingest-again = { $name } donne maintenant { $count }
 video-not-file-choose-video-file = { $name } n’est pas un fichier ; choisissez un fichier vidéo.
 video-problem = { $name } { $reason } ; { $way_out }.
 video-holds-no-moving-picture-only-sound = { $name } ne contient pas d’images animées, seulement du son ou des données ; choisissez un fichier vidéo.
-video-no-such-stream = { $name } n’a pas d’image { $number } ; il en contient { $count }, comptées à partir de 1.
-video-stream-is-a-still = L’image { $number } de { $name } est une image fixe ; choisissez-en une qui bouge.
-video-stream-is-off = L’image { $number } de { $name } est désactivée dans le fichier ; choisissez-en une autre.
-video-slowed-in-part = Une partie seulement de { $name } est ralentie : une seule cadence n’en donne pas les instants ; faites-la enregistrer avec les instants de la prise de vue.
+video-no-such-stream = { $name } n’a pas de piste vidéo { $number } ; il en contient { $count }, comptées à partir de 1.
+video-stream-is-a-still = La piste vidéo { $number } de { $name } est une image fixe ; choisissez une autre piste.
+video-stream-is-off = La piste vidéo { $number } de { $name } est désactivée dans le fichier ; choisissez une autre piste.
+video-slowed-in-part = Une partie seulement de { $name } est au ralenti : une seule cadence n’en donne pas les instants ; enregistrez-la avec les instants de prise de vue.
 video-uses-video-codec-cannot-decoded-here = { $name } utilise un codec vidéo qui ne peut pas être décodé ici ; convertissez-le en MP4 avec H.264 ou choisissez un autre fichier.
 video-not-say-how-large-picture-says = { $name } ne dit pas la taille de son image, ou la dit de façon absurde ; convertissez-le en MP4 avec H.264 ou choisissez un autre fichier.
 video-claims-picture-x-pixels-more-side = { $name } annonce une image de { $width } x { $height } pixels, plus de { $max_side_px } de côté ou { $max_pixels } millions en tout ; convertissez-le en MP4 avec H.264 ou choisissez un autre fichier.
@@ -4916,7 +4916,7 @@ video-claims-pixels-width-height-which-not = { $name } annonce des pixels au rap
 video-not-video-read-here-convert-mp4 = { $name } n’est pas une vidéo lisible ici ; convertissez-le en MP4 avec H.264 ou choisissez un autre fichier.
 video-holds-no-picture-decoded-codec-convert = { $name } ne contient aucune image décodable (codec { $codec }) ; convertissez-le en MP4 avec H.264 ou choisissez un autre fichier.
 video-no-times-follow = { $name } ne donne pas l’instant de ses images : un véhicule ne peut pas y être suivi ; convertissez-le en MP4.
-video-times-not-of-filming = Les instants de { $name } ne sont pas ceux de la prise de vue : aucun mouvement n’en est mesuré ; ses remarques disent pourquoi. Indiquez la cadence à laquelle elle a été filmée.
+video-times-not-of-filming = Les instants de { $name } ne sont pas ceux de la prise de vue (ses remarques en donnent le motif) : aucun mouvement n’est mesuré. Saisissez sa cadence de prise de vue.
 video-holds-no-picture-decoded-convert-mp4 = { $name } ne contient aucune image décodable ; convertissez-le en MP4 avec H.264 ou choisissez un autre fichier.
 video-recording-ended-decoder-times-set-aside = Cet enregistrement a fait planter le décodeur { $count } fois et est mis de côté ; convertissez-le en MP4 avec H.264 et envoyez-le à nouveau.
 video-decoder-ended-again-again-look-memory = Le décodeur s’est arrêté plusieurs fois de suite ; vérifiez la mémoire de cette machine.
@@ -4967,10 +4967,10 @@ poses-calibration-belongs-another-survey-choose-one = L’étalonnage { $calibra
 quality-no-recording-uses-road-pose-any = Plus aucun enregistrement n’utilise cette pose de la caméra ; regardez à nouveau les contrôles.
 quality-traffics-direction-now-not-what-you = La direction de la circulation est maintenant de { $turn_deg }°, non celle que vous avez vue ; regardez à nouveau.
 quality-frame-not-vehicle-which-passes-frames = L’image { $frame } n’est pas du véhicule { $number }, qui passe dans les images { $first_frame } à { $last_frame } ; allez à l’une d’elles.
-quality-wheel-pairs-csv-not-what-audit = wheel_pairs.csv : { $id } n’est pas ce que dit son événement d’audit ; il a été modifié.
+quality-wheel-pairs-csv-not-what-audit = wheel_pairs.csv : { $id } diffère de son événement d’audit ; il a été modifié.
 quality-clicked-their-own-measurements-again-needed = { $name } a repointé { $pairs } de ses propres mesures ; il en faut { $least_pairs } pour un sigma propre. Repointez-en d’autres.
 quality-repeats-csv-repeat-missing-though-audit = repeats.csv : la répétition { $left } manque, bien que son événement d’audit soit là.
-quality-repeats-csv-not-what-audit-event = repeats.csv : { $number } n’est pas ce que dit son événement d’audit ; il a été modifié.
+quality-repeats-csv-not-what-audit-event = repeats.csv : { $number } diffère de son événement d’audit ; il a été modifié.
 
 ## Erreurs : enregistrements
 
@@ -4987,8 +4987,8 @@ recordings-being-ingested-already-wait-cancel = { $name } est déjà en cours d�
 recordings-ingest-cancelled-start-again-delete-recording = L’import a été annulé ; relancez-le ou supprimez l’enregistrement.
 recordings-being-ingested-cancel-first = { $name } est en cours d’import ; annulez-le d’abord.
 recordings-times-not-in-doubt = Les instants de { $name } sont ceux de la prise de vue ; aucune cadence n’est nécessaire.
-recordings-rate-was-measured-with = Des mesures ou des balayages utilisent la cadence indiquée pour { $name } ; pour en indiquer une autre, envoyez le fichier à nouveau.
-recordings-picture-is-there = L’image { $number } est déjà dans ce relevé, sous le nom { $name }.
+recordings-rate-was-measured-with = Des mesures ou des balayages utilisent déjà la cadence de prise de vue de { $name } ; pour en utiliser une autre, envoyez le fichier à nouveau.
+recordings-picture-is-there = La piste vidéo { $number } est déjà dans ce relevé, sous le nom { $name }.
 recordings-recordings-cannot-changed-leave-out = { $unknown } d’un enregistrement n’est pas modifiable ; omettez-le.
 recordings-recording-needs-name-fill = Un enregistrement doit avoir un nom ; indiquez-le.
 recordings-street-lighting-on-or-off = Pendant le tournage, l’éclairage public était allumé ou éteint ; choisissez.
@@ -5028,7 +5028,7 @@ recordings-upload-finished-already-look-recording-list = Cet envoi est déjà te
 recordings-upload-became-recording-deleted-since-upload = Cet envoi est devenu un enregistrement supprimé depuis ; envoyez-le à nouveau.
 recordings-upload-finished-already-make-scan = Cet envoi est déjà terminé ; créez-en le balayage.
 recordings-upload-finished-delete-recording-instead = Cet envoi est terminé ; supprimez plutôt son enregistrement.
-recordings-recordings-csv-not-what-audit-events = recordings.csv : { $id } n’est pas ce que disent ses événements d’audit ; il a été modifié.
+recordings-recordings-csv-not-what-audit-events = recordings.csv : { $id } diffère de ses événements d’audit ; il a été modifié.
 
 ## Erreurs : résultats
 
@@ -5045,7 +5045,7 @@ results-height-must-lie-between-0-10 = La hauteur de { $name } doit être entre 
 results-standard-percent = { $name } : un centile est supérieur à 0 et inférieur à 100 ; corrigez-le, ou laissez-le vide.
 results-last-day-lies-before-first-exchange = Le dernier jour précède le premier ; inversez-les.
 results-no-survey-may-been-removed = Il n’y a pas de relevé { $survey_id } ; il a pu être supprimé.
-results-standards-csv-not-what-surveys-audit = standards.csv n’est pas ce que disent les événements d’audit du relevé ; il a été modifié.
+results-standards-csv-not-what-surveys-audit = standards.csv diffère des événements d’audit du relevé ; il a été modifié.
 
 ## Erreurs : vérifications
 
@@ -5055,13 +5055,13 @@ reviews-measurement-withdrawn-nothing-review = Cette mesure est retirée ; il 
 reviews-repeat-not-reviewed-review-measurement-repeats = Une répétition ne se vérifie pas ; vérifiez la mesure qu’elle répète.
 reviews-rejection-needs-reason-say-what-wrong = Un rejet demande un motif ; dites ce qui ne va pas pour que ce soit rectifié.
 reviews-fix-needs-new-points-only-fix = Une correction demande les nouveaux points, et seule une correction en a ; pointez-les et joignez-les.
-reviews-somebody-changed-plan-meanwhile = Quelqu’un a modifié le plan entre-temps ; rechargez-le et refaites le vôtre.
+reviews-somebody-changed-plan-meanwhile = Le plan a été modifié entre-temps ; rechargez-le et refaites votre modification.
 reviews-plan-one-in-between = « Une sur combien » est un nombre entre 0 (aucune) et { $most }.
 reviews-click-it-again-before = Le plan du relevé veut que celle-ci soit repointée avant d’être montrée ; pointez contact et cible, puis jugez-la.
 reviews-fix-changes-nothing-accept = Cette correction ne change rien ; déplacez un point, ou validez la mesure.
 reviews-measurement-waits-review-already = Cette mesure attend déjà une vérification.
 reviews-nobody-reviews-their-own-measurement-ask = Personne ne vérifie sa propre mesure ; demandez à un autre vérificateur.
-reviews-reviews-csv-not-what-audit-event = reviews.csv : { $id } n’est pas ce que dit son événement d’audit ; il a été modifié.
+reviews-reviews-csv-not-what-audit-event = reviews.csv : { $id } diffère de son événement d’audit ; il a été modifié.
 reviews-reviews-csv-missing-though-audit-event = reviews.csv : { $id } manque, bien que son événement d’audit soit là.
 reviews-measurements-csv-verdict-not-newest-review = measurements.csv : la décision sur { $one } n’est pas celle de sa dernière vérification ; l’une des deux est fausse.
 
@@ -5111,7 +5111,7 @@ scans-strip-not-arrived-whole-yet-finish = La { $word ->
     [first] première
    *[second] seconde
 } bande, { $filename }, n’est pas encore arrivée en entier ; terminez son envoi.
-scans-changed-look-again-redo-yours = { $name } a modifié { $name_2 } le { $when } ; regardez à nouveau et refaites votre modification.
+scans-changed-look-again-redo-yours = { $name } a modifié { $name_2 } le { $when } ; rechargez et refaites votre modification.
 scans-scans-cannot-changed-leave-out = { $unknown } d’un balayage n’est pas modifiable ; omettez-le.
 scans-start-u-cannot-be = Un début connu à { $u_s } s près est inutilisable ; indiquez une incertitude-type supérieure à 0 et d’au plus 3600 s.
 scans-vehicle-passed-at-another-time = { $path } : le véhicule { $number } est passé à une autre heure que ne le donnent le début de son enregistrement et ses lignes ; l’un des deux a été modifié.
@@ -5131,7 +5131,7 @@ scans-vehicle-not-measured-yet-no-wheelbase = Ce véhicule n’est pas encore me
 scans-wheel-lies-outside-strips-which-end = Une roue est hors des bandes, qui finissent à la ligne { $lines }.
 scans-camera-front-line-must-come-before = À la caméra { $camera }, l’avant (ligne { NUMBER($front, minimumFractionDigits: 1, maximumFractionDigits: 1) }) doit précéder l’arrière ({ NUMBER($rear, minimumFractionDigits: 1, maximumFractionDigits: 1) }) ; replacez-les.
 scans-boundaries-camera-lie-outside-strip-which = Les bornes à la caméra { $camera } sont hors de la bande, qui finit à la ligne { $lines } ; replacez-les.
-scans-front-rear-camera-lines-apart-more = L’avant et l’arrière à la caméra { $camera } sont à { NUMBER($rear, minimumFractionDigits: 0, maximumFractionDigits: 0) } lignes l’un de l’autre, plus qu’un seul véhicule ne peut l’être ; replacez-les.
+scans-front-rear-camera-lines-apart-more = L’avant et l’arrière à la caméra { $camera } sont à { NUMBER($rear, minimumFractionDigits: 0, maximumFractionDigits: 0) } lignes l’un de l’autre, plus qu’un véhicule n’en occupe ; replacez-les.
 scans-nothing-camera-2s-strip-looks-like = Rien dans la bande de la caméra 2 ne ressemble à ce véhicule ; placez-y son avant et son arrière à la main, ou écartez-le si ce n’en est pas un.
 scans-vehicle-no-speed-needs-reason-why = Un véhicule qui n’a pas de vitesse demande un motif ; remesurez-le.
 scans-vehicle-measured-again-meanwhile-look-newer = Ce véhicule a été remesuré entre-temps ; regardez le nouveau résultat.
@@ -5149,7 +5149,7 @@ scans-changed-vehicle-look-again-redo-yours = { $name } a modifié le véhicule 
 scans-scanned-vehicle-no-leave-out = Un véhicule balayé n’a pas de { $unknown } ; omettez-le.
 scans-m-cannot-used-give-metres-4 = { $name } de { $value } m : inutilisable ; indiquez-le en mètres, par exemple 4,447.
 scans-row-without-audit-event-missing = { $path } : la ligne { $odd } est là sans événement d’audit, ou manque.
-scans-row-not-what-audit-event-says = { $path } : { $name } de la ligne { $id } n’est pas ce que dit son événement d’audit.
+scans-row-not-what-audit-event-says = { $path } : { $name } de la ligne { $id } diffère de son événement d’audit.
 scans-vehicle-not-newest-revision-changed = { $path } : le véhicule { $number } n’est pas sa dernière révision ; il a été modifié.
 scans-verdict-went-over = { $path } : la hauteur { $id } porte une décision rendue sur une autre hauteur ; reprenez l’export complet.
 scans-verdict-row-not-one-given = { $path } : la décision de la ligne { $number } n’est pas celle qui a été rendue.
@@ -5169,20 +5169,20 @@ surveys-caption-most-characters-shorten = Une légende a au plus { $most_caption
 surveys-not-photographs-audit-events-changed = { $path } n’a pas les photos des événements d’audit ; il a été modifié.
 surveys-no-row-put = { $strange } n’est dans aucune ligne de { $path } ; ajouté après coup.
 surveys-not-photograph-audit-event-names-exchanged = { $file } n’est pas la photo que nomme son événement d’audit ; elle a été échangée.
-surveys-not-what-audit-events-say-changed = { $path } : { $name } de { $id } n’est pas ce que disent ses événements d’audit ; il a été modifié.
+surveys-not-what-audit-events-say-changed = { $path } : { $name } de { $id } diffère de ses événements d’audit ; il a été modifié.
 surveys-no-survey-named-check-name-home = Il n’y a pas de relevé nommé « { $name } » ; vérifiez le nom sur la page d’accueil.
 surveys-changed-survey-look-again-redo = { $name } a modifié ce relevé le { $when } ; regardez à nouveau et refaites votre modification.
 surveys-place-half-coordinates = Des coordonnées sont une latitude et une longitude ; indiquez les deux ou aucune.
 surveys-place-latitude = Une latitude est entre -90 et 90 degrés, pas { $latitude } : latitude et longitude sont-elles inversées ?
-surveys-place-longitude = Une longitude est entre -180 et 180 degrés, pas { $longitude }.
+surveys-place-longitude = Une longitude de { $longitude } est hors plage ; indiquez de −180 à 180 degrés.
 surveys-place-speed-limit = Une vitesse limite est supérieure à 0 et d’au plus { $fastest } km/h, pas { $kmh } km/h.
 surveys-survey-needs-name-fill = Un relevé doit avoir un nom ; indiquez-le.
 surveys-inset-cannot-used-give-known-target = Le retrait de « { $target } » est inutilisable ; indiquez une cible connue et une incertitude >= 0.
 surveys-asks-nothing-choose-target = Un relevé demande au moins une cible de jour et une en faible luminosité ; choisissez-les.
-surveys-survey-csv-not-what-audit = survey.csv n’est pas ce que disent les événements d’audit du relevé ; il a été modifié.
-surveys-insets-csv-not-what-surveys-audit = insets.csv n’est pas ce que disent les événements d’audit du relevé ; il a été modifié.
-surveys-classes-csv-not-what-surveys-audit = classes.csv n’est pas ce que disent les événements d’audit du relevé ; il a été modifié.
-surveys-sampling-csv-not-what-audit = sampling.csv ou quotas.csv n’est pas ce que disent les événements d’audit du relevé ; il a été modifié.
+surveys-survey-csv-not-what-audit = survey.csv diffère des événements d’audit du relevé ; il a été modifié.
+surveys-insets-csv-not-what-surveys-audit = insets.csv diffère des événements d’audit du relevé ; il a été modifié.
+surveys-classes-csv-not-what-surveys-audit = classes.csv diffère des événements d’audit du relevé ; il a été modifié.
+surveys-sampling-csv-not-what-audit = sampling.csv ou quotas.csv diffère des événements d’audit du relevé ; il a été modifié.
 surveys-sampling-step = Un passage sur n : n est entre 1 et { $most_step }, le premier numéro entre 1 et n ; corrigez-les.
 surveys-sampling-share = Une part des passages est supérieure à 0 et d’au plus 100 % ; corrigez-la.
 surveys-sampling-headway = Le temps intervéhiculaire des véhicules libres doit être supérieur à 0 et d’au plus { $most_headway_s } s ; corrigez-le.
@@ -5377,7 +5377,7 @@ lots-not-accepted = Seul un lot accepté peut être annulé ; regardez ce qu�
 lots-decided-already = Le lot { $number } a reçu une décision entre-temps ; regardez-la d’abord.
 lots-event-another-row = audit.csv : l’événement { $number } contient un autre lot que celui qu’il a haché ; reprenez l’export complet.
 lots-verdict-of-no-lot = reviews.csv : une décision par le lot { $lot }, qui n’existe pas ; reprenez l’export complet.
-lots-lots-csv-not-what-event-says = lots.csv : le lot { $id } n’est pas ce que disent ses événements d’audit ; il a été modifié.
+lots-lots-csv-not-what-event-says = lots.csv : le lot { $id } diffère de ses événements d’audit ; il a été modifié.
 lots-lot-missing = lots.csv : le lot { $id } manque, bien que son événement d’audit soit là.
 lots-seed-not-the-chains = lots.csv : la graine du lot { $id } ne découle pas de la chaîne d’audit ; le tirage a été choisi.
 lots-not-drawn-by-its-seed = audit.csv : le lot { $id } n’a pas été tiré dans l’ordre de sa graine ; le tirage a été modifié.
@@ -5388,7 +5388,7 @@ lots-counts-not-those-of-verdicts = audit.csv : les nombres du lot { $id } ne s
 lots-accepted-beyond-its-plan = audit.csv : le lot { $id } a été accepté avec plus de hauteurs non conformes que son plan n’en admet, ou sans jugement.
 lots-verdicts-not-those-of-its-rest = reviews.csv : les décisions par le lot { $id } ne sont pas celles de son reste ; certaines ont été ajoutées ou retirées.
 lots-verdict-before-the-decision = audit.csv : une décision par le lot { $id } précède la décision sur le lot ; l’une des deux est fausse.
-lots-items-csv-not-what-events-say = lot_items.csv : la place { $place } du lot { $id } n’est pas ce que disent les événements d’audit ; elle a été modifiée.
+lots-items-csv-not-what-events-say = lot_items.csv : la place { $place } du lot { $id } diffère des événements d’audit ; elle a été modifiée.
 reviews-verdict-given-meanwhile = { $name } a rendu entre-temps la décision « { $verdict } » ; regardez-la d’abord.
 
 ## Distance de visibilité : la page
@@ -5433,7 +5433,7 @@ sight-case-standard = la norme
 sight-case-survey = le relevé
 sight-case-mix = l’autre parc
 sight-sentence = Signification
-sight-missing = Le filtre n’en laisse aucune hauteur : { $targets }. Mesurez et validez-en, ou affichez tous les états.
+sight-missing = Aucune hauteur de cette cible ne correspond au filtre : { $targets }. Mesurez et validez-en, ou affichez tous les états.
 sight-too-few = Trop peu de hauteurs pour le centile : { $targets }.
 sight-too-few-of = { $target }, { $reason }
 sight-read-class = de la classe que nomme chaque règle
@@ -5712,7 +5712,7 @@ commands-compare-no-such-value = Aucune ligne avec une hauteur n’a { $name } d
 opened-reading = Lecture de l’archive…
 opened-unreadable = Cette page ne peut pas lire l’archive qu’elle porte. Utilisez un navigateur de 2023 ou plus récent, ou lancez sightline verify.
 opened-made-with = Fait avec Sightline { $version }.
-opened-only = Cette archive est limitée. Statistiques, figures et rapport ne portent que sur : { $only }. Les autres véhicules du relevé figurent dans les tableaux et ne comptent dans aucun résultat.
+opened-only = Cette archive est limitée. Statistiques, figures et rapport ne portent que sur : { $only }. Les autres véhicules du relevé figurent dans les tableaux et sont exclus des résultats.
 opened-report = Rapport (PDF)
 opened-measurements = Mesures
 opened-figures = Figures
@@ -5747,7 +5747,7 @@ opened-seal-holds = Les { NUMBER($count) } fichiers que porte cette page sont ce
 opened-seal-wrong = Fichiers autres que ceux que nomme le sceau : { $named }.
 opened-rows-agree = Chaque mesure dit ce que dit son événement d’audit.
 opened-rows-differ = { $count ->
-    [one] { NUMBER($count) } mesure n’est pas ce que dit son événement d’audit : { $named }.
+    [one] { NUMBER($count) } mesure diffère de son événement d’audit : { $named }.
    *[other] { NUMBER($count) } mesures ne sont pas ce que disent leurs événements d’audit : { $named }.
   }
 opened-poses-agree = Chaque pose de la caméra est celle que nomme son événement d’audit.
@@ -5758,7 +5758,7 @@ opened-signature-unknown = La signature n’a pas été contrôlée, car ce navi
 opened-folder-choose = Contrôlez aussi les fichiers : déposez le ZIP ou le dossier de l’archive n’importe où sur cette page, ou choisissez-le ici. Rien ne quitte cet ordinateur.
 opened-folder-folder = Le dossier où se trouve cette page
 opened-folder-zip = Ou le ZIP de l’archive
-opened-folder-unreadable = Les fichiers n’ont pas été contrôlés : ce qui a été choisi n’est pas une archive entière. Reprenez le ZIP, ou choisissez le dossier.
+opened-folder-unreadable = Les fichiers n’ont pas été contrôlés : la sélection n’est pas une archive complète. Reprenez le ZIP, ou choisissez le dossier.
 opened-folder-checking = Contrôle des fichiers…
 opened-folder-fine = Les { NUMBER($count) } fichiers de l’archive ({ NUMBER($mb, maximumSignificantDigits: 2) } Mo) sont tous ceux que nomme le sceau.
 opened-folder-changed = Modifiés après l’export : { $named }.
@@ -5782,8 +5782,8 @@ opened-filter-all = toutes
 opened-filter-differs = celles qui diffèrent
 opened-filter-stale = celles qui sont périmées
 opened-stale-count = { $count ->
-    [one] { NUMBER($count) } hauteur est périmée : elle découle d’une pose de la caméra, d’un retrait ou d’un côté du conducteur modifié après son calcul. Elle compte telle quelle.
-   *[other] { NUMBER($count) } hauteurs sont périmées : elles découlent d’une pose de la caméra, d’un retrait ou d’un côté du conducteur modifié après leur calcul. Elles comptent telles quelles.
+    [one] { NUMBER($count) } hauteur est périmée : elle découle d’une pose de la caméra, d’un retrait ou d’un côté du conducteur modifié après son calcul. Elle est incluse sans changement.
+   *[other] { NUMBER($count) } hauteurs sont périmées : elles découlent d’une pose de la caméra, d’un retrait ou d’un côté du conducteur modifié après leur calcul. Elles sont incluses sans changement.
 }
 opened-stale-mark = périmée
 opened-stale = { $cause ->
@@ -5817,7 +5817,7 @@ opened-refused-pose = non calculée : sa pose de la caméra n’est pas dans l�
 opened-refused-form = non calculée : ses images ne sont pas toutes dans le tableau
 opened-one = Mesure { $id } : { $target }
 opened-crops-none = Aucune vue de celle-ci dans cette archive.
-opened-crops-outside = Hors de ce à quoi cette archive est limitée ({ $only }) : elle n’a pas d’image ici et ne compte dans aucun résultat.
+opened-crops-outside = Hors des limites de cette archive ({ $only }) : elle n’a pas d’image ici et est exclue des résultats.
 opened-crop = Image { $frame } avec les deux points
 opened-differs = Autre chose que ce que donnent les pointés : { $named }.
 opened-pair-package = Hauteur dans l’archive, m
@@ -5877,7 +5877,7 @@ opened-evidence-lane-unknown = inconnue
 opened-evidence-axles = Essieux
 opened-evidence-axles-of = { $count }, { $by ->
     [person] comptés par une personne
-   *[machine] comptés par le programme
+   *[machine] trouvés par Sightline
 }
 opened-evidence-lines-1 = Avant et arrière à la caméra 1, ligne
 opened-evidence-lines-2 = Avant et arrière à la caméra 2, ligne
@@ -6921,7 +6921,7 @@ report-photo-broken = La photo « { $caption } » ne peut être lue comme PNG 
 report-no-recording = Il n’y a pas d’enregistrement.
 report-recordings = Enregistrements. Le SHA-256 entier du fichier est dans recordings.csv.
 report-filmed-from = Filmé à partir de
-report-picture = Image
+report-picture = Taille d’image
 report-frames = Images
 report-duration = Durée
 report-model-brown = modèle radial et tangentiel de Brown
@@ -7006,7 +7006,7 @@ report-eq-contact = contact
 report-eq-target = cible
 report-method-height = la distance { $distance } de la caméra au plan du contact et la hauteur { $height } sont
 report-method-inset = L’article prend { $inset }, ce qui lit une cible à { $height } trop haut de
-report-method-raw = 44 mm pour un œil à 1,16 m, à 0,45 m en retrait, à 3 m d’une caméra haute de 1,5 m. Les hauteurs sont donc données deux fois : « brutes » avec { $inset }, à comparer à l’article, et corrigées du retrait ci-dessous. Quand les deux mêmes points ont été pointés sur plusieurs images d’un passage, le retrait est résolu avec la hauteur par moindres carrés.
+report-method-raw = 44 mm pour un œil à 1,16 m, à 0,45 m en retrait, à 3 m d’une caméra haute de 1,5 m. Les hauteurs sont donc données deux fois : non corrigées (« brutes ») avec { $inset }, à comparer à l’article, et corrigées du retrait ci-dessous. Quand les deux mêmes points ont été pointés sur plusieurs images d’un passage, le retrait est estimé avec la hauteur par moindres carrés.
 report-method-u = Chaque hauteur porte son incertitude-type par propagation linéaire (JCGM 100:2008),
 report-method-u-over = sur les deux pointés, l’objectif et la pose (ensemble, avec leur covariance), l’inclinaison, le roulis, la hauteur au-dessus de la route, la taille des cases et le gauchissement de la mire, et le retrait. La même pose sert à de nombreux véhicules : son erreur est commune à toutes leurs hauteurs.
 report-assumed = Ce qui est supposé
@@ -7080,8 +7080,8 @@ report-uncovered-not-visible = { $n ->
    *[other] { $n } cibles n’étaient pas visibles.
  }
 report-uncovered-out-of-date = { $n ->
-    [one] 1 hauteur n’est plus à jour : elle découle de données modifiées après son calcul, et compte telle quelle.
-   *[other] { $n } hauteurs ne sont plus à jour : elles découlent de données modifiées après leur calcul, et comptent telles quelles.
+    [one] 1 hauteur n’est plus à jour : des données dont elle dépend ont été modifiées après son calcul. Elle est incluse sans changement.
+   *[other] { $n } hauteurs ne sont plus à jour : des données dont elles dépendent ont été modifiées après leur calcul. Elles sont incluses sans changement.
  }
 report-uncovered-others = Autres routes, autres jours, autre trafic : les intervalles valent pour le trafic qui passe sur ce site.
 report-readme-contents = Contenu de ce paquet
@@ -7128,7 +7128,7 @@ report-limits = Limites d’accord (Bland et Altman) : { $lower } ({ $lower_int
 report-as-in-the-paper = Comme dans l’article
 report-as-in-the-paper-words = Seulement pour la comparaison avec Dupuis et al. (Sensors 2019, 19(7), 1611). Comme l’article mesure : retrait 0 et, pour les erreurs, les deux hauteurs arrondies au centimètre entier. Les centiles sont ceux des hauteurs mesurées, erreur aléatoire comprise ; leurs intervalles ne couvrent que l’échantillonnage. Aucune autre section n’utilise ces valeurs.
 report-paper-errors = Erreurs comme dans l’article : retrait 0, centimètres entiers, avec leurs IC à 95 %.
-report-paper-percentiles = Centiles comme dans l’article, des hauteurs ({ $target }) ; véhicules : { $raw } bruts, { $corrected } corrigés.
+report-paper-percentiles = Centiles comme dans l’article, des hauteurs ({ $target }) ; véhicules : { $raw } non corrigés, { $corrected } corrigés.
 report-paper = Tableau 1 de l’article, tel qu’imprimé.
 report-its-column = Sa colonne
 report-inconsistent = Ce qui s’y contredit
@@ -7149,7 +7149,7 @@ report-percentile = Centile
 report-true-heights = Hauteurs vraies
 report-corrected = Corrigées
 report-interval-sampling = 95 %, échantil­lonnage
-report-raw-inset = Brutes, retrait 0
+report-raw-inset = Non corrigées, retrait 0
 report-reason-of = { $percents } : { $reason }.
 report-shares = Normes, et part qui leur est inférieure (des hauteurs vraies) : { $targets }, avec des intervalles totaux à 95 %.
 report-height = Hauteur
@@ -7381,7 +7381,7 @@ report-year-no-interval = pas d’intervalle
 report-verdict-why = { $verdict } ({ $reason })
 report-makers-words = Par rapport aux hauteurs des constructeurs, { $n } toits ont une erreur absolue moyenne de { $mae } (95 % : { $mae_interval }) et un biais de { $bias } (95 % : { $bias_interval }).
 report-studied = Données
-report-surveys = Les relevés. « Comptées » : hauteurs validées qui comptent d’après ce que le relevé dit de son échantillon ; « exclues » : celles de véhicules hors échantillon qui ne comptent pas.
+report-surveys = Les relevés. « Comptées » : hauteurs validées qui comptent selon la règle d’échantillonnage du relevé ; « exclues » : celles de véhicules hors échantillon qui ne comptent pas.
 report-survey-column = Relevé
 report-site = Site
 report-stratum = Strate
