@@ -153,7 +153,7 @@ def test_a_changed_parquet_is_found_without_computing_anything_again(
     table = pq.read_table(path)
     pq.write_table(table.slice(1), path)
     assert main(["study", *four, "-o", str(tmp_path / "study"), "--quick"]) == 2
-    assert "parquet/measurements.parquet is not what the package's seal" in capsys.readouterr().err
+    assert "parquet/measurements.parquet is not what the package’s seal" in capsys.readouterr().err
 
 
 def fleet(text: str) -> Callable[[Path, list[str]], list[str]]:
