@@ -135,7 +135,7 @@ def measure(page: Page, one: OwnVehicle, rng: np.random.Generator) -> None:
         x, y = np.array(one.pixels[target]) + rng.normal(0, CLICK_NOISE_PX, 2)
         spot = on_screen(page, (float(x), float(y)))
         page.mouse.move(*spot)
-        expect(page.get_by_test_id("live-height")).to_contain_text(re.compile(r"\d\.\d{3} ± 0\.\d{3}"))
+        expect(page.get_by_test_id("live-height")).to_contain_text(re.compile(r"\d\.\d{3}\s±\s0\.\d{3}"))
         page.mouse.click(*spot)
         expect(page.get_by_test_id(f"measurement-row-{target}")).to_contain_text(re.compile(r"\d\.\d{3}"))
     expect(page.get_by_test_id("save-state")).to_contain_text(re.compile(r"saved \d", re.I))
