@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import codecs
 import json
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -120,6 +121,13 @@ def test_catalogue(name: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
     assert {row["line"]: row["change"] for row in json.loads(out)["rows"]} == right
 
 
+def refused(words: tuple[str, ...], read: Callable[..., object], *given: object) -> None:
+    """The reading is refused with a reason that has all these words."""
+    with pytest.raises(BadInput) as error:
+        read(*given)
+    assert all(word in str(error.value) for word in words), error.value
+
+
 FLEET = "category,share\n"
 SITES = "site,stratum,sites_there,traffic\n"
 EVEN = {"category": {"car": pytest.approx(0.7), "van": pytest.approx(0.3)}}
@@ -149,10 +157,7 @@ FLEETS: dict[str, tuple[str, dict[str, Any] | tuple[str, ...]]] = {
 def test_fleet(name: str) -> None:
     content, right = FLEETS[name]
     if isinstance(right, tuple):
-        with pytest.raises(BadInput) as refused:
-            read_fleet(Path("fleet.csv"), content)
-        assert all(word in str(refused.value) for word in ("fleet.csv", *right)), refused.value
-        return
+        return refused(("fleet.csv", *right), read_fleet, Path("fleet.csv"), content)
     assert read_fleet(Path("fleet.csv"), content).margins == right
 
 
@@ -177,10 +182,7 @@ OF_SITES: dict[str, tuple[str, int | tuple[str, ...]]] = {
 def test_sites(name: str) -> None:
     content, right = OF_SITES[name]
     if isinstance(right, tuple):
-        with pytest.raises(BadInput) as refused:
-            read_sites(Path("sites.csv"), content)
-        assert all(word in str(refused.value) for word in ("sites.csv", *right)), refused.value
-        return
+        return refused(("sites.csv", *right), read_sites, Path("sites.csv"), content)
     assert len(read_sites(Path("sites.csv"), content)) == right
 
 
@@ -206,10 +208,7 @@ RIG: dict[str, tuple[str, dict[int, str] | tuple[str, ...]]] = {
 def test_rig_passes(name: str) -> None:
     content, right = RIG[name]
     if isinstance(right, tuple):
-        with pytest.raises(BadInput) as refused:
-            read_rig_passes(content.encode(), "rig.csv", Common())
-        assert all(word in str(refused.value) for word in right), refused.value
-        return
+        return refused(right, read_rig_passes, content.encode(), "rig.csv", Common())
     refused_rows = {
         one.row: one.reason for one in read_rig_passes(content.encode(), "rig.csv", Common()).refused
     }
@@ -241,10 +240,7 @@ def test_observed_passes(name: str, tmp_path: Path) -> None:
     path = tmp_path / "passes.csv"
     path.write_text(content)
     if isinstance(right, tuple):
-        with pytest.raises(BadInput) as refused:
-            read_passes(path)
-        assert all(word in str(refused.value) for word in ("passes.csv", *right)), refused.value
-        return
+        return refused(("passes.csv", *right), read_passes, path)
     good, left_out = read_passes(path)
     assert not good and {one.name for one in left_out} == set(right)
     assert all(right[one.name] in one.reason for one in left_out), left_out
@@ -270,6 +266,4 @@ def test_tracks(name: str, tmp_path: Path) -> None:
     content, words = TRACKS[name]
     path = tmp_path / "tracks.csv"
     path.write_text(content)
-    with pytest.raises(BadInput) as refused:
-        read_tracks(path)
-    assert all(word in str(refused.value) for word in ("tracks.csv", *words)), refused.value
+    refused(("tracks.csv", *words), read_tracks, path)
