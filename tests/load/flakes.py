@@ -108,7 +108,10 @@ def busy_loops() -> Iterator[None]:
 
 
 def results(files: Sequence[str], seconds: float | None = None) -> list[tuple[str, bool]]:
-    """One run, broken off after so many seconds: each test that ended by name, and whether it failed."""
+    """One run, broken off after so many seconds: each test that ended by name, and whether it failed.
+
+    A run that ends by itself and leaves no results counts as one failure of its files.
+    """
     with tempfile.NamedTemporaryFile(suffix=".xml") as report:
         command = [sys.executable, "-m", "pytest", "-p", "no:cacheprovider", "--durations=0"]
         run = subprocess.Popen(
@@ -117,9 +120,11 @@ def results(files: Sequence[str], seconds: float | None = None) -> list[tuple[st
             stdout=subprocess.DEVNULL,
             start_new_session=True,
         )
+        broken_off = False
         try:
             run.wait(seconds)
         except subprocess.TimeoutExpired:
+            broken_off = True
             run.send_signal(signal.SIGINT)
             try:
                 run.wait(STOPPING_S)
@@ -127,7 +132,7 @@ def results(files: Sequence[str], seconds: float | None = None) -> list[tuple[st
                 os.killpg(run.pid, signal.SIGKILL)
                 run.wait()
         if not Path(report.name).stat().st_size:
-            return []
+            return [] if broken_off else [(f"{' '.join(files)} ended without results", True)]
         cases = list(ElementTree.parse(report.name).getroot().iter("testcase"))
     return [
         (f"{case.get('classname')}::{case.get('name')}", any(one.tag in ("failure", "error") for one in case))

@@ -12,9 +12,11 @@ import hashlib
 from collections.abc import Collection, Iterator
 from functools import cache
 from pathlib import Path
+from typing import TypeGuard
 
 PROGRAM = __name__.partition(".")[0]
 ROOT = Path(__file__).resolve().parents[2]
+_STATEMENTS = ("body", "orelse", "finalbody", "handlers", "cases")
 
 
 @cache
@@ -81,8 +83,16 @@ def _imports(name: str) -> frozenset[str]:
         elif isinstance(node, ast.ImportFrom) and node.module:
             found.add(node.module)
             found.update(f"{node.module}.{one.name}" for one in node.names)
-        elif isinstance(node, ast.If) and ast.unparse(node.test).endswith("TYPE_CHECKING"):
+        elif _is_for_type_checkers(node):
             waiting += node.orelse
         else:
-            waiting += ast.iter_child_nodes(node)
+            # imports are statements: expressions, most of a file's tree, are left out
+            waiting += [one for part in _STATEMENTS for one in getattr(node, part, ())]
     return frozenset(found)
+
+
+def _is_for_type_checkers(node: ast.AST) -> TypeGuard[ast.If]:
+    match node:
+        case ast.If(test=ast.Name(id="TYPE_CHECKING") | ast.Attribute(attr="TYPE_CHECKING")):
+            return True
+    return False
