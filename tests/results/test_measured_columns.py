@@ -1,28 +1,16 @@
 """The columns for statistics say of every measurement what its record says."""
 
-import os
-import subprocess
-import sys
 from dataclasses import replace
 from datetime import UTC, datetime
-from pathlib import Path
 
 import numpy as np
-import pyarrow as pa
 import pytest
-from sqlalchemy import func, select, update
 
 from sightline.cameras.store import create_camera
 from sightline.errors import Damaged
-from sightline.infra.audit.tables import audit_chains
-from sightline.infra.database.arrow import arrow_rows, arrow_tables
 from sightline.infra.database.engine import (
     SessionFactory,
-    engine_of,
-    make_engine,
-    migrate,
     reading,
-    session_factory,
     writing,
 )
 from sightline.measurements.sheets.query import list_sheets
@@ -44,16 +32,17 @@ from sightline.results.measured_columns_query import (
 from sightline.reviews.store import add_review
 from sightline.surveys.store import create_survey
 from sightline.vehicles.store import create_vehicle, remove_vehicle, update_vehicle
-from sightline.vehicles.tables import vehicles as vehicles_table
 from tests.support import samples
 
 pytestmark = pytest.mark.dialect
 
 
-@pytest.mark.parametrize("few", [measured_columns_query._FEW, -1])
-def test_columns_are_the_records(factory: SessionFactory, monkeypatch: pytest.MonkeyPatch, few: int) -> None:
-    """Read through the session as well as by ADBC."""
-    monkeypatch.setattr(measured_columns_query, "_FEW", few)
+@pytest.mark.parametrize("at_once", [measured_columns_query._AT_ONCE, 7])
+def test_columns_are_the_records(
+    factory: SessionFactory, monkeypatch: pytest.MonkeyPatch, at_once: int
+) -> None:
+    """In one piece as well as in several."""
+    monkeypatch.setattr(measured_columns_query, "_AT_ONCE", at_once)
     one = samples.fill(factory, 30)
     with writing(factory) as session:
         other = create_survey(session, name="Other", actor=None)
@@ -114,43 +103,7 @@ def test_columns_are_the_records(factory: SessionFactory, monkeypatch: pytest.Mo
     assert 0 < len(chosen) < len(found)
 
 
-STATE = select(func.sum(audit_chains.c.count))
-
-
-def test_arrow_columns_lose_no_digit_and_no_null(
-    factory: SessionFactory, caplog: pytest.LogCaptureFixture
-) -> None:
-    """The first rows NULL, whole numbers among the lengths, all NULL, and no row at all."""
-    samples.fill(factory, 30)
-    v = vehicles_table.c
-    known: list[float | None] = [
-        None,
-        None,
-        0.0625,
-        1.0 / 3.0,
-        1.2345678901234567,
-        0.1 + 0.2,
-        np.nextafter(1.5, 2.0),
-        5e-324,
-        2.0,
-    ]
-    with writing(factory) as session:
-        for id_, value in enumerate(known, start=1):
-            row = update(vehicles_table).where(v.id == id_)
-            session.execute(row.values(manufacturer_height_m=None if value is None else float(value)))
-    query = select(v.id, v.manufacturer_height_m, v.u_manufacturer_height_m, v.height_source, v.category)
-    with reading(factory) as session:
-        found, nothing = arrow_tables(session, STATE, [query, query.where(v.id < 0)])
-        there = session.execute(query.order_by(v.id)).all()
-        by_rows = arrow_rows(session, query.where(v.id < 0))
-    rows = sorted(found.to_pylist(), key=lambda row: row["id"])
-    assert [tuple(row.values()) for row in rows] == [tuple(row) for row in there] and len(there) > len(known)
-    assert found.schema.names == nothing.schema.names == by_rows.schema.names
-    assert len(nothing) == len(by_rows) == 0 and str(nothing.schema.types[1]) == "double"
-    assert not caplog.records  # by ADBC, not row by row
-
-
-def test_columns_are_of_the_sessions_state(factory: SessionFactory, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_columns_are_of_the_sessions_state(factory: SessionFactory) -> None:
     """What was committed before is seen, what another session commits meanwhile is not; what the session
     itself wrote is, before it commits.
     """
@@ -158,9 +111,8 @@ def test_columns_are_of_the_sessions_state(factory: SessionFactory, monkeypatch:
     with reading(factory) as session:
         before = load_measured_columns(session, [one.survey.id])
         chosen = list_measurements(session, one.survey.id)[0]
-    monkeypatch.setattr(measured_columns_query, "_FEW", -1)
     with reading(factory) as session:
-        session.execute(STATE)
+        list_measurements(session, one.survey.id)
         with writing(factory) as other:
             withdraw_measurement(other, chosen.id, seen_revision=chosen.revision, actor=None)
         assert list(load_measured_columns(session).measurement_id) == list(before.measurement_id)
@@ -173,41 +125,13 @@ def test_columns_are_of_the_sessions_state(factory: SessionFactory, monkeypatch:
 
 
 @pytest.mark.once
-@pytest.mark.parametrize("name", ["what%3Fmode=ro", "a b#c", "é", "a%20b"])
-def test_a_file_of_any_name_is_read(tmp_path: Path, name: str, caplog: pytest.LogCaptureFixture) -> None:
-    factory = session_factory(make_engine(f"sqlite:///{tmp_path / name}"))
-    migrate(engine_of(factory))
-    with reading(factory) as session:
-        (found,) = arrow_tables(session, STATE, [STATE])
-        assert found.column(0).to_pylist() == [session.execute(STATE).scalar_one()]
-    assert "ADBC" not in caplog.text
-
-
-@pytest.mark.once
-def test_adbcs_sqlite_stays_in_its_own_process() -> None:
-    """Two copies of SQLite in one process undo each other's locks."""
-    code = "import sys, sightline.app; sys.exit('adbc_driver_sqlite' in sys.modules)"
-    environment = {**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)}
-    assert subprocess.run([sys.executable, "-c", code], env=environment, check=False).returncode == 0
-
-
-@pytest.mark.once
 def test_an_unknown_word_is_refused() -> None:
-    table = pa.table({"target": ["roof", None, "wing"]})
     with pytest.raises(Damaged, match="“wing”"):
-        measured_columns_query._codes(table, "target", TARGETS)
-    assert list(measured_columns_query._codes(table.slice(0, 2), "target", TARGETS)) == [0, -1]
-
-
-@pytest.mark.once
-@pytest.mark.parametrize("ids", [[3, 1, 2], [2**31 - 1, 5, 9], []])
-def test_ids_are_found_close_together_and_far_apart(ids: list[int]) -> None:
-    places = measured_columns_query._Places(np.array(ids, np.int64))
-    assert list(places(np.array([*ids, 7, 2**31 - 2], np.int64))) == [*range(len(ids)), -1, -1]
+        measured_columns_query._codes("target", ["roof", None, "wing"], TARGETS)
+    assert list(measured_columns_query._codes("target", ["roof", None], TARGETS)) == [0, -1]
 
 
 def test_a_small_survey_among_others_is_the_same(factory: SessionFactory) -> None:
-    """Where a survey holds little of all, the database joins; else everything is read and matched here."""
     with writing(factory) as session:
         one = samples.sample(session)
         for key in range(1, 10):

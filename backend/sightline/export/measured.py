@@ -6,14 +6,12 @@ heights to the micrometre, as the CSV carries them.
 
 from __future__ import annotations
 
-from array import array
 from collections.abc import Mapping
 from dataclasses import dataclass, fields
 from datetime import date
-from typing import get_args
+from typing import Any, get_args
 
 import numpy as np
-from numpy.typing import NDArray
 
 from sightline.enums import Correction, Rounding, Target
 from sightline.export.scans import scan_heights_in, scans_in
@@ -27,13 +25,12 @@ from sightline.results.csv import selection_in, standards_in
 from sightline.results.measured_columns_query import (
     CATEGORIES,
     CLASS_SETS,
-    LANES,
     LIGHTING,
     NONE,
-    TARGETS,
     UNCERTAINTY,
-    VERDICTS,
     Measured,
+    day_of,
+    measured_of,
 )
 from sightline.results.survey_statistics import Filter, Statistics, StatisticsOptions, filtered, made_of
 from sightline.scans.statistics.heights import ScannedHeights
@@ -44,7 +41,6 @@ from sightline.statistics.summary import Grouping
 from sightline.surveys.csv import class_sets_in
 from sightline.vehicles.records import KNOWN, is_reference
 
-_EPOCH = date(1970, 1, 1).toordinal()
 _READ = (
     "id",
     "vehicle_id",
@@ -71,22 +67,6 @@ _OF_CAR = (
     "check_target",
     "counts",
 )
-
-
-@dataclass(frozen=True, eq=False)
-class Cars:
-    """What the vehicles of a package are, by id: lighting, category and set as indices; `known`: height and
-    u of each target in the order of TARGETS, metres."""
-
-    lighting: dict[str, int]
-    filmed_day: dict[str, int]
-    lane: dict[str, int]
-    category: dict[str, int]
-    class_set: dict[str, int]
-    by_size: dict[str, bool]
-    check_target: dict[str, bool]
-    counts: dict[str, bool]
-    known: dict[str, tuple[float, ...]]
 
 
 _TO_CM: Rounding = "cm"
@@ -120,7 +100,7 @@ def statistics_of(files: Files, choices: StatisticsOptions = StatisticsOptions()
         filmed_from=chosen_of.filmed_from,
         filmed_to=chosen_of.filmed_to,
     )
-    measured, left_out = filtered(measured_of(files), filter_)
+    measured, left_out = filtered(measured_in(files), filter_)
     groupings = _groupings(files, measured)
     wanted: list[tuple[Correction, Rounding]] = [(one, "none") for one in CORRECTIONS]
     wanted.append(AS_PAPER)
@@ -132,59 +112,34 @@ def statistics_of(files: Files, choices: StatisticsOptions = StatisticsOptions()
     return PackageStatistics(found, scans_in(files), scan_heights_in(files), traffic_in(files))
 
 
-def measured_of(files: Files) -> Measured:
+def measured_in(files: Files) -> Measured:
     """The standing measurements with a height, from measurements.csv, vehicles.csv and recordings.csv."""
-    cars = _cars(files)
-    whole = {name: array("q") for name in ("id", "vehicle", "operator", "day", "target", "verdict", "pose")}
-    of_car = {name: array("q") for name in _OF_CAR}
-    lengths = {name: array("d") for name in ("height", "paper", "known", "u_known", "across", *UNCERTAINTY)}
-    cameras = _Cameras(files)
-    for id_, car, target, height, paper, withdrawn, verdict, maker, at, pose, y, *parts in read_columns(
-        files, "measurements.csv", _READ
-    ):
-        if withdrawn == "true" or not height or car not in cars.lighting:
+    cars, cameras = _cars(files), _Cameras(files)
+    columns: dict[str, list[Any]] = {one.name: [] for one in fields(Measured)}
+    for row in read_columns(files, "measurements.csv", _READ):
+        of = dict(zip(_READ, row, strict=True))
+        car = cars.get(of["vehicle_id"])
+        if of["withdrawn"] == "true" or not of["height_m"] or car is None:
             continue
-        whole["id"].append(int(id_))
-        whole["vehicle"].append(int(car))
-        whole["operator"].append(int(maker) if maker else NONE)
-        whole["day"].append(_day(at))
-        whole["target"].append(TARGETS.index(target))
-        whole["verdict"].append(VERDICTS.index(verdict))
-        for name in _OF_CAR:
-            of_car[name].append(getattr(cars, name)[car])
-        lengths["height"].append(float(height))
-        lengths["paper"].append(float(paper) if paper else np.nan)
-        at_target = 2 * TARGETS.index(target)
-        lengths["known"].append(cars.known[car][at_target])
-        lengths["u_known"].append(cars.known[car][at_target + 1])
-        whole["pose"].append(int(pose))
-        lengths["across"].append(float(y) - cameras.across_m(int(pose)) if y else np.nan)
-        for name, cell in zip(UNCERTAINTY, parts, strict=True):
-            lengths[name].append(float(cell) if cell else np.nan)
-    return Measured(
-        measurement_id=_ints(whole["id"]),
-        vehicle_id=_ints(whole["vehicle"]),
-        survey_id=np.zeros(len(whole["id"]), dtype=np.int64),
-        operator_id=_ints(whole["operator"]),
-        day=_ints(whole["day"]),
-        target=_ints(whole["target"]),
-        filmed_day=_ints(of_car["filmed_day"]),
-        lighting=_ints(of_car["lighting"]),
-        lane=_ints(of_car["lane"]),
-        category=_ints(of_car["category"]),
-        class_set=_ints(of_car["class_set"]),
-        verdict=_ints(whole["verdict"]),
-        height_m=np.frombuffer(lengths["height"], np.float64),
-        uncorrected_height_m=np.frombuffer(lengths["paper"], np.float64),
-        known_m=np.frombuffer(lengths["known"], np.float64),
-        u_known_m=np.frombuffer(lengths["u_known"], np.float64),
-        by_size=_ints(of_car["by_size"]).astype(np.bool_),
-        check_target=_ints(of_car["check_target"]).astype(np.bool_),
-        counts=_ints(of_car["counts"]).astype(np.bool_),
-        pose_id=_ints(whole["pose"]),
-        across_m=np.frombuffer(lengths["across"], np.float64),
-        **{name: np.frombuffer(lengths[name], np.float64) for name in UNCERTAINTY},
-    )
+        known_m, u_known_m = car["known"][of["target"]]
+        values = {
+            **{name: car[name] for name in _OF_CAR},
+            **{name: _number(of[name]) for name in ("height_m", "uncorrected_height_m", *UNCERTAINTY)},
+            "measurement_id": int(of["id"]),
+            "vehicle_id": int(of["vehicle_id"]),
+            "survey_id": 0,
+            "operator_id": int(of["created_by_id"]) if of["created_by_id"] else None,
+            "day": _day(of["created_at"]),
+            "target": of["target"],
+            "verdict": of["verdict"],
+            "known_m": known_m,
+            "u_known_m": u_known_m,
+            "pose_id": int(of["pose_id"]),
+            "across_m": float(of["y_m"]) - cameras.across_m(int(of["pose_id"])) if of["y_m"] else None,
+        }
+        for name, column in columns.items():
+            column.append(values[name])
+    return measured_of(columns)
 
 
 class _Cameras:
@@ -200,48 +155,45 @@ class _Cameras:
         return self._across_m[pose_id]
 
 
-def _ints(values: array[int]) -> NDArray[np.int64]:
-    return np.frombuffer(values, np.int64)
-
-
-def _cars(files: Files) -> Cars:
-    """A vehicle without lighting has its recording's, as on the statistics page."""
+def _cars(files: Files) -> dict[str, dict[str, Any]]:
+    """What `Measured` says of the vehicles of a package, by number, with the height and u `known` of each
+    target, metres; one without lighting has its recording's, as on the statistics page.
+    """
     of_recording = dict(read_columns(files, "recordings.csv", ("id", "lighting")))
+    known = [(target, KNOWN[target].height, KNOWN[target].u) for target in get_args(Target)]
     names = (
-        "id",
-        "recording_id",
-        "lighting",
-        "filmed_at",
-        "direction",
-        "category",
-        "check_target",
-        "model_chosen_by",
-        *(name for target in get_args(Target) for name in (KNOWN[target].height, KNOWN[target].u)),
+        *("id", "recording_id", "lighting", "filmed_at", "direction", "category", "check_target"),
+        *("model_chosen_by", *(name for _, *both in known for name in both)),
     )
-    cars, sets = Cars(**{one.name: {} for one in fields(Cars)}), class_sets_in(files)
-    counts = counting_in(files)
-    for id_, recording, lighting, filmed_at, direction, category, check, chosen_by, *cells in read_columns(
-        files, "vehicles.csv", names
-    ):
-        cars.lighting[id_] = _code(lighting or of_recording.get(recording, ""), LIGHTING)
-        cars.filmed_day[id_] = _day(filmed_at) if filmed_at else NONE
-        cars.lane[id_] = _code(direction, LANES)
-        cars.category[id_] = _code(category, CATEGORIES)
-        cars.class_set[id_] = _code(sets[category] if category else "", CLASS_SETS)
-        cars.check_target[id_], cars.counts[id_] = check == "true", counts[id_]
-        known = is_reference(chosen_by)
-        cars.by_size[id_] = not known
-        cars.known[id_] = tuple(float(cell) if cell and known else np.nan for cell in cells)
+    sets, counts = class_sets_in(files), counting_in(files)
+    cars: dict[str, dict[str, Any]] = {}
+    for row in read_columns(files, "vehicles.csv", names):
+        of = dict(zip(names, row, strict=True))
+        reference = is_reference(of["model_chosen_by"])
+        cars[of["id"]] = {
+            "lighting": of["lighting"] or of_recording.get(of["recording_id"]) or None,
+            "filmed_day": _day(of["filmed_at"]) if of["filmed_at"] else None,
+            "lane": of["direction"] or None,
+            "category": of["category"] or None,
+            "class_set": sets[of["category"]] if of["category"] else None,
+            "by_size": not reference,
+            "check_target": of["check_target"] == "true",
+            "counts": counts[of["id"]],
+            "known": {
+                target: tuple(_number(of[name]) if reference else None for name in both)
+                for target, *both in known
+            },
+        }
     return cars
 
 
 def _day(at: str) -> int:
     """Days since 1970-01-01 of an ISO 8601 time, as it is written."""
-    return date.fromisoformat(at[:10]).toordinal() - _EPOCH
+    return day_of(date.fromisoformat(at[:10]))
 
 
-def _code(word: str, words: tuple[str, ...]) -> int:
-    return words.index(word) if word else NONE
+def _number(cell: str) -> float | None:
+    return float(cell) if cell else None
 
 
 def _groupings(files: Files, measured: Measured) -> dict[str, Grouping]:
