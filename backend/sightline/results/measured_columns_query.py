@@ -54,7 +54,7 @@ _WORDS: Mapping[str, Sequence[str]] = {
 _TRUTHS = ("by_size", "check_target", "counts")
 _IN_MICROMETRES = ("height_m", "uncorrected_height_m", "known_m", "u_known_m", *UNCERTAINTY)
 _BY_SIZE: ColumnElement[bool] = vehicles.c.model_chosen_by == BY_SIZE
-_AT_ONCE = 50_000  # rows that are held as Python's objects
+_AT_ONCE = 5_000  # rows that are objects at a time: of more the garbage collector makes much work
 _TIE = 1e-3  # micrometres from a tie: what is so close is rounded digit by digit
 _EPOCH = date(1970, 1, 1).toordinal()
 
