@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from sightline.errors import BadInput, NoRoom
+from sightline.geometry.documents import WrittenTwice, single_keys
 from sightline.infra.given_csv import GivenTable, read_table
 from sightline.media.atomic import atomic_file
 
@@ -46,7 +47,9 @@ def read_json(path: Path, what: str) -> Any:
     """A JSON file. Raises BadInput naming the file."""
     text = read_text(path, what)
     try:
-        return json.loads(text)
+        return json.loads(text, object_pairs_hook=single_keys)
+    except WrittenTwice as twice:
+        raise BadInput("geometry-key-written-twice", file_name=path, key=str(twice)) from None
     except (ValueError, RecursionError):
         raise BadInput("commands-not-readable-json-give", path=path, what=what) from None
 

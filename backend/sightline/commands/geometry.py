@@ -35,6 +35,7 @@ from sightline.geometry.road_pose import (
     Reference,
     RoadPose,
 )
+from sightline.geometry.verdict import require_plausible
 from sightline.geometry.whole_pass import WholePass, measure_pass
 
 Command = Callable[..., None]
@@ -86,11 +87,16 @@ def parse_point(text: str, option: str) -> tuple[float, float]:
 
 
 def read_camera_file(path: Path) -> Camera:
-    return camera_from_dict(read_json(path, "a camera.json made by sightline calibrate"), str(path))
+    document = read_json(path, "a camera.json made by sightline calibrate or import-camera")
+    camera = camera_from_dict(document, str(path))
+    require_plausible(camera, str(path))
+    return camera
 
 
 def read_pose_file(path: Path) -> RoadPose:
-    return pose_from_dict(read_json(path, "a pose.json made by sightline pose"), str(path))
+    pose = pose_from_dict(read_json(path, "a pose.json made by sightline pose"), str(path))
+    require_plausible(pose.camera, str(path))
+    return pose
 
 
 @click.command()

@@ -1,6 +1,6 @@
 """camera.json and pose.json (docs/formats.md) as dicts, both ways. Reading refuses by key, in a sentence."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any, cast, get_args
 
 import numpy as np
@@ -71,6 +71,25 @@ def pose_to_dict(pose: RoadPose) -> dict[str, Any]:
 LARGEST = 1e12
 
 
+class WrittenTwice(ValueError):
+    """A key that stands twice in one mapping."""
+
+
+def require_single(keys: Iterable[str]) -> None:
+    """Raises WrittenTwice with the first key that comes again."""
+    seen: set[str] = set()
+    for key in keys:
+        if key in seen:
+            raise WrittenTwice(key)
+        seen.add(key)
+
+
+def single_keys(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+    """An object of a JSON file (`object_pairs_hook`); no key may stand twice, for the last would win."""
+    require_single(key for key, _ in pairs)
+    return dict(pairs)
+
+
 class _Reader:
     """Takes checked values out of one JSON object; every refusal names the key."""
 
@@ -97,6 +116,12 @@ class _Reader:
         if value < 0:
             raise self.fail(key, "zero or a positive number")
         return value
+
+    def require_format(self, wanted: str) -> None:
+        found = self.data.get("format")
+        if isinstance(found, str) and found != wanted:
+            raise BadInput("geometry-format-is-another", what=self.what, found=found[:40], wanted=wanted)
+        self.text("format", (wanted,))
 
     def optional(self, key: str) -> float | None:
         return None if self.data.get(key) is None else self.number(key)
@@ -167,7 +192,7 @@ def _views(read: _Reader) -> tuple[View, ...]:
 def camera_from_dict(data: object, what: str = "camera.json") -> Camera:
     """Read `camera.json`. `what` is the name used in refusals. Raises BadInput naming the key."""
     read = _Reader(data, what)
-    read.text("format", (CAMERA_FORMAT,))
+    read.require_format(CAMERA_FORMAT)
     model = cast(LensModel, read.text("model", get_args(LensModel)))
     distortion = read.array("distortion")
     if distortion.size == 0:
@@ -224,7 +249,7 @@ def _board(data: object, what: str) -> BoardOnRoad | None:
 def pose_from_dict(data: object, what: str = "pose.json") -> RoadPose:
     """Read `pose.json`. Raises BadInput naming the key."""
     read = _Reader(data, what)
-    read.text("format", (POSE_FORMAT,))
+    read.require_format(POSE_FORMAT)
     camera = camera_from_dict(read.data.get("camera"), f"{what}, camera")
     inner = _Reader(read.data.get("cam_from_road"), f"{what}, cam_from_road")
     rotation = inner.array("rotation", (3, 3))

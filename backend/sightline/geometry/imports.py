@@ -8,7 +8,7 @@ cameras: a Kalibr chain, two eyes of a stereo rig, several YAML documents; which
 import ast
 import json
 import re
-from collections.abc import Hashable, Iterable, Mapping
+from collections.abc import Hashable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -19,12 +19,19 @@ from sightline.enums import LensModel
 from sightline.errors import BadInput
 from sightline.geometry.arrays import Floats
 from sightline.geometry.camera import Camera
-from sightline.geometry.documents import CAMERA_FORMAT, camera_from_dict
-from sightline.geometry.verdict import lens_warnings, reach
+from sightline.geometry.documents import (
+    CAMERA_FORMAT,
+    WrittenTwice,
+    camera_from_dict,
+    require_single,
+    single_keys,
+)
+from sightline.geometry.verdict import lens_warnings, require_plausible
 
 _MATRIX_KEYS = ("camera_matrix", "cameramatrix", "k", "intrinsic_matrix", "intrinsics", "mtx", "m")
 _LENS_KEYS = (
-    "distortion_coefficients", "dist_coeffs", "distcoeffs", "dist_coeff", "distortion", "d", "dist",
+    "distortion_coefficients", "dist_coeffs", "distcoeffs", "dist_coeff", "distortion_coeffs", "distortion",
+    "d", "dist",
 )  # fmt: skip
 _SIZE_KEYS = ("image_size", "imagesize", "resolution", "img_size", "size", "imagersize")
 _WIDTH_KEYS = ("image_width", "width", "width_px", "imagewidth")
@@ -32,8 +39,8 @@ _HEIGHT_KEYS = ("image_height", "height", "height_px", "imageheight")
 _BROWN_WORDS = {"plumb_bob", "rational_polynomial", "radtan", "brown", "brown_conrady", "opencv"}
 _FISHEYE_WORDS = {"equidistant", "fisheye", "kannala_brandt", "kannala_brandt4"}
 _LARGEST_TANGENTIAL = 0.005  # a real lens's p1, p2 stay well below
-_FOCAL_OF_WIDTH = (0.05, 1000.0)  # from a fisheye of 180 degrees and more to the longest telescope
-_LEAST_REACH = 0.25  # of the picture's radius: a model that turns back before that is none of this camera
+_MOST_CHARACTERS = 2_000_000  # YAML takes seconds a megabyte; a message of a topic has a thousand
+_MOST_SHARED = 16  # numbers of a list that an alias repeats: a matrix of 4x4
 # A name of one of several cameras in one file's keys: M1, cameraMatrix2, D_left, right_camera_matrix, LEFT.K.
 _SIDE_BEHIND = re.compile(r"(.+?)[_.\-/ ]?(left|right|[0-9]|(?<=[_.\-/ ])[lr])")
 _SIDE_BEFORE = re.compile(r"(left|right)[_.\-/ ]?(.+)")
@@ -61,35 +68,21 @@ class _Found:
     rms_px: float | None = None
 
 
-class _WrittenTwice(ValueError):
-    """A key that stands twice in one mapping."""
-
-
-def _require_single(keys: Iterable[str]) -> None:
-    seen: set[str] = set()
-    for key in keys:
-        if key in seen:
-            raise _WrittenTwice(key)
-        seen.add(key)
-
-
-def _single(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
-    _require_single(key for key, _ in pairs)
-    return dict(pairs)
-
-
 class _Loader(yaml.SafeLoader):
-    """Safe YAML that also reads OpenCV's matrices; without aliases, which can make a small file huge, and
-    without keys written twice, of which the last would win.
+    """Safe YAML that also reads OpenCV's matrices; without aliases of more than a short list, which can make
+    a small file huge, and without keys written twice, of which the last would win. Numbers are decimal as in
+    YAML 1.2: 0720 is 720, and 1e-05, as Python writes it, is a number.
     """
 
     def construct_mapping(self, node: yaml.MappingNode, deep: bool = False) -> dict[Hashable, Any]:
-        _require_single(str(key.value) for key, _ in node.value)
+        require_single(str(key.value) for key, _ in node.value)
         return super().construct_mapping(node, deep=deep)
 
     def compose_node(self, parent: yaml.Node | None, index: int) -> yaml.Node | None:
         if self.check_event(yaml.AliasEvent):
-            raise yaml.YAMLError("aliases are not read")
+            alias = self.peek_event()  # type: ignore[no-untyped-call]
+            if not _is_short(self.anchors.get(alias.anchor)):
+                raise yaml.YAMLError("this alias is not read")
         return super().compose_node(parent, index)
 
 
@@ -99,6 +92,30 @@ def _matrix_node(loader: yaml.SafeLoader, node: yaml.Node) -> Any:
     raise yaml.constructor.ConstructorError(None, None, "an opencv-matrix must be a mapping", node.start_mark)
 
 
+def _is_short(node: yaml.Node | None) -> bool:
+    """Whether a node is one value or a short list of values, none of them a list again."""
+    if isinstance(node, yaml.SequenceNode):
+        return len(node.value) <= _MOST_SHARED and all(isinstance(v, yaml.ScalarNode) for v in node.value)
+    return isinstance(node, yaml.ScalarNode)
+
+
+def _number_node(loader: yaml.SafeLoader, node: yaml.ScalarNode) -> float:
+    text = str(loader.construct_scalar(node)).lower()
+    return int(text) if _WHOLE.fullmatch(text) else float(text.replace(".inf", "inf").replace(".nan", "nan"))
+
+
+_INT, _FLOAT = "tag:yaml.org,2002:int", "tag:yaml.org,2002:float"
+_WHOLE = re.compile(r"[-+]?[0-9]{1,18}")
+_NUMBER = re.compile(
+    r"(?:[-+]?(?:\.[0-9]+|[0-9]+(?:\.[0-9]*)?)(?:[eE][-+]?[0-9]+)?|[-+]?\.(?:inf|Inf|INF)|\.(?:nan|NaN|NAN))\Z"
+)
+_Loader.yaml_implicit_resolvers = {
+    first: [(tag, pattern) for tag, pattern in resolvers if tag not in (_INT, _FLOAT)]
+    for first, resolvers in yaml.SafeLoader.yaml_implicit_resolvers.items()
+}
+_Loader.add_implicit_resolver(_FLOAT, _NUMBER, list("-+.0123456789"))
+for _tag in (_INT, _FLOAT):
+    _Loader.add_constructor(_tag, _number_node)
 _Loader.add_constructor("tag:yaml.org,2002:opencv-matrix", _matrix_node)
 
 
@@ -120,7 +137,9 @@ def read_camera(
     cameras = _cameras(documents)
     data = _chosen(cameras, file_name, which, notes)
     if data.get("format") == CAMERA_FORMAT:
-        return Imported(camera_from_dict(data, file_name))
+        camera = camera_from_dict(data, file_name)
+        require_plausible(camera, file_name)
+        return Imported(camera)
     if "lensmodel" in data:
         found = _mrcal(data, file_name)
     elif "camera_model" in data:
@@ -133,17 +152,21 @@ def read_camera(
 
 def _parsed(text: str, file_name: str) -> list[dict[str, Any]]:
     """The file's documents: one, or several in a YAML file that holds `---`."""
+    if len(text) > _MOST_CHARACTERS:
+        raise BadInput("geometry-too-large-calibration-file-choose-file", file_name=file_name)
     text = text.lstrip("\ufeff")
+    if text.lstrip().startswith("<") and "opencv_storage" in text:
+        raise BadInput("geometry-opencv-xml-save-as-yaml", file_name=file_name)
     try:
         if "lensmodel" in text:
             documents = [ast.literal_eval(text.strip())]
         elif text.lstrip().startswith("{"):
-            documents = [json.loads(text, object_pairs_hook=_single)]
+            documents = [json.loads(text, object_pairs_hook=single_keys)]
         else:
             lines = text.splitlines()
             body = lines[1:] if lines and lines[0].startswith("%YAML") else lines
             documents = [one for one in yaml.load_all("\n".join(body), _Loader) if one is not None]
-    except _WrittenTwice as twice:
+    except WrittenTwice as twice:
         raise BadInput("geometry-key-written-twice", file_name=file_name, key=str(twice)) from None
     except (ValueError, SyntaxError, yaml.YAMLError, RecursionError, MemoryError):
         raise BadInput("geometry-no-readable-camera-file-give-opencv", file_name=file_name) from None
@@ -331,17 +354,13 @@ def _opencv_or_ros(
     part = _part_read(data, file_name, size, wanted, notes)
     if part is not None:
         k[2], k[5], size = k[2] - part[0], k[5] - part[1], part[2:]
-    values = np.zeros(5) if lens is None else _numbers(lens, "the distortion", file_name)
-    if lens is not None and len(values) and not values.any():
-        notes.append(
-            f"All distortion coefficients in {file_name} are 0: a lens without any distortion, which few "
-            "have; check that this camera was calibrated."
-        )
+    if lens is None:
+        raise BadInput("geometry-states-no-distortion", file_name=file_name)
     rms = _first(data, ("rms_px", "rms", "avg_reprojection_error", "reprojection_error"))
     return _Found(
         matrix=k[[0, 4, 2, 5]],
-        lens=values,
-        model="brown" if lens is None and model is None else model,
+        lens=_numbers(lens, "the distortion", file_name),
+        model=model,
         size=size,
         name=str(_first(data, _NAMES[:2]) or ""),
         rms_px=float(rms) if isinstance(rms, float) and np.isfinite(rms) else None,
@@ -394,11 +413,18 @@ def _kalibr(one: Mapping[str, Any], file_name: str) -> _Found:
     intrinsics = _numbers(one.get("intrinsics"), "intrinsics", file_name)
     if len(intrinsics) != 4:
         raise BadInput("geometry-intrinsics-must-four-numbers-fu-fv", file_name=file_name)
-    word = str(one.get("distortion_model") or "none")
-    lens = _numbers(one.get("distortion_coeffs") or [], "distortion_coeffs", file_name)
-    model: LensModel | None = "brown" if word == "none" else _model_word(word, file_name)
-    lens = np.zeros(5) if word == "none" else lens
-    return _Found(intrinsics, lens, model, _size(one, file_name), str(one.get("camera_name") or ""))
+    word, lens = one.get("distortion_model"), one.get("distortion_coeffs")
+    if word == "none":
+        word, lens = "radtan", []
+    if word is None or lens is None:
+        raise BadInput("geometry-states-no-distortion", file_name=file_name)
+    return _Found(
+        matrix=intrinsics,
+        lens=_numbers(lens, "distortion_coeffs", file_name),
+        model=_model_word(word, file_name),
+        size=_size(one, file_name),
+        name=str(one.get("camera_name") or ""),
+    )
 
 
 def _mrcal(data: Mapping[str, Any], file_name: str) -> _Found:
@@ -428,13 +454,6 @@ def _checked(
         raise BadInput("geometry-not-say-how-large-pictures-add", file_name=file_name)
     if fx <= 0 or fy <= 0:
         raise BadInput("geometry-focal-lengths-must-positive-numbers-pixels", file_name=file_name)
-    shortest, longest = (share * max(size) for share in _FOCAL_OF_WIDTH)
-    if not (shortest <= min(fx, fy) and max(fx, fy) <= longest):
-        raise BadInput(
-            "geometry-focal-length-not-of-these-pixels", file_name=file_name, focal=f"{fx:.6g}", width=size[0]
-        )
-    if not (-size[0] < cx < 2 * size[0] and -size[1] < cy < 2 * size[1]):
-        raise BadInput("geometry-principal-point-lies-far-outside-picture", file_name=file_name)
     chosen = found.model or model or _guess(found.lens, file_name, notes)
     name = found.name or file_name.rsplit("/", 1)[-1].rsplit(".", 1)[0]
     lens = _trimmed(found.lens, chosen, file_name)
@@ -450,8 +469,12 @@ def _checked(
         distortion=lens,
         rms_px=found.rms_px,
     )
-    if reach(camera) < _LEAST_REACH:
-        raise BadInput("geometry-lens-turns-back-early", file_name=file_name)
+    if not lens.any():
+        notes.append(
+            f"{file_name} states a lens without any distortion, which few have; check that this camera was "
+            "calibrated."
+        )
+    require_plausible(camera, file_name)
     return camera
 
 

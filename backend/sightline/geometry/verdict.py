@@ -8,6 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from sightline.errors import BadInput
 from sightline.geometry.arrays import Floats
 from sightline.geometry.camera import Camera
 
@@ -19,6 +20,8 @@ _BETTER = 0.8  # the other model leaves less than this share of the residual
 _OUTLIER = 3.0
 _SAME_VIEW = 0.005  # of the picture's width
 _SMALL_SQUARE_PX = 10.0
+_FOCAL_OF_WIDTH = (0.05, 1000.0)  # from a fisheye of 180 degrees and more to the longest telescope
+_LEAST_REACH = 0.25  # of the picture's radius: a model that turns back before that is none of this camera
 
 
 @dataclass(frozen=True, eq=False)
@@ -147,6 +150,24 @@ def _precision(camera: Camera) -> list[str]:
     if relative > 0.01:
         out.append(f"The focal length is known to {relative:.1%} only; take more views, tilted and near.")
     return [*out, *_axis(camera)]
+
+
+def require_plausible(camera: Camera, file_name: str) -> None:
+    """Raises BadInput, naming the file, for a camera that is none of pictures of its size."""
+    size = camera.width_px, camera.height_px
+    shortest, longest = (share * max(size) for share in _FOCAL_OF_WIDTH)
+    focal = camera.fx_px, camera.fy_px
+    if not (shortest <= min(focal) and max(focal) <= longest):
+        raise BadInput(
+            "geometry-focal-length-not-of-these-pixels",
+            file_name=file_name,
+            focal=f"{camera.fx_px:.6g}",
+            width=size[0],
+        )
+    if not (-size[0] < camera.cx_px < 2 * size[0] and -size[1] < camera.cy_px < 2 * size[1]):
+        raise BadInput("geometry-principal-point-lies-far-outside-picture", file_name=file_name)
+    if reach(camera) < _LEAST_REACH:
+        raise BadInput("geometry-lens-turns-back-early", file_name=file_name)
 
 
 def lens_warnings(camera: Camera) -> tuple[str, ...]:

@@ -180,8 +180,6 @@ def import_calibration(
 
     Raises BadInput, naming the file and what is wrong in it.
     """
-    if len(content) > MOST_IMPORT_BYTES:
-        raise BadInput("cameras-too-large-calibration-file-choose-file", file_name=file_name)
     try:
         text = content.decode("utf-8-sig")
     except UnicodeDecodeError as error:
