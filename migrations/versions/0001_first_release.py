@@ -1371,6 +1371,7 @@ def create_tables() -> None:
         sa.Column("budget", sa.Text(), nullable=False),
         sa.Column("profile", sa.Text(), nullable=True),
         sa.Column("warnings", sa.Text(), nullable=False),
+        sa.Column("verdict_of_id", sa.Integer(), nullable=True),
         sa.Column("code_version", sa.String(length=60), nullable=False),
         sa.Column("created_at", sa.DateTime(timezone=True), nullable=False),
         sa.Column("created_by", sa.Integer(), nullable=True),
@@ -1414,6 +1415,9 @@ def create_tables() -> None:
         sa.ForeignKeyConstraint(["survey_id"], ["surveys.id"], name=op.f("fk_scan_measurements_survey_id")),
         sa.ForeignKeyConstraint(
             ["vehicle_id"], ["scan_vehicles.id"], name=op.f("fk_scan_measurements_vehicle_id")
+        ),
+        sa.ForeignKeyConstraint(
+            ["verdict_of_id"], ["scan_measurements.id"], name=op.f("fk_scan_measurements_verdict_of_id")
         ),
         sa.PrimaryKeyConstraint("id", name=op.f("pk_scan_measurements")),
         sa.UniqueConstraint("vehicle_id", "revision", name=op.f("uq_scan_measurements_vehicle_id_revision")),

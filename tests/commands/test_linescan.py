@@ -6,6 +6,7 @@ import csv
 import io
 import json
 from dataclasses import dataclass
+from datetime import datetime, timedelta, timezone
 from pathlib import Path
 
 import cv2
@@ -140,6 +141,30 @@ def test_json_holds_the_table_and_the_budget(road: Road, capsys: pytest.CaptureF
     assert said["vehicles"][0]["gap_reason"] and said["vehicles"][1]["headway_s"] > 0
 
 
+def test_with_a_start_every_vehicle_has_its_time_of_day(
+    road: Road, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """The true front's time, by the offset that was given; its u is the start's and the front's own."""
+    start = datetime(2026, 5, 4, 23, 59, 59, 200_000, timezone(timedelta(hours=2)))
+    options = ("--start", start.isoformat(), "--u-start", "0.02")
+    said = json.loads(said_by(capsys, *road.files, *RIG, *options, "--json"))
+    assert (said["start"], said["u_start_s"]) == ("2026-05-04T23:59:59.200+02:00", 0.02)
+    rows = rows_of(said_by(capsys, *road.files, *RIG, *options))
+    for row, one, true in zip(rows, said["vehicles"], road.truth, strict=True):
+        assert row["front_at"] == one["front_at"] and row["front_at"][-6:] == "+02:00"
+        true_at = start + timedelta(seconds=true.front_line_1 / SITE.line_rate_hz)
+        at = datetime.fromisoformat(row["front_at"])
+        assert abs((at - true_at).total_seconds()) < 0.0025
+        counted = start + timedelta(seconds=float(row["front_line_1"]) / SITE.line_rate_hz)
+        assert abs((at - counted).total_seconds()) <= 0.00051
+        own_s = float(row["u_length_m"]) / float(row["speed_mps"])
+        assert float(row["u_front_at_s"]) == pytest.approx((0.02**2 + own_s**2) ** 0.5, abs=5e-6)
+    assert rows[0]["front_at"].startswith("2026-05-05T00:00:0")
+    assert "front_at" not in rows_of(said_by(capsys, *road.files, *RIG))[0]
+    unsure = json.loads(said_by(capsys, *road.files, *RIG, *options[:2], "--json"))
+    assert any("--u-start" in note for note in unsure["notes"]) and said["notes"] == []
+
+
 def test_swapped_strips_are_recognised(road: Road, capsys: pytest.CaptureFixture[str]) -> None:
     said = json.loads(said_by(capsys, *reversed(road.files), *RIG, "--json"))
     assert {(one["direction"], one["status"]) for one in said["vehicles"]} == {("camera_2_first", "ok")}
@@ -200,6 +225,12 @@ def test_bad_input_is_one_sentence_and_leaves_nothing(
         ("first.png", road.files[1], "--baseline", "nan", "--line-rate", "5000"): "--baseline of nan m",
         ("first.png", road.files[1], "--baseline", "0.6", "--line-rate", "1"): "--line-rate of 1 Hz",
         ("first.png", road.files[1], "--baseline", "0.6"): "--line-rate",
+        (*road.files, *RIG, "--start", "2026-05-04T06:00:00"): "has no offset from UTC",
+        (*road.files, *RIG, "--start", "2026-05-04"): "has no offset from UTC",
+        (*road.files, *RIG, "--start", "six o'clock"): "--start six o'clock is not a time",
+        (*road.files, *RIG, "--start", "0001-01-01T00:00:00+02:00"): "is not a time that can be used",
+        (*road.files, *RIG, "--start", "2026-05-04T06:00:00Z", "--u-start", "-1"): "--u-start -1",
+        (*road.files, *RIG, "--u-start", "0.1"): "needs --start",
     }
     for arguments, word in cases.items():
         said = said_by(capsys, *arguments, status=2)

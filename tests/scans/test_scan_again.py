@@ -15,8 +15,10 @@ from sightline.infra.csv_package.files import FolderFiles
 from sightline.infra.jobs.records import Job
 from sightline.infra.services import Services
 from sightline.scans.again.service import AllAnswers, changes_to_come, compute_again
-from sightline.scans.heights.verify import check_verdicts_gone_over
+from sightline.scans.heights.csv import LINE_HEIGHTS
+from sightline.scans.heights.verify import line_height_put_back
 from sightline.scans.records import ScanMeasurement
+from sightline.scans.verify import check_verdicts_gone_over
 from tests.support import samples, scans_samples
 from tests.support.app import Client, error_of
 from tests.support.ground import add_vehicle, lay_ground, measure
@@ -409,10 +411,14 @@ def test_a_verdict_goes_over_only_to_a_height_that_hardly_moved_or_was_put_back(
     listed = {11: _revision(1, "1.50"), 12: _revision(2, **{"verdict_of_id": "11", **more})}
     reviews = {1: {"height_id": "11", "verdict": "accepted"}}
     kinds = {"1": "asked", "2": "undo"}
+
+    def check(reviews: dict[int, dict[str, str]]) -> None:
+        check_verdicts_gone_over(LINE_HEIGHTS, listed, "height_id", reviews, kinds, line_height_put_back)
+
     if holds:
-        check_verdicts_gone_over(listed, reviews, kinds)
+        check(reviews)
         return
-    with pytest.raises(Damaged, match="another height"):
-        check_verdicts_gone_over(listed, reviews, kinds)
+    with pytest.raises(Damaged, match="another measurement"):
+        check(reviews)
     if name == "moved":  # a rejection holds however far the height moves: the clicks are the same
-        check_verdicts_gone_over(listed, {1: {"height_id": "11", "verdict": "rejected"}}, kinds)
+        check({1: {"height_id": "11", "verdict": "rejected"}})

@@ -7,6 +7,7 @@ import pytest
 
 from sightline.infra.services import Services
 from sightline.scans.records import ScanMeasurement
+from sightline.scans.vehicles.measurement_store import append_scan_measurement
 from tests.measurements.test_second_frame import exported, rewritten
 from tests.support import samples, scans_samples
 from tests.support.app import Client, error_of
@@ -165,6 +166,43 @@ def test_undo_brings_the_verdict_back_with_the_height(
     assert checked(files).ok, checked(files).problem
     forged = rewritten(files, "line_heights.csv", "verdict_of_id", str(moved["id"]))
     assert not checked(forged).ok
+
+
+@pytest.mark.parametrize("verdict", ["accepted", "rejected"])
+def test_undo_brings_the_verdict_back_with_the_motion(
+    viewer: Client, reviewer: Client, services: Services, tmp_path: Path, verdict: str
+) -> None:
+    with services.writing() as session:
+        one = samples.sample(session)
+        first = scans_samples.measured(session, one)
+    address = f"/scan-vehicles/{first.vehicle_id}"
+
+    def next_revision(**changed: Any) -> ScanMeasurement:
+        with services.writing() as session:
+            values = scans_samples.values(**changed)
+            return append_scan_measurement(session, first.vehicle_id, values, actor=one.olga.id)
+
+    told = {"verdict": verdict, "reason": "Two vehicles."}
+    judged = reviewer.made(f"/scan-measurements/{first.id}/review", told)["measurement"]["review"]
+    moved = next_revision(cause="boundaries", front_line_1=990.0, length_m=4.79)
+    assert moved.review.verdict == "to_review" and moved.verdict_of_id is None
+    back = next_revision(cause="back")
+    assert (back.review.verdict, back.verdict_of_id, back.judged_id) == (verdict, first.id, first.id)
+    assert viewer.seen(address)["vehicle"]["measurement"]["review"] == judged
+    events = viewer.seen(f"/audit?survey_id={first.survey_id}&entity=scan_measurement")
+    assert [one["after"]["verdict_of_id"] for one in events if one["entity_id"] == back.id] == [first.id]
+    # figures that moved although the boundaries did not are not what was judged
+    assert next_revision(cause="again", u_speed_mps=0.012).review.verdict == "to_review"
+    # whoever judged and then places the wheels does not judge them by it
+    own = next_revision(cause="wheels", placed_by=judged["reviewer"]["id"])
+    assert own.review.verdict == "to_review"
+    next_revision(cause="back")
+    reviewer.made(f"/scan-measurements/{next_revision(cause='back').id}/review", {"verdict": "reopened"})
+    assert next_revision(cause="back").review.verdict == "reopened"
+
+    files = exported(services, first.survey_id, tmp_path / "export")
+    assert checked(files).ok, checked(files).problem
+    assert not checked(rewritten(files, "scan_measurements.csv", "verdict_of_id", str(moved.id))).ok
 
 
 def test_what_cannot_be_is_said_in_words(operator: Client, viewer: Client, vehicle: ScanMeasurement) -> None:

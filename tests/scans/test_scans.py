@@ -96,10 +96,13 @@ def test_boundaries_that_are_brought_back_are_what_they_were(
         assert answer.status_code == 200, answer.text
         return dict(answer.json())
 
+    judged = reviewer.made(f"/scan-measurements/{then['id']}/review", {"verdict": "accepted"})
     by_hand = put(dragged, found["version"])
     assert by_hand["measurement"]["placed_by_person"] and by_hand["measurement"]["mine"]
+    assert by_hand["measurement"]["review"]["verdict"] == "to_review"
     undone = put(lines, by_hand["version"])
     now = undone["measurement"]
+    assert now["review"] == judged["measurement"]["review"]
     changed = {"id", "revision", "cause", "created_by", "created_at", "review"}
     assert {name for name in now if now[name] != then[name]} <= changed
     assert (now["cause"], now["placed_by_person"], now["mine"]) == ("back", False, False)
@@ -119,6 +122,7 @@ def test_boundaries_that_are_brought_back_are_what_they_were(
     with services.reading() as session:
         last = scan_measurement_history(session, found["id"])[-1].values
     assert (last.cause, last.placed_by, last.u_boundaries_m) == ("again", None, doubts[0])
+    assert reviewer.seen(address)["vehicle"]["measurement"]["review"]["verdict"] == "to_review"
     assert last.u_length_m == pytest.approx(1.01 * then["u_length_m"], rel=0.03)
 
 

@@ -17,6 +17,8 @@ from sightline.commands.files import write_whole
 from sightline.commands.options import json_option
 from sightline.commands.scanned import (
     COLUMNS,
+    TIMES,
+    Start,
     about_rig,
     cell_of,
     left_out,
@@ -24,6 +26,7 @@ from sightline.commands.scanned import (
     rig_of,
     rig_options,
     row_of,
+    start_of,
 )
 from sightline.enums import ScanMethod, TimeAxis
 from sightline.errors import BadInput
@@ -39,6 +42,11 @@ from sightline.media.strips.reader import Strip, check_pair, open_strip
 @click.argument("first", type=click.Path(path_type=Path))
 @click.argument("second", type=click.Path(path_type=Path))
 @rig_options
+@click.option(
+    "--start",
+    help="Time of line 0 at camera 1 with its offset from UTC: 2026-05-04T06:00:00.000+02:00.",
+)
+@click.option("--u-start", "u_start_s", type=float, help="u of the start (k = 1), seconds.")
 @click.option("--time-axis", type=click.Choice(get_args(TimeAxis)), default="width", show_default=True)
 @click.option(
     "-o", "--output", type=click.Path(path_type=Path), help="vehicles.csv to write (default: print it)."
@@ -53,6 +61,8 @@ def linescan(
     u_baseline: float,
     u_line_rate: float,
     shadow_share: float,
+    start: str | None,
+    u_start_s: float | None,
     time_axis: TimeAxis,
     method: ScanMethod,
     output: Path | None,
@@ -62,8 +72,10 @@ def linescan(
 
     FIRST and SECOND are PNG or TIFF images; FIRST is from the camera that vehicles reach first. Vehicles of
     the other direction are measured too (column direction). A file FIRST.json beside it may list lines that
-    the recorder lost: {"dropped_lines": [[line, count], ...]}.
+    the recorder lost: {"dropped_lines": [[line, count], ...]}. With --start every vehicle has the time of day
+    at which its front reached camera 1 (columns front_at, u_front_at_s).
     """
+    begun = start_of(start, u_start_s)
     rig = rig_of(baseline, rig_file, line_rate, u_baseline, u_line_rate, shadow_share)
     if output is not None and not output.parent.is_dir():
         raise BadInput("commands-cannot-written-folder-not-exist-choose", output=output)
@@ -73,14 +85,16 @@ def linescan(
         check_pair(one, two)
         notes = _rate_notes((one, two), rig)
         finder = Finder(one.rows, rig)
-        table = _Table(as_json)
+        table = _Table(as_json, begun, rig)
         passages = (_without_losses(passage, one, two) for passage in _passages(one, two, finder))
         for vehicle in measured(passages, rig, method, lambda lines: _columns(lines, one, two)):
             table.add(vehicle)
         said = {"method": method, "lines": one.lines, "rows": one.rows, **about_rig(rig)}
         said["duration_s"] = one.lines / rig.line_rate_hz
+        if begun is not None:
+            said |= {"start": begun.at.isoformat(timespec="milliseconds"), "u_start_s": begun.u_s}
     notes += faults.notes_of(finder)
-    notes += left_out(rig, table.measured)
+    notes += left_out(rig, table.measured, begun)
     if output is not None:
         write_whole(output, table.csv())
     if as_json:
@@ -97,19 +111,21 @@ def linescan(
 class _Table:
     """What is written of the vehicles, kept as text: hours of traffic hold thousands."""
 
-    def __init__(self, as_json: bool) -> None:
+    def __init__(self, as_json: bool, start: Start | None, rig: Rig) -> None:
         self.found = self.measured = 0
+        self._start, self._rig = start, rig
         self._text = io.StringIO(newline="")
         self._writer = csv.writer(self._text, lineterminator="\n")
-        self._writer.writerow(COLUMNS)
+        self._writer.writerow(COLUMNS if start is None else (*COLUMNS, *TIMES))
         self._objects: list[str] | None = [] if as_json else None
 
     def add(self, vehicle: Vehicle) -> None:
         self.found += 1
         self.measured += vehicle.motion.status == "ok"
-        self._writer.writerow([cell_of(value) for value in row_of(vehicle).values()])
+        times = {} if self._start is None else self._start.times_of(vehicle, self._rig)
+        self._writer.writerow([cell_of(value) for value in (row_of(vehicle) | times).values()])
         if self._objects is not None:
-            self._objects.append(json.dumps(object_of(vehicle), allow_nan=False))
+            self._objects.append(json.dumps(object_of(vehicle) | times, allow_nan=False))
 
     def csv(self) -> str:
         return self._text.getvalue()

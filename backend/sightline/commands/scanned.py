@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import asdict, fields, replace
+from dataclasses import asdict, dataclass, fields, replace
+from datetime import datetime, timedelta
 from pathlib import Path
 from typing import Any, TypeVar, get_args
 
@@ -13,6 +14,7 @@ from sightline.commands.clicks import harmless, metres
 from sightline.commands.files import read_json
 from sightline.enums import ScanDirection, ScanMethod
 from sightline.errors import BadInput
+from sightline.linescan.clock import u_passing_s
 from sightline.linescan.parts import USUAL_SHADOW_SHARE, Lane, Rig
 from sightline.linescan.passing import Vehicle
 from sightline.linescan.rig import (
@@ -59,6 +61,55 @@ COLUMNS = (
     "axles",
     "lane",
 )
+
+
+#: Further columns where it is known when line 0 was taken.
+TIMES = ("front_at", "u_front_at_s")
+_MOST_U_START_S = 3600.0
+
+
+@dataclass(frozen=True)
+class Start:
+    """When line 0 was taken at camera 1, with its offset from UTC; `u_s` (k = 1): None where not given."""
+
+    at: datetime
+    u_s: float | None
+
+    def times_of(self, vehicle: Vehicle, rig: Rig) -> dict[str, Any]:
+        """The columns of `TIMES`: when its front reached camera 1, and the u of that."""
+        motion = vehicle.motion
+        at = self.at + timedelta(milliseconds=round(1000 * vehicle.front_s))
+        u_s = u_passing_s(
+            vehicle.front_s, self.u_s or 0.0, rig.u_line_rate_ratio, motion.speed_mps, motion.u_length_m
+        )
+        return {"front_at": at.isoformat(timespec="milliseconds"), "u_front_at_s": u_s}
+
+
+def start_of(text: str | None, u_s: float | None) -> Start | None:
+    """--start and --u-start; None where no start was given. Raises BadInput naming the option."""
+    if text is None:
+        if u_s is not None:
+            raise BadInput("commands-u-start-needs-start")
+        return None
+    if u_s is not None and not 0.0 <= u_s <= _MOST_U_START_S:
+        raise BadInput("commands-u-start-cannot-be", u_s=u_s)
+    return Start(instant_with_offset("--start", text), u_s)
+
+
+def instant_with_offset(option: str, text: str) -> datetime:
+    """A time of day with its offset from UTC, ISO 8601. Raises BadInput naming the option."""
+    try:
+        at = datetime.fromisoformat(text.strip())
+    except ValueError:
+        raise BadInput("commands-time-cannot-read", option=option, text=text[:40]) from None
+    if at.tzinfo is None:
+        raise BadInput("commands-time-no-offset", option=option, text=text[:40])
+    if not _FIRST_YEAR <= at.year < _LAST_YEAR:
+        raise BadInput("commands-time-cannot-read", option=option, text=text[:40])
+    return at
+
+
+_FIRST_YEAR, _LAST_YEAR = 1990, 2200
 
 
 def rig_options(command: Command) -> Command:
@@ -179,11 +230,17 @@ def object_of(vehicle: Vehicle) -> dict[str, Any]:
     }
 
 
-def left_out(rig: Rig, measured: int) -> list[str]:
+def left_out(rig: Rig, measured: int, start: Start | None = None) -> list[str]:
     """What the uncertainties of `measured` vehicles do not hold, in words."""
-    if not measured or rig.u_baseline_m > 0:
-        return []
-    return ["The uncertainty of the baseline is not included, because it was not given (--u-baseline)."]
+    missing = {
+        "baseline": ("--u-baseline", rig.u_baseline_m == 0),
+        "start": ("--u-start", start is not None and start.u_s is None),
+    }
+    return [
+        f"The uncertainty of the {name} is not included, because it was not given ({option})."
+        for name, (option, is_missing) in missing.items()
+        if measured and is_missing
+    ]
 
 
 def about_rig(rig: Rig) -> dict[str, Any]:

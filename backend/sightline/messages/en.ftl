@@ -4425,6 +4425,13 @@ commands-tracks-frame = Row { $row } of { $path }: the frame is not a whole numb
 commands-give-either-contact-target-clicks-not = Give either --contact and --target or --clicks, not both.
 commands-no-effect-here-use-instead = --{ $name } has no effect here; use { $instead } instead.
 commands-cannot-written-folder-not-exist-choose = { $output } cannot be written because its folder does not exist; choose another place.
+commands-time-no-offset = { $option } { $text } has no offset from UTC; write it with one, as in 2026-05-04T06:00:00.000+02:00.
+commands-time-cannot-read = { $option } { $text } is not a time that can be used; write it as 2026-05-04T06:00:00.000+02:00.
+commands-flow-interval = --interval { $text } is not a list of divisors of an hour; give minutes such as 1,5,15,60.
+commands-flow-no-speed = { $path }, line { $line }: the status is ok, but speed_mps is not a speed above 0; correct one of them.
+commands-flow-outside = { $path }, line { $line }: the recording from { $begin } to { $end } does not hold this vehicle; correct --from and --to.
+commands-u-start-needs-start = --u-start needs --start.
+commands-u-start-cannot-be = --u-start { $u_s } is not a standard uncertainty of a start; give seconds from 0 to 3600.
 commands-given-twice-give-strips-both-cameras = { $first } is given twice; give the strips of both cameras.
 backup-none-here = { $folder } holds no complete backup (no manifest.json); run sightline backup again, or name another folder.
 backup-other-format = { $folder } holds a backup in another format; use the version of Sightline that made it.
@@ -5102,7 +5109,7 @@ scans-m-cannot-used-give-metres-4 = A { $name } of { $value } m is out of range;
 scans-row-without-audit-event-missing = { $path }: row { $odd } has no audit event, or is missing.
 scans-row-not-what-audit-event-says = { $path }: { $name } of row { $id } differs from its audit event.
 scans-vehicle-not-newest-revision-changed = { $path }: vehicle { $number } is not its newest revision; it was changed.
-scans-verdict-went-over = { $path }: height { $id } has a verdict that was given to another height; get the complete export again.
+scans-verdict-went-over = { $path }: row { $id } has a verdict that was given to another measurement; get the complete export again.
 scans-verdict-row-not-one-given = { $path }: the verdict of row { $number } is not the one given.
 
 ## Errors: statistics

@@ -4419,6 +4419,13 @@ commands-tracks-frame = Ligne { $row } de { $path } : le numéro d’image n’
 commands-give-either-contact-target-clicks-not = Indiquez soit --contact et --target, soit --clicks, pas les deux.
 commands-no-effect-here-use-instead = --{ $name } est sans effet ici ; utilisez plutôt { $instead }.
 commands-cannot-written-folder-not-exist-choose = Impossible d’écrire { $output } : son dossier n’existe pas ; choisissez un autre emplacement.
+commands-time-no-offset = { $option } { $text } n’a pas de décalage par rapport à UTC ; écrivez-le avec, comme 2026-05-04T06:00:00.000+02:00.
+commands-time-cannot-read = { $option } { $text } n’est pas une heure utilisable ; écrivez-la 2026-05-04T06:00:00.000+02:00.
+commands-flow-interval = --interval { $text } n’est pas une liste de diviseurs de l’heure ; donnez des minutes, comme 1,5,15,60.
+commands-flow-no-speed = { $path }, ligne { $line } : status est ok, mais speed_mps n’est pas une vitesse supérieure à 0 ; corrigez l’un des deux.
+commands-flow-outside = { $path }, ligne { $line } : l’enregistrement du { $begin } au { $end } ne contient pas ce véhicule ; corrigez --from et --to.
+commands-u-start-needs-start = --u-start demande --start.
+commands-u-start-cannot-be = --u-start { $u_s } n’est pas une incertitude-type d’un début ; donnez des secondes entre 0 et 3600.
 commands-given-twice-give-strips-both-cameras = { $first } est indiqué deux fois ; indiquez les bandes des deux caméras.
 backup-none-here = { $folder } ne contient pas de sauvegarde complète (pas de manifest.json) ; relancez sightline backup vers ce dossier, ou nommez-en un autre.
 backup-other-format = { $folder } contient une sauvegarde d’un autre format ; utilisez la version de Sightline qui l’a faite.
@@ -5154,7 +5161,7 @@ scans-m-cannot-used-give-metres-4 = { $name } de { $value } m : inutilisable 
 scans-row-without-audit-event-missing = { $path } : la ligne { $odd } est là sans événement d’audit, ou manque.
 scans-row-not-what-audit-event-says = { $path } : { $name } de la ligne { $id } diffère de son événement d’audit.
 scans-vehicle-not-newest-revision-changed = { $path } : le véhicule { $number } n’est pas sa dernière révision ; il a été modifié.
-scans-verdict-went-over = { $path } : la hauteur { $id } porte une décision rendue sur une autre hauteur ; reprenez l’export complet.
+scans-verdict-went-over = { $path } : la ligne { $id } porte une décision rendue sur une autre mesure ; reprenez l’export complet.
 scans-verdict-row-not-one-given = { $path } : la décision de la ligne { $number } n’est pas celle qui a été rendue.
 
 ## Erreurs : statistiques

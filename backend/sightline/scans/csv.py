@@ -414,9 +414,18 @@ SCAN_MEASUREMENTS: Table[ScanMeasurement] = Table(
         *_MOTION,
         *of_part(_RIG, _rig_of_motion),
         *_VERDICT,
+        integer(
+            "verdict_of_id",
+            "of a motion that was put back: the revision before it whose verdict holds for it too",
+            lambda m: m.verdict_of_id,
+        ),
     ),
     primary=("id",),
-    foreign=((("vehicle_id",), "scan_vehicles", ("id",)), *_PEOPLE),
+    foreign=(
+        (("vehicle_id",), "scan_vehicles", ("id",)),
+        (("verdict_of_id",), "scan_measurements", ("id",)),
+        *_PEOPLE,
+    ),
 )
 SCAN_REVIEWS: Table[ScanReview] = Table(
     "scan_reviews",

@@ -29,7 +29,7 @@ is_current: ColumnElement[bool] = ~exists().where(
 )
 _newest_review = (
     select(func.max(scan_reviews.c.id))
-    .where(scan_reviews.c.measurement_id == scan_measurements.c.id)
+    .where(scan_reviews.c.measurement_id.in_((scan_measurements.c.id, scan_measurements.c.verdict_of_id)))
     .correlate(scan_measurements)
     .scalar_subquery()
 )
@@ -45,8 +45,10 @@ def _columns(names: tuple[str, ...]) -> list[Any]:
         scan_measurements.c.revision.label("m_revision"),
         scan_measurements.c.created_by.label("m_created_by"),
         scan_measurements.c.created_at.label("m_created_at"),
+        scan_measurements.c.verdict_of_id.label("m_verdict_of_id"),
         _maker.c.name.label("maker_name"),
         scan_reviews.c.verdict,
+        scan_reviews.c.measurement_id.label("judged_id"),
         scan_reviews.c.reason.label("review_reason"),
         scan_reviews.c.created_by.label("reviewed_by"),
         scan_reviews.c.created_at.label("reviewed_at"),
@@ -131,6 +133,8 @@ def scan_measurement_of_row(row: Mapping[Any, Any]) -> ScanMeasurement:
         created_by=who(row["m_created_by"], row["maker_name"]),
         created_at=row["m_created_at"],
         review=review,
+        verdict_of_id=row["m_verdict_of_id"],
+        judged_id=row["judged_id"],
     )
 
 

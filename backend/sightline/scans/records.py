@@ -247,9 +247,23 @@ class ScanValues:
         return len(self.axle_lines) if self.axle_lines else None
 
 
+# What made a revision and by whom, and what follows from the rest.
+_NOT_CONTENT = ("cause", "placed_by", "run_id", "budget", "profile", "code_version")
+
+
+def same_motion(then: ScanValues, now: ScanValues) -> bool:
+    """Whether one has the very boundaries, wheels, rig and numbers of another, whoever made it."""
+    names = [name for name in ScanValues.__slots__ if name not in _NOT_CONTENT]
+    return all(getattr(then, name) == getattr(now, name) for name in names)
+
+
 @dataclass(frozen=True, slots=True)
 class ScanMeasurement:
-    """One revision of a vehicle's motion. `values.profile` is None in lists, where nobody draws it."""
+    """One revision of a vehicle's motion. `values.profile` is None in lists, where nobody draws it.
+
+    `verdict_of_id`: the earlier revision whose verdict holds for it too; `judged_id`: the one that its
+    verdict was given on.
+    """
 
     id: int
     survey_id: int
@@ -260,6 +274,8 @@ class ScanMeasurement:
     created_by: Who | None
     created_at: datetime
     review: ReviewState
+    verdict_of_id: int | None = None
+    judged_id: int | None = None
 
 
 class ScanVehicleChanges(TypedDict, total=False):

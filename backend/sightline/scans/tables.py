@@ -227,6 +227,8 @@ scan_measurements = Table(
     Column("budget", CanonicalJson, nullable=False),
     Column("profile", CanonicalJson),
     Column("warnings", CanonicalJson, nullable=False),
+    # the earlier revision of this very content whose verdict holds for this one too
+    Column("verdict_of_id", ForeignKey("scan_measurements.id")),
     Column("code_version", String(60), nullable=False),
     Column("created_at", UtcDateTime, nullable=False),
     Column("created_by", ForeignKey("people.id")),

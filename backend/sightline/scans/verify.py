@@ -5,7 +5,8 @@ verdicts.
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping
+from collections import defaultdict
+from collections.abc import Callable, Mapping
 from typing import Any
 
 from sightline.errors import Damaged
@@ -14,6 +15,7 @@ from sightline.infra.csv_package.files import Files, read_rows
 from sightline.infra.csv_package.recomputing import Recomputing
 from sightline.infra.csv_package.schema import AnyTable, cell_text
 from sightline.linescan.parts import Crossings
+from sightline.measurements.again.verify import verdict_gone_over
 from sightline.scans.clock import Passing, clock_of, passing_of
 from sightline.scans.csv import (
     LINE_SCANS,
@@ -24,7 +26,7 @@ from sightline.scans.csv import (
     lanes_text,
 )
 from sightline.scans.heights.csv import LINE_HEIGHT_REVIEWS, LINE_HEIGHTS, LINE_POSES
-from sightline.scans.heights.verify import check_line_heights, check_verdicts_gone_over
+from sightline.scans.heights.verify import check_line_heights, line_height_put_back
 from sightline.scans.references.csv import SCAN_REFERENCES
 from sightline.scans.references.verify import check_references
 from sightline.scans.rig.csv import RIG_CALIBRATIONS
@@ -46,6 +48,11 @@ _REVIEWS = ("scan_review", "line_height_review")
 _SAID = {"verdict": "verdict", "review_reason": "reason", "reviewer_id": "reviewer_id", "reviewed_at": "at"}
 _LINES = ("front_line_1", "rear_line_1", "front_line_2", "rear_line_2")
 _RATES = ("line_rate_hz", "u_line_rate_ratio")
+# Of a motion's revision, what may be another where it was put back: by whom, why, when, and its verdict.
+_OF_PUTTING_BACK = (
+    *("id", "revision", "cause", "code_version", "created_by_id", "created_at", "verdict_of_id"),
+    *_SAID,
+)
 # What an event says in other words than the table.
 _OTHER_WORDS = ("notes", "created_at")
 
@@ -76,7 +83,22 @@ def check_scans(
     _verdicts(SCAN_MEASUREMENTS, rows["scan_measurement"], "measurement_id", rows["scan_review"])
     _verdicts(LINE_HEIGHTS, rows["line_height"], "height_id", rows["line_height_review"])
     check_references(rows["scan_reference"], rows["scan_vehicle"], told)
-    check_verdicts_gone_over(rows["line_height"], rows["line_height_review"], computings)
+    check_verdicts_gone_over(
+        SCAN_MEASUREMENTS,
+        rows["scan_measurement"],
+        "measurement_id",
+        rows["scan_review"],
+        {},
+        _motion_put_back,
+    )
+    check_verdicts_gone_over(
+        LINE_HEIGHTS,
+        rows["line_height"],
+        "height_id",
+        rows["line_height_review"],
+        computings,
+        line_height_put_back,
+    )
     check_line_heights(files, told["line_pose"], recomputing)
     check_rig_calibrations(files, told["rig_calibration"], recomputing)
     return sum(len(found) for found in rows.values())
@@ -216,3 +238,38 @@ def _verdicts(
         _, given = max(known, default=(0, {"verdict": "to_review"}))
         if any(row[name] != given.get(said, "") for name, said in _SAID.items()):
             raise Damaged("scans-verdict-row-not-one-given", path=judged.path, number=number)
+
+
+def check_verdicts_gone_over(
+    judged: AnyTable,
+    rows: Mapping[int, Mapping[str, str]],
+    of: str,
+    reviews: Mapping[int, Mapping[str, str]],
+    computings: Mapping[str, str],
+    put_back: Callable[[Mapping[str, str], Mapping[str, str]], bool],
+) -> None:
+    """A verdict went over only to a revision of the same thing that hardly moved, to one put back, or was a
+    rejection. Raises Damaged.
+
+    `computings`: the kind of each, by its number.
+    """
+    newest = {one[of]: one["verdict"] for _, one in sorted(reviews.items())}
+    of_one: dict[tuple[str, str], list[Mapping[str, str]]] = defaultdict(list)
+    for row in rows.values():
+        of_one[row["vehicle_id"], row.get("target", "")].append(row)
+    for revisions in of_one.values():
+        revisions.sort(key=lambda row: int(row["revision"]))
+        number = {row["id"]: int(row["revision"]) for row in revisions}
+        # what no revision of it is comes after all of them, where no verdict can come from
+        later = len(revisions) + 1
+        told = [row.get("verdict_of_id") for row in revisions]
+        from_revision = [number.get(one, later) if one else 0 for one in told]
+        rejected = {number[row["id"]] for row in revisions if newest.get(row["id"]) == "rejected"}
+        bad = verdict_gone_over(revisions, from_revision, computings, rejected, put_back)
+        if bad is not None:
+            raise Damaged("scans-verdict-went-over", path=judged.path, id=bad["id"])
+
+
+def _motion_put_back(then: Mapping[str, str], row: Mapping[str, str]) -> bool:
+    """Whether a motion has the very boundaries, wheels, rig and numbers of an earlier revision."""
+    return all(then[name] == row[name] for name in row if name not in _OF_PUTTING_BACK)

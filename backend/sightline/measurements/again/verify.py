@@ -121,7 +121,7 @@ def verdict_gone_over(
     for at, (row, of) in enumerate(zip(rows, judged, strict=True)):
         if not of:
             continue
-        computing = row["computing_id"]
+        computing = row.get("computing_id")
         if not computing:
             stood_on = [
                 then for then, its in zip(rows[:at], judged, strict=False) if of in (_number(then), its)

@@ -20,6 +20,7 @@ from sightline.scans.heights.records import LineHeightValues, StoredLineHeight, 
 from sightline.scans.heights.tables import line_height_reviews, line_heights
 from sightline.scans.tables import scan_vehicles, scans
 from sightline.scans.vehicles.store import require_scan_vehicle_version
+from sightline.scans.verdicts import verdict_that_stood
 
 _VALUES = tuple(LineHeightValues.__slots__)
 _later = line_heights.alias("later")
@@ -245,10 +246,8 @@ def _append(
 
 
 def _verdict_that_stood(session: Session, vehicle_id: int, values: LineHeightValues) -> int | None:
-    """The newest judged of the revisions with this very content: the one that its verdict was given to."""
     mine = (line_heights.c.vehicle_id == vehicle_id) & (line_heights.c.target == values.target)
-    alike = (one for one in reversed(_where(session, mine)) if same_line_height(one.values, values))
-    return next((one.judged_id for one in alike if one.judged_id is not None), None)
+    return verdict_that_stood(_where(session, mine), lambda one: same_line_height(one.values, values))
 
 
 def _where(session: Session, condition: ColumnElement[bool]) -> tuple[StoredLineHeight, ...]:

@@ -15,7 +15,7 @@ from sightline.infra.csv_package.files import Files, read_columns, read_rows
 from sightline.infra.csv_package.recomputing import Recomputing
 from sightline.linescan.line_height import LineHeight
 from sightline.linescan.line_pose import LinePose, LinePoseError
-from sightline.measurements.again.verify import same_figures, verdict_gone_over
+from sightline.measurements.again.verify import same_figures
 from sightline.scans.heights.csv import LINE_BUDGET, LINE_HEIGHTS, LINE_MARKS, LINE_POSES
 from sightline.scans.heights.poses import Mark, Rod, solve
 from sightline.scans.heights.service import RowClicks, answer, causes_now_of_line
@@ -95,29 +95,7 @@ def _out_of_date(files: Files) -> None:
             raise Damaged("computing-out-of-date-not-so", path=LINE_HEIGHTS.path, id=row["id"])
 
 
-def check_verdicts_gone_over(
-    rows: Mapping[int, Row], reviews: Mapping[int, Row], computings: Mapping[str, str]
-) -> None:
-    """A verdict went over only to a height of the same target that hardly moved, to one put back, or was a
-    rejection; `computings`: the kind of each, by its number. Raises Damaged.
-    """
-    newest = {one["height_id"]: one["verdict"] for _, one in sorted(reviews.items())}
-    of_target: dict[tuple[str, str], list[Row]] = defaultdict(list)
-    for row in rows.values():
-        of_target[row["vehicle_id"], row["target"]].append(row)
-    for revisions in of_target.values():
-        revisions.sort(key=lambda row: int(row["revision"]))
-        number = {row["id"]: int(row["revision"]) for row in revisions}
-        # what no revision of this target is comes after all of them, where no verdict can come from
-        later = len(revisions) + 1
-        judged = [number.get(row["verdict_of_id"], later if row["verdict_of_id"] else 0) for row in revisions]
-        rejected = {number[row["id"]] for row in revisions if newest.get(row["id"]) == "rejected"}
-        bad = verdict_gone_over(revisions, judged, computings, rejected, _put_back)
-        if bad is not None:
-            raise Damaged("scans-verdict-went-over", path=LINE_HEIGHTS.path, id=bad["id"])
-
-
-def _put_back(then: Row, row: Row) -> bool:
+def line_height_put_back(then: Row, row: Row) -> bool:
     """Whether a height stands on the very clicks and numbers of an earlier revision."""
     return all(then[name] == row[name] for name in _CLICKED) and same_figures(then, row)
 

@@ -11,10 +11,11 @@ from sightline.errors import BadInput
 from sightline.infra.audit import trail
 from sightline.infra.database.rows import add_rows, get_row, missing, stored_hashes
 from sightline.infra.database.types import now
-from sightline.scans.query import is_current, scan_measurement_of_row, scan_revision_rows
-from sightline.scans.records import ScanMeasurement, ScanValues
+from sightline.scans.query import scan_measurement_of_row, scan_revision_rows
+from sightline.scans.records import ScanMeasurement, ScanValues, same_motion
 from sightline.scans.tables import scan_measurements, scan_vehicles, scans
 from sightline.scans.vehicles.store import require_scan_vehicle_version
+from sightline.scans.verdicts import verdict_that_stood
 
 # rows of one statement; each has some forty columns
 _AT_ONCE = 500
@@ -87,11 +88,20 @@ def _appended(
     session: Session, scan: Mapping[str, Any], found: Sequence[tuple[int, ScanValues]], actor: int | None
 ) -> list[int]:
     vehicle_ids = [vehicle_id for vehicle_id, _ in found]
-    before, moment = _current(session, vehicle_ids), now()
+    history, moment = _history(session, vehicle_ids), now()
+    before = {vehicle_id: revisions[-1] for vehicle_id, revisions in history.items()}
+    verdict_of = {one: _verdict_that_stood(history.get(one, []), values) for one, values in found}
     place = {"survey_id": scan["survey_id"], "scan_id": scan["id"]}
     stamps = {"created_at": moment, "created_by": actor}
     rows = [
-        {**place, "vehicle_id": one, **asdict(values), "revision": _next(before.get(one)), **stamps}
+        {
+            **place,
+            "vehicle_id": one,
+            **asdict(values),
+            "revision": _next(before.get(one)),
+            "verdict_of_id": verdict_of[one],
+            **stamps,
+        }
         for one, values in found
     ]
     row_ids = add_rows(session, scan_measurements, rows)
@@ -100,7 +110,14 @@ def _appended(
     hashes = stored_hashes(session, scan_measurements, row_ids)
     for action in ("create", "revise"):
         events = [
-            (row_id, _then(before.get(one)), _after(one, values, before.get(one), hashes[row_id]))
+            (
+                row_id,
+                _then(before.get(one)),
+                {
+                    **_after(one, values, before.get(one), hashes[row_id]),
+                    "verdict_of_id": verdict_of[one],
+                },
+            )
             for row_id, (one, values) in zip(row_ids, found, strict=True)
             if (one in before) == (action == "revise")
         ]
@@ -151,13 +168,25 @@ def is_newest_scan_measurement(session: Session, one: ScanMeasurement) -> bool:
     return bool(session.execute(newest).scalar_one() == one.revision)
 
 
-def _current(session: Session, vehicle_ids: Sequence[int]) -> dict[int, ScanMeasurement]:
-    """The current revisions of those vehicles that have one, by vehicle, without profiles."""
-    query = scan_revision_rows(profile=False).where(
-        scan_measurements.c.vehicle_id.in_(vehicle_ids), is_current
-    )
-    found = [scan_measurement_of_row(row) for row in session.execute(query).mappings()]
-    return {one.vehicle_id: one for one in found}
+def _history(session: Session, vehicle_ids: Sequence[int]) -> dict[int, list[ScanMeasurement]]:
+    """The revisions of those vehicles that have any, by vehicle, oldest first, without profiles."""
+    query = scan_revision_rows(profile=False).where(scan_measurements.c.vehicle_id.in_(vehicle_ids))
+    rows = session.execute(query.order_by(scan_measurements.c.revision)).mappings()
+    found: dict[int, list[ScanMeasurement]] = {}
+    for one in map(scan_measurement_of_row, rows):
+        found.setdefault(one.vehicle_id, []).append(one)
+    return found
+
+
+def _verdict_that_stood(history: Sequence[ScanMeasurement], values: ScanValues) -> int | None:
+    """Of a motion that is put back; never the verdict of who placed what stands in it now."""
+
+    def same(one: ScanMeasurement) -> bool:
+        reviewer = one.review.reviewer
+        by_placer = reviewer is not None and reviewer.id == values.placed_by
+        return not by_placer and same_motion(one.values, values)
+
+    return verdict_that_stood(history, same)
 
 
 def _check(values: ScanValues) -> None:

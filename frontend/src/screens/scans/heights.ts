@@ -29,6 +29,7 @@ import {
   type Verdict,
   verdictWords,
 } from "./kinds";
+import { verdictLedger } from "./verdicts";
 import type { Place } from "./view";
 
 export interface Selected {
@@ -235,29 +236,23 @@ export class LineHeights {
     return this.waiting.value.get(vehicleId) ?? [];
   }
 
-  /** Gives a verdict as a step that can be taken back; resolves once it is stored, or kept without a connection. */
-  async review(one: LineHeight, verdict: Verdict["verdict"], reason?: string): Promise<void> {
-    const named = { target: one.target, vehicle: String(this.bench.numberOf(one.vehicle_id)) };
-    await this.bench.change(say("scan-step-height-verdict", named), async (changes) => {
-      await changes.write(this.given, one.id, { verdict, reason: reason ?? null });
-    });
-  }
-
-  /** The verdict that stands on a revision; what waits is written as reopened. */
-  private readonly given: Ledger<number, Verdict> = {
-    read: (id) => {
-      const kept = outbox.get<LineHeight, Verdict, HeightVerdictAbout>(verdictKey(id))?.want;
-      const review = this.revision(id)?.review;
-      if (kept) return kept;
-      if (review?.verdict !== "accepted" && review?.verdict !== "rejected")
-        return { verdict: "reopened", reason: null };
-      return { verdict: review.verdict, reason: review.reason };
+  /** A verdict is put back on the revision that is the newest then. */
+  readonly verdicts = verdictLedger<{ id: number; target: Target }>(
+    (key) => {
+      const one = this.saved(key);
+      return (
+        one && {
+          review: one.review,
+          kept: outbox.get<LineHeight, Verdict, HeightVerdictAbout>(verdictKey(one.id))?.want,
+        }
+      );
     },
-    write: async (id, want) => {
-      const one = this.revision(id);
+    async (key, want) => {
+      const one = this.saved(key);
       if (one) await this.give(one, want);
     },
-  };
+    ({ id, target }) => `${id}:${target}`,
+  );
 
   private async give(one: LineHeight, want: Verdict): Promise<void> {
     const { id, vehicle_id, target } = one;
@@ -274,10 +269,6 @@ export class LineHeights {
       want,
     });
     if (stored?.saved) this.stored.value = withHeight(this.stored.value, stored.saved);
-  }
-
-  private revision(id: number): LineHeight | undefined {
-    return this.stored.value.find((one) => one.id === id);
   }
 
   /** Contact and target of the selected height in turn; false where there is none. */
@@ -360,9 +351,14 @@ export class LineHeights {
     return this.all.value.find((one) => one.vehicle_id === id && one.target === target);
   }
 
+  /** As the server has it. */
+  private saved({ id, target }: { id: number; target: Target }): LineHeight | null {
+    return this.stored.value.find((one) => one.vehicle_id === id && one.target === target) ?? null;
+  }
+
   /** Resolves when the height is stored, or kept where there is no connection. */
   private async want(id: number, target: Target, clicks: Clicks | null): Promise<void> {
-    const saved = this.stored.value.find((one) => one.vehicle_id === id && one.target === target) ?? null;
+    const saved = this.saved({ id, target });
     const { live } = this;
     const answer = live.value?.target === target ? live.value.answer : null;
     const same = saved && !saved.withdrawn && clicks && !outbox.get(heightKey(id, target));

@@ -371,9 +371,7 @@ const verdictKind: Kind<ScanVehicle, Verdict, VerdictAbout> = {
   isSaved: isScanned,
   done({ about, saved, want }) {
     const m = saved?.measurement;
-    if (m?.id !== about.measurementId) return false;
-    const { verdict, reason, reviewer } = m.review;
-    return verdict === want.verdict && (reason ?? null) === want.reason && reviewer?.id === about.by;
+    return m?.id === about.measurementId && isGiven(m.review, want, about.by);
   },
   version: (saved) => {
     const m = saved?.measurement;
@@ -384,6 +382,12 @@ const verdictKind: Kind<ScanVehicle, Verdict, VerdictAbout> = {
     return review ? reviewWords(review) : "";
   },
 };
+
+/** By this person; what waits for a verdict need not be reopened, whoever left it so. */
+function isGiven({ verdict, reason, reviewer }: LineHeight["review"], want: Verdict, by: number): boolean {
+  if (want.verdict === "reopened") return verdict === "reopened" || verdict === "to_review";
+  return verdict === want.verdict && (reason ?? null) === want.reason && reviewer?.id === by;
+}
 
 function reviewWords({ verdict, reviewer }: LineHeight["review"]): string {
   return say("scan-wish-verdict-by", { verdict, person: reviewer?.name ?? say("scan-by-nobody") });
@@ -416,9 +420,7 @@ const heightVerdictKind: Kind<LineHeight, Verdict, HeightVerdictAbout> = {
   read: ({ about: { vehicleId, target } }, _error, signal) => readHeight(vehicleId, target, signal),
   isSaved: isHeight,
   done({ about, saved, want }) {
-    if (saved?.id !== about.id) return false;
-    const { verdict, reason, reviewer } = saved.review;
-    return verdict === want.verdict && (reason ?? null) === want.reason && reviewer?.id === about.by;
+    return saved?.id === about.id && isGiven(saved.review, want, about.by);
   },
   version: (saved) => (saved ? `${saved.id} ${saved.review.verdict} ${saved.review.at}` : ""),
   words: (saved) => (saved ? reviewWords(saved.review) : ""),

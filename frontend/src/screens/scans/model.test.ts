@@ -250,6 +250,37 @@ describe("judging vehicles of a line scan", () => {
     expect(toasts.value.at(-1)?.text).toContain("No other vehicle");
   });
 
+  it("takes a verdict on a motion back as a step, on the revision that stands then", async () => {
+    await model.review("rejected", "It is two vehicles.");
+    await quiet();
+    expect(model.chosenId.value).toBe(4);
+    expect(model.history.undoLabel.value).toContain("verdict on vehicle 2");
+    await model.history.undo();
+    await quiet();
+    expect([model.chosenId.value, model.chosen.value?.measurement?.review.verdict]).toEqual([2, "reopened"]);
+    // somebody measured it again: redo judges what is there now
+    all = all.map((vehicle) =>
+      vehicle["id"] === 2
+        ? { ...vehicle, measurement: { ...(vehicle["measurement"] as object), id: 112, review: REVIEW } }
+        : vehicle,
+    );
+    await model.refresh();
+    await model.history.redo();
+    await quiet();
+    expect(verdicts).toEqual(["102 rejected", "102 reopened", "112 rejected"]);
+    expect(model.chosen.value?.measurement?.review).toMatchObject({ verdict: "rejected" });
+  });
+
+  it("says nothing of a verdict that was not stored, and makes no step of it", async () => {
+    server.on("POST", /^\/scan-measurements\/102\/review/, () => {
+      throw 422;
+    });
+    await model.review("accepted");
+    await quiet();
+    expect(model.chosenId.value).toBe(2);
+    expect(model.history.undoLabel.value).toBeNull();
+  });
+
   it("writes one verdict where the key is pressed twice, and none on what is accepted", async () => {
     void model.review("accepted");
     void model.review("accepted");

@@ -38,6 +38,7 @@ import { RodDraft } from "./rod";
 import { StripStage } from "./stage";
 import { Tiles } from "./tiles";
 import { AxlesTool, Boundaries, HeightTool, RodTool, TwoLines } from "./tools";
+import { verdictLedger } from "./verdicts";
 import { revealLines, type StripPoint, showLines } from "./view";
 
 type ScannedWish = Wish<ScanVehicle, ScannedWanted, { id: number; scanId: number }>;
@@ -380,10 +381,13 @@ export class ScanModel implements Strips {
       this.passOn(one);
       return;
     }
-    this.judging = true;
-    await this.heights.review(one, verdict, reason);
-    if (verdict !== "reopened") this.passOn(one, say("scan-height-verdict-done", { ...named, verdict }));
-    this.judging = false;
+    await this.judge(
+      say("scan-step-height-verdict", named),
+      this.heights.verdicts,
+      { id: one.vehicle_id, target: one.target },
+      { verdict, reason: reason ?? null },
+      (given) => this.passOn(one, say("scan-height-verdict-done", { ...named, verdict: given })),
+    );
   }
 
   /** From a height that was judged to the next that waits; what was picked meanwhile stays. */
@@ -401,22 +405,27 @@ export class ScanModel implements Strips {
       this.goOn(id);
       return;
     }
+    await this.judge(
+      say("scan-wish-verdict", { vehicle: String(number) }),
+      this.verdicts,
+      id,
+      { verdict, reason: reason ?? null },
+      (given) => this.goOn(id, say("scan-verdict-done", { vehicle: String(number), verdict: given })),
+    );
+  }
+
+  /** Gives a verdict as a step that can be taken back, and goes on once it is stored or kept. */
+  private async judge<K>(
+    label: string,
+    ledger: Ledger<K, Verdict>,
+    key: K,
+    want: Verdict,
+    goOn: (verdict: "accepted" | "rejected") => void,
+  ): Promise<void> {
     this.judging = true;
-    await this.tell(async () => {
-      await outbox.store({
-        key: `scan-verdict.${measured.id}`,
-        kind: SCAN_VERDICT,
-        lane: this.lane,
-        about: { id, measurementId: measured.id, by: me.value?.person.id ?? 0 },
-        what: say("scan-wish-verdict", { vehicle: String(number) }),
-        mine: verdictWords({ verdict, reason: reason ?? null }),
-        page: this.page(id),
-        saved: vehicle,
-        want: { verdict, reason: reason ?? null },
-      });
-      await this.refresh();
-      if (verdict !== "reopened")
-        this.goOn(id, say("scan-verdict-done", { vehicle: String(number), verdict }));
+    await this.change(label, async (changes) => {
+      await changes.write(ledger, key, want);
+      if (want.verdict !== "reopened") goOn(want.verdict);
     });
     this.judging = false;
   }
@@ -534,6 +543,37 @@ export class ScanModel implements Strips {
     read: (id) => laneByPerson(this.measurementOf(id)),
     write: (id, lane) => this.want(id, { lane }),
   };
+
+  private readonly verdicts = verdictLedger<number>(
+    (id) => {
+      const measured = this.measurementOf(id);
+      return (
+        measured && {
+          review: measured.review,
+          kept: outbox.get<ScanVehicle, Verdict, unknown>(verdictKey(measured.id))?.want,
+        }
+      );
+    },
+    (id, want) => this.giveVerdict(id, want),
+  );
+
+  private async giveVerdict(id: number, want: Verdict): Promise<void> {
+    const vehicle = this.vehicles.value.find((one) => one.id === id);
+    const measured = vehicle?.measurement;
+    if (!measured) return;
+    const stored = await outbox.store({
+      key: verdictKey(measured.id),
+      kind: SCAN_VERDICT,
+      lane: this.lane,
+      about: { id, measurementId: measured.id, by: me.value?.person.id ?? 0 },
+      what: say("scan-wish-verdict", { vehicle: String(vehicle.number) }),
+      mine: verdictWords(want),
+      page: this.page(id),
+      saved: vehicle,
+      want,
+    });
+    if (stored) await this.refresh();
+  }
 
   private measurementOf(id: number): ScanVehicle["measurement"] {
     return this.vehicles.value.find((one) => one.id === id)?.measurement ?? null;
@@ -699,6 +739,10 @@ function withWish(
     ...where,
   };
   return { ...vehicle, ...facts, measurement };
+}
+
+function verdictKey(measurementId: number): string {
+  return `scan-verdict.${measurementId}`;
 }
 
 function waitsForVerdict({ measurement: m }: ScanVehicle): boolean {
