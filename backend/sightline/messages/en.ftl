@@ -6913,6 +6913,7 @@ report-method-height = the distance { $distance } from the camera to the contact
 report-method-inset = The paper assumes { $inset }. A target at { $height } then reads too high by
 report-method-raw = 44 mm for an eye at 1.16 m, 0.45 m inboard, 3 m from a camera 1.5 m high. Heights are therefore given twice: uncorrected (“raw”) with { $inset }, for comparison with the paper, and corrected by the inset below. Where the same two points were clicked on several frames of a pass, the inset is estimated together with the height by least squares.
 report-method-u = The standard uncertainty of each height follows by linear propagation (JCGM 100:2008),
+report-coverage-factor = 1.96
 report-method-u-over = over both clicks, lens and pose (jointly, with their covariance), the board’s tilt, roll, height above the road, square size and bow, and the inset. One pose serves many vehicles: its error is common to all their heights.
 report-assumed = Assumptions
 report-assumed-plane = The road is a plane from the board to the vehicle, and the board was perpendicular to it within its stated uncertainty.
@@ -7093,6 +7094,7 @@ report-scans = Line scans
 report-scans-words = Two line cameras at a known baseline record the same traffic (Douxchamps, Macq and Chihara). The motion of a vehicle is its speed when the front reaches camera 1 and a constant acceleration; its length is corrected for the acceleration. Time gaps run from the rear of the vehicle in front to this front, distance gaps between the same points when this front reaches camera 1. { $methods }Uncertainties include baseline, clock, misalignment, fit and boundaries.
 report-scans-methods = Measured: { $methods }.
 report-and = { $first } and { $last }
+report-apart = { $first }; { $second }
 report-scans-direct = { $n ->
     [one] 1 vehicle by registration of both strips as a whole (direct registration)
    *[other] { $n } vehicles by registration of both strips as a whole (direct registration)

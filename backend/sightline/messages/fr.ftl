@@ -248,7 +248,7 @@ page-scans = Balayages
 page-scan-results = Mouvement
 page-scan = Balayage
 page-live = En direct
-page-export = Paquet
+page-export = Archive
 page-statistics = Résultats
 page-sight-distance = Distance de visibilité
 page-studies = Études
@@ -1955,7 +1955,7 @@ review-none-in-state-title = Rien dans cet état
 review-none-in-state = Choisissez un autre état dans la liste à gauche.
 review-all-done-title = Tout est vérifié
 review-all-done = Chaque mesure a une décision. Les mesures nouvelles ou corrigées apparaissent ici d’elles-mêmes.
-review-to-export = Aller au paquet
+review-to-export = Aller à l’archive
 review-none-title = Rien à vérifier pour l’instant
 review-none = Les mesures apparaissent ici dès qu’un opérateur les a pointées.
 review-to-measure = Aller à la mesure
@@ -4483,7 +4483,7 @@ demo-no-sample-pictures = Il n’y a pas d’images d’exemple ici, car la dém
 
 export-crop-could-not-encoded-export-survey = Une vue n’a pas pu être encodée ; exportez à nouveau le relevé.
 export-frame-stored-video-not-one-clicked = L’image { $frame } de la vidéo stockée n’est pas celle qui a été pointée.
-export-format-not-known = Le paquet a le format { $format }, que cette version de Sightline ne connaît pas ; vérifiez-le avec { $program } ou une version ultérieure.
+export-format-not-known = L’archive a le format { $format }, que cette version de Sightline ne connaît pas ; vérifiez-la avec { $program } ou une version ultérieure.
 export-made-by-another-version = Fait par la version { $program } ; celle-ci est { $mine }.
 export-described-otherwise = datapackage.json énumère chaque fichier avec sa taille et son empreinte ; ses descriptions { $count ->
     [one] d’un fichier
@@ -4515,12 +4515,12 @@ export-missing-named-twice-crops-csv-take = { $path } manque ou est nommé deux 
 export-first-characters-head-prove-little-give = Les { $count } premiers caractères d’une tête prouvent peu ; indiquez-en au moins { $least_of_head }.
 export-audit-csv-ends-not-head-kept = audit.csv finit par { $head }, non par la tête conservée : il a été réécrit, ou c’est un autre export.
 export-no-no-whole-export-export-survey = { $checksums } manque : ce n’est pas un export complet ; exportez à nouveau le relevé.
-export-package-is-inside = Le paquet est un niveau plus bas, dans { $inner } ; indiquez celui-là.
+export-package-is-inside = L’archive est un niveau plus bas, dans { $inner } ; indiquez ce dossier.
 export-read-only = { $folder } est en lecture seule. Chaque export est inscrit au journal d’audit ; copiez le dossier sur un disque inscriptible et exportez de là.
 export-stray-files = { $count ->
-    [one] Le système a ajouté un fichier à ceux du paquet : { $names }
-   *[other] Le système a ajouté { $count } fichiers à ceux du paquet : { $names }
- }. Supprimez ce qui est nommé ici et relancez le contrôle ; aucun fichier du paquet n’a encore été examiné.
+    [one] Le système a ajouté un fichier à ceux de l’archive : { $names }
+   *[other] Le système a ajouté { $count } fichiers à ceux de l’archive : { $names }
+ }. Supprimez ce qui est nommé ici et relancez le contrôle ; aucun fichier de l’archive n’a encore été examiné.
 export-zip-in-zip = { $place } contient { $inner } ; décompressez-le et indiquez celui-là.
 export-checksums-no-list = { $checksums } n’est pas une liste d’empreintes : il a été modifié ou coupé après l’export ; reprenez l’export complet.
 export-file-renamed = { $path } est ici sous le nom { $there } : des noms de fichiers ont été changés en route ; copiez ou décompressez l’export à nouveau avec ses noms.
@@ -6555,8 +6555,8 @@ told-statistics-the-errors-variance-is = Les hauteurs de référence expliquent 
 told-statistics-a-variance-needs-at = Une variance demande au moins 2 hauteurs.
 told-statistics-the-measurement-own-variance = La variance de la mesure dépasse celle des hauteurs ; elle ne peut être retirée.
 told-statistics-heights-as-the-paper = Hauteurs comme dans Dupuis et al. (retrait 0), sans correction.
-told-statistics-percentile-needs = P{ $percent } en demande { $needed } ; { $there_are }
-told-statistics-percentile-needs-alike = P{ $percent } en demande { $needed } ; { $there_are }, autant que { $like } de même poids
+told-statistics-percentile-needs = P{ $percent } exige { $needed } véhicules ; { $there_are }
+told-statistics-percentile-needs-alike = P{ $percent } exige { $needed } véhicules ; { $there_are }, équivalant à { $like } de même poids
 told-statistics-a-density-needs-at = Une densité demande au moins { $least_for_density } véhicules ; { $there_are }.
 told-statistics-all-values-are-the = Toutes les valeurs sont égales ; une densité en demande de différentes.
 told-statistics-no-vehicle-in-this = aucune hauteur comptée de ce groupe n’a de référence
@@ -6603,11 +6603,11 @@ told-statistics-the-abstract-of-barker = le résumé de Barker et Yue, Australia
 told-statistics-ral-ras-l-before = RAL (auparavant RAS-L)
 told-statistics-they-speak-of = { $listed } ; ils valent pour { $where }
 told-statistics-needs-heights = demande { $needed } hauteurs ; { $there_are }
-told-statistics-differences-between-sites = écarts entre { $sites } sites
-told-statistics-errors-that-heights-share = erreurs communes aux hauteurs
-told-statistics-random-error-taken-out = erreur aléatoire (retirée des valeurs)
-told-statistics-random-errors-of-heights = erreurs aléatoires des hauteurs
-told-statistics-errors-of-known-heights = erreurs des hauteurs connues (les deux restent dans les valeurs)
+told-statistics-differences-between-sites = les écarts entre { $sites } sites
+told-statistics-errors-that-heights-share = les erreurs communes aux hauteurs
+told-statistics-random-error-taken-out = l’erreur aléatoire (retirée des valeurs)
+told-statistics-random-errors-of-heights = les erreurs aléatoires des hauteurs
+told-statistics-errors-of-known-heights = les erreurs des hauteurs connues (les deux restent dans les valeurs)
 told-statistics-roads-like-these-sites = des routes comme celles de ces sites
 told-statistics-the-place-of-the = le seul site du relevé
 told-statistics-the-heights-are-all = les hauteurs sont toutes égales
@@ -6888,7 +6888,7 @@ report-verdicts-of = { $individual } validées par une décision individuelle, {
     [one] { $lots } lot accepté
    *[other] { $lots } lots acceptés
  }, { $estimate } sont fausses d’après l’estimation et { $at_most } au plus (95 % unilatéral).
-report-only = <strong>Uniquement :</strong> { $selection }. Les autres véhicules du relevé ne sont dans aucun chiffre de ce rapport.
+report-only = <strong>Uniquement :</strong> { $selection }. Les autres véhicules du relevé ne sont pas compris dans ce rapport.
 report-filmed = Filmé
 report-filmed-unconfirmed = date non confirmée
 report-measured = Mesuré
@@ -6926,10 +6926,10 @@ report-no-lamps = sans éclairage public
 ## Rapport : installation, étalonnage, pose de la caméra
 
 report-setup = Installation
-report-no-photo = Aucune photo de l’installation n’a été fournie.
+report-no-photo = Il n’y a pas de photo de l’installation.
 report-photo-broken = La photo « { $caption } » ne peut être lue comme PNG ou JPEG.
 report-no-recording = Il n’y a pas d’enregistrement.
-report-recordings = Enregistrements. Le SHA-256 entier du fichier est dans recordings.csv.
+report-recordings = Enregistrements. recordings.csv contient le SHA-256 complet de chaque fichier.
 report-filmed-from = Filmé à partir de
 report-picture = Taille d’image
 report-frames = Images
@@ -6946,11 +6946,11 @@ report-lens-model = Modèle d’objectif
 report-views = Vues
 report-views-used = { $used } sur { $given } utilisées
 report-residual = Résidu
-report-residual-is = { $rms } px (moyenne quadratique des distances entre points)
-report-trusted = digne de confiance
-report-not-trusted = à ne pas croire sans lire les avertissements
-report-lens-known = Objectif de { $camera } : paramètres et leurs incertitudes-types.
-report-lens-unknown = Objectif de { $camera } : paramètres ; leurs incertitudes ne sont pas connues.
+report-residual-is = { $rms } px (erreur quadratique moyenne de reprojection)
+report-trusted = fiable
+report-not-trusted = peu fiable ; voir les avertissements
+report-lens-known = Objectif de { $camera } : paramètres et incertitudes-types.
+report-lens-unknown = Objectif de { $camera } : paramètres ; leurs incertitudes sont inconnues.
 report-board-of = { $columns } × { $rows } coins intérieurs, cases de { $square } mm
 report-board-stood = { $n ->
     [one] Pose
@@ -6959,33 +6959,33 @@ report-board-stood = { $n ->
 report-board-u-height = , u = { $u }
 report-board-u-lean =  ; inclinaison et roulis de la mire, u = { $u } mrad chacun
 report-poses = Poses de la caméra
-report-poses-caption = Poses de la caméra. « { $sign } » : demi-largeur attendue de l’intervalle à 95 % d’une hauteur de 1,2 m pointée à 1 px près, selon la distance à la caméra. Résidu : moyenne quadratique sur les coins de la mire.
+report-poses-caption = Poses de la caméra. « { $sign } » : U95 attendue d’une hauteur de 1,2 m pointée à 1 px près, selon la distance à la caméra. Résidu : erreur quadratique moyenne de reprojection des coins de la mire.
 report-pose-at = { $sign } à { $distance }
 report-above-road = { $unit } au-dessus de la route
 report-away = à { $unit }
 report-frames-of = images { $first } à { $last }
 report-calibration-of = étalonnage { $number }
-report-no-board = aucune : elle vient d’ailleurs
+report-no-board = aucune : la pose a été importée
 report-pose-warning = Pose { $pose } : { $words }
 report-calibration = Étalonnage et pose de la caméra
-report-no-calibration = Aucune mesure ne repose encore sur un étalonnage.
-report-no-pose = Aucune mesure ne repose encore sur une pose de la caméra.
+report-no-calibration = Aucune mesure n’utilise encore d’étalonnage.
+report-no-pose = Aucune mesure n’utilise encore de pose de la caméra.
 
 ## Rapport : échantillon et réponse
 
-report-every = Chaque passage devait être mesuré
-report-nth = Un passage sur { $step } devait être mesuré, à partir du numéro { $start }
-report-share-drawn = Une part aléatoire de { $share } % des passages (graine { $seed }) devait être mesurée
+report-every = Chaque passage est mesuré
+report-nth = Un passage sur { $step } est mesuré, à partir du numéro { $start }
+report-share-drawn = Une part aléatoire de { $share } % des passages (graine { $seed }) est mesurée
 report-rule = { $rule }.
-report-rule-free = { $rule }, pour les véhicules à { $seconds } s au moins derrière le précédent.
+report-rule-free = { $rule }, pour les véhicules dont le temps intervéhiculaire est d’au moins { $seconds } s.
 report-all = tous
 report-no-set = aucun groupe
 report-unknown = inconnue
 report-vehicle = véhicule
 report-response = Échantillon et réponse
-report-response-words = { $rule } Chaque passage de l’échantillon finit mesuré, non visible avec un motif, ou reste ouvert ; un passage écarté n’est pas un véhicule à mesurer. Là où le taux diffère entre groupes, les véhicules mesurables peuvent différer de ceux qui sont passés.
+report-response-words = { $rule } Chaque passage de l’échantillon est mesuré, non visible pour un motif indiqué, ou encore ouvert ; un passage écarté n’est pas un véhicule à mesurer. Si le taux diffère entre groupes, les véhicules mesurés peuvent ne pas représenter le trafic.
 report-no-pass = Aucun passage n’a été trouvé.
-report-response-table = Réponse. Taux : passages (ou cibles) mesurés sur ceux de l’échantillon, avec son intervalle exact à 95 %.
+report-response-table = Réponse. Taux : passages (ou cibles) mesurés rapportés à ceux de l’échantillon, avec son intervalle exact à 95 %.
 report-classes = Classes
 report-of = De
 report-passes = Passages
@@ -7015,32 +7015,33 @@ report-method-rays = Le rayon du contact rencontre la route, { $road }. Le rayon
 report-eq-contact = contact
 report-eq-target = cible
 report-method-height = la distance { $distance } de la caméra au plan du contact et la hauteur { $height } sont
-report-method-inset = L’article prend { $inset }, ce qui lit une cible à { $height } trop haut de
-report-method-raw = 44 mm pour un œil à 1,16 m, à 0,45 m en retrait, à 3 m d’une caméra haute de 1,5 m. Les hauteurs sont donc données deux fois : non corrigées (« brutes ») avec { $inset }, à comparer à l’article, et corrigées du retrait ci-dessous. Quand les deux mêmes points ont été pointés sur plusieurs images d’un passage, le retrait est estimé avec la hauteur par moindres carrés.
-report-method-u = Chaque hauteur porte son incertitude-type par propagation linéaire (JCGM 100:2008),
-report-method-u-over = sur les deux pointés, l’objectif et la pose (ensemble, avec leur covariance), l’inclinaison, le roulis, la hauteur au-dessus de la route, la taille des cases et le gauchissement de la mire, et le retrait. La même pose sert à de nombreux véhicules : son erreur est commune à toutes leurs hauteurs.
-report-assumed = Ce qui est supposé
-report-assumed-plane = La route est un plan de la mire au véhicule, et la mire était d’aplomb sur elle à son incertitude près.
-report-assumed-still = La caméra n’a pas bougé entre l’enregistrement de la mire et les mesures qui en dépendent.
+report-method-inset = L’article suppose { $inset }. Une cible à { $height } est alors lue trop haut de
+report-method-raw = 44 mm pour un œil à 1,16 m, à 0,45 m en retrait, à 3 m d’une caméra haute de 1,5 m. Les hauteurs sont donc données deux fois : non corrigées (« brutes ») avec { $inset }, pour la comparaison avec l’article, et corrigées du retrait ci-dessous. Quand les deux mêmes points ont été pointés sur plusieurs images d’un passage, le retrait est estimé avec la hauteur par moindres carrés.
+report-method-u = L’incertitude-type de chaque hauteur s’obtient par propagation linéaire (JCGM 100:2008),
+report-coverage-factor = 1,96
+report-method-u-over = pour les deux pointés, l’objectif et la pose (ensemble, avec leur covariance), l’inclinaison, le roulis, la hauteur au-dessus de la route, la taille des cases et la flèche de la mire, et le retrait. La même pose sert à de nombreux véhicules : son erreur est commune à toutes leurs hauteurs.
+report-assumed = Hypothèses
+report-assumed-plane = La route est plane de la mire au véhicule, et la mire lui était perpendiculaire, à son incertitude près.
+report-assumed-still = La caméra n’a pas bougé entre l’enregistrement de la mire et les mesures qui l’utilisent.
 report-assumed-parallel = Les véhicules roulent parallèlement aux rangées de la mire ; leurs flancs sont verticaux au contact.
-report-assumed-inset = Le retrait d’une cible est celui de la liste ci-dessous, à son incertitude près, sauf si plusieurs images l’ont donné.
-report-assumed-makers = Les hauteurs des constructeurs valent pour le véhicule tel qu’il est passé, à leur incertitude près.
-report-assumed-left-out = Non compris : un modèle d’objectif faux, la charge et les ressorts, le dévers entre mire et véhicule.
-report-misprinted = Les fautes d’impression de l’article
-report-misprints = Équations de l’article, telles qu’imprimées et telles qu’employées ici.
+report-assumed-inset = Le retrait d’une cible est celui de la liste ci-dessous, à son incertitude près, sauf s’il a été estimé à partir de plusieurs images.
+report-assumed-makers = Les hauteurs des constructeurs sont celles du véhicule tel qu’il est passé, à leur incertitude près.
+report-assumed-left-out = Non compris : un modèle d’objectif inadapté, la charge et la suspension, les variations de dévers entre la mire et le véhicule.
+report-misprinted = Erreurs d’impression de l’article
+report-misprints = Équations de l’article, telles qu’imprimées et telles qu’utilisées ici.
 report-equation = Équation
 report-as-printed = Imprimée
 report-as-used = Employée
 report-used-3 = la distorsion agit après la division par la profondeur, équation (1)
 report-used-4 = c’est le pixel que l’on corrige de la distorsion, équation (2)
 report-used-5 = les directions tournent et ne sont pas décalées, { $used }
-report-used-8 = juste seulement si { $down } pointe vers le bas ; les coins sont d’abord mis dans cet ordre
+report-used-8 = correct seulement si { $down } pointe vers le bas ; les coins sont d’abord rangés dans cet ordre
 report-used-10 = une ligne : { $used }
-report-used-13 = { $printed } n’est défini nulle part ; c’est la normale { $used } du plan latéral qui va là
+report-used-13 = { $printed } n’est pas défini ; il s’agit de la normale { $used } du plan latéral
 report-used-14 = { $used }, sinon le plan latéral est inversé
 report-used-17 = { $used }, avec le point de contact métrique
 report-used-18 = la distance signée au plan de la route, { $used }
-report-insets = Retraits en vigueur : à quelle distance derrière le plan du contact une cible est supposée se trouver, et l’incertitude-type.
+report-insets = Retraits actuels : distance supposée de la cible derrière le plan du contact, et son incertitude-type.
 report-inset = Retrait ({ $unit })
 report-from = Provenance
 
@@ -7071,15 +7072,15 @@ report-conclusion = Conclusion
 report-filmed-on = Filmé : { $moment }
 report-not-covered = Non couvert
 report-concluded-of = { $measurements ->
-    [one] 1 hauteur acceptée
-   *[other] { $measurements } hauteurs acceptées
+    [one] 1 hauteur validée
+   *[other] { $measurements } hauteurs validées
  } de { $vehicles ->
     [one] 1 véhicule
    *[other] { $vehicles } véhicules
  }, mesurées sur vidéo depuis le bord de la route.
 report-concluded-rule = P{ $percent } : { $of } ({ $classes }, n = { $n }) : { $value }{ $interval }. { $standard } retient { $limit } : { $verdict }.
 report-concluded-none = P{ $percent } : { $of } ({ $classes }, n = { $n }), non déterminé : { $reason }.
-report-uncovered-selection = Les véhicules hors des limites de ce paquet, qui contient seulement : { $selection }.
+report-uncovered-selection = Les véhicules hors des limites de cette archive, qui contient seulement : { $selection }.
 report-uncovered-classes = Les classes de véhicules : pour certaines cibles, aucune classe n’est connue ; leurs valeurs portent sur tous les véhicules.
 report-uncovered-excluded = { $n ->
     [one] 1 mesure est exclue ; le tableau des exclusions en donne la raison.
@@ -7094,27 +7095,27 @@ report-uncovered-out-of-date = { $n ->
    *[other] { $n } hauteurs ne sont plus à jour : des données dont elles dépendent ont été modifiées après leur calcul. Elles sont incluses sans changement.
  }
 report-uncovered-others = Autres routes, autres jours, autre trafic : les intervalles valent pour le trafic qui passe sur ce site.
-report-readme-contents = Contenu de ce paquet
-report-readme-page = Ce paquet sous forme de page : à ouvrir dans un navigateur. Elle se vérifie elle-même, sans serveur.
+report-readme-contents = Contenu de cette archive
+report-readme-page = Cette archive sous forme de page : à ouvrir dans un navigateur. Elle se vérifie elle-même, sans serveur.
 report-readme-report = Le rapport.
 report-readme-statistics = Les valeurs du rapport en tableaux, non arrondies.
 report-readme-tables = Chaque véhicule, mesure et revue en tableaux ; datapackage.json décrit chaque colonne.
 report-readme-files = Images, figures, poses et étalonnages des caméras, et les mêmes tableaux en Parquet.
 report-readme-audit = La chaîne d’audit et sa signature.
 report-readme-check = Pour tout vérifier : sightline verify, avec la clé que montre l’installation. Pour vérifier qu’aucun fichier n’a changé : sha256sum -c SHA256SUMS
-report-error-none = Aucun véhicule n’a de hauteur de référence : l’erreur des hauteurs n’est donc pas éprouvée ici.
+report-error-none = Aucun véhicule n’a de hauteur de référence : l’erreur des hauteurs n’est donc pas contrôlée ici.
 report-error-short = Par rapport aux hauteurs de référence de { $n ->
     [one] { $n } véhicule
    *[other] { $n } véhicules
  }, les toits sont mesurés avec une erreur absolue moyenne de { $mae }{ $mae_interval } et un biais de { $bias }{ $bias_interval }.
-report-rules = La même règle aujourd’hui : le centile qui fixe une norme, avec son intervalle total à 95 %. « Plus bas » et « plus haut » sont dits là où la probabilité du contraire est de 2,5 % au plus (JCGM 106).
+report-rules = La même règle aujourd’hui : le centile sur lequel repose une norme, avec son intervalle total à 95 %. « Plus bas » et « plus haut » ne sont indiqués que si la probabilité du contraire est de 2,5 % au plus (JCGM 106).
 report-rule-column = Règle
 report-today = Aujourd’hui
 report-difference = Différence
 report-rule-of = P{ $percent }, { $of }
 report-all-vehicles = tous les véhicules (aucune classe n’est connue)
 report-no-verdict = pas de verdict : { $reason }
-report-alike = non distingués ; plus bas avec une probabilité de { $percent }
+report-alike = pas de différence significative ; plus bas avec une probabilité de { $percent }
 report-lower = plus bas ; faux avec une probabilité de { $risk }
 report-higher = plus haut ; faux avec une probabilité de { $risk }
 report-less-than = moins de { $percent }
@@ -7122,9 +7123,9 @@ report-less-than = moins de { $percent }
 ## Rapport : l’erreur par rapport aux hauteurs de référence
 
 report-errors = Erreur par rapport aux hauteurs de référence
-report-errors-none = Aucun toit d’un véhicule à hauteur de référence ne compte ici : il n’y a pas d’erreur à donner. Entrez des hauteurs de constructeurs dans les fiches des véhicules pour en avoir une.
+report-errors-none = Aucun toit de véhicule à hauteur de référence n’est compté : il n’y a pas d’erreur à donner. Saisissez la hauteur du constructeur dans les fiches des véhicules.
 report-errors-holds = Les intervalles à 95 % comprennent { $holds }. Ceux des corrélations et de l’asymétrie ne comprennent que l’échantillonnage.
-report-errors-words = Erreur = mesure moins référence, des toits corrigés de leur retrait, sans arrondi. Toutes les valeurs sont calculées à partir des erreurs individuelles, jamais d’autres valeurs.
+report-errors-words = Erreur = mesure moins référence, pour les toits corrigés de leur retrait, sans arrondi. Toutes les valeurs sont calculées à partir des erreurs individuelles, jamais à partir d’autres valeurs.
 report-errors-table = L’erreur et ses intervalles à 95 %.
 report-row-bias = Biais (erreur moyenne)
 report-row-sd = Écart-type de l’erreur
@@ -7133,19 +7134,19 @@ report-row-r-abs = r(|erreur|, hauteur)
 report-row-skewness = Asymétrie de l’erreur
 report-row-within = Part d’erreurs ≤ { $limit } cm
 report-no-group = Aucun véhicule à hauteur de référence ne compte ici : { $group }.
-report-reference-part = { $words } À lui seul, cela fait une corrélation de { $correlation } entre erreur et hauteur, dont aucune caméra n’est coupable (u de la référence { $u }).
+report-reference-part = { $words } Cela suffit à produire une corrélation de { $correlation } entre l’erreur et la hauteur, indépendamment de la caméra (u de la référence : { $u }).
 report-limits = Limites d’accord (Bland et Altman) : { $lower } ({ $lower_interval }) et { $upper } ({ $upper_interval }).
 report-as-in-the-paper = Comme dans l’article
-report-as-in-the-paper-words = Seulement pour la comparaison avec Dupuis et al. (Sensors 2019, 19(7), 1611). Comme l’article mesure : retrait 0 et, pour les erreurs, les deux hauteurs arrondies au centimètre entier. Les centiles sont ceux des hauteurs mesurées, erreur aléatoire comprise ; leurs intervalles ne couvrent que l’échantillonnage. Aucune autre section n’utilise ces valeurs.
+report-as-in-the-paper-words = Seulement pour la comparaison avec Dupuis et al. (Sensors 2019, 19(7), 1611). Comme dans l’article : retrait 0 et, pour les erreurs, les deux hauteurs arrondies au centimètre. Les centiles sont ceux des hauteurs mesurées, erreur aléatoire comprise ; leurs intervalles ne couvrent que l’échantillonnage. Aucune autre section n’utilise ces valeurs.
 report-paper-errors = Erreurs comme dans l’article : retrait 0, centimètres entiers, avec leurs IC à 95 %.
 report-paper-percentiles = Centiles comme dans l’article, des hauteurs ({ $target }) ; véhicules : { $raw } non corrigés, { $corrected } corrigés.
 report-paper = Tableau 1 de l’article, tel qu’imprimé.
 report-its-column = Sa colonne
-report-inconsistent = Ce qui s’y contredit
+report-inconsistent = Incohérences
 report-known-errors = Erreurs par cible, luminosité et classe : mesure moins hauteur connue, sans arrondi, avec des intervalles totaux à 95 %. Les cibles de contrôle ne comptent nulle part ailleurs.
 report-within-u95 = Dans leur U95
 report-check-errors = Cibles de contrôle : mesure moins hauteur relevée au mètre ruban, avec des intervalles totaux à 95 %.
-report-known-errors-note = Les intervalles comprennent ce que les hauteurs ont en commun (pose, retrait moyen). Un modèle choisi d’après sa taille n’est pas une référence.
+report-known-errors-note = Les intervalles comprennent les erreurs communes aux hauteurs (pose, retrait moyen). Un modèle choisi d’après sa taille n’est pas une référence.
 report-check-targets = { $target }, cibles de contrôle
 
 ## Rapport : les distributions des hauteurs
@@ -7154,7 +7155,7 @@ report-heights = Distributions des hauteurs
 report-heights-none = Aucune hauteur ne compte encore ici ; les mesures validées y figureront.
 report-percentiles = Hauteurs vraies ({ $target }), toutes classes comprises, avec intervalles totaux à 95 % ; véhicules : { $n }.
 report-holds = Hauteurs vraies : l’erreur de mesure aléatoire est retirée de la dispersion. Les intervalles totaux comprennent { $holds }.
-report-absent = Non mesuré, ou rien n’en compte ici : { $targets }.
+report-absent = Aucune hauteur validée : { $targets }.
 report-percentile = Centile
 report-true-heights = Hauteurs vraies
 report-corrected = Corrigées
@@ -7169,7 +7170,7 @@ report-not-corrected-why = Non corrigées : { $reason }
 report-percentile-of = P{ $percent }, { $of }
 report-cited-by = cité d’après : { $who }
 report-lateral = Positions latérales
-report-lateral-words = Distance du contact du pneu à la caméra, mesurée en travers de la route : une par véhicule, la médiane de ses contacts. Une voie est tout ce qui va dans un même sens sur l’image.
+report-lateral-words = Distance du contact du pneu à la caméra, mesurée perpendiculairement à la route : une valeur par véhicule, la médiane de ses contacts. Une voie regroupe les véhicules qui vont dans le même sens sur l’image.
 report-lateral-table = Positions latérales par voie et par classe.
 report-lateral-all = Toutes
 
@@ -7183,21 +7184,22 @@ report-sight-words = Un sommet de côte offre une distance de visibilité S si s
     [own] , règle de cette norme d’après ses sources
    *[usual] , et là où la norme ne donne pas de règle, celle des hauteurs de l’AASHTO
  }. S est la distance de visibilité d’arrêt ({ $source }), arrondie vers le haut comme dans les tables de conception.
-report-sight-missing = Il n’y a pas de sommet de côte d’après les hauteurs du relevé : rien ne compte ici pour { $targets }.
+report-sight-missing = Il n’y a pas de sommet de côte pour les hauteurs du relevé : aucune hauteur validée pour { $targets }.
 report-sight-table = K des sommets de côte d’après les hauteurs de la norme et celles du relevé, en { $unit } par pour cent.
 report-design-speed = Vitesse de référence
 report-stopping = Distance d’arrêt
 report-k-standard = K, norme
 report-k-survey = K, relevé
 report-per-percent = { $unit } par %
-report-sight-note = Intervalles totaux des deux centiles de hauteurs vraies (échantillonnage, erreurs que des hauteurs partagent, erreur aléatoire) ; les erreurs des deux dues à la même pose de caméra comptent ensemble (limites de Zou et Donner, 2008). La réaction et le freinage du conducteur sont des conventions de la norme et n’ont pas d’intervalle.
+report-sight-note = Intervalles totaux des deux centiles de hauteurs vraies (échantillonnage, erreurs communes aux hauteurs, erreur aléatoire) ; les erreurs dues à la même pose de caméra sont communes aux deux et comptées ensemble (limites de Zou et Donner, 2008). La réaction et le freinage du conducteur sont des conventions de la norme, sans intervalle.
 
 ## Rapport : les balayages
 
 report-scans = Balayages
 report-scans-words = Deux caméras linéaires, à une base connue l’une de l’autre, enregistrent la même circulation (Douxchamps, Macq et Chihara). Le mouvement d’un véhicule est une vitesse quand son avant atteint la caméra 1 et une accélération constante ; sa longueur en est compensée. Les intervalles de temps vont de l’arrière du véhicule précédent à cet avant, les distances entre véhicules séparent les mêmes points quand cet avant atteint la caméra 1. { $methods }Les incertitudes comprennent la base, l’horloge, le désalignement, l’ajustement et les bornes.
-report-scans-methods = Ont été mesurés { $methods }.
+report-scans-methods = Méthode : { $methods }.
 report-and = { $first } et { $last }
+report-apart = { $first } ; { $second }
 report-scans-direct = { $n ->
     [one] { $n } véhicule par superposition de ses deux bandes entières (recalage direct)
    *[other] { $n } véhicules par superposition de leurs deux bandes entières (recalage direct)
@@ -7229,7 +7231,7 @@ report-accepted-count = { $n ->
    *[other] { $n } véhicules validés comptent, sur { $all } trouvés.
  }
 report-scans-left-out = Écartés : { $states } ; scan_vehicles.csv en donne les motifs.
-report-speed-short = La vitesse moyenne est de { $mean } ; 85 % ne roulent pas à plus de { $p85 } { $interval }.
+report-speed-short = Vitesse moyenne : { $mean } ; vitesse du 85e centile (V85) : { $p85 } { $interval }.
 report-no-interval = (pas d’intervalle à 95 % : { $reason })
 report-quantities = Ce qui a été mesuré des véhicules validés, avec les centiles et leurs intervalles à 95 %.
 report-quantity = Grandeur
@@ -7249,17 +7251,17 @@ report-over-wheelbases = Empattements mesurés sur empattements vrais de { $n ->
     [one] { $n } véhicule
    *[other] { $n } véhicules
  } : { $ratio } (u = { $u }). { $verdict }
-report-baseline-agrees = Le rapport est à moins de 2 u de 1, ils ne contredisent donc pas la base.
-report-sizes-none = Aucun véhicule validé n’a de longueur ni d’empattement connus : ils ne sont donc pas éprouvés ici.
+report-baseline-agrees = Le rapport s’écarte de 1 de moins de 2 u : il est compatible avec la base.
+report-sizes-none = Aucun véhicule validé n’a de longueur ni d’empattement connus : ils ne sont donc pas contrôlés ici.
 report-sizes = Erreurs (mesure moins dimensions du constructeur) en { $unit }, avec des intervalles à 95 %.
 report-size = Dimension
-report-references = Différences (mesure moins référence) des véhicules validés avec ce qui les a mesurés par ailleurs, par source. Accord : |E<sub>n</sub>| d’au plus 1, soit dans l’U95 composée des deux (ISO 13528), avec l’intervalle à 95 % de la part.
+report-references = Écarts (mesure moins référence) des véhicules validés par rapport à d’autres mesures, par source. Accord : |E<sub>n</sub>| d’au plus 1, soit un écart inférieur à l’U95 composée des deux (ISO 13528), avec l’intervalle à 95 % de la part.
 report-reference = Référence
 report-all-sources = toutes les sources
 report-within = Accord
 report-share-within = Part en accord
-report-references-words = Environ 19 sur 20 devraient être en accord. Les véhicules d’un même banc partagent l’erreur de sa base : quelques-uns peuvent être tous en désaccord à la fois. Ce que chaque source dit de chaque véhicule est dans scan_references.csv.
-report-scan-heights = Hauteurs validées au-dessus de la route de véhicules balayés, par deux pointés dans la bande de la caméra 1, dont un jalon a donné la pose ; corrigées de leurs retraits. Chacune a sa propre décision ; celles qui l’attendent ne comptent nulle part.
+report-references-words = Environ 19 véhicules sur 20 devraient être en accord. Les véhicules d’un même banc partagent l’erreur de sa base : plusieurs peuvent être en désaccord en même temps. scan_references.csv donne chaque véhicule et chaque source.
+report-scan-heights = Hauteurs validées de véhicules balayés, par deux pointés dans la bande de la caméra 1, dont un jalon a donné la pose ; corrigées de leurs retraits. Chacune a sa propre décision ; celles en attente ne comptent nulle part.
 report-typical-u95 = U95 typique
 report-waiting = En attente
 report-table-1 = Véhicules validés, présentés comme le tableau I de l’article.
@@ -7275,7 +7277,7 @@ report-first-of = Les { $shown } premiers sur { $all } ; scan_vehicles.csv les
 ## Rapport : ce qui a été écarté, comment contrôler
 
 report-left-out = Exclusions
-report-nothing-left-out = Rien n’a été écarté : toutes les mesures sont dans les résultats.
+report-nothing-left-out = Aucune mesure n’est exclue.
 report-left-out-of = { $n ->
     [one] { $n } mesure ne compte dans aucun résultat.
    *[other] { $n } mesures ne comptent dans aucun résultat.
@@ -7284,11 +7286,11 @@ report-left-out-first = { $n ->
     [one] { $n } mesure ne compte dans aucun résultat.
    *[other] { $n } mesures ne comptent dans aucun résultat.
  } Les { $shown } premières figurent ici. Toutes sont listées dans les fichiers CSV de l’archive.
-report-left-out-table = Mesures qui ne comptent dans aucun résultat, avec le motif.
+report-left-out-table = Mesures exclues des résultats, avec le motif.
 report-number = Numéro
 report-state = État
 report-reason = Motif
-report-check-words = Ce rapport fait partie d’une archive de fichiers CSV et JSON. La commande ci-dessous contrôle les sommes de contrôle et le journal d’audit de l’archive, et recalcule chaque hauteur d’après les pointés, la pose et la caméra, et chaque statistique d’après les lignes. Colonnes, unités et significations sont décrites dans datapackage.json.
+report-check-words = Ce rapport fait partie d’une archive de fichiers CSV et JSON. La commande ci-dessous contrôle les empreintes et le journal d’audit de l’archive, et recalcule chaque hauteur à partir des pointés, de la pose et de la caméra, et chaque statistique à partir des lignes. Colonnes, unités et significations sont décrites dans datapackage.json.
 report-package = ARCHIVE
 report-trail-empty = Le journal d’audit est vide.
 report-trail = Le journal d’audit a { $n ->
@@ -7307,7 +7309,7 @@ report-fig-height-above = Hauteur au-dessus de la route : { $target } ({ $unit 
 report-fig-height = Hauteur : { $target } ({ $unit })
 report-fig-share = Part des véhicules (%)
 report-fig-share-below = { $standard }, { $share } au-dessous
-report-fig-cumulative-caption = Toutes classes comprises. Trait plein : hauteurs corrigées de leur retrait, avec leur bande à 95 % (partout à la fois). Points : centiles des hauteurs vraies avec leurs intervalles totaux à 95 %.
+report-fig-cumulative-caption = Toutes classes comprises. Trait plein : hauteurs corrigées de leur retrait, avec leur bande simultanée à 95 %. Points : centiles des hauteurs vraies avec leurs intervalles totaux à 95 %.
 report-fig-density = Hauteurs, densité : { $target }
 report-fig-density-axis = Densité (par { $unit })
 report-fig-density-caption = Hauteurs corrigées, n = { $n } ; noyau gaussien, largeur { $width } ; bande ponctuelle à 95 %.
@@ -7316,20 +7318,20 @@ report-fig-by-caption = Hauteurs corrigées par groupe (nombre de véhicules) :
 report-fig-by-rules = Traits verticaux : { $rules }.
 report-fig-by-left-out = { $n } groupes plus petits sont omis.
 report-fig-group = { $group }, n = { $n }
-report-fig-no-error = Aucun véhicule n’a de hauteur de référence : il n’y a pas d’erreur à tracer.
+report-fig-no-error = Aucun véhicule n’a de hauteur de référence.
 report-fig-no-errors = Il n’y a pas d’erreur à tracer.
 report-fig-absolute-axis = Erreur absolue ({ $unit })
 report-fig-absolute = Erreur absolue, cumulée
-report-fig-absolute-caption = Part des véhicules dont l’erreur absolue est au plus de cette valeur. Bandes : 95 %, partout à la fois.
+report-fig-absolute-caption = Part cumulée des véhicules selon l’erreur absolue. Bandes : 95 %, simultanées.
 report-fig-relative-axis = Erreur absolue sur hauteur de référence (%)
 report-fig-relative = Erreur relative, cumulée
-report-fig-relative-caption = L’erreur absolue en part de la hauteur de référence. Bandes : 95 %, partout à la fois.
+report-fig-relative-caption = Erreur absolue rapportée à la hauteur de référence. Bandes : 95 %, simultanées.
 report-fig-signed = Erreur signée, densité
 report-fig-signed-axis = Mesure moins référence ({ $unit })
 report-fig-signed-width = { $width } { $group }
 report-fig-signed-caption = Noyau gaussien, largeur { $widths }. Bandes : 95 %, ponctuelles.
 report-fig-signed-caption-cm = Noyau gaussien, largeur { $widths }, au moins la moitié de l’arrondi de { $rounding }. Bandes : 95 %, ponctuelles.
-report-fig-trend = Erreur signée selon la hauteur vraie
+report-fig-trend = Erreur signée selon la hauteur du constructeur
 report-fig-regression = régression
 report-fig-maker-height = Hauteur du constructeur ({ $unit })
 report-fig-one-mark = Une marque par véhicule. { $reason }
@@ -7359,7 +7361,7 @@ report-fig-true-caption = Plein : hauteurs vraies, pondérées selon le parc qu
 report-study-kind = Rapport d’étude
 report-study-kind-simulated = Simulé : rapport d’étude
 report-of-study = { $study }, rapport d’étude
-report-study-simulated = <strong>Simulé.</strong> Rien ici n’a été filmé : les véhicules ont été tirés de parcs connus. Aucun chiffre de ce rapport ne dit rien de routes réelles.
+report-study-simulated = <strong>Simulé.</strong> Rien n’a été filmé : les véhicules ont été tirés de parcs connus. Aucune valeur de ce rapport ne décrit de routes réelles.
 report-joined = Réunis
 report-joined-of = { $surveys ->
     [one] { $surveys } relevé
@@ -7373,13 +7375,13 @@ report-joined-of = { $surveys ->
  }
 report-weighted = Pondérés
 report-not-weighted = non : les véhicules comptent comme ils ont été tirés
-report-fleet-by = selon les parts du parc ({ $margins }), telles que sa table les donne
+report-fleet-by = selon les parts du parc ({ $margins }), d’après sa table
 report-target-reason = { $target } : { $reason }.
 report-study-table = Hauteurs au-dessus de la route en { $unit } : hauteurs vraies, pondérées selon le parc quand il a été donné, avec des intervalles totaux à 95 %.
 report-sites-of = { $n } sites
-report-study-note = Les intervalles comprennent l’échantillonnage des véhicules et des sites, les erreurs que les hauteurs ont en commun (pose de la caméra, retrait moyen) et l’erreur aléatoire, qui est retirée des valeurs.
-report-study-note-one-site = Les intervalles comprennent l’échantillonnage des véhicules et des sites, les erreurs que les hauteurs ont en commun (pose de la caméra, retrait moyen) et l’erreur aléatoire, qui est retirée des valeurs. D’un seul site, ils ne parlent que de ce lieu.
-report-years-table = Années comparées : la plus récente moins la première, chacune pondérée pour elle-même, avec des intervalles totaux à 95 %.
+report-study-note = Les intervalles comprennent l’échantillonnage des véhicules et des sites et les erreurs communes aux hauteurs (pose de la caméra, retrait moyen). L’erreur de mesure aléatoire est retirée des valeurs.
+report-study-note-one-site = Les intervalles comprennent l’échantillonnage des véhicules et des sites et les erreurs communes aux hauteurs (pose de la caméra, retrait moyen). L’erreur de mesure aléatoire est retirée des valeurs. Avec un seul site, ils ne valent que pour celui-ci.
+report-years-table = Comparaison des années : la plus récente moins la première, chacune pondérée séparément, avec des intervalles totaux à 95 %.
 report-years = Années
 report-year-figure = { $target }, { $figure }
 report-figure-mean = moyenne
@@ -7400,7 +7402,7 @@ report-counts = Comptées
 report-not = Exclues
 report-true-distributions = Distributions des hauteurs vraies
 report-no-distribution = Aucune distribution ne peut être tracée.
-report-true-percentiles = Centiles des hauteurs vraies : { $target }, avec des intervalles totaux à 95 %. L’effet de plan est la variance de ce plan sur celle d’autant de véhicules tirés un à un.
+report-true-percentiles = Centiles des hauteurs vraies : { $target }, avec des intervalles totaux à 95 %. Effet de plan : variance selon ce plan, rapportée à celle d’un échantillon aléatoire simple de même taille.
 report-error-left-in = Erreur aléatoire comprise
 report-design-effect = Effet de plan
 report-effective-n = n effectif
@@ -7411,10 +7413,10 @@ report-classes-table = Parts des classes telles que tirées, en %, avec des int
 report-class = Classe
 report-fleet = Parc
 report-further = Une nouvelle étude
-report-further-table = Sites, et véhicules sur chacun, qui donneraient au P10 des hauteurs vraies une U95 de { $goal }, si sites et véhicules diffèrent comme ceux-ci.
+report-further-table = Sites, et véhicules par site, avec lesquels le P10 des hauteurs vraies aurait une U95 de { $goal }, si les sites et les véhicules varient comme ici.
 report-sites = Sites
 report-no-number = aucun nombre
-report-study-check = Chaque chiffre est dans l’archive de l’étude, dont le SHA-256 est ci-dessous. D’après les archives exportées des mêmes relevés, { $command } donne les mêmes chiffres ; chaque archive est d’abord vérifiée entière, jusqu’aux pointés.
+report-study-check = L’archive de l’étude, dont le SHA-256 est ci-dessous, contient chaque valeur. { $command } donne les mêmes valeurs à partir des archives exportées des mêmes relevés ; chaque archive est d’abord contrôlée en entier, jusqu’aux pointés.
 report-study = ÉTUDE
-report-heads = La fin de la chaîne d’audit de chaque relevé quand il a été lu.
+report-heads = Dernière empreinte de la chaîne d’audit de chaque relevé au moment de sa lecture.
 report-last-hash = Dernière empreinte

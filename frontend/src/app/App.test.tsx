@@ -275,6 +275,19 @@ describe("an address that leads nowhere", () => {
   });
 });
 
+describe("an address made of a page's name", () => {
+  it("leads to the page with what it asks, and leaves no step to go back to", async () => {
+    answers = { "/session": person("operator"), "/surveys/5": survey };
+    const before = history.length;
+    show("/surveys/5/results?target=driver_eye");
+    await vi.waitFor(() =>
+      expect(location.pathname + location.search).toBe("/statistics?survey=5&target=driver_eye"),
+    );
+    expect(history.length).toBe(before + 1);
+    expect(text()).not.toContain("Page not found");
+  });
+});
+
 describe("going to another page", () => {
   it("announces its title and puts the focus on its heading, but not when the app is loaded", async () => {
     answers = { "/session": person("operator"), "/surveys": [], "/jobs": [] };

@@ -2,10 +2,10 @@ import type { ComponentType } from "preact";
 import { useEffect, useState } from "preact/hooks";
 import { AskDialog, Loading, Problem } from "../components";
 import { Toasts } from "../components/Toasts";
-import { current, navigate, surveyHere } from "../core/address";
+import { current, navigate, pathname, surveyHere } from "../core/address";
 import { useCommands } from "../core/commands";
 import { language, say } from "../core/messages";
-import { titleOf } from "../core/places";
+import { addressCalled, titleOf } from "../core/places";
 import { loadSession, me, sessionProblem } from "../core/session";
 import { loadSurvey, survey, surveyProblem } from "../core/survey";
 import { Arrival } from "./arrival";
@@ -96,7 +96,7 @@ function Body() {
       </div>
       <main id="main" class={`main${full ? " main--full" : ""}`} tabIndex={-1}>
         {here === null ? (
-          <NotFound />
+          <Called />
         ) : surveyId && surveyProblem.value ? (
           <SurveyProblem id={surveyId} />
         ) : (
@@ -123,6 +123,17 @@ function Laid() {
       <Screen here={here} />
     </div>
   );
+}
+
+/** Where an address is no page's: the page that it names, if there is one. */
+function Called() {
+  const to = addressCalled(pathname.value);
+  useEffect(() => {
+    if (!to) return;
+    const asked = location.search.slice(1);
+    navigate(asked ? `${to}${to.includes("?") ? "&" : "?"}${asked}` : to, { replace: true });
+  }, [to]);
+  return to ? null : <NotFound />;
 }
 
 function SurveyProblem({ id }: { id: number }) {

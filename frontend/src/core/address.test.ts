@@ -1,6 +1,7 @@
-import { beforeEach, describe, expect, it } from "vitest";
+import { afterEach, beforeEach, describe, expect, it } from "vitest";
 import { current, isOurs, navigate, query, setQuery } from "./address";
-import { match, PLACES } from "./places";
+import { speak } from "./messages";
+import { addressCalled, match, PLACES, titleOf } from "./places";
 import { safeNext } from "./session";
 
 beforeEach(() => navigate("/"));
@@ -29,6 +30,47 @@ describe("match", () => {
   ])("knows no %s", (path) => {
     expect(match(path)).toBeNull();
   });
+});
+
+describe("an address made of a page's name", () => {
+  afterEach(() => speak("en"));
+
+  const leadsTo = (path: string) => match(addressCalled(path)?.split("?")[0] ?? "")?.place.name;
+  const own = (pattern: string) => pattern.includes(":id");
+
+  it.each([
+    ["/surveys/42/results", "/statistics?survey=42"],
+    ["/surveys/42/Results/", "/statistics?survey=42"],
+    ["/surveys/42/sight-distance", "/sight-distance?survey=42"],
+    ["/surveys/42/plan-the-site", "/surveys/42/planning"],
+    ["/surveys/42/motion", "/surveys/42/scans/results"],
+    ["/surveys", "/"],
+    ["/results", "/statistics"],
+  ])("%s leads to %s", (path, address) => {
+    expect(addressCalled(path)).toBe(address);
+  });
+
+  it.each(["en", "fr"])("leads to each page by its title in %s", async (language) => {
+    await speak(language);
+    for (const { name, pattern } of PLACES) {
+      const title = encodeURIComponent(titleOf(name));
+      expect(leadsTo(own(pattern) ? `/surveys/42/${title}` : `/${title}`), title).toBe(name);
+    }
+  });
+
+  it("is known in English too by who speaks French, and with accents or without", async () => {
+    await speak("fr");
+    expect(addressCalled("/surveys/42/results")).toBe("/statistics?survey=42");
+    expect(addressCalled("/surveys/42/resultats")).toBe("/statistics?survey=42");
+    expect(addressCalled("/surveys/42/vue-d-ensemble")).toBe("/surveys/42");
+  });
+
+  it.each(["/surveys/42/people", "/road", "/surveys/0/results", "/surveys/42/nothing", "/surveys/42/%", "/"])(
+    "is not %s",
+    (path) => {
+      expect(addressCalled(path)).toBeNull();
+    },
+  );
 });
 
 describe("going about", () => {

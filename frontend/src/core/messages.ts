@@ -74,6 +74,12 @@ export function say<K extends MessageKey>(key: K, ...[values]: Values<K>): strin
   return sentence(key, values as Record<string, FluentVariable> | undefined);
 }
 
+/** A sentence without values in the language spoken, and in English. */
+export function sayInEach(key: PlainKey): string[] {
+  const patterns = bundles.value.map((bundle) => [bundle, bundle.getMessage(key)?.value] as const);
+  return patterns.flatMap(([bundle, pattern]) => (pattern ? [bundle.formatPattern(pattern)] : []));
+}
+
 type NamesAfter<P extends string, K = PlainKey> = K extends `${P}${infer N}` ? N : never;
 
 /** Words looked up by a name, each said when it is read: `wordsOf("target-noun-").roof` says "target-noun-roof". They are

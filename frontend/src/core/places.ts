@@ -1,5 +1,5 @@
 /** The pages of the app: name, path, title, layout. What is shown at each is `app/screens.ts`. */
-import { say } from "./messages";
+import { say, sayInEach } from "./messages";
 
 export interface ScreenProps {
   surveyId: number;
@@ -80,4 +80,35 @@ export function match(pathname: string): Match | null {
     if (parts) return { place, surveyId: Number(parts[1] ?? 0) };
   }
   return null;
+}
+
+/** The pages of results are asked for surveys in their query, and so are of a survey too. */
+const RESULTS: readonly PlaceName[] = ["statistics", "sight-distance"];
+
+/** The address of the page that a path names by what the page is called, as people type it; null where none is called so. */
+export function addressCalled(pathname: string): string | null {
+  const [, id, word] = /^(?:\/surveys\/([1-9][0-9]{0,15}))?\/([^/]+)\/*$/.exec(pathname) ?? [];
+  if (word === undefined) return null;
+  const ofSurvey = ({ name, pattern }: Place) => pattern.includes(":id") || RESULTS.includes(name);
+  const called = plainWord(decoded(word));
+  const place = PLACES.filter((one) => (id ? ofSurvey(one) : !one.pattern.includes(":id"))).find(({ name }) =>
+    [name, ...sayInEach(`page-${name}`)].some((known) => plainWord(known) === called),
+  );
+  if (!place) return null;
+  if (!id) return place.pattern;
+  return RESULTS.includes(place.name) ? `${place.pattern}?survey=${id}` : place.pattern.replace(":id", id);
+}
+
+/** "Vue d’ensemble" is vue-d-ensemble: small letters without accents, and nothing else between them than hyphens. */
+function plainWord(text: string): string {
+  const letters = text.normalize("NFD").replace(/\p{M}/gu, "").toLowerCase();
+  return letters.replace(/[^\p{L}\p{N}]+/gu, "-").replace(/^-|-$/g, "");
+}
+
+function decoded(part: string): string {
+  try {
+    return decodeURIComponent(part);
+  } catch {
+    return part; // a stray % is no letter of a name
+  }
 }

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from sightline.enums import CrestVerdict, LengthUnit
 from sightline.export.report.said import said, told
 from sightline.export.report.units import HEIGHT, Scale, percent
-from sightline.export.report.words import TARGETS
+from sightline.export.report.words import TARGETS, apart
 from sightline.results.sightdistance.records import CaseOfHeights, SightQuestion
 from sightline.results.sightdistance.service import case_of, distance_of, exact, height_of_rule
 from sightline.results.survey_statistics import Filter, Statistics
@@ -73,7 +73,7 @@ def crest_sentence(
             said("sight-too-few-of", target=TARGETS[one.target], reason=told(one.reason))
             for one in survey.too_few
         ]
-        return said("sight-too-few", targets="; ".join(each))
+        return said("sight-too-few", targets=apart(each))
     if survey.crest is None or survey.comparison is None or standard.crest is None:
         return None
     scale = HEIGHT[question.unit]

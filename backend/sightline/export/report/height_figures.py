@@ -13,7 +13,7 @@ from sightline.export.report.canvas import FULL, HALF, INK, MUTED, NOTE_PT, Draw
 from sightline.export.report.marks import MAIN, Limit
 from sightline.export.report.said import said, told
 from sightline.export.report.units import HEIGHT, Scale, count, fixed, limit, percent
-from sightline.export.report.words import GROUPINGS, TARGETS, group_word, heading
+from sightline.export.report.words import GROUPINGS, TARGETS, apart, group_word, heading
 from sightline.statistics.distributions import Density, Percentile
 from sightline.statistics.standards import Standard
 from sightline.statistics.summary import Groups, Target
@@ -173,9 +173,8 @@ def _side_by_side(
         for one in limits:
             axes.axvline(one.at, color=MUTED, linewidth=0.7, dashes=(7, 1.5, 1, 1.5), zorder=0.5)
 
-    rules = "; ".join(one.word for one in limits)
     sentences = [said("report-fig-by-caption")]
-    sentences += [said("report-fig-by-rules", rules=rules)] if rules else []
+    sentences += [said("report-fig-by-rules", rules=apart([one.word for one in limits]))] if limits else []
     sentences += [said("report-fig-by-left-out", n=count(groups.left_out))] if groups.left_out else []
     caption = " ".join(sentences)
     sheet = Sheet(FULL.width, 12.0 + _ROW_MM * len(rows), left=40.0, right=3.0)

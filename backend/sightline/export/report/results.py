@@ -306,15 +306,8 @@ def _source(standard: Standard) -> str:
         rule = said("report-percentile-of", percent=percentile, of=rule) if rule else f"P{percentile}"
     cited = said("report-cited-by", who=told(standard.cited_by)) if standard.cited_by else ""
     source, edition = told(standard.source), told(edition)
-    return "; ".join(
-        one
-        for one in (
-            f"{source}{f', {edition}' if edition and edition not in source else ''}",
-            rule,
-            cited,
-        )
-        if one
-    )
+    named = f"{source}{f', {edition}' if edition and edition not in source else ''}"
+    return words.apart([one for one in (named, rule, cited) if one])
 
 
 def _standard(standard: Standard, share: Share, total: TotalFigure | None, unit: LengthUnit) -> Values:

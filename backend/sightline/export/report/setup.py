@@ -18,7 +18,7 @@ from sightline.export.report.pictures import Pictures
 from sightline.export.report.said import said, told
 from sightline.export.report.settable import Json, Values
 from sightline.export.report.units import HEIGHT, SMALL, Scale, decimal, fixed
-from sightline.export.report.words import LIGHTING, date_words, day_parts, target_words
+from sightline.export.report.words import LIGHTING, apart, date_words, day_parts, target_words
 from sightline.export.verdicts import VerdictCounts
 from sightline.infra.local_time import zone_of
 
@@ -90,7 +90,7 @@ def filmed_words(recordings: Sequence[RecordingFacts]) -> str | None:
     unsaid = sum(not one.started_at for one in recordings)
     if words and unsaid:
         words.append(said("report-unconfirmed", n=unsaid))
-    return "; ".join(words) or None
+    return apart(words) if words else None
 
 
 def _span(first: datetime, last: datetime, zone: str) -> str:
@@ -110,7 +110,7 @@ def _place(facts: ReportFacts) -> str | None:
         words.append(said("report-limit", speed=f"{place.speed_limit_mps * factor:.0f} {unit}"))
     if place.street_lamps is not None:
         words.append(said("report-lamps" if place.street_lamps == "present" else "report-no-lamps"))
-    return "; ".join(words) or None
+    return apart(words) if words else None
 
 
 def _day(day: date | None) -> str | None:

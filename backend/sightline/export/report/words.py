@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from datetime import date
+from functools import reduce
 from typing import Any
 
 from sightline.enums import (
@@ -130,6 +131,11 @@ def group_word(grouping: str, word: str) -> str:
     return known.get(grouping, {}).get(word, word)
 
 
+def apart(words: Sequence[str]) -> str:
+    """Words or sentences with semicolons between, as the language writes them."""
+    return reduce(lambda first, second: said("report-apart", first=first, second=second), words)
+
+
 def date_words(day: date) -> str:
     """A day as the language writes it."""
     return said("report-date", **day_parts(day))
@@ -151,4 +157,4 @@ def selection_words(selection: Selection) -> str | None:
     lighting = [] if selection.lighting is None else [LIGHTING[selection.lighting]]
     days = (("report-filmed-since", selection.filmed_from), ("report-filmed-until", selection.filmed_to))
     filmed = [said(key, day=date_words(day)) for key, day in days if day is not None]
-    return "; ".join([*lighting, *([", ".join(classes)] if classes else []), *filmed])
+    return apart([*lighting, *([", ".join(classes)] if classes else []), *filmed])
