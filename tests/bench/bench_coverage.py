@@ -25,6 +25,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
 from sightline.statistics.distributions import vehicles_for_interval
 from sightline.statistics.shared_errors import SharedErrors
 from sightline.statistics.total_uncertainty import HeightSample, TotalUncertainty
+from tests.bench.proofs_page import put_section
 
 PERCENTS = (2.5, 10.0, 50.0, 90.0, 97.5)
 GOAL, AWAY = 0.95, 0.01
@@ -88,7 +89,6 @@ WORLDS = [
 
 GRID = [World(*one) for one in itertools.product(FLEETS, (100, 400, 2000), (1, 2, 5, 20), (0, 15), (0, 20))]
 FACTORS = ("fleet", "n", "sites", "shared_mm", "random_mm")
-PAGE = Path(__file__).resolve().parents[2] / "docs" / "proofs.md"
 
 
 def truth_of(world: World) -> np.ndarray:
@@ -157,7 +157,7 @@ def main(worlds: list[World], samples: int, seed: int, write: bool) -> int:
     lines = summary(worlds, found, samples)
     print("\n".join(lines))
     if write:
-        PAGE.write_text(page(worlds, found, samples, seed), encoding="utf-8")
+        put_section(page(worlds, found, samples, seed))
     return 0
 
 
