@@ -27,11 +27,11 @@ EXCLUSIONS = Table(
     "target, whose errors alone are stated (statistics/errors_by_target.csv), or of a vehicle out of the "
     "sample (sampling.csv).",
     (
-        Column("measurement_id", "integer", "measurement that is left out", required=True),
+        Column("measurement_id", "integer", "excluded measurement", required=True),
         Column("vehicle_id", "integer", "vehicle that was measured", required=True),
         Column("vehicle_number", "integer", "its number within the survey", required=True),
         Column("target", "string", "what was measured", required=True, enum=TARGETS),
-        Column("state", "string", "why it is left out", required=True, enum=STATES),
+        Column("state", "string", "state for which it is excluded", required=True, enum=STATES),
         Column("reason", "string", "the reason in words", required=True),
     ),
     primary=("measurement_id",),

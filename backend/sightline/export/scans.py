@@ -45,8 +45,8 @@ _QUANTITY = Column(
 )
 _SIZE = Column("size", "string", "which size of a vehicle", required=True, enum=get_args(KnownLength))
 _UNIT = Column("unit", "string", "unit of the figures of this row", required=True)
-_N = Column("n", "integer", "how many vehicles it rests on", required=True, minimum=0)
-_REASON = Column("reason", "string", "why a figure or its interval is missing")
+_N = Column("n", "integer", "number of vehicles", required=True, minimum=0)
+_REASON = Column("reason", "string", "why a value or its interval is missing")
 
 
 _INTERVAL = (
@@ -80,7 +80,7 @@ BASELINES = Table(
         number("u_ratio", "standard uncertainty of the ratio (k = 1)"),
         number("spread", "standard deviation of a vehicle's ratio"),
         _REASON,
-        Column("warning", "string", "what to beware of"),
+        Column("warning", "string", "warning"),
     ),
     primary=("size",),
     folder=FOLDER,
@@ -131,9 +131,9 @@ HEIGHTS = Table(
     "that wait for a review or were rejected are counted.",
     (
         Column("target", "string", "what was measured", required=True, enum=get_args(Target)),
-        Column("n", "integer", "how many accepted heights it rests on", required=True, minimum=0),
-        Column("to_review", "integer", "how many wait for a review", required=True, minimum=0),
-        Column("rejected", "integer", "how many were rejected", required=True, minimum=0),
+        Column("n", "integer", "number of accepted heights", required=True, minimum=0),
+        Column("to_review", "integer", "number of heights to review", required=True, minimum=0),
+        Column("rejected", "integer", "number of rejected heights", required=True, minimum=0),
         metres("mean_m", "mean height"),
         metres("sd_m", "standard deviation (n - 1); empty for one height"),
         metres("median_m", "median height"),
@@ -176,7 +176,7 @@ CARS = Table(
         metres("u_stated_m", "root mean square of what each run states for itself (k = 1)"),
         number("chi_square", "of the runs about their mean"),
         Column("degrees", "integer", "its degrees of freedom", required=True, minimum=0),
-        number("p", "chance of one as large or larger if the uncertainties hold"),
+        number("p", "probability of a chi-square this large if the stated uncertainties are correct"),
         Column("verdict", "string", "what follows", required=True, enum=get_args(RunsVerdict)),
     ),
     primary=("car", "size"),

@@ -43,11 +43,11 @@ _CORRECTION = Column(
     required=True,
 )
 _TARGET = Column("target", "string", "what was measured", required=True)
-_N = Column("n", "integer", "how many measurements it rests on", required=True, minimum=0)
+_N = Column("n", "integer", "number of measurements", required=True, minimum=0)
 _GROUPING = Column("grouping", "string", "what divides the measurements; all: nothing", required=True)
-_GROUP = Column("group", "string", "which group", required=True)
-_REASON = Column("reason", "string", "why a figure or its interval is missing")
-_HOLDS = Column("holds", "string", "what its interval holds: words with blanks between")
+_GROUP = Column("group", "string", "group", required=True)
+_REASON = Column("reason", "string", "why a value or its interval is missing")
+_HOLDS = Column("holds", "string", "components of its interval, separated by spaces")
 
 
 _INTERVAL = (
@@ -65,9 +65,9 @@ ERROR_TABLE = Table(
         _HEIGHTS,
         _ROUNDING,
         _GROUP,
-        Column("figure", "string", "which figure", required=True),
+        Column("figure", "string", "name of the value", required=True),
         _N,
-        number("value", "the figure"),
+        number("value", "value"),
         *_INTERVAL,
         _HOLDS,
         _REASON,
@@ -87,9 +87,9 @@ ERRORS_BY_TARGET = Table(
         flag("check_target", "true: of check targets, which count nowhere else", required=True),
         _GROUPING,
         _GROUP,
-        Column("figure", "string", "which figure", required=True),
+        Column("figure", "string", "name of the value", required=True),
         _N,
-        number("value", "the figure"),
+        number("value", "value"),
         *_INTERVAL,
         _HOLDS,
         _REASON,
@@ -106,7 +106,7 @@ AGREEMENT = Table(
         _HEIGHTS,
         _ROUNDING,
         Column("figure", "string", "which figure; _m: metres", required=True),
-        number("value", "the figure"),
+        number("value", "value"),
         *_INTERVAL,
         _REASON,
     ),
@@ -165,8 +165,8 @@ CORRECTION_TABLE = Table(
         _N,
         metres("mean_m", "mean of the corrected heights"),
         metres("sd_m", "standard deviation of the corrected heights (n - 1)"),
-        Column("words", "string", "what was done"),
-        Column("warning", "string", "what to beware of"),
+        Column("words", "string", "description of the correction"),
+        Column("warning", "string", "warning"),
         _REASON,
     ),
     primary=("target", "correction"),
@@ -197,14 +197,25 @@ TOTAL_TABLE = Table(
     "their spread; 95 % intervals hold what `holds` says.",
     (
         _TARGET,
-        Column("figure", "string", "which", required=True, enum=("percentile", "mean", "sd", "share_below")),
+        Column(
+            "figure",
+            "string",
+            "name of the value",
+            required=True,
+            enum=("percentile", "mean", "sd", "share_below"),
+        ),
         number("percent", "of a percentile: which", "%"),
         metres("limit_m", "of a share: below which height"),
         _N,
         number("value", "the figure: a height or SD in metres, a share from 0 to 1"),
         *_INTERVAL,
         metres("raw_m", "of a percentile: the plain one of the measured heights"),
-        Column("holds", "string", "what the interval holds, separated by spaces", required=True),
+        Column(
+            "holds",
+            "string",
+            "components of the interval, separated by spaces",
+            required=True,
+        ),
         _REASON,
     ),
     folder=FOLDER,
@@ -215,7 +226,7 @@ RULE_TABLE = Table(
     "and the verdict: lower or higher where the probability that it is not so is at most 2.5 % (JCGM 106).",
     (
         Column("what", "string", "what the standard's height is of", required=True),
-        Column("standard", "string", "whose value", required=True),
+        Column("standard", "string", "name of the standard", required=True),
         metres("standard_m", "the standard's height"),
         number("percent", "the percentile of its rule", "%"),
         Column("class", "string", "of which vehicles, as the standard says"),
@@ -224,9 +235,9 @@ RULE_TABLE = Table(
         metres("height_m", "the same percentile today, of true heights"),
         metres("low_m", "lower end of its total 95 % interval"),
         metres("high_m", "upper end of its total 95 % interval"),
-        metres("difference_m", "today's less the standard's"),
-        number("lower", "probability that today's lies below the standard's"),
-        Column("verdict", "string", "what may be said", required=True, enum=get_args(RuleVerdict)),
+        metres("difference_m", "today's percentile minus the standard's height"),
+        number("lower", "probability that today's percentile is below the standard's height"),
+        Column("verdict", "string", "verdict", required=True, enum=get_args(RuleVerdict)),
         number("risk", "probability that the verdict is wrong"),
         _REASON,
     ),
@@ -267,12 +278,12 @@ SHARES = Table(
         _CORRECTION,
         _GROUPING,
         _GROUP,
-        Column("standard", "string", "whose value", required=True),
+        Column("standard", "string", "name of the standard", required=True),
         metres("limit_m", "the standard's height"),
         Column("source", "string", "where the standard's value is from"),
-        Column("below", "integer", "how many heights lie below it", required=True),
+        Column("below", "integer", "number of heights below it", required=True),
         _N,
-        number("share", "below over n"),
+        number("share", "share of the heights below: below divided by n"),
         *_INTERVAL,
     ),
     folder=FOLDER,
@@ -282,14 +293,12 @@ LATERAL_TABLE = Table(
     "Where vehicles drive: the distance of the tyre's contact from the camera across the road, one of each "
     "vehicle (the median of its contacts), by lane (the way it goes in the picture) and class.",
     (
-        Column(
-            "lane", "string", "which way the vehicles go in the picture; empty: all", enum=get_args(Direction)
-        ),
+        Column("lane", "string", "travel direction in the image; empty: all", enum=get_args(Direction)),
         Column("class", "string", "body of the vehicles; empty: all", enum=get_args(Category)),
-        Column("figure", "string", "which", required=True, enum=("percentile", "mean", "sd")),
+        Column("figure", "string", "name of the value", required=True, enum=("percentile", "mean", "sd")),
         number("percent", "of a percentile: which", "%"),
         _N,
-        metres("value_m", "the figure"),
+        metres("value_m", "value"),
         metres("low_m", "lower end of its 95 % interval"),
         metres("high_m", "upper end of its 95 % interval"),
         _REASON,

@@ -106,7 +106,7 @@ CLASSES = Table(
         integer("vehicles", "how many", required=True),
         integer(
             "near_limit",
-            "those of them whose 95 % interval holds a limit of the class: they may be of the next one",
+            "those whose 95 % interval contains a limit of the class: they may be of the next class",
             required=True,
         ),
         _WAY,

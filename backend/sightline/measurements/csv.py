@@ -160,10 +160,10 @@ def _value(m: Measurement, name: str) -> float | None:
 _MADE: Columns = (
     text(
         "made",
-        "how the points on `frame` were set: clicked by hand (the contact perhaps a proposed one, where no "
-        "target was proposed), snapped: the contact went from a click to the tyre found there, confirmed as "
-        "proposed, or moved: begun from proposed or found points (contact or target), at least one of them "
-        "put by a person",
+        "how the points on `frame` were set: clicked: by hand (the contact may be a proposed one where no "
+        "target was proposed); snapped: the contact moved from a click to the tyre found there; confirmed: "
+        "as proposed; moved: from proposed or found points (contact or target), at least one of which a "
+        "person placed",
         lambda m: m.values.made,
         required=True,
         enum=get_args(Made),
@@ -190,11 +190,11 @@ _MADE: Columns = (
     *_proposed("contact"),
     *_proposed("target"),
 )
-POSE: Columns = (key("pose_id", "road pose used", lambda m: m.values.pose_id),)
+POSE: Columns = (key("pose_id", "camera pose used", lambda m: m.values.pose_id),)
 _INSET: Columns = (
     metres(
         "inset_m",
-        "how far the target lies behind the vertical plane through the contact point, along road Y",
+        "inset: distance from the vertical plane through the contact point to the target, along road Y",
         lambda m: m.values.inset_m,
     ),
     metres("u_inset_m", "standard uncertainty of the inset (k = 1)", lambda m: m.values.u_inset_m),
@@ -210,7 +210,7 @@ _SIDE: Columns = (
 _SIDE_FROM: Columns = (
     text(
         "side_from",
-        "what the side follows from: said of this vehicle, its direction, or the lane beside the camera",
+        "source of the side: entered for this vehicle, its direction, or the lane next to the camera",
         lambda m: m.values.side_from,
         enum=get_args(SideBasis),
     ),
@@ -311,12 +311,12 @@ _HEIGHT: Columns = (
     metres("y_m", "contact point across the road, away from the camera (Y)", lambda m: m.values.y_m),
     metres(
         "u_clicks_m",
-        "part of u_height_m that comes from the clicks, which no other height shares",
+        "component of u_height_m from the clicks, which no other height shares",
         lambda m: m.values.u_clicks_m,
     ),
     metres(
         "u_by_inset_m",
-        "part of u_height_m that comes from the assumed inset; what is left is the road pose's",
+        "component of u_height_m from the assumed inset; the remaining component is that of the camera pose",
         lambda m: m.values.u_by_inset_m,
     ),
     metres("distance_m", "from the camera's centre to the contact point", lambda m: m.values.distance_m),
@@ -335,9 +335,9 @@ _HEIGHT: Columns = (
         lambda m: m.values.code_version,
         required=True,
     ),
-    person("created_by_id", "who clicked", lambda m: m.created_by),
+    person("created_by_id", "who clicked the points", lambda m: m.created_by),
     moment("created_at", "when the revision was stored", lambda m: m.created_at),
-    flag("withdrawn", "true where the measurement was taken back", lambda m: m.withdrawn, required=True),
+    flag("withdrawn", "true if the measurement was withdrawn", lambda m: m.withdrawn, required=True),
     integer(
         "computing_id",
         "what computed the revision again, with the clicks of the revision before",
@@ -401,7 +401,7 @@ MEASUREMENTS: Table[Measurement] = Table(
         moment("reviewed_at", "when it was reviewed", lambda m: m.review.at),
         text(
             "verdict_by",
-            "whether somebody judged this measurement itself, or the lot that it belongs to by a sample",
+            "whether a reviewer judged this measurement itself, or its lot by a sample",
             lambda m: verdict_basis(m.review.verdict, m.review.lot_id),
             enum=get_args(VerdictBasis),
         ),
@@ -445,8 +445,12 @@ BUDGET: Table[BudgetEntry] = Table(
     "The contributions to each current u_height_m; their root sum of squares is u_height_m.",
     (
         key("measurement_id", "measurement", lambda entry: entry.measurement_id),
-        text("source", "where the uncertainty comes from", lambda entry: entry.source, required=True),
-        metres("u_m", "its contribution to the standard uncertainty of the height", lambda entry: entry.u_m),
+        text("source", "source of uncertainty", lambda entry: entry.source, required=True),
+        metres(
+            "u_m",
+            "its contribution to the standard uncertainty of the height",
+            lambda entry: entry.u_m,
+        ),
     ),
     primary=("measurement_id", "source"),
     foreign=((("measurement_id",), "measurements", ("id",)),),
@@ -499,7 +503,7 @@ CLICKS: Table[Clicked] = Table(
             lambda c: c.vehicle.counts,
             required=True,
         ),
-        key("pose_id", "road pose to compute the height with", lambda c: c.measurement.values.pose_id),
+        key("pose_id", "camera pose for the height", lambda c: c.measurement.values.pose_id),
         text(
             "pose_file",
             "that pose as a file of this package",

@@ -30,7 +30,7 @@ POSES: Table[Pose] = Table(
     "poses",
     "Where the camera stood with respect to the road; the whole of each is in poses/pose-N.json.",
     (
-        key("id", "road pose", lambda p: p.id),
+        key("id", "camera pose", lambda p: p.id),
         integer("recording_id", "recording in which the board stood on the road", lambda p: p.recording_id),
         key("calibration_id", "calibration it was solved with", lambda p: p.calibration_id),
         integer("first_frame", "first frame of the board's segment", lambda p: p.first_frame),

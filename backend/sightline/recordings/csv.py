@@ -80,7 +80,7 @@ _DRIFT: tuple[Column[Drift], ...] = (
     text(
         "drift_state", "whether the camera moved since that pose", _found("state"), enum=get_args(DriftState)
     ),
-    number("drift_floor_px", "motion that could not be told from standing still", "px", _found("floor_px")),
+    number("drift_floor_px", "detection limit of camera movement", "px", _found("floor_px")),
     number("drift_moved_px", "largest motion found, where it moved", "px", _found("moved_px")),
     metres("drift_height_m", "by how much heights are off at most for it", _found("height_m")),
     Column(
@@ -89,7 +89,7 @@ _DRIFT: tuple[Column[Drift], ...] = (
         "when that was looked at (ISO 8601, UTC)",
         of=_time(_found("checked_at")),
     ),
-    text("drift_decision", "why a person lets the pose stand although the camera moved", _decided("reason")),
+    text("drift_decision", "reason for keeping the pose although the camera moved", _decided("reason")),
     integer("drift_decided_by_id", "who decided that", _decided("by_id")),
     Column("drift_decided_at", "datetime", "when that was decided (ISO 8601, UTC)", of=_time(_decided("at"))),
 )
@@ -133,7 +133,7 @@ _FACTS: tuple[Column[Recording], ...] = (
     ),
     text("lighting", "light in the recording", lambda r: r.lighting, enum=get_args(Lighting)),
     started_column("when its first frame was filmed", lambda r: r.started_at, lambda r: r.time_zone),
-    text("time_zone", "whose clocks these are (IANA)", lambda r: r.time_zone),
+    text("time_zone", "time zone of these times (IANA)", lambda r: r.time_zone),
     text("weather", "weather, in words", lambda r: r.weather),
     text(
         "street_lighting",
@@ -142,7 +142,7 @@ _FACTS: tuple[Column[Recording], ...] = (
         enum=get_args(StreetLighting),
     ),
     integer("camera_id", "camera that made it", lambda r: r.camera_id),
-    integer("pose_id", "road pose in force", lambda r: r.pose_id),
+    integer("pose_id", "current camera pose", lambda r: r.pose_id),
 )
 
 

@@ -20,7 +20,7 @@ STANDARDS: Table[Standard] = Table(
     (
         text(
             "what",
-            "what the standard speaks of",
+            "quantity that the standard specifies",
             lambda s: s.what,
             required=True,
             enum=get_args(StandardHeight),
@@ -29,7 +29,7 @@ STANDARDS: Table[Standard] = Table(
         metres("height_m", "its height above the road", lambda s: s.height_m, required=True),
         text("edition", "edition of the standard", lambda s: s.edition),
         integer("year", "year of that edition, or of the study", lambda s: s.year),
-        number("percent", "which percentile of its class it stands for", "%", lambda s: s.percent),
+        number("percent", "percentile of its class that it represents", "%", lambda s: s.percent),
         text("vehicle_class", "the class that the percentile is of", lambda s: s.vehicle_class),
         text("source", "where the figure comes from", lambda s: s.source),
         text("cited_by", "who cites it; empty where the source itself was read", lambda s: s.cited_by),

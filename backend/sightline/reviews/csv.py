@@ -18,7 +18,7 @@ REVIEWS: Table[Review] = Table(
         key("revision", "revision that the reviewer saw", lambda r: r.revision),
         key(
             "result_revision",
-            "revision that the verdict holds for (a fix makes a new one)",
+            "revision to which the verdict applies (a fix creates a new one)",
             lambda r: r.result_revision,
         ),
         text("verdict", "the verdict", lambda r: r.verdict, required=True, enum=get_args(ReviewVerdict)),

@@ -92,7 +92,7 @@ _RIG: tuple[Column[Rig], ...] = (
     _of_rig("divergence_rad", "angle by which the scanning planes open towards the vehicles", "rad"),
     _of_rig("u_divergence_rad", "standard uncertainty of the divergence (k = 1)", "rad"),
     _of_rig("distance_m", "from the cameras to the vehicles' side, where it is known", "m"),
-    _of_rig("misalignment_px", "a point's row in strip 2 minus its row in strip 1, where it was given", "px"),
+    _of_rig("misalignment_px", "row of a point in strip 2 minus its row in strip 1, as entered", "px"),
     _of_rig("u_misalignment_px", "standard uncertainty of the misalignment (k = 1)", "px"),
     _of_rig("shadow_share", "share of the rows, from the bottom, in which no vehicle was looked for", ""),
     _of_rig("baseline_correlation", "of the errors of baseline_m and divergence_rad", ""),
@@ -182,10 +182,10 @@ _MOTION: tuple[Column[ScanMeasurement], ...] = (
     ),
     text("axles_by", "who found the wheels", lambda m: m.values.axles_by, enum=get_args(AxlesBy)),
     text("lane", "of the rig's lanes; empty: not known, or it has none", lambda m: m.values.lane),
-    text("lane_by", "who told the lane", lambda m: m.values.lane_by, enum=get_args(LaneBy)),
+    text("lane_by", "who assigned the lane", lambda m: m.values.lane_by, enum=get_args(LaneBy)),
     number(
         "tyres_px",
-        "row of strip 1 at which its tyres meet the road, where the lane was told by it",
+        "row of strip 1 at which its tyres meet the road, if the lane was assigned by it",
         "px",
         lambda m: m.values.tyres_px,
     ),
@@ -210,7 +210,7 @@ _MOTION: tuple[Column[ScanMeasurement], ...] = (
     text("reason", "why there is no motion", lambda m: m.values.reason),
     text(
         "warnings",
-        "what is to be said of this result, separated by semicolons",
+        "warnings on this result, separated by semicolons",
         lambda m: joined(m.values.warnings),
     ),
     text(
@@ -337,9 +337,9 @@ LINE_SCANS: Table[Scan] = Table(
         *of_part(_RIG, _rig_of_scan),
         text("lighting", "lighting", lambda s: s.lighting, enum=get_args(Lighting)),
         started_column("when line 0 was taken", lambda s: s.started_at, lambda s: s.time_zone),
-        text("time_zone", "whose clocks these are (IANA)", lambda s: s.time_zone),
+        text("time_zone", "time zone of these times (IANA)", lambda s: s.time_zone),
         number("u_start_s", "standard uncertainty of started_at (k = 1)", "s", lambda s: s.u_start_s),
-        text("notes", "what the reading said, separated by semicolons", lambda s: joined(s.notes)),
+        text("notes", "notes of the import, separated by semicolons", lambda s: joined(s.notes)),
         moment("created_at", "when it was made", lambda s: s.created_at),
         text(
             "lanes",

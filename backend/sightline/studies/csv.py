@@ -20,7 +20,7 @@ _EFFECT = number("design_effect", "variance by the design over that of as many v
 _EFFECTIVE = number(
     "effective_n", "n over the design effect: vehicles drawn one by one that would tell as much"
 )
-_REASON = text("reason", "why a figure or its interval is missing")
+_REASON = text("reason", "why a value or its interval is missing")
 
 PACKAGES: Table = Table(
     "packages",
@@ -44,11 +44,11 @@ FIGURES: Table = Table(
     "hold sampling, differences between sites, errors that heights share, and random error (taken out).",
     (
         text("target", "what was measured", required=True),
-        text("figure", "which", required=True, enum=("percentile", "mean", "sd")),
+        text("figure", "name of the value", required=True, enum=("percentile", "mean", "sd")),
         number("percent", "of a percentile: which", "%"),
         _N,
         integer("sites", "at how many sites", required=True),
-        metres("value_m", "the figure"),
+        metres("value_m", "value"),
         metres("low_m", "lower end of its total 95 % interval"),
         metres("high_m", "upper end of its total 95 % interval"),
         metres("raw_m", "of a percentile: that of the measured heights, random error left in"),
@@ -65,9 +65,9 @@ ERRORS: Table = Table(
     "in the errors themselves.",
     (
         text("group", "lighting, or overall", required=True),
-        text("figure", "which figure", required=True),
+        text("figure", "name of the value", required=True),
         _N,
-        metres("value_m", "the figure"),
+        metres("value_m", "value"),
         metres("low_m", "lower end of its 95 % interval"),
         metres("high_m", "upper end of its 95 % interval"),
     ),
@@ -116,7 +116,7 @@ RULES: Table = Table(
         metres("difference_m", "today less the standard"),
         number("lower", "probability that the true percentile lies below the standard's height"),
         number("risk", "probability that the verdict is wrong"),
-        text("verdict", "what may be said", required=True, enum=get_args(RuleVerdict)),
+        text("verdict", "verdict", required=True, enum=get_args(RuleVerdict)),
         _REASON,
     ),
 )
@@ -128,7 +128,7 @@ YEARS: Table = Table(
         text("target", "what was measured", required=True),
         integer("first_year", "the first year", required=True),
         integer("second_year", "the later year", required=True),
-        text("figure", "which", required=True, enum=("percentile", "mean")),
+        text("figure", "name of the value", required=True, enum=("percentile", "mean")),
         number("percent", "of a percentile: which", "%"),
         integer("n_first", "heights of the first year", required=True, minimum=0),
         integer("n_second", "heights of the later year", required=True, minimum=0),

@@ -26,18 +26,18 @@ SURVEY: Table[Survey] = Table(
         text(
             "site", "where it was filmed; a study takes surveys of one site as one cluster", lambda s: s.site
         ),
-        text("description", "what was said of the survey", lambda s: s.description),
+        text("description", "description of the survey", lambda s: s.description),
         flag(
             "simulated",
-            "true: invented, so that no figure of it says anything of real roads",
+            "true: invented; no value of it describes real roads",
             lambda s: s.simulated,
             required=True,
         ),
         number("latitude_deg", "latitude (WGS84), north positive", "deg", lambda s: s.place.latitude_deg),
         number("longitude_deg", "longitude (WGS84), east positive", "deg", lambda s: s.place.longitude_deg),
         text("road_class", "class of the road, in words", lambda s: s.place.road_class),
-        text("lane", "which lane is measured, in words", lambda s: s.place.lane),
-        text("travel_direction", "where its traffic goes, in words", lambda s: s.place.travel_direction),
+        text("lane", "measured lane, in words", lambda s: s.place.lane),
+        text("travel_direction", "travel direction, in words", lambda s: s.place.travel_direction),
         number("speed_limit_mps", "speed limit", "m/s", lambda s: s.place.speed_limit_mps),
         text(
             "street_lamps",
@@ -45,7 +45,7 @@ SURVEY: Table[Survey] = Table(
             lambda s: s.place.street_lamps,
             enum=get_args(StreetLamps),
         ),
-        text("time_zone", "whose clocks are told there (IANA)", lambda s: s.place.time_zone),
+        text("time_zone", "time zone of the site (IANA)", lambda s: s.place.time_zone),
     ),
     primary=("id",),
 )
@@ -63,7 +63,7 @@ INSETS: Table[InForce] = Table(
         ),
         metres(
             "inset_m",
-            "how far the target lies behind the vertical plane through the contact point, along road Y",
+            "inset: distance from the vertical plane through the contact point to the target, along road Y",
             lambda i: i[1].inset_m,
         ),
         metres("u_inset_m", "standard uncertainty of the inset (k = 1)", lambda i: i[1].u_inset_m),

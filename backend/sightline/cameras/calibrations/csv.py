@@ -54,9 +54,13 @@ CALIBRATIONS: Table[NamedCalibration] = Table(
             "source", "where it comes from", lambda c: c.calibration.source, enum=get_args(CalibrationSource)
         ),
         text("model", "lens model", _said("model"), required=True, enum=get_args(LensModel)),
-        integer("width_px", "width of the images it holds for", _said("width_px"), unit="px", required=True),
+        integer("width_px", "width of the images", _said("width_px"), unit="px", required=True),
         integer(
-            "height_px", "height of the images it holds for", _said("height_px"), unit="px", required=True
+            "height_px",
+            "height of the images",
+            _said("height_px"),
+            unit="px",
+            required=True,
         ),
         _pixels("fx_px", "focal length along x"),
         _pixels("fy_px", "focal length along y"),

@@ -50,7 +50,7 @@ COMPUTINGS: Table[Computing] = Table(
             required=True,
             enum=get_args(ComputingKind),
         ),
-        integer("undoes", "of an undo: the computing whose old heights it put back", lambda c: c.undoes),
+        integer("undoes", "of an undo: the computing whose earlier heights it restored", lambda c: c.undoes),
         integer("heights", "how many revisions it made", lambda c: c.heights, required=True, minimum=0),
         integer(
             "to_review",

@@ -51,7 +51,7 @@ VEHICLES: Table[VehicleSheet] = Table(
         integer("first_frame", "first frame of the pass", lambda v: v.first_frame, minimum=0),
         integer("last_frame", "last frame of the pass", lambda v: v.last_frame, minimum=0),
         integer("best_frame", "frame proposed for measuring", lambda v: v.best_frame, minimum=0),
-        text("make", "maker", lambda v: v.make),
+        text("make", "manufacturer", lambda v: v.make),
         text("model", "model", lambda v: v.model),
         integer("year", "model year", lambda v: v.year),
         text(
@@ -67,7 +67,11 @@ VEHICLES: Table[VehicleSheet] = Table(
             lambda v: v.model_sizes,
         ),
         text("category", "kind of body", lambda v: v.category, enum=get_args(Category)),
-        metres("manufacturer_height_m", "overall height the maker states", lambda v: v.manufacturer_height_m),
+        metres(
+            "manufacturer_height_m",
+            "manufacturer's overall height",
+            lambda v: v.manufacturer_height_m,
+        ),
         metres(
             "u_manufacturer_height_m",
             "standard uncertainty of that height (k = 1)",
@@ -82,12 +86,10 @@ VEHICLES: Table[VehicleSheet] = Table(
             required=True,
         ),
         text("lighting", "light at the time of the pass", lambda v: v.lighting, enum=get_args(Lighting)),
-        text(
-            "direction", "which way it goes in the picture", lambda v: v.direction, enum=get_args(Direction)
-        ),
+        text("direction", "travel direction in the image", lambda v: v.direction, enum=get_args(Direction)),
         text(
             "driver_side",
-            "where the driver was said to sit, as the camera sees it; else it follows from the direction",
+            "side of the driver as entered, seen from the camera; empty: it follows from the direction",
             lambda v: v.driver_side,
             enum=get_args(DriverSide),
         ),

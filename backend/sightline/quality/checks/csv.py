@@ -34,7 +34,7 @@ WHEEL_PAIRS: Table[WheelPair] = Table(
         pixel(
             "second_y_px", "y where the other tyre of the same side touches the road", lambda w: w.second[1]
         ),
-        person("created_by_id", "who clicked", lambda w: w.created_by),
+        person("created_by_id", "who clicked the points", lambda w: w.created_by),
         moment("created_at", "when it was stored", lambda w: w.created_at),
     ),
     primary=("id",),

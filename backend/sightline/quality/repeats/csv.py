@@ -30,7 +30,7 @@ REPEATS: Table[Measurement] = Table(
         *POSE,
         metres(
             "inset_m",
-            "how far the target lies behind the vertical plane through the contact",
+            "inset: distance from the vertical plane through the contact to the target",
             lambda m: m.values.inset_m,
         ),
         metres("u_inset_m", "standard uncertainty of the inset (k = 1)", lambda m: m.values.u_inset_m),
@@ -42,9 +42,9 @@ REPEATS: Table[Measurement] = Table(
         metres("u_height_m", "standard uncertainty of height_m (k = 1)", lambda m: m.values.u_height_m),
         text("status", "whether there is a height", lambda m: m.values.status, required=True),
         text("reason", "why there is no height", lambda m: m.values.reason),
-        person("created_by_id", "who clicked", lambda m: m.created_by),
+        person("created_by_id", "who clicked the points", lambda m: m.created_by),
         moment("created_at", "when it was stored", lambda m: m.created_at),
-        flag("withdrawn", "true where the repeat was taken back", lambda m: m.withdrawn, required=True),
+        flag("withdrawn", "true if the repeat was withdrawn", lambda m: m.withdrawn, required=True),
     ),
     primary=("id",),
     foreign=(

@@ -166,7 +166,7 @@ _TARGET: tuple[Column[LineHeightValues], ...] = (
     text("target", "what the height is of", lambda v: v.target, required=True, enum=get_args(Target)),
 )
 _WITHDRAWN: tuple[Column[LineHeightValues], ...] = (
-    flag("withdrawn", "true where the height was taken back", lambda v: v.withdrawn, required=True),
+    flag("withdrawn", "true if the height was withdrawn", lambda v: v.withdrawn, required=True),
 )
 _MEASURED: tuple[Column[LineHeightValues], ...] = (
     key("pose_id", "calibration that it was computed with, in line_poses", lambda v: v.pose_id),
@@ -195,7 +195,7 @@ _MEASURED: tuple[Column[LineHeightValues], ...] = (
     number("sigma_px", "standard uncertainty of each clicked row", "px", lambda v: v.sigma_px, required=True),
     metres(
         "inset_m",
-        "how far the target lies behind the contact, as assumed",
+        "assumed inset: distance from the vertical plane through the contact to the target",
         lambda v: v.inset_m,
         required=True,
     ),
@@ -209,7 +209,7 @@ _MEASURED: tuple[Column[LineHeightValues], ...] = (
     ),
     text(
         "side",
-        "of a driver's eye: the side of the vehicle that a person said the driver sits on",
+        "of a driver's eye: side of the driver as entered",
         lambda v: v.side,
         enum=get_args(DriverSide),
     ),
@@ -228,7 +228,7 @@ _MEASURED: tuple[Column[LineHeightValues], ...] = (
     text("reason", "why there is no height", lambda v: v.reason),
     text(
         "warnings",
-        "what is to be said of this height, separated by semicolons",
+        "warnings on this height, separated by semicolons",
         lambda v: joined(v.warnings),
     ),
     text("code_version", _MADE, lambda v: v.code_version, required=True),
@@ -262,7 +262,7 @@ LINE_HEIGHTS: Table[ListedHeight] = Table(
         ),
         integer(
             "verdict_of_id",
-            "of what was computed again: the revision before it whose verdict holds for it too",
+            "of a height computed again: earlier revision whose verdict also applies to it",
             lambda h: h.height.verdict_of_id,
         ),
         person("created_by_id", "who clicked; empty for the program itself", lambda h: h.height.created_by),
@@ -308,7 +308,7 @@ LINE_BUDGET: Table[HeightBudgetEntry] = Table(
     "The contributions to each u_height_m of line_heights; their root sum of squares is u_height_m.",
     (
         key("height_id", "revision of a height, in line_heights", lambda e: e.height_id),
-        text("source", "where the uncertainty comes from", lambda e: e.source, required=True),
+        text("source", "source of uncertainty", lambda e: e.source, required=True),
         metres(
             "u_m",
             "its contribution to the standard uncertainty of the height",

@@ -114,7 +114,7 @@ RIG_CALIBRATIONS: Table[StoredRigCalibration] = Table(
             lambda c: c.values.code_version,
             required=True,
         ),
-        person("created_by_id", "who put it in force", lambda c: c.created_by),
+        person("created_by_id", "who made it current", lambda c: c.created_by),
         moment("created_at", "when it was stored", lambda c: c.created_at),
     ),
     primary=("id",),
@@ -129,7 +129,7 @@ RIG_PASSES: Table[ListedPass] = Table(
         text("pass", "its name", lambda one: one.given["name"], required=True),
         text(
             "kind",
-            "how it tells of the baseline",
+            "how it determines the baseline",
             lambda one: one.fitted.kind,
             required=True,
             enum=get_args(RigPassKind),

@@ -25,7 +25,7 @@ PHOTOGRAPHS: Table[Placed] = Table(
         key("id", "photograph", lambda p: p[1].id),
         integer("position", "place in the order", lambda p: p[0], required=True, minimum=1),
         text("file", "the photograph, in this package", lambda p: photograph_path(p[1].id), required=True),
-        text("name", "name of the file that was given", lambda p: p[1].name, required=True),
+        text("name", "name of the uploaded file", lambda p: p[1].name, required=True),
         text("caption", "what it shows", lambda p: p[1].caption),
         integer("width_px", "width", lambda p: p[1].width_px, unit="px", required=True, minimum=1),
         integer("height_px", "height", lambda p: p[1].height_px, unit="px", required=True, minimum=1),

@@ -47,7 +47,7 @@ CATALOGUE: Table[CatalogueEntry] = Table(
     "catalogue",
     "The models of the catalogue that vehicles are of; the audit chain does not vouch for them.",
     (
-        text("make", "maker", lambda entry: entry.make, required=True),
+        text("make", "manufacturer", lambda entry: entry.make, required=True),
         text("model", "model", lambda entry: entry.model, required=True),
         integer("year_from", "first model year", lambda entry: entry.year_from),
         integer("year_to", "last model year", lambda entry: entry.year_to),
