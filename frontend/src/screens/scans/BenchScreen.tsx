@@ -67,7 +67,7 @@ export default function BenchScreen({ surveyId }: ScreenProps) {
 
 function Head({ model, scan, surveyId }: { model: ScanModel; scan: Scan; surveyId: number }) {
   const [open, setOpen] = useState<"find" | "rig" | null>(null);
-  const job = model.job.value;
+  const job = model.search.job.value;
   return (
     <header class="scan__head">
       <div class="scan__title">
@@ -150,8 +150,8 @@ function NoVehicles({ model, scan }: { model: ScanModel; scan: Scan }) {
     <Empty
       title={say(scan.run ? "scan-nothing-found-title" : "scan-nothing-yet-title")}
       actions={
-        canWork.value && model.job.value === null ? (
-          <Button kind="primary" onClick={() => void model.find("direct", true)}>
+        canWork.value && model.search.job.value === null ? (
+          <Button kind="primary" onClick={() => void model.search.find("direct", true)}>
             {say("scan-find-now")}
           </Button>
         ) : undefined
@@ -163,7 +163,7 @@ function NoVehicles({ model, scan }: { model: ScanModel; scan: Scan }) {
 }
 
 function NotReady({ scan, model, surveyId }: { scan: Scan; model: ScanModel; surveyId: number }) {
-  const job = model.job.value ?? scan.job;
+  const job = model.search.job.value ?? scan.job;
   return (
     <div class="page">
       <h1>{scan.name}</h1>
@@ -231,9 +231,9 @@ function benchCommands(model: ScanModel): ButtonCommand[] {
     { id: "passNext", label: say("scan-next-vehicle"), run: () => model.step(1) },
     { id: "passPrevious", label: say("scan-previous-vehicle"), run: () => model.step(-1) },
     { id: "selectNext", run: () => model.selectNext() },
-    { id: "remove", label: say("scan-take-out-vehicle"), run: () => void model.remove() },
-    { id: "reviewAccept", run: () => model.accept() },
-    { id: "reviewReject", run: () => model.reject() },
+    { id: "remove", label: say("scan-take-out-vehicle"), run: () => void model.edits.remove() },
+    { id: "reviewAccept", run: () => model.judging.accept() },
+    { id: "reviewReject", run: () => model.judging.reject() },
     ...pictureCommands(stage),
   ];
 }

@@ -17,7 +17,7 @@ export function FindDialog({ model, scan, onClose }: Props) {
   const known = scan.counts.vehicles > 0;
   const submit = async (): Promise<void> => {
     onClose();
-    await model.find(method, search === "search");
+    await model.search.find(method, search === "search");
   };
   return (
     <FormDialog

@@ -43,7 +43,7 @@ export function References({ model, vehicle }: { model: ScanModel; vehicle: Scan
         hint={say("scan-run-of-hint")}
         disabled={!canWork.value}
         check={(text) => (text.length > 100 ? say("scan-run-of-problem") : null)}
-        onCommit={(text) => void model.fillIn({ run_of: text.trim() || null })}
+        onCommit={(text) => void model.edits.fillIn({ run_of: text.trim() || null })}
       />
       {open === "import" && <ReferenceImport model={model} onClose={close} />}
       {open !== null && open !== "import" && (

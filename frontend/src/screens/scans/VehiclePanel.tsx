@@ -183,7 +183,7 @@ function ChooseLane({ model, m, lanes }: ChooseLaneProps) {
       label={say("scan-lane-choose")}
       value={laneByPerson(m) ?? ""}
       options={options}
-      onChange={(name) => void model.storeLane(name || null)}
+      onChange={(name) => void model.edits.storeLane(name || null)}
     />
   );
 }
@@ -246,7 +246,7 @@ function Tools({ model, m }: { model: ScanModel; m: ScanMotion | null }) {
         </Button>
       )}
       {m?.axles_by === "person" && (
-        <Button small onClick={() => void model.storeAxles(null)}>
+        <Button small onClick={() => void model.edits.storeAxles(null)}>
           {say("scan-axles-again")}
         </Button>
       )}
@@ -264,7 +264,7 @@ function Tools({ model, m }: { model: ScanModel; m: ScanMotion | null }) {
         small
         icon="trash"
         title={say("scan-take-out-title") + hint("remove")}
-        onClick={() => void model.remove()}
+        onClick={() => void model.edits.remove()}
       >
         {say("scan-take-out")}
       </Button>

@@ -28,7 +28,7 @@ export function Known({ model, vehicle }: { model: ScanModel; vehicle: ScanVehic
   const wrong = (text: string) =>
     text === "" || (parseLength(text) ?? 0) > 0 ? null : say("scan-known-problem");
   const put = (name: "true_length_m" | "true_wheelbase_m") => (text: string) =>
-    void model.fillIn({ [name]: text.trim() === "" ? null : parseLength(text) });
+    void model.edits.fillIn({ [name]: text.trim() === "" ? null : parseLength(text) });
   return (
     <section class="scan__known" aria-label={say("scan-known")}>
       <CatalogueField
@@ -36,16 +36,16 @@ export function Known({ model, vehicle }: { model: ScanModel; vehicle: ScanVehic
         value={vehicle.make ?? ""}
         query={(text) => text}
         disabled={disabled}
-        onChoose={(row) => void model.fillIn(fromCatalogue(row))}
-        onCommit={(make) => void model.fillIn({ make: make || null })}
+        onChoose={(row) => void model.edits.fillIn(fromCatalogue(row))}
+        onCommit={(make) => void model.edits.fillIn({ make: make || null })}
       />
       <CatalogueField
         label={say("scan-known-model")}
         value={vehicle.model ?? ""}
         query={(text) => `${vehicle.make ?? ""} ${text}`}
         disabled={disabled}
-        onChoose={(row) => void model.fillIn(fromCatalogue(row))}
-        onCommit={(name) => void model.fillIn({ model: name || null })}
+        onChoose={(row) => void model.edits.fillIn(fromCatalogue(row))}
+        onCommit={(name) => void model.edits.fillIn({ model: name || null })}
       />
       <CommitField
         label={say("scan-known-length")}

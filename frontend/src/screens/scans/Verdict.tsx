@@ -19,7 +19,7 @@ const OF_EYE = wordsOf("review-reason-", "side");
 
 interface Judging {
   readonly model: ScanModel;
-  /** What is judged, as `model.rejecting` names it. */
+  /** What is judged, as `model.judging.rejecting` names it. */
   readonly what: "motion" | number;
   readonly review: LineHeight["review"];
   readonly reasons: readonly string[];
@@ -37,16 +37,16 @@ export function Verdict({ model, m }: { model: ScanModel; m: ScanMotion }) {
       what="motion"
       review={m.review}
       reasons={Object.values(OF_MOTION)}
-      keys={model.judged.value === null}
-      give={(verdict, reason) => void model.review(verdict, reason)}
+      keys={model.judging.judged.value === null}
+      give={(verdict, reason) => void model.judging.review(verdict, reason)}
     />
   );
 }
 
 /** The state of a height's review; with the verdict where it is this one's turn, or where its details are open. */
 export function HeightVerdict({ model, one, open }: { model: ScanModel; one: LineHeight; open: boolean }) {
-  const turn = model.judged.value?.id === one.id;
-  const rejecting = model.rejecting.value === one.id;
+  const turn = model.judging.judged.value?.id === one.id;
+  const rejecting = model.judging.rejecting.value === one.id;
   if (!mayBeJudged(one) || !(turn || open || rejecting)) return <Standing one={one} open={open} />;
   return (
     <div class={turn ? "line-heights__verdict line-heights__verdict--turn" : "line-heights__verdict"}>
@@ -56,7 +56,7 @@ export function HeightVerdict({ model, one, open }: { model: ScanModel; one: Lin
         review={one.review}
         reasons={Object.values(one.target === "driver_eye" ? { ...OF_HEIGHT, ...OF_EYE } : OF_HEIGHT)}
         keys={turn}
-        give={(verdict, reason) => void model.reviewHeight(one, verdict, reason)}
+        give={(verdict, reason) => void model.judging.reviewHeight(one, verdict, reason)}
       />
     </div>
   );
@@ -75,7 +75,7 @@ function Standing({ one, open }: { one: LineHeight; open: boolean }) {
 
 function Judge(judging: Judging) {
   const { model, what, review, keys, give } = judging;
-  if (model.rejecting.value === what) return <Reject {...judging} />;
+  if (model.judging.rejecting.value === what) return <Reject {...judging} />;
   const given = givenWords(review);
   if (given) {
     return (
@@ -103,7 +103,7 @@ function Judge(judging: Judging) {
         small={what !== "motion"}
         title={say("scan-verdict-reject") + (keys ? hint("reviewReject") : "")}
         onClick={() => {
-          model.rejecting.value = what;
+          model.judging.rejecting.value = what;
         }}
       >
         {say("scan-verdict-reject-why")}
@@ -126,7 +126,7 @@ function Reject({ model, reasons, give }: Judging) {
     event.preventDefault();
     if (reason.trim() === "") return;
     give("rejected", reason.trim());
-    model.rejecting.value = null;
+    model.judging.rejecting.value = null;
   };
   return (
     <form class="stack stack--tight" onSubmit={send}>
@@ -144,7 +144,7 @@ function Reject({ model, reasons, give }: Judging) {
         </Button>
         <Button
           onClick={() => {
-            model.rejecting.value = null;
+            model.judging.rejecting.value = null;
           }}
         >
           {say("scan-verdict-leave")}

@@ -129,7 +129,7 @@ describe("the strips", () => {
   it("tell why a search stopped", async () => {
     server.on("POST", /^\/scans\/3\/find$/, () => ({ id: 4, state: "running" }));
     server.on("GET", /^\/jobs\/4$/, () => ({ id: 4, state: "failed", error: "The strips are gone." }));
-    void model.find("direct", true);
+    void model.search.find("direct", true);
     await vi.advanceTimersByTimeAsync(3000);
     expect(toasts.value.map((one) => one.text)).toContain("The strips are gone.");
   });
@@ -145,7 +145,7 @@ describe("the strips", () => {
     const made = { id: 10, number: 2, version: 1, deleted: false, measurement: null };
     server.on("POST", /^\/scans\/3\/vehicles$/, () => made);
     server.on("GET", /^\/scans\/3\/vehicles$/, () => [shown(), made]);
-    const stored = model["addVehicle"](600, 700);
+    const stored = model.edits["addVehicle"](600, 700);
     model.start("rod");
     await vi.advanceTimersByTimeAsync(100);
     await stored;
@@ -211,22 +211,23 @@ describe("judging vehicles of a line scan", () => {
       return heights.find((one) => String(one["id"]) === id);
     });
     await model.heights.load();
-    expect(model.judged.value).toBeNull();
-    model.accept();
+    expect(model.judging.judged.value).toBeNull();
+    model.judging.accept();
     await quiet();
     // the vehicle stays until its heights are through: roof, then eye
-    expect([model.chosenId.value, model.judged.value?.target]).toEqual([2, "roof"]);
-    model.accept();
+    expect([model.chosenId.value, model.judging.judged.value?.target]).toEqual([2, "roof"]);
+    model.judging.accept();
     await quiet();
-    expect(model.judged.value?.target).toBe("driver_eye");
-    model.reject();
-    expect(model.rejecting.value).toBe(31);
-    if (model.judged.value) await model.reviewHeight(model.judged.value, "rejected", "It is hidden.");
+    expect(model.judging.judged.value?.target).toBe("driver_eye");
+    model.judging.reject();
+    expect(model.judging.rejecting.value).toBe(31);
+    if (model.judging.judged.value)
+      await model.judging.reviewHeight(model.judging.judged.value, "rejected", "It is hidden.");
     await quiet();
     expect(model.chosenId.value).toBe(4);
     await model.history.undo();
     await quiet();
-    expect([model.chosenId.value, model.judged.value?.target]).toEqual([2, "driver_eye"]);
+    expect([model.chosenId.value, model.judging.judged.value?.target]).toEqual([2, "driver_eye"]);
     expect(given).toEqual([
       "30 accepted to_review",
       "31 rejected to_review It is hidden.",
@@ -242,7 +243,7 @@ describe("judging vehicles of a line scan", () => {
 
   it("goes on to the next that waits, past one's own, and says when there is none", async () => {
     for (const expected of [4, 5, 5]) {
-      await model.review("accepted");
+      await model.judging.review("accepted");
       await quiet();
       expect(model.chosenId.value).toBe(expected);
     }
@@ -251,7 +252,7 @@ describe("judging vehicles of a line scan", () => {
   });
 
   it("takes a verdict on a motion back as a step, on the revision that stands then", async () => {
-    await model.review("rejected", "It is two vehicles.");
+    await model.judging.review("rejected", "It is two vehicles.");
     await quiet();
     expect(model.chosenId.value).toBe(4);
     expect(model.history.undoLabel.value).toContain("verdict on vehicle 2");
@@ -275,25 +276,25 @@ describe("judging vehicles of a line scan", () => {
     server.on("POST", /^\/scan-measurements\/102\/review/, () => {
       throw 422;
     });
-    await model.review("accepted");
+    await model.judging.review("accepted");
     await quiet();
     expect(model.chosenId.value).toBe(2);
     expect(model.history.undoLabel.value).toBeNull();
   });
 
   it("writes one verdict where the key is pressed twice, and none on what is accepted", async () => {
-    void model.review("accepted");
-    void model.review("accepted");
+    void model.judging.review("accepted");
+    void model.judging.review("accepted");
     await quiet();
     expect(verdicts).toEqual(["102 accepted"]);
     model.choose(1);
-    await model.review("accepted");
+    await model.judging.review("accepted");
     expect(verdicts).toEqual(["102 accepted"]);
     expect(model.chosenId.value).toBe(4);
   });
 
   it("stays where something else was chosen meanwhile", async () => {
-    void model.review("accepted");
+    void model.judging.review("accepted");
     model.choose(5);
     await quiet();
     expect(model.chosenId.value).toBe(5);

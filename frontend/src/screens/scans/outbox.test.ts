@@ -87,7 +87,7 @@ async function click(): Promise<void> {
 describe("what is done on the strips without a connection", () => {
   it("shows at once, is kept over a closed page, and is sent once and in order from the next", async () => {
     server.down = true;
-    void model.fillIn({ make: "Fiat" });
+    void model.edits.fillIn({ make: "Fiat" });
     await quiet();
     model.moveEdge("front_line_1", 210);
     void model.storeDraft();
@@ -116,7 +116,7 @@ describe("what is done on the strips without a connection", () => {
 
   it("can be taken back before it is sent", async () => {
     server.down = true;
-    void model.fillIn({ make: "Fiat" });
+    void model.edits.fillIn({ make: "Fiat" });
     await quiet();
     await model.history.undo();
     expect(model.chosen.value?.make).toBeNull();
@@ -132,7 +132,7 @@ describe("what is done on the strips without a connection", () => {
       vehicle = { ...vehicle, deleted: true, version: 2 };
       throw 409;
     });
-    await model.remove();
+    await model.edits.remove();
     expect(model.vehicles.value).toEqual([]);
     expect(outbox.wishes.value.size).toBe(0);
   });
