@@ -136,7 +136,7 @@ function Hint({ model }: { model: MeasureModel }) {
 
 /** Near or far, where the eye is clicked: it makes 4 to 9 cm of its height. */
 function Driver({ model }: { model: MeasureModel }) {
-  const words = say("measure-driver", { side: model.side.value ?? "unknown" });
+  const words = say("measure-driver", { side: model.insets.side.value ?? "unknown" });
   if (!canWork.value) return <em>{words}</em>;
   return (
     <InHint
@@ -144,7 +144,7 @@ function Driver({ model }: { model: MeasureModel }) {
       title={commandName("driverSide") + hint("driverSide")}
       words={words}
       onClick={() => {
-        model.turnSide();
+        model.insets.turnSide();
         model.stage.focus();
       }}
     />

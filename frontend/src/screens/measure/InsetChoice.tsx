@@ -43,7 +43,7 @@ function DriverSideChoice({ model, vehicle }: { model: MeasureModel; vehicle: Ve
             value: one,
             label: SIDE_WORDS[one],
           }))}
-          onChange={(picked) => model.chooseSide(picked as DriverSide)}
+          onChange={(picked) => model.insets.chooseSide(picked as DriverSide)}
         />
       ) : (
         <span class="small">{side ? SIDE_WORDS[side] : say("measure-side-unknown")}</span>
@@ -56,7 +56,7 @@ function DriverSideChoice({ model, vehicle }: { model: MeasureModel; vehicle: Ve
         />
       </span>
       {from === "said" && canWork.value && (
-        <button type="button" class="link small" onClick={() => model.chooseSide(null)}>
+        <button type="button" class="link small" onClick={() => model.insets.chooseSide(null)}>
           {say("measure-side-as-survey")}
         </button>
       )}
@@ -69,7 +69,7 @@ function RoofChoice({ model, target, entry }: Props) {
   const choices = insetChoices(survey.value, target, category);
   const asked = model.flow.value.target === target;
   if (choices.length < 2 || !asked || !canWork.value) return null;
-  const now = model.insetOf(target) ?? entry?.values.inset ?? model.usualInset(target);
+  const now = model.insetOf(target) ?? entry?.values.inset ?? model.insets.usual(target);
   const value = choices.findIndex(
     (choice) => choice.inset_m === now?.inset_m && choice.u_inset_m === now?.u_inset_m,
   );
@@ -85,7 +85,7 @@ function RoofChoice({ model, target, entry }: Props) {
         }))}
         onChange={(picked) => {
           const choice = choices[Number(picked)];
-          if (choice) model.chooseInset(target, { inset_m: choice.inset_m, u_inset_m: choice.u_inset_m });
+          if (choice) model.insets.choose(target, { inset_m: choice.inset_m, u_inset_m: choice.u_inset_m });
         }}
       />
       <span class="small muted">

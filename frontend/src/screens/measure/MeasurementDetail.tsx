@@ -58,7 +58,7 @@ function pixels(point: readonly number[]): string {
 /** How far the target lies behind the side plane: an estimate, with its own uncertainty. */
 function InsetEditor({ model, entry }: { model: MeasureModel; entry: Entry }) {
   const unit = lengthUnit.value;
-  const usual = model.usualInset(entry.values.target);
+  const usual = model.insets.usual(entry.values.target);
   const now: Inset | null = entry.values.inset ?? usual;
   if (!now) return null;
   const set = (change: Partial<Inset>): void => model.points.setInset(entry.key, { ...now, ...change });

@@ -214,7 +214,7 @@ function progress(model: MeasureModel, vehicle: Vehicle): string | undefined {
 }
 
 function NewPass({ model }: { model: MeasureModel }) {
-  const from = model.passFrom.value;
+  const from = model.passes.from.value;
   return (
     <footer class="passes__foot">
       {from === null ? (
@@ -222,7 +222,7 @@ function NewPass({ model }: { model: MeasureModel }) {
           small
           icon="add"
           title={say("measure-pass-begins") + hint("passBegin")}
-          onClick={() => model.markPass("first")}
+          onClick={() => model.passes.mark("first")}
         >
           {say("measure-pass-begin")}
         </Button>
@@ -232,7 +232,7 @@ function NewPass({ model }: { model: MeasureModel }) {
             small
             kind="primary"
             title={say("measure-pass-ends") + hint("passEnd")}
-            onClick={() => model.markPass("last")}
+            onClick={() => model.passes.mark("last")}
           >
             {say("measure-pass-end")}
           </Button>
@@ -242,7 +242,7 @@ function NewPass({ model }: { model: MeasureModel }) {
             icon="close"
             label={say("measure-pass-drop")}
             onClick={() => {
-              model.passFrom.value = null;
+              model.passes.from.value = null;
             }}
           />
           <span class="small muted">

@@ -22,7 +22,7 @@ export function TimelinePanel({ model, player }: { model: MeasureModel; player: 
   const next = nextOpen(model.list.value, model.vehicle.value);
   const expected = next?.recording_id === player.recordingId ? bestFrame(next) : null;
   useEffect(() => player.expect(expected === null ? [] : around(expected)), [player, expected]);
-  const from = model.passFrom.value;
+  const from = model.passes.from.value;
   if (from !== null) {
     const at = model.seenFrame.value;
     spans.push({

@@ -59,7 +59,7 @@ export function VehiclePanel({ model }: { model: MeasureModel }) {
             kind="quiet"
             icon="trash"
             label={say("measure-pass-delete-of", { vehicle: String(vehicle.number) })}
-            onClick={() => void model.removePass()}
+            onClick={() => void model.passes.remove()}
           />
         )}
       </header>

@@ -1,7 +1,7 @@
 /** As much of the measure page as the tools that place points need: they know this, not the page. */
 import type { ReadonlySignal } from "@preact/signals";
 import type { History } from "../../core/history";
-import type { Target } from "../../core/types";
+import type { Target, Vehicle } from "../../core/types";
 import type { Geometry } from "../../viewer/geometry";
 import type { ImagePoint } from "../../viewer/points";
 import type { Reel } from "../../viewer/reel";
@@ -9,8 +9,10 @@ import type { FrameStage } from "../../viewer/stage";
 import type { Tool } from "../../viewer/tool";
 import type { Inset } from "../../viewer/values";
 import type { Snapping } from "./assist/snapping";
+import type { Changes } from "./fields";
 import type { Effect, Flow, FlowEvent, Role } from "./flow";
 import type { Entry, Records } from "./records";
+import type { Vehicles } from "./vehicles";
 
 export interface Desk {
   readonly reel: Reel;
@@ -39,6 +41,21 @@ export interface Desk {
   stepName(step: string): string;
   /** The last target that is asked for was answered. */
   answered(): void;
+}
+
+/** The passes of the survey beside it. */
+export interface PassDesk extends Desk {
+  readonly surveyId: number;
+  readonly loaded: ReadonlySignal<boolean>;
+  readonly vehicle: ReadonlySignal<Vehicle | undefined>;
+  readonly vehicles: Vehicles;
+  /** Those that are shown, in their order. */
+  readonly list: ReadonlySignal<readonly Vehicle[]>;
+  /** Opens a pass at its best frame, or at the frame asked for. */
+  open(vehicle: Vehicle, frame?: number): void;
+  put(vehicle: Vehicle): void;
+  /** Edits facts of the open vehicle, as a step that can be undone. */
+  edit(changes: Changes): void;
 }
 
 /** A tool whose clicks make measurements. The first of them that is active says which contact counts, and what is awaited. */

@@ -366,16 +366,16 @@ describe("measuring with clicks", () => {
       version += 1;
       return vehicle([], { ...body, version });
     });
-    expect(model.side.value).toBeNull();
-    model.turnSide();
-    expect(model.side.value).toBe("near");
-    model.turnSide();
-    expect(model.side.value).toBe("far");
+    expect(model.insets.side.value).toBeNull();
+    model.insets.turnSide();
+    expect(model.insets.side.value).toBe("near");
+    model.insets.turnSide();
+    expect(model.insets.side.value).toBe("far");
     await vi.advanceTimersByTimeAsync(1000);
     expect(server.writes.filter((one) => one === "PUT /vehicles/7").length).toBeGreaterThan(0);
     model.open(vehicle([], { id: 9, number: 9 }));
     model.open(model.vehicles.get(7) ?? vehicle());
-    expect(model.side.value).toBe("far");
+    expect(model.insets.side.value).toBe("far");
   });
 
   it("says nothing of its own while the server is away, and asks again when it is back", async () => {
@@ -504,13 +504,13 @@ describe("measuring with clicks", () => {
 
   it("takes one thing at a time back with Esc, from the top of the tools", async () => {
     model.points.place(at(100, 400));
-    model.passFrom.value = 38;
+    model.passes.from.value = 38;
     model.stage.keyboard.toggle();
     model.stage.cancel();
     expect(model.stage.cursor.value).toBeNull();
-    expect(model.passFrom.value).toBe(38);
+    expect(model.passes.from.value).toBe(38);
     model.stage.cancel();
-    expect(model.passFrom.value).toBeNull();
+    expect(model.passes.from.value).toBeNull();
     expect(model.contact.value).not.toBeNull();
     model.stage.cancel();
     expect(model.contact.value).toBeNull();

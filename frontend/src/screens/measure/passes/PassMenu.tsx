@@ -13,7 +13,7 @@ export function PassMenu({ model }: { model: MeasureModel }) {
   const commands: ButtonCommand[] = [
     { id: "passSplit", label: say("measure-pass-split"), run: () => void splitPass(model), enabled },
     { id: "passJoin", label: say("measure-pass-join"), run: () => void joinPass(model), enabled },
-    { id: "passDiscard", run: () => void model.removePass(), enabled },
+    { id: "passDiscard", run: () => void model.passes.remove(), enabled },
   ];
   useCommands(commands);
   const vehicle = model.vehicle.value;

@@ -34,14 +34,14 @@ export async function splitPass(model: MeasureModel): Promise<void> {
   const chosen = model.vehicle.value;
   const frame = model.seenFrame.value;
   if (!chosen) return;
-  await model.inTurn(async () => {
+  await model.passes.inTurn(async () => {
     const vehicle = model.vehicles.get(chosen.id) ?? chosen;
     const named = { vehicle: String(vehicle.number) };
-    const stored = await model.stored<Parts, number, SplitAbout>({
+    const stored = await model.passes.store<Parts, number, SplitAbout>({
       key: `split.${vehicle.id}`,
       kind: PASS_SPLIT,
       lane: `vehicle.${vehicle.id}`,
-      about: { id: vehicle.id, version: model.versionOf(vehicle) },
+      about: { id: vehicle.id, version: model.passes.versionOf(vehicle) },
       what: say("measure-step-split", named),
       mine: say("measure-frame", { frame: String(frame) }),
       saved: null,
@@ -52,7 +52,7 @@ export async function splitPass(model: MeasureModel): Promise<void> {
     const made = earlier.id === vehicle.id ? later : earlier;
     model.history.run(say("measure-step-split", named), (changes) => {
       touchSpan(model, changes, vehicle.id);
-      changes.touch(model.passes, made.id);
+      changes.touch(model.passes.presence, made.id);
       model.put(earlier);
       model.put(later);
     });
@@ -65,7 +65,7 @@ export async function splitPass(model: MeasureModel): Promise<void> {
 export async function joinPass(model: MeasureModel): Promise<void> {
   const chosen = model.vehicle.value;
   if (!chosen) return;
-  await model.inTurn(async () => {
+  await model.passes.inTurn(async () => {
     const vehicle = model.vehicles.get(chosen.id) ?? chosen;
     const next = nextInTime(model.vehicles.list.value, vehicle);
     if (!next) return toast(say("measure-pass-no-next"));
@@ -74,11 +74,11 @@ export async function joinPass(model: MeasureModel): Promise<void> {
     const about = {
       id: vehicle.id,
       other_id: next.id,
-      version: model.versionOf(vehicle),
-      other_version: model.versionOf(next),
+      version: model.passes.versionOf(vehicle),
+      other_version: model.passes.versionOf(next),
     };
     const ends = [vehicle.first_frame, Math.max(vehicle.last_frame, next.last_frame)] as const;
-    const stored = await model.stored<Vehicle, readonly [number, number], JoinAbout>({
+    const stored = await model.passes.store<Vehicle, readonly [number, number], JoinAbout>({
       key: `join.${vehicle.id}`,
       kind: PASS_JOINED,
       lane: `vehicle.${vehicle.id}`,
@@ -93,10 +93,10 @@ export async function joinPass(model: MeasureModel): Promise<void> {
     const gone = kept.id === vehicle.id ? next : vehicle;
     model.history.run(say("measure-step-joining", named), (changes) => {
       touchSpan(model, changes, kept.id);
-      changes.touch(model.passes, gone.id);
-      model.takenOut(gone);
+      changes.touch(model.passes.presence, gone.id);
+      model.passes.takenOut(gone);
       model.put(kept);
-      if (opened === gone.id) model.openUnless(kept, opened);
+      if (opened === gone.id) model.passes.openUnless(kept, opened);
     });
     toast(say("measure-pass-joined", { gone: String(gone.number), kept: String(kept.number) }));
   });

@@ -112,9 +112,9 @@ describe("passes", () => {
 
   it("marked without a connection are kept, and made once when it is back", async () => {
     server.down = true;
-    model.markPass("first");
+    model.passes.mark("first");
     model.reel.show(1, 44);
-    model.markPass("last");
+    model.passes.mark("last");
     await quiet();
     expect(outbox.counts.value.kept).toBe(1);
     server.down = false;
@@ -127,8 +127,8 @@ describe("passes", () => {
 
   it("stay with what was opened while one was being made or brought back", async () => {
     const [first, second] = there as [Vehicle, Vehicle];
-    model.markPass("first");
-    model.markPass("last");
+    model.passes.mark("first");
+    model.passes.mark("last");
     model.open(second);
     await vi.advanceTimersByTimeAsync(100);
     expect(spans()).toHaveLength(3);
