@@ -82,7 +82,7 @@ def test_an_empty_survey_and_one_with_gaps_are_french() -> None:
     empty = ReportFacts("", "", statistics(0), StatisticsOptions(), language="fr")
     told = flat(words(report(empty)))
     assert left_in(told) == []
-    for expected in ("Aucune mesure ne repose encore sur un étalonnage.", "Le journal d’audit est vide."):
+    for expected in ("Aucune mesure n’utilise encore d’étalonnage.", "Le journal d’audit est vide."):
         assert flat(expected) in told
     few = facts(statistics(60, low_light=0.0, absent=("taillight", "headlight", "roof")))
     assert left_in(flat(words(report(replace(few, language="fr"))))) == []
@@ -142,12 +142,10 @@ def test_line_scans_are_french(example: ReportFacts) -> None:
     )
     told = flat(words(report(replace(example, scans=scans, language="fr"))))
     assert left_in(told) == []
-    expected = (
-        "Ont été mesurés 1 véhicule par superposition de ses deux bandes entières (recalage direct) et 3 "
-    )
-    # a page may end in the sentence
+    expected = "Méthode : 1 véhicule par superposition de ses deux bandes entières (recalage direct) et 3 "
+    # a page may end in the sentence, a line in a word
     unbroken = re.sub(r"Étatau.{0,120}?Page\d+sur\d+Rouensouth,springRapportdemesure", "", told)
-    assert flat(expected) in unbroken
+    assert flat(expected).replace("-", "") in unbroken.replace("-", "")
 
 
 def _moving(k: int) -> VehicleMotion:
