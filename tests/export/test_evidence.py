@@ -100,6 +100,27 @@ def test_a_file_says_all_of_it_verifies_and_is_an_event(
         assert verify_records(session).ok
 
 
+def test_the_verdict_on_a_motion_that_was_put_back_is_told_by_its_event(
+    operator: Client, reviewer: Client, scan: dict[str, Any]
+) -> None:
+    _, two, three = vehicles(operator, scan)
+
+    def placed(by: float) -> dict[str, Any]:
+        version = vehicles(operator, scan)[1]["version"]
+        lines = {name: two["measurement"][name] + by for name in LINES}
+        answer = operator.put(f"/scan-vehicles/{two['id']}/boundaries", {**lines, "version": version})
+        found: dict[str, Any] = answer.json()
+        return found
+
+    judge(reviewer, placed(1.0))
+    assert placed(2.0)["measurement"]["review"]["verdict"] == "to_review"
+    back = placed(1.0)
+    assert back["measurement"]["review"]["verdict"] == "accepted"
+    for vehicle in (back, three):  # its own file, and the one of the vehicle behind it
+        found = checked(made(operator, vehicle, SPEED)["html"])
+        assert found.ok, found.problems
+
+
 def test_every_vehicle_by_either_method_and_with_a_confirmed_start(
     viewer: Client, operator: Client, scan: dict[str, Any], work: Work
 ) -> None:

@@ -46,10 +46,11 @@ def make_evidence(services: Services, vehicle_id: int, rule: Rule | None, *, act
         vehicle = get_scan_vehicle(session, vehicle_id)
         if _measured(vehicle).id != seen.id:
             raise Conflict("scans-vehicle-measured-again-meanwhile-look-newer")
-        document = _stated(session, vehicle, page, actor)
+        before = _before(session, vehicle)
+        document = _stated(session, vehicle, before, page, actor)
         document["pictures"] = [one.facts for one in pictures]
         document["decision"] = decision_of(document, rule)
-        document |= _vouched(session, vehicle, document, key, actor)
+        document |= _vouched(session, vehicle, before, key, actor)
         sha256 = content_hash(document)
         made = {"measurement_id": seen.id, "sha256": sha256, "key": key.public}
         note_evidence(session, vehicle_id, made, actor=actor)
@@ -63,14 +64,16 @@ def _measured(vehicle: ScanVehicle) -> ScanMeasurement:
     return vehicle.measurement
 
 
-def _stated(session: Session, vehicle: ScanVehicle, page: str, actor: int | None) -> JsonObject:
+def _stated(
+    session: Session, vehicle: ScanVehicle, before: ScanVehicle | None, page: str, actor: int | None
+) -> JsonObject:
     scan = get_scan(session, vehicle.scan_id)
     return facts_of(
         get_survey(session, vehicle.survey_id),
         scan,
         vehicle,
         _measured(vehicle),
-        _before(session, vehicle),
+        before,
         made_at=now().isoformat(timespec="microseconds"),
         made_by=None if actor is None else Who(actor, get_person(session, actor).name),
         page=page,
@@ -97,19 +100,19 @@ def _before(session: Session, vehicle: ScanVehicle) -> ScanVehicle | None:
 
 
 def _vouched(
-    session: Session, vehicle: ScanVehicle, document: JsonObject, key: SigningKey, actor: int | None
+    session: Session, vehicle: ScanVehicle, before: ScanVehicle | None, key: SigningKey, actor: int | None
 ) -> JsonObject:
     """Where the chain stood with its events about this vehicle, and the keys up to the one that signs."""
     take_key(session, key, actor=actor)
-    before = document["before"]
-    vehicles = [vehicle.id, *([before["vehicle_id"]] if before else [])]
-    measurements = [document["measurement"]["id"], *([before["id"]] if before else [])]
+    shown = [_measured(vehicle), *([_measured(before)] if before else [])]
+    judged = {number for one in shown for number in (one.id, one.verdict_of_id)}
     reviews = {
-        one.id
-        for number in vehicles
-        for one in scan_reviews_of_vehicle(session, number)
-        if one.measurement_id in measurements
+        review.id
+        for one in shown
+        for review in scan_reviews_of_vehicle(session, one.vehicle_id)
+        if review.measurement_id in judged
     }
+    measurements = [one.id for one in shown]
     events = events_about(session, vehicle.survey_id, vehicle.scan_id, measurements, reviews)
     audit = audit_of(vehicle.survey_id, trail.head(session, vehicle.survey_id), events)
     return {"audit": audit, "keys": known_keys(session), "key": key.public}

@@ -149,7 +149,9 @@ def _events(page: ReadPage) -> Iterator[str]:
 
 
 def _said(events: list[Document], part: str, measured: Document, review: Document) -> Iterator[str]:
-    """A revision is what its event says, and its verdict the last that was given on it."""
+    """A revision is what its event says, and its verdict the last that was given on it, or on the earlier one
+    that it puts back.
+    """
     own = [one for one in events if (one["entity"], one["entity_id"]) == ("scan_measurement", measured["id"])]
     if len(own) != 1:
         yield say("evidence-no-event", {"part": part})
@@ -163,7 +165,7 @@ def _said(events: list[Document], part: str, measured: Document, review: Documen
         for one in events
         if one["entity"] == "scan_review"
         for after in [json.loads(one["after"])]
-        if after["measurement_id"] == measured["id"]
+        if after["measurement_id"] in (measured["id"], told.get("verdict_of_id"))
     ]
     last, after = given[-1] if given else (None, {"verdict": "to_review", "reason": None})
     reviewer = None if review["reviewer"] is None else review["reviewer"]["id"]
