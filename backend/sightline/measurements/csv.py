@@ -27,7 +27,6 @@ from sightline.enums import (
 from sightline.infra.csv_package.columns import (
     flag,
     integer,
-    joined,
     key,
     metres,
     moment,
@@ -35,6 +34,7 @@ from sightline.infra.csv_package.columns import (
     of_part,
     person,
     pixel,
+    said,
     text,
 )
 from sightline.infra.csv_package.schema import Cell, Column, Table
@@ -294,6 +294,8 @@ _SEVERAL: Columns = (
         lambda m: m.values.u_solved_inset_m,
     ),
 )
+REASON: Columns = said("reason", "why there is no height", lambda m: m.values.reason)
+_FLAGS: Columns = said("flags", "warnings on this height, separated by semicolons", lambda m: m.all_flags)
 _HEIGHT: Columns = (
     metres(
         "height_m",
@@ -327,8 +329,8 @@ _HEIGHT: Columns = (
         required=True,
         enum=get_args(MeasurementStatus),
     ),
-    text("reason", "why there is no height", lambda m: m.values.reason),
-    text("flags", "warnings on this height, separated by semicolons", lambda m: joined(m.all_flags)),
+    *REASON,
+    *_FLAGS,
     text(
         "code_version",
         "version of the program that computed the height",

@@ -1,4 +1,5 @@
-import { beforeEach, describe, expect, it } from "vitest";
+import { beforeEach, describe, expect, it, vi } from "vitest";
+import { sayCode } from "./messages";
 import {
   fixed,
   formatAcceleration,
@@ -76,6 +77,13 @@ describe("numbers", () => {
 
   it("groups thousands", () => {
     expect(formatCount(1234567)).toBe("1,234,567");
+  });
+
+  it("writes the small lengths of a server's sentence in the unit that is shown", async () => {
+    const moved = { code: "height-flag-camera-moved-by", values: { moved_px: 2.5, error_m: 0.0254 } };
+    await vi.waitFor(() => expect(sayCode(moved)).toContain("error up to 25\u00a0mm)"));
+    lengthUnit.value = "ft";
+    expect(sayCode(moved)).toContain("error up to 1.00\u00a0in)");
   });
 
   it("puts the millimetres of a sentence into inches for those who read feet", () => {
