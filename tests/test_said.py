@@ -16,6 +16,8 @@ from sightline.infra.csv_package.columns import code_of, said_in, words_of
 from sightline.infra.database.types import document_text
 from sightline.infra.web.spoken import spoken
 from sightline.messages.said import Said
+from sightline.quality.drift.drift_job import words_of as words_of_check
+from sightline.recordings.drift import DriftCheck, DriftSpan
 
 HORIZON = Said("height-contact-above-horizon")
 MOVED = Said("height-flag-camera-moved-by", moved_px=2.5, error_m=0.0142)
@@ -87,6 +89,29 @@ def test_an_answer_holds_code_values_and_message_and_the_edge_translates_the_mes
     french = json.loads(spoken(body, "fr"))
     assert [one["message"] for one in french] == [MOVED.sentence("fr"), within.sentence("fr")]
     assert french[1]["values"]["reason"]["message"] == HORIZON.sentence("fr")
+    assert TypeAdapter(Said).validate_python(within.document) == within
+
+
+def test_a_verdict_on_a_camera_has_its_words() -> None:
+    """What was found of its movement, by each way that it may have moved."""
+    still = Said("drift-still-of-height", floor_px=0.05, floor_m=0.0004)
+    assert str(still) == "No camera movement detected, within 0.05 px (0.4 mm of height)."
+    assert still.sentence("fr").endswith("détecté, à 0,05 px près (0,4 mm de hauteur).")
+    span: DriftSpan = {
+        **{"first_frame": 3, "last_frame": 9, "moved": True, "moved_px": 2.52, "u_px": 0.1, "points": 9},
+        **{"x_px": 2.5, "y_px": 0.0, "turn_rad": 0.0, "scale": 1.0, "change_m": -0.0104},
+    }  # type: ignore[typeddict-item]
+    check: DriftCheck = {"state": "moved", "spans": [span], "bumps": []}  # type: ignore[typeddict-item]
+    (drifted,) = words_of_check(check, float)
+    assert str(drifted) == (
+        "The camera drifted at 0:03.0 (frame 3) by 2.5 px (height error up to 10 mm), frames 3 to 9."
+    )
+    check["bumps"] = [{"after": 1, "frame": 3, "time_s": 0.1, "by_px": 2.5}]
+    assert str(words_of_check(check, float)[0]).startswith("The camera moved at 0:03.0")
+    check["spans"] = [{**span, "first_frame": 0, "change_m": None}] * 5
+    first, _, _, more = words_of_check(check, float)
+    assert str(first) == "The camera had already moved at 0:00.0 (frame 0) by 2.5 px, frames 0 to 9."
+    assert str(more) == "2 more movements."
 
 
 def test_an_error_is_one_too() -> None:

@@ -78,7 +78,7 @@ def test_a_bump_flags_what_comes_after_it_until_somebody_decides(
     assert check["state"] == "moved" and check["pose_id"] == ground.pose_id
     assert [(bump["after"], bump["frame"]) for bump in check["bumps"]] == [(BUMP - 1, BUMP)]
     assert check["bumps"][0]["by_px"] == pytest.approx(2.5, abs=0.05)
-    assert f"(frame {BUMP}) by 2.5 px (height error up to" in check["words"]
+    assert f"(frame {BUMP}) by 2.5 px (height error up to" in check["words"][0]["message"]
     assert check["looks"][0]["frame"] == 0 and len(check["looks"]) == 24
     assert flags(viewer, early) == [] and len(flags(viewer, late)) == 1
     stored = viewer.seen(f"/measurements/{late}/history")["revisions"]

@@ -4462,6 +4462,26 @@ heading-outlier = Excluded as an outlier; check its clicks.
 size-not-measured = It is not measured.
 size-rejected = Its measurement was rejected.
 size-no-tyres = No frame has both tyres clicked.
+drift-unknown = Camera movement cannot be determined: { $reason }
+drift-still = No camera movement detected, within { NUMBER($floor_px, minimumFractionDigits: 2, maximumFractionDigits: 2) } px.
+drift-still-of-height = No camera movement detected, within { NUMBER($floor_px, minimumFractionDigits: 2, maximumFractionDigits: 2) } px ({ SMALL($floor_m, digits: 1) } of height).
+drift-moved = { $how ->
+    [bumped] The camera moved
+    [before] The camera had already moved
+   *[drifted] The camera drifted
+ } at { $clock } (frame { $frame }) by { NUMBER($moved_px, minimumFractionDigits: 1, maximumFractionDigits: 1) } px, frames { $first } to { $last }.
+drift-moved-height = { $how ->
+    [bumped] The camera moved
+    [before] The camera had already moved
+   *[drifted] The camera drifted
+ } at { $clock } (frame { $frame }) by { NUMBER($moved_px, minimumFractionDigits: 1, maximumFractionDigits: 1) } px (height error up to { SMALL($error_m, digits: 0) }), frames { $first } to { $last }.
+drift-more = { $count } more movements.
+drift-few-points = Only { $count } background points were found again, or all of them in one part of the frame; it is too dark, covered, or another view.
+drift-no-frame = No frame was checked.
+drift-no-such-frame = The recording has no such frame.
+drift-nothing-in-pose-frame = The frame of the camera pose has nothing that can be followed; it is too dark or has too little contrast.
+drift-other-size = The frame size differs from that of the camera pose.
+drift-no-target = No target { $target_m } m high on the road between 3 and 12 m is in the frame.
 
 ## Errors: cameras
 
@@ -6187,9 +6207,6 @@ told-geometry-a-board-lies-where = A board lies where the lens model has no inve
 told-geometry-the-halves-could-not = The two halves could not be calibrated separately: { $message }
 told-geometry-two-halves-of-the = Two halves of the pictures, calibrated separately, differ by { $size } mm in a height at { $distance_m } m{ $by }: more than the corners' noise explains. The lens may need the other model, the board may be bent, or zoom or focus changed between pictures.
 told-geometry-pictures-that-did-not = Held-out images fit the lens much worse than fitted images ({ $held_out } px against { $fit } px); add images with the board tilted and in every part of the image.
-told-geometry-only-background-points-are = Only { $count } background points were found again, or all of them in one part of the frame; it is too dark, covered, or another view.
-told-geometry-no-target-m-high = No target { $target_m } m high on the road between 3 and 12 m is in the frame.
-told-geometry-no-frame-was-looked = No frame was checked.
 told-geometry-does-not-name-its = { $file_name } does not name its distortion model; its four coefficients were read as { $taken } (choose with --model).
 told-geometry-not-enough-data-a = Not enough data: a few hundred vehicles are needed for u = 0.15 m.
 told-geometry-at-least-vehicles-of = At least { $least_known } vehicles of known height are needed; { $rows } can be used.
@@ -6344,8 +6361,6 @@ told-media-choose-a-video-file = choose a video file
 told-media-copy-it-again-from-the = copy it again from the recorder, or repair it there
 told-media-stretched-for-pixels-of = stretched for pixels of { $sample_aspect }
 told-media-turned-by-degrees-clockwise = turned by { $rotation_deg } degrees clockwise
-told-media-the-picture-has-another = The frame size differs from that of the camera pose.
-told-media-the-picture-of-the = The frame of the camera pose has nothing that can be followed; it is too dark or has too little contrast.
 told-media-the-camera-moves-by = The camera moves by up to { $far }; the search compensates for it. A camera pose is valid only while the camera is at rest.
 told-media-the-camera-moves-by-and = The camera moves (by { $far } and more), so road and vehicles cannot be separated; mark the passes by hand.
 told-media-the-header-speaks-of = The header states { $duration_s } s, the frames end after { $end_s } s; the file may be truncated.
@@ -6407,13 +6422,7 @@ told-quality-the-road-x-axis = The road's X axis is rotated by { $figures } agai
 told-quality-the-road-x-axis-agrees = The road's X axis agrees with the traffic: rotated by { $figures }, not significant.
 told-quality-turned-by-to-the = Rotated by { $turn_rad }° to the direction of { $vehicles } vehicles.
 told-quality-looking-for-the-frames = Searching for camera movement.
-told-quality-whether-the-camera-moved = Camera movement cannot be determined: { $document }
-told-quality-the-camera-stands-still = No camera movement detected, within { $document } px{ $worth }.
-told-quality-heights-are-off-by = (height error up to { $span } mm)
 told-quality-looking-for-the-background = Searching for the background in frame { $n }.
-told-quality-the-recording-has-no = The recording has no such frame.
-told-quality-mm-of-height = ({ $document } mm of height)
-told-quality-and-more-times = { $moved } more movements.
 told-quality-clicked-of-their-own = { $name } has { $pairs } own repeats; { $least_freedom } are needed.
 told-quality-were-clicked-by-one = { $sums } repeated on another frame by one operator; { $least_freedom } are needed.
 told-quality-the-first-clicks-give = The first clicks give no height: { $reason }
@@ -6607,9 +6616,6 @@ told-statistics-the-reference-heights-own-uncertainty = The reference heights' o
 told-geometry-to-the-left = to the left
 told-geometry-edge = { $side } edge
 told-geometry-to-the-right = to the right
-told-drift-the-camera-moved-at = The camera moved at { $clock } (frame { $frame }) by { $moved } px{ $off }, frames { $first } to { $last }.
-told-drift-the-camera-had-moved = The camera had already moved at { $clock } (frame { $frame }) by { $moved } px{ $off }, frames { $first } to { $last }.
-told-drift-the-camera-crept-at = The camera drifted at { $clock } (frame { $frame }) by { $moved } px{ $off }, frames { $first } to { $last }.
 told-words-and = { $first } and { $last }
 told-thing-camera-pose = camera pose
 told-thing-line-scan = line-scan recording

@@ -4458,6 +4458,26 @@ heading-outlier = Exclu comme valeur aberrante ; contrôlez ses pointés.
 size-not-measured = Ce n’est pas mesuré.
 size-rejected = Sa mesure a été rejetée.
 size-no-tyres = Sur aucune image les deux pneus ne sont pointés.
+drift-unknown = On ne peut dire si la caméra a bougé : { $reason }
+drift-still = Aucun mouvement de la caméra détecté, à { NUMBER($floor_px, minimumFractionDigits: 2, maximumFractionDigits: 2) } px près.
+drift-still-of-height = Aucun mouvement de la caméra détecté, à { NUMBER($floor_px, minimumFractionDigits: 2, maximumFractionDigits: 2) } px près ({ SMALL($floor_m, digits: 1) } de hauteur).
+drift-moved = { $how ->
+    [bumped] La caméra a bougé
+    [before] La caméra avait déjà bougé
+   *[drifted] La caméra a glissé
+ } à { $clock } (image { $frame }) de { NUMBER($moved_px, minimumFractionDigits: 1, maximumFractionDigits: 1) } px, images { $first } à { $last }.
+drift-moved-height = { $how ->
+    [bumped] La caméra a bougé
+    [before] La caméra avait déjà bougé
+   *[drifted] La caméra a glissé
+ } à { $clock } (image { $frame }) de { NUMBER($moved_px, minimumFractionDigits: 1, maximumFractionDigits: 1) } px (erreur de hauteur jusqu’à { SMALL($error_m, digits: 0) }), images { $first } à { $last }.
+drift-more = { $count } autres mouvements.
+drift-few-points = Seuls { $count } points du fond sont retrouvés, ou tous dans une même partie de l’image ; elle est trop sombre, masquée, ou montre une autre vue.
+drift-no-frame = Aucune image n’a été examinée.
+drift-no-such-frame = L’enregistrement n’a pas cette image.
+drift-nothing-in-pose-frame = L’image de la pose de la caméra n’a rien qui puisse être suivi ; elle est trop sombre ou trop peu contrastée.
+drift-other-size = La taille d’image diffère de celle de la pose de la caméra.
+drift-no-target = Aucune cible haute de { $target_m } m sur la route entre 3 et 12 m n’est dans l’image.
 
 cameras-charuco-board-needs-dictionary-markers-side = Une mire ChArUco demande le dictionnaire de ses marqueurs, le côté d’un marqueur et le côté d’une case ; indiquez les trois.
 cameras-plain-checkerboard-no-markers-choose-charuco = Un damier simple n’a pas de marqueurs ; choisissez ChArUco comme type de mire, ou omettez dictionnaire et marqueur.
@@ -6257,9 +6277,6 @@ told-geometry-a-board-lies-where = Une mire est là où le modèle d’objectif 
 told-geometry-the-halves-could-not = Les deux moitiés n’ont pas pu être étalonnées séparément : { $message }
 told-geometry-two-halves-of-the = Deux moitiés des photos, étalonnées séparément, diffèrent de { $size } mm pour une hauteur à { $distance_m } m{ $by } : plus que le bruit des coins ne l’explique. L’objectif demande peut-être l’autre modèle, la mire est peut-être gauchie, ou le zoom ou la mise au point a changé entre les photos.
 told-geometry-pictures-that-did-not = Les photos hors ajustement s’accordent bien moins que les photos ajustées ({ $held_out } px contre { $fit } px) ; ajoutez des photos où la mire est inclinée, partout dans l’image.
-told-geometry-only-background-points-are = Seuls { $count } points du fond sont retrouvés, ou tous dans une même partie de l’image ; elle est trop sombre, masquée, ou montre une autre vue.
-told-geometry-no-target-m-high = Aucune cible haute de { $target_m } m sur la route entre 3 et 12 m n’est dans l’image.
-told-geometry-no-frame-was-looked = Aucune image n’a été examinée.
 told-geometry-does-not-name-its = { $file_name } ne nomme pas son modèle de distorsion ; ses quatre coefficients ont été lus comme { $taken } (à choisir par --model).
 told-geometry-not-enough-data-a = Pas assez de données : il faut quelques centaines de véhicules pour u = 0,15 m.
 told-geometry-at-least-vehicles-of = Il faut au moins { $least_known } véhicules de hauteur connue ; utilisables : { $rows }.
@@ -6421,8 +6438,6 @@ told-media-choose-a-video-file = choisissez un fichier vidéo
 told-media-copy-it-again-from-the = copiez de nouveau le fichier depuis l’enregistreur, ou réparez-le sur place
 told-media-stretched-for-pixels-of = étirée pour des pixels de { $sample_aspect }
 told-media-turned-by-degrees-clockwise = tournée de { $rotation_deg } degrés dans le sens horaire
-told-media-the-picture-has-another = La taille d’image diffère de celle de la pose de la caméra.
-told-media-the-picture-of-the = L’image de la pose de la caméra n’a rien qui puisse être suivi ; elle est trop sombre ou trop peu contrastée.
 told-media-the-camera-moves-by = La caméra bouge de { $far } au plus ; la recherche en tient compte. Une pose de la caméra ne vaut que tant que la caméra est immobile.
 told-media-the-camera-moves-by-and = La caméra bouge (de { $far } et plus) ; la chaussée et les véhicules ne peuvent être séparés ; marquez les passages à la main.
 told-media-the-header-speaks-of = L’en-tête annonce { $duration_s } s, les images s’arrêtent à { $end_s } s ; le fichier est peut-être tronqué.
@@ -6484,13 +6499,7 @@ told-quality-the-road-x-axis = L’axe X de la route est pivoté de { $figures }
 told-quality-the-road-x-axis-agrees = L’axe X de la route s’accorde avec le trafic : rotation de { $figures }, non significative.
 told-quality-turned-by-to-the = Pivotée de { $turn_rad }° vers le sens de { $vehicles } véhicules.
 told-quality-looking-for-the-frames = Recherche de mouvements de la caméra.
-told-quality-whether-the-camera-moved = On ne peut dire si la caméra a bougé : { $document }
-told-quality-the-camera-stands-still = Aucun mouvement de la caméra détecté, à { $document } px près{ $worth }.
-told-quality-heights-are-off-by = (erreur de hauteur jusqu’à { $span } mm)
 told-quality-looking-for-the-background = Recherche du fond dans l’image { $n }.
-told-quality-the-recording-has-no = L’enregistrement n’a pas cette image.
-told-quality-mm-of-height = ({ $document } mm de hauteur)
-told-quality-and-more-times = { $moved } autres mouvements.
 told-quality-clicked-of-their-own = Répétitions propres de { $name } : { $pairs } ; il en faut { $least_freedom }.
 told-quality-were-clicked-by-one = Répétées sur une autre image par un même opérateur : { $sums } ; il en faut { $least_freedom }.
 told-quality-the-first-clicks-give = Les premiers pointés ne donnent pas de hauteur : { $reason }
@@ -6707,9 +6716,6 @@ told-geometry-edge = bord { $side ->
        *[lower] inférieur
     }
 told-geometry-to-the-right = à droite
-told-drift-the-camera-moved-at = La caméra a bougé à { $clock } (image { $frame }) de { $moved } px{ $off }, images { $first } à { $last }.
-told-drift-the-camera-had-moved = La caméra avait déjà bougé à { $clock } (image { $frame }) de { $moved } px{ $off }, images { $first } à { $last }.
-told-drift-the-camera-crept-at = La caméra a glissé à { $clock } (image { $frame }) de { $moved } px{ $off }, images { $first } à { $last }.
 told-words-and = { $first } et { $last }
 told-thing-camera-pose = pose de la caméra
 told-thing-line-scan = balayage

@@ -116,13 +116,15 @@ class Said:
 
     @classmethod
     def __get_pydantic_core_schema__(cls, source: Any, handler: GetCoreSchemaHandler) -> CoreSchema:
-        """It is answered as `body`; nobody sends one."""
+        """It is answered as `body`; taken as it is, or in its stored form."""
         from pydantic_core import core_schema
 
         answered = core_schema.plain_serializer_function_ser_schema(
             lambda one: one.body, return_schema=handler.generate_schema(SaidInWords)
         )
-        return core_schema.is_instance_schema(cls, serialization=answered)
+        return core_schema.no_info_plain_validator_function(
+            lambda value: value if isinstance(value, cls) else cls.read(value), serialization=answered
+        )
 
 
 @lru_cache(maxsize=4096)

@@ -24,7 +24,7 @@ class DriftLook(TypedDict, total=False):
     u_px: float
     points: int
     change_m: float | None
-    reason: str
+    reason: Said
 
 
 class DriftStep(TypedDict):
@@ -63,8 +63,8 @@ class DriftCheck(TypedDict):
     pose_id: int
     pose_recording_id: int
     state: DriftState
-    words: str
-    reason: str | None
+    words: list[Said]
+    reason: Said | None
     floor_px: float | None
     floor_m: float | None
     target_m: float

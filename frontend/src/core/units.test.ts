@@ -10,7 +10,6 @@ import {
   formatSmall,
   formatSpeed,
   heads,
-  inUnits,
   lengthUnit,
   parseLength,
   parseNumber,
@@ -84,12 +83,6 @@ describe("numbers", () => {
     await vi.waitFor(() => expect(sayCode(moved)).toContain("error up to 25\u00a0mm)"));
     lengthUnit.value = "ft";
     expect(sayCode(moved)).toContain("error up to 1.00\u00a0in)");
-  });
-
-  it("puts the millimetres of a sentence into inches for those who read feet", () => {
-    const words = "The camera moved by 2.5 px (height error up to 25.4 mm), frames 17 to 39.";
-    expect(inUnits(words, "m")).toBe(words);
-    expect(inUnits(words, "ft")).toContain("up to 1.00\u00a0in), frames 17");
   });
 
   it("rounds bytes into the next unit rather than 1000 of the last", () => {
