@@ -4375,6 +4375,7 @@ cameras-frames-not-recording-frames-0 = Frames { $first } to { $last } are not i
 cameras-every-th-frame-would-views-take = Every { $every }th frame gives { $count } views; take every { $least }th frame or fewer frames.
 cameras-not-text-file-choose-calibration-yaml = { $file_name } is not a text file; choose a calibration as YAML, JSON or cameramodel.
 cameras-not-file-give-picture-files-clip = { $path } is not a file; give image files or a clip.
+cameras-still-has-no-tracks = { $path } is an image, not a video with tracks; leave --stream out.
 cameras-choose-calibration-give-pictures-width-height = Choose a calibration, or give the image’s width and height in pixels and its horizontal field of view in degrees.
 cameras-calibration-belongs-another-survey-choose-one = Calibration { $calibration_id } belongs to another survey; choose one of this survey’s cameras.
 cameras-cameras-csv-not-what-audit = cameras.csv: camera { $id } differs from its audit events; the table was changed.

@@ -4369,6 +4369,7 @@ cameras-frames-not-recording-frames-0 = Les images { $first } à { $last } ne so
 cameras-every-th-frame-would-views-take = Une image sur { $every } donnerait { $count } vues ; prenez une image sur { $least } ou moins.
 cameras-not-text-file-choose-calibration-yaml = { $file_name } n’est pas un fichier texte ; choisissez un étalonnage en YAML, JSON ou cameramodel.
 cameras-not-file-give-picture-files-clip = { $path } n’est pas un fichier ; indiquez des fichiers de photos ou un clip.
+cameras-still-has-no-tracks = { $path } est une photo, pas une vidéo à plusieurs pistes ; retirez --stream.
 cameras-choose-calibration-give-pictures-width-height = Choisissez un étalonnage, ou indiquez la largeur et la hauteur de l’image en pixels et son champ horizontal en degrés.
 cameras-calibration-belongs-another-survey-choose-one = L’étalonnage { $calibration_id } appartient à un autre relevé ; choisissez-en un des caméras de ce relevé.
 cameras-cameras-csv-not-what-audit = cameras.csv : la caméra { $id } n’est pas ce que ses événements d’audit en ont fait ; le tableau a été modifié.
