@@ -126,11 +126,44 @@ def read_camera(
     size: tuple[int, int] | None = None,
     which: str | None = None,
 ) -> Imported:
-    """The camera in another tool's file. Raises BadInput in one sentence that names the file.
+    """Read the camera in another tool's file: OpenCV, ROS, Kalibr, mrcal.
 
-    model: for files of four coefficients that do not say which they are; size: for files without the
-    picture's size; which: the camera's name in a file of several ("left", "cam1", or the place of its YAML
-    document, from 1).
+    Parameters
+    ----------
+    text : str
+        What the file says.
+    file_name : str
+        Its name, for refusals and for the kind of file.
+    model : {"brown", "fisheye"}, optional
+        For files of four coefficients that do not say which they are.
+    size : (int, int), optional
+        Width and height in px, for files without the picture's size.
+    which : str, optional
+        The camera's name in a file of several ("left", "cam1", or the place of its YAML document, from 1).
+
+    Returns
+    -------
+    Imported
+        `camera`, and `notes` of what was taken how.
+
+    Raises
+    ------
+    BadInput
+        In one sentence that names the file.
+
+    Examples
+    --------
+    >>> import sightline
+    >>> lines = (
+    ...     "image_width: 640",
+    ...     "image_height: 480",
+    ...     "camera_name: left",
+    ...     "camera_matrix: {rows: 3, cols: 3, data: [500, 0, 320, 0, 500, 240, 0, 0, 1]}",
+    ...     "distortion_model: plumb_bob",
+    ...     "distortion_coefficients: {rows: 1, cols: 5, data: [-0.3, 0.1, 0, 0, 0]}",
+    ... )
+    >>> sightline.read_camera(chr(10).join(lines), "left.yaml").camera.fx_px
+    500.0
     """
     documents = _parsed(text, file_name)
     notes: list[str] = []

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sightline.linescan.direct import NO_ORDER
-from sightline.linescan.equations import exact, travelled_m
+from sightline.linescan.equations import solve_crossings, travelled_m
 from sightline.linescan.matching import BLOCK_LINES, STEP_LINES, Matches, match_blocks
 from sightline.linescan.parts import Crossings, Entry, Motion, Passage, Profile, Rig
 from sightline.linescan.rig import baseline_of
@@ -46,7 +46,7 @@ def measure_paper(passage: Passage, rig: Rig) -> Motion:
         return _refused(passage.crossings, passage.reason)
     baseline_m, _ = baseline_of(rig)
     try:
-        exact(passage.crossings, baseline_m, rig.line_rate_hz)
+        solve_crossings(passage.crossings, baseline_m, rig.line_rate_hz)
     except ValueError:
         return _refused(passage.crossings, NO_ORDER)
     matches = _match(passage, baseline_m)
