@@ -125,13 +125,14 @@ def _add(rows: Rows, table: GivenTable, line: int, row: Mapping[str, str]) -> No
 
 
 def length_in(table: GivenTable, line: int, row: Mapping[str, str], name: str) -> float:
-    """A cell in metres: a height, or an uncertainty. Raises BadInput naming the line."""
-    cell = row.get(name, "")
-    value = table.size_m(line, name, cell)
-    if value < 0.0 and name.startswith(("u_", "reference_")):
-        where = f"{table.name}, line {line}"
-        raise BadInput("commands-row-not-length", where=where, name=name, cell=cell)
-    return value
+    """A cell in metres: a known height, one that was measured, or an uncertainty. Raises BadInput naming the
+    line.
+    """
+    if name.startswith("u_"):
+        read = table.u_length_m
+    else:
+        read = table.size_m if name.startswith("reference_") else table.length_m
+    return read(line, name, row.get(name, ""))
 
 
 def number(text: str) -> float | None:
