@@ -99,7 +99,7 @@ def test_a_frame_where_something_stands_before_the_point_is_dropped_with_its_rea
 
 def test_what_left_the_picture_says_so_and_every_frame_is_accounted_for(drawn, found) -> None:
     _, _, frames = drawn
-    assert any("left the picture" in str(one.reason) for one in found.lost)
+    assert any("left the frame" in str(one.reason) for one in found.lost)
     told = {(one.frame, one.point) for one in found.lost}
     kept = {
         (int(n), ("contact", "second_contact", "target")[int(point)])
@@ -131,7 +131,7 @@ def test_what_cannot_be_followed_says_why(drawn) -> None:
     alone = follow_pass(POSE, frames, first.frame, {CONTACT: points[CONTACT]}, "driver_eye", 0.5)
     assert alone == Said("follow-points-needed")
     roof = follow_pass(POSE, frames, first.frame, points, "roof", 0.3)
-    assert roof == Said("follow-outline", target="roof")
+    assert roof == Said("follow-outline")
     still = [PassFrame(one.frame, one.time_s, frames[0].gray * 0 + 90) for one in frames]
     lost = follow_pass(POSE, still, first.frame, points, "driver_eye", 0.5)
     assert lost == Said("follow-not-from-here")

@@ -108,7 +108,7 @@ def follow_pass(
     its own picture, with errors of neighbouring cells taken together (Newey and West 1987).
     """
     if target not in U_DEPTH_M:
-        return Said("follow-outline", target=target)
+        return Said("follow-outline")
     numbers = [one.frame for one in frames]
     if begun_on not in numbers:
         return Said("follow-frame-not-of-pass")

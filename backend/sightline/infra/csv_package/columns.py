@@ -12,6 +12,7 @@ from sightline.errors import Damaged
 from sightline.infra.audit.hashing import canonical_json
 from sightline.infra.audit.records import Who
 from sightline.infra.csv_package.schema import Cell, Column, Row, when
+from sightline.messages import SOURCE
 from sightline.messages.said import Said
 
 #: The end of the name of a column with the codes of the words in the column without it.
@@ -112,11 +113,10 @@ def said(
     )
 
 
-def words_of(given: Said | Sequence[Said] | None) -> str | None:
-    """A reason, or several flags with semicolons between, in English."""
-    if given is None or isinstance(given, Said):
-        return None if given is None else str(given)
-    return joined(map(str, given)) or None
+def words_of(given: Said | Sequence[Said] | None, language: str = SOURCE) -> str | None:
+    """A reason, or several flags with semicolons between."""
+    each = [given] if isinstance(given, Said) else given or ()
+    return joined(one.sentence(language) for one in each) or None
 
 
 def code_of(given: Said | Sequence[Said] | None) -> str | None:
