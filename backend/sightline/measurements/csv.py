@@ -41,6 +41,7 @@ from sightline.infra.csv_package.schema import Cell, Column, Table
 from sightline.measurements.again.csv import out_of_date
 from sightline.measurements.followed_text import frames_of_text
 from sightline.measurements.records import FurtherFrame, Measurement
+from sightline.messages.said import Said
 from sightline.poses.csv import pose_path
 from sightline.vehicles.records import is_reference
 
@@ -294,8 +295,18 @@ _SEVERAL: Columns = (
         lambda m: m.values.u_solved_inset_m,
     ),
 )
-REASON: Columns = said("reason", "why there is no height", lambda m: m.values.reason)
-_FLAGS: Columns = said("flags", "warnings on this height, separated by semicolons", lambda m: m.all_flags)
+
+
+def _reason_of(one: Measurement) -> Said | None:
+    return one.values.reason
+
+
+def _flags_of(one: Measurement) -> list[Said]:
+    return one.all_flags
+
+
+REASON: Columns = said("reason", "why there is no height", _reason_of)
+_FLAGS: Columns = said("flags", "warnings on this height, separated by semicolons", _flags_of)
 _HEIGHT: Columns = (
     metres(
         "height_m",
