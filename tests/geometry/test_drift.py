@@ -71,7 +71,7 @@ def test_the_change_of_height_is_that_of_a_simulated_camera_that_turned(
     assert abs(worst) > 0.0005
 
 
-def course_of(moves: dict[int, Motion | str], last: int, every: int):  # type: ignore[no-untyped-def]
+def course_of(moves: dict[int, Motion | Said], last: int, every: int):  # type: ignore[no-untyped-def]
     return course(
         [Look(n, moves[n]) for n in range(0, last + 1, every)], last, SIZE, lambda n: moves.get(n, "none")
     )
@@ -92,7 +92,7 @@ def test_one_frame_that_jumps_is_no_bump_and_a_slow_creep_is_told() -> None:
 
 
 def test_covered_frames_beside_a_bump_count_as_moved() -> None:
-    moves: dict[int, Motion | str] = {n: motion(2.0 if n >= 50 else 0.0) for n in range(101)}
+    moves: dict[int, Motion | Said] = {n: motion(2.0 if n >= 50 else 0.0) for n in range(101)}
     moves |= {n: "covered" for n in range(46, 55)}
     found = course_of(moves, 100, 20)
     assert [(bump.after, bump.frame) for bump in found.bumps] == [(45, 55)]

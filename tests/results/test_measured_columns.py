@@ -20,6 +20,7 @@ from sightline.measurements.store import (
     revise_measurement,
     withdraw_measurement,
 )
+from sightline.messages.said import Said
 from sightline.recordings.store import update_recording
 from sightline.results import measured_columns_query
 from sightline.results.measured_columns_query import (
@@ -51,7 +52,9 @@ def test_columns_are_the_records(
         update_recording(session, one.recording.id, {"lighting": "daytime"}, actor=None)
         first, second, third, fourth = list_measurements(session, one.survey.id)[3:7]
         withdraw_measurement(session, first.id, seen_revision=first.revision, actor=None)
-        nothing = samples.values(one, height_m=None, status="not_measurable", reason="Sky.")
+        nothing = samples.values(
+            one, height_m=None, status="not_measurable", reason=Said("height-contact-above-horizon")
+        )
         revise_measurement(session, second, nothing, actor=None)
         content = samples.values(one, target=third.values.target, height_m=1.5)
         vehicle_id, key = third.vehicle_id, samples.KEY.format(77)
