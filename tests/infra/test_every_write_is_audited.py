@@ -42,7 +42,7 @@ from sightline.infra.jobs.store import (
 )
 from sightline.measurements.again.store import add_computing
 from sightline.measurements.click_sigma_store import choose_click_sigma
-from sightline.measurements.store import restore_measurement, revise_current_measurement, withdraw_measurement
+from sightline.measurements.store import restore_measurement, revise_measurement, withdraw_measurement
 from sightline.people.store import (
     create_sign_in_link,
     end_sessions,
@@ -384,11 +384,9 @@ WRITES: dict[str, tuple[Write, Callable[[Session, Sample, Any], Any]]] = {
         lambda s, o, _: restore_vehicle(s, o.vehicle.id, actor=o.olga.id),
     ),
     "add_measurement": (lambda s, o: None, lambda s, o, _: samples.measure(s, o)),
-    "revise_current_measurement": (
+    "revise_measurement": (
         lambda s, o: samples.measure(s, o),
-        lambda s, o, made: revise_current_measurement(
-            s, made, values(o, target_point=(1.0, 2.0)), actor=o.olga.id
-        ),
+        lambda s, o, made: revise_measurement(s, made, values(o, target_point=(1.0, 2.0)), actor=o.olga.id),
     ),
     "withdraw_measurement": (
         lambda s, o: samples.measure(s, o),

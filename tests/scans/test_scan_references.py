@@ -9,7 +9,6 @@ import pytest
 
 from sightline.coverage import COVERAGE_95
 from sightline.errors import BadInput
-from sightline.infra.audit import trail
 from sightline.infra.audit.verification import verify_records
 from sightline.infra.local_time import instant_of
 from sightline.infra.services import Services
@@ -22,6 +21,7 @@ from sightline.scans.vehicles.review_store import add_scan_review
 from sightline.scans.vehicles.store import create_scan_vehicle
 from tests.support import scans_samples
 from tests.support.app import Client, error_of
+from tests.support.events import events_of
 
 pytestmark = pytest.mark.dialect
 SOURCE = (StripSource("a.tif", "aa/a.tif", "aa" * 32), StripSource("b.tif", "bb/b.tif", "bb" * 32))
@@ -353,7 +353,7 @@ def test_lines_find_their_vehicles_by_time_of_day(operator: Client, services: Se
     told = [one["references"][0]["value"] * 3.6 for one in vehicles(operator, scan_id)[:4]]
     assert told == [pytest.approx(value) for value in (70, 71, 72, 73)]
     with services.reading() as session:
-        events = [one for one in trail.for_export(session) if one.entity == "scan_reference"]
+        events = [one for one in events_of(session) if one.entity == "scan_reference"]
     kept = [(one.after or {}).get("matched") for one in events]
     assert kept[3] is None and kept[0]["tolerance_s"] == 0.005 and kept[0]["time"] == lines[0].split(",")[0]
     with services.reading() as session:

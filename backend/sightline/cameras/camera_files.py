@@ -11,7 +11,7 @@ from sightline.errors import BadInput
 from sightline.geometry.board import Board
 from sightline.geometry.calibration import NamedCorners
 from sightline.geometry.camera import Camera, require_size
-from sightline.geometry.corners import Corners, Gray, detect, not_found
+from sightline.geometry.corners import Corners, Gray, find_board, not_found
 from sightline.geometry.mean_picture import MeanPicture
 from sightline.geometry.tracking import track
 from sightline.media.images import HEIF, read_image
@@ -85,7 +85,7 @@ def calibration_views(
     views: list[NamedCorners] = []
     for path in paths:
         for name, gray in pictures_of(path, spread_frames, stream_number):
-            views.append((name, detect(gray, board), (gray.shape[1], gray.shape[0])))
+            views.append((name, find_board(gray, board), (gray.shape[1], gray.shape[0])))
     return views
 
 
@@ -108,7 +108,7 @@ def pose_detections(
             corners = not_found(board, "The search was stopped.") if last is None else track(gray, last)
             if not corners.found and searched_s < SEARCH_S:
                 started = perf_counter()
-                corners = detect(gray, board)
+                corners = find_board(gray, board)
                 searched_s += 0.0 if corners.found else perf_counter() - started
             found.append(corners)
             if corners.found:

@@ -6,7 +6,7 @@ import csv
 import io
 import math
 import re
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
 from functools import partial
 from pathlib import Path
@@ -28,7 +28,7 @@ from sightline.infra.given_csv import USUAL_INSET_M, GivenRow, GivenTable
 FIRST = ("contact_x_px", "contact_y_px", "target_x_px", "target_y_px")
 _FURTHER = re.compile(r"(?:contact|target)([2-9]|[1-9]\d)_[xy]_px")
 OPTIONS = ("sigma_px", "inset_m", "u_inset_m")
-_READ = {
+_READ: dict[str, Callable[[GivenTable, int, str, str], float]] = {
     "sigma_px": GivenTable.uncertainty,
     "inset_m": partial(GivenTable.length_m, usual_m=USUAL_INSET_M),
     "u_inset_m": partial(GivenTable.u_length_m, usual_m=USUAL_INSET_M),

@@ -128,11 +128,12 @@ def length_in(table: GivenTable, line: int, row: Mapping[str, str], name: str) -
     """A cell in metres: a known height, one that was measured, or an uncertainty. Raises BadInput naming the
     line.
     """
+    cell = row.get(name, "")
     if name.startswith("u_"):
-        read = table.u_length_m
-    else:
-        read = table.size_m if name.startswith("reference_") else table.length_m
-    return read(line, name, row.get(name, ""))
+        return table.u_length_m(line, name, cell)
+    if name.startswith("reference_"):
+        return table.size_m(line, name, cell)
+    return table.length_m(line, name, cell)
 
 
 def number(text: str) -> float | None:

@@ -18,6 +18,7 @@ from sightline.geometry.arrays import Floats
 from sightline.geometry.camera import project
 from sightline.geometry.road import road_point
 from sightline.geometry.road_pose import RoadPose
+from sightline.robust import robust_scale
 
 REACH_PX = 12.0  # how far from the pointer a proposal may lie
 RADIUS_M = (0.25, 0.56)  # of car and lorry wheels
@@ -236,7 +237,7 @@ def _two_circles(layout: _Layout, arc: Floats, disc: Floats, start: Floats) -> t
     x, bottom, r, rim = start
     fit = scipy.optimize.least_squares(rest, [x, bottom + r, r, r * rim], loss="soft_l1", f_scale=0.4)
     x, z, r, inner = fit.x
-    scatter = 1.4826 * float(np.median(np.abs(rest(fit.x)[: len(arc)])))
+    scatter = robust_scale(rest(fit.x)[: len(arc)])
     return np.array([x, z - r, r, inner / r]), scatter
 
 

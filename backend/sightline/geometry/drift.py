@@ -15,6 +15,7 @@ from sightline.geometry.arrays import Floats
 from sightline.geometry.camera import project
 from sightline.geometry.height import measure_height
 from sightline.geometry.road_pose import RoadPose
+from sightline.robust import robust_scale
 
 DISTANCE_M = 3.0
 TARGET_M = 1.2
@@ -138,7 +139,7 @@ def _weights(design: Floats, moves: Floats) -> Floats:
         rest = np.linalg.norm(moves - design @ found, axis=1)
         # a turn is not in the median shift: the first rounds must not throw its corners away
         widest = 1.0 * 0.5**step
-        scale = max(1.4826 * float(np.median(rest)) / 1.18, _FINEST_PX, widest)
+        scale = max(robust_scale(rest) / 1.18, _FINEST_PX, widest)
         weights = np.square(np.clip(1.0 - np.square(rest / (_TUKEY * scale)), 0.0, None))
         if float(weights.sum()) < 3.0:
             break

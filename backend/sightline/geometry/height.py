@@ -185,11 +185,34 @@ def measure_height(
 ) -> Height:
     """The height of a target above the road from two clicks, with its budget (GUM: JCGM 100:2008, 5.1.2).
 
-    contact_px, target_px (2,): pixels of the tyre's contact with the road and of the target; sigma_px:
-    standard uncertainty of each coordinate of each click; inset_m: how far the target lies behind the side
-    plane through the contact. Never raises for what was clicked: a height that cannot be had comes back with
-    its reason. Dupuis et al. 2019, eqs. (5) to (18), corrected as in ray_intersection.py, with the inset that
-    they leave out (CONVENTIONS.md, Height).
+    Dupuis et al. 2019, eqs. (5) to (18), corrected as in ray_intersection.py, with the inset that they leave
+    out (CONVENTIONS.md, Height).
+
+    Parameters
+    ----------
+    pose : RoadPose
+    contact_px, target_px : (2,) array
+        Pixels of the tyre's contact with the road and of the target.
+    sigma_px : float
+        Standard uncertainty of each coordinate of each click, px.
+    inset_m, u_inset_m : float
+        How far the target lies behind the side plane through the contact, and its u, metres.
+
+    Returns
+    -------
+    Height
+        Metres, with `u_height_m` (k = 1), `U95_height_m` and the budget. Never raises for what was clicked: a
+        height that cannot be had comes back with its reason.
+
+    Examples
+    --------
+    >>> import numpy as np, sightline
+    >>> camera = sightline.plain_camera(1920, 1080, field_of_view_rad=1.0)
+    >>> pose = sightline.site_pose(camera, sightline.Site(camera_height_m=1.4, distance_m=4.0))
+    >>> contact, roof = sightline.project(camera, pose.to_camera(np.array([[0, 0, 0], [0, 0.3, 1.45]])))
+    >>> found = sightline.measure_height(pose, contact, roof, sigma_px=0.7, inset_m=0.3, u_inset_m=0.05)
+    >>> round(found.height_m, 3), round(found.U95_height_m, 3)
+    (1.45, 0.008)
     """
     contact = np.asarray(contact_px, dtype=np.float64).reshape(1, 2)
     target = np.asarray(target_px, dtype=np.float64).reshape(1, 2)
@@ -284,9 +307,34 @@ def measure_heights(
     u_inset_m: ArrayLike = 0.0,
     with_uncertainty: bool = True,
 ) -> Heights:
-    """N heights: contacts_px, targets_px (N, 2); sigma_px, inset_m, u_inset_m a number or (N,).
+    """N heights, each as `measure_height` gives it, without the budgets.
 
-    As `measure_height`, without the budget; `u_height_m` is NaN when `with_uncertainty` is False.
+    Parameters
+    ----------
+    pose : RoadPose
+    contacts_px, targets_px : (N, 2) array
+        Pixels of the contacts and of the targets.
+    sigma_px : float or (N,) array
+        Standard uncertainty of each coordinate of each click, px.
+    inset_m, u_inset_m : float or (N,) array
+        How far each target lies behind the side plane through its contact, and its u, metres.
+    with_uncertainty : bool
+        `u_height_m` is NaN where it is False.
+
+    Returns
+    -------
+    Heights
+        Arrays (N,), metres; NaN where there is no height, `reason(row)` then says why.
+
+    Examples
+    --------
+    >>> import numpy as np, sightline
+    >>> camera = sightline.plain_camera(1920, 1080, field_of_view_rad=1.0)
+    >>> pose = sightline.site_pose(camera, sightline.Site(camera_height_m=1.4, distance_m=4.0))
+    >>> points = np.array([[0, 0, 0], [0.5, 0, 0], [0, 0, 1.45], [0.5, 0, 1.12]])
+    >>> pixels = sightline.project(camera, pose.to_camera(points))
+    >>> sightline.measure_heights(pose, pixels[:2], pixels[2:]).height_m.round(3).tolist()
+    [1.45, 1.12]
     """
     contacts = np.asarray(contacts_px, dtype=np.float64).reshape(-1, 2)
     targets = np.asarray(targets_px, dtype=np.float64).reshape(-1, 2)

@@ -72,13 +72,39 @@ def measure_frames(
     sigma_px: float = 1.0,
     u_heading_rad: float | None = U_HEADING_RAD,
 ) -> MultiHeight:
-    """Height and inset from the same two points in F >= 2 frames; contacts_px, targets_px (F, 2) pixels.
+    """Height and inset from the same two points in F >= 2 frames of a passing vehicle.
 
-    u_heading_rad: standard uncertainty of the traffic's direction against the road's X axis, None to know
-    nothing. Least squares in pixels; the uncertainty comes from the clicks, the heading, lens and pose
-    (through the implicit function of the minimum, -N^-1 J' W J_k) and what the board may be off by: own
-    derivation, CONVENTIONS.md, Several frames. Never raises for what was clicked: no height comes back with
-    its reason.
+    Least squares in pixels; the uncertainty comes from the clicks, the heading, lens and pose (through the
+    implicit function of the minimum, -N^-1 J' W J_k) and what the board may be off by: own derivation,
+    CONVENTIONS.md, Several frames.
+
+    Parameters
+    ----------
+    pose : RoadPose
+    contacts_px, targets_px : (F, 2) array
+        Pixels of the tyre's contact and of the target, a row a frame.
+    sigma_px : float
+        Standard uncertainty of each coordinate of each click, px.
+    u_heading_rad : float or None
+        Standard uncertainty of the traffic's direction against the road's X axis; None: nothing is known.
+
+    Returns
+    -------
+    MultiHeight
+        `height` as of `measure_height`, `solved_inset_m` and its u, metres. Never raises for what was
+        clicked: no height comes back with its reason.
+
+    Examples
+    --------
+    >>> import numpy as np, sightline
+    >>> camera = sightline.plain_camera(1920, 1080, field_of_view_rad=1.0)
+    >>> pose = sightline.site_pose(camera, sightline.Site(camera_height_m=1.4, distance_m=4.0))
+    >>> tyre = np.array([[-0.7, 0.0, 0.0], [0.9, 0.0, 0.0]])
+    >>> points = tyre, tyre + [0.0, 0.2, 1.45]
+    >>> pixels = [sightline.project(camera, pose.to_camera(of_point)) for of_point in points]
+    >>> found = sightline.measure_frames(pose, *pixels)
+    >>> round(found.height.height_m, 3), round(found.solved_inset_m, 3)
+    (1.45, 0.2)
     """
     contacts = np.asarray(contacts_px, dtype=np.float64).reshape(-1, 2)
     targets = np.asarray(targets_px, dtype=np.float64).reshape(-1, 2)

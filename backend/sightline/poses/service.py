@@ -15,7 +15,7 @@ from sightline.errors import BadInput
 from sightline.geometry.arrays import Floats
 from sightline.geometry.board import Board
 from sightline.geometry.camera import Camera, project
-from sightline.geometry.corners import Corners, Gray, detect
+from sightline.geometry.corners import Corners, Gray, find_board
 from sightline.geometry.documents import pose_to_dict
 from sightline.geometry.mean_picture import MeanPicture
 from sightline.geometry.pose import expected_u, pose_from_corners
@@ -62,7 +62,7 @@ def preview_board(pictures: Iterable[Gray], board: Board) -> BoardSeen:
     """Detect the board in grey pictures in time order; where it is not found, the reason stays."""
     mean, found = MeanPicture(), []
     for gray in pictures:
-        corners = detect(gray, board)
+        corners = find_board(gray, board)
         found.append(corners)
         if corners.found and corners.ids is None:
             mean.add(gray, corners)
@@ -84,7 +84,7 @@ class Solved:
 
 def board_view(gray: Gray, board: Board) -> BoardView:
     """Look for the board in one grey picture (H, W). Raises BadInput for an impossible board."""
-    corners = detect(gray, board)
+    corners = find_board(gray, board)
     if not corners.found:
         return BoardView(
             found=False,

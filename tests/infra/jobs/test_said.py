@@ -9,7 +9,7 @@ from sightline import messages
 from sightline.errors import BadInput, SightlineError
 from sightline.geometry.board import Board
 from sightline.geometry.calibration import calibrate
-from sightline.geometry.corners import detect
+from sightline.geometry.corners import find_board
 from sightline.infra.jobs.runner import Runner
 from sightline.infra.jobs.store import get_job
 from sightline.infra.services import Services
@@ -68,7 +68,7 @@ def test_a_failed_recording_says_why_as_its_job_does() -> None:
 
 def test_pictures_without_a_board_say_why_in_french_to_the_last_word() -> None:
     board = Board(9, 6, 0.1)
-    corners = detect(np.full((120, 160), 128, np.uint8), board)
+    corners = find_board(np.full((120, 160), 128, np.uint8), board)
     with pytest.raises(BadInput, match=r"cut\.png: No board of 9x6") as few:
         calibrate([("cut.png", corners, (160, 120))], board)
     told = said_by_key({"code": few.value.code, "values": few.value.values}, few.value.message, "fr")

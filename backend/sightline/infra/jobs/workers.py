@@ -14,11 +14,12 @@ import subprocess
 import sys
 import threading
 import time
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
 from uuid import uuid4
 
+from sightline.children import child_environment
 from sightline.errors import SightlineError
 from sightline.infra.database.engine import make_engine, migrate, session_factory
 from sightline.infra.installation import require_alike, show_settings
@@ -282,7 +283,7 @@ class ChildSupervisor:
     """The supervisor that the server starts, restarts when it dies, and takes along when it ends."""
 
     def __init__(self, settings: Settings) -> None:
-        self._environment = {**os.environ, **_environment_of(settings)}
+        self._environment = child_environment(**_environment_of(settings))
         self._stopping = threading.Event()
         self.process = self._start()
         self._guard = threading.Thread(target=self._watch, name="worker-guard", daemon=True)
@@ -326,8 +327,4 @@ def _environment_of(settings: Settings) -> dict[str, str]:
         "HEARTBEAT_LIMIT_S": settings.heartbeat_limit_s,
         "LOG_FORMAT": settings.log_format,
     }
-    package = str(Path(__file__).resolve().parents[3])
-    paths: Iterable[str] = (package, os.environ.get("PYTHONPATH", ""))
-    return {f"SIGHTLINE_{name}": str(value) for name, value in given.items()} | {
-        "PYTHONPATH": os.pathsep.join(path for path in paths if path)
-    }
+    return {f"SIGHTLINE_{name}": str(value) for name, value in given.items()}
