@@ -30,10 +30,11 @@ from sightline.infra.web.bodies import Finite, Id, In, JobBody, Name, Out, Text
 from sightline.infra.web.named import RecordingId, UploadId
 from sightline.infra.web.quantities import Word
 from sightline.linescan import rig
-from sightline.linescan.parts import USUAL_SHADOW_SHARE
+from sightline.linescan.parts import USUAL_SHADOW_SHARE, Entry, Gap, Rig
 from sightline.linescan.rig import Limits
 from sightline.measurements.records import ReviewState
 from sightline.recordings.bodies import StartIn
+from sightline.scans.records import ScanCounts
 from sightline.scans.references.bodies import ReferenceBody
 
 Version = Annotated[int, Field(ge=1, le=2**31 - 1, description="The version that you saw.")]
@@ -168,43 +169,6 @@ class ChangedScan(In):
     lanes: Lanes | None = None
 
 
-class RigLaneBody(Out):
-    name: str
-    distance_m: float
-    u_distance_m: float
-    direction: ScanDirection | None
-    tyres_from_px: float | None
-    tyres_to_px: float | None
-    shadow_share: float | None
-
-
-class RigBody(Out):
-    baseline_m: float
-    line_rate_hz: float
-    u_baseline_m: float
-    u_line_rate_ratio: float
-    divergence_rad: float
-    u_divergence_rad: float
-    distance_m: float | None
-    misalignment_px: float | None
-    u_misalignment_px: float
-    shadow_share: float
-    baseline_correlation: float
-    u_distance_m: float
-    lanes: list[RigLaneBody]
-
-
-class ScanCountsBody(Out):
-    vehicles: int
-    to_review: int
-    accepted: int
-    rejected: int
-    not_measurable: int
-    older: int = Field(description="Measured with other values of the rig; find again brings them up.")
-    heights: int = Field(description="Standing heights of targets.")
-    heights_to_review: int
-
-
 class ScanRunBody(Out):
     """One search for vehicles, and what it says of the recording."""
 
@@ -255,7 +219,7 @@ class ScanBody(Out):
     tiles_version: str | None = Field(description="Put it into the tiles' address as ?v= .")
     levels: list[LevelBody]
     notes: list[str]
-    rig: RigBody
+    rig: Rig
     lighting: Lighting | None
     heard_at: datetime | None = Field(description="When its live stream was last heard; null: not live.")
     stream_state: LiveState | None = Field(description="Of a live one; stopped: it never ended, nor goes on.")
@@ -268,7 +232,7 @@ class ScanBody(Out):
     started_local: str | None = Field(
         description="`started_at` by the clocks of `time_zone`, ISO 8601 with offset."
     )
-    counts: ScanCountsBody
+    counts: ScanCounts
     run: ScanRunBody | None
     version: int
     created_by: Who | None
@@ -342,20 +306,6 @@ class ScanMotionBody(Out):
     mine: bool = Field(description="You placed its boundaries, so somebody else reviews it.")
 
 
-class GapBody(Out):
-    """From the rear of the vehicle before it of its direction and lane to this front, at camera 1; numbers
-    are null where unknown.
-    """
-
-    time_gap_s: float | None
-    u_time_gap_s: float | None
-    distance_gap_m: float | None = Field(description="By the leader's own fitted motion.")
-    u_distance_gap_m: float | None
-    headway_s: float | None = Field(description="From front to front at camera 1.")
-    paper_distance_gap_m: float | None = Field(description="The paper's: time gap times the mean speed.")
-    reason: str | None
-
-
 class ScanVehicleBody(Out):
     """A vehicle of a scan with its current measurement; errors are measured minus the maker's value."""
 
@@ -386,17 +336,10 @@ class ScanVehicleBody(Out):
     )
     u_filmed_at_s: float | None = Field(description="Of that (k = 1); null without a measured motion.")
     U95_filmed_at_s: float | None
-    gap: GapBody | None = Field(description="null: the first vehicle.")
+    gap: Gap | None = Field(description="null: the first vehicle.")
     length_error_m: float | None
     wheelbase_error_m: float | None
     references: list[ReferenceBody] = Field(description="What something else measured of it, beside ours.")
-
-
-class ScanBudgetEntryBody(Out):
-    source: str
-    u_speed_mps: float
-    u_acceleration_mps2: float
-    u_length_m: float
 
 
 class ProfileBody(Out):
@@ -433,7 +376,7 @@ class MatchBody(Out):
 class ScanVehicleDetailBody(Out):
     vehicle: ScanVehicleBody
     profile: ProfileBody | None
-    budget: list[ScanBudgetEntryBody]
+    budget: list[Entry]
     match: MatchBody | None
     history: list[ScanMotionBody]
     reviews: list[ScanReviewBody]

@@ -6,16 +6,14 @@ from typing import Any, get_args
 from sightline.coverage import expanded
 from sightline.enums import MatchPicture
 from sightline.infra.database.types import now
-from sightline.linescan.parts import Rig
+from sightline.linescan.parts import Entry, Rig
 from sightline.media.strips.stored_writer import STEP, TILE_LINES, level_lines
 from sightline.recordings.csv import started_text
 from sightline.scans.bodies import (
-    GapBody,
     LevelBody,
     MatchBody,
     ProfileBody,
     ScanBody,
-    ScanBudgetEntryBody,
     ScanMotionBody,
     ScanReviewBody,
     ScanRunBody,
@@ -96,7 +94,7 @@ def vehicle_body(shown: ShownVehicle, asker: int) -> ScanVehicleBody:
     passing = shown.passing
     body |= dict.fromkeys(_PASSED) if passing is None else asdict(passing)
     body["U95_filmed_at_s"] = None if passing is None else expanded(passing.u_filmed_at_s)
-    body["gap"] = None if shown.gap is None else GapBody.model_validate(shown.gap)
+    body["gap"] = shown.gap
     body |= {"length_error_m": shown.length_error_m, "wheelbase_error_m": shown.wheelbase_error_m}
     body["references"] = [reference_body(one, shown.agreement(one)) for one in shown.references]
     return ScanVehicleBody.model_validate(body)
@@ -109,7 +107,7 @@ def detail_body(detail: ShownDetail, asker: int) -> ScanVehicleDetailBody:
     return ScanVehicleDetailBody(
         vehicle=vehicle_body(shown, asker),
         profile=None if measured is None else _profile(measured.values),
-        budget=[] if measured is None else [ScanBudgetEntryBody(**one) for one in measured.values.budget],
+        budget=[] if measured is None else [Entry(**one) for one in measured.values.budget],
         match=None if measured is None else _match(measured, detail.scan),
         history=[motion_body(one, shown.rig, asker) for one in detail.history],
         reviews=[ScanReviewBody.model_validate(one) for one in detail.reviews],

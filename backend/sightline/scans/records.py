@@ -2,7 +2,9 @@
 
 from dataclasses import dataclass
 from datetime import datetime
-from typing import TypedDict
+from typing import Annotated, TypedDict
+
+from pydantic import Field
 
 from sightline.enums import (
     AxlesBy,
@@ -71,18 +73,17 @@ class StripFacts:
 
 @dataclass(frozen=True, slots=True)
 class ScanCounts:
-    """Computed when asked, never stored; `older` were measured with other values of the rig.
-
-    `heights`: standing heights of targets, and those among them that wait for a verdict.
-    """
+    """The vehicles of a scan by state; computed when asked, never stored."""
 
     vehicles: int = 0
     to_review: int = 0
     accepted: int = 0
     rejected: int = 0
     not_measurable: int = 0
-    older: int = 0
-    heights: int = 0
+    older: Annotated[
+        int, Field(description="Measured with other values of the rig; find again brings them up.")
+    ] = 0
+    heights: Annotated[int, Field(description="Standing heights of targets.")] = 0
     heights_to_review: int = 0
 
 
@@ -176,17 +177,10 @@ class ScanRunValues:
 
 
 @dataclass(frozen=True, slots=True)
-class ScanRun:
+class ScanRun(ScanRunValues):
     id: int
     scan_id: int
     job_id: int | None
-    method: ScanMethod
-    rig: JsonObject
-    found: int
-    measured: int
-    summary: JsonObject
-    warnings: list[str]
-    code_version: str
     created_by: Who | None
     created_at: datetime
 
