@@ -4,11 +4,13 @@ import ast
 import re
 from collections.abc import Iterator
 from dataclasses import replace
-from datetime import date, datetime
+from datetime import UTC, date, datetime
 from functools import cache
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Annotated, Literal
 
+import numpy as np
 import pytest
 from fluent.syntax import FluentParser
 from fluent.syntax import ast as ftl
@@ -17,9 +19,12 @@ from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
 import sightline
 from sightline import errors, messages
+from sightline.linescan import rig
+from sightline.media.video import report as video
 from sightline.media.video.sniff import OTHERS
 from sightline.messages.recognised import KEYS, translated
 from sightline.quality.drift import drift_job
+from sightline.recordings import ingest_job
 from sightline.results.overview import query
 from sightline.results.overview.records import SurveyCounts
 from sightline.scans import progress_query
@@ -368,7 +373,28 @@ def pieced_together() -> list[str]:
     for first, bumps in ((3, [{"after": 1, "frame": 3}]), (0, []), (3, [])):
         said.append(drift_job._told({**span, "first_frame": first}, bumps, float))  # type: ignore[arg-type, typeddict-item]
     said += [what.removesuffix(", not a video") for _, what in OTHERS]
-    return said
+    return [*said, *of_recordings()]
+
+
+def of_recordings() -> list[str]:
+    """What is noted of a file when it is imported, and of a rig that few vehicles tell."""
+    even = np.arange(8) / 25
+    track = SimpleNamespace(words="h264, 640x480")
+    of_file = {"codec": "h264", "width_px": 640, "height_px": 480, "reported_frames": None, "stream": 1}
+    said = [ingest_job.IN_FUTURE.format(datetime(2240, 2, 6, tzinfo=UTC))]
+    for n in (1, 2):
+        shape = {"layout_note": None, "left_turned_deg": 0.0, "interlaced": False}
+        facts = SimpleNamespace(**of_file, **shape, pictures=[track] * (n + 1))
+        damage = video.Damage(packets=n, patched=[3] * n)
+        gaps = np.sort(np.concatenate([even, *(even + 5 * one for one in range(1, n + 1))]))
+        said += video._order_notes(n, n)
+        said += video._damage_notes(facts, 9, damage)  # type: ignore[arg-type]
+        said += video._shape_notes(facts)  # type: ignore[arg-type]
+        said += video._gap_notes(gaps)
+    for filmed_hz in (None, 240.0):
+        said += video._clock_notes("slow_motion", even, video.Stated(filmed_hz=filmed_hz))
+    said += video._clock_notes("impossible_rate", np.zeros(8), video.Stated())
+    return said + [str(rig._median([], what).reason) for what in ("a misalignment", "a gain")]
 
 
 class _Asked(BaseModel):

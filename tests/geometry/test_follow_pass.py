@@ -98,7 +98,7 @@ def test_a_frame_where_something_stands_before_the_point_is_dropped_with_its_rea
 
 def test_what_left_the_picture_says_so_and_every_frame_is_accounted_for(drawn, found) -> None:
     _, _, frames = drawn
-    assert any("left the picture" in one.reason for one in found.lost)
+    assert any("left the frame" in one.reason for one in found.lost)
     told = {(one.frame, one.point) for one in found.lost}
     kept = {
         (int(n), ("contact", "second_contact", "target")[int(point)])
@@ -126,9 +126,9 @@ def test_what_cannot_be_followed_says_why(drawn) -> None:
     _, first, frames = drawn
     points = points_of(first)
     other = follow_pass(POSE, frames, 10**6, points, "driver_eye", 0.5)
-    assert isinstance(other, str) and "not among" in other
+    assert isinstance(other, str) and "outside the pass" in other
     alone = follow_pass(POSE, frames, first.frame, {CONTACT: points[CONTACT]}, "driver_eye", 0.5)
-    assert isinstance(alone, str) and "needed" in alone
+    assert isinstance(alone, str) and "click both" in alone
     roof = follow_pass(POSE, frames, first.frame, points, "roof", 0.3)
     assert isinstance(roof, str) and "two frames" in roof
     still = [PassFrame(one.frame, one.time_s, frames[0].gray * 0 + 90) for one in frames]

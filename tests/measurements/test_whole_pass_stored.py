@@ -64,7 +64,7 @@ def followed(monkeypatch: pytest.MonkeyPatch) -> list[dict[str, Any]]:
             sigma_px=np.full((len(table), 2), 0.1),
         )
         following = Following(confirmed_px=confirmed_px, begun_on=begun_on, u_depth_share=0.005, view_px=0.1)
-        return FollowedPass(tracks, following, (Lost(11, "target", "It has left the picture."),))
+        return FollowedPass(tracks, following, (Lost(11, "target", "It has left the frame."),))
 
     monkeypatch.setattr(service, "follow_pass", found)
     return asked
@@ -93,7 +93,7 @@ def test_asking_answers_points_reasons_and_the_height_and_stores_nothing(
     assert said["height"]["solved_inset_m"] == pytest.approx(INSET_M, abs=0.01)
     assert said["height"]["wheelbase_m"] == pytest.approx(BASE_M, abs=5e-3)
     assert said["height"]["speed_mps"] == pytest.approx(SPEED_MPS, abs=0.05)
-    assert said["dropped"] == [{"frame": 11, "point": "target", "reason": "It has left the picture."}]
+    assert said["dropped"] == [{"frame": 11, "point": "target", "reason": "It has left the frame."}]
     assert {one["point"] for one in said["points"]} == {"contact", "second_contact", "target"}
     assert followed[0]["frames"] == list(range(12)) and followed[0]["target"] == "driver_eye"
     assert operator.seen(f"/vehicles/{vehicle_id}")["measurements"] == []

@@ -189,7 +189,7 @@ def reseal(place: Path, *, seal: bool = True) -> None:
     staging = Staging(place)
     staging.written = _sums(place)
     if PAGE in files.paths:
-        write_page(staging, _tables(place))
+        write_page(staging, _tables(place), described["language"])
     for resource in described["resources"]:
         if "hash" in resource and resource["path"] in files.paths:
             found = sum_of(files, resource["path"])

@@ -180,7 +180,7 @@ def build(
     about = about_of(survey.name, survey.site, survey.description, audit.moment, selection_words(selection))
     tables = tables_of(most)
     write_parquet(staging, tables)
-    write_page(staging, tables)
+    write_page(staging, tables, language)
     staging.add(DESCRIPTION, json_bytes(described(about, language, tables, staging.written)))
     key = signing_key(services.settings)
     ends = {name: one for name, one in trail.heads(session).items() if name in ("people", "catalogue")}

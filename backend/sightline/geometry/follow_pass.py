@@ -107,10 +107,12 @@ def follow_pass(
     its own picture, with errors of neighbouring cells taken together (Newey and West 1987).
     """
     if target not in U_DEPTH_M:
-        return f"A {target} is an outline before moving scenery, which cannot be followed; click two frames."
+        return (
+            "This target is an outline against a moving background and cannot be followed; click two frames."
+        )
     numbers = [one.frame for one in frames]
     if begun_on not in numbers:
-        return "The frame that the points were confirmed on is not among those of the pass."
+        return "The confirmed points are on a frame outside the pass."
     start = numbers.index(begun_on)
     placed = _placed(pose, points_px, inset_m)
     if isinstance(placed, str):
@@ -147,7 +149,7 @@ def _placed(
 ) -> dict[int, Floats] | str:
     """The points (3,) on the road by what they are; or why they are none of a vehicle."""
     if CONTACT not in points_px or TARGET not in points_px:
-        return "Contact and target are needed on the frame that is followed from."
+        return "Following starts from a frame with contact and target; click both on it."
     body = body_of(pose, points_px[CONTACT], points_px[TARGET], inset_m, np.empty((0, 2)))
     if isinstance(body, str):
         return body
@@ -280,12 +282,12 @@ class _Chase:
         return _REACH_PX * self.window.cell_m + 0.08 * abs(float(self.travel[i]))
 
 
-OUTSIDE = "It has left the picture."
-LOST = "It was lost: nothing here is where speed and camera pose have it."
-ELSEWHERE = "It is found elsewhere than the frames beside it have it."
-UNLIKE = "What is seen here is too unlike the other frames; it may be hidden."
-BLURRED = "It is too blurred here beside the other frames."
-WEAK = "Too little is seen here to tell its place to 1.5 px."
+OUTSIDE = "It has left the frame."
+LOST = "It was lost: nothing is found where speed and camera pose place it."
+ELSEWHERE = "Its position disagrees with the neighbouring frames."
+UNLIKE = "The image is too unlike the other frames here; it may be hidden."
+BLURRED = "It is too blurred here compared with the other frames."
+WEAK = "Too little detail is visible here to locate it within 1.5 px."
 
 
 def _followed_point(

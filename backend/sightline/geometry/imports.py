@@ -286,8 +286,7 @@ def _chosen(
         raise BadInput("geometry-holds-no-camera-holds", file_name=file_name, which=which, cameras=told)
     if which is None and len(names) > 1:
         notes.append(
-            f"{file_name} holds several cameras: {told}; {key} was read "
-            "(ask for another by its name, --which)."
+            f"{file_name} contains several cameras: {told}; {key} was read (name another with --which)."
         )
     name = names[key]
     one = cameras[name]
@@ -427,10 +426,10 @@ def _part_read(
     if full is None or not inside or not whole_numbers or min(width, height) < 2 or min(left, top) < 0:
         raise BadInput("geometry-roi-contradicts-size", file_name=file_name)
     if wanted == full:
-        notes.append(f"{file_name}: the camera is that of the whole picture, as asked for, not of its roi.")
+        notes.append(f"{file_name}: the camera is that of the whole image, as requested, not of its roi.")
         return None
     notes.append(
-        f"{file_name} is of a part of the picture (roi): {width}x{height} px from ({left}, {top}) of "
+        f"{file_name} describes part of the image (roi): {width}x{height} px from ({left}, {top}) of "
         f"{full[0]}x{full[1]} px; the camera is that of the part (--size {full[0]}x{full[1]} for the whole)."
     )
     return left, top, width, height
@@ -504,7 +503,7 @@ def _checked(
     )
     if not lens.any():
         notes.append(
-            f"{file_name} states a lens without any distortion, which few have; check that this camera was "
+            f"{file_name} states a lens without any distortion, which is rare; check that this camera was "
             "calibrated."
         )
     require_plausible(camera, file_name)

@@ -200,7 +200,7 @@ def _unreadable(tracks: Tracks, following: Following, pose: RoadPose) -> str | N
     stated = (following.confirmed_px, following.drift_px, following.u_time_s, following.u_row_time_s,
               following.exposure_s, following.u_depth_share, following.view_px)  # fmt: skip
     if not (np.isfinite([*stated, following.row_time_s]).all() and min(stated) >= 0):
-        return "How the points were followed is stated by a number that is negative or not finite."
+        return "A number that describes the following is negative or not finite."
     if len(np.unique(np.stack([tracks.frame, tracks.point]), axis=1).T) < len(tracks.frame):
         return "A point is given twice on one frame; give each once."
     if not pose.centre_m[2] > 0:

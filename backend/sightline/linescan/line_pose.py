@@ -179,7 +179,7 @@ def _check(distance: Floats, height: Floats, row: Floats, sigma_px: float | None
     if len(row) < least:
         raise LinePoseError(f"{len(row)} marks are too few; click at least {least}.")
     if np.any(distance <= 0) or (sigma_px is not None and sigma_px <= 0):
-        raise LinePoseError("Distances of marks and the sigma of rows must be greater than 0.")
+        raise LinePoseError("Distances of marks and the u of their rows must be above 0.")
     if np.ptp(distance) < 1e-3 * distance.mean():
         raise LinePoseError(
             "All marks are at one distance, so the camera height cannot be determined; hold the "

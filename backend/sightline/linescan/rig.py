@@ -320,7 +320,7 @@ def _require_lanes(lanes: tuple[Lane, ...]) -> None:
 def _median(values: Sequence[float], what: str) -> RigEstimate:
     n = len(values)
     if n < LEAST_VEHICLES:
-        return RigEstimate(None, None, None, n, f"{n} vehicles gave {what}; {LEAST_VEHICLES} are needed.")
+        return RigEstimate(None, None, None, n, f"{n} vehicles give {what}; {LEAST_VEHICLES} are needed.")
     array: NDArray[np.float64] = np.asarray(values, dtype=np.float64)
     middle = float(np.median(array))
     spread = robust_scale(array - middle)

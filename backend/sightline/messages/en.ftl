@@ -1542,14 +1542,14 @@ measure-step-new = { $target ->
     [driver_eye] new driver’s eye
     [taillight] new taillight
     [headlight] new headlight
-   *[other] new other
+   *[other] new other target
 }
 measure-step-withdrawal = { $target ->
-    [roof] withdrawal of roof
-    [driver_eye] withdrawal of driver’s eye
-    [taillight] withdrawal of taillight
-    [headlight] withdrawal of headlight
-   *[other] withdrawal of other
+    [roof] withdrawal of the roof
+    [driver_eye] withdrawal of the driver’s eye
+    [taillight] withdrawal of the taillight
+    [headlight] withdrawal of the headlight
+   *[other] withdrawal of the other target
 }
 measure-step-frame = { $nth ->
     [2] second frame
@@ -1574,7 +1574,7 @@ measure-driver = { $side ->
 measure-find-pose = Compute the camera pose
 measure-no-pose = No camera pose. Compute it before you measure.
 measure-choose-pass = Choose a pass on the left, or mark a new one with [ and ].
-measure-look-only = View only. Ask an operator for measuring rights.
+measure-look-only = View only. Ask an administrator for the operator role.
 measure-vehicle-done = Done. Keys 1 to 5 measure again.
 measure-next-pass = Next pass
 measure-choose-target = Choose a target: 1 to 5.
@@ -1631,23 +1631,23 @@ measure-afresh = { $target ->
     [driver_eye] Driver’s eye measured again. The previous value is in the history.
     [taillight] Taillight measured again. The previous value is in the history.
     [headlight] Headlight measured again. The previous value is in the history.
-   *[other] Other measured again. The previous value is in the history.
+   *[other] Other target measured again. The previous value is in the history.
 }
 measure-show-point = Show and select the point
 measure-click = click on the frame
 measure-details-show = { $target ->
-    [roof] Show the details of roof
-    [driver_eye] Show the details of driver’s eye
-    [taillight] Show the details of taillight
-    [headlight] Show the details of headlight
-   *[other] Show the details of other
+    [roof] Show the details of the roof
+    [driver_eye] Show the details of the driver’s eye
+    [taillight] Show the details of the taillight
+    [headlight] Show the details of the headlight
+   *[other] Show the details of the other target
 }
 measure-details-hide = { $target ->
-    [roof] Hide the details of roof
-    [driver_eye] Hide the details of driver’s eye
-    [taillight] Hide the details of taillight
-    [headlight] Hide the details of headlight
-   *[other] Hide the details of other
+    [roof] Hide the details of the roof
+    [driver_eye] Hide the details of the driver’s eye
+    [taillight] Hide the details of the taillight
+    [headlight] Hide the details of the headlight
+   *[other] Hide the details of the other target
 }
 measure-discard = Discard
 measure-doubt = { $kind ->
@@ -1724,7 +1724,7 @@ measure-second-hint = { $nth ->
     [driver_eye] click the same driver’s eye point; if it is hidden, go to another frame
     [taillight] click the same taillight point
     [headlight] click the same headlight point
-   *[other] click the same other point
+   *[other] click the same point of the other target
 }
 measure-second-hint-care = { $hint }. { $care }
 measure-second-nothing-yet = Measure a target first. Then you can add a second frame.
@@ -1959,7 +1959,7 @@ review-all-done = Each measurement has a verdict. New and corrected ones appear 
 review-to-export = Go to the package
 review-none-title = Nothing to review yet
 review-none = Measurements appear here as soon as an operator has made them.
-review-to-measure = Go to measuring
+review-to-measure = Go to Measure
 review-other-point = Choose the other point
 review-other-frame = Not the measured frame
 review-fix-hint = Drag a point, or press { $key } and nudge it with the arrows. Enter saves, Esc cancels.
@@ -2032,7 +2032,7 @@ review-pixels = { $point ->
     [driver_eye] Pixels around the driver’s eye point
     [taillight] Pixels around the taillight point
     [headlight] Pixels around the headlight point
-   *[other] Pixels around the other point
+   *[other] Pixels around the other target’s point
 }
 review-vehicle = Vehicle
 review-vehicle-unknown = not known
@@ -2046,8 +2046,8 @@ review-inset-estimate = { $inset } (u = { $u_inset }, estimate)
 review-points-set = Points
 review-made-by = { $made ->
     [snapped] contact snapped to the tyre, target clicked by { $person }, { $time }
-    [confirmed] proposed, confirmed by { $person }, { $time }
-    [moved] proposed, moved by { $person }, { $time }
+    [confirmed] suggested, confirmed by { $person }, { $time }
+    [moved] suggested, moved by { $person }, { $time }
    *[clicked] clicked by { $person }, { $time }
 }
 
@@ -2208,7 +2208,7 @@ again-none-own-title = No measurements of yours yet
 again-none-title = No measurements yet
 again-none-own = Measure some vehicles in this survey first. Then you can repeat your own measurements.
 again-none = Measure some vehicles first. Then they can be repeated.
-again-to-measure = Go to measuring
+again-to-measure = Go to Measure
 scans-lane-needs-boundaries = The vehicle was not measured yet, so it has no lane; place its boundaries first.
 
 ## Line scans: the page
@@ -2532,7 +2532,7 @@ scan-find-direct = Direct registration
 scan-find-paper = Block matching (Douxchamps et al.)
 scan-find-direct-what = Registers both strips of a vehicle as a whole: speed, acceleration and the cameras’ misalignment in one fit. The default.
 scan-find-paper-what = Block matching and linear regression, as published by Douxchamps, Macq and Chihara; for comparison.
-scan-find-what = What
+scan-find-what = Scope
 scan-find-all = Search the whole recording
 scan-find-known = Measure the known vehicles again
 scan-find-note = Manual boundaries and removed vehicles are kept. Accepted results that change return to review.
@@ -2730,7 +2730,7 @@ scan-references-done = { $values } reference { $values ->
 } and { $cars } car { $cars ->
     [one] name
    *[other] names
-} stored.
+} imported.
 scan-references-lines = Lines of the file
 scan-references-line = Line
 scan-references-vehicle = Vehicle
@@ -2839,25 +2839,25 @@ scan-heights-no-pose = Heights need the pose of camera 1. Record a rod with mark
 scan-heights-calibrate = Calibrate the height
 scan-heights-calibrate-first = Heights need the line camera’s pose; calibrate the height with a rod first.
 scan-height-hide = { $target ->
-    [roof] Hide the details of roof
-    [driver_eye] Hide the details of driver’s eye
-    [taillight] Hide the details of taillight
-    [headlight] Hide the details of headlight
-   *[other] Hide the details of other
+    [roof] Hide the details of the roof
+    [driver_eye] Hide the details of the driver’s eye
+    [taillight] Hide the details of the taillight
+    [headlight] Hide the details of the headlight
+   *[other] Hide the details of the other target
 }
 scan-height-show = { $target ->
-    [roof] Show the details of roof
-    [driver_eye] Show the details of driver’s eye
-    [taillight] Show the details of taillight
-    [headlight] Show the details of headlight
-   *[other] Show the details of other
+    [roof] Show the details of the roof
+    [driver_eye] Show the details of the driver’s eye
+    [taillight] Show the details of the taillight
+    [headlight] Show the details of the headlight
+   *[other] Show the details of the other target
 }
 scan-height-measure = { $target ->
     [roof] Measure: roof
     [driver_eye] Measure: driver’s eye
     [taillight] Measure: taillight
     [headlight] Measure: headlight
-   *[other] Measure: other
+   *[other] Measure: other target
 }
 scan-height-measure-again = { $target ->
     [roof] Measure again: roof
@@ -2946,7 +2946,7 @@ scan-step-height = { $target ->
     [driver_eye] driver’s eye of vehicle { $vehicle }
     [taillight] taillight of vehicle { $vehicle }
     [headlight] headlight of vehicle { $vehicle }
-   *[other] other of vehicle { $vehicle }
+   *[other] other target of vehicle { $vehicle }
 }
 scan-step-height-verdict = { $target ->
     [roof] verdict on the roof of vehicle { $vehicle }
@@ -2960,7 +2960,7 @@ scan-step-withdraw = { $target ->
     [driver_eye] withdrawing the driver’s eye of vehicle { $vehicle }
     [taillight] withdrawing the taillight of vehicle { $vehicle }
     [headlight] withdrawing the headlight of vehicle { $vehicle }
-   *[other] withdrawing the other of vehicle { $vehicle }
+   *[other] withdrawing the other target of vehicle { $vehicle }
 }
 scan-taken-out = Vehicle { $vehicle } removed. Ctrl+Z undoes this.
 scan-kept-vehicle = The vehicle is kept in this browser and appears in the list when the connection is back.
@@ -3126,6 +3126,7 @@ flows-head-occupancy = Occupancy
 flows-head-density = Density
 flows-head-unclassed = No length
 flows-partial = partial
+flows-refused = { $count } refused
 flows-near-edge = { $count } near an edge
 flows-axles = { $axles } axles: { $count }
 flows-axles-many = 5 or more
@@ -3141,6 +3142,10 @@ flows-speed-of = Speed, { $scan }
 flows-speed-says = Space mean speed in { $count } intervals.
 flows-speed-note = Thick: space mean speed; thin: 15th to 85th percentile of the speeds.
 flows-speed-none = No interval contains an accepted speed.
+flows-flow-by-density-of = Flow against density, { $scan }
+flows-speed-by-flow-of = Speed against flow, { $scan }
+flows-fundamental-says = Fundamental diagram: { $count } intervals with a speed.
+flows-fundamental-note = A point is an interval; open: observed only in part. Density is flow over space mean speed.
 unit-per-hour = 1/h
 unit-per-km = 1/km
 motion-paper-title = Layout of Table I, Douxchamps et al.
@@ -3451,7 +3456,7 @@ statistics-groups-note = The { NUMBER($count) } largest of { NUMBER($all) } grou
 statistics-groups-nothing = { $grouping ->
     [category] Nothing to draw: no vehicle has a category.
     [class_set] Nothing to draw: no vehicle is in a set.
-    [lighting] Nothing to draw: no vehicle has a lighting.
+    [lighting] Nothing to draw: no vehicle has its lighting set.
     [site] Nothing to draw: no vehicle has a site.
    *[operator] Nothing to draw: no vehicle has an operator.
 }
@@ -3729,7 +3734,7 @@ members-remove = Remove
 members-remove-title = Remove { $person } from the survey?
 members-remove-body = { $person } can no longer see it. Their work is kept.
 members-remove-yourself = You will no longer see this survey.
-members-none = This survey has no members yet; administrators decide who they are.
+members-none = No members yet.
 members-inactive = deactivated
 members-add = Add
 members-add-person = Person
@@ -3747,7 +3752,7 @@ survey-recordings-go = Add recordings
 survey-pose-go = Compute pose
 survey-vehicles-go = Measure
 survey-review-go = Review
-survey-results-go = Export
+survey-results-go = Go to the package
 survey-open = Open
 survey-statistics = <link>Results</link>: percentiles with their intervals, standards, errors.
 survey-traffic = Traffic keeps { $traffic ->
@@ -4375,6 +4380,7 @@ cameras-frames-not-recording-frames-0 = Frames { $first } to { $last } are not i
 cameras-every-th-frame-would-views-take = Every { $every }th frame gives { $count } views; take every { $least }th frame or fewer frames.
 cameras-not-text-file-choose-calibration-yaml = { $file_name } is not a text file; choose a calibration as YAML, JSON or cameramodel.
 cameras-not-file-give-picture-files-clip = { $path } is not a file; give image files or a clip.
+cameras-still-has-no-tracks = { $path } is an image, not a video with tracks; leave --stream out.
 cameras-choose-calibration-give-pictures-width-height = Choose a calibration, or give the image’s width and height in pixels and its horizontal field of view in degrees.
 cameras-calibration-belongs-another-survey-choose-one = Calibration { $calibration_id } belongs to another survey; choose one of this survey’s cameras.
 cameras-cameras-csv-not-what-audit = cameras.csv: camera { $id } differs from its audit events; the table was changed.
@@ -4391,7 +4397,6 @@ commands-baseline-or-rig = Give either --baseline (with --u-baseline) or --rig.
 commands-not-percentile = “{ $part }” is not a percentile; give numbers between 0 and 100, such as --percentile 2.5,10,50.
 commands-no-row-with-height = { $path } has no row with a height; give a file with rows whose status is ok.
 commands-rig-file-no-rig = { $path } is not a rig: a JSON object with baseline_m, as `sightline rig calibrate -o` writes it, and with lanes that have a distance_m each.
-commands-row-not-length = { $where }: { $name } “{ $cell }” is not a possible length in metres; correct the cell.
 commands-larger-200-mb-give = { $path } is larger than 200 MB; give { $what }.
 commands-not-exist-give = { $path } does not exist; give { $what }.
 commands-not-utf-8-text-give-saved = { $path } is not UTF-8 text; give { $what }, saved as UTF-8.
@@ -4428,6 +4433,12 @@ commands-cannot-written-folder-not-exist-choose = { $output } cannot be written 
 commands-time-no-offset = { $option } { $text } has no offset from UTC; write it with one, as in 2026-05-04T06:00:00.000+02:00.
 commands-time-cannot-read = { $option } { $text } is not a time that can be used; write it as 2026-05-04T06:00:00.000+02:00.
 commands-u-start-needs-start = --u-start needs --start.
+commands-flow-other-minutes = --interval { $text } cannot be used; give one or more of 1, 5, 15 and 60, as in 5,60.
+commands-flow-not-there = { $place } does not exist; name a package, results of sightline linescan, or a folder of them.
+commands-flow-nothing-in-folder = { $place } holds no scanned vehicles; name a package, results of sightline linescan, or a folder of them.
+commands-flow-no-start = { $path } does not say when its vehicles passed (front_at or start with an offset from UTC); make it again with sightline linescan --start.
+commands-flow-no-vehicles = { $path } holds no vehicle; give the JSON of sightline linescan, which says how long was recorded.
+commands-flow-no-rate = { $path } holds a single vehicle without a motion, from which the line rate does not follow; give the JSON of sightline linescan.
 commands-u-start-cannot-be = --u-start { $u_s } is not a standard uncertainty of a start; give seconds from 0 to 3600.
 commands-given-twice-give-strips-both-cameras = { $first } is given twice; give the strips of both cameras.
 backup-none-here = { $folder } holds no complete backup (no manifest.json); run sightline backup again, or name another folder.
@@ -4977,7 +4988,7 @@ recordings-nothing-decided-about-recordings-camera-nothing = There is no decisio
 recordings-belongs-another-survey-choose-one-surveys-2 = The { $word } { $row_id } belongs to another survey; choose one of this survey’s.
 recordings-road-pose-pictures-x-px-x = The camera pose { $pose_id } is for images of { $posed } x { $posed_2 } px and { $name } has { $filmed } x { $filmed_2 } px; choose a pose made at the recording’s size.
 recordings-frames-found-now-not-those-measured = The frames found now are not those that were measured; upload the video as a new one.
-recordings-uploads-speak-tus-1-0-0 = Uploads speak tus 1.0.0; send the header Tus-Resumable: 1.0.0.
+recordings-uploads-speak-tus-1-0-0 = Uploads use tus 1.0.0; send the header Tus-Resumable: 1.0.0.
 recordings-too-many-uploads-announced = You have { $most } uploads that are not complete; finish or cancel some first.
 recordings-upload-not-say-how-long-file = The upload does not state the length of the file; send the header Upload-Length.
 recordings-bytes-upload-come-application-offset-octet = The bytes of an upload come as application/offset+octet-stream; send that Content-Type.
@@ -5162,6 +5173,8 @@ csv-empty-cell = { $name }, line { $line }: { $column } is empty; fill in the ce
 csv-not-a-number = { $name }, line { $line }: { $column } is “{ $cell }”, which is not a number; correct the cell.
 csv-number-separated = { $name }, line { $line }: { $column } is “{ $cell }”; write decimals with a point and nothing between thousands.
 csv-no-size-of-a-vehicle = { $name }, line { $line }: { $column } is “{ $cell }”, and no vehicle has more than 20 m; in { $unit } it would be { $metres } m. Give metres.
+csv-size-not-above-0 = { $name }, line { $line }: { $column } is “{ $cell }”; a size is above 0. Correct the cell.
+csv-uncertainty-below-0 = { $name }, line { $line }: { $column } is “{ $cell }”; an uncertainty is not below 0. Correct the cell.
 csv-not-utf-8 = { $name } is not a UTF-8 text; save it as CSV in UTF-8.
 vehicles-gives-frames-now-gave-when-read = { $name } now has { $count } frames, but had { $count_2 } when it was imported; import it again.
 vehicles-search-passes-cancelled-start-again-when = The search for passes was cancelled. You can start it again.
@@ -5665,6 +5678,26 @@ opened-report = Report (PDF)
 opened-measurements = Measurements
 opened-figures = Figures
 opened-tables = Tables
+opened-tables-lead = Numbers are rounded here; the files hold every digit. datapackage.json describes each column.
+opened-table = { $table ->
+    [survey] the survey, in one row
+    [vehicles] passes and vehicles
+    [recordings] video files
+    [poses] camera poses
+    [insets] default insets of the survey
+    [selection] limits of this package
+    [people] people named in the other tables
+    [exclusions] measurements excluded from the results, with the reason
+    [response] outcome of the passes
+    [error_table] errors of accepted roofs (measured minus manufacturer’s height)
+    [agreement] limits of agreement, and regression of the error on the height
+    [corrections] effect of each correction on the heights
+    [percentiles] percentiles of the heights, with 95 % intervals
+    [total_uncertainty] figures of the true heights, with total intervals
+    [same_rule] verdict on each design standard
+    [shares] share of heights below the value of each standard
+   *[lateral_positions] lateral positions of the vehicles
+}
 opened-checks = Checks
 opened-sizes = Sizes
 opened-checking = Checking the package…
@@ -5997,13 +6030,14 @@ geometry-board-not-on-paper = The board needs a sheet of { $width_mm } x { $heig
 geometry-paper-not-known = Paper { $paper } is not known; use one of { $papers }, or its width and height in mm, such as 841x1500.
 
 # Reference values of scanned vehicles, said or imported
-reference-value-cannot-be = A reference { $quantity } of { $value } { $unit } is out of range; give a value above 0 and up to { $most } { $unit }.
+reference-value-cannot-be = A reference { $quantity } of { $value } { $unit } is out of range; give a value above { $least } and up to { $most } { $unit }.
 reference-u-cannot-be = An uncertainty of { $u } { $unit } for a { $quantity } of { $value } { $unit } is out of range; give a standard uncertainty above 0 and not above the value itself.
 reference-device-too-long = The instrument’s name is longer than { $most } characters; shorten it.
 reference-withdrawn-already = This reference value was already removed; there is nothing to do.
 reference-changed-meanwhile = { $name } changed this reference value meanwhile; check it first.
 reference-columns-missing = { $name } needs a column “number” (of the vehicle in its recording) or “time” (at which it passed) and one of speed_kmh, length_m, wheelbase_m or run_of; its first line must name the columns.
 reference-column-unit = The column “{ $column }” of { $name } does not state its unit; name it one of { $names }, with “u_” in front for the uncertainty.
+reference-columns-of-one = The columns “{ $first }” and “{ $second }” of { $name } state the same; leave one out.
 reference-no-line-used = No line of { $name } can be used; line { $line }: { $reason }
 reference-line-no-number = The vehicle number is “{ $number }”; give the whole number shown on the line scan page.
 reference-line-no-vehicle = This recording has no vehicle { $number }.
@@ -6031,6 +6065,75 @@ reference-car-too-long = The car’s name is longer than 100 characters; shorten
 scans-reference-does-not-follow = { $path }: { $name } of row { $number } does not follow from the reference and the vehicle’s own value.
 ## What the server says in English, found again by its text (sightline/messages/recognised.py)
 
+told-geometry-outline-not-followed = This target is an outline against a moving background and cannot be followed; click two frames.
+told-geometry-confirmed-outside-pass = The confirmed points are on a frame outside the pass.
+told-geometry-not-followed-from-here = The vehicle cannot be followed from this frame; confirm the points on another one.
+told-geometry-following-needs-both = Following starts from a frame with contact and target; click both on it.
+told-geometry-followed-left-frame = It has left the frame.
+told-geometry-followed-lost = It was lost: nothing is found where speed and camera pose place it.
+told-geometry-followed-elsewhere = Its position disagrees with the neighbouring frames.
+told-geometry-followed-unlike = The image is too unlike the other frames here; it may be hidden.
+told-geometry-followed-blurred = It is too blurred here compared with the other frames.
+told-geometry-followed-weak = Too little detail is visible here to locate it within 1.5 px.
+told-geometry-followed-not-finite = A followed point, its time or its uncertainty is not a finite number.
+told-geometry-followed-u-not-positive = The uncertainty of a followed point is not positive; state it in pixels.
+told-geometry-following-number = A number that describes the following is negative or not finite.
+told-geometry-followed-twice = A point is given twice on one frame; give each once.
+told-geometry-followed-too-few = The { $point } was followed on { $count } usable frames; { $least } are needed.
+told-geometry-followed-too-short = The { $point } was followed over only { $travel } m; follow it over more frames.
+told-geometry-several-cameras = { $file_name } contains several cameras: { $cameras }; { $key } was read (name another with --which).
+told-geometry-roi-whole = { $file_name }: the camera is that of the whole image, as requested, not of its roi.
+told-geometry-roi-part = { $file_name } describes part of the image (roi): { $width }x{ $height } px from ({ $left }, { $top }) of { $full_width }x{ $full_height } px; the camera is that of the part (--size { $full_width }x{ $full_height } for the whole).
+told-geometry-no-distortion = { $file_name } states a lens without any distortion, which is rare; check that this camera was calibrated.
+told-linescan-lane-unknown = The lane is not known ({ $why }): the uncertainties hold for every lane of its direction; choose its lane.
+told-linescan-lane-no-wheel = no wheel was found that tells the lane
+told-linescan-lane-not-this-way = no lane of the rig has this direction
+told-linescan-gap-lane-unknown = Its lane is not known, so the vehicle in front of it is not known either.
+told-linescan-gap-before-unknown = A vehicle of unknown lane passed in front of it, perhaps in this lane.
+told-linescan-mark-incomplete = Each mark needs a distance, a height and a row.
+told-linescan-marks-not-numbers = Distances, heights and rows of the marks must be numbers.
+told-linescan-marks-too-few = { $count } marks are too few; click at least { $least }.
+told-linescan-marks-above-zero = Distances of marks and the u of their rows must be above 0.
+told-linescan-rod-upside-down = Higher marks must have smaller rows; check which end of the rod is up.
+told-linescan-too-few-blocks = Too few blocks of { $lines } lines can be matched: the vehicle has too little detail, or too few lines; raise the line rate, or use the other method.
+told-linescan-rig-few-misalignment = { $count } vehicles give a misalignment; { $least } are needed.
+told-linescan-rig-few-gain = { $count } vehicles give a gain; { $least } are needed.
+told-linescan-no-wheel = No wheel was found: the lower part of the image shows none, or is too dark.
+told-linescan-no-scale = Without a motion the image has no scale in metres.
+told-media-not-decoded-at = This recording cannot be decoded at frame { $frame }: the decoder { $why } there; { $way_out }.
+told-media-filmed-at = Filmed at { $filmed_hz } frames per second, as entered; the file plays { $played_hz } per second. Times are those of filming.
+told-media-no-rate = The file states no frame rate: { $played_hz } frames per second are assumed. Its times are unreliable, so no motion is measured from them.
+told-media-impossible-rate-endless = The time stamps give infinitely many frames per second, which no camera films. Its times are unreliable, so no motion is measured from them.
+told-media-impossible-rate = The time stamps give { $rate } frames per second, which no camera films. Its times are unreliable, so no motion is measured from them.
+told-media-slow-motion = The file is marked as slow motion; it plays { $played_hz } frames per second. Heights from single frames are valid, but no motion is measured until you enter the filming rate.
+told-media-slow-motion-at = The file states that it was filmed at { $filmed_hz } frames per second; it plays { $played_hz } frames per second. Heights from single frames are valid, but no motion is measured until you enter the filming rate.
+told-media-one-gap = Frames are missing: one gap, the longest { $gap_s } s after frame { $frame }.
+told-media-gaps = Frames are missing: { $count } gaps, the longest { $gap_s } s after frame { $frame }.
+told-media-truncated = The file is truncated: { $missing } bytes are missing at its end. { $count } frames ({ $span_s } s) were imported; copy it again for the rest.
+told-media-two-in-one = The file contains another recording after this one, which is not imported. Split the file and add each part.
+told-media-another-track = The file contains another video track: { $others }; track { $stream } ({ $codec }, { $width_px }x{ $height_px }) was imported.
+told-media-other-tracks = The file contains { $count } other video tracks: { $others }; track { $stream } ({ $codec }, { $width_px }x{ $height_px }) was imported.
+told-media-not-turned = The header asks for a further rotation by { $degrees } degrees, which is not applied: only quarter turns keep the pixels as filmed.
+told-media-same-image-one = { $count } frame has the same image as the one before.
+told-media-not-later-one = { $count } frame has a time stamp not later than the one before; the times were sorted.
+told-media-same-image-many = { $count } frames have the same image as the one before.
+told-media-not-later-many = { $count } frames have a time stamp not later than the one before; the times were sorted.
+told-media-packets-one = { $count } damaged packet was skipped; frames are missing there.
+told-media-packets-many = { $count } damaged packets were skipped; frames are missing there.
+told-media-patched-one = { $count } frame is damaged and completed by the decoder, the first one at { $first }; do not measure there.
+told-media-patched-many = { $count } frames are damaged and completed by the decoder, the first one at { $first }; do not measure there.
+told-recordings-start-in-future = The file states a start of { $start } UTC, which is in the future: the camera's clock is wrong, so no start is suggested.
+told-scans-none-here = None here. Two line cameras at a known baseline give speed, length and gaps.
+told-scans-so-far = { $count } so far.
+told-audit-event-missing = Audit event { $number } of { $chain } is missing; restore a backup.
+told-audit-event-changed = Audit event { $number } of { $chain } was changed after it was written; restore a backup.
+told-audit-chain-ends-elsewhere = The audit chain of { $chain } ends at event { $count }, which is not where it ended; restore a backup.
+told-audit-chain-not-in = The audit chain is not the one in { $what } { $id }; restore a backup.
+told-audit-chains-not-signed = The audit chains are not those signed on { $at }; restore a backup.
+told-audit-row-not-events = The { $what } { $id } is not what its events say; restore a backup.
+told-audit-row-not-first = The { $what } { $id } is not what was written at first; restore a backup.
+told-audit-row-removed = The { $what } { $id } was removed behind the program's back; restore a backup.
+told-adjustment-length-not-finite = The { $what } or its uncertainty is not a finite number, or the uncertainty is negative.
 told-adjustment-its-of-m-is = Its { $lengths } of { $known_m } m is { $u } standard uncertainties too { $u2 } for the observed points; check the model.
 told-adjustment-too-many-of-its = Too many of its points are off a straight line.
 told-adjustment-a-point-lies-outside = A point lies outside the picture.
@@ -6047,6 +6150,32 @@ told-adjustment-the-uncertainty-of-a = The uncertainty of a point is not positiv
 told-adjustment-a-point-is-given = A point is given twice on one frame.
 told-adjustment-no-tyre-of-it = No tyre of this vehicle was measured, so it is not tied to the road.
 told-adjustment-no-known-length-of = No known length of this vehicle was measured.
+told-budget-click-target = click, target
+told-budget-click-contact = click, contact
+told-budget-clicks = clicks
+told-budget-inset = inset
+told-budget-lens-and-pose = lens and pose
+told-budget-board-lean = board lean
+told-budget-board-roll = board roll
+told-budget-board-height = board height
+told-budget-square-size = square size
+told-budget-board-bow = board bow
+told-budget-heading = heading
+told-budget-row-time = row time
+told-budget-confirmed-points = confirmed points
+told-budget-drift = drift
+told-budget-baseline = baseline
+told-budget-clock = clock
+told-budget-misalignment = misalignment
+told-budget-fit = fit
+told-budget-boundaries = boundaries
+told-budget-regression = regression
+told-budget-following = following
+told-budget-frame-times = frame times
+told-budget-depth-of-what-is-followed = depth of what is followed
+told-budget-seen-from-another-side = seen from another side
+told-budget-front-and-rear = front and rear
+told-budget-pose-of-the-line-camera = pose of the line camera
 told-cameras-the-file-states-no = The file states no uncertainty of the lens, so that component is missing from the uncertainty of every height.
 told-cameras-focal-length-px = focal length { $fx_px } px
 told-cameras-of-views-used-residual = { $used } of { $given } views used, residual { $rms_px } px, { $focal }.

@@ -95,7 +95,7 @@ state-rejected = rejeté
 state-reopened = rouvert
 state-withdrawn = retiré
 state-not_measurable = non mesurable
-state-done = terminée
+state-done = terminé
 state-next = à suivre
 state-begun = en cours
 state-waiting = en attente
@@ -1573,7 +1573,7 @@ measure-driver = { $side ->
 measure-find-pose = Calculer la pose de la caméra
 measure-no-pose = Pas de pose de la caméra. Calculez-la avant de mesurer.
 measure-choose-pass = Choisissez un passage à gauche, ou marquez-en un nouveau avec [ et ].
-measure-look-only = Lecture seule. Demandez le droit de mesurer à un opérateur.
+measure-look-only = Lecture seule. Demandez le rôle d’opérateur à un administrateur.
 measure-vehicle-done = Terminé : plus rien à mesurer. 1 à 5 pour mesurer à nouveau.
 measure-next-pass = Passage suivant
 measure-choose-target = Choisissez une cible : 1 à 5.
@@ -2531,7 +2531,7 @@ scan-find-direct = Recalage direct
 scan-find-paper = Appariement de blocs (Douxchamps et al.)
 scan-find-direct-what = Recale les deux bandes d’un véhicule dans leur ensemble : vitesse, accélération et désalignement des caméras en un seul ajustement. Par défaut.
 scan-find-paper-what = Appariement de blocs et régression linéaire, tels que publiés par Douxchamps, Macq et Chihara ; pour comparaison.
-scan-find-what = Quoi
+scan-find-what = Portée
 scan-find-all = Chercher dans tout l’enregistrement
 scan-find-known = Mesurer à nouveau les véhicules connus
 scan-find-note = Les bornes placées à la main et les véhicules retirés sont gardés. Les résultats validés qui changent retournent en vérification.
@@ -2722,7 +2722,7 @@ scan-references-store = { $count ->
     [one] Importer { $count } ligne
    *[other] Importer { $count } lignes
 }
-scan-references-done = Enregistré : { $values } { $values ->
+scan-references-done = Importé : { $values } { $values ->
     [one] valeur
    *[other] valeurs
 } de référence et { $cars } { $cars ->
@@ -2855,7 +2855,7 @@ scan-height-measure = { $target ->
     [driver_eye] Mesurer : œil du conducteur
     [taillight] Mesurer : feu arrière
     [headlight] Mesurer : projecteur
-   *[other] Mesurer : autre
+   *[other] Mesurer : autre cible
 }
 scan-height-measure-again = { $target ->
     [roof] Mesurer à nouveau : toit
@@ -3122,6 +3122,7 @@ flows-head-occupancy = Taux d’occ.
 flows-head-density = Concentration
 flows-head-unclassed = Sans longueur
 flows-partial = partielle
+flows-refused = refusés : { $count }
 flows-near-edge = près d’un bord : { $count }
 flows-axles = { $axles } essieux : { $count }
 flows-axles-many = 5 ou plus
@@ -3137,6 +3138,10 @@ flows-speed-of = Vitesse, { $scan }
 flows-speed-says = Vitesse moyenne spatiale de { $count } tranches.
 flows-speed-note = Trait épais : vitesse moyenne spatiale ; trait fin : du 15e au 85e centile des vitesses.
 flows-speed-none = Aucune tranche n’a de vitesse validée.
+flows-flow-by-density-of = Débit selon la concentration, { $scan }
+flows-speed-by-flow-of = Vitesse selon le débit, { $scan }
+flows-fundamental-says = Diagramme fondamental : tranches avec une vitesse : { $count }.
+flows-fundamental-note = Un point est une tranche ; vide : observée en partie seulement. La concentration est le débit divisé par la vitesse moyenne spatiale.
 unit-per-hour = 1/h
 unit-per-km = 1/km
 motion-paper-title = Présentation du tableau I, Douxchamps et al.
@@ -3725,7 +3730,7 @@ members-remove = Retirer
 members-remove-title = Retirer { $person } du relevé ?
 members-remove-body = { $person } ne le verra plus. Son travail reste à son nom.
 members-remove-yourself = Vous ne verrez plus ce relevé.
-members-none = Personne n’est encore membre de ce relevé ; les administrateurs en décident.
+members-none = Aucun membre pour l’instant.
 members-inactive = désactivé
 members-add = Ajouter
 members-add-person = Personne
@@ -3743,7 +3748,7 @@ survey-recordings-go = Ajouter
 survey-pose-go = Calculer
 survey-vehicles-go = Mesurer
 survey-review-go = Vérifier
-survey-results-go = Exporter
+survey-results-go = Aller à l’archive
 survey-open = Ouvrir
 survey-statistics = <link>Résultats</link> : centiles et leurs intervalles, normes, erreurs.
 survey-traffic = La circulation est à { $traffic ->
@@ -4369,6 +4374,7 @@ cameras-frames-not-recording-frames-0 = Les images { $first } à { $last } ne so
 cameras-every-th-frame-would-views-take = Une image sur { $every } donnerait { $count } vues ; prenez une image sur { $least } ou moins.
 cameras-not-text-file-choose-calibration-yaml = { $file_name } n’est pas un fichier texte ; choisissez un étalonnage en YAML, JSON ou cameramodel.
 cameras-not-file-give-picture-files-clip = { $path } n’est pas un fichier ; indiquez des fichiers de photos ou un clip.
+cameras-still-has-no-tracks = { $path } est une photo, pas une vidéo à plusieurs pistes ; retirez --stream.
 cameras-choose-calibration-give-pictures-width-height = Choisissez un étalonnage, ou indiquez la largeur et la hauteur de l’image en pixels et son champ horizontal en degrés.
 cameras-calibration-belongs-another-survey-choose-one = L’étalonnage { $calibration_id } appartient à un autre relevé ; choisissez-en un des caméras de ce relevé.
 cameras-cameras-csv-not-what-audit = cameras.csv : la caméra { $id } n’est pas ce que ses événements d’audit en ont fait ; le tableau a été modifié.
@@ -4385,7 +4391,6 @@ commands-baseline-or-rig = Donnez soit --baseline (avec --u-baseline), soit --ri
 commands-not-percentile = « { $part } » n’est pas un centile ; indiquez des nombres entre 0 et 100, par exemple --percentile 2.5,10,50.
 commands-no-row-with-height = { $path } n’a aucune ligne avec une hauteur ; indiquez un fichier dont des lignes ont le status ok.
 commands-rig-file-no-rig = { $path } n’est pas un dispositif : il faut un objet JSON avec baseline_m, comme l’écrit `sightline rig calibrate -o`, et des voies avec chacune son distance_m.
-commands-row-not-length = { $where } : { $name } « { $cell } » n’est pas une longueur possible en mètres ; corrigez la cellule.
 commands-larger-200-mb-give = { $path } dépasse 200 Mo ; indiquez { $what }.
 commands-not-exist-give = { $path } n’existe pas ; indiquez { $what }.
 commands-not-utf-8-text-give-saved = { $path } n’est pas un texte UTF-8 ; indiquez { $what }, enregistré en UTF-8.
@@ -4422,6 +4427,12 @@ commands-cannot-written-folder-not-exist-choose = Impossible d’écrire { $outp
 commands-time-no-offset = { $option } { $text } n’a pas de décalage par rapport à UTC ; écrivez-le avec, comme 2026-05-04T06:00:00.000+02:00.
 commands-time-cannot-read = { $option } { $text } n’est pas une heure utilisable ; écrivez-la 2026-05-04T06:00:00.000+02:00.
 commands-u-start-needs-start = --u-start demande --start.
+commands-flow-other-minutes = --interval { $text } est inutilisable ; indiquez une ou plusieurs valeurs parmi 1, 5, 15 et 60, comme 5,60.
+commands-flow-not-there = { $place } n’existe pas ; indiquez un export, des résultats de sightline linescan ou un dossier qui en contient.
+commands-flow-nothing-in-folder = { $place } ne contient aucun véhicule scanné ; indiquez un export, des résultats de sightline linescan ou un dossier qui en contient.
+commands-flow-no-start = { $path } n’indique pas quand ses véhicules sont passés (front_at ou start avec un décalage par rapport à UTC) ; refaites-le avec sightline linescan --start.
+commands-flow-no-vehicles = { $path } ne contient aucun véhicule ; indiquez le JSON de sightline linescan, qui donne la durée enregistrée.
+commands-flow-no-rate = { $path } contient un seul véhicule sans mouvement, dont la fréquence de lignes ne se déduit pas ; indiquez le JSON de sightline linescan.
 commands-u-start-cannot-be = --u-start { $u_s } n’est pas une incertitude-type d’un début ; donnez des secondes entre 0 et 3600.
 commands-given-twice-give-strips-both-cameras = { $first } est indiqué deux fois ; indiquez les bandes des deux caméras.
 backup-none-here = { $folder } ne contient pas de sauvegarde complète (pas de manifest.json) ; relancez sightline backup vers ce dossier, ou nommez-en un autre.
@@ -5023,7 +5034,7 @@ recordings-belongs-another-survey-choose-one-surveys-2 = { $word ->
 } { $row_id } : appartient à un autre relevé ; choisissez dans ce relevé.
 recordings-road-pose-pictures-x-px-x = La pose { $pose_id } de la caméra vaut pour des images de { $posed } x { $posed_2 } px et { $name } a { $filmed } x { $filmed_2 } px ; choisissez une pose faite à la taille de l’enregistrement.
 recordings-frames-found-now-not-those-measured = Les images trouvées maintenant ne sont pas celles qui ont été mesurées ; envoyez la vidéo comme nouvelle.
-recordings-uploads-speak-tus-1-0-0 = Les envois parlent tus 1.0.0 ; envoyez l’en-tête Tus-Resumable: 1.0.0.
+recordings-uploads-speak-tus-1-0-0 = Les envois utilisent tus 1.0.0 ; envoyez l’en-tête Tus-Resumable: 1.0.0.
 recordings-too-many-uploads-announced = Vous avez { $most } envois incomplets ; terminez ou annulez-en d’abord.
 recordings-upload-not-say-how-long-file = L’envoi ne dit pas la longueur du fichier ; envoyez l’en-tête Upload-Length.
 recordings-bytes-upload-come-application-offset-octet = Les octets d’un envoi arrivent en application/offset+octet-stream ; envoyez ce Content-Type.
@@ -5214,6 +5225,8 @@ csv-empty-cell = { $name }, ligne { $line } : { $column } est vide ; remplis
 csv-not-a-number = { $name }, ligne { $line } : { $column } vaut « { $cell } », qui n’est pas un nombre ; corrigez la cellule.
 csv-number-separated = { $name }, ligne { $line } : { $column } vaut « { $cell } » ; écrivez les décimales avec un point et rien entre les milliers.
 csv-no-size-of-a-vehicle = { $name }, ligne { $line } : { $column } vaut « { $cell } », et aucun véhicule n’a plus de 20 m ; en { $unit }, ce serait { $metres } m. Indiquez des mètres.
+csv-size-not-above-0 = { $name }, ligne { $line } : { $column } vaut « { $cell } » ; une dimension est supérieure à 0. Corrigez la cellule.
+csv-uncertainty-below-0 = { $name }, ligne { $line } : { $column } vaut « { $cell } » ; une incertitude n’est pas négative. Corrigez la cellule.
 csv-not-utf-8 = { $name } n’est pas un texte UTF-8 ; enregistrez-le en CSV UTF-8.
 vehicles-gives-frames-now-gave-when-read = { $name } donne maintenant { $count } images et en donnait { $count_2 } à la lecture ; relisez-le.
 vehicles-search-passes-cancelled-start-again-when = La recherche des passages a été annulée ; relancez-la quand vous voulez.
@@ -5721,6 +5734,26 @@ opened-report = Rapport (PDF)
 opened-measurements = Mesures
 opened-figures = Figures
 opened-tables = Tableaux
+opened-tables-lead = Les nombres sont arrondis ici ; les fichiers contiennent toutes les décimales. datapackage.json décrit chaque colonne, en anglais.
+opened-table = { $table ->
+    [survey] le relevé, en une ligne
+    [vehicles] passages et véhicules
+    [recordings] fichiers vidéo
+    [poses] poses de la caméra
+    [insets] retraits par défaut du relevé
+    [selection] limites de cette archive
+    [people] personnes nommées dans les autres tableaux
+    [exclusions] mesures exclues des résultats, avec le motif
+    [response] issue des passages
+    [error_table] erreurs des toits validés (hauteur mesurée moins hauteur du constructeur)
+    [agreement] limites d’agrément, et régression de l’erreur sur la hauteur
+    [corrections] effet de chaque correction sur les hauteurs
+    [percentiles] centiles des hauteurs, avec intervalles à 95 %
+    [total_uncertainty] grandeurs des hauteurs vraies, avec intervalles totaux
+    [same_rule] verdict pour chaque norme
+    [shares] part des hauteurs inférieures à la valeur de chaque norme
+   *[lateral_positions] positions latérales des véhicules
+}
 opened-checks = Vérifications
 opened-sizes = Tailles
 opened-checking = Contrôle de l’archive…
@@ -6060,13 +6093,14 @@ print-board-check = Imprimez sur { $paper } à taille réelle (100 %), sans aju
 geometry-board-larger-than-paper = La mire demande une feuille de { $width_mm } x { $height_mm } mm avec son bord blanc, plus grande que A0 ; choisissez des cases plus petites, ou nommez un rouleau de papier, par exemple 1200x900.
 geometry-board-not-on-paper = La mire demande une feuille de { $width_mm } x { $height_mm } mm avec son bord blanc et ne tient pas sur { $paper } ; choisissez un papier plus grand ou des cases plus petites.
 geometry-paper-not-known = Il n’y a pas de papier { $paper } ; utilisez l’un de { $papers }, ou sa largeur et sa hauteur en mm, par exemple 841x1500.
-reference-value-cannot-be = Une référence ({ $quantity }) de { $value } { $unit } est impossible ; indiquez une valeur supérieure à 0 et d’au plus { $most } { $unit }.
+reference-value-cannot-be = Une référence ({ $quantity }) de { $value } { $unit } est impossible ; indiquez une valeur supérieure à { $least } et d’au plus { $most } { $unit }.
 reference-u-cannot-be = Une incertitude de { $u } { $unit } pour { $quantity } de { $value } { $unit } est impossible ; indiquez une incertitude-type supérieure à 0 et non supérieure à la valeur elle-même.
 reference-device-too-long = Le nom de l’instrument dépasse { $most } caractères ; raccourcissez-le.
 reference-withdrawn-already = Cette valeur de référence a déjà été supprimée ; rien n’a été fait.
 reference-changed-meanwhile = { $name } a modifié cette valeur de référence entre-temps ; regardez-la d’abord.
 reference-columns-missing = { $name } demande une colonne « number » (numéro du véhicule dans son enregistrement) ou « time » (heure de son passage) et l’une de speed_kmh, length_m, wheelbase_m ou run_of ; sa première ligne nomme les colonnes.
 reference-column-unit = La colonne « { $column } » de { $name } ne dit pas son unité ; nommez-la de l’une de ces façons : { $names }, précédée de « u_ » pour l’incertitude.
+reference-columns-of-one = Les colonnes « { $first } » et « { $second } » de { $name } indiquent la même chose ; retirez-en une.
 reference-no-line-used = Aucune ligne de { $name } n’est utilisable ; ligne { $line } : { $reason }
 reference-line-no-number = Le numéro du véhicule est « { $number } » ; indiquez le nombre entier affiché à l’établi.
 reference-line-no-vehicle = Cet enregistrement n’a pas de véhicule { $number }.
@@ -6095,6 +6129,85 @@ scans-reference-does-not-follow = { $path } : { $name } de la ligne { $number }
 
 ## What the server says in English, found again by its text (sightline/messages/recognised.py)
 
+told-geometry-outline-not-followed = Cette cible est un contour devant un arrière-plan mobile et ne peut pas être suivie ; pointez-la sur deux images.
+told-geometry-confirmed-outside-pass = Les points confirmés sont sur une image hors du passage.
+told-geometry-not-followed-from-here = Le véhicule ne peut pas être suivi à partir de cette image ; confirmez les points sur une autre.
+told-geometry-following-needs-both = Le suivi part d’une image avec le contact et la cible ; pointez les deux sur celle-ci.
+told-geometry-followed-left-frame = Il est sorti de l’image.
+told-geometry-followed-lost = Il a été perdu : rien ne se trouve à l’endroit donné par la vitesse et la pose de la caméra.
+told-geometry-followed-elsewhere = Sa position contredit les images voisines.
+told-geometry-followed-unlike = L’image diffère trop des autres ici ; il est peut-être caché.
+told-geometry-followed-blurred = Il est trop flou ici par rapport aux autres images.
+told-geometry-followed-weak = Trop peu de détails sont visibles ici pour le situer à 1,5 px près.
+told-geometry-followed-not-finite = Un point suivi, son instant ou son incertitude n’est pas un nombre fini.
+told-geometry-followed-u-not-positive = L’incertitude d’un point suivi n’est pas positive ; indiquez-la en pixels.
+told-geometry-following-number = Un nombre qui décrit le suivi est négatif ou n’est pas fini.
+told-geometry-followed-twice = Un point est donné deux fois sur une image ; donnez chacun une seule fois.
+told-geometry-followed-too-few =
+    { $point ->
+        [contact] Le contact
+        [second_contact] Le second contact
+       *[target] La cible
+    } n’a été suivi que sur { $count } images utilisables ; il en faut { $least }.
+told-geometry-followed-too-short =
+    { $point ->
+        [contact] Le contact
+        [second_contact] Le second contact
+       *[target] La cible
+    } n’a été suivi que sur { $travel } m ; suivez-le sur plus d’images.
+told-geometry-several-cameras = { $file_name } contient plusieurs caméras : { $cameras } ; { $key } a été lue (nommez-en une autre avec --which).
+told-geometry-roi-whole = { $file_name } : la caméra est celle de l’image entière, comme demandé, et non de sa roi.
+told-geometry-roi-part = { $file_name } décrit une partie de l’image (roi) : { $width }x{ $height } px à partir de ({ $left } ; { $top }) sur { $full_width }x{ $full_height } px ; la caméra est celle de cette partie (--size { $full_width }x{ $full_height } pour l’image entière).
+told-geometry-no-distortion = { $file_name } indique un objectif sans aucune distorsion, ce qui est rare ; contrôlez que cette caméra a été étalonnée.
+told-linescan-lane-unknown = La voie n’est pas connue ({ $why }) : les incertitudes valent pour toutes les voies de son sens ; choisissez sa voie.
+told-linescan-lane-no-wheel = aucune roue trouvée n’indique la voie
+told-linescan-lane-not-this-way = aucune voie du dispositif n’a ce sens
+told-linescan-gap-lane-unknown = Sa voie n’est pas connue ; le véhicule qui le précède ne l’est donc pas non plus.
+told-linescan-gap-before-unknown = Un véhicule dont la voie n’est pas connue l’a précédé, peut-être sur cette voie.
+told-linescan-mark-incomplete = Chaque repère a besoin d’une distance, d’une hauteur et d’une ligne.
+told-linescan-marks-not-numbers = Les distances, hauteurs et lignes des repères doivent être des nombres.
+told-linescan-marks-too-few = { $count } repères ne suffisent pas ; pointez-en au moins { $least }.
+told-linescan-marks-above-zero = Les distances des repères et l’u de leurs lignes doivent être supérieures à 0.
+told-linescan-rod-upside-down = Les repères les plus hauts doivent avoir les lignes les plus petites ; contrôlez le sens du jalon.
+told-linescan-too-few-blocks = Trop peu de blocs de { $lines } lignes peuvent être appariés : le véhicule présente trop peu de détails, ou trop peu de lignes ; augmentez la fréquence de lignes, ou utilisez l’autre méthode.
+told-linescan-rig-few-misalignment = { $count } véhicules donnent un désalignement ; il en faut { $least }.
+told-linescan-rig-few-gain = { $count } véhicules donnent un gain ; il en faut { $least }.
+told-linescan-no-wheel = Aucune roue n’a été trouvée : le bas de l’image n’en montre pas, ou est trop sombre.
+told-linescan-no-scale = Sans mouvement mesuré, l’image n’a pas d’échelle en mètres.
+told-media-not-decoded-at = Cet enregistrement ne peut pas être décodé à l’image { $frame } : là, le décodeur { $why } ; { $way_out }.
+told-media-filmed-at = Filmé à { $filmed_hz } images par seconde, comme saisi ; le fichier en lit { $played_hz } par seconde. Les instants sont ceux du tournage.
+told-media-no-rate = Le fichier n’indique aucune cadence : { $played_hz } images par seconde sont supposées. Ses instants ne sont pas fiables ; aucun mouvement n’en est donc mesuré.
+told-media-impossible-rate-endless = Les horodatages donnent une infinité d’images par seconde, ce qu’aucune caméra ne filme. Ses instants ne sont pas fiables ; aucun mouvement n’en est donc mesuré.
+told-media-impossible-rate = Les horodatages donnent { $rate } images par seconde, ce qu’aucune caméra ne filme. Ses instants ne sont pas fiables ; aucun mouvement n’en est donc mesuré.
+told-media-slow-motion = Le fichier est marqué comme ralenti ; il lit { $played_hz } images par seconde. Les hauteurs d’une seule image sont valables, mais aucun mouvement n’est mesuré tant que vous n’avez pas saisi la cadence de tournage.
+told-media-slow-motion-at = Le fichier indique qu’il a été filmé à { $filmed_hz } images par seconde ; il lit { $played_hz } images par seconde. Les hauteurs d’une seule image sont valables, mais aucun mouvement n’est mesuré tant que vous n’avez pas saisi la cadence de tournage.
+told-media-one-gap = Des images manquent : une lacune, de { $gap_s } s après l’image { $frame }.
+told-media-gaps = Des images manquent : { $count } lacunes, la plus longue de { $gap_s } s après l’image { $frame }.
+told-media-truncated = Le fichier est tronqué : il manque { $missing } octets à la fin. { $count } images ({ $span_s } s) ont été importées ; recopiez-le pour le reste.
+told-media-two-in-one = Le fichier contient après celui-ci un autre enregistrement, qui n’est pas importé. Scindez le fichier et ajoutez chaque partie.
+told-media-another-track = Le fichier contient une autre piste vidéo : { $others } ; la piste { $stream } ({ $codec }, { $width_px }x{ $height_px }) a été importée.
+told-media-other-tracks = Le fichier contient { $count } autres pistes vidéo : { $others } ; la piste { $stream } ({ $codec }, { $width_px }x{ $height_px }) a été importée.
+told-media-not-turned = L’en-tête demande une rotation supplémentaire de { $degrees } degrés, qui n’est pas appliquée : seuls les quarts de tour conservent les pixels tels que filmés.
+told-media-same-image-one = { $count } image identique à la précédente.
+told-media-not-later-one = { $count } image à l’horodatage non postérieur au précédent ; les instants ont été triés.
+told-media-same-image-many = { $count } images identiques à la précédente.
+told-media-not-later-many = { $count } images à l’horodatage non postérieur au précédent ; les instants ont été triés.
+told-media-packets-one = { $count } paquet endommagé ignoré ; des images y manquent.
+told-media-packets-many = { $count } paquets endommagés ignorés ; des images y manquent.
+told-media-patched-one = { $count } image endommagée et complétée par le décodeur, la première à { $first } ; n’y mesurez pas.
+told-media-patched-many = { $count } images endommagées et complétées par le décodeur, la première à { $first } ; n’y mesurez pas.
+told-recordings-start-in-future = Le fichier indique un début à { $start } UTC, qui est dans le futur : l’horloge de la caméra est fausse ; aucun début n’est donc proposé.
+told-scans-none-here = Aucun ici. Deux caméras linéaires à une base connue donnent la vitesse, la longueur et les intervalles.
+told-scans-so-far = { $count } jusqu’ici.
+told-audit-event-missing = L’événement d’audit { $number } de { $chain } manque ; restaurez une sauvegarde.
+told-audit-event-changed = L’événement d’audit { $number } de { $chain } a été modifié après son écriture ; restaurez une sauvegarde.
+told-audit-chain-ends-elsewhere = La chaîne d’audit de { $chain } se termine à l’événement { $count }, ce qui n’est pas sa vraie fin ; restaurez une sauvegarde.
+told-audit-chain-not-in = La chaîne d’audit n’est pas celle de { $what } { $id } ; restaurez une sauvegarde.
+told-audit-chains-not-signed = Les chaînes d’audit ne sont pas celles signées le { $at } ; restaurez une sauvegarde.
+told-audit-row-not-events = La ligne { $id } ({ $what }) diffère de ses événements ; restaurez une sauvegarde.
+told-audit-row-not-first = La ligne { $id } ({ $what }) diffère de ce qui a été écrit à l’origine ; restaurez une sauvegarde.
+told-audit-row-removed = La ligne { $id } ({ $what }) a été supprimée sans événement ; restaurez une sauvegarde.
+told-adjustment-length-not-finite = La valeur ({ $what }) ou son incertitude n’est pas un nombre fini, ou l’incertitude est négative.
 told-adjustment-its-of-m-is = Son { $lengths ->
        [wheelbase] empattement
        *[other] hauteur connue
@@ -6117,6 +6230,32 @@ told-adjustment-the-uncertainty-of-a = L’incertitude d’un point n’est pas 
 told-adjustment-a-point-is-given = Un point est donné deux fois sur une image.
 told-adjustment-no-tyre-of-it = Aucun pneu de ce véhicule n’est mesuré ; rien ne le rattache à la chaussée.
 told-adjustment-no-known-length-of = Aucune longueur connue de ce véhicule n’est mesurée.
+told-budget-click-target = pointé, cible
+told-budget-click-contact = pointé, contact
+told-budget-clicks = pointés
+told-budget-inset = retrait
+told-budget-lens-and-pose = objectif et pose
+told-budget-board-lean = inclinaison de la mire
+told-budget-board-roll = roulis de la mire
+told-budget-board-height = hauteur de la mire
+told-budget-square-size = côté d’une case
+told-budget-board-bow = flèche de la mire
+told-budget-heading = cap
+told-budget-row-time = durée d’une ligne
+told-budget-confirmed-points = points confirmés
+told-budget-drift = dérive
+told-budget-baseline = base
+told-budget-clock = horloge
+told-budget-misalignment = désalignement
+told-budget-fit = ajustement
+told-budget-boundaries = limites
+told-budget-regression = régression
+told-budget-following = suivi
+told-budget-frame-times = instants des images
+told-budget-depth-of-what-is-followed = profondeur du point suivi
+told-budget-seen-from-another-side = vu sous un autre angle
+told-budget-front-and-rear = avant et arrière
+told-budget-pose-of-the-line-camera = pose de la caméra linéaire
 told-cameras-the-file-states-no = Le fichier n’indique pas d’incertitude de l’objectif ; cette composante manque dans l’incertitude de chaque hauteur.
 told-cameras-focal-length-px = focale { $fx_px } px
 told-cameras-of-views-used-residual = { $used } vues utilisées sur { $given }, résidu { $rms_px } px, { $focal }.

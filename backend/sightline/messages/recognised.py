@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 #: Those that are made by their key and sent as text stand here too, each of one line and without a choice.
 KEYS = (
-    "told-", "audit-problem-", "proposals-looking", "proposals-made", "recordings-misfit-", "reference-line-",
+    "told-", "proposals-looking", "proposals-made", "recordings-misfit-", "reference-line-",
     "csv-", "snap-measured-free",
 )  # fmt: skip
 _JOINING = len(" and ")

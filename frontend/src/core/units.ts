@@ -96,6 +96,12 @@ export function significant(value: number): string {
   return new Intl.NumberFormat(region.value, { maximumSignificantDigits: 2 }).format(value);
 }
 
+/** "10", "2.5", "2,5": a percentage of a rule with the digits that it has, as the chosen language writes it. */
+export function plainPercent(value: number | null): string {
+  if (value === null) return "";
+  return new Intl.NumberFormat(region.value, { maximumFractionDigits: 3 }).format(value);
+}
+
 /** What a person typed as a length in the shown unit, in metres; null when it is no number. Takes a comma for the point. */
 export function parseLength(text: string, unit = lengthUnit.value): number | null {
   const value = parseNumber(text);

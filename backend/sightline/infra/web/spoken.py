@@ -122,6 +122,8 @@ def _said(value: dict[str, Any], language: str) -> dict[str, Any]:
         return {"error": said_by_key(of["said"], error, language)}
     if "inset_m" in value and isinstance(value.get("note"), str):
         return {"note": translated(value["note"], language)}
+    if isinstance(value.get("source"), str) and any(name.startswith("u_") for name in value):
+        return {"source": translated(value["source"], language)}  # a line of an uncertainty budget
     return {}
 
 

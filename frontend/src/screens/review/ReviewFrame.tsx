@@ -43,7 +43,7 @@ function SecondClicks({ model }: { model: ReviewModel }) {
   if (model.fix.value) return null;
   return (
     <g data-testid="second-clicks">
-      {(model.comparisons.value ?? [])
+      {(model.repeats.comparisons.value ?? [])
         .filter(({ repeat }) => repeat.frame === frame)
         .map(({ repeat }) => (
           <g key={repeat.id}>

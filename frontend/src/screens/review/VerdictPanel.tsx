@@ -289,7 +289,7 @@ function Verdict({ model, item }: { model: ReviewModel; item: ReviewItem }) {
       </footer>
     );
   }
-  const own = model.ownRepeat.value;
+  const own = model.repeats.own.value;
   const judged =
     item.measurement.review.verdict === "accepted" || item.measurement.review.verdict === "rejected";
   return (

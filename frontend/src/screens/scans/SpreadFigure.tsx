@@ -2,7 +2,7 @@
 
 import { say, wordsOf } from "../../core/messages";
 import type { ScanSpread } from "../../core/types";
-import { fixed, lengthScale, type Scale, speedScale } from "../../core/units";
+import { fixed, lengthScale, plainPercent, type Scale, speedScale } from "../../core/units";
 import { aroundOne, ecdfMarks, noBandWords } from "../../parts/figures/curves";
 import { PlotFigure } from "../../parts/figures/PlotFigure";
 
@@ -88,7 +88,7 @@ export function SpreadFigure({ spread }: { spread: ScanSpread }) {
 }
 
 function percentileWords(one: ScanSpread["percentiles"][number], by: number): string {
-  const percent = String(one.percent);
+  const percent = plainPercent(one.percent);
   if (one.value === null) return one.reason ?? "";
   const value = fixed(one.value * by, 2);
   if (one.low === null || one.high === null) return say("motion-percentile", { percent, value });
