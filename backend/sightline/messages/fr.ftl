@@ -3178,8 +3178,8 @@ statistics-counted = { $measurements ->
    *[other] { $roofs } toits
 } avec hauteur du constructeur.
 statistics-without-class = { $count ->
-    [one] { NUMBER($count) } véhicule n’a pas de classe et est exclu des résultats par classe. <link>Choisissez-la dans Mesurer</link> (liste : Sans classe).
-   *[other] { NUMBER($count) } véhicules n’ont pas de classe et sont exclus des résultats par classe. <link>Choisissez-la dans Mesurer</link> (liste : Sans classe).
+    [one] { NUMBER($count) } véhicule n’a pas de classe et est exclu des résultats par classe. <link>Choisissez-la dans Mesure</link> (liste : Sans classe).
+   *[other] { NUMBER($count) } véhicules n’ont pas de classe et sont exclus des résultats par classe. <link>Choisissez-la dans Mesure</link> (liste : Sans classe).
 }
 statistics-left-out = Exclues : { $states }.
 statistics-left-out-state = { $state ->
