@@ -1135,6 +1135,7 @@ upload-discard-one = Supprimer l’envoi partiel de { $file }
 ## Mots utiles à beaucoup de pages
 
 interval = { $low } à { $high }
+words-apart = { $first } ; { $second }
 person-system = Sightline
 person-unknown = inconnu
 menu-language = Langue
