@@ -36,6 +36,7 @@ COMMANDS = {
     "linescan": "sightline.commands.linescan:linescan",
     "rig": "sightline.commands.rig:rig",
     "stream": "sightline.commands.stream:stream",
+    "flow": "sightline.commands.flow:flow",
     "traffic": "sightline.commands.traffic:traffic",
     "import": "sightline.commands.import_:import_command",
     "export": "sightline.commands.export:export",

@@ -329,6 +329,9 @@ def test_traffic_by_the_clock_stands_below_the_results(
     expect(table).to_contain_text("partial")
     flow = page.get_by_test_id(f"figure-traffic-flow-{scan['id']}")
     expect(flow.locator("svg")).to_be_visible()
+    for name in ("flow-by-density", "speed-by-flow"):
+        dots = page.get_by_test_id(f"figure-traffic-{name}-{scan['id']}").locator("svg circle")
+        expect(dots).to_have_count(sum(one["measured"] > 0 for one in told))
     traffic.screenshot(path=screenshots / "scan-traffic.png")
     page.set_viewport_size({"width": 1024, "height": 768})
     traffic.screenshot(path=screenshots / "scan-traffic-1024.png")

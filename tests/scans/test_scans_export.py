@@ -1,6 +1,7 @@
 """Line-scan recordings in a package: rows with their description, and tampering that verify finds."""
 
 import csv
+import io
 import shutil
 from dataclasses import replace
 from datetime import UTC, datetime
@@ -8,6 +9,7 @@ from pathlib import Path
 
 import pytest
 
+from sightline.cli import main
 from sightline.errors import Damaged
 from sightline.export.build import build
 from sightline.export.seal import read_seal
@@ -188,7 +190,7 @@ def test_statistics_figures_and_report_tell_of_line_scans(package: Path) -> None
         check_statistics(FolderFiles(package), same_program=True)
 
 
-def test_traffic_is_counted_and_computed_again(package: Path) -> None:
+def test_traffic_is_counted_and_computed_again(package: Path, capsys: pytest.CaptureFixture[str]) -> None:
     told = rows(package / "statistics", "traffic_intervals")
     hours = [one for one in told if one["minutes"] == "60"]
     assert {one["scan_id"] for one in told} == {"1"}  # the other has no confirmed start
@@ -198,6 +200,12 @@ def test_traffic_is_counted_and_computed_again(package: Path) -> None:
     assert hours[1]["begins_at"] == "2026-05-03T09:00:00.000+02:00" and hours[1]["vehicles"] == "0"
     assert {one["direction"] for one in told} == {"camera_1_first"}
     classes = [one for one in rows(package / "statistics", "traffic_classes") if one["minutes"] == "60"]
+    assert main(["flow", str(package), "--interval", "60"]) == 0
+    printed = list(csv.DictReader(io.StringIO(capsys.readouterr().out)))
+    assert [(one["interval_start"], one["vehicles"]) for one in printed] == [
+        (one["begins_at"], one["vehicles"]) for one in hours
+    ]
+    assert float(printed[0]["speed_mean_mps"]) == pytest.approx(float(first["time_mean_speed_mps"]))
     counted = [(one["vehicles"], one["axles_2"], one["axles_3"], one["axles_unknown"]) for one in classes]
     assert counted == [("1", "0", "1", "0"), *[("0", "0", "0", "0")] * 3]
     table = package / "statistics" / "traffic_intervals.csv"

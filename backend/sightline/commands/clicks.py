@@ -6,8 +6,9 @@ import csv
 import io
 import math
 import re
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
+from functools import partial
 from pathlib import Path
 from typing import cast, get_args
 
@@ -22,11 +23,16 @@ from sightline.geometry.insets import SIDE_UNKNOWN, USUAL_INSETS, inset_name
 from sightline.geometry.multiframe import measure_frames
 from sightline.geometry.ray_intersection import REASONS
 from sightline.geometry.road_pose import RoadPose
-from sightline.infra.given_csv import GivenRow, GivenTable
+from sightline.infra.given_csv import USUAL_INSET_M, GivenRow, GivenTable
 
 FIRST = ("contact_x_px", "contact_y_px", "target_x_px", "target_y_px")
 _FURTHER = re.compile(r"(?:contact|target)([2-9]|[1-9]\d)_[xy]_px")
 OPTIONS = ("sigma_px", "inset_m", "u_inset_m")
+_READ: dict[str, Callable[[GivenTable, int, str, str], float]] = {
+    "sigma_px": GivenTable.uncertainty,
+    "inset_m": partial(GivenTable.length_m, usual_m=USUAL_INSET_M),
+    "u_inset_m": partial(GivenTable.u_length_m, usual_m=USUAL_INSET_M),
+}
 WORDS = ("target", "side")
 NEEDED = ("id", *FIRST)
 RESULTS = (
@@ -147,7 +153,7 @@ def _take_numbers(table: GivenTable, given: GivenRow, row: _Row) -> None:
     for name in (*FIRST, *further, *OPTIONS):
         cell = by_name.get(name, "")
         if cell or name not in OPTIONS:
-            row.values[name] = table.number(given.line, name, cell)
+            row.values[name] = _READ.get(name, GivenTable.number)(table, given.line, name, cell)
     if reference := by_name.get("reference_height_m"):
         table.size_m(given.line, "reference_height_m", reference)
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import get_args, get_type_hints
 
 from sightline.enums import ScanDirection
@@ -124,27 +124,31 @@ _PLAIN = [
 _FIGURES = [name for name, kind in get_type_hints(Interval).items() if kind is Figure]
 
 
-def traffic_in(files: Files) -> tuple[ScanTraffic, ...]:
-    """The traffic of the vehicles that a package is of, from its tables; intervals of 1 minute first."""
-    watched = [
-        Watched(
-            int(row["id"]),
-            unsafe(row["name"]),
-            clock_of(
-                {
-                    "started_at": row["started_at"] or None,
-                    "time_zone": unsafe(row["time_zone"]),
-                    "u_start_s": figure_of(row["u_start_s"]),
-                }
-            ),
-            int(row["lines"]) / float(row["line_rate_hz"]) if row["lines"] else None,
-        )
-        for row in read_rows(files, "line_scans.csv")
-    ]
-    found = list(scanned_motions(files))
+def traffic_in(files: Files, lengths: Sequence[int] = MINUTES) -> tuple[ScanTraffic, ...]:
+    """The traffic of the vehicles that a package is of, from its tables; intervals of the first length first,
+    of `lengths` in minutes.
+    """
+    watched, found = scans_in(files), list(scanned_motions(files))
     return tuple(
-        one for minutes in MINUTES for one in traffic_of_seen(watched, found, minutes, accepted_only=True)
+        one for minutes in lengths for one in traffic_of_seen(watched, found, minutes, accepted_only=True)
     )
+
+
+def scans_in(files: Files) -> list[Watched]:
+    """The line scans of a package."""
+    return [_watched(row) for row in read_rows(files, "line_scans.csv")]
+
+
+def _watched(row: Mapping[str, str]) -> Watched:
+    clock = clock_of(
+        {
+            "started_at": row["started_at"] or None,
+            "time_zone": unsafe(row["time_zone"]),
+            "u_start_s": figure_of(row["u_start_s"]),
+        }
+    )
+    watched_s = int(row["lines"]) / float(row["line_rate_hz"]) if row["lines"] else None
+    return Watched(int(row["id"]), unsafe(row["name"]), clock.filming if clock else None, watched_s)
 
 
 def traffic_rows(found: Sequence[ScanTraffic]) -> dict[str, Iterator[Cells]]:

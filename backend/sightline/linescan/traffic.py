@@ -47,6 +47,7 @@ class Passed:
 
     `u_since_s`: of its time of day, None where unknown. The rest is None where no motion of it counts.
     `rig_ratio`: the share of `u_speed_mps` that the rig gives to all vehicles alike, over the speed.
+    `refused`: its motion could not be measured.
     """
 
     since_s: float
@@ -58,6 +59,7 @@ class Passed:
     u_length_m: float | None = None
     rig_ratio: float = 0.0
     axles: int | None = None
+    refused: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -87,8 +89,9 @@ class LengthClass:
 class Interval:
     """Traffic of `watched_s` seconds that begin `begin_s` after the first line's; see the module.
 
-    `vehicles`: how many fronts passed; `measured`: those with a speed that counts; `unclassed`: those without
-    a length that counts. `speeds_mps`: the speeds, rising. `reasons`: why a figure is missing.
+    `vehicles`: how many fronts passed; `refused`: those whose motion could not be measured; `measured`: those
+    with a speed that counts; `unclassed`: those without a length that counts. `speeds_mps`: the speeds,
+    rising. `reasons`: why a figure is missing.
     """
 
     begin_s: float
@@ -96,6 +99,7 @@ class Interval:
     partial: bool
     vehicles: int
     near_edge: int
+    refused: int
     measured: int
     flow_per_hour: float
     flow_low: float
@@ -180,6 +184,7 @@ def _interval(
         partial=partial,
         vehicles=len(inside),
         near_edge=sum(_near_edge(one, span) for one in inside),
+        refused=sum(one.refused for one in inside),
         measured=len(moving),
         flow_per_hour=flow,
         flow_low=_HOUR_S * low / watched_s,

@@ -258,7 +258,8 @@ def _watched(recorded: Recorded, stood: Stood, day: date, midnight: datetime) ->
 def _vehicle_schema() -> pa.Schema:
     import pyarrow as pa
 
-    kinds = {"number": pa.int32(), "status": pa.string(), "reason": pa.string()}
+    words, counts = ("status", "reason", "direction"), ("number", "axles")
+    kinds = {**dict.fromkeys(words, pa.string()), **dict.fromkeys(counts, pa.int32())}
     own = [(one.name, kinds.get(one.name, pa.float64())) for one in fields(Passing) if one.name != "lane"]
     return pa.schema(
         [

@@ -155,7 +155,7 @@ def _read(files: Sequence[str]) -> str:
     named = ", ".join("'" + one.replace("'", "''") + "'" for one in files)
     return (
         f"SELECT * FROM read_parquet([{named}], hive_partitioning = true, "
-        "hive_types = {'site': VARCHAR, 'day': DATE})"
+        "union_by_name = true, hive_types = {'site': VARCHAR, 'day': DATE})"
     )
 
 

@@ -5,6 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from datetime import date, datetime
 
+from sightline.enums import ScanDirection
+
 
 @dataclass(frozen=True, slots=True)
 class Passing:
@@ -12,7 +14,7 @@ class Passing:
 
     `number`: its number in the recording; seconds count from the recording's first line, lines as in
     vehicles.csv. Numbers are None where they could not be measured, for which `reason` stands. `lane`: of a
-    rig that has several.
+    rig that has several; `direction`: which camera it reached first; `axles`: wheels found.
     """
 
     number: int
@@ -31,6 +33,8 @@ class Passing:
     status: str
     reason: str | None
     lane: str | None = None
+    direction: ScanDirection | None = None
+    axles: int | None = None
 
 
 @dataclass(frozen=True, slots=True)

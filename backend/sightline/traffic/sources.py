@@ -5,16 +5,20 @@ from __future__ import annotations
 import hashlib
 import json
 import math
+from collections.abc import Sequence
 from dataclasses import fields
 from pathlib import Path
-from typing import Any, TypeGuard
+from typing import Any, TypeGuard, get_args
 
+from sightline.enums import ScanDirection
 from sightline.errors import BadInput
 from sightline.traffic.records import Passing, Recorded
 
 _LARGEST_BYTES = 2_000_000_000
 _NAMES = {"number": "id"}
-_WORDS = ("status", "reason", "lane")
+_WORDS = ("status", "reason", "lane", "direction")
+_CLOSED = {"direction": get_args(ScanDirection)}
+_COUNTS = ("number", "axles")
 #: Of a vehicle always; any other may be null.
 _NEEDED = ("number", "front_s", "rear_s", "front_line_1", "rear_line_1", "status")
 
@@ -25,25 +29,31 @@ def read_recorded(path: Path, duration_s: float | None) -> Recorded:
     duration_s: how long the recording lasted; only for lines of `stream`, which do not say it. Raises
     BadInput naming the file, and the vehicle where it is one's.
     """
-    data = _bytes_of(path)
-    whole = _object_of(data)
-    if whole is not None and "vehicles" in whole:
+    data = bytes_of(path)
+    whole, vehicles = vehicles_in(path, data)
+    if whole is not None:
         if duration_s is not None:
             raise BadInput("traffic-duration-twice", path=path)
-        duration_s, vehicles = whole.get("duration_s"), whole["vehicles"]
-        if not _is_number(duration_s):
-            raise BadInput("traffic-no-duration-inside", path=path)
-    else:
-        vehicles = _lines_of(path, data)
-        if duration_s is None:
-            raise BadInput("traffic-no-duration", path=path)
-    if not isinstance(vehicles, list):
-        raise BadInput("traffic-no-recording", path=path)
-    passings = tuple(_passing(path, one, at) for at, one in enumerate(vehicles, 1))
+        duration_s = whole["duration_s"]
+    elif duration_s is None:
+        raise BadInput("traffic-no-duration", path=path)
+    passings = tuple(passing_of(path, one, at) for at, one in enumerate(vehicles, 1))
     assert duration_s is not None
-    _check(path, passings, duration_s)
+    check_passings(path, passings, duration_s)
     lanes = _lanes(path, whole, passings)
     return Recorded(path.name, hashlib.sha256(data).hexdigest(), float(duration_s), passings, lanes)
+
+
+def vehicles_in(path: Path, data: bytes) -> tuple[dict[str, Any] | None, list[Any]]:
+    """What is said of a whole recording, None in lines of `stream`, and its vehicles. Raises BadInput."""
+    whole = _object_of(data)
+    if whole is None or "vehicles" not in whole:
+        return None, _lines_of(path, data)
+    if not is_number(whole.get("duration_s")):
+        raise BadInput("traffic-no-duration-inside", path=path)
+    if not isinstance(whole["vehicles"], list):
+        raise BadInput("traffic-no-recording", path=path)
+    return whole, whole["vehicles"]
 
 
 def _lanes(path: Path, whole: dict[str, Any] | None, passings: tuple[Passing, ...]) -> tuple[str, ...]:
@@ -57,7 +67,8 @@ def _lanes(path: Path, whole: dict[str, Any] | None, passings: tuple[Passing, ..
     return tuple(dict.fromkeys(names))
 
 
-def _bytes_of(path: Path) -> bytes:
+def bytes_of(path: Path) -> bytes:
+    """A file's bytes. Raises BadInput where it cannot be read or is too large."""
     try:
         if path.stat().st_size > _LARGEST_BYTES:
             raise BadInput("traffic-file-too-large", path=path, most_gb=_LARGEST_BYTES // 10**9)
@@ -84,7 +95,8 @@ def _lines_of(path: Path, data: bytes) -> list[Any]:
     return found
 
 
-def _passing(path: Path, said: Any, at: int) -> Passing:
+def passing_of(path: Path, said: Any, at: int) -> Passing:
+    """A vehicle of the JSON. Raises BadInput naming it where a value is missing or is none that can be."""
     if not isinstance(said, dict):
         raise BadInput("traffic-no-recording", path=path)
     held: dict[str, Any] = {}
@@ -92,17 +104,17 @@ def _passing(path: Path, said: Any, at: int) -> Passing:
         value = said.get(_NAMES.get(name, name))
         if value is None and name not in _NEEDED:
             held[name] = None
-        elif name in _WORDS and isinstance(value, str):
+        elif name in _WORDS and isinstance(value, str) and value in _CLOSED.get(name, (value,)):
             held[name] = value
-        elif name not in _WORDS and _is_number(value):
-            held[name] = int(value) if name == "number" else float(value)
+        elif name not in _WORDS and is_number(value):
+            held[name] = int(value) if name in _COUNTS else float(value)
         else:
             raise BadInput("traffic-vehicle-without", path=path, vehicle=at, column=_NAMES.get(name, name))
     return Passing(**held)
 
 
-def _check(path: Path, passings: tuple[Passing, ...], duration_s: float) -> None:
-    """A vehicle outside its recording, or two with one number, are of another recording or time."""
+def check_passings(path: Path, passings: Sequence[Passing], duration_s: float) -> None:
+    """A vehicle outside its recording, or two with one number, are of another recording or time: BadInput."""
     seen = set[int]()
     for one in passings:
         if one.number in seen:
@@ -119,5 +131,6 @@ def _check(path: Path, passings: tuple[Passing, ...], duration_s: float) -> None
             )
 
 
-def _is_number(value: object) -> TypeGuard[float]:
+def is_number(value: object) -> TypeGuard[float]:
+    """A finite number of JSON."""
     return type(value) in (int, float) and math.isfinite(value)  # type: ignore[arg-type]

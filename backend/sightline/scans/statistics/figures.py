@@ -32,7 +32,8 @@ def scan_traffic(
     for scan in list_scans(session, survey_id):
         found += [_seen(scan, one) for one in vehicles_of(session, scan.id)]
         watched_s = scan.lines and scan.lines / scan.rig.line_rate_hz
-        watched.append(Watched(scan.id, scan.name, scan.clock, watched_s))
+        clock = None if scan.clock is None else scan.clock.filming
+        watched.append(Watched(scan.id, scan.name, clock, watched_s))
     return traffic_of_seen(watched, found, minutes, accepted_only=accepted_only)
 
 

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from datetime import datetime
 from math import hypot
-from typing import TypedDict
+from typing import Protocol, TypedDict
 
 import numpy as np
 
@@ -15,12 +15,18 @@ from sightline.linescan.parts import Rig
 from sightline.linescan.rig import baseline_of
 from sightline.linescan.traffic import Interval, Passed, intervals
 from sightline.messages import say
-from sightline.scans.clock import ScanClock
 from sightline.scans.statistics.service import VehicleMotion, counts
 from sightline.statistics.distributions import Percentile, percentiles
 
 #: Of the speeds of an interval; the 85th is what limits are set by.
 PERCENTS = (15.0, 50.0, 85.0)
+
+
+class Clock(Protocol):
+    """The clocks of the place."""
+
+    def at(self, seconds: float = 0.0) -> str:
+        """What they showed so many seconds after line 0: ISO 8601 with offset, milliseconds."""
 
 
 @dataclass(frozen=True)
@@ -29,7 +35,7 @@ class Watched:
 
     scan_id: int
     name: str
-    clock: ScanClock | None
+    clock: Clock | None
     watched_s: float | None
 
 
@@ -130,7 +136,7 @@ def _traffic(
     told = intervals(passed, scan.watched_s, into_hour_s, minutes)
     shown = tuple(
         ShownInterval(
-            scan.clock.filming.at(one.begin_s),
+            scan.clock.at(one.begin_s),
             one,
             percentiles(np.array(one.speeds_mps, dtype=np.float64), PERCENTS),
         )
@@ -142,7 +148,7 @@ def _traffic(
 def _passed(one: VehicleMotion, accepted_only: bool) -> Passed:
     assert one.since_s is not None and one.occupied_s is not None
     if not counts(one, accepted_only):
-        return Passed(one.since_s, one.occupied_s, one.u_filmed_at_s)
+        return Passed(one.since_s, one.occupied_s, one.u_filmed_at_s, refused=not one.measured)
     return Passed(
         one.since_s,
         one.occupied_s,
@@ -156,6 +162,6 @@ def _passed(one: VehicleMotion, accepted_only: bool) -> Passed:
     )
 
 
-def _into_hour_s(clock: ScanClock) -> float:
-    at = datetime.fromisoformat(clock.filming.at())
+def _into_hour_s(clock: Clock) -> float:
+    at = datetime.fromisoformat(clock.at())
     return 60.0 * at.minute + at.second + at.microsecond / 1e6

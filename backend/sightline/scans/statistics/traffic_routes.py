@@ -32,6 +32,7 @@ class TrafficIntervalBody(Out):
     partial: bool
     vehicles: int
     near_edge: int = Field(description=_EDGE)
+    refused: int = Field(description="Those whose motion could not be measured.")
     measured: int
     flow_per_hour: float
     flow_low: float = Field(description=_POISSON)

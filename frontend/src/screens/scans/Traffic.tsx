@@ -7,7 +7,7 @@ import { useResource } from "../../core/resource";
 import { formatPlaceClock, formatPlaceDay } from "../../core/times";
 import type { ScanTraffic, TrafficFigure, TrafficInterval, TrafficOfScans } from "../../core/types";
 import { fixed, heads, plainLength, speedScale } from "../../core/units";
-import { FlowFigure, placeOf, SpeedFigure } from "./TrafficFigures";
+import { FlowFigure, FundamentalFigure, placeOf, SpeedFigure } from "./TrafficFigures";
 
 interface Props {
   surveyId: number;
@@ -86,6 +86,8 @@ function OfScan({ scan, of, surveyId }: { scan: ScanTraffic; of: TrafficOfScans;
       <div class="scan-figures">
         <FlowFigure scan={scan} minutes={of.minutes} />
         <SpeedFigure scan={scan} />
+        <FundamentalFigure scan={scan} against="density" />
+        <FundamentalFigure scan={scan} against="flow" />
       </div>
       <section class="panel" aria-label={say("flows-table", { scan: scan.name })}>
         <header class="panel__head">
@@ -149,6 +151,7 @@ function Row({ one }: { one: TrafficInterval }) {
       <td class="num">{fixed(one.watched_s, 0)}</td>
       <td class="num">
         {one.vehicles}
+        {one.refused > 0 && <Small>{say("flows-refused", { count: one.refused })}</Small>}
         {one.near_edge > 0 && <Small>{say("flows-near-edge", { count: one.near_edge })}</Small>}
       </td>
       <td class="num">

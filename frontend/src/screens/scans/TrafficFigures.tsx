@@ -1,4 +1,4 @@
-/** Flow and speed over the day, interval by interval; every number is the server's. */
+/** Flow and speed over the day and against each other, by interval; every number is the server's. */
 import { say } from "../../core/messages";
 import { formatPlaceClock } from "../../core/times";
 import type { ScanTraffic, TrafficInterval } from "../../core/types";
@@ -167,6 +167,89 @@ export function SpeedFigure({ scan }: { scan: ScanTraffic }) {
           ...[15, 50, 85].map(
             (percent) => one.percentiles.find((each) => each.percent === percent)?.value ?? null,
           ),
+        ]),
+      })}
+    />
+  );
+}
+
+/** An interval as a point of the fundamental diagram. */
+export interface TrafficState {
+  begins_at: string;
+  partial: boolean;
+  density_per_km: number;
+  flow_per_hour: number;
+  speed_mps: number;
+}
+
+/** Of the intervals in which a speed counts: without one there is no density. */
+export function statesOf(intervals: readonly TrafficInterval[]): TrafficState[] {
+  return intervals.flatMap((one) => {
+    const [density, speed] = [one.density_per_km.value, one.space_mean_speed_mps.value];
+    if (density === null || speed === null) return [];
+    const { begins_at, partial, flow_per_hour } = one;
+    return [{ begins_at, partial, flow_per_hour, density_per_km: density, speed_mps: speed }];
+  });
+}
+
+/** The fundamental diagram: flow against density, or speed against flow. */
+export function FundamentalFigure({ scan, against }: { scan: ScanTraffic; against: "density" | "flow" }) {
+  const [by, unit] = speedScale();
+  const states = statesOf(scan.intervals);
+  const flowLabel = say("with-unit", { name: say("flows-flow"), unit: say("unit-per-hour") });
+  const axes =
+    against === "density"
+      ? {
+          x: (one: TrafficState) => one.density_per_km,
+          y: (one: TrafficState) => one.flow_per_hour,
+          xLabel: say("with-unit", { name: say("flows-head-density"), unit: say("unit-per-km") }),
+          yLabel: flowLabel,
+        }
+      : {
+          x: (one: TrafficState) => one.flow_per_hour,
+          y: (one: TrafficState) => one.speed_mps * by,
+          xLabel: flowLabel,
+          yLabel: say("with-unit", { name: say("flows-speed"), unit }),
+        };
+  const title = against === "density" ? "flows-flow-by-density-of" : "flows-speed-by-flow-of";
+  const dots = { x: axes.x, y: axes.y, r: 3, stroke: "var(--ink)", strokeWidth: 1.5 };
+  return (
+    <PlotFigure
+      name={`traffic-${against === "density" ? "flow-by-density" : "speed-by-flow"}-${placeOf(scan)}`}
+      title={say(title, { scan: scan.name })}
+      says={say("flows-fundamental-says", { count: states.length })}
+      note={say("flows-fundamental-note")}
+      reason={states.length === 0 ? say("flows-speed-none") : null}
+      data={scan}
+      options={(plot) => ({
+        height: 240,
+        x: { label: axes.xLabel, zero: true, ...aroundOne([0, ...states.map(axes.x)]) },
+        y:
+          against === "density"
+            ? { label: axes.yLabel, zero: true }
+            : { label: axes.yLabel, ...aroundOne(states.map(axes.y)) },
+        marks: [
+          plot.dot(
+            states.filter((one) => one.partial),
+            dots,
+          ),
+          readable(
+            plot.dot(
+              states.filter((one) => !one.partial),
+              { ...dots, fill: "var(--ink)" },
+            ),
+            { word: "", x: states.map(axes.x), y: states.map(axes.y), way: "points" },
+          ),
+        ],
+      })}
+      table={() => ({
+        columns: ["begins_at", "partial", "density_per_km", "flow_per_hour", "space_mean_mps"],
+        rows: states.map((one) => [
+          one.begins_at,
+          String(one.partial),
+          one.density_per_km,
+          one.flow_per_hour,
+          one.speed_mps,
         ]),
       })}
     />

@@ -1,0 +1,247 @@
+"""`sightline flow`: traffic of line-scan results, vehicle by vehicle and in intervals."""
+
+from __future__ import annotations
+
+import csv
+import io
+from collections.abc import Iterator, Sequence
+from itertools import pairwise
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from sightline.commands.files import write_whole
+from sightline.commands.options import json_option, print_json
+from sightline.commands.scanned import cell_of
+from sightline.errors import BadInput
+from sightline.linescan.traffic import LENGTH_LIMITS_M, MINUTES
+
+if TYPE_CHECKING:
+    from sightline.scans.statistics.traffic import ScanTraffic, ShownInterval
+    from sightline.traffic.results import Results
+
+_FILE = click.Path(dir_okay=False, path_type=Path)
+
+
+@click.command()
+@click.argument("places", nargs=-1, required=True, metavar="PLACE...", type=click.Path(path_type=Path))
+@click.option(
+    "--interval",
+    "lengths",
+    metavar="MINUTES,...",
+    default="1,5,15,60",
+    show_default=True,
+    help="Lengths of the intervals, of 1, 5, 15 and 60.",
+)
+@click.option("-o", "--output", type=_FILE, help="intervals.csv to write (default: print it).")
+@click.option("--vehicles", "vehicles_csv", type=_FILE, help="CSV of the vehicles with their headways.")
+@json_option
+def flow(
+    places: tuple[Path, ...], lengths: str, output: Path | None, vehicles_csv: Path | None, as_json: bool
+) -> None:
+    """Compute the traffic of scanned vehicles in intervals: flow, speeds, headways, occupancy, classes.
+
+    PLACE is a package (accepted vehicles of the selection), a vehicles.csv or JSON of `sightline linescan
+    --start`, the output of `stream`, a folder of these, or an archive of `sightline traffic`. Every vehicle
+    counts for flow and occupancy, refused ones too; speeds and classes are of the measured ones.
+    """
+    minutes = _minutes(lengths)
+    rows, vehicles, notes = list[dict[str, Any]](), list[dict[str, Any]](), list[str]()
+    for place in places:
+        found, passed, said = _of_place(place, minutes)
+        rows += [row for one in found for row in _rows(one)]
+        vehicles += passed
+        notes += said + [_unplaced(one) for one in found if one.minutes == minutes[0] and one.unplaced]
+    if vehicles_csv is not None:
+        write_whole(vehicles_csv, _csv(VEHICLE_COLUMNS, vehicles))
+    if output is not None:
+        write_whole(output, _csv(COLUMNS, rows))
+    if as_json:
+        print_json({"intervals": rows, "vehicles": vehicles, "notes": notes})
+        return
+    if output is None:
+        click.echo(_csv(COLUMNS, rows), nl=False)
+    else:
+        click.echo(f"{len(vehicles)} vehicles, {len(rows)} intervals; written to {output}.")
+    for note in notes:
+        click.echo(note, err=output is None)
+
+
+def _minutes(text: str) -> tuple[int, ...]:
+    try:
+        found = tuple(dict.fromkeys(int(one) for one in text.split(",")))
+    except ValueError:
+        found = ()
+    if not found or not set(found) <= set(MINUTES):
+        raise BadInput("commands-flow-other-minutes", text=text[:40])
+    return found
+
+
+Rows = list[dict[str, Any]]
+
+
+def _of_place(place: Path, minutes: Sequence[int]) -> tuple[list[ScanTraffic], Rows, list[str]]:
+    """The traffic of a place, its vehicles, and what is to be said of it."""
+    from sightline.traffic.results import results_in
+
+    if not place.exists():
+        raise BadInput("commands-flow-not-there", place=place)
+    if place.suffix.lower() == ".zip" or (place / "line_scans.csv").is_file():
+        return _of_package(place, minutes)
+    results, left = results_in(place)
+    traffic = [each for length in minutes for one in results for each in one.traffic(length)]
+    notes = [f"{name} in {place} holds no scanned vehicles and is left out." for name in left]
+    notes += [
+        f"{one.name} does not say how long was recorded: its first and last interval count as watched whole."
+        for one in results
+        if one.watched_s is None
+    ]
+    return traffic, [row for one in results for row in _vehicle_rows(one)], notes
+
+
+def _of_package(place: Path, minutes: Sequence[int]) -> tuple[list[ScanTraffic], Rows, list[str]]:
+    from sightline.export.scans import scanned_motions
+    from sightline.export.traffic import scans_in, traffic_in
+    from sightline.infra.csv_package.files import open_package
+    from sightline.traffic.results import Results
+
+    files = open_package(place)
+    if "line_scans.csv" not in files.paths:
+        raise BadInput("commands-flow-nothing-in-folder", place=place)
+    found = traffic_in(files, minutes)
+    cars, rows = list(scanned_motions(files)), Rows()
+    for scan in scans_in(files):
+        if scan.clock is not None:
+            own = tuple(one for one in cars if one.scan_id == scan.scan_id and one.since_s is not None)
+            rows += _vehicle_rows(Results(scan.name, scan.clock, scan.watched_s, own))
+    notes = {one.scan_id: f"{one.name}: {one.reason}" for one in found if one.reason}
+    return [one for one in found if not one.reason], rows, list(notes.values())
+
+
+def _unplaced(one: ScanTraffic) -> str:
+    return f"{one.name}: {one.unplaced} vehicles were never measured and are in no interval."
+
+
+_CLASSES = (
+    f"length_to_{LENGTH_LIMITS_M[0]:g}_m",
+    *(f"length_{low:g}_to_{high:g}_m" for low, high in pairwise(LENGTH_LIMITS_M)),
+    f"length_above_{LENGTH_LIMITS_M[-1]:g}_m",
+)
+_AXLES = ("axles_2", "axles_3", "axles_4", "axles_5_or_more", "axles_unknown")
+_PERCENTS = (15, 50, 85)
+COLUMNS = (
+    "interval_start",
+    "interval_s",
+    "vehicles",
+    "refused",
+    "flow_per_h",
+    "speed_mean_mps",
+    "speed_harmonic_mean_mps",
+    *(f"speed_p{percent}_mps" for percent in _PERCENTS),
+    "headway_mean_s",
+    "occupancy_percent",
+    *_CLASSES,
+    "length_unknown",
+    *_AXLES,
+    "minutes",
+    "partial",
+    "near_edge",
+    "measured",
+    "flow_low_per_h",
+    "flow_high_per_h",
+    "u_speed_mean_mps",
+    "u_speed_harmonic_mean_mps",
+    "u_occupancy_percent",
+    "density_per_km",
+    "u_density_per_km",
+    "recording",
+    "direction",
+    "lane",
+    "reasons",
+)
+VEHICLE_COLUMNS = (
+    "recording",
+    "id",
+    "front_at",
+    "u_front_at_s",
+    "direction",
+    "lane",
+    "speed_mps",
+    "u_speed_mps",
+    "length_m",
+    "u_length_m",
+    "axles",
+    "headway_s",
+    "occupied_s",
+    "state",
+    "reason",
+)
+
+
+def _rows(traffic: ScanTraffic) -> Iterator[dict[str, Any]]:
+    for shown in traffic.intervals:
+        yield _row(traffic, shown)
+
+
+def _row(traffic: ScanTraffic, shown: ShownInterval) -> dict[str, Any]:
+    one = shown.interval
+    by_percent = {each.percent: each.value for each in shown.percentiles}
+    axles = [sum(each) for each in zip(*(kind.by_axles for kind in one.classes), strict=True)]
+    row = {
+        "interval_start": shown.begins_at,
+        "interval_s": one.watched_s,
+        "flow_per_h": one.flow_per_hour,
+        "speed_mean_mps": one.time_mean_speed_mps.value,
+        "u_speed_mean_mps": one.time_mean_speed_mps.u,
+        "speed_harmonic_mean_mps": one.space_mean_speed_mps.value,
+        "u_speed_harmonic_mean_mps": one.space_mean_speed_mps.u,
+        **{f"speed_p{percent}_mps": by_percent.get(percent) for percent in _PERCENTS},
+        "headway_mean_s": one.mean_headway_s,
+        "occupancy_percent": one.occupancy_percent.value,
+        "u_occupancy_percent": one.occupancy_percent.u,
+        "density_per_km": one.density_per_km.value,
+        "u_density_per_km": one.density_per_km.u,
+        **dict(zip(_CLASSES, (kind.vehicles for kind in one.classes), strict=True)),
+        "length_unknown": one.unclassed,
+        **dict(zip(_AXLES, axles, strict=True)),
+        "minutes": traffic.minutes,
+        "partial": str(one.partial).lower(),
+        "flow_low_per_h": one.flow_low,
+        "flow_high_per_h": one.flow_high,
+        "recording": traffic.name,
+        "direction": traffic.direction,
+        "lane": traffic.lane,
+        "reasons": "; ".join([*one.reasons, *_too_few(shown)]),
+    }
+    return {name: row[name] if name in row else getattr(one, name) for name in COLUMNS}
+
+
+def _too_few(shown: ShownInterval) -> list[str]:
+    """Why percentiles are missing where some speeds count."""
+    return [each.reason for each in shown.percentiles if each.reason] if shown.interval.measured else []
+
+
+def _vehicle_rows(of: Results) -> Iterator[dict[str, Any]]:
+    """Each vehicle with its headway: from the front before, of its direction and lane."""
+    before: dict[tuple[str | None, str | None], float] = {}
+    for one in sorted(of.vehicles, key=lambda one: one.since_s or 0.0):
+        since_s, stream = one.since_s or 0.0, (one.direction, one.lane)
+        held = {
+            "recording": of.name,
+            "id": one.number,
+            "front_at": of.clock.at(since_s),
+            "u_front_at_s": one.u_filmed_at_s,
+            "headway_s": since_s - before[stream] if stream in before else None,
+            **{name: one.values.get(name) for name in VEHICLE_COLUMNS if name in one.values},
+        }
+        before[stream] = since_s
+        yield {name: held[name] if name in held else getattr(one, name) for name in VEHICLE_COLUMNS}
+
+
+def _csv(columns: Sequence[str], rows: Rows) -> str:
+    text = io.StringIO(newline="")
+    writer = csv.writer(text, lineterminator="\n")
+    writer.writerow(columns)
+    writer.writerows([cell_of(row[name]) for name in columns] for row in rows)
+    return text.getvalue()

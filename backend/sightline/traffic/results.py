@@ -1,0 +1,270 @@
+"""Traffic of line-scan results: tables and JSON of `sightline linescan`, lines of `stream`, and archives.
+
+Each recording has a clock of its own. A table and the lines of `stream` do not say how long was recorded:
+their intervals count as watched whole, from that of the first front to that of the last vehicle. The share of
+the speeds' u that the rig gives to all alike is known from JSON alone; elsewhere the smallest relative u of
+the recording's vehicles stands for it, which it cannot exceed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, fields, replace
+from datetime import datetime, timedelta
+from math import ceil, hypot, sqrt
+from pathlib import Path
+from typing import Any, cast, get_args
+
+from sightline.enums import ScanDirection
+from sightline.errors import BadInput
+from sightline.infra.given_csv import GivenTable, read_table
+from sightline.linescan.clock import u_passing_s
+from sightline.recordings.filming import Filming
+from sightline.scans.statistics.service import VehicleMotion
+from sightline.scans.statistics.traffic import Clock, ScanTraffic, Watched, traffic_of_seen
+from sightline.traffic.archive import WATCHED, files_of, require_archive, sites_of, watched_rows
+from sightline.traffic.records import Passing
+from sightline.traffic.sources import bytes_of, check_passings, is_number, passing_of, vehicles_in
+
+ENDINGS = (".csv", ".json", ".jsonl")
+#: A table that spans more is of several recordings, or has a wrong date.
+MOST_S = 366 * 86400.0
+_FIRST_YEAR, _LAST_YEAR = 1990, 2200
+_NEEDED = ("id", "front_line_1", "rear_line_1", "speed_mps", "length_m", "status")
+_NUMBERS = tuple(one.name for one in fields(Passing) if one.type == "float | None")
+
+
+@dataclass(frozen=True, slots=True)
+class StatedClock:
+    """A clock with the offset from UTC that a start was written with."""
+
+    start: datetime
+
+    def at(self, seconds: float = 0.0) -> str:
+        at = self.start + timedelta(milliseconds=round(1000.0 * seconds))
+        return at.isoformat(timespec="milliseconds")
+
+
+@dataclass(frozen=True, eq=False)
+class Results:
+    """The vehicles of one recording, from `clock`'s start on; `watched_s` None: it is not said how long."""
+
+    name: str
+    clock: Clock
+    watched_s: float | None
+    vehicles: tuple[VehicleMotion, ...]
+
+    def traffic(self, minutes: int) -> tuple[ScanTraffic, ...]:
+        """By direction and lane, in intervals of `minutes`. Speeds need no review here."""
+        if self.watched_s is not None:
+            return self._of(self.clock, self.watched_s, 0.0, minutes)
+        start, long_s = datetime.fromisoformat(self.clock.at()), 60.0 * minutes
+        before_s = (60 * start.minute + start.second + start.microsecond / 1e6) % long_s
+        last_s = max(one.since_s or 0.0 for one in self.vehicles)
+        whole_s = long_s * max(1, ceil((before_s + last_s + 1e-6) / long_s))
+        return self._of(StatedClock(start - timedelta(seconds=before_s)), whole_s, before_s, minutes)
+
+    def _of(self, clock: Clock, watched_s: float, by_s: float, minutes: int) -> tuple[ScanTraffic, ...]:
+        found = [replace(one, since_s=(one.since_s or 0.0) + by_s) for one in self.vehicles]
+        watched = [Watched(0, self.name, clock, watched_s)]
+        return traffic_of_seen(watched, found, minutes, accepted_only=False)
+
+
+def results_in(place: Path) -> tuple[list[Results], list[str]]:
+    """The recordings of a file, of a folder's files, or of an archive, and names of files that are none.
+
+    Raises BadInput: nothing there, or a recording that cannot be read or has no start.
+    """
+    if not place.is_dir():
+        return [_of_file(place)], []
+    if (place / WATCHED).is_dir():
+        return list(_of_archive(place)), []
+    paths = [one for one in sorted(place.iterdir()) if one.is_file() and one.suffix.lower() in ENDINGS]
+    ours = [one for one in paths if _has_vehicles(one)]
+    if not ours:
+        raise BadInput("commands-flow-nothing-in-folder", place=place)
+    return [_of_file(one) for one in ours], [one.name for one in paths if one not in ours]
+
+
+def _has_vehicles(path: Path) -> bool:
+    """Whether a file of a folder speaks of scanned vehicles at all."""
+    with path.open("rb") as file:
+        return b"front_line_1" in file.read(100_000)
+
+
+def _of_file(path: Path) -> Results:
+    data = bytes_of(path)
+    if path.suffix.lower() == ".csv":
+        return _of_table(path, read_table(data, path))
+    whole, rows = vehicles_in(path, data)
+    passings = [passing_of(path, one, at) for at, one in enumerate(rows, 1)]
+    if whole is None:
+        if not rows:
+            raise BadInput("commands-flow-no-vehicles", path=path)
+        begun = _start(path, rows[0].get("front_at"))
+        begun -= timedelta(seconds=passings[0].front_s)
+        return Results(path.name, StatedClock(begun), None, _motions(passings))
+    check_passings(path, passings, whole["duration_s"])
+    found = _motions(
+        passings,
+        u_start_s=_number(whole, "u_start_s"),
+        u_rate=_number(whole, "u_line_rate_ratio"),
+        rig_ratio=_rig_ratio(whole),
+    )
+    clock = StatedClock(_start(path, whole.get("start")))
+    return Results(path.name, clock, float(whole["duration_s"]), found)
+
+
+def _rig_ratio(whole: Mapping[str, Any]) -> float | None:
+    """What the rig gives to every speed alike; not told of lanes, each with its distance."""
+    baseline_m = _number(whole, "baseline_m")
+    if whole.get("lanes") or not baseline_m:
+        return None
+    return hypot(_number(whole, "u_baseline_m") / baseline_m, _number(whole, "u_line_rate_ratio"))
+
+
+def _number(whole: Mapping[str, Any], name: str) -> float:
+    value = whole.get(name)
+    return float(value) if is_number(value) else 0.0
+
+
+def _start(path: Path, said: object) -> datetime:
+    try:
+        at = datetime.fromisoformat(said) if isinstance(said, str) else None
+    except ValueError:
+        at = None
+    if at is None or at.tzinfo is None or not _FIRST_YEAR <= at.year < _LAST_YEAR:
+        raise BadInput("commands-flow-no-start", path=path)
+    return at
+
+
+def _of_table(path: Path, table: GivenTable) -> Results:
+    """Of vehicles.csv. Its lines become seconds by the table's own clock."""
+    table.require(*_NEEDED)
+    if "front_at" not in table.header:
+        raise BadInput("commands-flow-no-start", path=path)
+    rows = [(line, row, _start(path, row["front_at"])) for line, row in table.sound_rows()]
+    if not rows:
+        raise BadInput("commands-flow-no-vehicles", path=path)
+    start = min(at for _line, _row, at in rows)
+    since = [(at - start).total_seconds() for _line, _row, at in rows]
+    lines = [
+        (
+            table.number(line, "front_line_1", row["front_line_1"]),
+            table.number(line, "rear_line_1", row["rear_line_1"]),
+        )
+        for line, row, _at in rows
+    ]
+    passings = [
+        _passing(table, line, row, since_s, ends)
+        for (line, row, _at), since_s, ends in zip(rows, since, lines, strict=True)
+    ]
+    passings = _occupying(path, passings)
+    check_passings(path, passings, MOST_S)
+    given = [
+        table.number(line, "u_front_at_s", row["u_front_at_s"]) if row.get("u_front_at_s") else None
+        for line, row, _at in rows
+    ]
+    found = [replace(one, u_filmed_at_s=u_s) for one, u_s in zip(_motions(passings), given, strict=True)]
+    return Results(path.name, StatedClock(start), None, tuple(found))
+
+
+def _occupying(path: Path, passings: Sequence[Passing]) -> list[Passing]:
+    """With the time of each rear: lines are as many a second as between the first front and the last, or of a
+    single vehicle as its motion says. Raises BadInput for a single one without a motion.
+    """
+    first, last = (of(passings, key=lambda one: one.front_s) for of in (min, max))
+    if last.front_s > first.front_s and last.front_line_1 > first.front_line_1:
+        per_s = (last.front_line_1 - first.front_line_1) / (last.front_s - first.front_s)
+    elif first.speed_mps and first.length_m and first.rear_line_1 > first.front_line_1:
+        v, a = first.speed_mps, first.acceleration_mps2 or 0.0
+        # the root of length = v t + a t^2 / 2 that stays there without an acceleration
+        under = max(v * v + 2 * a * first.length_m, 0.0)
+        per_s = (first.rear_line_1 - first.front_line_1) * (v + sqrt(under)) / (2 * first.length_m)
+    else:
+        raise BadInput("commands-flow-no-rate", path=path)
+    return [
+        replace(one, rear_s=one.front_s + (one.rear_line_1 - one.front_line_1) / per_s) for one in passings
+    ]
+
+
+def _passing(
+    table: GivenTable, line: int, row: Mapping[str, str], since_s: float, lines: tuple[float, float]
+) -> Passing:
+    direction = row.get("direction") or None
+    if direction not in (None, *get_args(ScanDirection)):
+        raise BadInput("traffic-vehicle-without", path=table.name, vehicle=row["id"], column="direction")
+    return Passing(
+        number=int(table.number(line, "id", row["id"])),
+        front_s=since_s,
+        rear_s=since_s,
+        front_line_1=lines[0],
+        rear_line_1=lines[1],
+        status=row["status"],
+        reason=row.get("reason") or None,
+        lane=row.get("lane") or None,
+        direction=cast("ScanDirection | None", direction),
+        axles=int(table.number(line, "axles", row["axles"])) if row.get("axles") else None,
+        **{name: table.number(line, name, row[name]) if row.get(name) else None for name in _NUMBERS},
+    )
+
+
+def _of_archive(folder: Path) -> Iterator[Results]:
+    """Each recording of each lane of each site."""
+    import pyarrow.parquet as pq
+
+    require_archive(folder)
+    for site in sites_of(folder):
+        stretches: dict[tuple[str, str], list[dict[str, Any]]] = {}
+        for row in watched_rows(folder, site):
+            stretches.setdefault((row["recording_sha256"], row["lane"]), []).append(row)
+        passed: dict[tuple[str, str], list[dict[str, Any]]] = {}
+        for file in files_of(folder, "vehicles", site, None, None):
+            for row in pq.ParquetFile(file).read().to_pylist():
+                passed.setdefault((row["recording_sha256"], row["lane"]), []).append(row)
+        for key, rows in stretches.items():
+            one = rows[0]
+            cars = [_stored(each) for each in passed.get(key, ())]
+            yield Results(
+                f"{site}: {one['recording']}",
+                Filming(one["start_at"], one["zone"]),
+                sum(each["to_s"] - each["from_s"] for each in rows),
+                _motions(cars, u_start_s=one["u_start_s"]),
+            )
+
+
+def _stored(row: Mapping[str, Any]) -> Passing:
+    named: dict[str, Any] = {one.name: row.get(one.name) for one in fields(Passing)}
+    return Passing(**{**named, "lane": row["lane"] or None})
+
+
+def _motions(
+    passings: Sequence[Passing],
+    *,
+    u_start_s: float = 0.0,
+    u_rate: float = 0.0,
+    rig_ratio: float | None = None,
+) -> tuple[VehicleMotion, ...]:
+    relative = [one.u_speed_mps / one.speed_mps for one in passings if one.speed_mps and one.u_speed_mps]
+    shared = rig_ratio if rig_ratio is not None else min(relative, default=0.0)
+    return tuple(
+        VehicleMotion(
+            vehicle_id=one.number,
+            scan_id=0,
+            number=one.number,
+            state="to_review" if one.status == "ok" else "not_measurable",
+            measured=one.status == "ok" and one.speed_mps is not None,
+            lighting="unknown",
+            values={name: getattr(one, name) for name in _NUMBERS},
+            status=one.status,
+            reason=one.reason,
+            since_s=one.front_s,
+            occupied_s=one.rear_s - one.front_s,
+            u_filmed_at_s=u_passing_s(one.front_s, u_start_s, u_rate, one.speed_mps, one.u_length_m),
+            rig_ratio=shared,
+            direction=one.direction or "camera_1_first",
+            lane=one.lane,
+            axles=one.axles,
+        )
+        for one in passings
+    )

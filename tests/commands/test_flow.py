@@ -1,0 +1,308 @@
+"""`sightline flow`: intervals against figures made by hand, an archive, and an hour of simulated traffic."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+from collections.abc import Sequence
+from datetime import datetime, timedelta
+from math import ceil
+from pathlib import Path
+from statistics import fmean, harmonic_mean
+from typing import Any
+
+import pytest
+
+from sightline.cli import main
+from sightline.commands.scanned import about_rig, object_of
+from sightline.infra.local_time import instant_of
+from sightline.linescan.finding import Finder
+from sightline.linescan.parts import Rig
+from sightline.linescan.passing import measured
+from sightline.linescan.traffic import LENGTH_LIMITS_M
+from sightline.simulation.scan_strips import recording
+from sightline.simulation.scan_traffic import ScanSite, ScanTruth, traffic, truths
+from sightline.traffic.archive import add_recorded
+from sightline.traffic.query import ArchiveTables
+from sightline.traffic.records import Asked, Stood
+from tests.traffic.samples import recorded
+
+pytestmark = pytest.mark.once
+
+Row = dict[str, str]
+RATE_HZ = 5000
+LINE_0 = datetime.fromisoformat("2026-05-04T06:04:50.000+02:00")
+# seconds after line 0, seconds before camera 1, speed, length, axles; None: refused
+BY_HAND = (
+    (8.0, 0.20, 20.0, 4.0, 2),
+    (11.0, 0.30, None, None, None),
+    (16.0, 0.30, 30.0, 9.0, 3),
+    (20.0, 0.22, 20.0, 4.4, 2),
+    (670.0, 0.50, 25.0, 12.5, 5),
+)
+
+
+def vehicle(number: int, since_s: float, long_s: float, speed: Any, length: Any, axles: Any) -> Row:
+    """A row of vehicles.csv."""
+    at = LINE_0 + timedelta(seconds=since_s)
+    lines = since_s * RATE_HZ, (since_s + long_s) * RATE_HZ
+    held = {
+        "id": number,
+        "front_line_1": lines[0],
+        "rear_line_1": lines[1],
+        "speed_mps": speed,
+        "u_speed_mps": speed and 0.001 * speed,
+        "length_m": length,
+        "u_length_m": length and 0.004,
+        "axles": axles,
+        "direction": "camera_1_first",
+        "status": "ok" if speed else "not_measurable",
+        "reason": None if speed else "The strips show no pattern.",
+        "front_at": at.isoformat(timespec="milliseconds"),
+        "u_front_at_s": speed and 0.01,
+    }
+    return {name: "" if value is None else str(value) for name, value in held.items()}
+
+
+ROWS = [vehicle(number, *one) for number, one in enumerate(BY_HAND, 1)]
+
+
+def written(path: Path, rows: Sequence[Row]) -> Path:
+    with path.open("w", newline="") as file:
+        writer = csv.DictWriter(file, list(rows[0]))
+        writer.writeheader()
+        writer.writerows(rows)
+    return path
+
+
+def as_json(path: Path, duration_s: float, **more: Any) -> Path:
+    """The same vehicles as the JSON of `linescan`."""
+    cars = []
+    for number, (since_s, long_s, speed, length, axles) in enumerate(BY_HAND, 1):
+        row: dict[str, Any] = dict(vehicle(number, since_s, long_s, speed, length, axles))
+        numbers = {name: float(row[name]) for name in ("front_line_1", "rear_line_1")}
+        named = {"id": number, "speed_mps": speed, "length_m": length, "axles": axles}
+        shown = {"front_s": since_s, "rear_s": since_s + long_s, "direction": row["direction"]}
+        words = {name: row[name] for name in ("status", "reason")}
+        u = {"u_speed_mps": speed and 0.001 * speed, "u_length_m": length and 0.004}
+        cars.append({**numbers, **named, **shown, **words, **u})
+    whole = {"duration_s": duration_s, "start": LINE_0.isoformat(), **more, "vehicles": cars}
+    path.write_text(json.dumps(whole))
+    return path
+
+
+def flow(capsys: pytest.CaptureFixture[str], *arguments: object, status: int = 0) -> str:
+    assert main(["flow", *map(str, arguments)]) == status
+    printed = capsys.readouterr()
+    assert "Traceback" not in printed.err
+    return printed.out if status == 0 else printed.err
+
+
+def table(text: str) -> list[Row]:
+    return list(csv.DictReader(io.StringIO(text)))
+
+
+def test_intervals_are_those_made_by_hand(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path = written(tmp_path / "vehicles.csv", ROWS)
+    first, second, empty, last = table(flow(capsys, path, "--interval", "5"))
+    starts = [one["interval_start"][11:19] for one in (first, second, empty, last)]
+    assert starts == ["06:00:00", "06:05:00", "06:10:00", "06:15:00"]
+    assert {one["interval_s"] for one in (first, second, empty, last)} == {"300.000000"}
+    assert [one["vehicles"] for one in (first, second, empty, last)] == ["1", "3", "0", "1"]
+    assert [one["refused"] for one in (first, second, empty, last)] == ["0", "1", "0", "0"]
+    figures = {
+        "flow_per_h": 36.0,
+        "speed_mean_mps": 25.0,
+        "speed_harmonic_mean_mps": 24.0,
+        "headway_mean_s": 4.0,  # 3, 5 and 4 s
+        "occupancy_percent": 100 * (0.30 + 0.30 + 0.22) / 300,
+        "density_per_km": 36.0 / (3.6 * 24.0),
+    }
+    assert {name: float(second[name]) for name in figures} == pytest.approx(figures, abs=2e-6)
+    assert {second[f"speed_p{percent}_mps"] for percent in (15, 50, 85)} == {""}
+    assert "P85 needs 23; there are 2" in second["reasons"]
+    lengths = [name for name in second if name.startswith("length_")]
+    assert [second[name] for name in lengths] == ["1", "0", "1", "0", "1"]
+    axles = [name for name in second if name.startswith("axles_")]
+    assert [second[name] for name in axles] == ["1", "1", "0", "0", "0"]
+    assert (float(empty["flow_per_h"]), empty["speed_mean_mps"]) == (0.0, "") and empty["reasons"]
+    assert float(last["headway_mean_s"]) == pytest.approx(650.0) and last[lengths[3]] == "1"
+
+
+def test_every_vehicle_is_in_one_interval_of_each_length(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = written(tmp_path / "vehicles.csv", ROWS)
+    out, cars = tmp_path / "intervals.csv", tmp_path / "cars.csv"
+    said = flow(capsys, path, "-o", out, "--vehicles", cars)
+    assert said.startswith("5 vehicles, ") and "does not say how long was recorded" in said
+    rows = table(out.read_text())
+    counted = {
+        length: sum(int(one["vehicles"]) for one in rows if one["minutes"] == length)
+        for length in ("1", "5", "15", "60")
+    }
+    assert counted == dict.fromkeys(("1", "5", "15", "60"), 5)
+    told = table(cars.read_text())
+    assert [one["headway_s"] for one in told] == ["", "3.000000", "5.000000", "4.000000", "650.000000"]
+    assert [one["state"] for one in told][1] == "not_measurable" and told[1]["reason"]
+    assert [float(one["occupied_s"]) for one in told] == pytest.approx([one[1] for one in BY_HAND], abs=1e-5)
+
+
+def test_the_ends_of_a_recording_are_parts_of_intervals(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """JSON says how long was recorded: 06:04:50 to 06:16:10."""
+    path = as_json(tmp_path / "recording.json", 680.0, baseline_m=0.5, u_baseline_m=0.0005)
+    rows = table(flow(capsys, path, "--interval", "5"))
+    assert [float(one["interval_s"]) for one in rows] == [10.0, 300.0, 300.0, 70.0]
+    assert [one["partial"] for one in rows] == ["true", "false", "false", "true"]
+    assert [float(one["flow_per_h"]) for one in rows] == [360.0, 36.0, 0.0, pytest.approx(3600 / 70)]
+    # all of the u is the rig's, which does not shrink with the number of vehicles
+    assert float(rows[1]["u_speed_mean_mps"]) == pytest.approx(0.001 * 25.0, rel=1e-3)
+
+
+def test_both_directions_and_lanes_are_apart(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    rows = [{**row, "lane": "near" if at % 2 else "far"} for at, row in enumerate(ROWS)]
+    rows[2]["direction"] = "camera_2_first"
+    found = table(flow(capsys, written(tmp_path / "vehicles.csv", rows), "--interval", "60"))
+    counts = {(one["direction"], one["lane"]): one["vehicles"] for one in found}
+    ways = [("camera_1_first", "far"), ("camera_1_first", "near"), ("camera_2_first", "far")]
+    assert counts == dict(zip(ways, ("2", "2", "1"), strict=True))
+
+
+def test_a_folder_is_read_file_by_file(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    written(tmp_path / "a.csv", ROWS)
+    as_json(tmp_path / "b.json", 680.0)
+    (tmp_path / "notes.json").write_text("{}")
+    said = json.loads(flow(capsys, tmp_path, "--interval", "60", "--json"))
+    assert {one["recording"] for one in said["intervals"]} == {"a.csv", "b.json"}
+    assert len(said["vehicles"]) == 10 and any("notes.json" in note for note in said["notes"])
+
+
+def test_an_archive_agrees_with_its_own_figures(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Two computations that share no code: DuckDB's over Parquet, and this."""
+    zone = "Europe/Paris"
+    stood = Stood("Hill", "near", zone, instant_of("2026-05-04T05:00", zone), 0.1)
+    add_recorded(tmp_path, recorded(4, 500, 7200.0), stood)
+    found = table(flow(capsys, tmp_path, "--interval", "15"))
+    with ArchiveTables(tmp_path) as tables:
+        rows = list(tables.intervals(Asked(minutes=15)))
+    assert len(found) == len(rows) == 8
+    for ours, theirs in zip(found, rows, strict=True):
+        assert ours["interval_start"][:16] == theirs["from"][:16] and ours["lane"] == "near"
+        assert int(ours["vehicles"]) == theirs["vehicles"] and int(ours["measured"]) == theirs["measured"]
+        assert int(ours["refused"]) == theirs["vehicles"] - theirs["measured"] > 0
+        for own, other in (
+            ("flow_per_h", "flow_per_hour"),
+            ("speed_mean_mps", "time_mean_speed_mps"),
+            ("speed_harmonic_mean_mps", "space_mean_speed_mps"),
+            ("speed_p85_mps", "p85_speed_mps"),
+        ):
+            assert float(ours[own]) == pytest.approx(theirs[other], abs=2e-6)
+
+
+def _without(row: Row, *names: str) -> Row:
+    return {name: cell for name, cell in row.items() if name not in names}
+
+
+@pytest.mark.parametrize(
+    ("rows", "arguments", "said"),
+    [
+        (ROWS, ("--interval", "7"), "--interval 7 cannot be used"),
+        (ROWS, ("--interval", "x"), "--interval x cannot be used"),
+        ([_without(row, "front_at", "u_front_at_s") for row in ROWS], (), "does not say when its vehicles"),
+        ([{**ROWS[0], "front_at": "2026-05-04T06:05:00"}], (), "does not say when its vehicles"),
+        ([_without(row, "rear_line_1") for row in ROWS], (), "rear_line_1"),
+        ([{**ROWS[0], "speed_mps": "20,1"}], (), "line 2"),
+        ([ROWS[1]], (), "single vehicle without a motion"),
+        ([ROWS[0], ROWS[2], {**ROWS[3], "rear_line_1": "0"}], (), "outside the recording"),
+        ([ROWS[0], {**ROWS[2], "id": "1"}], (), "twice"),
+        ([ROWS[0], {**ROWS[2], "front_at": "2036-05-04T06:05:00+02:00"}], (), "outside the recording"),
+    ],
+)  # fmt: skip
+def test_what_cannot_be_used_is_refused_in_words(
+    rows: list[Row], arguments: tuple[str, ...], said: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert said in flow(capsys, written(tmp_path / "vehicles.csv", rows), *arguments, status=2)
+
+
+def test_nothing_to_read_is_said(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert "does not exist" in flow(capsys, tmp_path / "nowhere", status=2)
+    assert "holds no scanned vehicles" in flow(capsys, tmp_path, status=2)
+    as_json(tmp_path / "recording.json", 680.0, start=None)
+    assert "does not say when" in flow(capsys, tmp_path, status=2)
+    (tmp_path / "recording.json").write_text("")
+    assert "holds no vehicle" in flow(capsys, tmp_path / "recording.json", status=2)
+
+
+def test_a_single_vehicles_motion_gives_its_time_before_the_camera(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """10 m/s and 2 m/s2: 5.25 m take 0.5 s."""
+    row = {**ROWS[0], "speed_mps": "10", "length_m": "5.25", "acceleration_mps2": "1.0"}
+    (one,) = table(flow(capsys, written(tmp_path / "vehicles.csv", [row]), "--interval", "60"))
+    slow = 10.0 / 1.0 * ((1 + 2 * 1.0 * 5.25 / 100) ** 0.5 - 1)
+    assert float(one["occupancy_percent"]) == pytest.approx(100 * slow / 3600, abs=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("vehicles", "gaps_s"), [(5, (0.6, 1.4)), pytest.param(690, (0.6, 9.0), marks=pytest.mark.proof)]
+)
+def test_simulated_traffic_against_its_truth(
+    vehicles: int, gaps_s: tuple[float, float], tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """From strips to intervals; with 690 vehicles an hour of them."""
+    site = ScanSite(rows=64, line_rate_hz=2000.0)
+    cars = traffic(31, vehicles, speeds_mps=(14.0, 30.0), gaps_s=gaps_s)
+    true, duration_s = truths(site, cars), cars[-1].clear_s(site.baseline_m) + 0.4
+    path = tmp_path / "recording.json"
+    path.write_text(json.dumps(scanned(site, cars, duration_s)))
+    rows = table(flow(capsys, path))
+    lengths = [name for name in rows[0] if name.startswith("length_")][:-1]
+    for minutes in (1, 5, 15, 60):
+        own = [one for one in rows if one["minutes"] == str(minutes)]
+        assert (
+            len(own) == ceil(duration_s / (60 * minutes))
+            and sum(int(one["vehicles"]) for one in own) == vehicles
+        )
+        for number, one in enumerate(own):
+            begin_s = 60.0 * minutes * number
+            watched_s = min(60.0 * minutes, duration_s - begin_s)
+            here = [car for car in true if begin_s <= car.vehicle.front_s < begin_s + 60 * minutes]
+            assert int(one["vehicles"]) == len(here)
+            assert float(one["flow_per_h"]) == pytest.approx(3600 * len(here) / watched_s, rel=1e-3)
+            assert float(one["occupancy_percent"]) == pytest.approx(
+                occupied_percent(true, site, begin_s, watched_s), rel=3e-3, abs=1e-3
+            )
+            speeds = [car.vehicle.speed_mps for car in here]
+            if one["refused"] == "0" and speeds:
+                assert float(one["speed_mean_mps"]) == pytest.approx(fmean(speeds), rel=1e-3)
+                assert float(one["speed_harmonic_mean_mps"]) == pytest.approx(harmonic_mean(speeds), rel=1e-3)
+                assert sum(int(one[name]) for name in lengths) == len(here)
+                shorter = sum(car.vehicle.length_m <= LENGTH_LIMITS_M[0] for car in here)
+                assert int(one[lengths[0]]) == shorter
+    whole = rows[-1] if vehicles > 5 else None
+    assert whole is None or float(whole["refused"]) <= 0.01 * vehicles
+
+
+def scanned(site: ScanSite, cars: Any, duration_s: float) -> dict[str, Any]:
+    """What `linescan --json` says of simulated strips."""
+    rig = Rig(site.baseline_m, site.line_rate_hz)
+    finder = Finder(site.rows, rig)
+
+    def passages() -> Any:
+        for pair in recording(site, cars):
+            yield from finder.push(*pair)
+        yield from finder.finish()
+
+    found = [object_of(one) for one in measured(passages(), rig, "direct", lambda lines: lines)]
+    start = "2026-05-04T06:00:00.000+02:00"
+    return {**about_rig(rig), "duration_s": duration_s, "start": start, "vehicles": found}
+
+
+def occupied_percent(true: Sequence[ScanTruth], site: ScanSite, begin_s: float, watched_s: float) -> float:
+    """Vehicles of one lane are never beside each other."""
+    ends = [(one.front_line_1 / site.line_rate_hz, one.rear_line_1 / site.line_rate_hz) for one in true]
+    inside = [min(rear, begin_s + watched_s) - max(front, begin_s) for front, rear in ends]
+    return 100 * sum(one for one in inside if one > 0) / watched_s
