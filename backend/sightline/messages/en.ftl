@@ -1137,6 +1137,7 @@ upload-discard-one = Delete the partial upload of { $file }
 ## Words that many pages need
 
 interval = { $low } to { $high }
+words-apart = { $first }; { $second }
 person-system = Sightline
 person-unknown = unknown
 menu-language = Language

@@ -1135,6 +1135,7 @@ upload-discard-one = Supprimer l’envoi partiel de { $file }
 ## Mots utiles à beaucoup de pages
 
 interval = { $low } à { $high }
+words-apart = { $first } ; { $second }
 person-system = Sightline
 person-unknown = inconnu
 menu-language = Langue
@@ -3183,8 +3184,8 @@ statistics-counted = { $measurements ->
    *[other] { $roofs } toits
 } avec hauteur du constructeur.
 statistics-without-class = { $count ->
-    [one] { NUMBER($count) } véhicule n’a pas de classe et est exclu des résultats par classe. <link>Choisissez-la dans Mesurer</link> (liste : Sans classe).
-   *[other] { NUMBER($count) } véhicules n’ont pas de classe et sont exclus des résultats par classe. <link>Choisissez-la dans Mesurer</link> (liste : Sans classe).
+    [one] { NUMBER($count) } véhicule n’a pas de classe et est exclu des résultats par classe. <link>Choisissez-la dans Mesure</link> (liste : Sans classe).
+   *[other] { NUMBER($count) } véhicules n’ont pas de classe et sont exclus des résultats par classe. <link>Choisissez-la dans Mesure</link> (liste : Sans classe).
 }
 statistics-left-out = Exclues : { $states }.
 statistics-left-out-state = { $state ->
