@@ -22,6 +22,7 @@ from sightline.enums import (
     Verdict,
 )
 from sightline.infra.audit.records import Who
+from sightline.messages.said import Said
 from sightline.vehicles.records import Vehicle
 
 
@@ -138,7 +139,7 @@ class HeightOfClicks:
     """
 
     status: MeasurementStatus
-    reason: str | None
+    reason: Said | None
     height_m: float | None
     u_height_m: float | None
     U95_height_m: float | None
@@ -154,7 +155,7 @@ class HeightOfClicks:
     y_m: Annotated[float | None, Field(description="Contact point across the road, away from the camera.")]
     distance_m: float | None
     budget: list[BudgetPart]
-    flags: list[str]
+    flags: list[Said]
     solved_inset_m: float | None = None
     u_solved_inset_m: float | None = None
     u_clicks_m: float | None = None
@@ -265,14 +266,14 @@ class Measurement:
     #: The revision that the verdict was given to.
     judged_revision: int | None = None
     #: Derived when read, never stored: the camera had moved on this frame.
-    drift_flag: str | None = None
+    drift_flag: Said | None = None
     #: Derived too: when its first frame was filmed, ISO 8601 with offset; None: the start is not confirmed.
     filmed_at: str | None = None
     #: Filled in for the package alone: the facts that it follows from and that hold no longer.
     out_of_date: tuple[ComputingCause, ...] = ()
 
     @property
-    def all_flags(self) -> list[str]:
+    def all_flags(self) -> list[Said]:
         """What was stored, and what was found out since about the camera."""
         flags = self.values.flags
         return flags if self.drift_flag is None else [*flags, self.drift_flag]

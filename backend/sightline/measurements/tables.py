@@ -121,7 +121,7 @@ measurements = Table(
     Column("y_m", Float),
     Column("distance_m", Float),
     Column("status", String(20), nullable=False),
-    Column("reason", Text),
+    Column("reason", CanonicalJson),
     Column("flags", CanonicalJson, nullable=False),
     Column("budget", CanonicalJson, nullable=False),
     Column("code_version", String(60), nullable=False),

@@ -11,6 +11,7 @@ from sightline.infra.web.bodies import Out
 from sightline.infra.web.quantities import BudgetEntryBody
 from sightline.linescan.exposure import ExposurePlan
 from sightline.linescan.planner import PlannedValue
+from sightline.messages.said import Said
 
 
 class PlannedCamera(Out):
@@ -38,12 +39,12 @@ class PlannedTargetBody(Out):
     inset_m: float
     u_inset_m: float
     status: MeasurementStatus
-    reason: str | None
+    reason: Said | None
     u_height_m: float | None
     U95_height_m: float | None
     bias_if_ignored_m: float
     budget: list[BudgetEntryBody]
-    flags: list[str]
+    flags: list[Said]
     two_frames: TwoFrames
 
 

@@ -18,6 +18,8 @@ from sqlalchemy import (
     TypeDecorator,
 )
 
+from sightline.messages.said import Said
+
 NAMING = {
     "ix": "ix_%(table_name)s_%(column_0_N_name)s",
     "uq": "uq_%(table_name)s_%(column_0_N_name)s",
@@ -46,7 +48,20 @@ def document_text(value: Any) -> str:
 
     Unlike the canonical text that is hashed, it tells 1.0 from 1 and -0.0 from 0, and holds any integer.
     """
-    return json.dumps(value, sort_keys=True, separators=(",", ":"), ensure_ascii=False, allow_nan=False)
+    return json.dumps(
+        value,
+        sort_keys=True,
+        separators=(",", ":"),
+        ensure_ascii=False,
+        allow_nan=False,
+        default=_document_of,
+    )
+
+
+def _document_of(value: object) -> Any:
+    if isinstance(value, Said):
+        return value.document
+    raise TypeError(f"{value!r} is no JSON value")
 
 
 class UtcDateTime(TypeDecorator[datetime]):
