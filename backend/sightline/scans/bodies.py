@@ -28,7 +28,7 @@ from sightline.linescan.parts import USUAL_SHADOW_SHARE, Entry, Gap
 from sightline.linescan.rig import Limits
 from sightline.measurements.records import ReviewState
 from sightline.recordings.bodies import StartIn
-from sightline.scans.records import FoundMotion, ScanFacts, ScanVehicleFacts
+from sightline.scans.records import FoundMotion, ScanBase, ScanVehicleFacts
 from sightline.scans.references.bodies import ReferenceBody
 
 Version = Annotated[int, Field(ge=1, le=2**31 - 1, description="The version that you saw.")]
@@ -191,7 +191,7 @@ class LevelBody:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class ScanBody(ScanFacts):
+class ScanBody(ScanBase):
     """A pair of strips; tiles are at `/api/scans/{id}/tiles/{camera}/{level}/{index}`, time to the right."""
 
     job: JobBody | None

@@ -88,7 +88,7 @@ class ScanCounts:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class ScanFacts:
+class ScanBase:
     """What is said of a pair of strips in an answer too. Facts are None until it is ready."""
 
     id: int
@@ -129,7 +129,7 @@ class ScanFacts:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Scan(ScanFacts):
+class Scan(ScanBase):
     """A pair of strips; `first` is the camera that is reached first."""
 
     job: Job | None

@@ -240,6 +240,10 @@ def _values(listed: ListedHeight) -> LineHeightValues:
     return listed.height.values
 
 
+def _review(listed: ListedHeight) -> ReviewState:
+    return listed.height.review
+
+
 #: Of the revision of a motion or height: what stands of its reviews.
 VERDICT: tuple[Column[ReviewState], ...] = (
     text(
@@ -282,7 +286,7 @@ LINE_HEIGHTS: Table[ListedHeight] = Table(
         ),
         person("created_by_id", "who clicked; empty for the program itself", lambda h: h.height.created_by),
         moment("created_at", _MADE_AT, lambda h: h.height.created_at),
-        *of_part(VERDICT, lambda h: h.height.review),
+        *of_part(VERDICT, _review),
         out_of_date("line camera's calibration", lambda h: h.out_of_date),
     ),
     primary=("id",),
