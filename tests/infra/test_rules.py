@@ -22,6 +22,7 @@ from sightline.measurements.store import (
     revise_measurement,
     withdraw_measurement,
 )
+from sightline.messages.said import Said
 from sightline.people.store import (
     create_person,
     create_sign_in_link,
@@ -221,11 +222,12 @@ def test_a_measurement_stands_on_the_stored_frame(session: Session, one: Sample)
             add_measurement(
                 session, one.vehicle.id, client_key=KEY.format(9), values=values(one, **wrong), actor=None
             )
-    nothing = values(one, height_m=None, status="not_measurable", reason="Above the horizon.")
+    above = Said("height-contact-above-horizon")
+    nothing = values(one, height_m=None, status="not_measurable", reason=above)
     made = add_measurement(session, one.vehicle.id, client_key=KEY.format(9), values=nothing, actor=None)
     assert (made.values.status, made.values.reason, made.values.height_m) == (
         "not_measurable",
-        "Above the horizon.",
+        above,
         None,
     )
 

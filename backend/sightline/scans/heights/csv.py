@@ -236,12 +236,12 @@ _MEASURED: tuple[Column[LineHeightValues], ...] = (
 )
 
 
-def _review(one: ListedHeight) -> ReviewState:
-    return one.height.review
-
-
 def _values(listed: ListedHeight) -> LineHeightValues:
     return listed.height.values
+
+
+def _review(listed: ListedHeight) -> ReviewState:
+    return listed.height.review
 
 
 #: Of the revision of a motion or height: what stands of its reviews.
