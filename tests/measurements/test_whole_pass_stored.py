@@ -167,7 +167,9 @@ def test_what_cannot_be_followed_is_refused_and_nothing_stored(
     operator: Client, ground: Ground, vehicle_id: int
 ) -> None:
     said = operator.made(f"/vehicles/{vehicle_id}/follow", clicks())
-    assert said["points"] == [] and said["height"] is None and "cannot be followed" in said["reason"]
+    assert (
+        said["points"] == [] and said["height"] is None and "cannot be followed" in said["reason"]["message"]
+    )
     new = {"client_key": str(uuid4()), **clicks(), "follow": {}}
     refused = operator.post(f"/vehicles/{vehicle_id}/measurements", new)
     assert refused.status_code == 422 and "cannot be followed" in error_of(refused)

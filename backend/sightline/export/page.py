@@ -24,6 +24,7 @@ from sightline.export.report.said import speaking
 from sightline.export.report.words import selection_words
 from sightline.export.seal import AUDIT_SCRIPT, CHECKPOINT, PAGE
 from sightline.infra.csv_package.audit import AUDIT
+from sightline.infra.csv_package.columns import CODE, said_in, words_of
 from sightline.infra.csv_package.files import Files, Staging, read_columns, read_whole
 from sightline.infra.csv_package.schema import CHECKSUMS, DESCRIPTION, AnyTable, Written, sha256_hex
 from sightline.infra.version import code_version
@@ -192,23 +193,25 @@ def _about_block(
 ) -> str:
     with speaking(language):
         only = selection_words(selection_in(files))
-    said = {} if language == SOURCE else _said(files, set(_carried(tables, written)), language)
+    said = {} if language == SOURCE else _said(files, tables, set(_carried(tables, written)), language)
     told = {"language": language, "only": only, "said": said, **_about(tables, written, version)}
     text = json.dumps(told, ensure_ascii=False).replace("<", "\\u003c")
     return f'<script type="application/json" id="about">{text}</script>\n'
 
 
-def _said(files: Files, carried: Set[str], language: str) -> dict[str, str]:
-    """What the tables say in English that the page shows as sentences, in a language."""
-    texts = {
-        text
-        for path, columns in _SENTENCES.items()
-        if path in carried
-        for row in read_columns(files, path, columns)
-        for text in row
-    }
-    said = {text: translated(text, language) for text in sorted(texts)}
-    return {text: other for text, other in said.items() if other != text}
+def _said(files: Files, tables: Sequence[AnyTable], carried: Set[str], language: str) -> dict[str, str]:
+    """What the tables say in English that the page shows as sentences, in a language: by the code beside it,
+    else found again by its text.
+    """
+    said: dict[str, str] = {}
+    for table in tables:
+        for column in _SENTENCES.get(table.path, ()) if table.path in carried else ():
+            code = f"{column}{CODE}"
+            names = (column, code) if code in table.header else (column,)
+            for text, *codes in {tuple(cells) for cells in read_columns(files, table.path, names)}:
+                words = words_of(said_in(*codes), language) if codes else None
+                said[text] = words or translated(text, language)
+    return {text: said[text] for text in sorted(said) if said[text] != text}
 
 
 def _about(

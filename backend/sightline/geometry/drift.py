@@ -15,6 +15,7 @@ from sightline.geometry.arrays import Floats
 from sightline.geometry.camera import project
 from sightline.geometry.height import measure_height
 from sightline.geometry.road_pose import RoadPose
+from sightline.messages.said import Said
 from sightline.robust import robust_scale
 
 DISTANCE_M = 3.0
@@ -59,7 +60,7 @@ class HeightChange:
 
     change_m: float | None
     distance_m: float | None
-    reason: str | None
+    reason: Said | None
 
 
 def _centre(size_px: tuple[int, int]) -> Floats:
@@ -78,7 +79,7 @@ def displacement_px(parameters: Floats, size_px: tuple[int, int]) -> float:
     return float(np.sqrt(x * x + y * y + (s * s + t * t) * spread))
 
 
-def fit_motion(before_px: Floats, after_px: Floats, size_px: tuple[int, int]) -> Motion | str:
+def fit_motion(before_px: Floats, after_px: Floats, size_px: tuple[int, int]) -> Motion | Said:
     """The motion that most points share, or why it cannot be told: `before_px`, `after_px` (N, 2).
 
     Iterated least squares with Tukey's weights (Beaton and Tukey 1974) from the median motion; the
@@ -110,11 +111,8 @@ def fit_motion(before_px: Floats, after_px: Floats, size_px: tuple[int, int]) ->
     )
 
 
-def _too_few(count: int) -> str:
-    return (
-        f"Only {count} background points were found again, or all of them in one part of the "
-        "frame; it is too dark, covered, or another view."
-    )
+def _too_few(count: int) -> Said:
+    return Said("drift-few-points", count=count)
 
 
 def _design(away: Floats) -> Floats:
@@ -184,8 +182,7 @@ def height_change(pose: RoadPose, motion: Motion) -> HeightChange:
         seen = [change for change in changes if change is not None]
         if seen:
             return HeightChange(max(seen, key=abs), float(distance), None)
-    reason = f"No target {TARGET_M} m high on the road between 3 and 12 m is in the frame."
-    return HeightChange(None, None, reason)
+    return HeightChange(None, None, Said("drift-no-target", target_m=TARGET_M))
 
 
 def _places(pose: RoadPose, distance_m: float) -> Floats:

@@ -19,15 +19,16 @@ from sightline.geometry.ray_intersection import (
     intersect_rays,
 )
 from sightline.geometry.road_pose import RoadPose
+from sightline.messages.said import Said
 
 _CHUNK = 8192  # rows at a time: the working set stays in the processor's cache
 _EDGE_FLAG = np.sin(np.deg2rad(10.0))
 _LARGE_U_M = 0.03
 _DOUBTS = (
-    "The side plane is seen at less than 10 degrees.",
-    "A click lies near the edge of what the lens model can invert.",
-    "The vehicle is at a very different distance than the board was.",
-    "The uncertainty is large, so the 95 % interval is approximate.",
+    Said("height-flag-plane-oblique"),
+    Said("height-flag-lens-edge"),
+    Said("height-flag-far-from-board"),
+    Said("height-flag-u-large"),
 )
 
 
@@ -48,7 +49,7 @@ class Height:
     """
 
     status: MeasurementStatus
-    reason: str | None
+    reason: Said | None
     height_m: float | None
     u_height_m: float | None
     U95_height_m: float | None
@@ -58,14 +59,14 @@ class Height:
     inset_m: float
     u_inset_m: float
     budget: tuple[BudgetEntry, ...] = field(default=())
-    flags: tuple[str, ...] = field(default=())
+    flags: tuple[Said, ...] = field(default=())
 
 
 @dataclass(frozen=True, eq=False)
 class Heights:
-    """N heights as arrays (N,); NaN where `code` is not 0, `REASONS[code]` then says why.
+    """N heights as arrays (N,); NaN where `code` is not 0, `reason` then says why.
 
-    `pose` and `doubts` (4, N), from which `flags` are said.
+    `pose` and `doubts` (4, N), from which `flags` follow.
     """
 
     pose: RoadPose
@@ -82,15 +83,17 @@ class Heights:
         """Which have a height, (N,)."""
         return np.asarray(self.code == OK, dtype=np.bool_)
 
-    def reason(self, row: int) -> str | None:
-        return REASONS[int(self.code[row])] or None
+    def reason(self, row: int) -> Said | None:
+        """Why there is no height; None where there is one."""
+        code = int(self.code[row])
+        return None if code == OK else REASONS[code]
 
-    def flags(self, row: int) -> tuple[str, ...]:
+    def flags(self, row: int) -> tuple[Said, ...]:
         """What a reader should know of one height; none where there is no height."""
-        return () if self.code[row] else _sentences(self.pose, self.doubts[:, row])
+        return () if self.code[row] else _flags(self.pose, self.doubts[:, row])
 
 
-def not_measurable(reason: str, inset_m: float = 0.0, u_inset_m: float = 0.0) -> Height:
+def not_measurable(reason: Said, inset_m: float = 0.0, u_inset_m: float = 0.0) -> Height:
     """A height that is not there, and why."""
     return Height(
         status="not_measurable",
@@ -141,13 +144,13 @@ def systematic_covariance(pose: RoadPose) -> Floats:
     return out
 
 
-def left_out(pose: RoadPose) -> list[str]:
-    """What the uncertainty of a height lacks because the pose does not say it, one sentence each."""
+def left_out(pose: RoadPose) -> list[Said]:
+    """What the uncertainty of a height lacks because the pose does not say it."""
     out = []
     if pose.covariance is None:
-        out.append("The uncertainty of lens and pose is unknown and not included.")
+        out.append(Said("height-flag-no-u-of-lens-and-pose"))
     elif pose.camera.covariance is None:
-        out.append("The uncertainty of the lens is unknown; only what the pose file states is included.")
+        out.append(Said("height-flag-no-u-of-lens"))
     missing = unknown_parts(pose)
     return out if missing is None else [*out, missing]
 
@@ -170,9 +173,9 @@ def _doubts(pose: RoadPose, seen: RayIntersection, u_m: Floats) -> NDArray[np.bo
     )
 
 
-def _sentences(pose: RoadPose, doubts: NDArray[np.bool_]) -> tuple[str, ...]:
-    """What one height's flags say; `doubts` (4,)."""
-    return (*left_out(pose), *(words for words, holds in zip(_DOUBTS, doubts, strict=True) if holds))
+def _flags(pose: RoadPose, doubts: NDArray[np.bool_]) -> tuple[Said, ...]:
+    """One height's flags; `doubts` (4,)."""
+    return (*left_out(pose), *(flag for flag, holds in zip(_DOUBTS, doubts, strict=True) if holds))
 
 
 def measure_height(
@@ -272,7 +275,7 @@ def _with_budgets(
                     inset_m=float(inset[n]),
                     u_inset_m=float(u_inset[n]),
                     budget=tuple(map(BudgetEntry, variances, parts_m[:, n].tolist())),
-                    flags=_sentences(pose, doubts[:, n]),
+                    flags=_flags(pose, doubts[:, n]),
                 )
             )
     return out

@@ -1033,7 +1033,7 @@ recordings-picture-read = Piste vidéo { $number } sur les { $count } du fichier
 recordings-picture-read-too = Importer aussi la piste vidéo { $number } ({ $codec }, { $size })
 recordings-picture-read-of = Importer la piste vidéo { $number } de { $recording } comme un enregistrement à part
 recordings-picture-added = { $name } est en cours d’import.
-recordings-filming-rate-unknown = Cadence de prise de vue non indiquée ; aucun mouvement n’est mesuré.
+recordings-filming-rate-unknown = Cadence de prise de vue non confirmée ; aucun mouvement n’est mesuré.
 recordings-filming-rate-is = Filmé à { $rate } images/s, valeur saisie
 recordings-filming-rate-state = Saisir la cadence de prise de vue
 recordings-filming-rate-of = Saisir la cadence de prise de vue de { $recording }
@@ -4369,6 +4369,132 @@ measurements-proposals-not-these = Ces points sont périmés : les propositions
 
 ## Erreurs : caméras
 
+## Heights: why there is none, and what to know of one; what is followed and suggested (kept by code)
+
+height-click-not-finite = Une coordonnée de pointé n’est pas un nombre fini.
+height-contact-outside-picture = Le contact est hors de l’image.
+height-target-outside-picture = La cible est hors de l’image.
+height-contact-outside-lens = Le contact est hors du rayon valable du modèle d’objectif ; sa direction est inconnue.
+height-target-outside-lens = La cible est hors du rayon valable du modèle d’objectif ; sa direction est inconnue.
+height-camera-below-road = La pose place la caméra sur la chaussée ou dessous ; recalculez la pose de la caméra.
+height-contact-above-horizon = Le contact est sur l’horizon ou au-dessus, où il n’y a pas de route.
+height-contact-behind-camera = Le contact est derrière le plan de la caméra, vu en travers de la route.
+height-plane-edge-on = Le plan latéral passant par le contact est vu presque par la tranche.
+height-target-no-crossing = Le rayon de la cible ne rencontre pas le plan latéral devant la caméra.
+height-target-below-road = La cible est sur la route ou dessous ; contact et cible sont-ils inversés ?
+height-u-not-valid = Une incertitude de pointé, un retrait ou son incertitude n’est pas un nombre fini, ou une incertitude est négative.
+height-side-unknown = Le côté du conducteur (proche ou éloigné) n’est pas indiqué, et la hauteur de l’œil en dépend ; indiquez-le.
+height-inset-implausible = Le retrait calculé de { NUMBER($inset_m, minimumFractionDigits: 2, maximumFractionDigits: 2) } m n’est pas plausible pour un véhicule routier ({ $low_m } à { $high_m } m) : le contact et la cible doivent être les mêmes points sur chaque image.
+height-no-board-in-picture = La mire entière n’entre pas dans l’image ; la pose de la caméra ne peut être calculée.
+height-picture-too-narrow = L’image ne montre contact et cible que sur { NUMBER($shown_m, minimumFractionDigits: 1, maximumFractionDigits: 1) } m de la trace de roues ; on ne peut les pointer deux fois à { $travel_m } m d’intervalle.
+height-frames-too-few = Contact et cible sont nécessaires sur deux images au moins.
+height-of-frame = Image { $frame } sur { $frames } : { $reason }
+height-travel-short = Le véhicule n’a avancé que de { NUMBER($travel_m, minimumFractionDigits: 2, maximumFractionDigits: 2) } m entre les images ; choisissez des images plus éloignées.
+height-clicks-disagree = Les pointés ne correspondent pas à un même véhicule en mouvement ; pointez les deux mêmes points sur chaque image.
+height-inset-undetermined = Les images ne déterminent pas le retrait ; choisissez des images plus éloignées.
+height-no-clicks = Contact et cible ne donnent pas de hauteur.
+height-pass-empty = Aucun point n’a été suivi ; confirmez d’abord contact et cible sur une image.
+height-pass-not-finite = Un point suivi, son instant ou son incertitude n’est pas un nombre fini.
+height-pass-u-not-positive = L’incertitude d’un point suivi n’est pas positive ; indiquez-la en pixels.
+height-pass-statement-not-valid = Un nombre qui décrit le suivi est négatif ou n’est pas fini.
+height-pass-point-twice = Un point est donné deux fois sur une image ; donnez chacun une seule fois.
+height-pass-few-frames =
+    { $point ->
+        [contact] Le contact
+        [second_contact] Le second contact
+       *[target] La cible
+    } n’a été suivi que sur { $count } images utilisables ; il en faut { $needed }.
+height-pass-short =
+    { $point ->
+        [contact] Le contact
+        [second_contact] Le second contact
+       *[target] La cible
+    } n’a été suivi que sur { NUMBER($travel_m, minimumFractionDigits: 2, maximumFractionDigits: 2) } m ; suivez-le sur plus d’images.
+height-pass-no-path = Les points suivis ne donnent pas de trajectoire sur la chaussée ; suivez-les à nouveau.
+height-pass-disagrees = Les points suivis ne correspondent pas à un même véhicule en mouvement ; suivez-les à nouveau.
+height-pass-inset-undetermined = Les images ne déterminent pas le retrait ; suivez les points sur une plus longue distance.
+height-pass-most-excluded = { $dropped } points suivis sur { $points } ont été exclus ; suivez-les à nouveau à partir d’une image plus nette.
+height-flag-plane-oblique = Le plan latéral est vu sous moins de 10 degrés.
+height-flag-lens-edge = Un pointé est près du bord de ce que le modèle d’objectif sait inverser.
+height-flag-far-from-board = Le véhicule est à une tout autre distance que ne l’était la mire.
+height-flag-u-large = L’incertitude est grande ; l’intervalle à 95 % est approché.
+height-flag-no-u-of-lens-and-pose = L’incertitude de l’objectif et de la pose est inconnue et n’est pas comprise.
+height-flag-no-u-of-lens = L’incertitude de l’objectif est inconnue ; seul ce que dit le fichier de pose est compté.
+height-flag-no-board = La mire est inconnue ; son inclinaison, sa hauteur, le côté de ses cases et sa flèche ne sont pas compris dans l’incertitude.
+height-flag-no-square-size = La pose n’indique pas le côté des cases de la mire ; non compris dans l’incertitude.
+height-flag-no-bow = La pose n’indique pas la flèche de la mire ; non comprise dans l’incertitude.
+height-flag-no-square-size-and-bow = La pose n’indique ni le côté des cases ni la flèche de la mire ; non compris dans l’incertitude.
+height-flag-clicks-misfit = Les pointés ne suivent pas une trajectoire droite et horizontale ; vérifiez que les mêmes points sont pointés sur chaque image.
+height-flag-inset-weak = Les images sont trop rapprochées pour bien déterminer le retrait.
+height-flag-pass-misfit = Les points suivis s’écartent d’une trajectoire droite et horizontale de plus que leur incertitude.
+height-flag-side-from-place = Le passage n’a pas de sens ; le côté du conducteur se déduit de la place de la caméra sur le terre-plein central, le long duquel tous vont dans le même sens.
+height-flag-camera-moved = La caméra avait bougé de { NUMBER($moved_px, minimumFractionDigits: 1, maximumFractionDigits: 1) } px depuis sa pose ; prenez une nouvelle pose pour cette partie, ou décidez que l’ancienne convient encore.
+height-flag-camera-moved-by = La caméra avait bougé de { NUMBER($moved_px, minimumFractionDigits: 1, maximumFractionDigits: 1) } px depuis sa pose (erreur de hauteur jusqu’à { SMALL($error_m, digits: 0) }) ; prenez une nouvelle pose pour cette partie, ou décidez que l’ancienne convient encore.
+height-flag-inset-zero = retrait pris égal à 0
+height-flag-u-inset-zero = incertitude du retrait prise égale à 0
+height-flag-usual-inset = retrait usuel de { $target }
+height-flag-usual-inset-of-side = retrait usuel de { $target }, { $side }
+height-target-unknown = La cible { $target } n’est pas l’une de { $known }.
+height-side-not-known = Le côté { $side } n’est pas l’un de { $known }.
+second-frame-no-height = Il n’y a pas encore de hauteur ; pointez d’abord contact et cible.
+second-frame-no-other = Le passage n’a pas d’autre image ; prolongez-le par sa première ou sa dernière image.
+second-frame-not-shown = Sur aucune autre image du passage les deux points ne sont dans l’image ; une image suffira.
+second-frame-no-gain = Une autre image n’aiderait pas ici : { SMALL($now_m, digits: 0) } actuellement, { SMALL($then_m, digits: 0) } avec elle.
+followed-off = Il est à { NUMBER($off_px, minimumFractionDigits: 1, maximumFractionDigits: 1) } px de la position donnée par les autres images, { NUMBER($times, minimumFractionDigits: 1, maximumFractionDigits: 1) } fois son incertitude.
+followed-outside-picture = Il est hors de l’image.
+followed-outside-lens = Il est hors du rayon valable du modèle d’objectif.
+followed-above-horizon = Il est sur l’horizon ou au-dessus, où il n’y a pas de route.
+followed-left-picture = Il est sorti de l’image.
+followed-lost = Il a été perdu : rien ne se trouve à l’endroit donné par la vitesse et la pose de la caméra.
+followed-elsewhere = Sa position contredit les images voisines.
+followed-unlike = L’image diffère trop des autres ici ; il est peut-être caché.
+followed-blurred = Il est trop flou ici par rapport aux autres images.
+followed-weak = Trop peu de détails sont visibles ici pour le situer à 1,5 px près.
+follow-outline = Cette cible est un contour devant un arrière-plan mobile et ne peut pas être suivie ; pointez-la sur deux images.
+follow-frame-not-of-pass = Les points confirmés sont sur une image hors du passage.
+follow-not-from-here = Le véhicule ne peut pas être suivi à partir de cette image ; confirmez les points sur une autre.
+follow-points-needed = Le suivi part d’une image avec le contact et la cible ; pointez les deux sur celle-ci.
+contact-wrong-distance = La route est ici trop proche ou trop lointaine pour distinguer une roue.
+contact-oblique = La roue est vue ici trop en biais ; sa bande de roulement cache le contact.
+contact-no-rim = Aucune jante entière n’est visible ici ; le pneu ne peut être séparé de l’ombre et de la carrosserie.
+contact-no-edge = Le bord inférieur du pneu ne se détache pas ici de la route.
+contact-radius = La roue détectée ici aurait un rayon de { NUMBER($radius_m, minimumFractionDigits: 2, maximumFractionDigits: 2) } m.
+contact-far-from-pointer = La roue détectée est trop loin du pointeur ; pointez plus près de son contact.
+contact-none = Pas de proposition. { $reason } Cliquez vous-même sur le contact.
+contact-found = contact proposé, u = { NUMBER($expected_px, minimumFractionDigits: 1, maximumFractionDigits: 1) } px
+contact-found-rough = contact proposé, u = { NUMBER($expected_px, minimumFractionDigits: 1, maximumFractionDigits: 1) } px, moins précis qu’un pointé soigneux
+heading-of-contact = { $which ->
+    [first] Premier
+   *[second] Second
+ } contact de pneu : { $reason }
+heading-base-short = Les deux contacts de pneu ne sont qu’à { NUMBER($base_m, minimumFractionDigits: 2, maximumFractionDigits: 2) } m l’un de l’autre ; pointez le pneu avant et le pneu arrière du même côté.
+heading-base-long = Les deux contacts de pneu sont à { NUMBER($base_m, minimumFractionDigits: 0, maximumFractionDigits: 0) } m l’un de l’autre ; pointez les deux pneus d’un même véhicule.
+heading-at-edge = Un contact de pneu est au bord de la chaussée visible ; prenez une autre image.
+heading-outlier = Exclu comme valeur aberrante ; contrôlez ses pointés.
+size-not-measured = Ce n’est pas mesuré.
+size-rejected = Sa mesure a été rejetée.
+size-no-tyres = Sur aucune image les deux pneus ne sont pointés.
+drift-unknown = On ne peut dire si la caméra a bougé : { $reason }
+drift-still = Aucun mouvement de la caméra détecté, à { NUMBER($floor_px, minimumFractionDigits: 2, maximumFractionDigits: 2) } px près.
+drift-still-of-height = Aucun mouvement de la caméra détecté, à { NUMBER($floor_px, minimumFractionDigits: 2, maximumFractionDigits: 2) } px près ({ SMALL($floor_m, digits: 1) } de hauteur).
+drift-moved = { $how ->
+    [bumped] La caméra a bougé
+    [before] La caméra avait déjà bougé
+   *[drifted] La caméra a glissé
+ } à { $clock } (image { $frame }) de { NUMBER($moved_px, minimumFractionDigits: 1, maximumFractionDigits: 1) } px, images { $first } à { $last }.
+drift-moved-height = { $how ->
+    [bumped] La caméra a bougé
+    [before] La caméra avait déjà bougé
+   *[drifted] La caméra a glissé
+ } à { $clock } (image { $frame }) de { NUMBER($moved_px, minimumFractionDigits: 1, maximumFractionDigits: 1) } px (erreur de hauteur jusqu’à { SMALL($error_m, digits: 0) }), images { $first } à { $last }.
+drift-more = { $count } autres mouvements.
+drift-few-points = Seuls { $count } points du fond sont retrouvés, ou tous dans une même partie de l’image ; elle est trop sombre, masquée, ou montre une autre vue.
+drift-no-frame = Aucune image n’a été examinée.
+drift-no-such-frame = L’enregistrement n’a pas cette image.
+drift-nothing-in-pose-frame = L’image de la pose de la caméra n’a rien qui puisse être suivi ; elle est trop sombre ou trop peu contrastée.
+drift-other-size = La taille d’image diffère de celle de la pose de la caméra.
+drift-no-target = Aucune cible haute de { $target_m } m sur la route entre 3 et 12 m n’est dans l’image.
+
 cameras-charuco-board-needs-dictionary-markers-side = Une mire ChArUco demande le dictionnaire de ses marqueurs, le côté d’un marqueur et le côté d’une case ; indiquez les trois.
 cameras-plain-checkerboard-no-markers-choose-charuco = Un damier simple n’a pas de marqueurs ; choisissez ChArUco comme type de mire, ou omettez dictionnaire et marqueur.
 cameras-frames-not-recording-frames-0 = Les images { $first } à { $last } ne sont pas dans l’enregistrement ; il a les images 0 à { $frame_count }.
@@ -4501,6 +4627,7 @@ export-described-otherwise = datapackage.json énumère chaque fichier avec sa t
 export-statistics-sealed-only = Les statistiques diffèrent de celles de cette version, car une autre version les a calculées ; couvertes par le sceau, non comparées (première différence : { $difference })
 export-drawings-sealed-only = Figures, rapport et README ont été faits par une autre version ; couverts par le sceau, non comparés.
 export-page-sealed-only = La page a été faite par une autre version : ses tables ont été comparées ; son programme est couvert par le sceau, non comparé.
+export-words-sealed-only = Motifs et remarques ont été mis en mots par une autre version : leurs codes ont été comparés ; les mots sont couverts par le sceau, non comparés.
 export-heights-of-another-version = { $count ->
     [one] Un nombre calculé par une autre version diffère
    *[other] { $count } nombres calculés par d’autres versions diffèrent
@@ -4512,6 +4639,7 @@ export-not-one-whose-hash-crops-csv = { $path } n’est pas celui dont crops.csv
 export-no-picture-size-crops-csv-tells = { $path } n’est pas une image de la taille indiquée par crops.csv ; il a été échangé.
 export-not-show-points-measurement-changed = { $overlay } ne montre pas les points de sa mesure ; il a été modifié.
 export-cannot-read-take-whole-export-again = { $description } est illisible ; reprenez l’export complet.
+csv-package-no-code = Une cellule avec un code et ses valeurs ne peut être lue ({ $cell }) ; elle a été modifiée.
 export-another-files-chain-changed = { $description } a une autre valeur de { $name } que les fichiers et la chaîne ; il a été modifié.
 export-describes-otherwise-program-changed = { $description } décrit { $named } autrement que ce programme ; il a été modifié.
 export-too-rows-changed = { $path } a { $value ->
@@ -4799,6 +4927,7 @@ measurements-measurement-stored-another-vehicle-already-click = Cette mesure a d
 measurements-frame-not-picture-clicked-load-again = L’image { $frame } n’est pas celle qui a été pointée ; rechargez-la.
 measurements-measurements-csv-lacks-measurement-revisions-csv = measurements.csv : il manque une mesure que contient revisions.csv ; elle a été retirée.
 measurements-says-clicks-give-one-wrong = { $name } indique { $status }, ses pointés donnent { $status_2 } ; l’un des deux est faux.
+measurements-words-not-of-code = { $name } : { $column } ne dit pas ce que dit le code à côté ; l’un des deux a été modifié.
 measurements-names-another-pose-file-pose-changed = { $path } : { $id } nomme un autre fichier de pose que sa pose ; il a été modifié.
 measurements-measurement-no-audit-event-revision-put = { $path } : la mesure { $key } n’a pas d’événement d’audit pour la révision { $key_2 } ; ajout après coup.
 measurements-measurement-differs-audit-event-changed = { $path } : la mesure { $key } diffère de son événement d’audit ; elle a été modifiée.
@@ -5077,7 +5206,7 @@ reviews-somebody-changed-plan-meanwhile = Le plan a été modifié entre-temps�
 reviews-plan-one-in-between = « Une sur combien » est un nombre entre 0 (aucune) et { $most }.
 reviews-click-it-again-before = Le plan du relevé veut que celle-ci soit repointée avant d’être montrée ; pointez contact et cible, puis jugez-la.
 reviews-fix-changes-nothing-accept = Cette correction ne change rien ; déplacez un point, ou validez la mesure.
-reviews-measurement-waits-review-already = Cette mesure attend déjà une vérification.
+reviews-waits-review-already = Ceci attend déjà une vérification.
 reviews-nobody-reviews-their-own-measurement-ask = Personne ne vérifie sa propre mesure ; demandez à un autre vérificateur.
 reviews-reviews-csv-not-what-audit-event = reviews.csv : { $id } diffère de son événement d’audit ; il a été modifié.
 reviews-reviews-csv-missing-though-audit-event = reviews.csv : { $id } manque, bien que son événement d’audit soit là.
@@ -5154,11 +5283,9 @@ scans-nothing-camera-2s-strip-looks-like = Rien dans la bande de la caméra 2 ne
 scans-vehicle-no-speed-needs-reason-why = Un véhicule qui n’a pas de vitesse demande un motif ; remesurez-le.
 scans-vehicle-measured-again-meanwhile-look-newer = Ce véhicule a été remesuré entre-temps ; regardez le nouveau résultat.
 scans-nobody-reviews-boundaries-they-placed-themselves = Personne ne vérifie les bornes qu’il a placées ; demandez à un autre vérificateur.
-scans-vehicle-waits-review-already = Ce véhicule attend déjà une vérification.
 scans-height-measured-again-meanwhile-look-newer = Cette hauteur a été remesurée entre-temps ; regardez le nouveau résultat.
 scans-height-without-figure-nothing-review = Cette hauteur est retirée ou n’a pas de valeur : il n’y a rien à vérifier.
 scans-nobody-reviews-height-they-clicked-themselves = Personne ne vérifie une hauteur qu’il a pointée ou calculée ; demandez à un autre vérificateur.
-scans-height-waits-review-already = Cette hauteur attend déjà une vérification.
 scans-camera-2-needs-both-lines-front = La caméra 2 demande les deux lignes, avant et arrière, ou aucune ; envoyez les deux ou omettez les deux.
 scans-wheelbase-needs-both-wheels-send-both = Un empattement demande les deux roues ; envoyez les deux lignes, ou aucune pour les retirer.
 scans-vehicle-not-deleted-nothing-restore = Ce véhicule n’a pas été supprimé : il n’y a rien à restaurer.
@@ -6132,32 +6259,6 @@ scans-reference-does-not-follow = { $path } : { $name } de la ligne { $number }
 
 ## What the server says in English, found again by its text (sightline/messages/recognised.py)
 
-told-geometry-outline-not-followed = Cette cible est un contour devant un arrière-plan mobile et ne peut pas être suivie ; pointez-la sur deux images.
-told-geometry-confirmed-outside-pass = Les points confirmés sont sur une image hors du passage.
-told-geometry-not-followed-from-here = Le véhicule ne peut pas être suivi à partir de cette image ; confirmez les points sur une autre.
-told-geometry-following-needs-both = Le suivi part d’une image avec le contact et la cible ; pointez les deux sur celle-ci.
-told-geometry-followed-left-frame = Il est sorti de l’image.
-told-geometry-followed-lost = Il a été perdu : rien ne se trouve à l’endroit donné par la vitesse et la pose de la caméra.
-told-geometry-followed-elsewhere = Sa position contredit les images voisines.
-told-geometry-followed-unlike = L’image diffère trop des autres ici ; il est peut-être caché.
-told-geometry-followed-blurred = Il est trop flou ici par rapport aux autres images.
-told-geometry-followed-weak = Trop peu de détails sont visibles ici pour le situer à 1,5 px près.
-told-geometry-followed-not-finite = Un point suivi, son instant ou son incertitude n’est pas un nombre fini.
-told-geometry-followed-u-not-positive = L’incertitude d’un point suivi n’est pas positive ; indiquez-la en pixels.
-told-geometry-following-number = Un nombre qui décrit le suivi est négatif ou n’est pas fini.
-told-geometry-followed-twice = Un point est donné deux fois sur une image ; donnez chacun une seule fois.
-told-geometry-followed-too-few =
-    { $point ->
-        [contact] Le contact
-        [second_contact] Le second contact
-       *[target] La cible
-    } n’a été suivi que sur { $count } images utilisables ; il en faut { $least }.
-told-geometry-followed-too-short =
-    { $point ->
-        [contact] Le contact
-        [second_contact] Le second contact
-       *[target] La cible
-    } n’a été suivi que sur { $travel } m ; suivez-le sur plus d’images.
 told-geometry-several-cameras = { $file_name } contient plusieurs caméras : { $cameras } ; { $key } a été lue (nommez-en une autre avec --which).
 told-geometry-roi-whole = { $file_name } : la caméra est celle de l’image entière, comme demandé, et non de sa roi.
 told-geometry-roi-part = { $file_name } décrit une partie de l’image (roi) : { $width }x{ $height } px à partir de ({ $left } ; { $top }) sur { $full_width }x{ $full_height } px ; la caméra est celle de cette partie (--size { $full_width }x{ $full_height } pour l’image entière).
@@ -6278,18 +6379,10 @@ told-export-it-was-reopened-and = Elle a été rouverte et attend une nouvelle v
 told-export-reading-the-survey = Lecture du relevé.
 told-export-storing-the-package = Enregistrement de l’archive.
 told-export-packing-the-files = Archivage des fichiers.
-told-geometry-the-pose-does-not = La pose n’indique pas pour la mire : { $join } ; non compris dans l’incertitude.
-told-geometry-the-board-is-unknown = La mire est inconnue ; son inclinaison, sa hauteur, le côté de ses cases et sa flèche ne sont pas compris dans l’incertitude.
 told-geometry-the-picture-is-x = La photo fait { $size }x{ $size2 } px, la plupart des autres { $usual }x{ $usual2 } px.
 told-geometry-the-picture-is-blurred = La photo est floue (bords larges de { $sharpness } px).
 told-geometry-and-a-height-at = et une hauteur à { $distance_m } m change de { $size } mm
 told-geometry-the-board-is-not = La mire n’est pas plane : elle fléchit d’environ { $bow } % d’une case ; avec sa forme estimée, le résidu passe de { $flat } à { $bent } px{ $makes }. Fixez la mire sur une plaque rigide et plane et reprenez les photos, ou étalonnez en tenant compte de la flèche.
-told-geometry-the-road-is-too = La route est ici trop proche ou trop lointaine pour distinguer une roue.
-told-geometry-the-wheel-is-seen = La roue est vue ici trop en biais ; sa bande de roulement cache le contact.
-told-geometry-no-whole-rim-is = Aucune jante entière n’est visible ici ; le pneu ne peut être séparé de l’ombre et de la carrosserie.
-told-geometry-the-lower-edge-of = Le bord inférieur du pneu ne se détache pas ici de la route.
-told-geometry-what-looks-like-a = La roue détectée ici aurait un rayon de { $radius } m.
-told-geometry-the-wheel-that-is = La roue détectée est trop loin du pointeur ; pointez plus près de son contact.
 told-geometry-no-board-of-x = Aucune mire de { $columns }x{ $rows } coins intérieurs n’a été trouvée ; montrez la mire entière avec sa marge blanche, nette et éclairée uniformément, et comptez les coins intérieurs.
 told-geometry-no-board-before-limit = Aucune mire de { $columns }x{ $rows } coins intérieurs n’a été trouvée dans le temps imparti à la recherche ; montrez la mire entière avec sa marge blanche, nette et éclairée uniformément, et comptez les coins intérieurs.
 told-geometry-the-board-is-cut = La mire est coupée par le bord de l’image ; montrez-la en entier.
@@ -6305,15 +6398,6 @@ told-geometry-a-board-lies-where = Une mire est là où le modèle d’objectif 
 told-geometry-the-halves-could-not = Les deux moitiés n’ont pas pu être étalonnées séparément : { $message }
 told-geometry-two-halves-of-the = Deux moitiés des photos, étalonnées séparément, diffèrent de { $size } mm pour une hauteur à { $distance_m } m{ $by } : plus que le bruit des coins ne l’explique. L’objectif demande peut-être l’autre modèle, la mire est peut-être gauchie, ou le zoom ou la mise au point a changé entre les photos.
 told-geometry-pictures-that-did-not = Les photos hors ajustement s’accordent bien moins que les photos ajustées ({ $held_out } px contre { $fit } px) ; ajoutez des photos où la mire est inclinée, partout dans l’image.
-told-geometry-only-background-points-are = Seuls { $count } points du fond sont retrouvés, ou tous dans une même partie de l’image ; elle est trop sombre, masquée, ou montre une autre vue.
-told-geometry-no-target-m-high = Aucune cible haute de { $target_m } m sur la route entre 3 et 12 m n’est dans l’image.
-told-geometry-no-frame-was-looked = Aucune image n’a été examinée.
-told-geometry-the-side-plane-is = Le plan latéral est vu sous moins de 10 degrés.
-told-geometry-a-click-lies-near = Un pointé est près du bord de ce que le modèle d’objectif sait inverser.
-told-geometry-the-vehicle-is-at = Le véhicule est à une tout autre distance que ne l’était la mire.
-told-geometry-the-uncertainty-is-large = L’incertitude est grande ; l’intervalle à 95 % est approché.
-told-geometry-the-uncertainty-of-lens = L’incertitude de l’objectif et de la pose est inconnue et n’est pas comprise.
-told-geometry-the-uncertainty-of-the = L’incertitude de l’objectif est inconnue ; seul ce que dit le fichier de pose est compté.
 told-geometry-does-not-name-its = { $file_name } ne nomme pas son modèle de distorsion ; ses quatre coefficients ont été lus comme { $taken } (à choisir par --model).
 told-geometry-not-enough-data-a = Pas assez de données : il faut quelques centaines de véhicules pour u = 0,15 m.
 told-geometry-at-least-vehicles-of = Il faut au moins { $least_known } véhicules de hauteur connue ; utilisables : { $rows }.
@@ -6327,7 +6411,6 @@ told-geometry-it-says-nothing-this = Cela ne dit rien : cette cible est à peu 
 told-geometry-it-says-nothing-all = Cela ne dit rien : tous sont passés à peu près à la même distance, { $d } à { $d2 } m.
 told-geometry-at-least-vehicles-measured = Il faut au moins { $least_known } véhicules mesurés sur deux images ; il y en a { $values }.
 told-geometry-it-says-next-to-nothing = Cela ne dit presque rien : les images étaient trop rapprochées.
-told-geometry-it-is-not-known = Le côté du conducteur (proche ou éloigné) n’est pas indiqué, et la hauteur de l’œil en dépend ; indiquez-le.
 told-inset-roof-edge = bord proche du toit (estimation)
 told-inset-upright-sides = caisse à parois verticales (estimation)
 told-inset-less-certain = comme une voiture, moins certain (estimation)
@@ -6336,13 +6419,6 @@ told-geometry-driver-on-the-side = conducteur du côté de la caméra (estimatio
 told-geometry-driver-on-the-side-away = conducteur du côté opposé à la caméra (estimation)
 told-geometry-not-known = retrait inconnu
 told-geometry-outer-edge-of-the = bord extérieur du feu (estimation)
-told-geometry-the-clicks-do-not = Les pointés ne correspondent pas à un même véhicule en mouvement ; pointez les deux mêmes points sur chaque image.
-told-geometry-contact-and-target-are = Contact et cible sont nécessaires sur deux images au moins.
-told-geometry-the-clicks-disagree-with = Les pointés ne suivent pas une trajectoire droite et horizontale ; vérifiez que les mêmes points sont pointés sur chaque image.
-told-geometry-the-frames-are-too = Les images sont trop rapprochées pour bien déterminer le retrait.
-told-geometry-the-solved-inset-of = Le retrait calculé de { $inset } m n’est pas plausible pour un véhicule routier ({ $low } à { $high } m) : le contact et la cible doivent être les mêmes points sur chaque image.
-told-geometry-the-vehicle-moved-only = Le véhicule n’a avancé que de { $travel } m entre les images ; choisissez des images plus éloignées.
-told-geometry-the-frames-do-not = Les images ne déterminent pas le retrait ; choisissez des images plus éloignées.
 told-geometry-stand-the-board-square = Placez la mire perpendiculaire à la route, pas à la verticale : avec un dévers de { $crossfall } %, une mire verticale fausse les hauteurs de { $mm } mm à { $distance_m } m et de { $mm2 } mm à 1 m de plus.
 told-geometry-road-or-target-lie = La route ou la cible est hors de l’image pour : { $join } ; reculez ou prenez un objectif plus large.
 told-geometry-a-board-seen-obliquely = Une mire vue en biais fixe mieux la direction de la caméra qu’une mire vue de face, mais les pointés valent un peu moins : caméra tournée de 30 degrés le long de la route, un œil a ±{ $U95_mm } mm au lieu de ±{ $U95_mm2 } mm.
@@ -6352,8 +6428,6 @@ told-geometry-the-lane-is-very = La voie est très proche ; reculez à 2 m au 
 told-geometry-the-picture-would-not = L’image ne montrerait pas une mire à { $board_m } m dont la rangée du haut est à { $board_top_m } m au-dessus de la route ; placez-la à la trace de roues, reculez ou prenez un objectif plus large.
 told-geometry-the-camera-stands-at = La caméra est à peu près à la hauteur de l’œil du conducteur ({ $height_m } m), où le retrait ne compte guère ; pour les toits ou les feux, placez-la à leur hauteur.
 told-geometry-a-second-frame-m = Une deuxième image { $travel_m } m plus loin ne réduit pas l’incertitude ici (±{ $U95_mm } mm pour un œil) ; prenez des images plus éloignées.
-told-geometry-the-whole-board-does = La mire entière n’entre pas dans l’image ; la pose de la caméra ne peut être calculée.
-told-geometry-the-picture-shows-contact = L’image ne montre contact et cible que sur { $shown } m de la trace de roues ; on ne peut les pointer deux fois à { $travel_m } m d’intervalle.
 told-geometry-no-frame-was-given = Aucune image n’a été donnée.
 told-geometry-at-most-of-its = Au plus { $parts } de ses { $whole } coins ont été trouvés ; montrez la mire entière.
 told-geometry-the-board-was-not = La mire n’a pas été trouvée dans { $missed } des images ; celles-ci ne servent pas.
@@ -6363,34 +6437,12 @@ told-geometry-two-poses-fit-the = Deux poses s’accordent presque aussi bien à
 told-geometry-the-squares-are-small = Les cases sont petites dans l’image ; approchez la mire.
 told-geometry-the-board-appears-rolled = La mire paraît tournée de { $roll } degrés ; contrôlez que colonnes et rangées ne sont pas inversées.
 told-geometry-only-one-frame-is = Une seule image est utilisée ; l’immobilité de la mire n’est pas contrôlée.
-told-geometry-a-click-coordinate-is = Une coordonnée de pointé n’est pas un nombre fini.
-told-geometry-the-contact-point-lies = Le contact est hors de l’image.
-told-geometry-the-target-point-lies = La cible est hors de l’image.
-told-geometry-the-contact-point-lies-outside = Le contact est hors du rayon valable du modèle d’objectif ; sa direction est inconnue.
-told-geometry-the-target-point-lies-outside = La cible est hors du rayon valable du modèle d’objectif ; sa direction est inconnue.
-told-geometry-the-pose-puts-the = La pose place la caméra sur la chaussée ou dessous ; recalculez la pose de la caméra.
-told-geometry-the-contact-point-lies-at = Le contact est sur l’horizon ou au-dessus, où il n’y a pas de route.
-told-geometry-the-contact-point-lies-behind = Le contact est derrière le plan de la caméra, vu en travers de la route.
-told-geometry-the-side-plane-through = Le plan latéral passant par le contact est vu presque par la tranche.
-told-geometry-the-target-ray-never = Le rayon de la cible ne rencontre pas le plan latéral devant la caméra.
-told-geometry-the-target-lies-on = La cible est sur la route ou dessous ; contact et cible sont-ils inversés ?
-told-geometry-a-click-uncertainty-inset = Une incertitude de pointé, un retrait ou son incertitude n’est pas un nombre fini, ou une incertitude est négative.
 told-geometry-tilt-the-board-by = Inclinez la mire d’environ 30 degrés, { $edge } plus près de la caméra.
 told-geometry-bring-the-board-nearer = Approchez la mire : elle ne remplit jamais plus de { $share } % de l’image ; un tiers ou plus convient.
 told-geometry-hold-the-board-in = Tenez la mire dans cette partie de l’image : { $listed }.
 told-geometry-the-board-moved-too = La mire a trop bougé entre deux images.
 told-geometry-turned-by-degrees-to = Pivotée de { $heading_rad } degrés vers le sens de circulation.
-told-geometry-the-two-tyre-contacts = Les deux contacts de pneu ne sont qu’à { $base_m } m l’un de l’autre ; pointez le pneu avant et le pneu arrière du même côté.
-told-geometry-the-two-tyre-contacts-are = Les deux contacts de pneu sont à { $base_m } m l’un de l’autre ; pointez les deux pneus d’un même véhicule.
-told-geometry-a-tyre-contact-lies = Un contact de pneu est au bord de la chaussée visible ; prenez une autre image.
 told-geometry-both-tyre-contacts-of = Il faut les deux contacts de pneu d’au moins { $least_vehicles } véhicules ; utilisables : { $sum }.
-told-geometry-the-tyre-contact = Contact du pneu { $word ->
-       [front] avant
-       [first] 1
-       [second] 2
-       *[other] arrière
-    } : { $lower }{ $point }
-told-geometry-contact-and-target-give = Contact et cible ne donnent pas de hauteur.
 told-geometry-the-lens-model-cannot = Le modèle d’objectif ne s’inverse pas dans les coins de l’image : rien n’y est mesuré ; ajoutez des photos qui atteignent les coins.
 told-geometry-in-of-views-the = Dans { $small } vues sur { $spacings_px }, les cases font moins de { $small_square_px } px et leurs coins sont inexacts ; approchez la mire ou prenez des cases plus grandes.
 told-geometry-fits-much-worse-than = { $file } s’accorde bien moins que les autres ({ $value } px contre { $usual } px) ; contrôlez ses coins.
@@ -6406,16 +6458,6 @@ told-geometry-the-optical-axis-lies = L’axe optique est loin du milieu de l’
 told-geometry-the-two-focal-lengths = Les deux focales diffèrent de plus de 10 % ; les pixels sont-ils carrés ?
 told-geometry-pictures-of-several-sizes = Photos de plusieurs tailles : { $other_size } ignorées qui ne font pas { $width_px }x{ $height_px } px (d’abord { $other_size2 }) ; un étalonnage ne vaut que pour une taille, prenez des photos à la taille des enregistrements.
 told-geometry-the-board-was-used = La mire n’a servi que dans { $used } photos sur { $used2 } ; recomptez ses coins intérieurs et montrez-la entière, nette et éclairée uniformément.
-told-geometry-the-followed-points-do = Les points suivis ne correspondent pas à un même véhicule en mouvement ; suivez-les à nouveau.
-told-geometry-it-lies-px-from = Il est à { $off_px } px de la position donnée par les autres images, { $times } fois son incertitude.
-told-geometry-no-point-was-followed = Aucun point n’a été suivi ; confirmez d’abord contact et cible sur une image.
-told-geometry-the-followed-points-do-not = Les points suivis ne donnent pas de trajectoire sur la chaussée ; suivez-les à nouveau.
-told-geometry-the-frames-do-not-fix = Les images ne déterminent pas le retrait ; suivez les points sur une plus longue distance.
-told-geometry-it-lies-outside-the = Il est hors de l’image.
-told-geometry-the-followed-points-disagree = Les points suivis s’écartent d’une trajectoire droite et horizontale de plus que leur incertitude.
-told-geometry-it-lies-outside-the-lens = Il est hors du rayon valable du modèle d’objectif.
-told-geometry-it-lies-at-or = Il est sur l’horizon ou au-dessus, où il n’y a pas de route.
-told-geometry-of-followed-points-had = { $dropped } points suivis sur { $frame } ont été exclus ; suivez-les à nouveau à partir d’une image plus nette.
 told-jobs-gave-up = Le processus s’est arrêté { $attempts } fois au milieu de la tâche ; contrôlez le fichier et la mémoire.
 told-jobs-broke = Une erreur du programme a arrêté la tâche ({ $name }) ; réessayez, et signalez-la si elle revient.
 told-infra-a-worker-stopped-in = La tâche a été interrompue ; elle est relancée.
@@ -6500,16 +6542,9 @@ told-linescan-the-uncertainty-of-the = L’incertitude du taux d’occupation n�
 told-measurements-storing-the-heights-that = Enregistrement des hauteurs modifiées.
 told-measurements-putting-the-old-heights = Rétablissement des anciennes hauteurs.
 told-measurements-computing-the-heights = Calcul des hauteurs.
-told-measurements-proposal-expect-about-px = contact proposé, u = { $expected_px } px{ $worse }
-told-measurements-worse-than-a-careful = , moins précis qu’un pointé soigneux
-told-measurements-the-pass-has-no = Le passage n’a pas de sens ; le côté du conducteur se déduit de la place de la caméra sur le terre-plein central, le long duquel tous vont dans le même sens.
 told-measurements-the-vehicle-was-followed = Le véhicule a été suivi pendant son passage.
 told-measurements-its-speed-is-that = Sa vitesse est celle des points cliqués sur deux images.
 told-measurements-the-vehicle-could-not = Le véhicule n’a pu être suivi ; sa vitesse est supposée : cherchez les points autour des repères.
-told-measurements-the-pass-has-no-other = Le passage n’a pas d’autre image ; prolongez-le par sa première ou sa dernière image.
-told-measurements-on-no-other-frame = Sur aucune autre image du passage les deux points ne sont dans l’image ; une image suffira.
-told-measurements-another-frame-would-not = Une autre image n’aiderait pas ici : { $now } mm actuellement, { $then } mm avec elle.
-told-measurements-there-is-no-height = Il n’y a pas encore de hauteur ; pointez d’abord contact et cible.
 told-media-is-in-colour-and = est en couleur, alors qu’un balayage est en gris
 told-media-has-a-palette-and = a une palette, alors qu’un balayage est en gris
 told-media-has-a-transparency-channel = a une couche de transparence, alors qu’un balayage n’en a pas
@@ -6522,8 +6557,6 @@ told-media-choose-a-video-file = choisissez un fichier vidéo
 told-media-copy-it-again-from-the = copiez de nouveau le fichier depuis l’enregistreur, ou réparez-le sur place
 told-media-stretched-for-pixels-of = étirée pour des pixels de { $sample_aspect }
 told-media-turned-by-degrees-clockwise = tournée de { $rotation_deg } degrés dans le sens horaire
-told-media-the-picture-has-another = La taille d’image diffère de celle de la pose de la caméra.
-told-media-the-picture-of-the = L’image de la pose de la caméra n’a rien qui puisse être suivi ; elle est trop sombre ou trop peu contrastée.
 told-media-the-camera-moves-by = La caméra bouge de { $far } au plus ; la recherche en tient compte. Une pose de la caméra ne vaut que tant que la caméra est immobile.
 told-media-the-camera-moves-by-and = La caméra bouge (de { $far } et plus) ; la chaussée et les véhicules ne peuvent être séparés ; marquez les passages à la main.
 told-media-the-header-speaks-of = L’en-tête annonce { $duration_s } s, les images s’arrêtent à { $end_s } s ; le fichier est peut-être tronqué.
@@ -6583,16 +6616,9 @@ told-quality-no-roof-is-measured = Aucun véhicule dont la hauteur du constructe
 told-quality-nothing-is-measured-of = Aucune mesure de cette cible.
 told-quality-the-road-x-axis = L’axe X de la route est pivoté de { $figures } par rapport au trafic.
 told-quality-the-road-x-axis-agrees = L’axe X de la route s’accorde avec le trafic : rotation de { $figures }, non significative.
-told-quality-left-out-it-strays = Exclu comme valeur aberrante ; contrôlez ses pointés.
 told-quality-turned-by-to-the = Pivotée de { $turn_rad }° vers le sens de { $vehicles } véhicules.
 told-quality-looking-for-the-frames = Recherche de mouvements de la caméra.
-told-quality-whether-the-camera-moved = On ne peut dire si la caméra a bougé : { $document }
-told-quality-the-camera-stands-still = Aucun mouvement de la caméra détecté, à { $document } px près{ $worth }.
-told-quality-heights-are-off-by = (erreur de hauteur jusqu’à { $span } mm)
 told-quality-looking-for-the-background = Recherche du fond dans l’image { $n }.
-told-quality-the-recording-has-no = L’enregistrement n’a pas cette image.
-told-quality-mm-of-height = ({ $document } mm de hauteur)
-told-quality-and-more-times = { $moved } autres mouvements.
 told-quality-clicked-of-their-own = Répétitions propres de { $name } : { $pairs } ; il en faut { $least_freedom }.
 told-quality-were-clicked-by-one = Répétées sur une autre image par un même opérateur : { $sums } ; il en faut { $least_freedom }.
 told-quality-the-first-clicks-give = Les premiers pointés ne donnent pas de hauteur : { $reason }
@@ -6602,14 +6628,9 @@ told-quality-the-camera-pose-is = La pose de la caméra a changé depuis : les 
 told-quality-the-inset-is-another = Les retraits diffèrent : les pointés ne sont pas seuls à différer.
 told-quality-a-height-has-no = Une hauteur est sans incertitude.
 told-quality-the-catalogue-is-empty = Le catalogue est vide.
-told-quality-it-is-not-measured = Ce n’est pas mesuré.
-told-quality-its-measurement-was-rejected = Sa mesure a été rejetée.
-told-quality-both-tyres-are-not = Sur aucune image les deux pneus ne sont pointés.
 told-recordings-looking-for-the-board = Recherche de la mire.
 told-recordings-fitting-the-lens-and = Ajustement de l’objectif, et de ses deux moitiés séparément.
 told-recordings-looking-for-the-board-in = Recherche de la mire dans { $name }.
-told-recordings-the-camera-had-moved = La caméra avait bougé de { $moved_px } px depuis sa pose{ $off } ; prenez une nouvelle pose pour cette partie, ou décidez que l’ancienne convient encore.
-told-recordings-heights-are-off-by = (erreur de hauteur jusqu’à { $change_m } mm)
 told-recordings-the-ingest-was-cancelled = La lecture de la vidéo a été annulée ; relancez-la ou supprimez l’enregistrement.
 told-recordings-reading-the-video = Lecture de la vidéo.
 told-results-too-few-different-errors = trop peu d’erreurs différentes pour un intervalle par bootstrap
@@ -6813,10 +6834,6 @@ told-geometry-edge = bord { $side ->
        *[lower] inférieur
     }
 told-geometry-to-the-right = à droite
-told-assist-no-proposal-click-the = Pas de proposition : { $reason } Cliquez vous-même sur le contact.
-told-drift-the-camera-moved-at = La caméra a bougé à { $clock } (image { $frame }) de { $moved } px{ $off }, images { $first } à { $last }.
-told-drift-the-camera-had-moved = La caméra avait déjà bougé à { $clock } (image { $frame }) de { $moved } px{ $off }, images { $first } à { $last }.
-told-drift-the-camera-crept-at = La caméra a glissé à { $clock } (image { $frame }) de { $moved } px{ $off }, images { $first } à { $last }.
 told-words-and = { $first } et { $last }
 told-thing-camera-pose = pose de la caméra
 told-thing-line-scan = balayage

@@ -22,6 +22,7 @@ from sightline.geometry.pose import expected_u, pose_from_corners
 from sightline.geometry.road import axes_at_contact, iso_heights, road_grid
 from sightline.geometry.road_pose import Reference, RoadPose
 from sightline.geometry.ruler import DrawnAxes, drawn_axes, polyline
+from sightline.messages.said import Said
 from sightline.poses.records import ExpectedHeight, IsoHeight, PoseOverlay
 
 # Corner errors of neighbouring frames are correlated: more frames add time, not accuracy.
@@ -258,7 +259,7 @@ def _axes_of_board(pose: RoadPose) -> DrawnAxes | None:
     """The axes through the road's origin (below the board), None where it is out of sight."""
     origin_px = project(pose.camera, pose.translation_m.reshape(1, 3))[0]
     axes = axes_at_contact(pose, origin_px, length_m=1.0, height_m=1.5)
-    return None if isinstance(axes, str) else drawn_axes(axes)
+    return None if isinstance(axes, Said) else drawn_axes(axes)
 
 
 def check_fits(camera: Camera, width_px: int, height_px: int, name: str) -> None:

@@ -1,5 +1,5 @@
-import { beforeEach, describe, expect, it } from "vitest";
-import { apart, speak } from "./messages";
+import { beforeEach, describe, expect, it, vi } from "vitest";
+import { apart, sayCode, speak } from "./messages";
 import {
   fixed,
   formatAcceleration,
@@ -10,7 +10,6 @@ import {
   formatSmall,
   formatSpeed,
   heads,
-  inUnits,
   lengthUnit,
   numbersIn,
   parseLength,
@@ -81,10 +80,11 @@ describe("numbers", () => {
     expect(formatCount(1234567)).toBe("1,234,567");
   });
 
-  it("puts the millimetres of a sentence into inches for those who read feet", () => {
-    const words = "The camera moved by 2.5 px (height error up to 25.4 mm), frames 17 to 39.";
-    expect(inUnits(words, "m")).toBe(words);
-    expect(inUnits(words, "ft")).toContain("up to 1.00\u00a0in), frames 17");
+  it("writes the small lengths of a server's sentence in the unit that is shown", async () => {
+    const moved = { code: "height-flag-camera-moved-by", values: { moved_px: 2.5, error_m: 0.0254 } };
+    await vi.waitFor(() => expect(sayCode(moved)).toContain("error up to 25\u00a0mm)"));
+    lengthUnit.value = "ft";
+    expect(sayCode(moved)).toContain("error up to 1.00\u00a0in)");
   });
 
   it("rounds bytes into the next unit rather than 1000 of the last", () => {

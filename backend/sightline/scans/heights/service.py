@@ -101,7 +101,7 @@ def preview_line_height(
     clicks = _filled(session, scan.survey_id, clicked, category)
     distance_m = contact_distance(pose, clicked.contact[1])
     if clicks is None:
-        reason = None if clicked.target_point is None and distance_m is not None else SIDE_UNKNOWN
+        reason = None if clicked.target_point is None and distance_m is not None else str(SIDE_UNKNOWN)
         return HeightPreview(LineHeight("not_measurable", reason, distance_m), None, None, ())
     rungs = ladder(pose, distance_m + clicks.inset_m, scan.rows_px or 0) if distance_m is not None else ()
     only_contact = clicked.target_point is None and distance_m is not None
