@@ -84,9 +84,13 @@ describe("all figures", () => {
     await speak("fr");
     const options = { document, x: { domain: [0, 1] }, y: { domain: [0, 1] }, marks: [] };
     const drawn = figureOf(library, options, 300);
+    const times = { domain: [new Date("2025-05-14T08:09:05Z"), new Date("2025-05-14T08:09:25Z")] };
+    const timed = figureOf(library, { document, x: times, marks: [] }, 300);
     await speak("en");
     const ticks = [...drawn.querySelectorAll("text")].map((one) => one.textContent);
     expect(ticks).toContain("0,2");
     expect(ticks.join()).not.toContain(".");
+    expect([...timed.querySelectorAll("text")].some((one) => one.textContent?.includes(":"))).toBe(true);
+    expect(timed.querySelectorAll("tspan").length).toBeGreaterThan(0);
   });
 });
