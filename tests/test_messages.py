@@ -21,7 +21,9 @@ import sightline
 from sightline import errors, messages
 from sightline.linescan import rig
 from sightline.media.video import report as video
+from sightline.media.video.decode import Damage
 from sightline.media.video.sniff import OTHERS
+from sightline.media.video.stated import Stated
 from sightline.messages.recognised import KEYS, translated
 from sightline.recordings import ingest_job
 from sightline.results.overview import query
@@ -382,15 +384,15 @@ def of_recordings() -> list[str]:
     for n in (1, 2):
         shape = {"layout_note": None, "left_turned_deg": 0.0, "interlaced": False}
         facts = SimpleNamespace(**of_file, **shape, pictures=[track] * (n + 1))
-        damage = video.Damage(packets=n, patched=[3] * n)
+        damage = Damage(packets=n, patched=[3] * n)
         gaps = np.sort(np.concatenate([even, *(even + 5 * one for one in range(1, n + 1))]))
         said += video._order_notes(n, n)
         said += video._damage_notes(facts, 9, damage)  # type: ignore[arg-type]
         said += video._shape_notes(facts)  # type: ignore[arg-type]
         said += video._gap_notes(gaps)
     for filmed_hz in (None, 240.0):
-        said += video._clock_notes("slow_motion", even, video.Stated(filmed_hz=filmed_hz))
-    said += video._clock_notes("impossible_rate", np.zeros(8), video.Stated())
+        said += video._clock_notes("slow_motion", even, Stated(filmed_hz=filmed_hz))
+    said += video._clock_notes("impossible_rate", np.zeros(8), Stated())
     return said + [str(rig._median([], what).reason) for what in ("a misalignment", "a gain")]
 
 

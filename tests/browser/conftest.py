@@ -46,6 +46,7 @@ FIRST_S = {
     "test_languages": 50,
     "test_walk": 40,
     "test_screens": 36,
+    "test_guide": 60,
     "test_journey": 49,
     "test_killed_ingest": 42,
     "test_scans": 40,

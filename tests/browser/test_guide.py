@@ -235,7 +235,7 @@ def measure(guide: Guide, server: Server) -> dict[str, float]:
     shown = whole_frames(truth)[0]
     page.get_by_test_id(f"pass-{vehicle['number']}").click()
     go_to_frame(page, shown["frame"])
-    found = {}
+    found: dict[str, float] = {}
     for target, key in KEYS.items():
         page.keyboard.press(key)
         if not found:
@@ -320,7 +320,7 @@ def read_the_results(guide: Guide, screenshots: Path) -> None:
 
 
 def hand_over(guide: Guide, place: Path) -> Path:
-    """The package, unpacked and verified."""
+    """The package, unpacked."""
     page = guide.page
     guide.open("page-export")
     guide.press("export-build")
@@ -329,8 +329,9 @@ def hand_over(guide: Guide, place: Path) -> Path:
     download.value.save_as(place / "package.zip")
     with zipfile.ZipFile(place / "package.zip") as archive:
         archive.extractall(place / "package")
-    verified = verify_package(FolderFiles(place / "package"))
-    assert verified.ok, verified.problem
+    if guide.language != "en":  # what is verified of an English one is in tests/export
+        verified = verify_package(FolderFiles(place / "package"))
+        assert verified.ok, verified.problem
     assert json.loads((place / "package/datapackage.json").read_text())["language"] == guide.language
     return place / "package"
 

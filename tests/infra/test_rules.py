@@ -222,11 +222,14 @@ def test_a_measurement_stands_on_the_stored_frame(session: Session, one: Sample)
             add_measurement(
                 session, one.vehicle.id, client_key=KEY.format(9), values=values(one, **wrong), actor=None
             )
-    why = Said("height-contact-above-horizon")
-    nothing = values(one, height_m=None, status="not_measurable", reason=why)
+    above = Said("height-contact-above-horizon")
+    nothing = values(one, height_m=None, status="not_measurable", reason=above)
     made = add_measurement(session, one.vehicle.id, client_key=KEY.format(9), values=nothing, actor=None)
-    assert (made.values.status, made.values.reason) == ("not_measurable", why)
-    assert made.values.height_m is None
+    assert (made.values.status, made.values.reason, made.values.height_m) == (
+        "not_measurable",
+        above,
+        None,
+    )
 
 
 def test_a_measured_recording_stays_with_its_frames(session: Session, one: Sample) -> None:

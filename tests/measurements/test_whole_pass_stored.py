@@ -33,6 +33,7 @@ from tests.support.mutations import checked
 pytestmark = pytest.mark.once
 
 BASE_M, SPEED_MPS = 1.6, 9.0
+LEFT = Said("followed-left-picture")
 PLACES = {
     CONTACT: (-1.0, 0.0, 0.0),
     SECOND: (-1.0 + BASE_M, 0.0, 0.0),
@@ -65,7 +66,7 @@ def followed(monkeypatch: pytest.MonkeyPatch) -> list[dict[str, Any]]:
             sigma_px=np.full((len(table), 2), 0.1),
         )
         following = Following(confirmed_px=confirmed_px, begun_on=begun_on, u_depth_share=0.005, view_px=0.1)
-        return FollowedPass(tracks, following, (Lost(11, "target", Said("followed-left-picture")),))
+        return FollowedPass(tracks, following, (Lost(11, "target", LEFT),))
 
     monkeypatch.setattr(service, "follow_pass", found)
     return asked
@@ -94,9 +95,7 @@ def test_asking_answers_points_reasons_and_the_height_and_stores_nothing(
     assert said["height"]["solved_inset_m"] == pytest.approx(INSET_M, abs=0.01)
     assert said["height"]["wheelbase_m"] == pytest.approx(BASE_M, abs=5e-3)
     assert said["height"]["speed_mps"] == pytest.approx(SPEED_MPS, abs=0.05)
-    (dropped,) = said["dropped"]
-    assert (dropped["frame"], dropped["point"]) == (11, "target")
-    assert dropped["reason"]["code"] == "followed-left-picture"
+    assert said["dropped"] == [{"frame": 11, "point": "target", "reason": LEFT.body}]
     assert {one["point"] for one in said["points"]} == {"contact", "second_contact", "target"}
     assert followed[0]["frames"] == list(range(12)) and followed[0]["target"] == "driver_eye"
     assert operator.seen(f"/vehicles/{vehicle_id}")["measurements"] == []

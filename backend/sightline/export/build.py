@@ -223,7 +223,7 @@ def _measurements(
                     seen.mark(one)
                 newest, car = revisions[-1]
                 if newest.repeat_of is not None:
-                    out.repeats.add(newest)
+                    out.repeats.add(replace(newest, out_of_date=stale.get(newest.id, ())))
                     continue
                 out.measurement([one for one, _ in revisions], car, stale.get(newest.id, ()))
                 seen.name(newest.review.reviewer)

@@ -1,5 +1,6 @@
 """Measurements, their values and further frames, and the sheet of a vehicle that carries them."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from datetime import datetime
 from typing import Annotated
@@ -34,6 +35,31 @@ class ClickedFrame:
     target_point: Point
 
 
+class ClickedFrames:
+    """What is clicked on one frame of a pass, or on several."""
+
+    __slots__ = ()
+    frame: int
+    contact: Point
+    target_point: Point
+    more_frames: Sequence[ClickedFrame]
+
+    @property
+    def frames(self) -> tuple[int, ...]:
+        """The frames clicked on, the first one first."""
+        return (self.frame, *(further.frame for further in self.more_frames))
+
+    @property
+    def contacts(self) -> tuple[Point, ...]:
+        """The contact point on each of `frames`."""
+        return (self.contact, *(further.contact for further in self.more_frames))
+
+    @property
+    def target_points(self) -> tuple[Point, ...]:
+        """The target point on each of `frames`."""
+        return (self.target_point, *(further.target_point for further in self.more_frames))
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Origin:
     """How the points on the first frame came about. `snapped_from_*`: where a person clicked before the
@@ -54,7 +80,7 @@ class Origin:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Clicks(Origin):
+class Clicks(Origin, ClickedFrames):
     """What one height is computed from: two points in pixels on a frame, and on further frames of the pass.
 
     With further frames, or points `followed` from these through the pass (followed_text.py), the inset is
@@ -77,24 +103,9 @@ class Clicks(Origin):
     side_from: SideBasis | None = None
 
     @property
-    def frames(self) -> tuple[int, ...]:
-        """The frames clicked on, the first one first."""
-        return (self.frame, *(further.frame for further in self.more_frames))
-
-    @property
     def solves_inset(self) -> bool:
         """Whether further frames or a followed pass tell the inset."""
         return bool(self.more_frames) or self.followed is not None
-
-    @property
-    def contacts(self) -> tuple[Point, ...]:
-        """The contact point on each of `frames`."""
-        return (self.contact, *(further.contact for further in self.more_frames))
-
-    @property
-    def target_points(self) -> tuple[Point, ...]:
-        """The target point on each of `frames`."""
-        return (self.target_point, *(further.target_point for further in self.more_frames))
 
     @property
     def known_sigma_px(self) -> float:
@@ -152,19 +163,16 @@ class HeightOfClicks:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class FurtherFrame:
+class FurtherFrame(ClickedFrame):
     """The same two points, clicked on another frame of the pass."""
 
-    frame: int
     pts: int
     time_s: float
     frame_crc32: int
-    contact: Point
-    target_point: Point
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class MeasurementValues(HeightOfClicks):
+class MeasurementValues(HeightOfClicks, ClickedFrames):
     """The content of one revision: what was clicked, on what, and the height computed from it.
 
     Points are (x, y) in pixels of the frame; `frame_crc32` is of its decoded luma. A name that ends in _m
@@ -212,21 +220,6 @@ class MeasurementValues(HeightOfClicks):
     proposed_contact_y_px: Annotated[float | None, Field(exclude=True)] = None
     proposed_target_x_px: Annotated[float | None, Field(exclude=True)] = None
     proposed_target_y_px: Annotated[float | None, Field(exclude=True)] = None
-
-    @property
-    def frames(self) -> tuple[int, ...]:
-        """The frames clicked on, the first one first."""
-        return (self.frame, *(further.frame for further in self.more_frames))
-
-    @property
-    def contacts(self) -> tuple[Point, ...]:
-        """The contact point on each of `frames`."""
-        return (self.contact, *(further.contact for further in self.more_frames))
-
-    @property
-    def target_points(self) -> tuple[Point, ...]:
-        """The target point on each of `frames`."""
-        return (self.target_point, *(further.target_point for further in self.more_frames))
 
     @property
     def first_clicks(self) -> tuple[int, Point, Point]:

@@ -71,10 +71,10 @@ _ONLY_CURRENT = ("id", "filmed_at", "out_of_date", *_VERDICT)
 class MeasurementEvents:
     """What the events say of measurements, as digests: `revisions` by (measurement, revision), `repeats` by
     repeat, of its newest revision (as `table_of_repeats` has it), `budgets` of newest revisions;
-    `of_vehicle`: whose each measurement is; `follows_from`: target and facts of its newest revision;
-    `programs_of_repeats`: the version that computed each; `frames`: pts, time and CRC-32 of each frame
-    clicked on, by (recording, frame). Of tables that the package has with other `headers` than this program,
-    what both have is compared.
+    `of_vehicle`: whose each measurement or repeat is; `follows_from`: target and facts of each, newest
+    revision; `programs_of_repeats`: the version that computed each; `frames`: pts, time and CRC-32 of each
+    frame clicked on, by (recording, frame). Of tables that the package has with other `headers` than this
+    program, what both have is compared.
     """
 
     table_of_repeats: Table[Measurement]
@@ -99,11 +99,11 @@ class MeasurementEvents:
             known = [str(one.pts), repr(one.time_s), str(one.frame_crc32)]
             if self.frames.setdefault((made.recording_id, one.frame), known) != known:
                 raise Damaged("measurements-events-two-frames", recording=made.recording_id, frame=one.frame)
+        self.follows_from[number] = made.values.target, facts_of(made.values, made.values.pose_id)
         if made.repeat_of is not None:
             self.repeats[number] = self._of_record(self.table_of_repeats, made)
             self.programs_of_repeats[number] = made.values.code_version
         else:
-            self.follows_from[number] = made.values.target, facts_of(made.values, made.values.pose_id)
             most = max(2, len(made.values.frames))
             self.revisions[number, made.revision] = self._of_record(with_frames(REVISIONS, most), made)
             self.budgets[number] = _digest([cells_of(BUDGET, one) for one in budget_entries(made)])

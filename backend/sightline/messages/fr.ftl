@@ -1033,7 +1033,7 @@ recordings-picture-read = Piste vidéo { $number } sur les { $count } du fichier
 recordings-picture-read-too = Importer aussi la piste vidéo { $number } ({ $codec }, { $size })
 recordings-picture-read-of = Importer la piste vidéo { $number } de { $recording } comme un enregistrement à part
 recordings-picture-added = { $name } est en cours d’import.
-recordings-filming-rate-unknown = Cadence de prise de vue non indiquée ; aucun mouvement n’est mesuré.
+recordings-filming-rate-unknown = Cadence de prise de vue non confirmée ; aucun mouvement n’est mesuré.
 recordings-filming-rate-is = Filmé à { $rate } images/s, valeur saisie
 recordings-filming-rate-state = Saisir la cadence de prise de vue
 recordings-filming-rate-of = Saisir la cadence de prise de vue de { $recording }
@@ -1135,6 +1135,7 @@ upload-discard-one = Supprimer l’envoi partiel de { $file }
 ## Mots utiles à beaucoup de pages
 
 interval = { $low } à { $high }
+words-apart = { $first } ; { $second }
 person-system = Sightline
 person-unknown = inconnu
 menu-language = Langue
@@ -3183,8 +3184,8 @@ statistics-counted = { $measurements ->
    *[other] { $roofs } toits
 } avec hauteur du constructeur.
 statistics-without-class = { $count ->
-    [one] { NUMBER($count) } véhicule n’a pas de classe et est exclu des résultats par classe. <link>Choisissez-la dans Mesurer</link> (liste : Sans classe).
-   *[other] { NUMBER($count) } véhicules n’ont pas de classe et sont exclus des résultats par classe. <link>Choisissez-la dans Mesurer</link> (liste : Sans classe).
+    [one] { NUMBER($count) } véhicule n’a pas de classe et est exclu des résultats par classe. <link>Choisissez-la dans Mesure</link> (liste : Sans classe).
+   *[other] { NUMBER($count) } véhicules n’ont pas de classe et sont exclus des résultats par classe. <link>Choisissez-la dans Mesure</link> (liste : Sans classe).
 }
 statistics-left-out = Exclues : { $states }.
 statistics-left-out-state = { $state ->
@@ -3748,7 +3749,7 @@ survey-recordings-go = Ajouter
 survey-pose-go = Calculer
 survey-vehicles-go = Mesurer
 survey-review-go = Vérifier
-survey-results-go = Aller à l’archive
+survey-results-go = Exporter
 survey-open = Ouvrir
 survey-statistics = <link>Résultats</link> : centiles et leurs intervalles, normes, erreurs.
 survey-traffic = La circulation est à { $traffic ->
@@ -5205,7 +5206,7 @@ reviews-somebody-changed-plan-meanwhile = Le plan a été modifié entre-temps�
 reviews-plan-one-in-between = « Une sur combien » est un nombre entre 0 (aucune) et { $most }.
 reviews-click-it-again-before = Le plan du relevé veut que celle-ci soit repointée avant d’être montrée ; pointez contact et cible, puis jugez-la.
 reviews-fix-changes-nothing-accept = Cette correction ne change rien ; déplacez un point, ou validez la mesure.
-reviews-measurement-waits-review-already = Cette mesure attend déjà une vérification.
+reviews-waits-review-already = Ceci attend déjà une vérification.
 reviews-nobody-reviews-their-own-measurement-ask = Personne ne vérifie sa propre mesure ; demandez à un autre vérificateur.
 reviews-reviews-csv-not-what-audit-event = reviews.csv : { $id } diffère de son événement d’audit ; il a été modifié.
 reviews-reviews-csv-missing-though-audit-event = reviews.csv : { $id } manque, bien que son événement d’audit soit là.
@@ -5282,11 +5283,9 @@ scans-nothing-camera-2s-strip-looks-like = Rien dans la bande de la caméra 2 ne
 scans-vehicle-no-speed-needs-reason-why = Un véhicule qui n’a pas de vitesse demande un motif ; remesurez-le.
 scans-vehicle-measured-again-meanwhile-look-newer = Ce véhicule a été remesuré entre-temps ; regardez le nouveau résultat.
 scans-nobody-reviews-boundaries-they-placed-themselves = Personne ne vérifie les bornes qu’il a placées ; demandez à un autre vérificateur.
-scans-vehicle-waits-review-already = Ce véhicule attend déjà une vérification.
 scans-height-measured-again-meanwhile-look-newer = Cette hauteur a été remesurée entre-temps ; regardez le nouveau résultat.
 scans-height-without-figure-nothing-review = Cette hauteur est retirée ou n’a pas de valeur : il n’y a rien à vérifier.
 scans-nobody-reviews-height-they-clicked-themselves = Personne ne vérifie une hauteur qu’il a pointée ou calculée ; demandez à un autre vérificateur.
-scans-height-waits-review-already = Cette hauteur attend déjà une vérification.
 scans-camera-2-needs-both-lines-front = La caméra 2 demande les deux lignes, avant et arrière, ou aucune ; envoyez les deux ou omettez les deux.
 scans-wheelbase-needs-both-wheels-send-both = Un empattement demande les deux roues ; envoyez les deux lignes, ou aucune pour les retirer.
 scans-vehicle-not-deleted-nothing-restore = Ce véhicule n’a pas été supprimé : il n’y a rien à restaurer.

@@ -133,6 +133,12 @@ export function allOf(words: readonly string[]): string {
   return new Intl.ListFormat(region.value, { type: "conjunction" }).format(words);
 }
 
+/** "Roof; driver’s eye": what stands apart in a row. */
+export function apart(words: readonly string[]): string {
+  const [first = "", ...others] = words;
+  return others.reduce((before, second) => say("words-apart", { first: before, second }), first);
+}
+
 /** `say` where key and values were checked before. */
 export function sentence(key: string, values?: Record<string, FluentVariable>): string {
   for (const bundle of bundles.value) {

@@ -1,5 +1,5 @@
 import { beforeEach, describe, expect, it, vi } from "vitest";
-import { sayCode } from "./messages";
+import { apart, sayCode, speak } from "./messages";
 import {
   fixed,
   formatAcceleration,
@@ -11,11 +11,13 @@ import {
   formatSpeed,
   heads,
   lengthUnit,
+  numbersIn,
   parseLength,
   parseNumber,
   parseSmall,
   plainAcceleration,
   plainLength,
+  plainPercent,
   plainSpeed,
   smallText,
 } from "./units";
@@ -119,5 +121,18 @@ describe("small lengths in fields", () => {
     expect(parseSmall("0.5")).toBeCloseTo(0.0127, 12);
     expect(parseSmall("wide")).toBeNull();
     expect(smallText(null)).toBe("");
+  });
+});
+
+describe("numbers and lists in another language", () => {
+  it("have the language's decimal sign and the digits that they were written with", async () => {
+    expect(numbersIn("−1.50")).toBe("−1.50");
+    expect(apart(["a", "b", "c"])).toBe("a; b; c");
+    await speak("fr");
+    expect(numbersIn("0.278 V t + 0.039 V² / a")).toBe("0,278 V t + 0,039 V² / a");
+    expect(numbersIn("−6,600.0")).toBe("−6\u202f600,0");
+    expect(plainPercent(2.5)).toBe("2,5");
+    expect(apart(["a", "b", "c"])).toBe("a\u202f; b\u202f; c");
+    await speak("en");
   });
 });

@@ -99,6 +99,14 @@ export function plainPercent(value: number | null): string {
   return new Intl.NumberFormat(region.value, { maximumFractionDigits: 3 }).format(value);
 }
 
+/** The numbers of a text that was written with points, each with its digits, as the chosen language writes them. */
+export function numbersIn(text: string): string {
+  return text.replace(/\d[\d,]*(?:\.\d+)?/g, (number) => {
+    const digits = number.split(".")[1]?.length ?? 0;
+    return numbers(digits, number.includes(",")).format(Number(number.replaceAll(",", "")));
+  });
+}
+
 /** What a person typed as a length in the shown unit, in metres; null when it is no number. Takes a comma for the point. */
 export function parseLength(text: string, unit = lengthUnit.value): number | null {
   const value = parseNumber(text);

@@ -57,6 +57,13 @@ def test_a_sentence_is_said_by_its_key_and_a_value_that_is_a_sentence_too() -> N
     assert said_by_key(kept, two, "fr").startswith("Vérifiez 13 mesures.")
 
 
+def test_what_a_budget_is_of_is_said_and_who_measured_a_reference_is_not() -> None:
+    body = {"budget": [{"source": "click, target", "u_m": 0.01}], "reference": {"source": "fit", "value": 3}}
+    told = json.loads(spoken(json.dumps(body).encode(), "fr"))
+    assert told["budget"] == [{"source": "pointé, cible", "u_m": 0.01}]
+    assert told["reference"] == body["reference"]
+
+
 def test_a_failed_recording_says_why_as_its_job_does() -> None:
     error = BadInput("video-holds-no-moving-picture-only-sound", name="a.mp4")
     job = {"error": error.message, "said": {"code": error.code, "values": error.values}}

@@ -56,12 +56,13 @@ from sightline.infra.csv_package.recomputing import Recomputing
 from sightline.infra.csv_package.schema import CHECKSUMS, Written
 from sightline.infra.csv_package.verify import check_keys
 from sightline.measurements.again.verify import check_computings, check_out_of_date
-from sightline.measurements.csv import CLICKS, CLICKS_FOLDER, REVISIONS
+from sightline.measurements.csv import CLICKS, CLICKS_FOLDER, MEASUREMENTS, REVISIONS
 from sightline.measurements.sheets.verify import check_vehicles
 from sightline.measurements.verify import Recomputed, check_frames, check_measurements
 from sightline.messages import say
 from sightline.poses.verify import check_poses
 from sightline.quality.checks.verify import check_wheel_pairs
+from sightline.quality.repeats.csv import REPEATS
 from sightline.quality.repeats.verify import check_repeats
 from sightline.recordings.verify import check_recordings
 from sightline.results.verify import check_standards
@@ -233,13 +234,16 @@ def _check_rows(
     check_measurements(files, told.measurements, told.is_gone, told.recordings.drift_flag, heights)
     check_repeats(files, told.measurements, told.is_gone, heights)
     found.heights = recomputing.equal
-    check_out_of_date(
-        files,
-        told.measurements.follows_from,
-        told.survey,
-        told.vehicles,
-        told.recordings.pose_in_force,
-    )
+    for path in (MEASUREMENTS.path, REPEATS.path):
+        if "out_of_date" in told.measurements.headers[path]:
+            check_out_of_date(
+                files,
+                path,
+                told.measurements.follows_from,
+                told.survey,
+                told.vehicles,
+                told.recordings.pose_in_force,
+            )
     check_vehicles(files, told.vehicles, told.is_gone)
     check_recordings(files, told.recordings)
     check_wheel_pairs(files, told.pairs, told.is_gone)

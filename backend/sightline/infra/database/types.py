@@ -10,6 +10,7 @@ from sqlalchemy import (
     Column,
     DateTime,
     Dialect,
+    ForeignKey,
     Integer,
     MetaData,
     Table,
@@ -102,6 +103,22 @@ class CanonicalJson(TypeDecorator[Any]):
 def identity() -> Column[int]:
     """An integer primary key that counts up."""
     return Column("id", Integer, primary_key=True)
+
+
+def made_columns() -> tuple[Column[Any], Column[Any]]:
+    """When a row was made, and by whom: nobody where the program did it."""
+    return Column("created_at", UtcDateTime, nullable=False), Column("created_by", ForeignKey("people.id"))
+
+
+def changed_columns() -> tuple[Column[Any] | CheckConstraint, ...]:
+    """The version of a row that changes, when it was made and last changed, and by whom."""
+    return (
+        Column("version", Integer, nullable=False),
+        *made_columns(),
+        Column("updated_at", UtcDateTime, nullable=False),
+        Column("updated_by", ForeignKey("people.id")),
+        CheckConstraint("version >= 1", name="version_counts"),
+    )
 
 
 def enum_check(column: str, words: Any) -> CheckConstraint:

@@ -12,6 +12,7 @@ from sightline.infra.csv_package.columns import (
     text,
 )
 from sightline.infra.csv_package.schema import Table
+from sightline.measurements.again.csv import out_of_date
 from sightline.measurements.csv import FRAME, PASS, POINTS, POSE, REASON
 from sightline.measurements.records import Measurement
 
@@ -45,6 +46,7 @@ REPEATS: Table[Measurement] = Table(
         person("created_by_id", "who clicked the points", lambda m: m.created_by),
         moment("created_at", "when it was stored", lambda m: m.created_at),
         flag("withdrawn", "true if the repeat was withdrawn", lambda m: m.withdrawn, required=True),
+        out_of_date("recording's road pose", lambda m: m.out_of_date),
     ),
     primary=("id",),
     foreign=(

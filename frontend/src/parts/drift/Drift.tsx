@@ -48,7 +48,13 @@ export function DriftVerdict({ recordingId, poseId, open }: Props) {
     <div role="group" class="drift" aria-label={say("drift-title")} data-testid="drift">
       <p class="drift__words">
         <Shape shape={shapeOf(drift.data)} />
-        <span>{check ? check.words.map(sentenceOf).join(" ") : job ? say("drift-under-way") : say("drift-not-yet")}</span>
+        <span>
+          {check
+            ? check.words.map(sentenceOf).join(" ")
+            : job
+              ? say("drift-under-way")
+              : say("drift-not-yet")}
+        </span>
       </p>
       {decision?.holds && (
         <p class="small">{say("drift-holds", { person: decision.by, reason: decision.reason })}</p>

@@ -1,7 +1,7 @@
 /** One computing: what it changed in words, as a figure, and height by height, with the undo of all. */
 import { Button, Loading, num, Panel, Problem, Table } from "../../components";
 import { api } from "../../core/api";
-import { sentenceOf, say } from "../../core/messages";
+import { say, sentenceOf } from "../../core/messages";
 import { useResource } from "../../core/resource";
 import { canWork } from "../../core/session";
 import type { ComputedHeight, ComputedHeights, Computing } from "../../core/types";

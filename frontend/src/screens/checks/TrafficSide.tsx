@@ -1,6 +1,6 @@
 /** What the traffic says of the pose, the vehicles with their headings, and the turn before it is accepted. */
 import { Button, DataTable, num, SelectField, Table } from "../../components";
-import { sentenceOf, say } from "../../core/messages";
+import { say, sentenceOf } from "../../core/messages";
 import { canWork } from "../../core/session";
 import type { Vehicle } from "../../core/types";
 import { formatLength, formatSmall } from "../../core/units";

@@ -2,7 +2,7 @@
 import { useSignal } from "@preact/signals";
 import { Button, Icon, StateMark } from "../../components";
 import { keyMap, showChord } from "../../core/commands";
-import { sentenceOf, say } from "../../core/messages";
+import { say, sentenceOf } from "../../core/messages";
 import { outbox } from "../../core/outbox";
 import { canWork } from "../../core/session";
 import type { Target } from "../../core/types";

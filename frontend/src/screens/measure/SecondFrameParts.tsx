@@ -3,7 +3,7 @@ import { useEffect, useState } from "preact/hooks";
 import { Button } from "../../components";
 import { explain } from "../../core/api";
 import { hint } from "../../core/commands";
-import { sentenceOf, say } from "../../core/messages";
+import { say, sentenceOf } from "../../core/messages";
 import { canWork } from "../../core/session";
 import type { HeightAnswer, Measurement, SecondFrameAnswer } from "../../core/types";
 import { formatHeight, formatLength, formatSmall, formatSpeed, speedScale } from "../../core/units";

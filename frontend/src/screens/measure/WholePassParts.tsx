@@ -1,7 +1,7 @@
 /** What is seen of a pass that was followed: its points on the frame, its frames on the timeline, and what to do with it. */
 import { Button } from "../../components";
 import { hint } from "../../core/commands";
-import { sentenceOf, type Said, say } from "../../core/messages";
+import { type Said, say, sentenceOf } from "../../core/messages";
 import type { Measurement } from "../../core/types";
 import { formatHeight, formatLength, formatSpeed } from "../../core/units";
 import { heightOrReason } from "../../viewer/geometry";

@@ -4,7 +4,7 @@
  */
 import { computed, signal } from "@preact/signals";
 import { explain } from "../../core/api";
-import { sentenceOf, say } from "../../core/messages";
+import { say, sentenceOf } from "../../core/messages";
 import { toast } from "../../core/toasts";
 import type { FollowedAnswer } from "../../core/types";
 import { askFollow } from "../../viewer/geometry";

@@ -1,6 +1,6 @@
 import { useState } from "preact/hooks";
 import { num, Panel, Table } from "../../components";
-import { sentenceOf, say } from "../../core/messages";
+import { say, sentenceOf } from "../../core/messages";
 import { formatLength, formatSmall } from "../../core/units";
 import { type PlannedTarget, wordOf } from "./model";
 

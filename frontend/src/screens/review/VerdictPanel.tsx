@@ -1,7 +1,7 @@
 /** What is known of the reviewed measurement, and the verdict: accept, fix, reject with a reason. */
 import { Button, Icon, Notice, StateMark } from "../../components";
 import { type ActionId, commandName, hint, keyMap, showChord } from "../../core/commands";
-import { allOf, sentenceOf, say } from "../../core/messages";
+import { allOf, say, sentenceOf } from "../../core/messages";
 import { may } from "../../core/session";
 import { survey } from "../../core/survey";
 import { formatFrameTime, formatMoment, formatPlaceMoment } from "../../core/times";

@@ -1,6 +1,6 @@
 /** The cumulative distribution of one quantity with its band, and the percentiles that are asked for. */
 
-import { say, wordsOf } from "../../core/messages";
+import { apart, say, wordsOf } from "../../core/messages";
 import type { ScanSpread } from "../../core/types";
 import { fixed, lengthScale, plainPercent, type Scale, speedScale } from "../../core/units";
 import { aroundOne, ecdfMarks, noBandWords } from "../../parts/figures/curves";
@@ -37,7 +37,7 @@ export function SpreadFigure({ spread }: { spread: ScanSpread }) {
   const title = TITLES[spread.quantity] ?? spread.quantity;
   const there = "value" in ecdf;
   const asked = spread.percentiles.filter((one) => ASKED.includes(one.percent));
-  const percentiles = asked.map((one) => percentileWords(one, by)).join("; ");
+  const percentiles = apart(asked.map((one) => percentileWords(one, by)));
   const notes = [
     percentiles && say("motion-spread-note", { unit, percentiles }),
     there ? noBandWords(ecdf.n) : null,

@@ -1,5 +1,5 @@
 /** A proposal over the frame: dashed, a diamond, and the word; nothing is stored until a person clicks. */
-import { sentenceOf, say } from "../../../core/messages";
+import { say, sentenceOf } from "../../../core/messages";
 import { InImage } from "../../../viewer/Overlay";
 import type { FrameStage } from "../../../viewer/stage";
 import type { Assist } from "./assist";
