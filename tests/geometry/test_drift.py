@@ -13,6 +13,7 @@ from tests.geometry.scenes import pose_of
 from tests.geometry.simulate import Lens, Scene
 
 SIZE = (640, 480)
+NONE = Said("drift-no-such-frame")
 
 
 def motion(x: float = 0.0, y: float = 0.0, turn: float = 0.0, u: float = 0.01) -> Motion:
@@ -73,7 +74,7 @@ def test_the_change_of_height_is_that_of_a_simulated_camera_that_turned(
 
 def course_of(moves: dict[int, Motion | Said], last: int, every: int):  # type: ignore[no-untyped-def]
     return course(
-        [Look(n, moves[n]) for n in range(0, last + 1, every)], last, SIZE, lambda n: moves.get(n, "none")
+        [Look(n, moves[n]) for n in range(0, last + 1, every)], last, SIZE, lambda n: moves.get(n, NONE)
     )
 
 
@@ -93,7 +94,7 @@ def test_one_frame_that_jumps_is_no_bump_and_a_slow_creep_is_told() -> None:
 
 def test_covered_frames_beside_a_bump_count_as_moved() -> None:
     moves: dict[int, Motion | Said] = {n: motion(2.0 if n >= 50 else 0.0) for n in range(101)}
-    moves |= {n: "covered" for n in range(46, 55)}
+    moves |= dict.fromkeys(range(46, 55), Said("drift-few-points", count=3))
     found = course_of(moves, 100, 20)
     assert [(bump.after, bump.frame) for bump in found.bumps] == [(45, 55)]
     assert [(span.first_frame, span.last_frame, span.moved) for span in found.spans] == [
