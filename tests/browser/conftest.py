@@ -44,9 +44,9 @@ SCENES, SCAN_VEHICLES = ("day:8", "low_light:2"), 7
 FIRST_S = {
     "test_walk_links": 72,
     "test_languages": 50,
+    "test_guide": 60,
     "test_walk": 40,
     "test_screens": 36,
-    "test_guide": 60,
     "test_journey": 49,
     "test_killed_ingest": 42,
     "test_scans": 40,

@@ -65,7 +65,7 @@ def test_a_rate_is_stated_and_another_picture_imported(
     page.locator("input[type=file]").first.set_input_files(files)
     slow, two = (page.get_by_role("article").filter(has_text=one.name) for one in files)
     rate, pictures = slow.get_by_test_id("filming-rate"), two.get_by_test_id("pictures")
-    expect(rate).to_contain_text("not stated; motion is not measured", timeout=60_000)
+    expect(rate).to_contain_text("not confirmed; motion is not measured", timeout=60_000)
     expect(pictures).to_contain_text("Video track 1 of 2 in the file", timeout=60_000)
     page.screenshot(path=screenshots / "filming-rate.png", full_page=True)
     rate.get_by_role("button").click()
