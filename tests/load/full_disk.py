@@ -43,7 +43,7 @@ LEFT_KB = (0, 64, 300, 1000, 3000)
 TUS = {"Tus-Resumable": "1.0.0"}
 #: A job in the list that cannot be begun, for even that has to be written; it is done when there is room.
 WAITS = "it waits"
-ROOM = ("room", "disk is full", WAITS)
+ROOM = ("room", "not enough space", "disk is full", WAITS)
 
 
 @dataclass

@@ -117,7 +117,8 @@ SPOILED: dict[str, str] = {
 
 def test_spoiled_insets_are_refused_and_none_is_stored(operator: Client, survey_id: int) -> None:
     path = f"/surveys/{survey_id}"
-    before, taken = operator.seen(path), {}
+    before = operator.seen(path)
+    taken: dict[str, tuple[int, str]] = {}
     headers = {"Content-Type": "application/json"}
     for name, insets in SPOILED.items():
         body = f'{{"name": "Rouen", "version": 1, "insets": {insets}}}'
