@@ -1,4 +1,4 @@
-import { readFileSync } from "node:fs";
+import { readdirSync, readFileSync } from "node:fs";
 import { FluentParser, FluentSerializer, Resource } from "@fluent/syntax";
 import { defineConfig, type Plugin } from "vite";
 
@@ -8,7 +8,13 @@ interface Alone {
   readonly file: string;
   readonly policy: string;
   readonly data: string;
+  /** The languages that it speaks. */
+  readonly languages: readonly string[];
 }
+
+const CATALOGUES = new URL("../backend/sightline/messages/", import.meta.url);
+/** The source first. */
+const ALL = ["en", ...readdirSync(CATALOGUES).flatMap((name) => /^(?!en\b)(\w+)\.ftl$/.exec(name)?.[1] ?? [])];
 
 const NOTHING = "default-src 'none'; style-src 'unsafe-inline';";
 /** The page that every package carries, into which an export puts the package's tables. It may load pictures and a script
@@ -18,20 +24,22 @@ const PACKAGE: Alone = {
   file: "package.html",
   policy: `${NOTHING} script-src 'unsafe-inline' 'self' file:; img-src 'self' file:`,
   data: '<!--package-->\n<script src="audit.js"></script>',
+  languages: ALL,
 };
-/** The evidence file of one vehicle, which holds all that it shows. */
+/** The evidence file of one vehicle, which holds all that it shows, its decision in English. */
 const EVIDENCE: Alone = {
   input: "src/package/evidence/main.tsx",
   file: "evidence.html",
   policy: `${NOTHING} script-src 'unsafe-inline'; img-src data:`,
   data: "<!--evidence-->",
+  languages: ["en"],
 };
 
 /** One page a build: `vite build --config package.vite.config.ts`, and again with `--mode evidence`. */
 export default defineConfig(({ mode }) => {
   const alone = mode === "evidence" ? EVIDENCE : PACKAGE;
   return {
-    plugins: [messages(), oneFile(alone)],
+    plugins: [messages(alone), oneFile(alone)],
     publicDir: false,
     build: {
       target: "es2022",
@@ -43,21 +51,23 @@ export default defineConfig(({ mode }) => {
   };
 });
 
-const CATALOGUE = new URL("../backend/sightline/messages/en.ftl", import.meta.url);
-
-/** The sentences of this page alone, out of the catalogue. */
-function messages(): Plugin {
+/** The sentences of this page alone, out of the catalogues. */
+function messages({ languages }: Alone): Plugin {
   const name = "virtual:opened-messages";
   return {
     name: "opened-messages",
     resolveId: (id) => (id === name ? `\0${name}` : null),
     load(id) {
       if (id !== `\0${name}`) return null;
-      const { body } = new FluentParser().parse(readFileSync(CATALOGUE, "utf8"));
-      const own = body.filter((one) => one.type === "Message" && one.id.name.startsWith("opened-"));
-      return `export default ${JSON.stringify(new FluentSerializer().serialize(new Resource(own)))}`;
+      return `export default ${JSON.stringify(Object.fromEntries(languages.map((one) => [one, own(one)])))}`;
     },
   };
+}
+
+function own(language: string): string {
+  const { body } = new FluentParser().parse(readFileSync(new URL(`${language}.ftl`, CATALOGUES), "utf8"));
+  const found = body.filter((one) => one.type === "Message" && one.id.name.startsWith("opened-"));
+  return new FluentSerializer().serialize(new Resource(found));
 }
 
 /** Script and style within the page. */

@@ -46,6 +46,24 @@ def test_no_file_carries_a_path_of_one_machine() -> None:
     assert not found
 
 
+#: Who reads CSV: `given_csv` what people bring, the others what this program wrote itself, byte for byte.
+READ_CSV = {
+    "infra/given_csv.py",
+    "infra/csv_package/files.py",
+    "infra/csv_package/forms.py",
+    "export/seal.py",
+}
+
+
+def test_what_people_bring_has_one_reader_of_tables() -> None:
+    reads = re.compile(r"\bcsv\.(reader|DictReader)\b|\b(np|numpy|pd|pandas)\.\w*(txt|csv)\(|read_csv_auto")
+    package = ROOT / "backend" / "sightline"
+    found = {
+        str(path.relative_to(package)) for path in package.rglob("*.py") if reads.search(path.read_text())
+    }
+    assert found == READ_CSV
+
+
 STYLES = ROOT / "frontend" / "src"
 
 

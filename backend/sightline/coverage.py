@@ -11,5 +11,22 @@ def expanded(u: float) -> float: ...
 @overload
 def expanded(u: None) -> None: ...
 def expanded(u: float | None) -> float | None:
-    """U95 of a standard uncertainty, in its unit: half the width of the 95 % interval; None of None."""
+    """U95 of a standard uncertainty: half the width of the 95 % interval (JCGM 100:2008, 6.2).
+
+    Parameters
+    ----------
+    u : float or None
+        Standard uncertainty (k = 1), in any unit.
+
+    Returns
+    -------
+    float or None
+        In the same unit; None of None.
+
+    Examples
+    --------
+    >>> import sightline
+    >>> round(sightline.expanded(0.01), 4)
+    0.0196
+    """
     return None if u is None else COVERAGE_95 * u

@@ -2,7 +2,6 @@
 
 from typing import Any, Literal
 
-Json = Any
 JsonObject = dict[str, Any]
 FollowedPoint = Literal["contact", "second_contact", "target"]
 Point = tuple[float, float]

@@ -12,14 +12,9 @@ SightlineError
   Damaged (500)             stored data does not match its checksum or its chain
 """
 
-import re
+from collections.abc import Mapping
 
-from sightline.messages import Value, say
-
-#: of a text in a sentence; somebody's cell of a table may hold a megabyte
-MOST_SIGNS = 900
-# A line has no second line, and no sign turns the order of the others round.
-_UNSEEN = re.compile(r"[\x00-\x1f\x7f-\x9f\u202a-\u202e\u2066-\u2069\ud800-\udfff]")
+from sightline.messages.said import Said
 
 
 class SightlineError(Exception):
@@ -34,24 +29,23 @@ class SightlineError(Exception):
 
     def __init__(self, code: str, **values: object) -> None:
         super().__init__(code)
-        self.code = code
-        self.values = {name: _plain(value) for name, value in values.items()}
+        self.said = Said(code, **values)
+
+    @property
+    def code(self) -> str:
+        return self.said.code
+
+    @property
+    def values(self) -> Mapping[str, object]:
+        return self.said.document["values"]
 
     @property
     def message(self) -> str:
         """The sentence, in English."""
-        return say(self.code, self.values)
+        return str(self.said)
 
     def __str__(self) -> str:
         return self.message
-
-
-def _plain(value: object) -> Value:
-    """What JSON and every language can hold; a truth is a text here, and a text has an end."""
-    if isinstance(value, int | float) and not isinstance(value, bool):
-        return value
-    text = _UNSEEN.sub("\N{REPLACEMENT CHARACTER}", str(value))
-    return text if len(text) <= MOST_SIGNS else text[: MOST_SIGNS - 1] + "…"
 
 
 class BadInput(SightlineError):

@@ -16,7 +16,7 @@ class Facts extends Visitor {
   }
   visitFunctionReference(node) {
     for (const one of node.arguments.positional) {
-      if (one.type === "VariableReference" && node.id.name === "NUMBER") this.values.set(one.id.name, "number");
+      if (one.type === "VariableReference") this.values.set(one.id.name, "number");
     }
     this.genericVisit(node);
   }

@@ -29,7 +29,7 @@ from sightline.geometry.board import Board, canonical_order  # noqa: E402
 from sightline.geometry.calibration import calibrate  # noqa: E402
 from sightline.geometry.camera import Camera  # noqa: E402
 from sightline.geometry.charuco import Charuco  # noqa: E402
-from sightline.geometry.corners import detect, refine_subpixel  # noqa: E402
+from sightline.geometry.corners import find_board, refine_subpixel  # noqa: E402
 from sightline.geometry.height import measure_height  # noqa: E402
 from sightline.geometry.pose import pose_from_corners  # noqa: E402
 from sightline.geometry.road_pose import Reference, RoadPose  # noqa: E402
@@ -149,7 +149,7 @@ def clutter(seed: int, width: int, height: int) -> np.ndarray:
 
 
 def detection() -> Iterator[Row]:
-    found = sum(detect(clutter(seed, 640, 480), BOARD).found for seed in range(12))
+    found = sum(find_board(clutter(seed, 640, 480), BOARD).found for seed in range(12))
     yield row("boards found in clutter", "0 of 12", str(found), found == 0)
     numbered = replace(BOARD, charuco=Charuco("4X4_50", 0.075))
     for board, name, of, width, height in (
@@ -158,7 +158,7 @@ def detection() -> Iterator[Row]:
         (numbered, "ChArUco board", "1080p", 1920, 1080),
     ):
         pictures = [clutter(seed, width, height) for seed in range(4)]
-        slowest = max(best_s(lambda g=grey, b=board: detect(g, b), 1) for grey in pictures)
+        slowest = max(best_s(lambda g=grey, b=board: find_board(g, b), 1) for grey in pictures)
         yield row(f"no {name} in a {of} picture: answer within", "2 s", f"{slowest:.2f} s", slowest < 2)
     for name, lens, limit in (
         ("VGA", Lens(), 5),
@@ -167,10 +167,10 @@ def detection() -> Iterator[Row]:
         scene = facing(20, 3.0, 0, lens)
         grey = picture(scene, 6, 4, 0.1, 1.5, samples=3)
         alone = 1e3 * best_s(lambda g=grey: cv2.findChessboardCorners(g, (6, 4), flags=_FAST))
-        whole = 1e3 * best_s(lambda g=grey: detect(g, BOARD))
+        whole = 1e3 * best_s(lambda g=grey: find_board(g, BOARD))
         reached = f"{whole:.1f} ms with the saddle fit (OpenCV's detection alone {alone:.1f} ms)"
         yield row(f"first detection, {name}", f"{limit} ms, fit excluded", reached, alone <= limit)
-        last = detect(grey, BOARD)
+        last = find_board(grey, BOARD)
         spot = last.points_px.reshape(-1, 1, 2).astype(np.float32)
         sub_pix = 1e3 * best_s(
             lambda g=grey, s=spot: cv2.cornerSubPix(g, s.copy(), (4, 4), (-1, -1), _STOP), 30
@@ -205,7 +205,7 @@ def real_sets() -> Iterator[Row]:
         board = Board(*size, 0.025)
         fine, plain = [], []
         for name, grey in pictures_of_set(folder):
-            found = detect(grey, board)
+            found = find_board(grey, board)
             picture_size = (grey.shape[1], grey.shape[0])
             fine.append((name, found, picture_size))
             rough = replace(found, points_px=refine_subpixel(grey, found.points_px)) if found.found else found

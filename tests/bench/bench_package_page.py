@@ -70,7 +70,7 @@ def main(package: Path, count: int) -> int:
         enlarged(place, count)
         staging = Staging(place)
         staging.written = {path: sum_of(staging.files(), path) for path in staging.files().paths}
-        write_page(staging, tables_of(2))
+        write_page(staging, tables_of(2), "en")
         write_audit_script(staging)
         sizes = [staging.written[name].size / 1e6 for name in ("index.html", "audit.js", "audit.csv")]
         browser = started.chromium.launch(

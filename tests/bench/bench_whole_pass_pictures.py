@@ -33,6 +33,7 @@ from sightline.enums import Target
 from sightline.geometry.follow_pass import PassFrame, follow_pass
 from sightline.geometry.followed_tracks import CONTACT, SECOND, TARGET
 from sightline.geometry.whole_pass import WholePass, measure_pass
+from sightline.messages.said import Said
 from sightline.simulation.render import render_frame
 from sightline.simulation.scene import Scene, Vehicle
 from sightline.simulation.truth import FramePixels, PassTruth, pass_truth
@@ -99,13 +100,13 @@ def _measured(tally: Tally, scene: Scene, true: PassTruth, frames: list[PassFram
     began = perf_counter()
     found = follow_pass(pose, frames, first.frame, points, target, assumed[0], 0.0)
     tally.seconds.append(perf_counter() - began)
-    if isinstance(found, str):
-        tally.none[found] += 1
+    if isinstance(found, Said):
+        tally.none[str(found)] += 1
         return
     tally.lost += Counter(f"{one.point}: {one.reason}" for one in found.lost)
     fit = measure_pass(pose, found.tracks, found.following, _U_HEADING, assumed)
     if fit.height.height_m is None:
-        tally.none[fit.height.reason or ""] += 1
+        tally.none[str(fit.height.reason)] += 1
         return
     left_out = {one.index for one in fit.dropped}
     tally.lost.update(f"{one.point}: contradicts the others" for one in fit.dropped)

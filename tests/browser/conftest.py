@@ -42,12 +42,13 @@ SCENES, SCAN_VEHICLES = ("day:8", "low_light:2"), 7
 # Files that begin first, in this order, with the processor seconds that each takes alone; the rest follow by
 # name. The walks read what the demonstration is like before other files have worked in it.
 FIRST_S = {
-    "test_walk_links": 82,
-    "test_screens": 60,
-    "test_walk": 30,
+    "test_walk_links": 72,
+    "test_languages": 50,
+    "test_walk": 40,
+    "test_screens": 36,
+    "test_guide": 60,
     "test_journey": 49,
     "test_killed_ingest": 42,
-    "test_languages": 40,
     "test_scans": 40,
 }
 OTHERS_S = 10

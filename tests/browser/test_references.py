@@ -48,7 +48,7 @@ def test_references_are_entered_imported_and_compared(page: Page, survey_id: int
     expect(page.get_by_test_id("reference-counts")).to_contain_text("2 new")
     page.screenshot(path=screenshots / "references-import.png")
     dialog.get_by_role("button", name="Import 2 lines").click()
-    expect(dialog).to_contain_text("1 reference value and 2 car names stored.")
+    expect(dialog).to_contain_text("1 reference value and 2 car names imported.")
     dialog.get_by_role("button", name="Close").last.click()
     expect(panel).to_contain_text("Speed, GPS: 70.0 ± 0.4 km/h")
     expect(panel.get_by_label("Run of car")).to_have_value("The Golf")

@@ -6,12 +6,11 @@ of the browser's all end the walk.
 """
 
 import re
-from collections import deque
 from collections.abc import Callable
 
 from playwright.sync_api import BrowserContext, Page
 
-from .walking import asked_by, begin, path_of, shown, there_and_back, walking
+from .walking import Shown, arrived, asked_by, begin, path_of, same, shown, there_and_back, walking
 
 LINKS = """() => [...document.querySelectorAll("a[href^='/']")]
   .filter((link) => link.checkVisibility() && !link.download && !link.target)
@@ -44,29 +43,52 @@ def first(walker: Page, link: str) -> Callable[[], None]:
     return walker.locator(f'a[href="{link}"]:visible').first.click
 
 
+class Walk:
+    """A page is walked where a link has led to it."""
+
+    def __init__(self, walker: Page) -> None:
+        self.walker = walker
+        self.known = {"/"}
+        self.shapes: set[object] = {shape("/")}
+
+    def is_to_walk(self, here: str, link: str) -> bool:
+        """Whether it is the first of its kind.
+
+        A link to the page itself is walked from each page: it may keep what it should forget. The guide keeps
+        nothing, and its sections are places of pages that are walked.
+        """
+        if (path_of(link) == "/guide" and "section=" in link) or of_another_survey(link):
+            return False
+        within = path_of(link) == path_of(here) != "/guide" and link != here
+        # of a list's links to the same page, the first stands for all
+        walked = (path_of(here), shape(link)) if within else shape(link)
+        if walked in self.shapes:
+            return False
+        self.shapes.add(walked)
+        return True
+
+    def go_on_from(self, here: str, start: Shown) -> None:
+        """Every link of the page that is shown, and every link of the pages that they lead to."""
+        for link in dict.fromkeys(self.walker.evaluate(LINKS)):
+            if not self.is_to_walk(here, link):
+                continue
+            step = first(self.walker, link)
+            there = there_and_back(self.walker, start, step, link)
+            assert asked_by(link) <= asked_by(there.address), f"{link} leads to {there.address}"
+            if link in self.known:
+                continue
+            self.known.add(link)
+            step()
+            same(self.walker, arrived(self.walker, start), there, f"{link} once more")
+            self.go_on_from(link, there)
+            self.walker.go_back()
+            same(self.walker, arrived(self.walker, there), start, f"back from the links of {link}")
+
+
 def test_every_link_forth_and_back_shows_what_a_reload_shows(context: BrowserContext) -> None:
     with walking(context) as walker:
         begin(walker)
-        ways, known = deque(["/"]), {"/"}
-        shapes: set[object] = {shape("/")}
-        while ways:
-            here = ways.popleft()
-            walker.goto(here)
-            start = shown(walker, twice=True)
-            for link in dict.fromkeys(walker.evaluate(LINKS)):
-                # A link to the page itself is walked from each page: it may keep what it should forget. The
-                # guide keeps nothing, and its sections are places of pages that are walked.
-                within = path_of(link) == path_of(here) != "/guide" and link != here
-                if path_of(link) == "/guide" and "section=" in link:
-                    continue
-                # of a list's links to the same page, the first stands for all
-                walked = (path_of(here), shape(link)) if within else shape(link)
-                if walked in shapes or of_another_survey(link):
-                    continue
-                shapes.add(walked)
-                if link not in known:
-                    ways.append(link)
-                known.add(link)
-                there = there_and_back(walker, start, first(walker, link), link)
-                assert asked_by(link) <= asked_by(there.address), f"{link} leads to {there.address}"
-        assert {path_of(link) for link in known} >= SCREENS_BY_LINK
+        walker.goto("/")
+        walk = Walk(walker)
+        walk.go_on_from("/", shown(walker, twice=True))
+        assert {path_of(link) for link in walk.known} >= SCREENS_BY_LINK

@@ -44,7 +44,7 @@ def test_a_pass_is_measured_and_its_tracks_give_the_same_height(
     assert told["height_m"] == pytest.approx(true.spot("driver_eye").height_m, abs=0.01)
     assert told["wheelbase_m"] == pytest.approx(true.vehicle.model.wheelbase_m, abs=0.02)
     assert told["frames"] >= 12 and told["following"]["begun_on"] == int(command[5])
-    assert any("left the picture" in one["reason"] for one in told["lost"])
+    assert any("left the frame" in one["reason"] for one in told["lost"])
     with table.open() as lines:
         rows = list(csv.DictReader(lines))
     assert len(rows) == len(told["tracks"]) and rows[0]["point"] == told["tracks"][0]["point"]
@@ -76,4 +76,4 @@ def test_what_cannot_be_followed_is_bad_input(
     assert main([*command, "--kind", "roof"]) == 2
     assert "two frames" in capsys.readouterr().err
     assert main([*command, "--first", str(int(command[5]) + 1)]) == 2
-    assert "not among" in capsys.readouterr().err
+    assert "outside the pass" in capsys.readouterr().err

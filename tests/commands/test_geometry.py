@@ -2,8 +2,11 @@
 
 import csv
 import json
+from contextlib import closing
+from fractions import Fraction
 from pathlib import Path
 
+import av
 import cv2
 import numpy as np
 import pytest
@@ -297,6 +300,84 @@ def test_calibrate_and_refusals(tmp_path, capsys) -> None:
     assert run("calibrate", text, *BOARD, "-o", tmp_path / "no.json") == 2
     assert "text.png" in capsys.readouterr().err
     assert run("calibrate", *images, *BOARD, "-o", tmp_path / "absent" / "camera.json") == 2
+
+
+def tracks(path: Path, *pictures: list[np.ndarray]) -> Path:
+    """A lossless clip with a video track for each list of grey pictures, and a sound track before them."""
+    with closing(av.open(str(path), "w")) as out:
+        sound = out.add_stream("aac", rate=44100)
+        streams = []
+        for shown in pictures:
+            stream = out.add_stream("libx264", rate=25)
+            stream.height, stream.width = shown[0].shape
+            stream.pix_fmt, stream.options = "yuv420p", {"preset": "ultrafast", "qp": "0"}
+            stream.disposition = av.stream.Disposition.default  # else the second would be switched off
+            streams.append(stream)
+        for stream, shown in zip(streams, pictures, strict=True):
+            for n, gray in enumerate(shown):
+                frame = av.VideoFrame.from_ndarray(np.repeat(gray[:, :, None], 3, axis=2), format="bgr24")
+                frame.pts, frame.time_base = n, Fraction(1, 25)
+                out.mux(stream.encode(frame))
+            out.mux(stream.encode(None))
+        silence = av.AudioFrame.from_ndarray(np.zeros((1, 1024), np.float32), format="fltp", layout="mono")
+        silence.sample_rate, silence.pts = 44100, 0
+        out.mux(sound.encode(silence))
+        out.mux(sound.encode(None))
+    return path
+
+
+def test_calibrate_reads_the_track_that_is_asked_for(tmp_path, capsys) -> None:
+    """Two cameras in one file: each track gives its own focal length, within its uncertainty."""
+    lenses = Lens(f=260.0, cx=159.5, cy=119.5, width=320, height=240), Lens()
+    seen: tuple[list, list] = ([], [])
+    rng = np.random.default_rng(1)
+    for i in range(6):
+        yaw, pitch = rng.uniform(-30, 30), rng.uniform(-8, 8)
+        eye = (0.25 - 1.7 * np.tan(np.radians(yaw)), -1.7, rng.uniform(1.1, 1.5))
+        for shown, lens in zip(seen, lenses, strict=True):
+            shown.append(picture(Scene(lens, eye, yaw, pitch, 20.0 * i), 6, 4, 0.1, 1.5, samples=2))
+    clip, out = tracks(tmp_path / "two.mp4", *seen), tmp_path / "camera.json"
+    for options, lens in (((), lenses[0]), (("--stream", 1), lenses[0]), (("--stream", 2), lenses[1])):
+        assert run("calibrate", clip, *BOARD, "-o", out, *options) == 0, capsys.readouterr().err
+        found = json.loads(out.read_text())
+        assert (found["width_px"], found["height_px"]) == (lens.width, lens.height)
+        assert [view["file"] for view in found["views"]] == [f"two.mp4 frame {n}" for n in range(6)]
+        u_px = np.sqrt(found["covariance"][0][0])
+        assert u_px < 0.1 * lens.f and abs(found["fx_px"] - lens.f) < 3 * u_px, found["fx_px"]
+    out.unlink()
+    capsys.readouterr()
+    assert run("calibrate", clip, *BOARD, "-o", out, "--stream", 3) == 2
+    assert "two.mp4 has no video track 3; it has 2, counted from 1." in capsys.readouterr().err
+    still = tmp_path / "view.png"
+    cv2.imwrite(str(still), seen[1][0])
+    assert run("calibrate", still, clip, *BOARD, "-o", out, "--stream", 2) == 2
+    assert "view.png is an image, not a video with tracks" in capsys.readouterr().err
+    assert not out.exists()
+
+
+def test_pose_reads_the_track_that_is_asked_for(camera_file, tmp_path, capsys) -> None:
+    """Two cameras of one lens in one file, 1.4 and 1.9 m above the road: each track gives its own height."""
+    higher = Scene(Lens(), (-0.4, -3.4, 1.9), 12.0, 10.0)
+    seen = [
+        [picture(scene, 6, 4, 0.1, 1.5, samples=4, seed=n) for n in range(3)] for scene in (SCENE, higher)
+    ]
+    clip, out = tracks(tmp_path / "two.mp4", *seen), tmp_path / "pose.json"
+    given = ("--camera", camera_file, *BOARD, "--reference-height", 1.5, "-o", out)
+    for options, scene in (((), SCENE), (("--stream", 1), SCENE), (("--stream", 2), higher)):
+        assert run("pose", clip, *given, *options) == 0, capsys.readouterr().err
+        found = json.loads(out.read_text())
+        turn, shift = found["cam_from_road"]["rotation"], found["cam_from_road"]["translation_m"]
+        assert -np.transpose(turn) @ shift == pytest.approx(scene.eye, abs=0.02)  # 0.3 m and more apart
+        assert found["frames_used"] == 3
+    out.unlink()
+    capsys.readouterr()
+    assert run("pose", clip, *given, "--stream", 3) == 2
+    assert "two.mp4 has no video track 3" in capsys.readouterr().err
+    still = tmp_path / "board.png"
+    cv2.imwrite(str(still), seen[0][0])
+    assert run("pose", still, *given, "--stream", 1) == 2
+    assert "board.png is an image, not a video with tracks" in capsys.readouterr().err
+    assert not out.exists()
 
 
 def test_pose_refusals(camera_file, still, tmp_path, capsys) -> None:

@@ -6,6 +6,8 @@ Each is refused in one sentence that says where and what, or read for what it sa
 from __future__ import annotations
 
 import codecs
+import csv
+import io
 import json
 from collections.abc import Callable
 from pathlib import Path
@@ -14,6 +16,7 @@ from typing import Any
 import pytest
 
 from sightline.cli import main
+from sightline.commands.clicks import heights_csv
 from sightline.commands.passes_csv import read_passes
 from sightline.commands.tracks_csv import read_tracks
 from sightline.errors import BadInput
@@ -21,6 +24,8 @@ from sightline.infra.database.engine import make_engine, migrate
 from sightline.linescan.rig_calibration import Common
 from sightline.scans.rig.passes_csv import read_rig_passes
 from sightline.studies.fleet_csv import read_fleet, read_sites
+from tests.geometry.scenes import pose_of
+from tests.geometry.simulate import Lens, Scene
 
 HEIGHTS = "id,height_m,u_height_m,reference_height_m,lighting,status\n"
 GOOD = "1,1.41,0.005,1.40,daytime,ok\n2,1.52,0.005,1.50,daytime,ok\n3,1.63,0.005,1.60,daytime,ok\n"
@@ -40,6 +45,8 @@ ERRORS: dict[str, tuple[bytes, dict[str, Any] | tuple[str, ...]]] = {
         (HEIGHTS + GOOD).replace("1.50", "#REF!").encode(), ("line 3", "reference_height_m")),
     "a negative height": (
         (HEIGHTS + GOOD).replace("1.50", "-1.50").encode(), ("line 3", "reference_height_m")),
+    "a known height of nothing": (
+        (HEIGHTS + GOOD).replace("1.50", "0").encode(), ("line 3", "a size is above 0")),
     "a unit in the cell": ((HEIGHTS + GOOD).replace("1.52", "1.52 m").encode(), ("line 3", "height_m")),
     "a row too short": (
         (HEIGHTS + GOOD).replace("2,1.52,0.005,1.50,daytime,ok", "2,1.52").encode(), ("line 3", "2 cells")),
@@ -93,6 +100,8 @@ MODELS: dict[str, tuple[str, dict[int, str] | tuple[str, ...]]] = {
     "quotes of print": (CATALOGUE + "Aldo,“One”,2018,1.48\n", {2: "new"}),
     "a tab in a name": (
         CATALOGUE + "Aldo,One\tMore,2018,1.48\nAldo,One More,2018,1.48\n", {2: "new", 3: "duplicate"}),
+    "metres as millimetres": (
+        "make,model,height_mm\nAldo,One,1.48\nAldo,Two,1480\n", {2: "refused", 3: "new"}),
     "to before from": ("make,model,year_from,year_to,height_m\nAldo,One,2018,2015,1.48\n", {2: "refused"}),
     "years to come": (CATALOGUE + "Aldo,One,3018,1.48\n", {2: "refused"}),
 }  # fmt: skip
@@ -223,6 +232,9 @@ POINT = "front_tyre"
 PASSES: dict[str, tuple[str, dict[str, str] | tuple[str, ...]]] = {
     "a wheelbase in millimetres": (OBSERVED + f"a,1,{POINT},10,20,2700,5\n", {"a": "wheelbase_m"}),
     "a wheelbase without its uncertainty": (OBSERVED + f"a,1,{POINT},10,20,2.7,\n", {"a": "u_wheelbase_m"}),
+    "a wheelbase below nothing": (OBSERVED + f"a,1,{POINT},10,20,-2.7,0.01\n", {"a": "a size is above 0"}),
+    "an uncertainty below nothing": (
+        OBSERVED + f"a,1,{POINT},10,20,2.7,-0.01\n", {"a": "an uncertainty is not below 0"}),
     "half a frame": (OBSERVED + f"a,1.5,{POINT},10,20,2.7,0.01\n", {"a": "frame"}),
     "a point of no name": (OBSERVED + "a,1,bonnet,10,20,2.7,0.01\n", {"a": "rear_tyre"}),
     "a pixel that is none": (OBSERVED + f"a,1,{POINT},nan,20,2.7,0.01\n", {"a": "x_px"}),
@@ -267,3 +279,47 @@ def test_tracks(name: str, tmp_path: Path) -> None:
     path = tmp_path / "tracks.csv"
     path.write_text(content)
     refused(("tracks.csv", *words), read_tracks, path)
+
+
+POINTS = "id,contact_x_px,contact_y_px,target_x_px,target_y_px"
+
+# name: the further columns, and what they hold in the row; the words of the row's refusal
+CLICKED: dict[str, tuple[str, str, tuple[str, ...]]] = {
+    "a known height below nothing": ("reference_height_m", "-1.4", ("reference_height_m", "-1.4", "above 0")),
+    "a known height of nothing": ("reference_height_m", "0", ("reference_height_m", "above 0")),
+    "a known height too small for a number": (
+        "reference_height_m", "1e-999", ("reference_height_m", "above 0")),
+    "millimetres below nothing": ("reference_height_m", "-1400", ("reference_height_m", "above 0")),
+    "a known height in millimetres": ("reference_height_m", "1400", ("reference_height_m", "in mm", "1.4 m")),
+    "a known height with its unit": ("reference_height_m", "1.4 m", ("reference_height_m", "not a number")),
+    "a known height in a spreadsheet's error": ("reference_height_m", "#N/A", ("reference_height_m",)),
+    "an inset with a decimal comma": ("inset_m", '"0,45"', ("inset_m", "decimals with a point")),
+    "an inset in millimetres": ("inset_m,u_inset_m", "450,100", ("inset_m", "in mm", "0.45 m")),
+    "an inset's uncertainty in millimetres": (
+        "inset_m,u_inset_m", "0.45,100", ("u_inset_m", "in mm", "0.1 m")),
+    "an inset's uncertainty below nothing": ("inset_m,u_inset_m", "0.45,-0.1", ("u_inset_m", "-0.1")),
+    "an inset's uncertainty without end": ("inset_m,u_inset_m", "0.45,inf", ("u_inset_m",)),
+    "an inset that is a word": ("inset_m,u_inset_m", "usual,0.1", ("inset_m", "usual", "not a number")),
+    "clicks of an uncertainty below nothing": ("sigma_px", "-1", ("sigma_px", "-1")),
+    "a target in capitals": ("target", "ROOF", ("ROOF", "roof")),
+    "a side of another language": ("target,side", "driver_eye,links", ("links", "near")),
+    "an eye without a side": ("target,side", "driver_eye,", ("side",)),
+    "a further frame clicked by half": (
+        "contact2_x_px,contact2_y_px,target2_x_px,target2_y_px", "300,400,310,", ("target2_y_px", "empty")),
+    "a row too long": ("inset_m,u_inset_m", "0,45,0,1", ("line 2", "9 cells")),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", CLICKED)
+def test_clicks(name: str, tmp_path: Path) -> None:
+    """The row alone is refused; the same points without what is wrong have their height."""
+    columns, cells, words = CLICKED[name]
+    scene = Scene(Lens(), (-0.7, -3.0, 1.4), 18.0, 4.0)
+    at = ",".join(f"{v:.4f}" for v in scene.look([(0.3, 0.2, 0.0), (0.1, 0.65, 1.16)]).ravel())
+    blank = "," * columns.count(",")
+    path = tmp_path / "clicks.csv"
+    path.write_text(f"{POINTS},{columns}\n1,{at},{cells}\n2,{at},{blank}\n")
+    text, counts = heights_csv(pose_of(scene), path)
+    bad, good = csv.DictReader(io.StringIO(text))
+    assert bad["status"] == "not_measurable" and all(word in bad["reason"] for word in words), bad["reason"]
+    assert bad["height_m"] == "" and (good["status"], counts.measured) == ("ok", 1)

@@ -15,7 +15,7 @@ from sightline.demo import build, parts
 from sightline.demo.request import ensure_requested
 from sightline.errors import SightlineError
 from sightline.geometry.board import Board
-from sightline.geometry.corners import detect
+from sightline.geometry.corners import find_board
 from sightline.infra.audit.verification import verify_records
 from sightline.infra.jobs.records import Job
 from sightline.infra.jobs.registry import Cancelled
@@ -119,7 +119,7 @@ def check_samples(admin: Client, survey_id: int) -> None:
     with zipfile.ZipFile(io.BytesIO(admin.get("/samples/pictures.zip").content)) as archive:
         names = archive.namelist()
         assert len(names) == found["pictures"]["count"] >= 10
-        assert detect(read_image(archive.read(names[0]), names[0]), board) is not None
+        assert find_board(read_image(archive.read(names[0]), names[0]), board) is not None
     assert found["clip"] == admin.seen(f"/surveys/{survey_id}/recordings")[0]["id"]
     assert admin.get(f"/recordings/{found['clip']}/video").content[4:8] == b"ftyp"
     models = admin.get("/samples/catalogue.csv").content

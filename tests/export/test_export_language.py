@@ -2,13 +2,16 @@
 
 import io
 import json
+import re
 import zipfile
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import pytest
 
 from sightline.cli import main
+from sightline.export import page
 from sightline.export.verify.package import verify_package
 from sightline.infra.csv_package.files import FolderFiles
 from sightline.infra.jobs.records import Job
@@ -46,7 +49,16 @@ def described(place: Path) -> dict[str, object]:
     return found
 
 
-def test_figures_and_report_are_in_the_language_of_who_asked(
+def told_by_page(place: Path) -> dict[str, Any]:
+    """What the package's own page is told of the package."""
+    about = re.search(r'id="about">(.*?)</script>', (place / "index.html").read_text("utf-8"))
+    assert about
+    found: dict[str, Any] = json.loads(about[1])
+    return found
+
+
+@pytest.mark.skipif(page.template() is None, reason="the front end is not built")
+def test_figures_report_and_page_are_in_the_language_of_who_asked(
     viewer: Client, ground: Ground, work: Callable[[], list[Job]], tmp_path: Path
 ) -> None:
     address = f"/api/surveys/{ground.survey_id}/exports"
@@ -59,6 +71,9 @@ def test_figures_and_report_are_in_the_language_of_who_asked(
         assert kind in "".join(words((place / "report.pdf").read_bytes()).split())
         checked = verify_package(FolderFiles(place))
         assert checked.ok and checked.drawings > 1, checked.problem
+    assert (told_by_page(french)["language"], told_by_page(english)["language"]) == ("fr", "en")
+    assert told_by_page(french)["said"]["click, target"] == "pointé, cible"
+    assert told_by_page(english)["said"] == {}
     same = {path.name: path.read_bytes() for path in english.glob("statistics/*.csv")}
     assert same and same == {path.name: path.read_bytes() for path in french.glob("statistics/*.csv")}
     assert described(french)["description"] == described(english)["description"]

@@ -11,7 +11,7 @@ import pytest
 
 from sightline.cli import main
 from sightline.export import contents
-from sightline.export.contents import HEIGHTS, STATISTICS
+from sightline.export.contents import HEIGHTS, STATISTICS, WORDS
 from sightline.export.verify import derived, described
 from sightline.export.verify.package import PackageCheck, verify_package
 from sightline.infra import source_hash
@@ -129,6 +129,27 @@ def test_a_height_that_another_version_computed_otherwise_is_told(
     assert found.ok and found.not_checked[0] == "heights", found.problem
     assert "states height 1.309900, its clicks give 1.310000 m" in " ".join(found.notes)
     assert "not with the given audit head" in str(check(package, head).problem)
+
+
+def test_words_are_held_against_their_codes_and_codes_against_the_events(
+    package: Path, later: Callable[..., None]
+) -> None:
+    """Codes are the events' for every version; the words of another version only the seal binds."""
+
+    def forge(**cells: str) -> None:
+        for table in ("measurements.csv", "revisions.csv"):
+            edit(package, table, lambda row: row["flags"] != "", **cells)
+
+    forge(flags="Nothing is wrong.")
+    rederive(package, drawings=True)
+    assert "flags does not say what the code beside it says" in str(check(package).problem)
+    later(WORDS)
+    found = check(package)
+    assert found.ok, found.problem
+    assert "words" in found.not_checked and "put into words by another version" in " ".join(found.notes)
+    forge(flags_code='[{"code":"height-flag-u-large","values":{}}]')
+    rederive(package, drawings=True)
+    assert "differs from its audit event" in str(check(package).problem)
 
 
 def test_a_later_geometry_calls_no_height_wrong(

@@ -9,6 +9,7 @@ import pytest
 from sightline.geometry.camera import Camera
 from sightline.geometry.road_pose import RoadPose
 from sightline.geometry.traffic import Headings, headings_of_pairs, summary_of_headings
+from sightline.messages.said import Said
 from tests.geometry.simulate import Lens, Scene
 
 LENSES = (
@@ -35,8 +36,8 @@ def pose_of(scene: Scene, **more: object) -> RoadPose:
 def headings(pose: RoadPose, first_px: np.ndarray, second_px: np.ndarray, sigma_px: float) -> Headings | str:
     """The traffic's direction from both tyre contacts (N, 2) of N vehicles, as the checks put it together."""
     pairs = headings_of_pairs(pose, first_px, second_px, sigma_px)
-    heading = [np.nan if isinstance(pair, str) else pair.heading_rad for pair in pairs]
-    u = [np.nan if isinstance(pair, str) else pair.u_heading_rad for pair in pairs]
+    heading = [np.nan if isinstance(pair, Said) else pair.heading_rad for pair in pairs]
+    u = [np.nan if isinstance(pair, Said) else pair.u_heading_rad for pair in pairs]
     return summary_of_headings(heading, u)
 
 

@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 
 from sightline.errors import BadInput
 from sightline.geometry.board import Board, canonical_order, require_board, road_points
-from sightline.geometry.corners import detect
+from sightline.geometry.corners import find_board
 from tests.geometry.simulate import Lens, Scene, picture
 
 # the eight ways in which a detector may number one and the same grid of corners
@@ -59,7 +59,7 @@ def test_both_detectors_and_both_orders_on_pictures(roll, columns, rows) -> None
             ordered, as_seen = canonical_order(grid, Board(*pattern, 0.1))
             assert (as_seen.columns, as_seen.rows) == (columns, rows)
             assert np.abs(ordered - truth).max() < 1.5
-    found = detect(grey, Board(columns, rows, 0.1))
+    found = find_board(grey, Board(columns, rows, 0.1))
     assert found.found, found.reason
     assert np.sqrt(np.square(found.points_px - truth).mean()) < 0.08
 

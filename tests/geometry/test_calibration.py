@@ -10,7 +10,7 @@ from sightline.errors import BadInput
 from sightline.geometry.arrays import frozen
 from sightline.geometry.board import Board
 from sightline.geometry.calibration import calibrate
-from sightline.geometry.corners import Corners, detect, not_found
+from sightline.geometry.corners import Corners, find_board, not_found
 from tests.geometry.scenes import shared
 from tests.geometry.simulate import Lens, Scene
 
@@ -150,7 +150,7 @@ def test_real_sets_reach_the_reference(folder, size, square, left_out) -> None:
     given = []
     for path in sorted(shared("calibration", folder).glob("*.jpg")):
         grey = cv2.imread(str(path), cv2.IMREAD_GRAYSCALE)
-        given.append((path.name, detect(grey, board), (grey.shape[1], grey.shape[0])))
+        given.append((path.name, find_board(grey, board), (grey.shape[1], grey.shape[0])))
     for model, key in (("brown", "pinhole5"), ("fisheye", "fisheye")):
         if key not in wanted:
             continue

@@ -12,7 +12,7 @@ from sightline.geometry.board import Board
 from sightline.geometry.calibration import calibrate
 from sightline.geometry.camera import Camera
 from sightline.geometry.charuco import Charuco, charuco_of
-from sightline.geometry.corners import Corners, detect
+from sightline.geometry.corners import Corners, find_board
 from sightline.geometry.pose import pose_from_corners
 from sightline.geometry.road_pose import Reference
 from sightline.geometry.tracking import track
@@ -61,7 +61,7 @@ def seen(at: Scene, board: Board = BOARD, legacy: bool = False) -> tuple[np.ndar
 def test_corners_are_where_they_are(roll: float, legacy: bool) -> None:
     """No half pixel off, as some versions of OpenCV are; upside down they are numbered as seen."""
     grey, truth = seen(scene(roll=roll), legacy=legacy)
-    found = detect(grey, BOARD)
+    found = find_board(grey, BOARD)
     assert found.found and found.ids is None, found.reason
     error = found.points_px - (truth[::-1, ::-1] if roll > 90 else truth)
     assert np.sqrt(np.square(error).mean()) < 0.04
@@ -70,7 +70,7 @@ def test_corners_are_where_they_are(roll: float, legacy: bool) -> None:
 
 def test_a_part_of_the_board_has_its_numbers() -> None:
     grey, truth = seen(scene(x=1.05))
-    found = detect(grey, BOARD)
+    found = find_board(grey, BOARD)
     assert found.found and found.ids is not None and 6 <= len(found.ids) < BOARD.corners
     error = found.points_px - truth.reshape(-1, 2)[found.which]
     assert np.sqrt(np.square(error).mean()) < 0.05
@@ -81,7 +81,7 @@ def test_a_part_of_the_board_has_its_numbers() -> None:
 def test_road_pose_of_a_charuco_board() -> None:
     at = scene()
     grey, _ = seen(at)
-    first = detect(grey, BOARD)
+    first = find_board(grey, BOARD)
     followed = track(picture(at, 6, 5, 0.1, TOP_M, samples=4, seed=1, paint=print_of(BOARD)), first)
     assert followed.found and followed.detector == "followed"
     pose = pose_from_corners(camera_of(Lens()), [first, followed], BOARD, Reference("top", TOP_M))
@@ -118,15 +118,15 @@ def test_clutter_and_boards_that_cannot_be() -> None:
     for _ in range(150):
         a, b = rng.integers(0, [640, 480], (2, 2)).tolist()
         cv2.rectangle(grey, a, b, int(rng.integers(0, 255)), -1 if rng.random() < 0.6 else 2)
-    found = detect(grey, BOARD)
+    found = find_board(grey, BOARD)
     assert not found.found and found.reason and "4X4_50" in found.reason
     plain = picture(scene(), 6, 5, 0.1, TOP_M, samples=2)
-    assert not detect(plain, BOARD).found
+    assert not find_board(plain, BOARD).found
     with pytest.raises(BadInput, match="dictionary"):
         charuco_of("5X4_50", 0.07)
     for marker, columns in ((0.1, 6), (float("nan"), 6), (0.07, 30)):
         with pytest.raises(BadInput):
-            detect(grey, dataclasses.replace(BOARD, columns=columns, charuco=Charuco("4X4_50", marker)))
+            find_board(grey, dataclasses.replace(BOARD, columns=columns, charuco=Charuco("4X4_50", marker)))
 
 
 def test_commands_take_charuco_boards(tmp_path, capsys) -> None:

@@ -9,6 +9,7 @@ import pytest
 from sightline.geometry.camera import Camera
 from sightline.geometry.contact import Proposal, propose
 from sightline.geometry.road_pose import RoadPose
+from sightline.messages.said import Said
 from sightline.simulation.render import render_frame
 from sightline.simulation.scene import Scene, day_scene, low_light_scene
 from sightline.simulation.truth import spot_pixel, spots_of
@@ -88,11 +89,11 @@ def test_where_no_wheel_is_it_refuses_in_words() -> None:
     pointers += [(gray("day", body[0]), tuple(body[1] + off)) for off in ((70, -5), (-60, 0), (60, -40))]
     for picture, pointer in pointers:
         found = propose(picture, pose, pointer)
-        assert isinstance(found, str) and found.endswith("."), (pointer, found)
+        assert isinstance(found, Said) and str(found).endswith("."), (pointer, found)
     assert "horizon" in str(propose(empty, pose, (300.0, 60.0)))
     assert "outside" in str(propose(empty, pose, (-5.0, 60.0)))
     black = np.zeros_like(empty)
-    assert isinstance(propose(black, pose, (320.0, 400.0)), str)
+    assert isinstance(propose(black, pose, (320.0, 400.0)), Said)
 
 
 def test_the_pointers_place_hardly_matters() -> None:

@@ -9,7 +9,7 @@ import pytest
 from sightline.errors import BadInput
 from sightline.geometry import corners
 from sightline.geometry.board import Board
-from sightline.geometry.corners import detect
+from sightline.geometry.corners import find_board
 from sightline.geometry.tracking import track
 from tests.geometry.scenes import shared
 from tests.geometry.simulate import Lens, Scene, picture
@@ -35,7 +35,7 @@ def clutter(seed: int, height: int = 480, width: int = 640) -> np.ndarray:
 
 @pytest.mark.parametrize("seed", [0, *(pytest.param(n, marks=pytest.mark.proof) for n in (1, 2, 3))])
 def test_clutter_holds_no_board(seed: int) -> None:
-    found = detect(clutter(seed), BOARD, time_limit_s=2.0)
+    found = find_board(clutter(seed), BOARD, time_limit_s=2.0)
     assert not found.found and found.reason
     assert found.points_px.shape == (0, 0, 2)
 
@@ -49,7 +49,7 @@ def test_the_classic_detector_sees_a_large_picture_reduced(monkeypatch: pytest.M
         return classic(gray, *more)
 
     monkeypatch.setattr(corners, "_classic", noted)
-    assert not detect(clutter(1, 1080, 1920), BOARD).found
+    assert not find_board(clutter(1, 1080, 1920), BOARD).found
     assert sizes and max(sizes) <= 500_000
 
 
@@ -63,14 +63,14 @@ def test_no_search_begins_that_could_outlast_the_time_limit(monkeypatch: pytest.
     for name in ("_classic", "_sector"):
         monkeypatch.setattr(corners, name, search)
     monkeypatch.setattr(corners, "perf_counter", lambda: clock[0])
-    found = detect(clutter(0), BOARD, time_limit_s=2.0)
+    found = find_board(clutter(0), BOARD, time_limit_s=2.0)
     assert clock[0] == pytest.approx(2.7)
     assert found.reason and "before the time limit" in found.reason
 
 
 def test_a_board_in_a_large_picture_is_found_reduced_and_measured_in_full() -> None:
     large = Scene(Lens(1088.0, 959.5, 539.5, width=1920, height=1080), (-0.7, -3.0, 1.4), 18.0, 4.0)
-    found = detect(picture(large, 6, 4, 0.1, 1.5, samples=4), BOARD)
+    found = find_board(picture(large, 6, 4, 0.1, 1.5, samples=4), BOARD)
     truth = large.look(large.board(6, 4, 0.1, 1.5).reshape(-1, 3)).reshape(4, 6, 2)
     assert found.found and found.detector == "classic, reduced"
     assert np.sqrt(np.square(found.points_px - truth).mean()) < 0.06
@@ -82,7 +82,7 @@ def test_a_soft_board_in_five_megapixels_is_fitted_as_soft_as_it_is() -> None:
     drawn = picture(large, 6, 4, 0.1, 1.5, samples=3, blur=0.0, noise=0.0)
     soft = cv2.GaussianBlur(drawn, (0, 0), 8.0).astype(float)
     noisy = np.clip(soft + np.random.default_rng(1).normal(0, 3, soft.shape), 0, 255).astype(np.uint8)
-    found = detect(noisy, BOARD, NEVER_S)
+    found = find_board(noisy, BOARD, NEVER_S)
     truth = large.look(large.board(6, 4, 0.1, 1.5).reshape(-1, 3)).reshape(4, 6, 2)
     assert found.found
     assert np.sqrt(np.square(found.points_px - truth).mean()) < 0.06
@@ -96,7 +96,7 @@ def test_a_corner_that_the_detector_puts_beside_itself_is_brought_home(
     astray = truth.copy()
     astray[23] += 0.25 * (truth[23] - truth[22])
     monkeypatch.setattr(corners, "_classic", lambda gray, board, flags: astray)
-    found = detect(drawn, BOARD)
+    found = find_board(drawn, BOARD)
     assert found.found
     assert np.abs(found.points_px.reshape(-1, 2) - truth).max() < 0.3
 
@@ -107,21 +107,21 @@ def test_a_board_cut_by_the_border_is_refused(x: float) -> None:
     corners = cut.look(cut.board(6, 4, 0.1, 1.5).reshape(-1, 3))
     assert corners[:, 0].min() < 0 or corners[:, 0].max() > 639
     image = picture(cut, 6, 4, 0.1, 1.5, samples=3)
-    found = detect(image, BOARD)
+    found = find_board(image, BOARD)
     assert not found.found
     assert found.reason and ("cut" in found.reason or "whole board" in found.reason)
 
 
 def test_another_board_size_is_refused() -> None:
     image = picture(scene(), 6, 4, 0.1, 1.5, samples=3)
-    found = detect(image, Board(8, 5, 0.1))
+    found = find_board(image, Board(8, 5, 0.1))
     assert not found.found and found.reason and "8x5" in found.reason
 
 
 def test_small_far_board_is_found_by_a_fallback() -> None:
     far = Scene(Lens(k=(0.0,) * 5), (0.2, -6.5, 1.4), 0.0, 1.0, 3.0)
     image = picture(far, 6, 4, 0.1, 1.6, samples=5, blur=0.7, noise=2)
-    found = detect(image, BOARD, NEVER_S)
+    found = find_board(image, BOARD, NEVER_S)
     assert found.found, found.reason
     truth = far.look(far.board(6, 4, 0.1, 1.6).reshape(-1, 3)).reshape(4, 6, 2)
     assert np.sqrt(np.square(found.points_px - truth).mean()) < 0.15
@@ -129,17 +129,17 @@ def test_small_far_board_is_found_by_a_fallback() -> None:
 
 def test_impossible_board_raises() -> None:
     with pytest.raises(BadInput):
-        detect(clutter(0), Board(0, 4, 0.1))
+        find_board(clutter(0), Board(0, 4, 0.1))
 
 
 def test_sharpness_grows_with_blur() -> None:
-    sharp, soft = (detect(picture(scene(), 6, 4, 0.1, 1.5, samples=3, blur=b), BOARD) for b in (0.6, 2.0))
+    sharp, soft = (find_board(picture(scene(), 6, 4, 0.1, 1.5, samples=3, blur=b), BOARD) for b in (0.6, 2.0))
     assert sharp.found and soft.found
     assert 0 < sharp.sharpness < soft.sharpness
 
 
 def test_following_a_board() -> None:
-    first = detect(picture(scene(), 6, 4, 0.1, 1.5, samples=4), BOARD)
+    first = find_board(picture(scene(), 6, 4, 0.1, 1.5, samples=4), BOARD)
     moved = scene(x=-0.69)
     next_picture = picture(moved, 6, 4, 0.1, 1.5, samples=4, seed=1)
     followed = track(next_picture, first)
@@ -166,7 +166,7 @@ def test_real_sets_are_found_as_the_reference_says(
     paths = sorted(shared("calibration", folder).glob("*.jpg"))
     missed = set()
     for path in (path for n, path in enumerate(paths) if n % every == 0 or path.name in refused):
-        found = detect(cv2.imread(str(path), cv2.IMREAD_GRAYSCALE), Board(*size, 0.03), NEVER_S)
+        found = find_board(cv2.imread(str(path), cv2.IMREAD_GRAYSCALE), Board(*size, 0.03), NEVER_S)
         if not found.found:
             assert found.reason
             missed.add(path.name)

@@ -8,6 +8,7 @@ import pytest
 from sightline.geometry.drift import Motion, displacement_px, fit_motion, height_change
 from sightline.geometry.drift_spans import Look, course
 from sightline.geometry.height import measure_height
+from sightline.messages.said import Said
 from tests.geometry.scenes import pose_of
 from tests.geometry.simulate import Lens, Scene
 
@@ -102,6 +103,6 @@ def test_covered_frames_beside_a_bump_count_as_moved() -> None:
 
 
 def test_without_motions_there_is_the_commonest_reason() -> None:
-    dark = {n: "too dark" for n in range(101)}
-    found = course_of({**dark, 0: "covered"}, 100, 10)
-    assert found.reason == "too dark" and found.spans == () and found.floor_px is None
+    dark = dict.fromkeys(range(101), Said("drift-few-points", count=3))
+    found = course_of({**dark, 0: Said("drift-other-size")}, 100, 10)
+    assert found.reason == dark[1] and found.spans == () and found.floor_px is None

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from sightline.geometry.board import Board
-from sightline.geometry.corners import detect
+from sightline.geometry.corners import find_board
 from sightline.geometry.extent import goes_on
 
 DATA = Path(
@@ -33,7 +33,7 @@ def picture(columns: int, rows: int, square: int = 30) -> np.ndarray:
 
 @pytest.mark.parametrize(("columns", "rows"), [(9, 6), (4, 6), (5, 5), (6, 9)])
 def test_the_whole_board_ends_where_it_was_found(columns: int, rows: int) -> None:
-    found = detect(picture(columns, rows), Board(columns, rows, 0.03))
+    found = find_board(picture(columns, rows), Board(columns, rows, 0.03))
     assert found.found, found.reason
 
 
@@ -48,7 +48,7 @@ def test_the_whole_board_ends_where_it_was_found(columns: int, rows: int) -> Non
 )
 def test_a_part_of_a_board_goes_on(cut: tuple[slice, slice], side: str) -> None:
     gray = picture(9, 6)
-    whole = detect(gray, Board(9, 6, 0.03))
+    whole = find_board(gray, Board(9, 6, 0.03))
     assert goes_on(gray, whole.points_px) is None
     assert goes_on(gray, whole.points_px[cut]) == side
 
@@ -68,5 +68,5 @@ def test_real_pictures_of_a_larger_board_are_refused(turn: int, every: int, wron
     assert len(pictures) >= 12 // every
     for path in pictures:
         gray = cv2.imread(str(path), cv2.IMREAD_GRAYSCALE)
-        found = detect(gray, Board(*wrong, 0.025), time_limit_s=1.0)
+        found = find_board(gray, Board(*wrong, 0.025), time_limit_s=1.0)
         assert not found.found, path.name

@@ -172,7 +172,7 @@ def test_the_surveys_own_insets_are_planned_with() -> None:
 
 def test_a_board_out_of_the_picture_gives_a_reason_and_no_number() -> None:
     plan = plan_site(camera_of(Lens()), Site(1.5, 5.0, board_distance_m=0.8))
-    assert all(t.result.U95_height_m is None and "board" in t.result.reason for t in plan.targets)
+    assert all(t.result.U95_height_m is None and "board" in str(t.result.reason) for t in plan.targets)
     assert all(v is None for curve in plan.U95_over_distance for v in curve.value_m)
     assert "would not show a board" in plan.advice[0]
 
@@ -180,7 +180,7 @@ def test_a_board_out_of_the_picture_gives_a_reason_and_no_number() -> None:
 def test_travel_beyond_the_picture_gives_a_reason() -> None:
     eye = of(planned(dataclasses.replace(SITE, travel_m=9.0)), "driver_eye")
     assert eye.result.status == "ok" and eye.two_frames.u_height_m is None
-    assert "4.7 m of the wheel path" in eye.two_frames.reason
+    assert "4.7 m of the wheel path" in str(eye.two_frames.reason)
 
 
 def test_a_plain_camera_sees_its_field_of_view() -> None:

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from sightline.geometry.road import axes_at_contact, iso_heights, ladder_at_contact, road_grid, road_point
+from sightline.messages.said import Said
 from tests.geometry.scenes import LENSES, pose_of
 from tests.geometry.simulate import Lens, Scene
 
@@ -28,7 +29,7 @@ def test_axes_follow_the_lens(lens: Lens) -> None:
     pose = pose_of(scene)
     click = scene.look([CONTACT])[0]
     overlay = axes_at_contact(pose, click)
-    assert not isinstance(overlay, str)
+    assert not isinstance(overlay, Said)
     assert overlay.contact_m == pytest.approx(CONTACT, abs=1e-9)
     assert overlay.origin_px == pytest.approx(click)
     steps = (0.1, 0, 0), (0, 0, 0.1), (0, 0.1, 0)
@@ -43,7 +44,7 @@ def test_rungs_lie_at_their_heights() -> None:
     scene = scene_of(Lens())
     click = scene.look([CONTACT])[0]
     rungs = ladder_at_contact(pose_of(scene), click, inset_m=0.45)
-    assert not isinstance(rungs, str)
+    assert not isinstance(rungs, Said)
     for rung in rungs:
         middle = scene.look([(CONTACT[0], CONTACT[1] + 0.45, rung.height_m)])
         assert distance_to(rung.polyline_px, middle) < 0.1
@@ -79,4 +80,4 @@ def test_grid_and_iso_heights() -> None:
 def test_reasons(click, words) -> None:
     pose = pose_of(scene_of(Lens()))
     for answer in (road_point(pose, click), axes_at_contact(pose, click), ladder_at_contact(pose, click)):
-        assert isinstance(answer, str) and words in answer
+        assert isinstance(answer, Said) and words in str(answer)

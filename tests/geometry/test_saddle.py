@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from sightline.geometry.board import Board
-from sightline.geometry.corners import detect, refine_subpixel
+from sightline.geometry.corners import find_board, refine_subpixel
 from sightline.geometry.height import measure_height
 from sightline.geometry.mean_picture import MeanPicture
 from sightline.geometry.pose import pose_from_corners
@@ -57,7 +57,7 @@ def test_height_from_a_still_clip_within_a_millimetre() -> None:
     mean, frames, last = MeanPicture(), [], None
     for _ in range(25):
         noisy = np.clip(grey + rng.normal(0, 3, grey.shape), 0, 255).astype(np.uint8)
-        last = detect(noisy, board) if last is None else track(noisy, last)
+        last = find_board(noisy, board) if last is None else track(noisy, last)
         assert last.found
         frames.append(last)
         mean.add(noisy, last)

@@ -19,6 +19,7 @@ from sightline.geometry.insets import bias_m
 from sightline.geometry.multiframe import measure_frames
 from sightline.geometry.spread import mean_and_spread, outliers
 from sightline.geometry.traffic import heading_of_pair, turned
+from sightline.messages.said import Said
 from tests.geometry.scenes import headings, pose_of
 from tests.geometry.simulate import Lens, Scene
 
@@ -92,7 +93,7 @@ def test_mean_heading_covers_the_truth_and_its_own_uncertainty_is_right() -> Non
     assert np.std(off) == pytest.approx(np.mean(u), rel=0.3)
     assert abs(np.mean(off)) < 3 * np.std(off) / np.sqrt(len(off))
     one = [heading_of_pair(pose, p, q, 1.0) for p, q in zip(a, b, strict=True)]
-    assert all(not isinstance(h, str) and 0.001 < h.u_heading_rad < 0.02 for h in one)
+    assert all(not isinstance(h, Said) and 0.001 < h.u_heading_rad < 0.02 for h in one)
 
 
 def test_a_pair_that_is_none_says_why() -> None:
@@ -102,8 +103,8 @@ def test_a_pair_that_is_none_says_why() -> None:
     assert not isinstance(found, str) and found.used.tolist() == [True, True, True, False, True, True]
     near = heading_of_pair(pose, a[0], a[0] + 3.0)
     sky = heading_of_pair(pose, a[0], (320.0, 3.0))
-    assert isinstance(near, str) and "m apart" in near
-    assert isinstance(sky, str) and sky.startswith("The second tyre contact")
+    assert isinstance(near, Said) and near.code == "heading-base-short"
+    assert isinstance(sky, Said) and str(sky).startswith("The second tyre contact: ")
 
 
 def test_a_turned_pose_carries_the_uncertainty_of_the_turn() -> None:

@@ -7,12 +7,14 @@ import random
 import sqlite3
 import subprocess
 import sys
+from collections.abc import Iterator
 from contextlib import closing
 from pathlib import Path
 
+import click
 import pytest
 
-from sightline.cli import main
+from sightline.cli import cli, main
 from sightline.infra.audit.signing import signing_key
 from sightline.infra.backup.manifest import STATES, read_manifest
 from sightline.infra.database.engine import migrate
@@ -78,6 +80,61 @@ def test_every_command_says_what_is_damaged(
     assert main(["export", *asked]) == 1
     assert "The database is damaged" in capsys.readouterr().err
     assert not (tmp_path / "out").exists()
+
+
+MODELS = "make,model,height_m\nAldo,One,1.48\n"
+LIVE = "--rows 8 --baseline 1 --line-rate 1000 --survey Empty"
+#: Every command that opens the installation's database, and what it is given beside the data folder.
+OPENING = {
+    "serve": "--port 0 --workers 0",
+    "demo": "--port 0",
+    "worker": "",
+    "migrate": "",
+    "sign-in-link": "olga@example.org",
+    "catalogue export": "-o {place}/models.csv",
+    "catalogue import": "{place}/given.csv",
+    "stream": LIVE,
+    "export": "--survey Empty -o {place}/out",
+    "evidence": "--survey Empty --scan 1 --vehicle 1 -o {place}/evidence.html",
+    "checkpoint": "-o {place}/checkpoint.json",
+    "backup": "{place}/backup",
+}
+#: It makes a database where there is none.
+MAKING = {"restore"}
+
+
+def opening(group: click.Group, *names: str) -> Iterator[str]:
+    """The commands, by their whole names, that take a data folder."""
+    context = click.Context(group)
+    for name in group.list_commands(context):
+        command = group.get_command(context, name)
+        if isinstance(command, click.Group):
+            yield from opening(command, *names, name)
+        elif command is not None and any("--data-dir" in one.opts for one in command.params):
+            yield " ".join((*names, name))
+
+
+def test_every_command_that_opens_a_database_is_tried() -> None:
+    assert set(opening(cli)) == OPENING.keys() | MAKING
+
+
+@pytest.mark.parametrize("command", OPENING)
+def test_every_command_says_that_the_database_is_damaged(
+    data_dir: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str], command: str
+) -> None:
+    given = tmp_path / "given.csv"
+    given.write_text(MODELS)
+    assert main(["catalogue", "import", str(given), "--data-dir", str(data_dir)]) == 0
+    settle(data_dir / "sightline.db")
+    spoil(data_dir / "sightline.db", "surveys", "people", "catalogue", "audit_events")
+    capsys.readouterr()
+    before = sorted(tmp_path.iterdir())
+    words = [one.format(place=tmp_path) for one in OPENING[command].split()]
+    assert main([*command.split(), *words, "--data-dir", str(data_dir)]) == 1
+    said = capsys.readouterr().err
+    assert "The database is damaged" in said and "sightline restore" in said
+    assert "Traceback" not in said and "DatabaseError" not in said
+    assert [one for one in sorted(tmp_path.iterdir()) if one.name != "backup"] == before
 
 
 @pytest.mark.parametrize("command", ["verify", "export"])

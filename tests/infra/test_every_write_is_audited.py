@@ -42,7 +42,8 @@ from sightline.infra.jobs.store import (
 )
 from sightline.measurements.again.store import add_computing
 from sightline.measurements.click_sigma_store import choose_click_sigma
-from sightline.measurements.store import restore_measurement, revise_current_measurement, withdraw_measurement
+from sightline.measurements.store import restore_measurement, revise_measurement, withdraw_measurement
+from sightline.messages.said import Said
 from sightline.people.store import (
     create_sign_in_link,
     end_sessions,
@@ -168,7 +169,7 @@ def _wheels(session: Session, one: Sample) -> Any:
 
 def _moved(session: Session, one: Sample) -> Any:
     spans = [{"first_frame": 50, "last_frame": 99, "moved": True, "moved_px": 3.0, "change_m": 0.01}]
-    check = {"state": "moved", "words": "Moved at frame 50.", "bumps": [50], "spans": spans}
+    check = {"state": "moved", "words": [Said("drift-more", count=50)], "bumps": [50], "spans": spans}
     return store_drift(session, one.recording.id, one.pose.id, check, actor=None)
 
 
@@ -384,11 +385,9 @@ WRITES: dict[str, tuple[Write, Callable[[Session, Sample, Any], Any]]] = {
         lambda s, o, _: restore_vehicle(s, o.vehicle.id, actor=o.olga.id),
     ),
     "add_measurement": (lambda s, o: None, lambda s, o, _: samples.measure(s, o)),
-    "revise_current_measurement": (
+    "revise_measurement": (
         lambda s, o: samples.measure(s, o),
-        lambda s, o, made: revise_current_measurement(
-            s, made, values(o, target_point=(1.0, 2.0)), actor=o.olga.id
-        ),
+        lambda s, o, made: revise_measurement(s, made, values(o, target_point=(1.0, 2.0)), actor=o.olga.id),
     ),
     "withdraw_measurement": (
         lambda s, o: samples.measure(s, o),

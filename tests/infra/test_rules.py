@@ -22,6 +22,7 @@ from sightline.measurements.store import (
     revise_measurement,
     withdraw_measurement,
 )
+from sightline.messages.said import Said
 from sightline.people.store import (
     create_person,
     create_sign_in_link,
@@ -92,9 +93,7 @@ def test_a_vehicles_state_follows_from_its_measurements(session: Session, one: S
         session, roof.id, seen_revision=1, verdict="rejected", reason="Not the roof.", actor=one.rene.id
     )
     assert state(session, one) == "rejected"
-    again = revise_measurement(
-        session, roof.id, seen_revision=1, values=values(one, target_point=(5.0, 6.0)), actor=one.olga.id
-    )
+    again = revise_measurement(session, roof, values(one, target_point=(5.0, 6.0)), actor=one.olga.id)
     assert (again.revision, again.review.verdict, state(session, one)) == (2, "to_review", "measured")
     withdraw_measurement(session, roof.id, seen_revision=2, actor=one.olga.id)
     assert state(session, one) == "partial"
@@ -197,7 +196,7 @@ def test_the_second_of_two_tabs_is_told(session: Session, one: Sample) -> None:
     with pytest.raises(Conflict, match=r"^René changed this survey at"):
         update_survey(session, one.survey.id, **same, version=1, actor=one.olga.id)
     made = samples.measure(session, one)
-    revise_measurement(session, made.id, seen_revision=1, values=values(one), actor=one.rene.id)
+    revise_measurement(session, made, values(one), actor=one.rene.id)
     with pytest.raises(Conflict, match=r"^René changed this measurement at"):
         withdraw_measurement(session, made.id, seen_revision=1, actor=one.olga.id)
 
@@ -223,11 +222,12 @@ def test_a_measurement_stands_on_the_stored_frame(session: Session, one: Sample)
             add_measurement(
                 session, one.vehicle.id, client_key=KEY.format(9), values=values(one, **wrong), actor=None
             )
-    nothing = values(one, height_m=None, status="not_measurable", reason="Above the horizon.")
+    above = Said("height-contact-above-horizon")
+    nothing = values(one, height_m=None, status="not_measurable", reason=above)
     made = add_measurement(session, one.vehicle.id, client_key=KEY.format(9), values=nothing, actor=None)
     assert (made.values.status, made.values.reason, made.values.height_m) == (
         "not_measurable",
-        "Above the horizon.",
+        above,
         None,
     )
 

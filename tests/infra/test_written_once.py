@@ -51,6 +51,7 @@ from sightline.surveys.photographs.store import order_photographs
 from sightline.vehicles.records import VehicleChanges
 from sightline.vehicles.store import create_vehicle, remove_vehicle, restore_vehicle, update_vehicle
 from tests.support import samples, scans_samples
+from tests.support.events import events_of
 from tests.support.kept import PutBack, Shelf
 
 pytestmark = pytest.mark.dialect
@@ -160,7 +161,7 @@ def test_every_table_that_is_written_once_says_so_and_is_verified(filled: Sessio
 
 def test_every_hash_that_an_event_keeps_is_compared_with_a_row(filled: SessionFactory) -> None:
     with reading(filled) as session:
-        events = trail.for_export(session)
+        events = events_of(session)
     hashed = {event.entity for event in events if event.after and "content_sha256" in event.after}
     compared = {mark.entity for mark, _ in marked() if isinstance(mark, WrittenOnce)}
     assert hashed == compared
@@ -344,7 +345,7 @@ def test_a_tail_cut_with_its_anchor_moved_is_found_by_an_export(filled: SessionF
             session, 1, media_key="z", size_bytes=1, sha256="0" * 64, head=head, actor=1
         )  # carries the head as it was before itself
     with reading(filled) as session:
-        cut = trail.for_export(session, 1)[1]
+        cut = events_of(session, 1)[1]
     _tamper(
         engine_of(filled),
         "DELETE FROM measurements",
@@ -396,7 +397,7 @@ def test_a_chain_written_anew_is_found_by_a_signed_checkpoint(filled: SessionFac
     with writing(filled) as session:
         sign_checkpoint(session, signing_key(_settings(tmp_path)), actor=None)
         assert verify_records(session).ok
-        cut = trail.for_export(session, 1)[8]
+        cut = events_of(session, 1)[8]
     _tamper(
         engine_of(filled),
         f"DELETE FROM audit_events WHERE {_OF_SURVEY} > 9",

@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import pytest
 
-from sightline.linescan.equations import corrected, exact, printed
+from sightline.linescan.equations import corrected, printed, solve_crossings
 from sightline.linescan.gaps import gaps
 from sightline.linescan.parts import Crossings, Entry, Motion, Rig
 from sightline.linescan.planner import line_rate_for, speed_error
@@ -37,7 +37,7 @@ def test_corrected_acceleration_and_the_exact_motion_are_exact(
 ) -> None:
     seen = crossings(speed, acceleration, length)
     assert corrected(seen, BASELINE_M, RATE_HZ).acceleration_mps2 == pytest.approx(acceleration, abs=1e-8)
-    found = exact(seen, BASELINE_M, RATE_HZ)
+    found = solve_crossings(seen, BASELINE_M, RATE_HZ)
     assert found.speed_mps == pytest.approx(speed, rel=1e-9)
     assert found.acceleration_mps2 == pytest.approx(acceleration, abs=1e-8)
     assert found.length_m == pytest.approx(length, abs=1e-9)
@@ -60,7 +60,7 @@ def test_crossings_in_no_order_are_no_motion() -> None:
     with pytest.raises(ValueError, match="swapped"):
         corrected(Crossings(100, 900, 50, 850), BASELINE_M, RATE_HZ)
     with pytest.raises(ValueError, match="front"):
-        exact(Crossings(100, 90, 150, 140), BASELINE_M, RATE_HZ)
+        solve_crossings(Crossings(100, 90, 150, 140), BASELINE_M, RATE_HZ)
 
 
 def test_the_line_rate_planner_gives_the_papers_own_figures() -> None:

@@ -92,7 +92,7 @@ def test_sigma_from_residuals() -> None:
         (lambda d, h, r: (d, h, [1000 - one for one in r]), "rod is up"),
         (lambda d, h, r: (d, h, [*r[:-1], float("nan")]), "numbers"),
         (lambda d, h, r: (d, h[:-1], r), "Each mark"),
-        (lambda d, h, r: ([-one for one in d], h, r), "greater than 0"),
+        (lambda d, h, r: ([-one for one in d], h, r), "above 0"),
         (
             lambda d, h, r: (d, [CAMERA_M] * 8, [row_of(1.0, CAMERA_M)] * 8),
             "hold the rod upright|camera height",

@@ -8,7 +8,7 @@ import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from sightline.linescan.equations import corrected, exact
+from sightline.linescan.equations import corrected, solve_crossings
 from sightline.linescan.parts import Crossings
 
 SPEEDS = st.floats(2.5, 40)
@@ -34,7 +34,7 @@ def crossings_of(speed: float, acceleration: float, length: float, baseline: flo
 def test_exact_gives_back_the_motion(
     speed: float, acceleration: float, length: float, baseline: float, rate: float
 ) -> None:
-    found = exact(crossings_of(speed, acceleration, length, baseline, rate), baseline, rate)
+    found = solve_crossings(crossings_of(speed, acceleration, length, baseline, rate), baseline, rate)
     assert found.speed_mps == pytest.approx(speed, rel=1e-6)
     assert found.acceleration_mps2 == pytest.approx(acceleration, abs=1e-4)
     assert found.length_m == pytest.approx(length, rel=1e-6)
@@ -54,4 +54,6 @@ def test_when_the_recording_began_changes_nothing(
 ) -> None:
     now = crossings_of(speed, acceleration, length, 0.6, rate)
     then = Crossings(*(line + later for line in vars(now).values()))
-    assert exact(then, 0.6, rate).speed_mps == pytest.approx(exact(now, 0.6, rate).speed_mps, rel=1e-6)
+    assert solve_crossings(then, 0.6, rate).speed_mps == pytest.approx(
+        solve_crossings(now, 0.6, rate).speed_mps, rel=1e-6
+    )

@@ -315,7 +315,7 @@ def test_two_uncertainties_of_one_board_are_refused() -> None:
         ({"width_m": 0.0}, "The value width_m is out of range: 0"),
         ({"front_line_2": float("nan")}, "The value front_line_2 is out of range: nan"),
         ({"u_line": -1.0}, "The value u_line is out of range: -1"),
-        ({"distance_m": 2000.0}, "The value distance_m cannot be 2000"),
+        ({"distance_m": 2000.0}, "The value distance_m is out of range: 2000"),
         ({"width_m": 300.0}, "It gives a baseline of"),
         ({"rear_line_2": 1e6}, "stopped or nearly stopped"),
     ],

@@ -375,14 +375,19 @@ def test_the_package_marks_what_is_out_of_date_as_the_pages_do(
         found = verify_package(FolderFiles(place))
         assert found.ok, found.problem
         assert list(rows(place, "measurements.csv")[0])[-1] == "out_of_date"  # appended, no column moved
-        return {int(row["id"]): row["out_of_date"] for row in rows(place, "measurements.csv")}
+        marks = {int(row["id"]): row["out_of_date"] for row in rows(place, "measurements.csv")}
+        again = {int(row["id"]): row["out_of_date"] for row in rows(place, "repeats.csv")}
+        assert again == {repeat["id"]: marks[roof["id"]], withdrawn["id"]: ""}  # clicked alike, marked alike
+        return marks
 
     drive("left")
     both = [add_vehicle(operator, ground.recording_id, direction="right")["id"] for _ in range(2)]
     eye, gone = (measure(operator, one, **{**ROOF, "target": "driver_eye"}) for one in both)
     roof = measure(operator, both[0], **ROOF)
     own = measure(operator, both[1])
+    repeat, withdrawn = (measure(operator, both[0], **ROOF, repeat_of=roof["id"]) for _ in range(2))
     assert set(marked("before").values()) == {""}
+    operator.delete(f"/measurements/{withdrawn['id']}?revision=1")
     operator.delete(f"/measurements/{gone['id']}?revision=1")
     drive("right")
     say_inset(operator, ground.survey_id, LARGE)
@@ -392,16 +397,22 @@ def test_the_package_marks_what_is_out_of_date_as_the_pages_do(
     assert marked("posed") == said
     shown = viewer.seen(f"{path}/computings")["out_of_date"]["measurements"]
     assert {int(id_): "; ".join(causes) for id_, causes in shown.items()} == {
-        id_: causes for id_, causes in said.items() if causes
+        id_: causes for id_, causes in (said | {repeat["id"]: said[roof["id"]]}).items() if causes
     }
     again(operator, ground, work)
     assert set(marked("again").values()) == {""}
 
-    for id_, forged in ((roof["id"], ""), (own["id"], "inset"), (gone["id"], "side")):
+    for path, id_, forged in (
+        ("measurements.csv", roof["id"], ""),
+        ("measurements.csv", own["id"], "inset"),
+        ("measurements.csv", gone["id"], "side"),
+        ("repeats.csv", repeat["id"], ""),
+        ("repeats.csv", withdrawn["id"], "pose"),
+    ):
         place = tmp_path / f"forged-{id_}"
         shutil.copytree(tmp_path / "posed", place)
-        edit(place, "measurements.csv", lambda row: row["id"] == str(id_), out_of_date=forged)  # noqa: B023
+        edit(place, path, lambda row: row["id"] == str(id_), out_of_date=forged)  # noqa: B023
         rederive(place)
         told = verify_package(FolderFiles(place))
         assert not told.ok and told.problem is not None
-        assert told.problem.startswith(f"measurements.csv: the out-of-date mark of {id_}")
+        assert told.problem.startswith(f"{path}: the out-of-date mark of {id_}")

@@ -107,10 +107,11 @@ def test_a_proposal_comes_near_the_truth_and_stores_nothing(
     found = viewer.made(path, {"pointer": [float(px[0]) + 5, float(px[1]) - 6]})
     assert found["reason"] is None and len(found["outline"]) > 20
     assert np.hypot(found["contact"][0] - px[0], found["contact"][1] - px[1]) < 1.0
-    assert found["words"].startswith("suggested contact, u = ") and 0.25 < found["radius_m"] < 0.56
+    assert found["words"]["message"].startswith("suggested contact, u = ") and 0.25 < found["radius_m"] < 0.56
 
     none = viewer.made(path, {"pointer": [40, 460]})
-    assert none["contact"] is None and none["words"].startswith("No suggestion: ") and none["reason"]
+    assert none["contact"] is None and none["reason"]
+    assert none["words"]["message"].startswith("No suggestion. ")
     assert viewer.post(path, {"pointer": [40]}).status_code == 422
     assert viewer.post(path.replace("/1/", "/99/"), {"pointer": [40, 40]}).status_code == 404
 

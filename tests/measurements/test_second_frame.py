@@ -91,7 +91,7 @@ def test_no_height_from_two_frames_has_a_reason_and_no_other_number(
 ) -> None:
     near = stored_on_two(operator, vehicle_id, more_frames=[on_frame(3, 0.05)])
     assert (near["status"], near["height_m"], near["solved_inset_m"]) == ("not_measurable", None, None)
-    assert "further apart" in near["reason"]
+    assert "further apart" in near["reason"]["message"]
     twice = operator.post(
         f"/vehicles/{vehicle_id}/measurements",
         {"client_key": str(uuid4()), **two_frames(more_frames=[on_frame(2, 1.8)])},
@@ -134,7 +134,8 @@ def test_a_speed_clicked_before_proposes_the_frame(operator: Client, ground: Gro
     assert spot["contact"] == pytest.approx(pixel(0.8, 0.0, 0.0), abs=3)
     third = operator.made(path, {**two_frames(), "vehicle_id": vehicle_id})
     assert third["frame"] not in (2, 7)
-    assert third["u_then_m"] < third["u_now_m"] if third["ok"] else "would not help" in third["reason"]
+    helps = third["ok"] and third["u_then_m"] < third["u_now_m"]
+    assert helps or third["reason"]["code"] == "second-frame-no-gain"
 
 
 # A vehicle that goes to the right, 0.36 m a frame: metres ahead of its contact, behind its side plane, up.
@@ -229,7 +230,7 @@ def test_a_target_that_no_frame_shows_is_said_and_the_others_are_asked_for(
     assert not {frame for frame in frames_showing("headlight", start_m) if frame > 2}
     found = frame_for(operator, ground, start_m, "headlight", "taillight", "roof", first_frame=2)
     assert (found["ok"], found["frame"], found["spots"]) == (False, None, [])
-    assert found["reason"] == "No other frame of the pass shows both points; use a single frame."
+    assert found["reason"]["code"] == "second-frame-not-shown"
     assert found["source"] == "measured"
     frames = {one["frame"] for one in found["others"]}
     assert len(frames) == 1 and frames < frames_showing("roof", start_m) & frames_showing(
@@ -285,9 +286,9 @@ def test_why_no_second_frame_would_help(operator: Client, ground: Ground, vehicl
     path = f"/recordings/{ground.recording_id}/geometry/second-frame"
     short = int(add_vehicle(operator, ground.recording_id, first_frame=2, last_frame=2)["id"])
     alone = operator.made(path, {**two_frames(more_frames=[]), "vehicle_id": short})
-    assert not alone["ok"] and "no other frame" in alone["reason"] and alone["frame"] is None
+    assert not alone["ok"] and "no other frame" in alone["reason"]["message"] and alone["frame"] is None
     sky = operator.made(path, {**two_frames(more_frames=[], contact=[160.0, 5.0]), "vehicle_id": vehicle_id})
-    assert not sky["ok"] and "horizon" in sky["reason"] and sky["spots"] == []
+    assert not sky["ok"] and sky["reason"]["code"] == "height-contact-above-horizon" and sky["spots"] == []
 
 
 def exported(services: Services, survey_id: int, place: Path) -> Package:

@@ -43,7 +43,7 @@ def test_without_the_facts_no_eye_has_a_height_until_its_side_is_said(
     vehicle = add_vehicle(operator, ground.recording_id)
     assert vehicle["side"] is None and vehicle["side_from"] is None
     eye = measured(operator, vehicle["id"], **EYE)
-    assert eye["status"] == "not_measurable" and "near or far" in eye["reason"]
+    assert eye["status"] == "not_measurable" and eye["reason"]["code"] == "height-side-unknown"
     numbers = ("height_m", "uncorrected_height_m", "inset_m", "u_inset_m", "x_m", "y_m")
     assert [eye[name] for name in numbers] == [None] * 6
     told = change(operator, vehicle["id"], driver_side="far")
@@ -97,7 +97,7 @@ def test_from_the_median_all_go_one_way(operator: Client, ground: Ground) -> Non
     vehicle = add_vehicle(operator, ground.recording_id)
     eye = measured(operator, vehicle["id"], **EYE)
     assert (eye["side"], eye["side_from"], eye["inset_m"]) == ("near", "place", 0.45)
-    assert any("no direction" in flag for flag in eye["flags"])
+    assert "height-flag-side-from-place" in {flag["code"] for flag in eye["flags"]}
 
 
 def test_what_is_shown_before_the_click_is_what_is_stored(operator: Client, ground: Ground) -> None:

@@ -20,6 +20,7 @@ from sightline.infra.database.rows import change_row
 from sightline.infra.services import Services
 from sightline.measurements.following import service
 from sightline.measurements.store import get_measurement
+from sightline.messages.said import Said
 from sightline.quality.repeats.clicks import alone
 from sightline.recordings.frames.stills import stills_of
 from sightline.recordings.store import get_recording
@@ -32,6 +33,7 @@ from tests.support.mutations import checked
 pytestmark = pytest.mark.once
 
 BASE_M, SPEED_MPS = 1.6, 9.0
+LEFT = Said("followed-left-picture")
 PLACES = {
     CONTACT: (-1.0, 0.0, 0.0),
     SECOND: (-1.0 + BASE_M, 0.0, 0.0),
@@ -64,7 +66,7 @@ def followed(monkeypatch: pytest.MonkeyPatch) -> list[dict[str, Any]]:
             sigma_px=np.full((len(table), 2), 0.1),
         )
         following = Following(confirmed_px=confirmed_px, begun_on=begun_on, u_depth_share=0.005, view_px=0.1)
-        return FollowedPass(tracks, following, (Lost(11, "target", "It has left the picture."),))
+        return FollowedPass(tracks, following, (Lost(11, "target", LEFT),))
 
     monkeypatch.setattr(service, "follow_pass", found)
     return asked
@@ -93,7 +95,7 @@ def test_asking_answers_points_reasons_and_the_height_and_stores_nothing(
     assert said["height"]["solved_inset_m"] == pytest.approx(INSET_M, abs=0.01)
     assert said["height"]["wheelbase_m"] == pytest.approx(BASE_M, abs=5e-3)
     assert said["height"]["speed_mps"] == pytest.approx(SPEED_MPS, abs=0.05)
-    assert said["dropped"] == [{"frame": 11, "point": "target", "reason": "It has left the picture."}]
+    assert said["dropped"] == [{"frame": 11, "point": "target", "reason": LEFT.body}]
     assert {one["point"] for one in said["points"]} == {"contact", "second_contact", "target"}
     assert followed[0]["frames"] == list(range(12)) and followed[0]["target"] == "driver_eye"
     assert operator.seen(f"/vehicles/{vehicle_id}")["measurements"] == []
@@ -167,7 +169,9 @@ def test_what_cannot_be_followed_is_refused_and_nothing_stored(
     operator: Client, ground: Ground, vehicle_id: int
 ) -> None:
     said = operator.made(f"/vehicles/{vehicle_id}/follow", clicks())
-    assert said["points"] == [] and said["height"] is None and "cannot be followed" in said["reason"]
+    assert (
+        said["points"] == [] and said["height"] is None and "cannot be followed" in said["reason"]["message"]
+    )
     new = {"client_key": str(uuid4()), **clicks(), "follow": {}}
     refused = operator.post(f"/vehicles/{vehicle_id}/measurements", new)
     assert refused.status_code == 422 and "cannot be followed" in error_of(refused)

@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 
 from sightline.errors import BadInput
-from sightline.media.video.decode import open_container, probe
+from sightline.media.video.decode import frames_of, open_container
 from sightline.media.video.frames import FrameServer
 from tests.media.clips import Spec, read_number, write
 from tests.media.conftest import Clip, Ingest, media_of
@@ -21,7 +21,7 @@ from tests.media.conftest import Clip, Ingest, media_of
 
 def refusal(path: Path) -> str:
     with pytest.raises(BadInput) as caught:
-        probe(path)
+        next(frames_of(path))
     message = caught.value.message
     assert message.startswith(path.name) and message.endswith(".") and "\n" not in message
     assert str(path.parent) not in message

@@ -9,6 +9,7 @@ import pytest
 from sightline.geometry.drift import Motion
 from sightline.geometry.drift_spans import Look, course, floor_px
 from sightline.media.video.drift import background, mean_of, register
+from sightline.messages.said import Said
 from sightline.simulation.render import render_frame
 from sightline.simulation.scene import day_scene, low_light_scene
 
@@ -85,8 +86,8 @@ def test_what_shows_no_background_gives_a_reason_and_no_motion() -> None:
     other = cv2.flip(frame("day", 150), 1)
     for picture in (dark, other, np.zeros(SIZE[::-1], np.uint8)):
         found = register(of_pose("day"), picture)
-        assert isinstance(found, str) and "background points" in found
-    assert isinstance(register(background(np.zeros(SIZE[::-1], np.uint8)), frame("day", 150)), str)
+        assert isinstance(found, Said) and found.code == "drift-few-points"
+    assert isinstance(register(background(np.zeros(SIZE[::-1], np.uint8)), frame("day", 150)), Said)
 
 
 def test_bumps_are_found_to_the_frame_in_pictures() -> None:

@@ -72,7 +72,7 @@ def test_a_recorder_that_repeats_pictures_is_reported(tmp_path: Path, take_in: I
     write_mp4(path, (painted(n) for n in numbers), 25, crf=0)
     report = take_in(path).report
     assert report.duplicates == 2
-    assert any("same picture" in note for note in report.notes)
+    assert any("same image" in note for note in report.notes)
 
 
 def test_raw_streams_say_that_the_rate_is_assumed(clip: Clip, take_in: Ingest) -> None:

@@ -24,10 +24,10 @@ NOTED = {
     "backward_deltas.mp4": "12800 frames per second, which no camera films",
     "byte_more.ts": "do not measure there",
     "clock_set_back.ts": "do not trust its times",
-    "every_frame_at_once.mp4": "an endless number of frames per second",
-    "front_cut.mp4": "cut short: 16027 bytes",
+    "every_frame_at_once.mp4": "infinitely many frames per second",
+    "front_cut.mp4": "truncated: 16027 bytes",
     "hours_missing.ts": "do not trust its times",
-    "killed.mkv": "29 frames, 1.12 s, are there",
+    "killed.mkv": "29 frames (1.12 s) were imported",
     "million_a_second.avi": "1e+06 frames per second",
     "million_frames.mp4": "2147483647 frames, 50 could be decoded",
     "mirrored.mp4": "mirrored",
@@ -36,7 +36,7 @@ NOTED = {
     "packets_lost.ts": "0.0400 to 0.0800 s between frames",
     "started_again.ts": "do not trust its times",
     "turned_by_30.mp4": "by 30 degrees",
-    "two_in_one.mp4": "another recording behind this one",
+    "two_in_one.mp4": "another recording after this one",
     "zeroed.mkv": "1.00 s after frame 23",
 }
 SOUND = {"one_frame.mp4"}

@@ -113,8 +113,8 @@ def test_of_two_moving_pictures_the_first_is_read_and_said(
 ) -> None:
     result = take_in(two_pictures(tmp_path / "two.mp4", (30, 30), (True, True)))
     assert numbers(result, server) == list(range(30))
-    note = next(note for note in result.report.notes if "another picture" in note)
-    assert "2 (h264, 640x480)" in note and "1 (h264, 320x240) was read" in note
+    note = next(note for note in result.report.notes if "another video track" in note)
+    assert "2 (h264, 640x480)" in note and "track 1 (h264, 320x240) was imported" in note
 
 
 def test_one_that_is_switched_off_is_left_alone(tmp_path: Path, take_in: Ingest, server: FrameServer) -> None:
@@ -224,21 +224,21 @@ def test_a_file_cut_short_says_so_and_how_much_is_there(
 ) -> None:
     whole = clip(Spec(name, muxer=muxer), 80)
     assert not take_in(whole).report.damaged
-    assert not any("cut short" in note for note in take_in(whole).report.notes)
+    assert not any("truncated" in note for note in take_in(whole).report.notes)
     path = tmp_path / f"cut_{name}"
     path.write_bytes(whole.read_bytes()[: whole.stat().st_size * 7 // 10])
     result = take_in(path)
     count, end_s = len(result.frames), float(result.frames.time_s.max())
     assert 30 <= count < 80 and result.report.damaged
-    note = next(note for note in result.report.notes if "cut short" in note)
-    assert f"{count} frames, {end_s:.2f} s, are there" in note
+    note = next(note for note in result.report.notes if "truncated" in note)
+    assert f"{count} frames ({end_s:.2f} s) were imported" in note
 
 
 def test_a_live_recording_without_a_length_is_not_called_cut(
     clip: Clip, tmp_path: Path, take_in: Ingest
 ) -> None:
     live = clip(Spec("live.mkv", muxer=(("live", "1"),)), 30)
-    assert not any("cut short" in note for note in take_in(live).report.notes)
+    assert not any("truncated" in note for note in take_in(live).report.notes)
 
 
 SONY = (
@@ -253,7 +253,7 @@ SONY = (
         ({"com.android.capture.fps": "120.000000"}, "filmed at 120 frames per second"),
         ({"com.android.capture.fps": "1.000000"}, "filmed at 1 frames per second"),
         ({"com.maker.CaptureFrameRate": "240 fps"}, "filmed at 240 frames per second"),
-        ({"com.apple.quicktime.full-frame-rate-playback-intent": "0"}, "shown in slow motion"),
+        ({"com.apple.quicktime.full-frame-rate-playback-intent": "0"}, "marked as slow motion"),
         ({"com.android.capture.fps": "30.000000"}, None),
         ({"com.android.capture.fps": "24.0"}, None),
         ({"com.android.capture.fps": "fast"}, None),
@@ -282,7 +282,7 @@ def test_a_rate_of_filming_that_is_stated_gives_the_times(tmp_path: Path, take_i
     result = take_in(slow, filmed_hz=120.0)
     assert result.frames.time_s == pytest.approx(np.arange(40) / 120, abs=1e-9)
     assert result.report.rate_hz == pytest.approx(120) and result.report.clock_doubt is None
-    assert any("Filmed at 120 frames per second, as a person stated; the file plays 30" in note
+    assert any("Filmed at 120 frames per second, as entered; the file plays 30" in note
                for note in result.report.notes)  # fmt: skip
     frames = frames_between(slow, 9, 39, (320, 240), "slow.mp4", filmed_hz=120.0)
     assert frames[-1].time_s - frames[0].time_s == pytest.approx(30 / 120)
@@ -324,4 +324,4 @@ def test_a_start_in_the_future_is_no_start(tmp_path: Path, take_in: Ingest) -> N
     ahead = replace(found, stated=Stated(begun_at=datetime(2240, 2, 6, 6, 28, 15, tzinfo=UTC)))
     facts = facts_of(ahead, None)
     assert facts.start_proposed is None
-    assert "2240-02-06 at 06:28 UTC, which is in the future" in facts.notes[-1]
+    assert "2240-02-06 06:28 UTC, which is in the future" in facts.notes[-1]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from contextlib import closing
 from fractions import Fraction
 from pathlib import Path
 
@@ -11,7 +12,7 @@ import pytest
 from numpy.typing import NDArray
 
 from sightline.errors import BadInput
-from sightline.media.video.decode import frames_of, probe
+from sightline.media.video.decode import frames_of, open_container, video_stream
 from sightline.media.video.writer import write_mp4
 from tests.media.clips import painted, read_number
 
@@ -21,9 +22,11 @@ def test_what_is_written_is_read(tmp_path: Path) -> None:
     assert write_mp4(path, (painted(n) for n in range(40)), Fraction(30_000, 1001), gop=10) == 40
     read = list(frames_of(path))
     assert [read_number(gray) for _, _, gray in read] == list(range(40))
-    facts = probe(path)
-    assert (facts.width_px, facts.height_px, facts.codec) == (320, 240, "h264")
-    assert facts.rate_hz == pytest.approx(29.97, abs=0.01)
+    with closing(open_container(path, path.name)) as container:
+        stream = video_stream(container, path.name)
+        codec = stream.codec_context
+        assert (codec.width, codec.height, codec.name) == (320, 240, "h264")
+        assert float(stream.average_rate or 0) == pytest.approx(29.97, abs=0.01)
     assert [p.name for p in path.parent.iterdir()] == ["clip.mp4"]
 
 

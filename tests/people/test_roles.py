@@ -374,8 +374,8 @@ class InOneSurvey:
     ) -> dict[int, ActingRole]:
         if table == "studies":  # there the role of the account counts
             return dict.fromkeys(ids, person.role)
-        role = members.role_in_survey(session, person, self._survey_id)
-        return {} if role is None else dict.fromkeys(ids, role)
+        roles = members.roles_by_thing(session, person, "surveys", [self._survey_id])
+        return dict.fromkeys(ids, roles[self._survey_id]) if roles else {}
 
 
 @pytest.fixture

@@ -52,7 +52,7 @@ def test_columns_are_the_records(
         first, second, third, fourth = list_measurements(session, one.survey.id)[3:7]
         withdraw_measurement(session, first.id, seen_revision=first.revision, actor=None)
         nothing = samples.values(one, height_m=None, status="not_measurable", reason="Sky.")
-        revise_measurement(session, second.id, seen_revision=second.revision, values=nothing, actor=None)
+        revise_measurement(session, second, nothing, actor=None)
         content = samples.values(one, target=third.values.target, height_m=1.5)
         vehicle_id, key = third.vehicle_id, samples.KEY.format(77)
         add_measurement(

@@ -86,9 +86,7 @@ def ground(services: Services, monkeypatch: pytest.MonkeyPatch) -> Ground:
                     session, car.id, client_key=KEY.format(n * 3 + k), values=content, actor=operator.id
                 )
                 content = replace(content, height_m=height, uncorrected_height_m=paper)
-                made = store.revise_measurement(
-                    session, made.id, seen_revision=1, values=content, actor=operator.id
-                )
+                made = store.revise_measurement(session, made, content, actor=operator.id)
                 verdict: Any = VERDICTS[(n + k) % 4] if n >= 6 else "accepted"
                 if verdict == "fixed":
                     content = replace(content, height_m=height + 0.004)

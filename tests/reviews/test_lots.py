@@ -16,7 +16,7 @@ from sightline.infra.audit.verification import verify_records
 from sightline.infra.csv_package.files import FolderFiles
 from sightline.infra.services import Services
 from sightline.reviews.lots.draw import drawn_order, seed_of
-from sightline.reviews.lots.judged import ItemNow, Said, items_of
+from sightline.reviews.lots.judged import ItemNow, Judgement, items_of
 from sightline.statistics.acceptance import outgoing
 from tests.export.report.pdf_text import words
 from tests.support.app import Client, error_of
@@ -196,17 +196,17 @@ def test_risks_that_are_none_are_refused_in_one_sentence(
 
 
 def test_a_fix_conforms_up_to_u95_and_a_reopened_item_waits_again() -> None:
-    def one(now_m: float | None, *said: Said, u95: float = 0.02) -> Any:
+    def one(now_m: float | None, *said: Judgement, u95: float = 0.02) -> Any:
         heights = {1: (1.5, u95), 2: (now_m, 0.02)}
         newest = max(each.result_revision for each in said)
         item = ItemNow(7, 1, 1, newest, said=said, heights=heights)
         return items_of([item], 1)[0].conforming
 
-    fixed = Said(1, 2, "fixed")
+    fixed = Judgement(1, 2, "fixed")
     assert one(1.519, fixed) is True and one(1.521, fixed) is False and one(None, fixed) is False
-    assert one(1.519, fixed, Said(2, 2, "reopened")) is None
-    assert one(1.519, fixed, Said(2, 2, "rejected")) is False
-    assert one(1.521, fixed, Said(2, 2, "accepted")) is False
+    assert one(1.519, fixed, Judgement(2, 2, "reopened")) is None
+    assert one(1.519, fixed, Judgement(2, 2, "rejected")) is False
+    assert one(1.521, fixed, Judgement(2, 2, "accepted")) is False
 
 
 def test_the_draw_is_the_seeds_and_every_measurement_has_the_same_chance() -> None:

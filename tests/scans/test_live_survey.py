@@ -14,7 +14,6 @@ import pytest
 from sqlalchemy import update
 
 from sightline.cli import main
-from sightline.infra.audit import trail
 from sightline.infra.audit.verification import verify_records
 from sightline.infra.database.engine import migrate
 from sightline.infra.database.types import now
@@ -30,6 +29,7 @@ from sightline.settings import load_settings
 from sightline.simulation.scan_strips import strips
 from sightline.simulation.scan_traffic import ScanSite, traffic
 from sightline.surveys.store import create_survey
+from tests.support.events import events_of
 from tests.support.waiting import until
 from tests.support.working import run_jobs
 
@@ -84,7 +84,7 @@ def test_a_stream_becomes_a_recording_whose_vehicles_are_those_of_the_search(
     with services.reading() as session:
         (scan,) = list_scans(session, 1)
         before = list_scan_vehicles(session, scan.id)
-        kinds = [event.action for event in trail.for_export(session, 1)]
+        kinds = [event.action for event in events_of(session, 1)]
     assert scan.state == "ready" and scan.source == "live" and scan.lines == len(lines) // (2 * SITE.rows)
     assert scan.run is not None and (scan.run.found, scan.run.measured) == (3, 3)
     assert {"recorded", "read", "run"} <= set(kinds)

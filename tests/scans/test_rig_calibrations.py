@@ -7,7 +7,6 @@ from typing import Any
 
 import pytest
 
-from sightline.infra.audit import trail
 from sightline.infra.audit.verification import verify_records
 from sightline.infra.services import Services
 from sightline.linescan.rig import baseline_of
@@ -18,6 +17,7 @@ from sightline.scans.store import CALIBRATED, create_scan, get_scan, note_scan_r
 from tests.linescan.test_rig_calibration import STANDS_M, Errors, by_board, by_positions, planes
 from tests.support import scans_samples
 from tests.support.app import Client, error_of
+from tests.support.events import events_of
 
 pytestmark = pytest.mark.dialect
 SOURCE = (StripSource("a.tif", "aa/a.tif", "aa" * 32), StripSource("b.tif", "bb/b.tif", "bb" * 32))
@@ -102,7 +102,7 @@ def test_a_calibration_is_put_in_force_by_who_saw_the_rig(
         scan = get_scan(session, scan_id)
         (made,) = rig_calibration_history(session, scan_id)
         assert found_of(made.values).p_value == made.values.p_value
-        events = [(one.action, one.entity) for one in trail.for_export(session)][-2:]
+        events = [(one.action, one.entity) for one in events_of(session)][-2:]
         assert events == [("update", "scan"), ("calibrate", "rig_calibration")]
         baseline, u = baseline_of(scan.rig)
         assert (baseline, u) == (

@@ -9,7 +9,6 @@ import pytest
 
 from sightline.coverage import COVERAGE_95
 from sightline.errors import BadInput
-from sightline.infra.audit import trail
 from sightline.infra.audit.verification import verify_records
 from sightline.infra.local_time import instant_of
 from sightline.infra.services import Services
@@ -22,6 +21,7 @@ from sightline.scans.vehicles.review_store import add_scan_review
 from sightline.scans.vehicles.store import create_scan_vehicle
 from tests.support import scans_samples
 from tests.support.app import Client, error_of
+from tests.support.events import events_of
 
 pytestmark = pytest.mark.dialect
 SOURCE = (StripSource("a.tif", "aa/a.tif", "aa" * 32), StripSource("b.tif", "bb/b.tif", "bb" * 32))
@@ -191,6 +191,81 @@ def test_a_csv_that_is_no_such_table_is_refused_in_words(
     assert refused.status_code == 422 and said in error_of(refused)
 
 
+SPEEDS = "number,source,speed_kmh,u_speed_kmh\n"
+SIZES = "number,source,length_m,u_length_m\n"
+
+# Tables of known values that were spoiled, made up before their reader was read: what becomes of each line
+# (its change and words of its reason), or words of the refusal of the whole
+SPOILED: dict[str, tuple[bytes | str, dict[int, tuple[str, ...]] | tuple[str, ...]]] = {
+    "a speed below nothing": (SPEEDS + "1,radar,-70,0.5\n", {2: ("refused", "speed", "a value above 0")}),
+    "a speed of nothing": (SPEEDS + "1,radar,0,0.5\n", {2: ("refused", "speed")}),
+    "an uncertainty of nothing": (SPEEDS + "1,radar,70,0\n", {2: ("refused", "uncertainty above 0")}),
+    "an uncertainty below nothing": (SPEEDS + "1,radar,70,-0.5\n", {2: ("refused", "uncertainty above 0")}),
+    "an uncertainty above the value": (SPEEDS + "1,radar,70,90\n", {2: ("refused", "not above the value")}),
+    "an uncertainty alone": (SPEEDS + "1,radar,,0.5\n", {2: ("refused", "but no speed")}),
+    "a value without end": (SPEEDS + "1,radar,inf,0.5\n", {2: ("refused", "speed_kmh", "not a number")}),
+    "digits of another script": (SPEEDS + "1,radar,７０,0.5\n", {2: ("refused", "speed_kmh")}),
+    "a decimal comma": (
+        SPEEDS.replace(",", ";") + "1;radar;70,5;0.5\n", {2: ("refused", "decimals with a point")}),
+    "decimal commas between commas": (
+        SPEEDS + "1,radar,70,5,0,5\n2,radar,70,0.5\n", {2: ("refused", "cells"), 3: ("new",)}),
+    "an exponent beyond any car": (SPEEDS + "1,radar,1e3,0.5\n", {2: ("refused", "out of range")}),
+    "a length in millimetres": (SIZES + "1,tape,4750,10\n", {2: ("refused", "length", "4750")}),
+    "metres as millimetres": (
+        SIZES.replace("_m", "_mm") + "1,tape,4.75,0.01\n", {2: ("refused", "length", "above 0.3")}),
+    "half a vehicle": (SPEEDS + "1.5,radar,70,0.5\n", {2: ("refused", "number", "1.5")}),
+    "a vehicle below nothing": (SPEEDS + "-1,radar,70,0.5\n", {2: ("refused", "-1")}),
+    "a vehicle without end": (SPEEDS + "9" * 30 + ",radar,70,0.5\n", {2: ("refused", "no vehicle 999")}),
+    "no vehicle": (SPEEDS + ",radar,70,0.5\n", {2: ("refused", "number")}),
+    "no source": (SPEEDS + "1,,70,0.5\n", {2: ("refused", "source")}),
+    "nothing but a number": (SPEEDS + "1,,,\n1,radar,70,0.5\n", {2: ("refused",), 3: ("new",)}),
+    "the same vehicle twice": (
+        SPEEDS + "1,radar,70,0.5\n1,radar,71,0.5\n", {2: ("new",), 3: ("refused", "Line 2")}),
+    "a source in capitals and blanks": (SPEEDS + "1, Radar ,70,0.5\n", {2: ("new",)}),
+    "the header again": (
+        SPEEDS + "1,radar,70,0.5\n" + SPEEDS, {2: ("new",), 3: ("refused", "names the columns again")}),
+    "a name of five thousand signs": (
+        "number,run_of\n1," + "x" * 5000 + "\n", {2: ("refused", "longer than 100")}),
+    "a quote astray": (
+        SPEEDS + '1,"radar,70,0.5\n2,radar,70,0.5\n', {2: ("refused", "quote"), 3: ("new",)}),
+    "a column twice": ("number,source,speed_kmh,speed_kmh\n1,radar,70,0.5\n", ("speed_kmh", "twice")),
+    "a value in two units": (
+        "number,source,speed_kmh,speed_mps,u_speed_kmh\n1,radar,70,19,1\n", ("speed_kmh", "speed_mps")),
+    "a vehicle by two columns": (
+        "number,vehicle,source,speed_kmh,u_speed_kmh\n1,2,radar,70,1\n", ("vehicle", "leave one out")),
+    "a speed in knots": ("number,source,speed_kn,u_speed_kn\n1,radar,70,1\n", ("speed_kn",)),
+    "UTF-16": ((SPEEDS + "1,radar,70,0.5\n").encode("utf-16"), ("UTF-8",)),
+    "Windows' letters": ((SPEEDS + "1,Gerät,70,0.5\n").encode("cp1252"), ("UTF-8",)),
+    "a spreadsheet's own file": (b"PK\x03\x04\x14\x00" + bytes(range(256)), ("UTF-8",)),
+    "nothing": (b"", ("needs a column", "number")),
+    "a page in HTML": (b"<!DOCTYPE html><html><body>Sign in</body></html>", ("number",)),
+    "blank lines, a BOM and a lone CR": (
+        "\ufeff" + (SPEEDS + "\n1,radar,70,0.5\n\n").replace("\n", "\r"), {3: ("new",)}),
+    "the separator named first": ("sep=,\n" + SPEEDS + "1,radar,70,0.5\n", {3: ("new",)}),
+}  # fmt: skip
+
+
+def test_a_spoiled_table_is_refused_where_it_is_wrong(operator: Client, scan_id: int) -> None:
+    wrong = {}
+    for name, (content, right) in SPOILED.items():
+        files = {
+            "file": ("refs.csv", content if isinstance(content, bytes) else content.encode(), "text/csv")
+        }
+        answer = operator.http.post(f"/api/scans/{scan_id}/references/preview", files=files)
+        if isinstance(right, tuple):
+            said: Any = error_of(answer) if answer.status_code == 422 else answer.text
+            fits = answer.status_code == 422 and all(word in said for word in ("refs.csv", *right))
+        else:
+            said = {one["line"]: (one["change"], one["words"]) for one in answer.json().get("rows", [])}
+            fits = said.keys() == right.keys() and all(
+                said[at][0] == change and all(word in said[at][1] for word in words)
+                for at, (change, *words) in right.items()
+            )
+        if not fits:
+            wrong[name] = said
+    assert not wrong, "\n".join(f"{name}: {said}" for name, said in wrong.items())
+
+
 def test_the_survey_tells_errors_by_source_and_compares_runs(
     operator: Client, services: Services, survey_id: int, scan_id: int
 ) -> None:
@@ -278,7 +353,7 @@ def test_lines_find_their_vehicles_by_time_of_day(operator: Client, services: Se
     told = [one["references"][0]["value"] * 3.6 for one in vehicles(operator, scan_id)[:4]]
     assert told == [pytest.approx(value) for value in (70, 71, 72, 73)]
     with services.reading() as session:
-        events = [one for one in trail.for_export(session) if one.entity == "scan_reference"]
+        events = [one for one in events_of(session) if one.entity == "scan_reference"]
     kept = [(one.after or {}).get("matched") for one in events]
     assert kept[3] is None and kept[0]["tolerance_s"] == 0.005 and kept[0]["time"] == lines[0].split(",")[0]
     with services.reading() as session:

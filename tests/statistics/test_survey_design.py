@@ -1,9 +1,9 @@
-"""Design-based estimation held against R's package `survey` 4.1-1 on the examples of its own manual.
+"""Designs and weights held against R's package `survey` 4.1-1 on the examples of its own manual.
 
 The data are samples of California schools of 2000 (Academic Performance Index, public record of the State's
-Department of Education) as `data(api)` has them: clusters of districts, strata of school types, two stages.
-The figures beside each name were made with R (`svydesign`, `svymean`, `svytotal`, `svyratio`, `postStratify`,
-`rake`, `as.svrepdesign`); no R is needed to run this.
+Department of Education) as `data(api)` has them: clusters of districts, strata of school types.
+The figures beside each name were made with R (`svydesign`, `svymean`, `svytotal`, `postStratify`, `rake`);
+no R is needed to run this.
 """
 
 import csv
@@ -13,18 +13,9 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from sightline.statistics.survey_design import (
-    Design,
-    design_effect,
-    effective_size,
-    jackknife,
-    mean,
-    ratio,
-    total,
-    weighted_quantiles,
-    weighting_effect,
-)
+from sightline.statistics.survey_design import Design, weighting_effect
 from sightline.statistics.survey_weights import Margin, calibrated, residuals
+from tests.statistics.textbook import mean, total
 
 DATA = Path(__file__).parent / "data"
 Floats = NDArray[np.float64]
@@ -67,16 +58,6 @@ def strata() -> Design:
     return Design(weight, stratum, np.arange(len(weight)), there)
 
 
-def two_stages() -> tuple[Schools, Design]:
-    schools = Schools("apiclus2")
-    site = schools.codes("dnum")
-    there = np.zeros(site.max() + 1)
-    there[site] = schools.numbers("fpc2")
-    one = np.zeros(len(site), dtype=np.int64)
-    weight = schools.numbers("fpc1")[0] / (site.max() + 1) * there[site] / np.bincount(site)[site]
-    return schools, Design(weight, one, site, np.array([757.0]), units_there=there)
-
-
 def test_clusters_of_a_finite_number() -> None:
     schools = Schools("apiclus1")
     found = mean(clusters(), schools.numbers("api00"))
@@ -94,30 +75,9 @@ def test_strata_of_schools_drawn_one_by_one() -> None:
     assert (found.value, found.u) == pytest.approx((662.2873631593, 9.408940802785), **CLOSE)
     enrolled = total(strata(), schools.numbers("enroll"))
     assert (enrolled.value, enrolled.u) == pytest.approx((3687177.532438, 114641.7161008), **CLOSE)
-    grown = ratio(strata(), schools.numbers("api00"), schools.numbers("api99"))
-    assert (grown.value, grown.u) == pytest.approx((1.05226054622, 0.00364392223084), **CLOSE)
 
 
-def test_two_stages() -> None:
-    schools, design = two_stages()
-    found = mean(design, schools.numbers("api00"))
-    assert (found.value, found.u) == pytest.approx((670.8118081181, 30.09902737684), **CLOSE)
-    enrolled = np.nan_to_num(schools.numbers("enroll"))
-    told = total(design, enrolled)
-    assert (told.value, told.u) == pytest.approx((2639272.93, 799637.7736484), **CLOSE)
-
-
-def test_design_effect_and_effective_n() -> None:
-    values = Schools("apiclus1").numbers("api00")
-    effect = design_effect(clusters(), values)
-    assert effect == pytest.approx(9.34586945059, **CLOSE)
-    assert design_effect(clusters(), values, finite=False) == pytest.approx(9.06974836245, **CLOSE)
-    assert design_effect(strata(), Schools("apistrat").numbers("api00")) == pytest.approx(
-        1.20445726854, **CLOSE
-    )
-    schools, design = two_stages()
-    assert design_effect(design, schools.numbers("api00")) == pytest.approx(6.25051375571, **CLOSE)
-    assert effective_size(183, effect) == pytest.approx(183 / 9.34586945059, **CLOSE)
+def test_weights_that_differ_widen_a_mean() -> None:
     assert weighting_effect(np.array([1.0, 1.0, 2.0])) == pytest.approx(18.0 / 16.0)
 
 
@@ -163,33 +123,3 @@ def test_residuals_hold_nothing_of_the_margins() -> None:
     found = residuals(rng.normal(size=500), weight, margins)
     for one in margins:
         assert np.bincount(one.code, weight * found) == pytest.approx(np.zeros(len(one.share)), abs=1e-7)
-
-
-def test_the_jackknife() -> None:
-    schools = Schools("apiclus1")
-    values = schools.numbers("api00")
-
-    def weighted_mean(weight: Floats) -> float:
-        return float(weight @ values / weight.sum())
-
-    found = jackknife(clusters(), weighted_mean)
-    assert (found.value, found.u) == pytest.approx((644.1693989071, 26.32936058953), **CLOSE)
-    margin = schools.margin("stype", TYPES)
-
-    def stratified_after(weight: Floats) -> float:
-        told = calibrated(weight, (margin,))
-        assert told is not None
-        return weighted_mean(told)
-
-    again = jackknife(clusters(), stratified_after)
-    assert (again.value, again.u) == pytest.approx((642.3107882116, 26.93453536743), **CLOSE)
-    of_strata, other = Schools("apistrat").numbers("api00"), Schools("apistrat").numbers("api99")
-    grown = jackknife(strata(), lambda weight: float(weight @ of_strata / (weight @ other)))
-    assert (grown.value, grown.u) == pytest.approx((1.05226054622, 0.00364418924006), **CLOSE)
-
-
-def test_quantiles_by_weight() -> None:
-    values = Schools("apiclus1").numbers("api00")
-    order = np.argsort(values)
-    found = weighted_quantiles(values[order], clusters().weight[order], [0.10, 0.25, 0.50, 0.90])
-    assert found.tolist() == [502.0, 552.0, 652.0, 781.0]

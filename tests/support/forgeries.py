@@ -166,7 +166,7 @@ def where_an_inset_came_from(place: Path) -> str:
 
 def a_flag_taken_out(place: Path) -> str:
     for name in ("measurements.csv", "revisions.csv"):
-        edit(place, name, lambda row: row["flags"] != "", flags="")
+        edit(place, name, lambda row: row["flags"] != "", flags="", flags_code="")
     rederive(place)
     return "differs from its audit event"
 

@@ -36,6 +36,7 @@ from sightline.infra.csv_package.schema import (
 )
 from sightline.infra.services import Services
 from sightline.media.images import jpeg
+from sightline.messages.said import Said
 from sightline.recordings.store import get_recording, store_drift
 from sightline.vehicles.proposing.records import PointProposal
 from sightline.vehicles.proposing.store import replace_proposals
@@ -115,7 +116,7 @@ def worked(operator: Client, reviewer: Client, ground: Ground, services: Service
 def _moved(services: Services, ground: Ground) -> None:
     """The camera is found to have moved, on frames that nobody clicked on."""
     span = {"first_frame": 9, "last_frame": 11, "moved": True, "moved_px": 2.5, "change_m": -0.0125}
-    check = {"state": "moved", "words": "Moved.", "bumps": [9], "spans": [span]}
+    check = {"state": "moved", "words": [Said("drift-more", count=1)], "bumps": [9], "spans": [span]}
     stamped = {"floor_px": 0.25, "checked_at": "2026-05-01T12:00:00+00:00"}
     with services.writing() as session:
         pose_id = get_recording(session, ground.recording_id).pose_id
@@ -189,7 +190,7 @@ def reseal(place: Path, *, seal: bool = True) -> None:
     staging = Staging(place)
     staging.written = _sums(place)
     if PAGE in files.paths:
-        write_page(staging, _tables(place))
+        write_page(staging, _tables(place), described["language"])
     for resource in described["resources"]:
         if "hash" in resource and resource["path"] in files.paths:
             found = sum_of(files, resource["path"])

@@ -93,6 +93,40 @@ def test_insets_left_out_stay(operator: Client, survey_id: int) -> None:
         assert operator.put(path, {"name": "Rouen", "version": 2, "insets": bad}).status_code == 422
 
 
+# Insets that were spoiled, made up before their reader was read: each is refused in words, and none is stored
+SPOILED: dict[str, str] = {
+    "millimetres": '{"roof": {"inset_m": 200, "u_inset_m": 0.05}}',
+    "an uncertainty in millimetres": '{"roof": {"inset_m": 0.2, "u_inset_m": 50}}',
+    "an uncertainty below nothing": '{"roof": {"inset_m": 0.2, "u_inset_m": -0.05}}',
+    "no uncertainty": '{"roof": {"inset_m": 0.2}}',
+    "an uncertainty of null": '{"roof": {"inset_m": 0.2, "u_inset_m": null}}',
+    "a word": '{"roof": {"inset_m": "usual", "u_inset_m": 0.05}}',
+    "a decimal comma": '{"roof": {"inset_m": "0,2", "u_inset_m": 0.05}}',
+    "no number": '{"roof": {"inset_m": NaN, "u_inset_m": 0.05}}',
+    "a number without end": '{"roof": {"inset_m": 1e999, "u_inset_m": 0.05}}',
+    "a list": '{"roof": [0.2, 0.05]}',
+    "a list of all": '[{"roof": {"inset_m": 0.2, "u_inset_m": 0.05}}]',
+    "a target that is none": '{"bonnet": {"inset_m": 0.2, "u_inset_m": 0.05}}',
+    "a name in capitals": '{"ROOF": {"inset_m": 0.2, "u_inset_m": 0.05}}',
+    "one more column": '{"roof": {"inset_m": 0.2, "u_inset_m": 0.05, "unit": "mm"}}',
+    "a sound one beside a spoiled one": (
+        '{"roof": {"inset_m": 0.2, "u_inset_m": 0.05}, "taillight": {"inset_m": 0.1, "u_inset_m": -1}}'
+    ),
+}  # fmt: skip
+
+
+def test_spoiled_insets_are_refused_and_none_is_stored(operator: Client, survey_id: int) -> None:
+    path = f"/surveys/{survey_id}"
+    before, taken = operator.seen(path), {}
+    headers = {"Content-Type": "application/json"}
+    for name, insets in SPOILED.items():
+        body = f'{{"name": "Rouen", "version": 1, "insets": {insets}}}'
+        answer = operator.http.put(f"/api{path}", content=body, headers=headers)
+        if answer.status_code not in (400, 422) or not error_of(answer):
+            taken[name] = (answer.status_code, answer.text[:300])
+    assert not taken and operator.seen(path) == before
+
+
 def test_the_audit_trail(operator: Client, viewer: Client, admin: Client, survey_id: int) -> None:
     operator.put(f"/surveys/{survey_id}", {"name": "Rouen", "version": 1})
     events = viewer.seen(f"/audit?survey_id={survey_id}")

@@ -281,7 +281,7 @@ def test_a_vehicle_measured_free_keeps_what_was_proposed_and_tells_nobody(
     assert (snap["contact"], snap["reason"]) == (None, "snap-measured-free")
     asked = {"pointer": wanted["contact"], "vehicle_id": a_free}
     contact = operator.made(f"/recordings/{ground.recording_id}/frames/2/contact", asked)
-    assert contact["contact"] is None and "without suggestions" in contact["words"]
+    assert contact["contact"] is None and "without suggestions" in contact["words"]["message"]
 
     found = operator.seen(f"/surveys/{ground.survey_id}/anchoring")
     assert (found["confirmed"], found["moved"], found["afresh"]) == (len(ids) - len(free), 0, 0)

@@ -81,12 +81,46 @@ def adjust(
     u_wheelbase_common_m: float = DEFAULT_U_COMMON_M,
     u_roof_common_m: float = DEFAULT_U_COMMON_M,
 ) -> Adjustment:
-    """Solve for what all heights of `pose` share, from passes with known wheelbases and roofs.
+    """Solve for what all heights of a pose share, from passes with known wheelbases and roofs.
 
     Generalised least squares (JCGM 102:2011, 5) with the stated uncertainties of lens, pose and board as
-    prior observations; CONVENTIONS.md, Adjustment. The pose that comes back carries everything in its
-    covariance, so its board's own uncertainties are 0. Where no vehicle is known the pose comes back as it
-    was. Raises BadInput where the pose states no uncertainty, or most passes contradict one another.
+    prior observations; CONVENTIONS.md, Adjustment.
+
+    Parameters
+    ----------
+    pose : RoadPose
+    passes : sequence of ObservedPass
+        Pixels `points_px` (N, 2) of points of one vehicle on its way, and the lengths known of it, metres.
+    u_wheelbase_common_m, u_roof_common_m : float
+        Standard uncertainty of what all known wheelbases, all known roofs are off by together, metres.
+
+    Returns
+    -------
+    Adjustment
+        `pose` carries everything in its covariance, so its board's own uncertainties are 0; where no vehicle
+        is known it comes back as it was. With chi2 and what was left out.
+
+    Raises
+    ------
+    BadInput
+        Where the pose states no uncertainty, or most passes contradict one another.
+
+    Examples
+    --------
+    >>> import numpy as np, sightline
+    >>> camera = sightline.plain_camera(1920, 1080, field_of_view_rad=1.0)
+    >>> pose = sightline.site_pose(camera, sightline.Site(camera_height_m=1.4, distance_m=4.0))
+    >>> def drive(number):
+    ...     points = np.tile([[0.0, 0.0, 0.0], [1.2, 0.0, 0.0], [0.6, 0.2, 1.45]], (4, 1))
+    ...     points[:, 0] += np.repeat(np.linspace(-0.9, 0.0, 4), 3)
+    ...     return sightline.ObservedPass(
+    ...         name=f"{number}", frame=np.repeat(np.arange(4), 3), point=np.tile([0, 1, 2], 4),
+    ...         points_px=sightline.project(camera, pose.to_camera(points)), sigma_px=np.full(12, 0.3),
+    ...         wheelbase=sightline.Known(1.2, 0.005), roof=sightline.Known(1.45, 0.01),
+    ...         roof_inset=sightline.Known(0.2, 0.05))
+    >>> found = sightline.adjust(pose, [drive(number) for number in range(6)])
+    >>> found.used, [one.name for one in found.moved if one.u_after < 0.5 * one.u_before]
+    (6, ['board_roll_rad', 'road_roll_rad', 'rz_rad'])
     """
     shared = shared_errors(pose, u_wheelbase_common_m, u_roof_common_m)
     if not shared.root.any():

@@ -1,7 +1,6 @@
 """Pictures and clips of a checkerboard, read for the command line's `calibrate` and `pose`."""
 
 from collections.abc import Callable, Iterator, Sequence
-from functools import partial
 from pathlib import Path
 from time import perf_counter
 
@@ -12,14 +11,14 @@ from sightline.errors import BadInput
 from sightline.geometry.board import Board
 from sightline.geometry.calibration import NamedCorners
 from sightline.geometry.camera import Camera, require_size
-from sightline.geometry.corners import Corners, Gray, detect, not_found
+from sightline.geometry.corners import Corners, Gray, find_board, not_found
 from sightline.geometry.mean_picture import MeanPicture
 from sightline.geometry.tracking import track
 from sightline.media.images import HEIF, read_image
 from sightline.media.video.decode import frames_of
 from sightline.media.video.endings import VIDEO_ENDINGS
 
-Frames = Callable[[Path], Iterator[tuple[str, Gray]]]
+Frames = Callable[[Path, int | None], Iterator[tuple[str, Gray]]]
 
 CLIP_VIEWS = 24  # views taken from a clip for a calibration: enough, and little alike
 POSE_FRAMES = 150  # frames of a clip that a pose looks at before it skips some
@@ -27,48 +26,47 @@ SEARCH_S = 8.0  # how long frames are searched in vain, all together
 _IMAGE_ENDINGS = {".png", ".jpg", ".jpeg", ".bmp", ".tif", ".tiff", ".webp", ".pgm", ".ppm", ".pnm", ".jp2"}
 
 
-def pictures_of(path: Path, frames: Frames) -> Iterator[tuple[str, Gray]]:
-    """The picture in a file, or those `frames` takes of a clip, each with its name.
+def pictures_of(path: Path, frames: Frames, stream_number: int | None) -> Iterator[tuple[str, Gray]]:
+    """The picture in a file, or those `frames` takes of a clip's track (`decode.video_stream`), each with its
+    name.
 
-    Raises BadInput in one sentence that names the file.
+    Raises BadInput in one sentence that names the file; also where a track is asked for of a picture.
     """
     if not path.is_file():
         raise BadInput("cameras-not-file-give-picture-files-clip", path=path)
     ending = path.suffix.lower()
     if ending in VIDEO_ENDINGS:
-        yield from frames(path)
+        yield from frames(path, stream_number)
         return
     try:
         picture = read_image(path)
     except BadInput as error:
         if ending in _IMAGE_ENDINGS or error.code == HEIF:
             raise
-        yield from frames(path)
+        yield from frames(path, stream_number)
         return
+    if stream_number is not None:
+        raise BadInput("cameras-still-has-no-tracks", path=path)
     yield path.name, picture
 
 
-def spread_frames(
-    path: Path, most: int = CLIP_VIEWS, stream_number: int | None = None
-) -> Iterator[tuple[str, Gray]]:
-    """At most twice `most` frames, evenly spread: the step doubles when so many are held, for a clip tells
-    its length only at its end.
+def spread_frames(path: Path, stream_number: int | None) -> Iterator[tuple[str, Gray]]:
+    """At most twice `CLIP_VIEWS` frames, evenly spread: the step doubles when so many are held, for a clip
+    tells its length only at its end.
     """
     held: list[tuple[int, Gray]] = []
     step = 1
     for n, _, gray in frames_of(path, number=stream_number):
         if n % step == 0:
             held.append((n, gray))
-        if len(held) >= 2 * most:
+        if len(held) >= 2 * CLIP_VIEWS:
             held = held[::2]
             step *= 2
     for n, gray in held:
         yield f"{path.name} frame {n}", gray
 
 
-def early_frames(
-    path: Path, most: int = POSE_FRAMES, stream_number: int | None = None
-) -> Iterator[tuple[str, Gray]]:
+def early_frames(path: Path, stream_number: int | None) -> Iterator[tuple[str, Gray]]:
     """Every frame of a short clip; of a long one every second, then every fourth: none is held."""
     step, taken = 1, 0
     for n, _, gray in frames_of(path, number=stream_number):
@@ -76,8 +74,8 @@ def early_frames(
             continue
         yield f"{path.name} frame {n}", gray
         taken += 1
-        if taken == 2 * most:
-            step, taken = 2 * step, most
+        if taken == 2 * POSE_FRAMES:
+            step, taken = 2 * step, POSE_FRAMES
 
 
 def calibration_views(
@@ -86,8 +84,8 @@ def calibration_views(
     """One detection per picture or chosen frame, as `geometry.calibration.calibrate` takes them."""
     views: list[NamedCorners] = []
     for path in paths:
-        for name, gray in pictures_of(path, partial(spread_frames, stream_number=stream_number)):
-            views.append((name, detect(gray, board), (gray.shape[1], gray.shape[0])))
+        for name, gray in pictures_of(path, spread_frames, stream_number):
+            views.append((name, find_board(gray, board), (gray.shape[1], gray.shape[0])))
     return views
 
 
@@ -105,12 +103,12 @@ def pose_detections(
     mean = MeanPicture()
     searched_s = 0.0
     for path in paths:
-        for name, gray in pictures_of(path, partial(early_frames, stream_number=stream_number)):
+        for name, gray in pictures_of(path, early_frames, stream_number):
             require_size(camera, gray.shape[1], gray.shape[0], name)
             corners = not_found(board, "The search was stopped.") if last is None else track(gray, last)
             if not corners.found and searched_s < SEARCH_S:
                 started = perf_counter()
-                corners = detect(gray, board)
+                corners = find_board(gray, board)
                 searched_s += 0.0 if corners.found else perf_counter() - started
             found.append(corners)
             if corners.found:

@@ -9,10 +9,9 @@ from sightline.cameras import store, taking
 from sightline.cameras.board_bodies import Dictionary, KindAsked, MarkerM, Markers, SquareM
 from sightline.cameras.boards import board_told
 from sightline.cameras.calibrations import images as calibration_images
-from sightline.cameras.calibrations.bodies import CalibrationSummaryBody
 from sightline.cameras.calibrations.calibrating import under_way
 from sightline.cameras.calibrations.records import CalibrationImage
-from sightline.cameras.records import Camera, CameraWords
+from sightline.cameras.records import CalibrationSummary, Camera, CameraWords
 from sightline.enums import Point
 from sightline.infra.jobs.records import Job
 from sightline.infra.web.bodies import In, JobBody, Name, Out, Text
@@ -26,20 +25,6 @@ router = APIRouter()
 
 MOST_IMAGE_BYTES = 64_000_000
 Corners = Annotated[int, Query(ge=2, le=100, description="Inner corners.")]
-
-
-class CameraBody(Out):
-    id: int
-    survey_id: int
-    name: str
-    notes: str
-    lens: str
-    zoom: str
-    focus: str
-    taken_from: str = Field(description="Survey and camera that it was taken from; empty for one of its own.")
-    current_calibration_id: int | None
-    images: int
-    calibrations: list[CalibrationSummaryBody]
 
 
 class CalibrationImageBody(Out):
@@ -70,7 +55,7 @@ class CameraDetail(Out):
     taken_from: str = Field(description="Survey and camera that it was taken from; empty for one of its own.")
     current_calibration_id: int | None
     images: list[CalibrationImageBody]
-    calibrations: list[CalibrationSummaryBody]
+    calibrations: list[CalibrationSummary]
     calibrating: JobBody | None = Field(description="A calibration that waits or runs, to be followed.")
 
 
@@ -99,30 +84,29 @@ class Choice(In):
 
 
 @router.get("/surveys/{survey_id}/cameras")
-def list_cameras(survey_id: PathId, who: Viewer, session: Reading) -> list[CameraBody]:
+def list_cameras(survey_id: PathId, who: Viewer, session: Reading) -> list[Camera]:
     """The cameras of a survey with their calibrations in short."""
     get_survey(session, survey_id)
-    return [CameraBody.model_validate(one) for one in store.list_cameras(session, survey_id)]
+    return list(store.list_cameras(session, survey_id))
 
 
 @router.post("/surveys/{survey_id}/cameras", status_code=201)
-def add_camera(survey_id: PathId, body: NewCamera, who: Operator, session: Writing) -> CameraBody:
+def add_camera(survey_id: PathId, body: NewCamera, who: Operator, session: Writing) -> Camera:
     """A new camera: a body and lens at one setting."""
-    made = store.create_camera(session, survey_id, **body.model_dump(), actor=who.id)
-    return CameraBody.model_validate(made)
+    return store.create_camera(session, survey_id, **body.model_dump(), actor=who.id)
 
 
 @router.post("/surveys/{survey_id}/cameras/from/{camera_id}", status_code=201)
-def take_camera(survey_id: PathId, camera_id: PathId, who: Operator, session: Writing) -> CameraBody:
+def take_camera(survey_id: PathId, camera_id: PathId, who: Operator, session: Writing) -> Camera:
     """A camera of another survey, with its current calibration and the pictures that was made of."""
-    return CameraBody.model_validate(taking.take_camera(session, survey_id, camera_id, actor=who.id))
+    return taking.take_camera(session, survey_id, camera_id, actor=who.id)
 
 
 @router.put("/cameras/{camera_id}")
-def change_camera(camera_id: PathId, body: CameraChange, who: Operator, session: Writing) -> CameraBody:
+def change_camera(camera_id: PathId, body: CameraChange, who: Operator, session: Writing) -> Camera:
     """Change what is said of a camera: name, notes, lens, zoom, focus."""
     changes = CameraWords(**body.model_dump(exclude_unset=True))  # type: ignore[typeddict-item]
-    return CameraBody.model_validate(store.update_camera(session, camera_id, changes, actor=who.id))
+    return store.update_camera(session, camera_id, changes, actor=who.id)
 
 
 @router.get("/cameras/{camera_id}")
@@ -183,10 +167,9 @@ def remove_image(image_id: PathId, who: Operator, services: Wired) -> None:
 
 
 @router.put("/cameras/{camera_id}/current-calibration")
-def choose_calibration(camera_id: PathId, body: Choice, who: Operator, session: Writing) -> CameraBody:
+def choose_calibration(camera_id: PathId, body: Choice, who: Operator, session: Writing) -> Camera:
     """Choose which calibration new road poses use."""
-    camera = store.choose_calibration(session, camera_id, body.calibration_id, actor=who.id)
-    return CameraBody.model_validate(camera)
+    return store.choose_calibration(session, camera_id, body.calibration_id, actor=who.id)
 
 
 def image_body(image: CalibrationImage) -> CalibrationImageBody:
@@ -198,6 +181,6 @@ def image_body(image: CalibrationImage) -> CalibrationImageBody:
 
 def camera_detail(camera: Camera, images: tuple[CalibrationImage, ...], job: Job | None) -> CameraDetail:
     """A camera with its images in place of their number, and the calibration that is under way."""
-    short = CameraBody.model_validate(camera).model_dump(exclude={"images"})
+    short = {name: getattr(camera, name) for name in Camera.__slots__ if name != "images"}
     under_way = None if job is None else JobBody.model_validate(job)
     return CameraDetail(**short, images=[image_body(one) for one in images], calibrating=under_way)

@@ -8,7 +8,7 @@ from sqlalchemy import (
     Text,
 )
 
-from sightline.infra.database.types import UtcDateTime, identity, metadata
+from sightline.infra.database.types import identity, made_columns, metadata
 
 cameras = Table(
     "cameras",
@@ -25,6 +25,5 @@ cameras = Table(
     Column("taken_from", String(500), nullable=False),
     # cameras and calibrations point at each other: this one is added last
     Column("current_calibration_id", ForeignKey("calibrations.id", use_alter=True)),
-    Column("created_at", UtcDateTime, nullable=False),
-    Column("created_by", ForeignKey("people.id")),
+    *made_columns(),
 )

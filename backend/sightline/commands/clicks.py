@@ -6,8 +6,9 @@ import csv
 import io
 import math
 import re
-from collections.abc import Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field, replace
+from functools import partial
 from pathlib import Path
 from typing import cast, get_args
 
@@ -22,11 +23,17 @@ from sightline.geometry.insets import SIDE_UNKNOWN, USUAL_INSETS, inset_name
 from sightline.geometry.multiframe import measure_frames
 from sightline.geometry.ray_intersection import REASONS
 from sightline.geometry.road_pose import RoadPose
-from sightline.infra.given_csv import GivenRow, GivenTable
+from sightline.infra.given_csv import USUAL_INSET_M, GivenRow, GivenTable
+from sightline.messages.said import Said
 
 FIRST = ("contact_x_px", "contact_y_px", "target_x_px", "target_y_px")
 _FURTHER = re.compile(r"(?:contact|target)([2-9]|[1-9]\d)_[xy]_px")
 OPTIONS = ("sigma_px", "inset_m", "u_inset_m")
+_READ: dict[str, Callable[[GivenTable, int, str, str], float]] = {
+    "sigma_px": GivenTable.uncertainty,
+    "inset_m": partial(GivenTable.length_m, usual_m=USUAL_INSET_M),
+    "u_inset_m": partial(GivenTable.u_length_m, usual_m=USUAL_INSET_M),
+}
 WORDS = ("target", "side")
 NEEDED = ("id", *FIRST)
 RESULTS = (
@@ -43,8 +50,8 @@ RESULTS = (
     "flags",
 )
 BETWEEN_FLAGS = " | "
-INSET_TAKEN_AS_0 = "inset taken as 0"
-U_INSET_TAKEN_AS_0 = "uncertainty of the inset taken as 0"
+INSET_TAKEN_AS_0 = Said("height-flag-inset-zero")
+U_INSET_TAKEN_AS_0 = Said("height-flag-u-inset-zero")
 _NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?|[+-]?(nan|inf|infinity)", re.IGNORECASE)
 
 
@@ -56,7 +63,7 @@ class _Row:
     values: dict[str, float] = field(default_factory=dict)
     frames: tuple[int, ...] = ()  # numbers of the further frames that were clicked too
     problem: str | None = None
-    flags: tuple[str, ...] = ()  # what was taken for granted
+    flags: tuple[Said, ...] = ()  # what was taken for granted
     results: dict[str, str] = field(default_factory=dict)
 
 
@@ -66,35 +73,37 @@ class Assumed:
 
     inset_m: float
     u_inset_m: float
-    flags: tuple[str, ...]
+    flags: tuple[Said, ...]
 
 
 def assumed_inset(
     target: str, side: str, inset_m: float | None = None, u_inset_m: float | None = None
-) -> Assumed | str:
-    """The inset given, else the usual one of the target, else 0; a string says why there is none: a word that
+) -> Assumed | Said:
+    """The inset given, else the usual one of the target, else 0; else why there is none: a word that
     is not known, or an eye without the driver's side.
     """
     if inset_m is not None:
         flags = (U_INSET_TAKEN_AS_0,) if u_inset_m is None else ()
         return Assumed(inset_m, u_inset_m or 0.0, flags)
     usual = _usual_inset(target, side)
-    return usual if u_inset_m is None or isinstance(usual, str) else replace(usual, u_inset_m=u_inset_m)
+    return usual if u_inset_m is None or isinstance(usual, Said) else replace(usual, u_inset_m=u_inset_m)
 
 
-def _usual_inset(target: str, side: str) -> Assumed | str:
+def _usual_inset(target: str, side: str) -> Assumed | Said:
     if not target:
         return Assumed(0.0, 0.0, (INSET_TAKEN_AS_0,))
     if target not in get_args(Target):
-        return f"The target {target} is not one of {', '.join(get_args(Target))}."
+        return Said("height-target-unknown", target=target, known=", ".join(get_args(Target)))
     if target == "driver_eye" and side and side not in get_args(DriverSide):
-        return f"The side {side} is not one of {', '.join(get_args(DriverSide))}."
+        return Said("height-side-not-known", side=side, known=", ".join(get_args(DriverSide)))
     name = inset_name(cast(Target, target), cast(DriverSide, side) if side else None, None)
     if name is None:
         return SIDE_UNKNOWN
     inset_m, u_inset_m, _ = USUAL_INSETS[name]
-    words = f"usual inset of {target}"
-    return Assumed(inset_m, u_inset_m, (f"{words}, {side}" if target == "driver_eye" else words,))
+    usual = Said("height-flag-usual-inset", target=target)
+    if target == "driver_eye":
+        usual = Said("height-flag-usual-inset-of-side", target=target, side=side)
+    return Assumed(inset_m, u_inset_m, (usual,))
 
 
 @dataclass(frozen=True)
@@ -147,7 +156,7 @@ def _take_numbers(table: GivenTable, given: GivenRow, row: _Row) -> None:
     for name in (*FIRST, *further, *OPTIONS):
         cell = by_name.get(name, "")
         if cell or name not in OPTIONS:
-            row.values[name] = table.number(given.line, name, cell)
+            row.values[name] = _READ.get(name, GivenTable.number)(table, given.line, name, cell)
     if reference := by_name.get("reference_height_m"):
         table.size_m(given.line, "reference_height_m", reference)
 
@@ -158,8 +167,8 @@ def _assume(row: _Row, target: str, side: str) -> None:
     if row.frames:
         return
     inset = assumed_inset(target, side, row.values.get("inset_m"), row.values.get("u_inset_m"))
-    if isinstance(inset, str):
-        row.problem = inset
+    if isinstance(inset, Said):
+        row.problem = str(inset)
         return
     row.values |= {"inset_m": inset.inset_m, "u_inset_m": inset.u_inset_m}
     row.flags = inset.flags
@@ -181,13 +190,13 @@ def _measure_single(pose: RoadPose, rows: Sequence[_Row]) -> None:
     for index, row in enumerate(rows):
         code = int(found.code[index])
         if code:
-            row.results = {"status": "not_measurable", "reason": REASONS[code]}
+            row.results = {"status": "not_measurable", "reason": str(REASONS[code])}
             continue
         row.results = {
             name: metres(float(column[index])) for name, column in zip(RESULTS, columns, strict=False)
         }
         row.results["status"] = "ok"
-        row.results["flags"] = BETWEEN_FLAGS.join((*row.flags, *found.flags(index)))
+        row.results["flags"] = _joined((*row.flags, *found.flags(index)))
 
 
 def _measure_several(pose: RoadPose, row: _Row) -> dict[str, str]:
@@ -205,11 +214,16 @@ def _measure_several(pose: RoadPose, row: _Row) -> dict[str, str]:
 
 def _of_height(height: Height) -> dict[str, str]:
     names = ("height_m", "u_height_m", "U95_height_m", "x_m", "y_m", "distance_m")
-    out = {"status": height.status, "reason": height.reason or "", "flags": BETWEEN_FLAGS.join(height.flags)}
+    reason = "" if height.reason is None else str(height.reason)
+    out = {"status": height.status, "reason": reason, "flags": _joined(height.flags)}
     for name in names:
         value = getattr(height, name)
         out[name] = "" if value is None else metres(value)
     return out
+
+
+def _joined(flags: Iterable[Said]) -> str:
+    return BETWEEN_FLAGS.join(map(str, flags))
 
 
 def metres(value: float) -> str:

@@ -125,13 +125,15 @@ def _add(rows: Rows, table: GivenTable, line: int, row: Mapping[str, str]) -> No
 
 
 def length_in(table: GivenTable, line: int, row: Mapping[str, str], name: str) -> float:
-    """A cell in metres: a height, or an uncertainty. Raises BadInput naming the line."""
+    """A cell in metres: a known height, one that was measured, or an uncertainty. Raises BadInput naming the
+    line.
+    """
     cell = row.get(name, "")
-    value = table.size_m(line, name, cell)
-    if value < 0.0 and name.startswith(("u_", "reference_")):
-        where = f"{table.name}, line {line}"
-        raise BadInput("commands-row-not-length", where=where, name=name, cell=cell)
-    return value
+    if name.startswith("u_"):
+        return table.u_length_m(line, name, cell)
+    if name.startswith("reference_"):
+        return table.size_m(line, name, cell)
+    return table.length_m(line, name, cell)
 
 
 def number(text: str) -> float | None:

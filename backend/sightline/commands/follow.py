@@ -11,6 +11,7 @@ import click
 from sightline.commands.options import filmed_at_option, json_option, stream_option
 from sightline.enums import DriverSide, Target
 from sightline.errors import BadInput
+from sightline.messages.said import Said
 
 _PATH = click.Path(path_type=Path)
 _MOST_FRAMES = 120  # to each side, where the pass is not given
@@ -73,13 +74,13 @@ def follow_command(
     if second is not None:
         points[SECOND] = parse_point(second, "--second")
     assumed = assumed_inset(kind, side or "", inset, u_inset)
-    if isinstance(assumed, str):
+    if isinstance(assumed, Said):
         raise BadInput("commands-follow-none", reason=assumed)
     span = max(0, frame - _MOST_FRAMES) if first is None else first, last or frame + _MOST_FRAMES
     size_px = pose.camera.width_px, pose.camera.height_px
     frames = frames_between(video, *span, size_px, str(video), stream_number, filmed_hz)
     found = follow_pass(pose, frames, frame, points, kind, assumed.inset_m, sigma)
-    if isinstance(found, str):
+    if isinstance(found, Said):
         raise BadInput("commands-follow-none", reason=found)
     known = (assumed.inset_m, assumed.u_inset_m) if assumed.u_inset_m > 0 else None
     rows = track_rows(found.tracks)
@@ -89,7 +90,7 @@ def follow_command(
         writer.writeheader()
         writer.writerows(rows)
         write_whole(output, table.getvalue())
-    lost = [asdict(one) for one in found.lost]
+    lost = [{**asdict(one), "reason": str(one.reason)} for one in found.lost]
     also = {"tracks": rows, "following": asdict(found.following), "lost": lost}
     tell_pass(measure_pass(pose, found.tracks, found.following, assumed_inset=known), as_json, also)
     if not as_json:

@@ -37,6 +37,7 @@ from sightline.geometry.road_pose import (
 )
 from sightline.geometry.verdict import require_plausible
 from sightline.geometry.whole_pass import WholePass, measure_pass
+from sightline.messages.said import Said
 
 Command = Callable[..., None]
 _PATH = click.Path(path_type=Path)
@@ -378,7 +379,7 @@ def height(
     assumed = assumed_inset(kind or "", side or "", inset, u_inset)
     measured = _one(solved, *points, sigma, assumed)
     if as_json:
-        unknown = {"inset_m": None, "u_inset_m": None} if isinstance(assumed, str) else {}
+        unknown = {"inset_m": None, "u_inset_m": None} if isinstance(assumed, Said) else {}
         click.echo(json.dumps(height_to_dict(measured) | unknown))
     elif measured.height_m is None or measured.U95_height_m is None:
         click.echo(f"not measurable: {measured.reason}")
@@ -429,13 +430,13 @@ def _one(
     contact: tuple[float, float],
     target: tuple[float, float],
     sigma: float,
-    inset: Assumed | str,
+    inset: Assumed | Said,
 ) -> Height:
     """One height with the flags of its inset. Raises BadInput for a number that cannot be used."""
-    numbers = (sigma, 0.0, 0.0) if isinstance(inset, str) else (sigma, inset.inset_m, inset.u_inset_m)
+    numbers = (sigma, 0.0, 0.0) if isinstance(inset, Said) else (sigma, inset.inset_m, inset.u_inset_m)
     if not np.isfinite(numbers).all() or sigma < 0 or numbers[2] < 0:
         raise BadInput("commands-sigma-inset-u-inset-must-finite")
-    if isinstance(inset, str):
+    if isinstance(inset, Said):
         return not_measurable(inset)
     measured = measure_height(solved, contact, target, *numbers)
     return replace(measured, flags=(*inset.flags, *measured.flags)) if measured.status == "ok" else measured
@@ -474,7 +475,7 @@ def height_to_dict(measured: Height) -> dict[str, Any]:
         "inset_m": measured.inset_m,
         "u_inset_m": measured.u_inset_m,
         "status": measured.status,
-        "reason": measured.reason,
+        "reason": None if measured.reason is None else str(measured.reason),
         "budget": [asdict(entry) for entry in measured.budget],
-        "flags": list(measured.flags),
+        "flags": [str(flag) for flag in measured.flags],
     }

@@ -20,9 +20,12 @@ def migrate(data_dir: Path | None) -> None:
     """
     from sightline.infra.database.engine import explained, make_engine
     from sightline.infra.database.engine import migrate as bring_up_to_date
+    from sightline.infra.database.pages import require_whole_pages
 
     settings = settings_of(data_dir=data_dir)
     engine = make_engine(settings.database_url)
+    with explained(), engine.connect() as connection:
+        require_whole_pages(connection, quick=True)
     bring_up_to_date(engine)
     if settings.serving_role and engine.dialect.name == "postgresql":
         from sightline.infra.database.serving_role import give_rights

@@ -14,8 +14,13 @@ from sightline.infra.given_csv import GivenTable
 
 NEEDED = ("pass", "frame", "point", "x_px", "y_px")
 LENGTHS = ("wheelbase", "roof", "roof_inset")
-SIZES = tuple(f"{name}_m" for name in LENGTHS)
 OPTIONS = ("sigma_px", *(f"{u}{name}_m" for name in LENGTHS for u in ("", "u_")))
+_READ = {
+    "sigma_px": GivenTable.uncertainty,
+    **{f"u_{name}_m": GivenTable.u_length_m for name in LENGTHS},
+    **{f"{name}_m": GivenTable.size_m for name in LENGTHS},
+    "roof_inset_m": GivenTable.length_m,
+}
 
 
 @dataclass
@@ -51,8 +56,7 @@ def _take(table: GivenTable, one: _Pass, cells: Mapping[str, str], number: int) 
         if not text and name in OPTIONS:
             continue
         try:
-            read = table.size_m if name in SIZES else table.number
-            values[name] = read(number, name, text)
+            values[name] = _READ.get(name, GivenTable.number)(table, number, name, text)
         except BadInput as error:
             return error.message
     if values["frame"] != round(values["frame"]) or abs(values["frame"]) > 2**53:

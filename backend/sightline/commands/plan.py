@@ -203,7 +203,7 @@ def _plan_text(planned: Plan) -> str:
         )
     eye = next(t for t in planned.targets if t.target == "driver_eye")
     if eye.result.status == "ok" and eye.two_frames.reason is not None:
-        lines.append(eye.two_frames.reason)
+        lines.append(str(eye.two_frames.reason))
     return "\n".join([*lines, *planned.advice])
 
 

@@ -90,7 +90,7 @@ def pass_to_dict(found: WholePass) -> dict[str, Any]:
         "chi2": found.chi2,
         "freedom": found.freedom,
         "chance": found.chance,
-        "dropped": [asdict(one) for one in found.dropped],
+        "dropped": [{**asdict(one), "reason": str(one.reason)} for one in found.dropped],
         "solved_for": list(found.solved_for),
         "covariance": [list(row) for row in found.covariance],
     }

@@ -18,7 +18,7 @@ from sightline.demo.rendering import SCENES, Image, rendered, scene_named
 from sightline.geometry.board import Board
 from sightline.geometry.calibration import CalibrationResult
 from sightline.geometry.calibration_checks import CheckedCalibration, calibrate_and_check
-from sightline.geometry.corners import Gray, detect
+from sightline.geometry.corners import Gray, find_board
 from sightline.geometry.road_pose import Reference
 from sightline.infra.csv_package.schema import json_bytes
 from sightline.infra.services import Services
@@ -213,7 +213,7 @@ def _lab_picture(services: Services, index: int) -> LabPicture:
     key = key_of(sha256_of(path), path.suffix)
     services.media.put_file(key, path)
     gray = read_image(content, name)
-    corners = detect(gray, LAB_BOARD)
+    corners = find_board(gray, LAB_BOARD)
     return LabPicture(DetectedView(name, corners, (int(gray.shape[1]), int(gray.shape[0]))), key)
 
 

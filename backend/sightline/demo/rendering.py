@@ -18,12 +18,12 @@ from collections.abc import Generator
 from contextlib import suppress
 from dataclasses import replace
 from itertools import pairwise
-from pathlib import Path
 from typing import BinaryIO
 
 import numpy as np
 from numpy.typing import NDArray
 
+from sightline.children import child_environment
 from sightline.errors import SightlineError
 from sightline.simulation.render import render_frame
 from sightline.simulation.scene import Scene, day_scene, low_light_scene
@@ -79,10 +79,8 @@ class _Child:
 
     def __init__(self, scene: Scene, name: str, part: int, parts: int) -> None:
         command = [sys.executable, "-m", "sightline.demo.rendering", name, str(part), str(parts)]
-        root = str(Path(__file__).resolve().parents[2])
-        paths = os.pathsep.join(path for path in (root, os.environ.get("PYTHONPATH", "")) if path)
         self._process = subprocess.Popen(
-            command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, env={**os.environ, "PYTHONPATH": paths}
+            command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, env=child_environment()
         )
         assert self._process.stdout is not None
         with suppress(OSError, AttributeError):  # fewer turns for a frame; where it is not Linux, as it is

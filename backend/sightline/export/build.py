@@ -180,7 +180,7 @@ def build(
     about = about_of(survey.name, survey.site, survey.description, audit.moment, selection_words(selection))
     tables = tables_of(most)
     write_parquet(staging, tables)
-    write_page(staging, tables)
+    write_page(staging, tables, language)
     staging.add(DESCRIPTION, json_bytes(described(about, language, tables, staging.written)))
     key = signing_key(services.settings)
     ends = {name: one for name, one in trail.heads(session).items() if name in ("people", "catalogue")}
@@ -223,7 +223,7 @@ def _measurements(
                     seen.mark(one)
                 newest, car = revisions[-1]
                 if newest.repeat_of is not None:
-                    out.repeats.add(newest)
+                    out.repeats.add(replace(newest, out_of_date=stale.get(newest.id, ())))
                     continue
                 out.measurement([one for one, _ in revisions], car, stale.get(newest.id, ()))
                 seen.name(newest.review.reviewer)

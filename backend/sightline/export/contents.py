@@ -148,10 +148,11 @@ def about_of(name: str, site: str, description: str, created: str | None, only: 
     return About(title, "\n\n".join(part for part in parts if part), created, made_with())
 
 
-STATISTICS, DRAWING = "statistics", "drawing"
+WORDS, STATISTICS, DRAWING = "words", "statistics", "drawing"
 PARTS: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
     HEIGHTS: (("sightline.measurements.height_of_clicks",), ()),
     LINES: (("sightline.scans.heights.service", "sightline.scans.rig.calibrating"), ()),
+    WORDS: (("sightline.messages.said",), (".ftl",)),
     STATISTICS: (
         (
             "sightline.export.measured",
@@ -168,6 +169,7 @@ PARTS: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
 LIBRARIES = {
     HEIGHTS: (),
     LINES: (),
+    WORDS: ("fluent.runtime", "babel"),
     STATISTICS: ("numpy", "scipy"),
     DRAWING: ("numpy", "scipy", "matplotlib", "pillow", "typst", "fluent.runtime", "babel"),
 }

@@ -33,13 +33,24 @@ EXCLUSIONS = Table(
         Column("target", "string", "what was measured", required=True, enum=TARGETS),
         Column("state", "string", "state for which it is excluded", required=True, enum=STATES),
         Column("reason", "string", "the reason in words", required=True),
+        Column("reason_code", "string", "of a height that is missing: why, by code and values (JSON)"),
     ),
     primary=("measurement_id",),
     foreign=((("measurement_id",), "measurements", ("id",)), (("vehicle_id",), "vehicles", ("id",))),
 )
 _CHECK = "check_target", "It checks the measuring: its errors are in statistics/errors_by_target.csv."
 _OUTSIDE = "out_of_sample", "Its vehicle is out of the survey's sample."
-_READ = ("id", "vehicle_id", "target", "withdrawn", "status", "reason", "verdict", "review_reason")
+_READ = (
+    "id",
+    "vehicle_id",
+    "target",
+    "withdrawn",
+    "status",
+    "reason",
+    "reason_code",
+    "verdict",
+    "review_reason",
+)
 
 
 def exclusion_rows(files: Files) -> Iterator[dict[str, Cell]]:
@@ -62,6 +73,7 @@ def exclusion_rows(files: Files) -> Iterator[dict[str, Cell]]:
                 "target": row["target"],
                 "state": why[0],
                 "reason": why[1],
+                "reason_code": unsafe(row["reason_code"]) or None if why[0] == "not_measurable" else None,
             }
 
 

@@ -14,18 +14,22 @@ import json
 import re
 import zlib
 from collections import defaultdict
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence, Set
 from functools import cache
 from typing import Any
 
 from sightline.errors import Damaged
 from sightline.export.readme import README
+from sightline.export.report.said import speaking
 from sightline.export.report.words import selection_words
 from sightline.export.seal import AUDIT_SCRIPT, CHECKPOINT, PAGE
 from sightline.infra.csv_package.audit import AUDIT
-from sightline.infra.csv_package.files import Files, Staging, read_whole
+from sightline.infra.csv_package.columns import CODE, said_in, words_of
+from sightline.infra.csv_package.files import Files, Staging, read_columns, read_whole
 from sightline.infra.csv_package.schema import CHECKSUMS, DESCRIPTION, AnyTable, Written, sha256_hex
 from sightline.infra.version import code_version
+from sightline.messages import SOURCE
+from sightline.messages.recognised import translated
 from sightline.results.csv import selection_in
 from sightline.settings import default_frontend_dir
 
@@ -55,6 +59,12 @@ _NAMES = (
     "corrections",
     "agreement",
 )
+#: The columns whose sentences the page shows in the language of the package.
+_SENTENCES = {
+    "measurements.csv": ("reason", "flags"),
+    "crops.csv": ("reason",),
+    "budget.csv": ("source",),
+}
 _POSES = re.compile(r"records/pose-\d+\.json")
 _ABOUT = re.compile(r'<script type="application/json" id="about">(.*?)</script>\n', re.DOTALL)
 _BLOCK = re.compile(r'<script type="text/plain" data-path="([\w./-]+)">([A-Za-z0-9+/=]*)</script>\n')
@@ -78,15 +88,17 @@ def page_version() -> str:
     return "none" if found is None else sha256_hex(found.encode())
 
 
-def write_page(staging: Staging, tables: Sequence[AnyTable]) -> None:
-    """index.html over what is written so far; nothing where the front end is not built."""
+def write_page(staging: Staging, tables: Sequence[AnyTable], language: str) -> None:
+    """index.html over what is written so far, to be opened in a language; nothing where the front end is not
+    built.
+    """
     found = template()
     if found is None:
         return
     before, _, after = found.partition(_MARK)
     files, written = staging.files(), dict(staging.written)
     with staging.file(PAGE) as out:
-        out.write(f"{before}{_MARK}\n{_about_block(files, tables, written)}".encode())
+        out.write(f"{before}{_MARK}\n{_about_block(files, tables, written, language)}".encode())
         for path in _carried(tables, written):
             packed = _packed(read_whole(files, path))
             out.write(f'<script type="text/plain" data-path="{path}">{packed}</script>\n'.encode())
@@ -109,6 +121,7 @@ def check_page(
     made_with: Mapping[str, Any],
     tables: Sequence[AnyTable],
     written: Mapping[str, Written],
+    language: str,
     *,
     same_program: bool,
 ) -> bool:
@@ -135,7 +148,7 @@ def check_page(
     for block in blocks:
         if block[1] not in files.paths or _unpacked(block[2]) != read_whole(files, block[1]):
             raise Damaged("export-page-carries-another", path=block[1])
-    told = _about_block(files, tables, written, str(json.loads(about[1]).get("made_with")))
+    told = _about_block(files, tables, written, language, str(json.loads(about[1]).get("made_with")))
     agrees = about[0] == told and [block[1] for block in blocks] == list(_carried(tables, written))
     if version == page_version() and same_program and not agrees:
         raise Damaged("export-page-another-program", path=PAGE)
@@ -172,11 +185,33 @@ def _carried(tables: Sequence[AnyTable], written: Mapping[str, Written]) -> Iter
 
 
 def _about_block(
-    files: Files, tables: Sequence[AnyTable], written: Mapping[str, Written], version: str | None = None
+    files: Files,
+    tables: Sequence[AnyTable],
+    written: Mapping[str, Written],
+    language: str,
+    version: str | None = None,
 ) -> str:
-    told = {"only": selection_words(selection_in(files)), **_about(tables, written, version)}
+    with speaking(language):
+        only = selection_words(selection_in(files))
+    said = {} if language == SOURCE else _said(files, tables, set(_carried(tables, written)), language)
+    told = {"language": language, "only": only, "said": said, **_about(tables, written, version)}
     text = json.dumps(told, ensure_ascii=False).replace("<", "\\u003c")
     return f'<script type="application/json" id="about">{text}</script>\n'
+
+
+def _said(files: Files, tables: Sequence[AnyTable], carried: Set[str], language: str) -> dict[str, str]:
+    """What the tables say in English that the page shows as sentences, in a language: by the code beside it,
+    else found again by its text.
+    """
+    said: dict[str, str] = {}
+    for table in tables:
+        for column in _SENTENCES.get(table.path, ()) if table.path in carried else ():
+            code = f"{column}{CODE}"
+            names = (column, code) if code in table.header else (column,)
+            for text, *codes in {tuple(cells) for cells in read_columns(files, table.path, names)}:
+                words = words_of(said_in(*codes), language) if codes else None
+                said[text] = words or translated(text, language)
+    return {text: said[text] for text in sorted(said) if said[text] != text}
 
 
 def _about(
@@ -201,7 +236,7 @@ def _about(
         "tables": [
             {
                 "path": described[name].path,
-                "meaning": described[name].meaning,
+                "name": name,
                 "columns": {column.name: column.meaning for column in described[name].columns},
             }
             for name in there

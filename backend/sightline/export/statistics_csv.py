@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping
 from itertools import chain
 from typing import Any, get_args
 
@@ -550,7 +550,3 @@ def same_cell(column: Column, told: str, found: str) -> bool:
         return False
     a, b = float(told), float(found)
     return abs(a - b) <= 1.1e-6 * max(1.0, abs(a), abs(b))
-
-
-def named(tables: Sequence[Table]) -> Mapping[str, Table]:
-    return {table.path: table for table in tables}

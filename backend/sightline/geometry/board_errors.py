@@ -17,6 +17,7 @@ from sightline.geometry.arrays import Floats
 from sightline.geometry.board import Board
 from sightline.geometry.planar import PlanarPose
 from sightline.geometry.road_pose import RoadPose
+from sightline.messages.said import Said
 
 BOWS = 2  # along the rows and down the columns, independent of each other
 
@@ -76,22 +77,18 @@ def board_covariance(pose: RoadPose) -> Floats:
     return total
 
 
-def unknown_parts(pose: RoadPose) -> str | None:
-    """Which parts of the board's uncertainty the pose does not state, in words, or None."""
+def unknown_parts(pose: RoadPose) -> Said | None:
+    """Which parts of the board's uncertainty the pose does not state, or None."""
     board = pose.board
     if board is None:
-        return (
-            "The board is unknown, so its tilt, height, square size and bow are not included in "
-            "the uncertainty."
-        )
-    missing = []
-    if board.u_square_m is None:
-        missing.append("square size")
-    if board.u_bow_m is None or board.bow_response is None:
-        missing.append("bow")
-    if not missing:
-        return None
-    return f"The pose does not state the board's {' and '.join(missing)}; not included in the uncertainty."
+        return Said("height-flag-no-board")
+    no_square_size = board.u_square_m is None
+    no_bow = board.u_bow_m is None or board.bow_response is None
+    if no_square_size and no_bow:
+        return Said("height-flag-no-square-size-and-bow")
+    if no_square_size:
+        return Said("height-flag-no-square-size")
+    return Said("height-flag-no-bow") if no_bow else None
 
 
 def _turn(axis: Floats, pivot: Floats) -> Floats:

@@ -75,14 +75,50 @@ class _Fit:
 def calibrate(
     views: Sequence[NamedCorners], board: Board, model: LensModel = "brown", bent_board: bool = False
 ) -> CalibrationResult:
-    """Calibrate from `(file, corners, (width, height))` per picture.
+    """Calibrate a lens from pictures of a checkerboard.
 
     OpenCV's calibrateCamera (Zhang 2000; k1 k2 p1 p2 k3) or fisheye.calibrate (Kannala and Brandt 2006)
     finds the minimum; the covariance is sigma^2 (J'J)^-1 with every view's pose marginalised, sigma^2 from
     the residuals. It holds corner noise only: a wrong lens model or a bent board shows in the warnings, not
-    in it; with `bent_board` the board's shape is solved for too. Pictures of another size than most, without
-    a board or blurred come back as unused views with their reason. Raises BadInput when fewer than three
-    views are left, or six for a bent board.
+    in it.
+
+    Parameters
+    ----------
+    views : sequence of (str, Corners, (int, int))
+        Name, corners `points_px` (rows, columns, 2) and size (width, height) in px of each picture.
+    board : Board
+        Squares of `square_m`, metres.
+    model : {"brown", "fisheye"}
+        The lens model.
+    bent_board : bool
+        Solve for the board's shape too; six pictures are needed then.
+
+    Returns
+    -------
+    CalibrationResult
+        The camera with its covariance, the pictures' residuals, and warnings. Pictures of another size than
+        most, without a board or blurred come back as unused views with their reason.
+
+    Raises
+    ------
+    BadInput
+        When fewer than three views are left, or six for a bent board.
+
+    Examples
+    --------
+    >>> import cv2, numpy as np, sightline
+    >>> camera = sightline.plain_camera(640, 480, field_of_view_rad=1.0)
+    >>> board = sightline.Board(columns=6, rows=4, square_m=0.1)
+    >>> flat = np.stack([*np.meshgrid(np.arange(6), np.arange(4)), np.zeros((4, 6))], axis=-1) * 0.1
+    >>> views = []
+    >>> for tilt in ((0.4, 0.0), (-0.4, 0.1), (0.0, 0.4), (0.1, -0.4)):
+    ...     rotation = cv2.Rodrigues(np.array([*tilt, 0.0]))[0]
+    ...     seen = (flat.reshape(-1, 3) - [0.25, 0.15, 0.0]) @ rotation.T + [0.0, 0.0, 0.9]
+    ...     points_px = sightline.project(camera, seen).reshape(4, 6, 2)
+    ...     corners = sightline.Corners(True, points_px, board, None, 2.0, "drawn")
+    ...     views.append((f"{tilt}", corners, (640, 480)))
+    >>> round(sightline.calibrate(views, board).camera.fx_px - camera.fx_px, 3)
+    0.0
     """
     require_board(board)
     used, skipped = usable_views(views)

@@ -111,11 +111,29 @@ def normalised_to_pixels(camera: Camera, normalised: ArrayLike) -> Floats:
 
 
 def project(camera: Camera, points_cam: ArrayLike) -> Floats:
-    """Pixels (N, 2) of points in the camera frame, `points_cam` (N, 3), metres.
+    """Pixels of points in the camera frame.
 
     Dupuis et al. 2019, eq. (3), corrected: the distortion acts on the point *after* its division by depth,
-    not on the projected homogeneous vector. Points with z <= 0, or further off the axis than the lens model
-    is one-to-one, come back as NaN: a polynomial would fold them into the picture.
+    not on the projected homogeneous vector.
+
+    Parameters
+    ----------
+    camera : Camera
+    points_cam : (N, 3) array
+        Metres: x right, y down, z forward.
+
+    Returns
+    -------
+    (N, 2) array
+        Px. Points with z <= 0, or further off the axis than the lens model is one-to-one, come back as NaN: a
+        polynomial would fold them into the picture.
+
+    Examples
+    --------
+    >>> import sightline
+    >>> camera = sightline.plain_camera(1920, 1080, field_of_view_rad=1.0)
+    >>> sightline.project(camera, [[0.0, 0.0, 5.0]]).tolist()
+    [[959.5, 539.5]]
     """
     p = points(points_cam, 3)
     with np.errstate(divide="ignore", invalid="ignore"):
@@ -200,11 +218,30 @@ def _newton(camera: Camera, xd: Floats, yd: Floats, x: Floats, y: Floats, steps:
 
 
 def undistort(camera: Camera, points_px: ArrayLike) -> Undistorted:
-    """Directions of pixels `points_px` (N, 2), by Newton's method with the model's own derivative.
+    """Directions of pixels, by Newton's method with the lens model's own derivative.
 
     Dupuis et al. 2019, eq. (4), corrected: p' = d^-1(K^-1 p) with p the pixel; printed with the pixel and the
     point swapped. (OpenCV's default of five fixed-point rounds is off by up to 0.4 px; this is off by 1e-10
-    px.) `ok` is False outside the largest radius in which the lens model is one-to-one, and for NaN.
+    px.)
+
+    Parameters
+    ----------
+    camera : Camera
+    points_px : (N, 2) array
+        Px; (0, 0) is the centre of the top left pixel.
+
+    Returns
+    -------
+    Undistorted
+        `points` (N, 2): x / z and y / z of the camera frame; `ok` (N,): False outside the largest radius in
+        which the lens model is one-to-one, and for NaN.
+
+    Examples
+    --------
+    >>> import sightline
+    >>> camera = sightline.plain_camera(1920, 1080, field_of_view_rad=1.0)
+    >>> sightline.undistort(camera, [[959.5, 539.5]]).points.tolist()
+    [[0.0, 0.0]]
     """
     p = points(points_px, 2)
     x, y, ok = undistort_xy(camera, np.ascontiguousarray(p[:, 0]), np.ascontiguousarray(p[:, 1]))

@@ -18,6 +18,8 @@ from sightline.geometry.arrays import Floats
 from sightline.geometry.camera import project
 from sightline.geometry.road import road_point
 from sightline.geometry.road_pose import RoadPose
+from sightline.messages.said import Said
+from sightline.robust import robust_scale
 
 REACH_PX = 12.0  # how far from the pointer a proposal may lie
 RADIUS_M = (0.25, 0.56)  # of car and lorry wheels
@@ -76,7 +78,7 @@ class _Layout:
     clean: Floats  # angles of the arc where only the near face of the tyre is seen against the road
 
 
-def propose(picture: NDArray[np.uint8], pose: RoadPose, pointer_px: ArrayLike) -> Proposal | str:
+def propose(picture: NDArray[np.uint8], pose: RoadPose, pointer_px: ArrayLike) -> Proposal | Said:
     """The contact of the wheel near a pointer, or the reason why there is none. `picture` (H, W): luminance;
     `pointer_px` (2,).
 
@@ -85,17 +87,17 @@ def propose(picture: NDArray[np.uint8], pose: RoadPose, pointer_px: ArrayLike) -
     """
     pointer = np.asarray(pointer_px, dtype=np.float64).reshape(2)
     at = road_point(pose, pointer)
-    if isinstance(at, str):
+    if isinstance(at, Said):
         return at
     layout = _layout(picture, pose, at)
-    if isinstance(layout, str):
+    if isinstance(layout, Said):
         return layout
     best = _search(layout, at)
     found, edges = _refined(layout, best)
     return _judged(layout, pose, found, edges, pointer)
 
 
-def _layout(picture: NDArray[np.uint8], pose: RoadPose, at_m: Floats) -> _Layout | str:
+def _layout(picture: NDArray[np.uint8], pose: RoadPose, at_m: Floats) -> _Layout | Said:
     """Lay the picture out on the side plane through `at_m`."""
     away = float(at_m[1] - pose.centre_m[1])
     pixel_m = abs(away) / (0.5 * (pose.camera.fx_px + pose.camera.fy_px))
@@ -103,7 +105,7 @@ def _layout(picture: NDArray[np.uint8], pose: RoadPose, at_m: Floats) -> _Layout
     x = np.arange(-0.72, 0.72, cell) + at_m[0]
     z = np.arange(-0.25, 1.10, cell)
     if not 40 <= len(x) <= 1500:
-        return "The road is too near or too far here to detect a wheel."
+        return Said("contact-wrong-distance")
     grid_x, grid_z = np.meshgrid(x, z)
     points = np.stack([grid_x, np.full_like(grid_x, at_m[1]), grid_z], axis=-1).reshape(-1, 3)
     pixels = project(pose.camera, pose.to_camera(points)).reshape(*grid_x.shape, 2)
@@ -117,7 +119,7 @@ def _layout(picture: NDArray[np.uint8], pose: RoadPose, at_m: Floats) -> _Layout
     origin = np.array([x[0], z[0]])
     clean = _clean(pose, at_m)
     if len(clean) < _FEWEST_ANGLES:
-        return "The wheel is seen too obliquely here; its tread hides the contact."
+        return Said("contact-oblique")
     return _Layout(
         along=along,
         up=up,
@@ -236,27 +238,29 @@ def _two_circles(layout: _Layout, arc: Floats, disc: Floats, start: Floats) -> t
     x, bottom, r, rim = start
     fit = scipy.optimize.least_squares(rest, [x, bottom + r, r, r * rim], loss="soft_l1", f_scale=0.4)
     x, z, r, inner = fit.x
-    scatter = 1.4826 * float(np.median(np.abs(rest(fit.x)[: len(arc)])))
+    scatter = robust_scale(rest(fit.x)[: len(arc)])
     return np.array([x, z - r, r, inner / r]), scatter
 
 
-def _judged(layout: _Layout, pose: RoadPose, found: Floats, edges: _Edges, pointer: Floats) -> Proposal | str:
+def _judged(
+    layout: _Layout, pose: RoadPose, found: Floats, edges: _Edges, pointer: Floats
+) -> Proposal | Said:
     """The wheel as a proposal, or why it is not believed."""
     x, bottom, r, _ = (float(value) for value in found)
     arcs, discs = _score(layout, *(np.array([value]) for value in found))
     contact = project(pose.camera, pose.to_camera(np.array([[x, layout.y_m, bottom]])))[0]
     on_road = road_point(pose, contact)
-    if isinstance(on_road, str):
+    if isinstance(on_road, Said):
         return on_road
     if edges.rim < _RIM_SHARE or float(discs[0]) < _RIM_AGREEMENT:
-        return "No complete rim is visible here, so the tyre cannot be separated from shadow and body."
+        return Said("contact-no-rim")
     if edges.arc < _ARC_SHARE or float(arcs[0]) < _ARC_AGREEMENT or edges.scatter_px > _WIDEST_PX:
-        return "The lower edge of the tyre does not stand out from the road here."
+        return Said("contact-no-edge")
     radius = r * float((on_road[1] - pose.centre_m[1]) / (layout.y_m - pose.centre_m[1]))
     if not RADIUS_M[0] <= radius <= RADIUS_M[1]:
-        return f"The wheel detected here would have a radius of {radius:.2f} m."
+        return Said("contact-radius", radius_m=round(radius, 2))
     if float(np.hypot(*(contact - pointer))) > 1.5 * REACH_PX:
-        return "The detected wheel is too far from the pointer; point closer to its contact."
+        return Said("contact-far-from-pointer")
     turn = np.linspace(0.0, 2 * np.pi, 49)
     circle = np.stack([x + r * np.sin(turn), np.full(49, layout.y_m), bottom + r - r * np.cos(turn)], axis=1)
     outline = project(pose.camera, pose.to_camera(circle))

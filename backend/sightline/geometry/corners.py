@@ -138,13 +138,41 @@ def _attempts(board: Board, pixels: int) -> Sequence[_Attempt]:
     )
 
 
-def detect(gray: Gray, board: Board, time_limit_s: float = 2.0) -> Corners:
-    """Find `board` in a grey picture, `gray` (H, W) uint8.
+def find_board(gray: Gray, board: Board, time_limit_s: float = 2.0) -> Corners:
+    """Find a checkerboard in a grey picture.
 
     The classic detector with its quick rejection first, the sector-based one next (Duda and Frese 2018),
     then the classic one in full and the enlarged picture; a large picture is searched from small copies on,
-    the corners are fitted in the picture itself. No attempt starts that could outlast `time_limit_s`.
-    Raises BadInput for an impossible board; a picture without the board is a result with its reason.
+    the corners are fitted in the picture itself.
+
+    Parameters
+    ----------
+    gray : (H, W) array of uint8
+        The picture.
+    board : Board
+        Its inner corners.
+    time_limit_s : float
+        No attempt starts that could outlast it.
+
+    Returns
+    -------
+    Corners
+        `points_px` (rows, columns, 2); a picture without the board is a result with its reason.
+
+    Raises
+    ------
+    BadInput
+        For an impossible board.
+
+    Examples
+    --------
+    >>> import numpy as np, sightline
+    >>> gray = np.full((240, 320), 255, np.uint8)
+    >>> for row, column in np.argwhere(np.indices((5, 7)).sum(axis=0) % 2):
+    ...     gray[20 + 40 * row : 60 + 40 * row, 20 + 40 * column : 60 + 40 * column] = 0
+    >>> found = sightline.find_board(gray, sightline.Board(columns=6, rows=4, square_m=0.1))
+    >>> found.points_px.shape, [round(float(px), 1) for px in found.points_px[0, 0]]
+    ((4, 6, 2), [59.5, 59.5])
     """
     require_board(board)
     if gray.ndim != 2 or min(gray.shape) < 32:

@@ -28,7 +28,24 @@ def _rows(matrix: Floats | None) -> list[list[float]] | None:
 
 
 def camera_to_dict(camera: Camera) -> dict[str, Any]:
-    """The camera as `camera.json` has it."""
+    """The camera as `camera.json` has it (docs/formats.md).
+
+    Parameters
+    ----------
+    camera : Camera
+
+    Returns
+    -------
+    dict
+        JSON values: lengths in px, arrays as lists.
+
+    Examples
+    --------
+    >>> import sightline
+    >>> camera = sightline.plain_camera(1920, 1080, field_of_view_rad=1.0)
+    >>> sightline.camera_to_dict(camera)["format"]
+    'sightline-camera-1'
+    """
     return {
         "format": CAMERA_FORMAT,
         "name": camera.name,
@@ -50,7 +67,25 @@ def camera_to_dict(camera: Camera) -> dict[str, Any]:
 
 
 def pose_to_dict(pose: RoadPose) -> dict[str, Any]:
-    """The pose as `pose.json` has it."""
+    """The pose as `pose.json` has it, camera and joint covariance with it (docs/formats.md).
+
+    Parameters
+    ----------
+    pose : RoadPose
+
+    Returns
+    -------
+    dict
+        JSON values: metres, radians and px, arrays as lists.
+
+    Examples
+    --------
+    >>> import sightline
+    >>> camera = sightline.plain_camera(1920, 1080, field_of_view_rad=1.0)
+    >>> pose = sightline.site_pose(camera, sightline.Site(camera_height_m=1.4, distance_m=4.0))
+    >>> sightline.pose_to_dict(pose)["parameters"][-6:]
+    ['rx', 'ry', 'rz', 'tx', 'ty', 'tz']
+    """
     board = None if pose.board is None else dict(vars(pose.board))
     return {
         "format": POSE_FORMAT,
@@ -190,7 +225,31 @@ def _views(read: _Reader) -> tuple[View, ...]:
 
 
 def camera_from_dict(data: object, what: str = "camera.json") -> Camera:
-    """Read `camera.json`. `what` is the name used in refusals. Raises BadInput naming the key."""
+    """Read `camera.json` (docs/formats.md).
+
+    Parameters
+    ----------
+    data : object
+        The file's JSON values.
+    what : str
+        The name used in refusals.
+
+    Returns
+    -------
+    Camera
+
+    Raises
+    ------
+    BadInput
+        Naming the key that is missing or cannot be.
+
+    Examples
+    --------
+    >>> import sightline
+    >>> camera = sightline.plain_camera(1920, 1080, field_of_view_rad=1.0)
+    >>> sightline.camera_from_dict(sightline.camera_to_dict(camera)).fx_px == camera.fx_px
+    True
+    """
     read = _Reader(data, what)
     read.require_format(CAMERA_FORMAT)
     model = cast(LensModel, read.text("model", get_args(LensModel)))
@@ -247,7 +306,32 @@ def _board(data: object, what: str) -> BoardOnRoad | None:
 
 
 def pose_from_dict(data: object, what: str = "pose.json") -> RoadPose:
-    """Read `pose.json`. Raises BadInput naming the key."""
+    """Read `pose.json` (docs/formats.md).
+
+    Parameters
+    ----------
+    data : object
+        The file's JSON values.
+    what : str
+        The name used in refusals.
+
+    Returns
+    -------
+    RoadPose
+
+    Raises
+    ------
+    BadInput
+        Naming the key that is missing or cannot be.
+
+    Examples
+    --------
+    >>> import sightline
+    >>> camera = sightline.plain_camera(1920, 1080, field_of_view_rad=1.0)
+    >>> pose = sightline.site_pose(camera, sightline.Site(camera_height_m=1.4, distance_m=4.0))
+    >>> round(float(sightline.pose_from_dict(sightline.pose_to_dict(pose)).centre_m[2]), 3)
+    1.4
+    """
     read = _Reader(data, what)
     read.require_format(POSE_FORMAT)
     camera = camera_from_dict(read.data.get("camera"), f"{what}, camera")

@@ -15,6 +15,8 @@ from sightline.geometry.arrays import Floats
 from sightline.geometry.camera import project
 from sightline.geometry.height import measure_height
 from sightline.geometry.road_pose import RoadPose
+from sightline.messages.said import Said
+from sightline.robust import robust_scale
 
 DISTANCE_M = 3.0
 TARGET_M = 1.2
@@ -58,7 +60,7 @@ class HeightChange:
 
     change_m: float | None
     distance_m: float | None
-    reason: str | None
+    reason: Said | None
 
 
 def _centre(size_px: tuple[int, int]) -> Floats:
@@ -77,7 +79,7 @@ def displacement_px(parameters: Floats, size_px: tuple[int, int]) -> float:
     return float(np.sqrt(x * x + y * y + (s * s + t * t) * spread))
 
 
-def fit_motion(before_px: Floats, after_px: Floats, size_px: tuple[int, int]) -> Motion | str:
+def fit_motion(before_px: Floats, after_px: Floats, size_px: tuple[int, int]) -> Motion | Said:
     """The motion that most points share, or why it cannot be told: `before_px`, `after_px` (N, 2).
 
     Iterated least squares with Tukey's weights (Beaton and Tukey 1974) from the median motion; the
@@ -109,11 +111,8 @@ def fit_motion(before_px: Floats, after_px: Floats, size_px: tuple[int, int]) ->
     )
 
 
-def _too_few(count: int) -> str:
-    return (
-        f"Only {count} background points were found again, or all of them in one part of the "
-        "frame; it is too dark, covered, or another view."
-    )
+def _too_few(count: int) -> Said:
+    return Said("drift-few-points", count=count)
 
 
 def _design(away: Floats) -> Floats:
@@ -138,7 +137,7 @@ def _weights(design: Floats, moves: Floats) -> Floats:
         rest = np.linalg.norm(moves - design @ found, axis=1)
         # a turn is not in the median shift: the first rounds must not throw its corners away
         widest = 1.0 * 0.5**step
-        scale = max(1.4826 * float(np.median(rest)) / 1.18, _FINEST_PX, widest)
+        scale = max(robust_scale(rest) / 1.18, _FINEST_PX, widest)
         weights = np.square(np.clip(1.0 - np.square(rest / (_TUKEY * scale)), 0.0, None))
         if float(weights.sum()) < 3.0:
             break
@@ -183,8 +182,7 @@ def height_change(pose: RoadPose, motion: Motion) -> HeightChange:
         seen = [change for change in changes if change is not None]
         if seen:
             return HeightChange(max(seen, key=abs), float(distance), None)
-    reason = f"No target {TARGET_M} m high on the road between 3 and 12 m is in the frame."
-    return HeightChange(None, None, reason)
+    return HeightChange(None, None, Said("drift-no-target", target_m=TARGET_M))
 
 
 def _places(pose: RoadPose, distance_m: float) -> Floats:

@@ -13,12 +13,13 @@ import numpy as np
 
 from sightline.geometry.arrays import Floats
 from sightline.geometry.drift import Motion, displacement_px
+from sightline.messages.said import Said
 
 LEAST_PX = 0.05
 COVER = 4.0
 _SMOOTH = 2
 Size = tuple[int, int]
-LookAt = Callable[[int], Motion | str]
+LookAt = Callable[[int], Motion | Said]
 
 
 @dataclass(frozen=True)
@@ -26,7 +27,7 @@ class Look:
     """What one frame told: a motion, or why it told none."""
 
     frame: int
-    motion: Motion | str
+    motion: Motion | Said
 
 
 @dataclass(frozen=True)
@@ -55,7 +56,7 @@ class Course:
     floor_px: float | None
     bumps: tuple[Bump, ...]
     spans: tuple[Span, ...]
-    reason: str | None
+    reason: Said | None
 
 
 def floor_px(u_px: float) -> float:
@@ -71,8 +72,8 @@ def course(looks: Sequence[Look], last_frame: int, size_px: Size, look_at: LookA
     told = [(look.frame, look.motion) for look in looks if isinstance(look.motion, Motion)]
     told = _confirmed(told, size_px, look_at)
     if len(told) < 2:
-        reasons = [look.motion for look in looks if isinstance(look.motion, str)]
-        return Course(None, (), (), max(reasons, key=reasons.count) if reasons else "No frame was checked.")
+        reasons = [look.motion for look in looks if isinstance(look.motion, Said)]
+        return Course(None, (), (), max(reasons, key=reasons.count) if reasons else Said("drift-no-frame"))
     floor = floor_px(float(np.median([motion.u_px for _, motion in told])))
     bumps = [
         _located(before, after, size_px, look_at)

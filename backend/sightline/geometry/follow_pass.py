@@ -32,6 +32,7 @@ from sightline.geometry.patch_shift import (
 from sightline.geometry.road import road_point
 from sightline.geometry.road_pose import RoadPose
 from sightline.geometry.travel import Body, BodyTracker, body_of
+from sightline.messages.said import Said
 
 # (aside, below, above) the point, metres: a wheel and what is beside it; what is next to a target
 _WHEEL_M = (0.33, 0.10, 0.32)
@@ -77,7 +78,7 @@ class Lost:
 
     frame: int
     point: FollowedPoint
-    reason: str
+    reason: Said
 
 
 @dataclass(frozen=True, eq=False)
@@ -97,7 +98,7 @@ def follow_pass(
     target: Target,
     inset_m: float,
     confirmed_px: float = 1.0,
-) -> FollowedPass | str:
+) -> FollowedPass | Said:
     """CONTACT, TARGET and, if given, SECOND of `points_px`, pixels, confirmed on frame `begun_on` to
     `confirmed_px`, followed through `frames` in order of time; or the reason why nothing can be followed.
     `inset_m`: about how far the target lies behind the side plane, which need not be right: it says how its
@@ -107,17 +108,17 @@ def follow_pass(
     its own picture, with errors of neighbouring cells taken together (Newey and West 1987).
     """
     if target not in U_DEPTH_M:
-        return f"A {target} is an outline before moving scenery, which cannot be followed; click two frames."
+        return Said("follow-outline")
     numbers = [one.frame for one in frames]
     if begun_on not in numbers:
-        return "The frame that the points were confirmed on is not among those of the pass."
+        return Said("follow-frame-not-of-pass")
     start = numbers.index(begun_on)
     placed = _placed(pose, points_px, inset_m)
-    if isinstance(placed, str):
+    if isinstance(placed, Said):
         return placed
     travel = _travels(pose, frames, start, points_px, inset_m)
     if travel is None:
-        return "The vehicle cannot be followed from this frame; confirm the points on another one."
+        return Said("follow-not-from-here")
     lost: list[Lost] = []
     rows: list[tuple[int, int, Floats, Floats]] = []
     for point, at_m in placed.items():
@@ -144,17 +145,17 @@ def follow_pass(
 
 def _placed(
     pose: RoadPose, points_px: Mapping[int, tuple[float, float]], inset_m: float
-) -> dict[int, Floats] | str:
+) -> dict[int, Floats] | Said:
     """The points (3,) on the road by what they are; or why they are none of a vehicle."""
     if CONTACT not in points_px or TARGET not in points_px:
-        return "Contact and target are needed on the frame that is followed from."
+        return Said("follow-points-needed")
     body = body_of(pose, points_px[CONTACT], points_px[TARGET], inset_m, np.empty((0, 2)))
-    if isinstance(body, str):
+    if isinstance(body, Said):
         return body
     placed = {CONTACT: body.points_m[0], TARGET: body.points_m[1]}
     if SECOND in points_px:
         other = road_point(pose, points_px[SECOND])
-        if isinstance(other, str):
+        if isinstance(other, Said):
             return other
         placed[SECOND] = other
     return placed
@@ -175,7 +176,7 @@ def _travels(
     box = (left - 0.6 * tall, top + 0.15 * tall, right + 0.6 * tall, bottom - 0.12 * tall)
     spots = textured(frames[start].gray, box)
     body = body_of(pose, contact, target, inset_m, spots)
-    if isinstance(body, str):
+    if isinstance(body, Said):
         return None
     seen = np.concatenate([[contact, target], spots])
     times = np.array([one.time_s for one in frames])
@@ -253,7 +254,7 @@ class _Chase:
     window: Window
     steady: Floats  # weight (h, w) of cells by what they may show
     shift_m: Floats = field(init=False)
-    why: dict[int, str] = field(default_factory=dict)
+    why: dict[int, Said] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         self.shift_m = np.zeros((len(self.frames), 2))
@@ -280,17 +281,17 @@ class _Chase:
         return _REACH_PX * self.window.cell_m + 0.08 * abs(float(self.travel[i]))
 
 
-OUTSIDE = "It has left the picture."
-LOST = "It was lost: nothing here is where speed and camera pose have it."
-ELSEWHERE = "It is found elsewhere than the frames beside it have it."
-UNLIKE = "What is seen here is too unlike the other frames; it may be hidden."
-BLURRED = "It is too blurred here beside the other frames."
-WEAK = "Too little is seen here to tell its place to 1.5 px."
+OUTSIDE = Said("followed-left-picture")
+LOST = Said("followed-lost")
+ELSEWHERE = Said("followed-elsewhere")
+UNLIKE = Said("followed-unlike")
+BLURRED = Said("followed-blurred")
+WEAK = Said("followed-weak")
 
 
 def _followed_point(
     pose: RoadPose, frames: Sequence[PassFrame], start: int, travel: Floats, point: int, at_m: Floats
-) -> tuple[dict[int, _Seen], dict[int, str]]:
+) -> tuple[dict[int, _Seen], dict[int, Said]]:
     """Where the point is, by index of the frame, and why not on the others."""
     window = _window(pose, frames[start].gray, point, at_m)
     chase = _Chase(
@@ -349,7 +350,7 @@ def _first_look(chase: _Chase) -> list[int]:
                 chase.why[i] = OUTSIDE
                 continue
             found = _settled(chase, i, mean, weight)
-            if isinstance(found, str):
+            if isinstance(found, Said):
                 chase.why[i] = found
                 continue
             known.append(i)
@@ -395,7 +396,7 @@ def _in_picture(chase: _Chase, i: int) -> bool:
     return bool(_EDGE_PX <= x <= width - 1 - _EDGE_PX and _EDGE_PX <= y <= height - 1 - _EDGE_PX)
 
 
-def _settled(chase: _Chase, i: int, mean: Floats, weight: Floats) -> str | None:
+def _settled(chase: _Chase, i: int, mean: Floats, weight: Floats) -> Said | None:
     """Moves the shift of a frame to where it lies on the mean; or says why it does not."""
     shift, onto = None, template_of(mean)
     for _ in range(_FIRST_STEPS):

@@ -19,15 +19,16 @@ from sightline.geometry.ray_intersection import (
     intersect_rays,
 )
 from sightline.geometry.road_pose import RoadPose
+from sightline.messages.said import Said
 
 _CHUNK = 8192  # rows at a time: the working set stays in the processor's cache
 _EDGE_FLAG = np.sin(np.deg2rad(10.0))
 _LARGE_U_M = 0.03
 _DOUBTS = (
-    "The side plane is seen at less than 10 degrees.",
-    "A click lies near the edge of what the lens model can invert.",
-    "The vehicle is at a very different distance than the board was.",
-    "The uncertainty is large, so the 95 % interval is approximate.",
+    Said("height-flag-plane-oblique"),
+    Said("height-flag-lens-edge"),
+    Said("height-flag-far-from-board"),
+    Said("height-flag-u-large"),
 )
 
 
@@ -48,7 +49,7 @@ class Height:
     """
 
     status: MeasurementStatus
-    reason: str | None
+    reason: Said | None
     height_m: float | None
     u_height_m: float | None
     U95_height_m: float | None
@@ -58,14 +59,14 @@ class Height:
     inset_m: float
     u_inset_m: float
     budget: tuple[BudgetEntry, ...] = field(default=())
-    flags: tuple[str, ...] = field(default=())
+    flags: tuple[Said, ...] = field(default=())
 
 
 @dataclass(frozen=True, eq=False)
 class Heights:
-    """N heights as arrays (N,); NaN where `code` is not 0, `REASONS[code]` then says why.
+    """N heights as arrays (N,); NaN where `code` is not 0, `reason` then says why.
 
-    `pose` and `doubts` (4, N), from which `flags` are said.
+    `pose` and `doubts` (4, N), from which `flags` follow.
     """
 
     pose: RoadPose
@@ -82,15 +83,17 @@ class Heights:
         """Which have a height, (N,)."""
         return np.asarray(self.code == OK, dtype=np.bool_)
 
-    def reason(self, row: int) -> str | None:
-        return REASONS[int(self.code[row])] or None
+    def reason(self, row: int) -> Said | None:
+        """Why there is no height; None where there is one."""
+        code = int(self.code[row])
+        return None if code == OK else REASONS[code]
 
-    def flags(self, row: int) -> tuple[str, ...]:
+    def flags(self, row: int) -> tuple[Said, ...]:
         """What a reader should know of one height; none where there is no height."""
-        return () if self.code[row] else _sentences(self.pose, self.doubts[:, row])
+        return () if self.code[row] else _flags(self.pose, self.doubts[:, row])
 
 
-def not_measurable(reason: str, inset_m: float = 0.0, u_inset_m: float = 0.0) -> Height:
+def not_measurable(reason: Said, inset_m: float = 0.0, u_inset_m: float = 0.0) -> Height:
     """A height that is not there, and why."""
     return Height(
         status="not_measurable",
@@ -141,13 +144,13 @@ def systematic_covariance(pose: RoadPose) -> Floats:
     return out
 
 
-def left_out(pose: RoadPose) -> list[str]:
-    """What the uncertainty of a height lacks because the pose does not say it, one sentence each."""
+def left_out(pose: RoadPose) -> list[Said]:
+    """What the uncertainty of a height lacks because the pose does not say it."""
     out = []
     if pose.covariance is None:
-        out.append("The uncertainty of lens and pose is unknown and not included.")
+        out.append(Said("height-flag-no-u-of-lens-and-pose"))
     elif pose.camera.covariance is None:
-        out.append("The uncertainty of the lens is unknown; only what the pose file states is included.")
+        out.append(Said("height-flag-no-u-of-lens"))
     missing = unknown_parts(pose)
     return out if missing is None else [*out, missing]
 
@@ -170,9 +173,9 @@ def _doubts(pose: RoadPose, seen: RayIntersection, u_m: Floats) -> NDArray[np.bo
     )
 
 
-def _sentences(pose: RoadPose, doubts: NDArray[np.bool_]) -> tuple[str, ...]:
-    """What one height's flags say; `doubts` (4,)."""
-    return (*left_out(pose), *(words for words, holds in zip(_DOUBTS, doubts, strict=True) if holds))
+def _flags(pose: RoadPose, doubts: NDArray[np.bool_]) -> tuple[Said, ...]:
+    """One height's flags; `doubts` (4,)."""
+    return (*left_out(pose), *(flag for flag, holds in zip(_DOUBTS, doubts, strict=True) if holds))
 
 
 def measure_height(
@@ -185,11 +188,34 @@ def measure_height(
 ) -> Height:
     """The height of a target above the road from two clicks, with its budget (GUM: JCGM 100:2008, 5.1.2).
 
-    contact_px, target_px (2,): pixels of the tyre's contact with the road and of the target; sigma_px:
-    standard uncertainty of each coordinate of each click; inset_m: how far the target lies behind the side
-    plane through the contact. Never raises for what was clicked: a height that cannot be had comes back with
-    its reason. Dupuis et al. 2019, eqs. (5) to (18), corrected as in ray_intersection.py, with the inset that
-    they leave out (CONVENTIONS.md, Height).
+    Dupuis et al. 2019, eqs. (5) to (18), corrected as in ray_intersection.py, with the inset that they leave
+    out (CONVENTIONS.md, Height).
+
+    Parameters
+    ----------
+    pose : RoadPose
+    contact_px, target_px : (2,) array
+        Pixels of the tyre's contact with the road and of the target.
+    sigma_px : float
+        Standard uncertainty of each coordinate of each click, px.
+    inset_m, u_inset_m : float
+        How far the target lies behind the side plane through the contact, and its u, metres.
+
+    Returns
+    -------
+    Height
+        Metres, with `u_height_m` (k = 1), `U95_height_m` and the budget. Never raises for what was clicked: a
+        height that cannot be had comes back with its reason.
+
+    Examples
+    --------
+    >>> import numpy as np, sightline
+    >>> camera = sightline.plain_camera(1920, 1080, field_of_view_rad=1.0)
+    >>> pose = sightline.site_pose(camera, sightline.Site(camera_height_m=1.4, distance_m=4.0))
+    >>> contact, roof = sightline.project(camera, pose.to_camera(np.array([[0, 0, 0], [0, 0.3, 1.45]])))
+    >>> found = sightline.measure_height(pose, contact, roof, sigma_px=0.7, inset_m=0.3, u_inset_m=0.05)
+    >>> round(found.height_m, 3), round(found.U95_height_m, 3)
+    (1.45, 0.008)
     """
     contact = np.asarray(contact_px, dtype=np.float64).reshape(1, 2)
     target = np.asarray(target_px, dtype=np.float64).reshape(1, 2)
@@ -249,7 +275,7 @@ def _with_budgets(
                     inset_m=float(inset[n]),
                     u_inset_m=float(u_inset[n]),
                     budget=tuple(map(BudgetEntry, variances, parts_m[:, n].tolist())),
-                    flags=_sentences(pose, doubts[:, n]),
+                    flags=_flags(pose, doubts[:, n]),
                 )
             )
     return out
@@ -284,9 +310,34 @@ def measure_heights(
     u_inset_m: ArrayLike = 0.0,
     with_uncertainty: bool = True,
 ) -> Heights:
-    """N heights: contacts_px, targets_px (N, 2); sigma_px, inset_m, u_inset_m a number or (N,).
+    """N heights, each as `measure_height` gives it, without the budgets.
 
-    As `measure_height`, without the budget; `u_height_m` is NaN when `with_uncertainty` is False.
+    Parameters
+    ----------
+    pose : RoadPose
+    contacts_px, targets_px : (N, 2) array
+        Pixels of the contacts and of the targets.
+    sigma_px : float or (N,) array
+        Standard uncertainty of each coordinate of each click, px.
+    inset_m, u_inset_m : float or (N,) array
+        How far each target lies behind the side plane through its contact, and its u, metres.
+    with_uncertainty : bool
+        `u_height_m` is NaN where it is False.
+
+    Returns
+    -------
+    Heights
+        Arrays (N,), metres; NaN where there is no height, `reason(row)` then says why.
+
+    Examples
+    --------
+    >>> import numpy as np, sightline
+    >>> camera = sightline.plain_camera(1920, 1080, field_of_view_rad=1.0)
+    >>> pose = sightline.site_pose(camera, sightline.Site(camera_height_m=1.4, distance_m=4.0))
+    >>> points = np.array([[0, 0, 0], [0.5, 0, 0], [0, 0, 1.45], [0.5, 0, 1.12]])
+    >>> pixels = sightline.project(camera, pose.to_camera(points))
+    >>> sightline.measure_heights(pose, pixels[:2], pixels[2:]).height_m.round(3).tolist()
+    [1.45, 1.12]
     """
     contacts = np.asarray(contacts_px, dtype=np.float64).reshape(-1, 2)
     targets = np.asarray(targets_px, dtype=np.float64).reshape(-1, 2)

@@ -29,7 +29,7 @@ class HeightDifference:
 
     distance_m: float
     difference_m: float | None
-    expected_m: float | None
+    expected_m: float | None = None
 
 
 def height_differences(whole: Camera, first: Camera, second: Camera) -> tuple[HeightDifference, ...]:

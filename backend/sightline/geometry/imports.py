@@ -126,11 +126,44 @@ def read_camera(
     size: tuple[int, int] | None = None,
     which: str | None = None,
 ) -> Imported:
-    """The camera in another tool's file. Raises BadInput in one sentence that names the file.
+    """Read the camera in another tool's file: OpenCV, ROS, Kalibr, mrcal.
 
-    model: for files of four coefficients that do not say which they are; size: for files without the
-    picture's size; which: the camera's name in a file of several ("left", "cam1", or the place of its YAML
-    document, from 1).
+    Parameters
+    ----------
+    text : str
+        What the file says.
+    file_name : str
+        Its name, for refusals and for the kind of file.
+    model : {"brown", "fisheye"}, optional
+        For files of four coefficients that do not say which they are.
+    size : (int, int), optional
+        Width and height in px, for files without the picture's size.
+    which : str, optional
+        The camera's name in a file of several ("left", "cam1", or the place of its YAML document, from 1).
+
+    Returns
+    -------
+    Imported
+        `camera`, and `notes` of what was taken how.
+
+    Raises
+    ------
+    BadInput
+        In one sentence that names the file.
+
+    Examples
+    --------
+    >>> import sightline
+    >>> lines = (
+    ...     "image_width: 640",
+    ...     "image_height: 480",
+    ...     "camera_name: left",
+    ...     "camera_matrix: {rows: 3, cols: 3, data: [500, 0, 320, 0, 500, 240, 0, 0, 1]}",
+    ...     "distortion_model: plumb_bob",
+    ...     "distortion_coefficients: {rows: 1, cols: 5, data: [-0.3, 0.1, 0, 0, 0]}",
+    ... )
+    >>> sightline.read_camera(chr(10).join(lines), "left.yaml").camera.fx_px
+    500.0
     """
     documents = _parsed(text, file_name)
     notes: list[str] = []
@@ -253,8 +286,7 @@ def _chosen(
         raise BadInput("geometry-holds-no-camera-holds", file_name=file_name, which=which, cameras=told)
     if which is None and len(names) > 1:
         notes.append(
-            f"{file_name} holds several cameras: {told}; {key} was read "
-            "(ask for another by its name, --which)."
+            f"{file_name} contains several cameras: {told}; {key} was read (name another with --which)."
         )
     name = names[key]
     one = cameras[name]
@@ -394,10 +426,10 @@ def _part_read(
     if full is None or not inside or not whole_numbers or min(width, height) < 2 or min(left, top) < 0:
         raise BadInput("geometry-roi-contradicts-size", file_name=file_name)
     if wanted == full:
-        notes.append(f"{file_name}: the camera is that of the whole picture, as asked for, not of its roi.")
+        notes.append(f"{file_name}: the camera is that of the whole image, as requested, not of its roi.")
         return None
     notes.append(
-        f"{file_name} is of a part of the picture (roi): {width}x{height} px from ({left}, {top}) of "
+        f"{file_name} describes part of the image (roi): {width}x{height} px from ({left}, {top}) of "
         f"{full[0]}x{full[1]} px; the camera is that of the part (--size {full[0]}x{full[1]} for the whole)."
     )
     return left, top, width, height
@@ -471,7 +503,7 @@ def _checked(
     )
     if not lens.any():
         notes.append(
-            f"{file_name} states a lens without any distortion, which few have; check that this camera was "
+            f"{file_name} states a lens without any distortion, which is rare; check that this camera was "
             "calibrated."
         )
     require_plausible(camera, file_name)

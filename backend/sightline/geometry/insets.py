@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike
 
 from sightline.enums import Category, DriverSide, InsetName, InsetPlace, Target
 from sightline.geometry.arrays import Floats
+from sightline.messages.said import Said
 
 USUAL_INSETS: dict[InsetName, tuple[float, float, str]] = {
     "roof": (0.30, 0.10, "near edge of the roof; 0.85 m (u 0.10 m) for its crown (estimate)"),
@@ -42,16 +43,15 @@ LEAST_INSET_M, MOST_INSET_M = -0.5, 2.6
 # An eye of which nobody knows the side lies somewhere here: to look for it on other frames, for no height.
 EITHER_SIDE_M, U_EITHER_SIDE_M = 0.80, 0.40
 
-SIDE_UNKNOWN = "The driver's side (near or far) is not set, and the height of the eye depends on it; set it."
+SIDE_UNKNOWN = Said("height-side-unknown")
 
 
-def implausible_inset(inset_m: float) -> str | None:
+def implausible_inset(inset_m: float) -> Said | None:
     """Why an inset that was solved for, m, gives no height: no vehicle has it. None where one may."""
     if LEAST_INSET_M < inset_m < MOST_INSET_M:
         return None
-    return (
-        f"The computed inset of {inset_m:.2f} m is not plausible for a road vehicle "
-        f"({LEAST_INSET_M} to {MOST_INSET_M} m): contact and target must be the same points in every frame."
+    return Said(
+        "height-inset-implausible", inset_m=round(inset_m, 2), low_m=LEAST_INSET_M, high_m=MOST_INSET_M
     )
 
 

@@ -29,10 +29,11 @@ from sightline.geometry.ray_intersection import (
     intersect_rays,
 )
 from sightline.geometry.road_pose import RoadPose
+from sightline.messages.said import Said
 
 U_HEADING_RAD = float(np.deg2rad(1.0))  # how well a board is set parallel to the traffic (estimate)
 LEAST_TRAVEL_M = 0.15
-_UNSETTLED = "The clicks do not fit one moving vehicle; click the same two points in every frame."
+_UNSETTLED = Said("height-clicks-disagree")
 _ROUNDS = 50
 # Settled: left to gain of 1 + chi-square; its root is the step left in uncertainties (scaled by the misfit).
 _LEFT_TO_GAIN = 1e-8
@@ -72,13 +73,39 @@ def measure_frames(
     sigma_px: float = 1.0,
     u_heading_rad: float | None = U_HEADING_RAD,
 ) -> MultiHeight:
-    """Height and inset from the same two points in F >= 2 frames; contacts_px, targets_px (F, 2) pixels.
+    """Height and inset from the same two points in F >= 2 frames of a passing vehicle.
 
-    u_heading_rad: standard uncertainty of the traffic's direction against the road's X axis, None to know
-    nothing. Least squares in pixels; the uncertainty comes from the clicks, the heading, lens and pose
-    (through the implicit function of the minimum, -N^-1 J' W J_k) and what the board may be off by: own
-    derivation, CONVENTIONS.md, Several frames. Never raises for what was clicked: no height comes back with
-    its reason.
+    Least squares in pixels; the uncertainty comes from the clicks, the heading, lens and pose (through the
+    implicit function of the minimum, -N^-1 J' W J_k) and what the board may be off by: own derivation,
+    CONVENTIONS.md, Several frames.
+
+    Parameters
+    ----------
+    pose : RoadPose
+    contacts_px, targets_px : (F, 2) array
+        Pixels of the tyre's contact and of the target, a row a frame.
+    sigma_px : float
+        Standard uncertainty of each coordinate of each click, px.
+    u_heading_rad : float or None
+        Standard uncertainty of the traffic's direction against the road's X axis; None: nothing is known.
+
+    Returns
+    -------
+    MultiHeight
+        `height` as of `measure_height`, `solved_inset_m` and its u, metres. Never raises for what was
+        clicked: no height comes back with its reason.
+
+    Examples
+    --------
+    >>> import numpy as np, sightline
+    >>> camera = sightline.plain_camera(1920, 1080, field_of_view_rad=1.0)
+    >>> pose = sightline.site_pose(camera, sightline.Site(camera_height_m=1.4, distance_m=4.0))
+    >>> tyre = np.array([[-0.7, 0.0, 0.0], [0.9, 0.0, 0.0]])
+    >>> points = tyre, tyre + [0.0, 0.2, 1.45]
+    >>> pixels = [sightline.project(camera, pose.to_camera(of_point)) for of_point in points]
+    >>> found = sightline.measure_frames(pose, *pixels)
+    >>> round(found.height.height_m, 3), round(found.solved_inset_m, 3)
+    (1.45, 0.2)
     """
     contacts = np.asarray(contacts_px, dtype=np.float64).reshape(-1, 2)
     targets = np.asarray(targets_px, dtype=np.float64).reshape(-1, 2)
@@ -88,11 +115,7 @@ def measure_frames(
     start = _start(pose, contacts, targets)
     travel = _span(start, len(contacts))
     if travel < LEAST_TRAVEL_M:
-        return MultiHeight(
-            not_measurable(
-                f"The vehicle moved only {travel:.2f} m between the frames; choose frames further apart."
-            )
-        )
+        return MultiHeight(not_measurable(Said("height-travel-short", travel_m=round(travel, 2))))
     sigma = max(sigma_px, 1e-6)
     solved = _solve(pose, contacts, targets, start, sigma, u_heading_rad)
     if solved is None:
@@ -100,15 +123,15 @@ def measure_frames(
     return _reported(pose, contacts, targets, solved, sigma, u_heading_rad)
 
 
-def _refusal(pose: RoadPose, contacts: Floats, targets: Floats, sigma_px: float) -> str | None:
+def _refusal(pose: RoadPose, contacts: Floats, targets: Floats, sigma_px: float) -> Said | None:
     if len(contacts) != len(targets) or len(contacts) < 2:
-        return "Contact and target are needed in at least two frames."
+        return Said("height-frames-too-few")
     if not np.isfinite(sigma_px) or sigma_px < 0:
         return REASONS[BAD_SIGMA]
     codes = intersect_rays(pose, contacts, targets, 0.0).code
     for frame, code in enumerate(codes, start=1):
         if code not in (OK, BELOW_ROAD, NO_CROSSING):
-            return f"Frame {frame} of {len(codes)}: {REASONS[int(code)]}"
+            return Said("height-of-frame", frame=frame, frames=len(codes), reason=REASONS[int(code)])
     return None
 
 
@@ -276,9 +299,7 @@ def _reported(
     found = _budget(pose, at, sigma, u_heading)
     heading, _, inset, height = (float(v) for v in theta[frames + 1 :])
     if found is None:
-        return MultiHeight(
-            not_measurable("The frames do not determine the inset; choose frames further apart.")
-        )
+        return MultiHeight(not_measurable(Said("height-inset-undetermined")))
     if height <= 0:
         return MultiHeight(not_measurable(REASONS[BELOW_ROAD]))
     reason = implausible_inset(inset)
@@ -312,14 +333,11 @@ def _reported(
     )
 
 
-def _flags(pose: RoadPose, at: _Linear, theta: Floats, sigma: float, u_inset: float) -> tuple[str, ...]:
+def _flags(pose: RoadPose, at: _Linear, theta: Floats, sigma: float, u_inset: float) -> tuple[Said, ...]:
     out = left_out(pose)
     freedom = len(at.residual) - len(theta)
     if at.residual @ at.residual / sigma**2 > _CHI2_999.get(freedom, freedom + 4.0 * np.sqrt(2.0 * freedom)):
-        out.append(
-            "The clicks do not fit straight, level travel; check that the same points were clicked in "
-            "every frame."
-        )
+        out.append(Said("height-flag-clicks-misfit"))
     if u_inset > 0.3:
-        out.append("The frames are too close together to determine the inset well.")
+        out.append(Said("height-flag-inset-weak"))
     return tuple(out)

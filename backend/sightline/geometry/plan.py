@@ -55,11 +55,35 @@ class Plan:
 def plan_site(camera: Camera, site: Site, insets: Insets | None = None) -> Plan:
     """Expected uncertainty per target of a camera at a site.
 
-    insets: inset and its standard uncertainty per target, metres; the defaults where a target is not given.
     The camera is taken to be level, tipped so that road and roof are in view, and its pose to be solved from
     a board of 6x4 corners of 10 cm parallel to the traffic. The lens's and the pose's share comes from their
-    covariances; a camera without one counts as exactly known (the flags say so). Raises BadInput for numbers
-    that no site has.
+    covariances; a camera without one counts as exactly known (the flags say so).
+
+    Parameters
+    ----------
+    camera : Camera
+    site : Site
+        Heights and distances, metres.
+    insets : mapping of str to (float, float), optional
+        Inset and its standard uncertainty per target, metres; the defaults where a target is not given.
+
+    Returns
+    -------
+    Plan
+        `targets`, each with the height's budget from one frame and from two.
+
+    Raises
+    ------
+    BadInput
+        For numbers that no site has.
+
+    Examples
+    --------
+    >>> import sightline
+    >>> camera = sightline.plain_camera(1920, 1080, field_of_view_rad=1.0)
+    >>> plan = sightline.plan_site(camera, sightline.Site(camera_height_m=1.4, distance_m=4.0))
+    >>> plan.targets[0].target, round(plan.targets[0].result.U95_height_m, 3)
+    ('roof', 0.01)
     """
     require_site(site)
     pose = site_pose(camera, site)

@@ -13,6 +13,7 @@ from sightline.geometry.height import Height, measure_height, measure_heights, n
 from sightline.geometry.insets import USUAL_INSETS
 from sightline.geometry.road_pose import RoadPose
 from sightline.geometry.site import Site, middle_of_view_m, track_shown_m
+from sightline.messages.said import Said
 
 # typical heights above the road, for planning only (estimates)
 TYPICAL_M = (
@@ -22,7 +23,7 @@ TYPICAL_M = (
     ("taillight", 0.75),
     ("headlight", 0.65),
 )
-NO_BOARD = "The whole board does not fit in the image, so the camera pose cannot be computed."
+NO_BOARD = Said("height-no-board-in-picture")
 Insets = Mapping[str, tuple[float, float]]
 
 
@@ -30,7 +31,7 @@ Insets = Mapping[str, tuple[float, float]]
 class TwoFrames:
     """The same points clicked in two frames, the inset solved for; where that cannot be had, why."""
 
-    reason: str | None
+    reason: Said | None
     u_height_m: float | None = None
     U95_height_m: float | None = None
     u_inset_m: float | None = None
@@ -109,8 +110,7 @@ def _two_frames(pose: RoadPose, site: Site, height_m: float, inset: tuple[float,
     if gain is None:
         shown = track_shown_m(pose, site.distance_m, height_m)
         return TwoFrames(
-            f"The picture shows contact and target over {shown:.1f} m of the wheel path only, so they "
-            f"cannot be clicked twice with {site.travel_m:g} m between."
+            Said("height-picture-too-narrow", shown_m=round(shown, 1), travel_m=float(f"{site.travel_m:g}"))
         )
     return TwoFrames(None, gain.u_double_m, COVERAGE_95 * gain.u_double_m, gain.u_inset_m)
 

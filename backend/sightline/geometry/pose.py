@@ -38,12 +38,45 @@ def pose_from_corners(
     that is what is solved (Gauss-Newton from both planar solutions). The covariance is joint with the lens's:
     an error of the lens moves the pose, A = -(J'J)^-1 J'J_lens. It comes from the residuals and their
     correlation in time and is never divided by the number of frames; what the board may be off by is left to
-    the height's budget (CONVENTIONS.md, Pose). mean_picture (H, W), or None: the mean of the still frames
-    (mean_picture.py), on which the corners are then fitted again. Raises BadInput with a reason: no
-    detection, board or camera moving, board edge-on, wrong board or camera.
+    the height's budget (CONVENTIONS.md, Pose).
 
     In place of Dupuis et al. 2019, eqs. (5) to (8): there R, t are said to lead from the camera to the board
     (they lead back), and (5) to (7) translate directions.
+
+    Parameters
+    ----------
+    camera : Camera
+    frames : sequence of Corners
+        `points_px` (rows, columns, 2), one detection a frame.
+    board : Board
+        Squares of `square_m`, metres.
+    reference : Reference
+        Which row of inner corners was measured with a tape, and its height above the road, metres.
+    mean_picture : (H, W) array, optional
+        The mean of the still frames (mean_picture.py), on which the corners are then fitted again.
+
+    Returns
+    -------
+    RoadPose
+        With the covariance of lens and pose, and warnings.
+
+    Raises
+    ------
+    BadInput
+        With a reason: no detection, board or camera moving, board edge-on, wrong board or camera.
+
+    Examples
+    --------
+    >>> import numpy as np, sightline
+    >>> camera = sightline.plain_camera(1920, 1080, field_of_view_rad=1.0)
+    >>> board = sightline.Board(columns=6, rows=4, square_m=0.1)
+    >>> across, down = np.meshgrid(np.arange(6) * 0.1, np.arange(4) * 0.1)
+    >>> seen = np.stack([across - 0.25, down + 0.2, np.full((4, 6), 4.0)], axis=-1)
+    >>> points_px = sightline.project(camera, seen.reshape(-1, 3)).reshape(4, 6, 2)
+    >>> corners = sightline.Corners(True, points_px, board, None, 2.0, "drawn")
+    >>> pose = sightline.pose_from_corners(camera, [corners], board, sightline.Reference("top", 1.2))
+    >>> [round(float(metres), 3) for metres in pose.centre_m]
+    [0.25, -4.0, 1.4]
     """
     require_board(board)
     _require_reference(reference)

@@ -26,22 +26,23 @@ import numpy as np
 from sightline.geometry.arrays import Floats
 from sightline.geometry.camera import undistort_xy
 from sightline.geometry.road_pose import RoadPose
+from sightline.messages.said import Said
 
 OK = 0
 REASONS = (
-    "",
-    "A click coordinate is not a finite number.",
-    "The contact point lies outside the picture.",
-    "The target point lies outside the picture.",
-    "The contact point lies outside the lens model's valid radius, so its direction is unknown.",
-    "The target point lies outside the lens model's valid radius, so its direction is unknown.",
-    "The pose puts the camera on or below the road; compute the camera pose again.",
-    "The contact point lies at or above the horizon, where there is no road.",
-    "The contact point lies behind the plane of the camera, as seen across the road.",
-    "The side plane through the contact point is seen nearly edge-on.",
-    "The target's ray never meets the side plane in front of the camera.",
-    "The target lies on or below the road; were contact and target swapped?",
-    "A click uncertainty, inset or inset uncertainty is not a finite number, or an uncertainty is negative.",
+    Said("height-no-clicks"),  # in the place of OK: never said
+    Said("height-click-not-finite"),
+    Said("height-contact-outside-picture"),
+    Said("height-target-outside-picture"),
+    Said("height-contact-outside-lens"),
+    Said("height-target-outside-lens"),
+    Said("height-camera-below-road"),
+    Said("height-contact-above-horizon"),
+    Said("height-contact-behind-camera"),
+    Said("height-plane-edge-on"),
+    Said("height-target-no-crossing"),
+    Said("height-target-below-road"),
+    Said("height-u-not-valid"),
 )
 (
     _,

@@ -18,6 +18,7 @@ from sightline.geometry.ray_intersection import (
     REASONS,
 )
 from sightline.geometry.road_pose import RoadPose
+from sightline.messages.said import Said
 
 _SAMPLES = 193
 _CLIP_ROUNDS = 12
@@ -43,7 +44,7 @@ class Rung:
     label: bool
 
 
-def road_point(pose: RoadPose, contact_px: ArrayLike) -> Floats | str:
+def road_point(pose: RoadPose, contact_px: ArrayLike) -> Floats | Said:
     """The point (3,), metres, on the road under a click, `contact_px` (2,), or the reason why there is none.
 
     C - w C_z / w_z, w = R' (m_x, m_y, 1): p_l of Dupuis et al. 2019, section 2, between (12) and (13), where
@@ -129,14 +130,14 @@ def _thinned(line: Floats, tolerance_px: float = 0.05) -> Floats:
 
 def axes_at_contact(
     pose: RoadPose, contact_px: ArrayLike, length_m: float = 3.0, height_m: float = 2.5
-) -> Overlay | str:
+) -> Overlay | Said:
     """The road's axes through a contact click, `contact_px` (2,), or the reason why there are none.
 
     The longitudinal and transversal axes reach `length_m` to both sides, the vertical one `height_m` up: the
     lines of Dupuis et al. 2019, Figure 5.
     """
     at = road_point(pose, contact_px)
-    if isinstance(at, str):
+    if isinstance(at, Said):
         return at
     x, y, z = np.eye(3)
     return Overlay(
@@ -155,12 +156,12 @@ def ladder_at_contact(
     up_to_m: float = 3.0,
     step_m: float = 0.1,
     half_width_m: float = 0.4,
-) -> tuple[Rung, ...] | str:
+) -> tuple[Rung, ...] | Said:
     """Rungs of equal height over a contact click, `contact_px` (2,), in the plane `inset_m` behind its side
     plane, or a reason. Drawn with Dupuis et al. 2019, eq. (3), corrected.
     """
     at = road_point(pose, contact_px)
-    if isinstance(at, str):
+    if isinstance(at, Said):
         return at
     at = at + np.array([0.0, inset_m, 0.0])
     rungs = []

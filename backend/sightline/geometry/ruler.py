@@ -7,6 +7,7 @@ from typing_extensions import TypedDict
 from sightline.geometry.arrays import Floats
 from sightline.geometry.road import Overlay, Rung, axes_at_contact, ladder_at_contact
 from sightline.geometry.road_pose import RoadPose
+from sightline.messages.said import Said
 
 Polyline = list[tuple[float, float]]
 
@@ -33,7 +34,7 @@ class Ruler:
     """The axes and the ladder through a contact click, as pixel polylines; or why there are none."""
 
     ok: bool
-    reason: str | None
+    reason: Said | None
     axes: DrawnAxes | None
     ladder: list[DrawnRung]
     x_m: float | None
@@ -44,9 +45,10 @@ class Ruler:
 def ruler(pose: RoadPose, contact: tuple[float, float], inset_m: float | None) -> Ruler:
     """The road's axes through a contact click and the ladder of heights `inset_m` behind it (None: none)."""
     axes = axes_at_contact(pose, contact)
-    rungs: tuple[Rung, ...] | str = () if inset_m is None else ladder_at_contact(pose, contact, inset_m)
-    if isinstance(axes, str) or isinstance(rungs, str):
-        reason = axes if isinstance(axes, str) else str(rungs)
+    rungs: tuple[Rung, ...] | Said = () if inset_m is None else ladder_at_contact(pose, contact, inset_m)
+    if isinstance(axes, Said) or isinstance(rungs, Said):
+        reason = axes if isinstance(axes, Said) else rungs
+        assert isinstance(reason, Said)
         return Ruler(ok=False, reason=reason, axes=None, ladder=[], x_m=None, y_m=None, distance_m=None)
     ladder = [
         DrawnRung(height_m=rung.height_m, points=polyline(rung.polyline_px), label=rung.label)

@@ -60,8 +60,30 @@ def require_site(site: Site) -> None:
 
 
 def plain_camera(width_px: int, height_px: int, field_of_view_rad: float) -> Camera:
-    """A camera before its calibration: without distortion, its axis in the middle of the picture, its
-    horizontal field of view given. Without covariance. Raises BadInput.
+    """A camera before its calibration: no distortion, axis in the middle of the picture, no covariance.
+
+    Parameters
+    ----------
+    width_px, height_px : int
+        Size of the picture, 16 to 16384 px.
+    field_of_view_rad : float
+        Horizontal field of view, radians, 5 to 150 degrees.
+
+    Returns
+    -------
+    Camera
+        Square pixels, the focal length that the field of view gives.
+
+    Raises
+    ------
+    BadInput
+        For a size or a field of view that cannot be planned with.
+
+    Examples
+    --------
+    >>> import sightline
+    >>> round(sightline.plain_camera(1920, 1080, field_of_view_rad=1.0).fx_px, 1)
+    1757.3
     """
     if not (16 <= width_px <= 16_384 and 16 <= height_px <= 16_384):
         raise BadInput("geometry-picture-x-px-cannot-planned-give", width_px=width_px, height_px=height_px)
@@ -103,8 +125,27 @@ def level_pose(
 
 
 def site_pose(camera: Camera, site: Site) -> RoadPose | None:
-    """The level pose of a site with the covariance that a board there would give; None where the picture
-    would not show the whole board.
+    """The pose of a camera that stands level at a site, with the covariance that a board there would give.
+
+    Parameters
+    ----------
+    camera : Camera
+        Its covariance, if it has one, goes into the pose's.
+    site : Site
+        Heights and distances, metres.
+
+    Returns
+    -------
+    RoadPose or None
+        None where the picture would not show the whole board.
+
+    Examples
+    --------
+    >>> import sightline
+    >>> camera = sightline.plain_camera(1920, 1080, field_of_view_rad=1.0)
+    >>> pose = sightline.site_pose(camera, sightline.Site(camera_height_m=1.4, distance_m=4.0))
+    >>> [round(float(metres), 2) for metres in pose.centre_m]
+    [0.25, -4.0, 1.4]
     """
     bare = level_pose(camera, site.camera_height_m, site.board_m, site.distance_m, site.direction_rad)
     points = road_points(PLANNING_BOARD, "top", BOARD_TOP_M)

@@ -41,7 +41,7 @@ def snap(picture: NDArray[np.uint8], pose: RoadPose, click_px: ArrayLike) -> Sna
     reasons = set()
     for below in _BELOW_PX:
         found = propose(picture, pose, click + np.array([0.0, below]))
-        reason = "snap-no-tyre" if isinstance(found, str) else _doubt(picture, pose, click, found)
+        reason = "snap-no-tyre" if not isinstance(found, Proposal) else _doubt(picture, pose, click, found)
         if reason is None and isinstance(found, Proposal):
             return Snap(found.contact_px, found.expected_px)
         reasons.add(reason)

@@ -6,6 +6,8 @@ import numpy as np
 import scipy
 from numpy.typing import ArrayLike
 
+from sightline.robust import robust_scale
+
 _LEAST_U = 1e-9
 _FAR = 4.0
 
@@ -56,5 +58,5 @@ def outliers(
     if len(x) < 5:
         return np.zeros(len(x), dtype=np.bool_)
     away = np.abs(x - np.median(x))
-    scale = max(1.4826 * float(np.median(away)), least, _LEAST_U)
+    scale = max(robust_scale(away), least, _LEAST_U)
     return np.asarray(away > _FAR * np.hypot(scale, np.asarray(u, dtype=np.float64)), dtype=np.bool_)

@@ -4,7 +4,7 @@ import cv2
 import numpy as np
 
 from sightline.geometry.arrays import frozen
-from sightline.geometry.corners import Corners, Gray, detect, flaw, not_found, refine_subpixel, spacing_px
+from sightline.geometry.corners import Corners, Gray, find_board, flaw, not_found, refine_subpixel, spacing_px
 
 _STOP = (cv2.TERM_CRITERIA_EPS + cv2.TERM_CRITERIA_MAX_ITER, 20, 0.01)
 _LOOK_AGAIN_PX = 1.0  # a board that moved less is not checked again
@@ -23,7 +23,7 @@ def track(gray: Gray, last: Corners) -> Corners:
     if moved > 0.3 * spacing_px(last.points_px):
         return not_found(last.board_as_seen, "The board moved too far between two frames.")
     if board.charuco is not None and moved > _LOOK_AGAIN_PX:
-        return detect(gray, board)  # its numbers tell more than a look at the grid
+        return find_board(gray, board)  # its numbers tell more than a look at the grid
     reason = flaw(gray, grid) if moved > _LOOK_AGAIN_PX else None
     if reason is not None:
         return not_found(last.board_as_seen, reason)

@@ -12,6 +12,7 @@ from sightline.geometry.ray_intersection import MIN_DEPRESSION
 from sightline.geometry.road import road_point
 from sightline.geometry.road_pose import RoadPose
 from sightline.geometry.spread import mean_and_spread, outliers
+from sightline.messages.said import Said
 
 LEAST_BASE_M = 1.0  # between two tyre contacts of one vehicle
 MOST_BASE_M = 15.0
@@ -51,7 +52,7 @@ class Headings:
 
 def headings_of_pairs(
     pose: RoadPose, first_px: ArrayLike, second_px: ArrayLike, sigma_px: float = 1.0
-) -> list[Heading | str]:
+) -> list[Heading | Said]:
     """Direction of travel from both tyre contacts of N vehicles, `first_px`, `second_px` (N, 2), radians
     against X, or the reason why there is none.
 
@@ -80,7 +81,7 @@ def headings_of_pairs(
 
 def heading_of_pair(
     pose: RoadPose, first_px: ArrayLike, second_px: ArrayLike, sigma_px: float = 1.0
-) -> Heading | str:
+) -> Heading | Said:
     """As `headings_of_pairs`, of one vehicle: contacts `first_px`, `second_px` (2,); or the reason why there
     is none.
     """
@@ -99,21 +100,18 @@ def _road_points(pose: RoadPose, clicks: Floats) -> Floats:
     return np.asarray(out, dtype=np.float64)
 
 
-def _why_none(pose: RoadPose, pair: Floats, base_m: float, u_rad: float) -> str | None:
+def _why_none(pose: RoadPose, pair: Floats, base_m: float, u_rad: float) -> Said | None:
     """Why a pair of contacts (2, 2) gives no heading, or None."""
     for word, click in zip(("first", "second"), pair, strict=True):
         point = road_point(pose, click) if np.isnan(base_m) else None
-        if isinstance(point, str):
-            return f"The {word} tyre contact: {point[:1].lower()}{point[1:]}"
+        if isinstance(point, Said):
+            return Said("heading-of-contact", which=word, reason=point)
     if base_m < LEAST_BASE_M:
-        return (
-            f"The two tyre contacts are only {base_m:.2f} m apart on the road; click the front and the rear "
-            "tyre of the same side."
-        )
+        return Said("heading-base-short", base_m=round(base_m, 2))
     if base_m > MOST_BASE_M:
-        return f"The two tyre contacts are {base_m:.0f} m apart on the road; click both tyres of one vehicle."
+        return Said("heading-base-long", base_m=round(base_m))
     if not np.isfinite(u_rad):
-        return "A tyre contact lies at the edge of the visible road; use another frame."
+        return Said("heading-at-edge")
     return None
 
 

@@ -16,6 +16,7 @@ from sightline.geometry.height import measure_height
 from sightline.geometry.multiframe import LEAST_TRAVEL_M, MultiHeight, measure_frames
 from sightline.geometry.ray_intersection import OK, contact_on_road, intersect_rays
 from sightline.geometry.road_pose import RoadPose
+from sightline.messages.said import Said
 
 _FASTEST_MPS = 45.0
 _MOST_GUESSES = 40
@@ -51,7 +52,7 @@ class Body:
 
 def body_of(
     pose: RoadPose, contact_px: ArrayLike, target_px: ArrayLike, inset_m: float, spots_px: Floats
-) -> Body | str:
+) -> Body | Said:
     """Contact, target (`inset_m` behind the side plane) and spots of the side plane as road points, or the
     reason why contact and target give none; `contact_px`, `target_px` (2,), `spots_px` (N, 2), pixels.
 
@@ -62,7 +63,7 @@ def body_of(
     alone = measure_height(pose, contact[0], target[0], 0.0, inset_m)
     seen = intersect_rays(pose, contact, target, inset_m)
     if alone.reason is not None or seen.code[0] != OK:
-        return alone.reason or "Contact and target give no height."
+        return alone.reason or Said("height-no-clicks")
     x, y, _ = (float(v[0]) for v in contact_on_road(pose, seen))
     pixels = np.concatenate([target, np.asarray(spots_px, dtype=np.float64).reshape(-1, 2)])
     planes = np.full(len(pixels), y)

@@ -45,6 +45,7 @@ from sightline.geometry.pass_model import (
 )
 from sightline.geometry.ray_intersection import BELOW_ROAD, CAMERA_BELOW, MIN_DEPRESSION, REASONS
 from sightline.geometry.road_pose import RoadPose
+from sightline.messages.said import Said
 
 _LEAST_FRAMES = 3
 _OUTLYING = 0.001  # chance that a pass without a wrong point loses one
@@ -61,7 +62,7 @@ class Dropped:
     index: int
     frame: int
     point: str
-    reason: str
+    reason: Said
 
 
 @dataclass(frozen=True)
@@ -166,49 +167,45 @@ def measure_pass(
         if reason is not None:
             return WholePass(not_measurable(reason), dropped=tuple(dropped))
         found = _fitted(pose, part, following, priors)
-        if isinstance(found, str):
+        if isinstance(found, Said):
             return WholePass(not_measurable(found), dropped=tuple(dropped))
         worst = _worst(found, part)
         if worst is None:
             return _reported(pose, part, following, priors, found, tuple(dropped))
         row, off_px, times = worst
         index = int(np.flatnonzero(kept)[row])
-        words = (
-            f"It is {off_px:.1f} px from the position given by the other frames, {times:.1f} times "
-            "its uncertainty."
-        )
-        dropped.append(_left_out(tracks, index, words))
+        off = Said("followed-off", off_px=round(off_px, 1), times=round(times, 1))
+        dropped.append(_left_out(tracks, index, off))
         kept[index] = False
         if len(dropped) > _MOST_DROPPED * len(tracks.frame):
             return WholePass(
                 not_measurable(
-                    f"{len(dropped)} of {len(tracks.frame)} followed points were excluded; follow "
-                    "them again from a clearer frame."
+                    Said("height-pass-most-excluded", dropped=len(dropped), points=len(tracks.frame))
                 ),
                 dropped=tuple(dropped),
             )
 
 
-def _unreadable(tracks: Tracks, following: Following, pose: RoadPose) -> str | None:
+def _unreadable(tracks: Tracks, following: Following, pose: RoadPose) -> Said | None:
     numbers = [tracks.time_s, tracks.points_px.ravel(), tracks.sigma_px.ravel()]
     if len(tracks.frame) == 0:
-        return "No point was followed; confirm contact and target on one frame first."
+        return Said("height-pass-empty")
     if not np.isfinite(np.concatenate(numbers)).all():
-        return "A followed point, its time or its uncertainty is not a finite number."
+        return Said("height-pass-not-finite")
     if not (tracks.sigma_px > 0).all():
-        return "The uncertainty of a followed point is not positive; state it in pixels."
+        return Said("height-pass-u-not-positive")
     stated = (following.confirmed_px, following.drift_px, following.u_time_s, following.u_row_time_s,
               following.exposure_s, following.u_depth_share, following.view_px)  # fmt: skip
     if not (np.isfinite([*stated, following.row_time_s]).all() and min(stated) >= 0):
-        return "How the points were followed is stated by a number that is negative or not finite."
+        return Said("height-pass-statement-not-valid")
     if len(np.unique(np.stack([tracks.frame, tracks.point]), axis=1).T) < len(tracks.frame):
-        return "A point is given twice on one frame; give each once."
+        return Said("height-pass-point-twice")
     if not pose.centre_m[2] > 0:
         return REASONS[CAMERA_BELOW]
     return None
 
 
-def _left_out(tracks: Tracks, index: int, reason: str) -> Dropped:
+def _left_out(tracks: Tracks, index: int, reason: Said) -> Dropped:
     return Dropped(index, int(tracks.frame[index]), POINT_NAMES[int(tracks.point[index])], reason)
 
 
@@ -223,45 +220,41 @@ def _in_sight(pose: RoadPose, tracks: Tracks) -> tuple[NDArray[np.bool_], list[D
     dropped = []
     for index in np.flatnonzero(~(inside & lens.ok & below)):
         if not inside[index]:
-            words = "It lies outside the frame."
+            why = Said("followed-outside-picture")
         elif not lens.ok[index]:
-            words = "It lies outside the lens model's valid radius."
+            why = Said("followed-outside-lens")
         else:
-            words = "It lies at or above the horizon, where there is no road."
-        dropped.append(_left_out(tracks, int(index), words))
+            why = Said("followed-above-horizon")
+        dropped.append(_left_out(tracks, int(index), why))
     return np.asarray(inside & lens.ok & below, dtype=np.bool_), dropped
 
 
-def _too_little(tracks: Tracks) -> str | None:
+def _too_little(tracks: Tracks) -> Said | None:
     for point in (CONTACT, TARGET):
         count = int((tracks.point == point).sum())
         if count < _LEAST_FRAMES:
-            return (
-                f"The {POINT_NAMES[point]} was followed on {count} usable frames; {_LEAST_FRAMES} are needed."
-            )
+            return Said("height-pass-few-frames", point=POINT_NAMES[point], count=count, needed=_LEAST_FRAMES)
     return None
 
 
-def _fitted(pose: RoadPose, tracks: Tracks, following: Following, priors: _Priors) -> _Fit | str:
+def _fitted(pose: RoadPose, tracks: Tracks, following: Following, priors: _Priors) -> _Fit | Said:
     """At constant speed, or with an acceleration where the points demand it; or why there is no minimum."""
     t_s = since_middle(tracks)
     start = first_estimate(pose, tracks, t_s)
     if not np.isfinite(start).all():
-        return "The followed points do not give a path on the road; follow them again."
+        return Said("height-pass-no-path")
     for point in (CONTACT, TARGET):
         travel = abs(start[SPEED]) * float(np.ptp(t_s[tracks.point == point]))
         if not travel >= LEAST_TRAVEL_M:
-            return (
-                f"The {POINT_NAMES[point]} was followed over only {travel:.2f} m; follow it over more frames."
-            )
+            return Said("height-pass-short", point=POINT_NAMES[point], travel_m=round(travel, 2))
     free = [i for i in range(9) if i != ACCELERATION and (i != WHEELBASE or (tracks.point == SECOND).any())]
     even = _minimum(pose, tracks, t_s, following, priors, start, free)
-    if isinstance(even, str):
+    if isinstance(even, Said):
         return even
     if len(np.unique(tracks.frame)) <= _LEAST_FRAMES:
         return even
     changing = _minimum(pose, tracks, t_s, following, priors, even.unknowns, [*free, ACCELERATION])
-    if isinstance(changing, str) or even.cost - changing.cost < _DEMANDED:
+    if isinstance(changing, Said) or even.cost - changing.cost < _DEMANDED:
         return even
     return changing
 
@@ -274,7 +267,7 @@ def _minimum(
     priors: _Priors,
     start: Floats,
     free: list[int],
-) -> _Fit | str:
+) -> _Fit | Said:
     index = np.array(free)
     unknowns = np.array(start)
 
@@ -320,7 +313,7 @@ def _minimum(
     return _at_minimum(pose, tracks, t_s, following, priors, unknowns, index, noise)
 
 
-_UNSETTLED = "The followed points do not fit one moving vehicle; follow them again."
+_UNSETTLED = Said("height-pass-disagrees")
 
 
 def _depends_on_speed(following: Following) -> bool:
@@ -336,7 +329,7 @@ def _at_minimum(
     unknowns: Floats,
     free: NDArray[np.intp],
     noise: dict[str, Floats],
-) -> _Fit | str:
+) -> _Fit | Said:
     at = seen(pose, tracks, t_s, following.row_time_s, unknowns)
     jacobian = at.by_unknowns[:, free]
     if not np.isfinite(jacobian).all():
@@ -349,7 +342,7 @@ def _at_minimum(
     scale = 1.0 / np.sqrt(np.maximum(np.diag(normal), 1e-300))
     scaled = normal * np.outer(scale, scale)
     if not np.isfinite(scaled).all() or np.linalg.cond(scaled) > 1e12:
-        return "The frames do not determine the inset; follow the points over a longer distance."
+        return Said("height-pass-inset-undetermined")
     covariance = np.linalg.inv(scaled) * np.outer(scale, scale)
     residual = (tracks.points_px - at.pixels).ravel()
     off = sum(((unknowns[one.which] - one.value) / one.u) ** 2 for one in priors)
@@ -477,10 +470,10 @@ def _root(variance: float) -> float:
     return float(np.sqrt(max(float(variance), 0.0)))
 
 
-def _flags(pose: RoadPose, inset: Solved, chance: float) -> tuple[str, ...]:
+def _flags(pose: RoadPose, inset: Solved, chance: float) -> tuple[Said, ...]:
     out = left_out(pose)
     if chance < _DISORDER:
-        out.append("The followed points deviate from straight, level travel by more than their uncertainty.")
+        out.append(Said("height-flag-pass-misfit"))
     if inset.u > 0.3:
-        out.append("The frames are too close together to determine the inset well.")
+        out.append(Said("height-flag-inset-weak"))
     return tuple(out)

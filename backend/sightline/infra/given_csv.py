@@ -19,6 +19,7 @@ MOST_BYTES = 200_000_000
 #: Of a height, a length or a reference of a vehicle.
 MOST_M = 20.0
 _USUAL_M = 1.6  # about which vehicles' sizes lie: what tells the unit of a number that is too large
+USUAL_INSET_M = 0.3
 _UNITS_M = {"mm": 0.001, "cm": 0.01, "in": 0.0254, "ft": 0.3048}
 _LINE_END = re.compile(r"\r\n|\r|\n")
 _QUOTED = re.compile(r'"[^"]*"?')
@@ -79,11 +80,33 @@ class GivenTable:
         raise BadInput("csv-not-a-number", name=self.name, line=line, column=column, cell=cell[:40])
 
     def size_m(self, line: int, column: str, cell: str) -> float:
-        """A size that a vehicle can have, metres. Raises BadInput with the unit that it seems to be in."""
+        """A size that a vehicle can have, metres. Raises BadInput as `length_m`, and for 0 or less."""
+        if self.number(line, column, cell) <= 0.0:
+            raise BadInput("csv-size-not-above-0", name=self.name, line=line, column=column, cell=cell[:40])
+        return self.length_m(line, column, cell)
+
+    def uncertainty(self, line: int, column: str, cell: str) -> float:
+        """A standard uncertainty. Raises BadInput for one below 0."""
+        value = self.number(line, column, cell)
+        if value < 0.0:
+            raise BadInput(
+                "csv-uncertainty-below-0", name=self.name, line=line, column=column, cell=cell[:40]
+            )
+        return value
+
+    def u_length_m(self, line: int, column: str, cell: str, usual_m: float = _USUAL_M) -> float:
+        """The standard uncertainty of a length about a vehicle, metres. Raises BadInput."""
+        self.uncertainty(line, column, cell)
+        return self.length_m(line, column, cell, usual_m)
+
+    def length_m(self, line: int, column: str, cell: str, usual_m: float = _USUAL_M) -> float:
+        """A length about a vehicle, metres, of either sign (an inset, a height that was measured). Raises
+        BadInput with the unit that one beyond all vehicles seems to be in, by what is usual.
+        """
         value = self.number(line, column, cell)
         if abs(value) <= MOST_M:
             return value
-        unit = unit_of(value)
+        unit = unit_of(value, usual_m)
         raise BadInput(
             "csv-no-size-of-a-vehicle",
             name=self.name,
@@ -129,9 +152,9 @@ def is_separated(cell: str) -> bool:
     return _SEPARATED.fullmatch(cell.strip()) is not None
 
 
-def unit_of(value: float) -> str:
-    """The unit in which a number is most likely the size of a vehicle."""
-    return min(_UNITS_M, key=lambda unit: abs(math.log(abs(value) * _UNITS_M[unit] / _USUAL_M)))
+def unit_of(value: float, usual_m: float = _USUAL_M) -> str:
+    """The unit in which a number is most likely about as large as is usual."""
+    return min(_UNITS_M, key=lambda unit: abs(math.log(abs(value) * _UNITS_M[unit] / usual_m)))
 
 
 def undefused(cell: str) -> str:

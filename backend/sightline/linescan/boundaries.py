@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sightline.linescan.parts import USUAL_SHADOW_SHARE, Crossings, Passage, Pixels, Rig
+from sightline.robust import robust_scale
 
 Array = NDArray[np.float64]
 BANDS = 48
@@ -230,7 +231,7 @@ def _vertex(edges: Array, u: Array, uneven: Array, clear: NDArray[np.bool_]) -> 
         return Edge(float(smooth.min()))
     x, y, s = (near - middle).astype(float), edges[near], u[near]
     away = np.abs(y - np.median(y))
-    keep = away <= 3 * np.maximum(max(1.4826 * float(np.median(away)), 0.7), s)
+    keep = away <= 3 * np.maximum(max(robust_scale(away), 0.7), s)
     x, y, s, off = x[keep], y[keep], s[keep], uneven[near][keep]
     if len(x) < 4:
         return Edge(float(np.median(y)))
@@ -259,7 +260,7 @@ def _weighted_fit(x: Array, y: Array, s: Array, degree: int) -> tuple[Array, Arr
         design = powers / sure[:, None]
         c = np.linalg.lstsq(design, y / sure, rcond=1e-10)[0]
         misses = (y - powers @ c) / s
-        scale = max(1.0, 1.4826 * float(np.median(np.abs(misses))))
+        scale = max(1.0, robust_scale(misses))
         sure = s * np.sqrt(1 + (misses / (CAUCHY * scale)) ** 2)
     design = powers / sure[:, None]
     left = (y - powers @ c) / sure

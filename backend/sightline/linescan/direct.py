@@ -25,6 +25,7 @@ from sightline.linescan.registration import GAINS, Clock, Fit, Prior, State, reg
 from sightline.linescan.rig import baseline_of
 from sightline.linescan.spread import covariance, second_slopes
 from sightline.linescan.warp import solved_by_boundaries
+from sightline.robust import robust_scale
 
 Array = NDArray[np.float64]
 # a sample along the vehicle after pooling, metres; finer says nothing new, the optics blur it
@@ -71,10 +72,41 @@ class Scene:
 
 
 def measure_direct(passage: Passage, rig: Rig) -> Motion:
-    """Motion of one vehicle by registering its two pictures (Gauss-Newton on grey values).
+    """Motion of one vehicle by registering its two line-scan pictures (Gauss-Newton on grey values).
 
-    Standard uncertainties are those of the budget's root sum of squares. Left out: motion other than along
-    the road (pitch, lane change), acceleration that changes while the vehicle passes.
+    Left out: motion other than along the road (pitch, lane change), acceleration that changes while the
+    vehicle passes.
+
+    Parameters
+    ----------
+    passage : Passage
+        The vehicle as both cameras saw it, pictures (lines, rows) of 8 or 16 bits.
+    rig : Rig
+        Baseline in metres and line rate in Hz, with their uncertainties.
+
+    Returns
+    -------
+    Motion
+        Speed, acceleration and length with their standard uncertainties (the budget's root sum of squares),
+        or the reason why there is none.
+
+    Examples
+    --------
+    >>> import cv2, numpy as np, sightline
+    >>> rng = np.random.default_rng(4)
+    >>> paint = 120 + 400 * cv2.GaussianBlur(rng.normal(size=(500, 40)), (0, 0), 4)  # a row a cm
+    >>> def scan(first_line, front_line):
+    ...     along_m = (np.arange(first_line, first_line + 260) - front_line) / 1000.0 * 20.0
+    ...     seen = np.full((260, 40), 60.0)
+    ...     on = (along_m >= 0.0) & (along_m <= 4.0)
+    ...     seen[on] = paint[(along_m[on] * 100).round().astype(int)]
+    ...     return (seen + rng.normal(0.0, 1.0, seen.shape)).clip(0, 255).astype(np.uint8)
+    >>> road = np.full(40, 60.0, np.float32)
+    >>> passage = sightline.Passage(
+    ...     sightline.Crossings(30.0, 230.0, 80.0, 280.0), scan(0, 30), scan(50, 80), 0, 50, road, road, 1.0)
+    >>> motion = sightline.measure_direct(passage, sightline.Rig(1.0, 1000.0, u_baseline_m=0.001))
+    >>> round(motion.speed_mps, 1), round(motion.length_m, 1)
+    (20.0, 4.0)
     """
     crossings = passage.crossings
     if passage.reason:
@@ -186,7 +218,7 @@ def _distrusted(fit: Fit, scene: Scene, start: State, rig: Rig) -> str | None:
     # by how many samples the pictures typically miss each other, noise taken off
     noise = 1.5 * softened_noise(scene.noise_dn)
     left = np.sqrt(max(fit.scale_dn**2 - noise**2, 0.0))
-    missed = left / max(1.4826 * float(np.median(np.abs(fit.look.along))), 1e-6)
+    missed = left / max(robust_scale(fit.look.along), 1e-6)
     # away from what the boundaries say, by pictures that miss each other: both limits on simulated vehicles
     # side by side or stopping; single ones miss each other by up to 0.34 samples at 2 DN, 0.47 at 8 DN
     apart = (moved > 0.05 and missed > 0.25) or (max(moved, bent) > 0.02 and missed > 0.6)
@@ -283,7 +315,7 @@ def _profile(scene: Scene, fit: Fit, rig: Rig) -> Profile:
     clear = told > 0.1 * np.median(told[told > 0]) if (told > 0).any() else told > 0
     kept = told > 0
     away = np.abs(own / fitted - 1)
-    spread = 1.4826 * float(np.median(away[clear])) if clear.any() else 0.0
+    spread = robust_scale(away[clear]) if clear.any() else 0.0
     used = clear & (away <= 4 * spread + 1e-12)
     line = scene.clock.lines(first_s)
     return Profile(line[kept], own[kept], fitted[kept], used[kept])

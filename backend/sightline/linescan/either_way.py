@@ -13,7 +13,7 @@ from math import hypot, sqrt
 import numpy as np
 from numpy.typing import NDArray
 
-from sightline.linescan.equations import ExactMotion, exact
+from sightline.linescan.equations import ExactMotion, solve_crossings
 from sightline.linescan.parts import Crossings, Entry, Motion, Passage, Profile, Rig
 from sightline.linescan.rig import baseline_of
 from sightline.linescan.warp import Course
@@ -83,10 +83,10 @@ def seen_from_camera_1(motion: Motion, rig: Rig) -> Motion:
 
 
 def exact_at_camera_1(lines: Crossings, baseline_m: float, line_rate_hz: float) -> ExactMotion:
-    """Constant acceleration through all four crossings of either direction; ValueError as `exact` has it."""
+    """As `solve_crossings`, of either direction; raises ValueError where that does."""
     if lines.direction == "camera_1_first":
-        return exact(lines, baseline_m, line_rate_hz)
-    found = exact(_exchanged_lines(lines), baseline_m, line_rate_hz)
+        return solve_crossings(lines, baseline_m, line_rate_hz)
+    found = solve_crossings(_exchanged_lines(lines), baseline_m, line_rate_hz)
     square = found.speed_mps**2 + 2 * found.acceleration_mps2 * baseline_m
     if square <= 0:
         raise ValueError(WOULD_STOP)

@@ -33,7 +33,7 @@ class ExactMotion:
 def printed(crossings: Crossings, baseline_m: float, line_rate_hz: float) -> PaperMotion:
     """Equations (3) and (4) as printed. (4) lacks f^2, so what it gives is no acceleration (its unit is m).
 
-    For comparison with the paper only: use `corrected` or `exact`.
+    For comparison with the paper only: use `corrected` or `solve_crossings`.
     """
     speed, length = _equation_3(crossings, baseline_m, line_rate_hz)
     slower = 1 / _transit(crossings.rear_line_1, crossings.rear_line_2)
@@ -59,10 +59,37 @@ def corrected(crossings: Crossings, baseline_m: float, line_rate_hz: float) -> P
     return PaperMotion(speed, length, acceleration)
 
 
-def exact(crossings: Crossings, baseline_m: float, line_rate_hz: float) -> ExactMotion:
+def solve_crossings(crossings: Crossings, baseline_m: float, line_rate_hz: float) -> ExactMotion:
     """Constant acceleration through all four crossings: b = v D + a (t2^2 - t1^2) / 2 for front and rear.
 
-    Linear in (v, a), so without iteration. Raises ValueError where a crossing order gives no motion.
+    Linear in (v, a), so without iteration. Own derivation: the module has it.
+
+    Parameters
+    ----------
+    crossings : Crossings
+        Line numbers of front and rear at both cameras.
+    baseline_m : float
+        Between both scanning planes, metres.
+    line_rate_hz : float
+        Lines a second.
+
+    Returns
+    -------
+    ExactMotion
+        Speed (m/s) and acceleration (m/s^2) as the front reaches camera 1, and length (m).
+
+    Raises
+    ------
+    ValueError
+        Where a crossing order gives no motion.
+
+    Examples
+    --------
+    >>> import sightline
+    >>> crossings = sightline.Crossings(0.0, 400.0, 80.0, 480.0)
+    >>> motion = sightline.solve_crossings(crossings, baseline_m=1.0, line_rate_hz=2000.0)
+    >>> round(motion.speed_mps, 3), round(motion.length_m, 3)
+    (25.0, 5.0)
     """
     start = crossings.front_line_1
     rear_1, front_2, rear_2 = (

@@ -18,8 +18,8 @@ from sightline.linescan.boundaries import U_LINE_LINES
 from sightline.linescan.parts import Crossings, Gap, Motion, Rig
 
 NONE_BEFORE = "No vehicle was detected in front of this one."
-LANE_UNKNOWN = "Its lane is not known, and with it which vehicle was before it."
-BEFORE_UNKNOWN = "A vehicle whose lane is not known passed before it, perhaps in this lane."
+LANE_UNKNOWN = "Its lane is not known, so the vehicle in front of it is not known either."
+BEFORE_UNKNOWN = "A vehicle of unknown lane passed in front of it, perhaps in this lane."
 # Of a motion's budget what its boundaries bring to the length, by method; one of both is their share of it.
 _BOUNDARIES = ("boundaries", "front and rear")
 

@@ -48,10 +48,35 @@ def line_height(
     inset_m: float = 0.0,
     u_inset_m: float = 0.0,
 ) -> LineHeight:
-    """Height of a target and distance of the tyre below it; every input by first-order propagation.
+    """Height of a target and distance of the tyre below it, in a strip of a line camera.
 
-    Entries: click target, click contact, pose (its covariance as one), inset. Never raises for what was
-    clicked: rows that no road point has give a reason.
+    Every input by first-order propagation (JCGM 100:2008, 5.1.2); entries: click target, click contact, pose
+    (its covariance as one), inset.
+
+    Parameters
+    ----------
+    pose : LinePose
+    contact_row_px, target_row_px : float
+        Rows of the tyre's contact with the road and of the target, px.
+    sigma_px : float
+        Standard uncertainty of a row, px.
+    inset_m, u_inset_m : float
+        How far the target lies behind the contact, and its standard uncertainty, metres.
+
+    Returns
+    -------
+    LineHeight
+        Metres. Never raises for what was clicked: rows that no road point has give a reason.
+
+    Examples
+    --------
+    >>> import numpy as np, sightline
+    >>> height_m, distance_m = np.tile([0.0, 1.0, 2.0], 2), np.repeat([3.0, 5.0], 3)
+    >>> row_px = 200 - 600 * (height_m - 1.4) / distance_m
+    >>> pose = sightline.solve_line_pose(distance_m, height_m, row_px, sigma_px=0.5)
+    >>> found = sightline.line_height(pose, contact_row_px=480.0, target_row_px=190.0)
+    >>> round(found.height_m, 3), round(found.distance_m, 3)
+    (1.45, 3.0)
     """
     if not np.all(np.isfinite([contact_row_px, target_row_px, sigma_px, inset_m, u_inset_m])):
         return _refused("A click is not a number.")

@@ -83,15 +83,37 @@ def solve_line_pose(
     u_distance_m: float = 0.0,
     u_lean_rad: float = 0.0,
 ) -> LinePose:
-    """The pose from N >= 4 marks: `distance_m` (N,) from the camera's centre, `height_m` (N,) above the road,
-    `row_px` (N,).
-
-    `sigma_px`: standard uncertainty of a row; None: taken from the residuals, which needs more than 4 marks.
-    `u_distance_m`, `u_lean_rad`: of each stand's distance and of the rod's lean there (k = 1). Raises
-    LinePoseError in one sentence where the marks cannot fix the pose.
+    """The pose of a line camera from marks on a rod that is held up at two distances or more.
 
     CONVENTIONS.md, Line scan: row = (p0 + p1 s) / (1 + p2 s), s = (h - Hc) / D, by least squares over the
     rows. Covariance: sigma^2 (J'J)^-1 and what the stands' errors do through pinv(J) (JCGM 100:2008, 5.1.2).
+
+    Parameters
+    ----------
+    distance_m, height_m, row_px : (N,) array
+        Of N >= 4 marks: from the camera's centre, above the road (metres), and where they are seen (px).
+    sigma_px : float, optional
+        Standard uncertainty of a row; None: taken from the residuals, which needs more than 4 marks.
+    u_distance_m, u_lean_rad : float
+        Standard uncertainties of each stand's distance and of the rod's lean there.
+
+    Returns
+    -------
+    LinePose
+        With covariance (4, 4) and `camera_height_m`.
+
+    Raises
+    ------
+    LinePoseError
+        In one sentence, where the marks cannot fix the pose.
+
+    Examples
+    --------
+    >>> import numpy as np, sightline
+    >>> height_m, distance_m = np.tile([0.0, 1.0, 2.0], 2), np.repeat([3.0, 5.0], 3)
+    >>> row_px = 200 - 600 * (height_m - 1.4) / distance_m
+    >>> round(sightline.solve_line_pose(distance_m, height_m, row_px, sigma_px=0.5).camera_height_m, 6)
+    1.4
     """
     distance, height, row = (
         np.asarray(one, dtype=np.float64).ravel() for one in (distance_m, height_m, row_px)
@@ -157,7 +179,7 @@ def _check(distance: Floats, height: Floats, row: Floats, sigma_px: float | None
     if len(row) < least:
         raise LinePoseError(f"{len(row)} marks are too few; click at least {least}.")
     if np.any(distance <= 0) or (sigma_px is not None and sigma_px <= 0):
-        raise LinePoseError("Distances of marks and the sigma of rows must be greater than 0.")
+        raise LinePoseError("Distances of marks and the u of their rows must be above 0.")
     if np.ptp(distance) < 1e-3 * distance.mean():
         raise LinePoseError(
             "All marks are at one distance, so the camera height cannot be determined; hold the "

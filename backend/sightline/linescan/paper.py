@@ -12,7 +12,8 @@ from math import hypot
 import numpy as np
 from numpy.typing import NDArray
 
-from sightline.linescan.equations import exact, travelled_m
+from sightline.linescan.direct import NO_ORDER
+from sightline.linescan.equations import solve_crossings, travelled_m
 from sightline.linescan.matching import BLOCK_LINES, STEP_LINES, Matches, match_blocks
 from sightline.linescan.parts import Crossings, Entry, Motion, Passage, Profile, Rig
 from sightline.linescan.rig import baseline_of
@@ -28,8 +29,8 @@ U_CROSSING_LINES = 2.0
 GATE_M = 0.006
 
 TOO_FEW_BLOCKS = (
-    f"Too few blocks of {BLOCK_LINES} lines of the vehicle show enough to be matched: it has too little to "
-    "show, or too few lines; raise the line rate, or use the other method."
+    f"Too few blocks of {BLOCK_LINES} lines can be matched: the vehicle has too little detail, or too few "
+    "lines; raise the line rate, or use the other method."
 )
 
 Floats = NDArray[np.float64]
@@ -45,9 +46,9 @@ def measure_paper(passage: Passage, rig: Rig) -> Motion:
         return _refused(passage.crossings, passage.reason)
     baseline_m, _ = baseline_of(rig)
     try:
-        exact(passage.crossings, baseline_m, rig.line_rate_hz)
+        solve_crossings(passage.crossings, baseline_m, rig.line_rate_hz)
     except ValueError:
-        return _refused(passage.crossings, "Front and rear do not cross the two cameras in order.")
+        return _refused(passage.crossings, NO_ORDER)
     matches = _match(passage, baseline_m)
     seconds, speeds = _speeds(matches, passage, baseline_m, rig.line_rate_hz)
     used = matches.used

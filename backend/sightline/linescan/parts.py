@@ -160,7 +160,10 @@ class Motion:
 
 @dataclass(frozen=True)
 class Gap:
-    """From the rear of the vehicle before to this front, at camera 1; None where unknown."""
+    """From the rear of the vehicle before it of its direction and lane to this front, at camera 1; None where
+    unknown. The distance is by the leader's own fitted motion, the paper's is time gap times the mean speed;
+    the headway runs from front to front.
+    """
 
     time_gap_s: float | None
     distance_gap_m: float | None

@@ -114,10 +114,39 @@ def plan_lines(
     length_m: float = USUAL_LENGTH_M,
     time_gap_s: float = USUAL_TIME_GAP_S,
 ) -> LinePlan:
-    """The plan for a vehicle of this speed and length, so long behind one as fast; without a line rate that
-    at which its lines lie GOOD_LINE_M apart is taken.
+    """What a line rate and a baseline are worth for the speed of a vehicle, so long behind one as fast.
 
-    error: share that the speed's U95 may be (0 to 1). Raises ValueError for what cannot be planned with.
+    Parameters
+    ----------
+    speed_mps : float
+        Of the vehicle, m/s.
+    baseline_m : float
+        Between both scanning planes, metres.
+    error : float
+        Share that the speed's U95 may be, 0 to 1.
+    line_rate_hz : float, optional
+        None: that at which lines lie GOOD_LINE_M apart on the vehicle.
+    u_baseline_m : float
+        Standard uncertainty of the baseline, metres.
+    length_m, time_gap_s : float
+        Of the vehicle, and behind the one before, metres and seconds.
+
+    Returns
+    -------
+    LinePlan
+        With `u_speed_mps`, m/s.
+
+    Raises
+    ------
+    ValueError
+        For what cannot be planned with.
+
+    Examples
+    --------
+    >>> import sightline
+    >>> plan = sightline.plan_lines(speed_mps=13.9, baseline_m=1.0, error=0.01)
+    >>> plan.line_rate_hz, round(plan.u_speed_mps, 4)
+    (1390.0, 0.0025)
     """
     if not (0 < length_m <= 100 and 0 < time_gap_s <= 3600):
         raise ValueError("The vehicle must be up to 100 m long, the gap up to 3600 s; both greater than 0.")

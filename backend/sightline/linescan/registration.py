@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from sightline.linescan.masks import Points, Sheet, sampled, shifted
 from sightline.linescan.middle import median
 from sightline.linescan.warp import Course
+from sightline.robust import robust_scale
 
 Array = NDArray[np.float64]
 ROUNDS = 8
@@ -119,7 +120,7 @@ def look(first: Sheet, second: Sheet, points: Points, clock: Clock, state: State
 
 
 def _scale(residual: Array) -> float:
-    return max(1.4826 * float(median(np.abs(residual))[0]), 0.05) if len(residual) else 1.0
+    return max(robust_scale(residual), 0.05) if len(residual) else 1.0
 
 
 def _weights(seen: Look, block: NDArray[np.intp], blocks: int) -> tuple[Array, float]:

@@ -19,12 +19,12 @@ from sightline.enums import ScanDirection
 from sightline.errors import BadInput
 from sightline.linescan.equations import travelled_m
 from sightline.linescan.parts import Lane, Motion, Rig
+from sightline.robust import robust_scale
 
 LEAST_VEHICLES = 5
 LEAST_U_M = 1e-3
 # A median's standard deviation over a mean's, for normal errors.
 _MEDIAN = sqrt(np.pi / 2)
-_MAD = 1.4826
 
 
 @dataclass(frozen=True)
@@ -320,10 +320,10 @@ def _require_lanes(lanes: tuple[Lane, ...]) -> None:
 def _median(values: Sequence[float], what: str) -> RigEstimate:
     n = len(values)
     if n < LEAST_VEHICLES:
-        return RigEstimate(None, None, None, n, f"{n} vehicles gave {what}; {LEAST_VEHICLES} are needed.")
+        return RigEstimate(None, None, None, n, f"{n} vehicles give {what}; {LEAST_VEHICLES} are needed.")
     array: NDArray[np.float64] = np.asarray(values, dtype=np.float64)
     middle = float(np.median(array))
-    spread = _MAD * float(np.median(np.abs(array - middle)))
+    spread = robust_scale(array - middle)
     # few vehicles: the spread itself is uncertain, as Student's t widens it
     widened = float(scipy.stats.t.ppf(0.975, n - 1) / COVERAGE_95)
     return RigEstimate(middle, widened * _MEDIAN * spread / sqrt(n), spread, n)

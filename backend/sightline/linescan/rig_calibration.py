@@ -368,7 +368,7 @@ def _require_values(one: RigPass, kind: RigPassKind) -> None:
         if not isfinite(value) or value < least or (positive and value == 0):
             raise RigPassError(f"The value {name} is out of range: {value:.6g}; correct it.")
     if not DISTANCE_M.least <= one.distance_m <= DISTANCE_M.most:
-        raise RigPassError(f"The value distance_m cannot be {one.distance_m:.6g}; correct it.")
+        raise RigPassError(f"The value distance_m is out of range: {one.distance_m:.6g}; correct it.")
 
 
 def _require_common(common: Common) -> None:

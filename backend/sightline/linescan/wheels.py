@@ -47,8 +47,8 @@ class Wheels:
     foot: float | None = None
 
 
-NONE_FOUND = "No wheel was found: the lower part of the picture shows none, or too dark."
-NO_MOTION = "Without a motion the picture cannot be laid out in metres."
+NONE_FOUND = "No wheel was found: the lower part of the image shows none, or is too dark."
+NO_MOTION = "Without a motion the image has no scale in metres."
 
 
 def tyres_row(picture: Pixels, start: int, motion: Motion, rig: Rig) -> float | None:

@@ -20,6 +20,7 @@ from sightline.measurements.records import (
     VehicleInState,
     VehicleSheet,
 )
+from sightline.messages.said import Said
 from sightline.statistics.plausible import Doubt, Height, doubts
 
 
@@ -34,7 +35,7 @@ class MeasurementBody(MeasurementValues):
     recording_id: int
     repeat_of: Annotated[int | None, Field(description="The measurement that this one repeats.")]
     flags: Annotated[
-        list[str],
+        list[Said],
         Field(description="As stored, and, derived when read, that the camera had moved on this frame."),
     ]
     filmed_at: Annotated[

@@ -27,7 +27,6 @@ from sightline.enums import (
 from sightline.infra.csv_package.columns import (
     flag,
     integer,
-    joined,
     key,
     metres,
     moment,
@@ -35,12 +34,14 @@ from sightline.infra.csv_package.columns import (
     of_part,
     person,
     pixel,
+    said,
     text,
 )
 from sightline.infra.csv_package.schema import Cell, Column, Table
 from sightline.measurements.again.csv import out_of_date
 from sightline.measurements.followed_text import frames_of_text
 from sightline.measurements.records import FurtherFrame, Measurement
+from sightline.messages.said import Said
 from sightline.poses.csv import pose_path
 from sightline.vehicles.records import is_reference
 
@@ -294,6 +295,18 @@ _SEVERAL: Columns = (
         lambda m: m.values.u_solved_inset_m,
     ),
 )
+
+
+def _reason_of(one: Measurement) -> Said | None:
+    return one.values.reason
+
+
+def _flags_of(one: Measurement) -> list[Said]:
+    return one.all_flags
+
+
+REASON: Columns = said("reason", "why there is no height", _reason_of)
+_FLAGS: Columns = said("flags", "warnings on this height, separated by semicolons", _flags_of)
 _HEIGHT: Columns = (
     metres(
         "height_m",
@@ -327,8 +340,8 @@ _HEIGHT: Columns = (
         required=True,
         enum=get_args(MeasurementStatus),
     ),
-    text("reason", "why there is no height", lambda m: m.values.reason),
-    text("flags", "warnings on this height, separated by semicolons", lambda m: joined(m.all_flags)),
+    *REASON,
+    *_FLAGS,
     text(
         "code_version",
         "version of the program that computed the height",

@@ -33,16 +33,14 @@ from sightline.geometry.sides import FoundSide
 from sightline.geometry.whole_pass import WholePass, measure_pass
 from sightline.measurements.followed_text import read_text
 from sightline.measurements.records import Clicks, HeightOfClicks
+from sightline.messages.said import Said
 from sightline.surveys.records import Inset
 
 DEFAULT_SIGMA_PX = 1.0
 # Insets are kept to the micrometre: that is what the CSV carries, so an export recomputes to the same figure.
 _INSET_DECIMALS = 6
 _MOST_POSES = 32
-SIDE_FROM_PLACE = (
-    "The pass has no direction; the driver's side follows from the camera's place in the median, "
-    "past which all traffic runs one way."
-)
+SIDE_FROM_PLACE = Said("height-flag-side-from-place")
 
 
 @dataclass(frozen=True)

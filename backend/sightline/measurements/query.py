@@ -14,6 +14,7 @@ from sightline.infra.database.rows import who
 from sightline.measurements.derived_query import derived
 from sightline.measurements.records import FurtherFrame, Measurement, MeasurementValues, ReviewState
 from sightline.measurements.tables import measurement_series, measurements, reviews
+from sightline.messages.said import Said
 
 series = measurement_series
 _later = measurements.alias("later")
@@ -132,6 +133,10 @@ def measurement_of_row(row: Row[Any]) -> Measurement:
     """The record of a row of `measurement_revision_rows()`; columns added behind those do not matter."""
     contact_x, contact_y, target_x, target_y, more_frames = _clicks_of(row)
     values = dict(zip(_STORED, _values_of(row), strict=True))
+    if values["reason"] is not None:
+        values["reason"] = Said.read(values["reason"])
+    if values["flags"]:
+        values["flags"] = [Said.read(flag) for flag in values["flags"]]
     return Measurement(
         values=MeasurementValues(
             contact=(contact_x, contact_y),

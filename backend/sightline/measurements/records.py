@@ -1,5 +1,6 @@
 """Measurements, their values and further frames, and the sheet of a vehicle that carries them."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from datetime import datetime
 from typing import Annotated
@@ -21,6 +22,7 @@ from sightline.enums import (
     Verdict,
 )
 from sightline.infra.audit.records import Who
+from sightline.messages.said import Said
 from sightline.vehicles.records import Vehicle
 
 
@@ -31,6 +33,31 @@ class ClickedFrame:
     frame: int
     contact: Point
     target_point: Point
+
+
+class ClickedFrames:
+    """What is clicked on one frame of a pass, or on several."""
+
+    __slots__ = ()
+    frame: int
+    contact: Point
+    target_point: Point
+    more_frames: Sequence[ClickedFrame]
+
+    @property
+    def frames(self) -> tuple[int, ...]:
+        """The frames clicked on, the first one first."""
+        return (self.frame, *(further.frame for further in self.more_frames))
+
+    @property
+    def contacts(self) -> tuple[Point, ...]:
+        """The contact point on each of `frames`."""
+        return (self.contact, *(further.contact for further in self.more_frames))
+
+    @property
+    def target_points(self) -> tuple[Point, ...]:
+        """The target point on each of `frames`."""
+        return (self.target_point, *(further.target_point for further in self.more_frames))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -53,7 +80,7 @@ class Origin:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Clicks(Origin):
+class Clicks(Origin, ClickedFrames):
     """What one height is computed from: two points in pixels on a frame, and on further frames of the pass.
 
     With further frames, or points `followed` from these through the pass (followed_text.py), the inset is
@@ -76,24 +103,9 @@ class Clicks(Origin):
     side_from: SideBasis | None = None
 
     @property
-    def frames(self) -> tuple[int, ...]:
-        """The frames clicked on, the first one first."""
-        return (self.frame, *(further.frame for further in self.more_frames))
-
-    @property
     def solves_inset(self) -> bool:
         """Whether further frames or a followed pass tell the inset."""
         return bool(self.more_frames) or self.followed is not None
-
-    @property
-    def contacts(self) -> tuple[Point, ...]:
-        """The contact point on each of `frames`."""
-        return (self.contact, *(further.contact for further in self.more_frames))
-
-    @property
-    def target_points(self) -> tuple[Point, ...]:
-        """The target point on each of `frames`."""
-        return (self.target_point, *(further.target_point for further in self.more_frames))
 
     @property
     def known_sigma_px(self) -> float:
@@ -127,7 +139,7 @@ class HeightOfClicks:
     """
 
     status: MeasurementStatus
-    reason: str | None
+    reason: Said | None
     height_m: float | None
     u_height_m: float | None
     U95_height_m: float | None
@@ -143,7 +155,7 @@ class HeightOfClicks:
     y_m: Annotated[float | None, Field(description="Contact point across the road, away from the camera.")]
     distance_m: float | None
     budget: list[BudgetPart]
-    flags: list[str]
+    flags: list[Said]
     solved_inset_m: float | None = None
     u_solved_inset_m: float | None = None
     u_clicks_m: float | None = None
@@ -151,19 +163,16 @@ class HeightOfClicks:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class FurtherFrame:
+class FurtherFrame(ClickedFrame):
     """The same two points, clicked on another frame of the pass."""
 
-    frame: int
     pts: int
     time_s: float
     frame_crc32: int
-    contact: Point
-    target_point: Point
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class MeasurementValues(HeightOfClicks):
+class MeasurementValues(HeightOfClicks, ClickedFrames):
     """The content of one revision: what was clicked, on what, and the height computed from it.
 
     Points are (x, y) in pixels of the frame; `frame_crc32` is of its decoded luma. A name that ends in _m
@@ -213,21 +222,6 @@ class MeasurementValues(HeightOfClicks):
     proposed_target_y_px: Annotated[float | None, Field(exclude=True)] = None
 
     @property
-    def frames(self) -> tuple[int, ...]:
-        """The frames clicked on, the first one first."""
-        return (self.frame, *(further.frame for further in self.more_frames))
-
-    @property
-    def contacts(self) -> tuple[Point, ...]:
-        """The contact point on each of `frames`."""
-        return (self.contact, *(further.contact for further in self.more_frames))
-
-    @property
-    def target_points(self) -> tuple[Point, ...]:
-        """The target point on each of `frames`."""
-        return (self.target_point, *(further.target_point for further in self.more_frames))
-
-    @property
     def first_clicks(self) -> tuple[int, Point, Point]:
         """(frame, contact, target point) of the first frame: who clicked these made the measurement."""
         return self.frame, self.contact, self.target_point
@@ -272,14 +266,14 @@ class Measurement:
     #: The revision that the verdict was given to.
     judged_revision: int | None = None
     #: Derived when read, never stored: the camera had moved on this frame.
-    drift_flag: str | None = None
+    drift_flag: Said | None = None
     #: Derived too: when its first frame was filmed, ISO 8601 with offset; None: the start is not confirmed.
     filmed_at: str | None = None
     #: Filled in for the package alone: the facts that it follows from and that hold no longer.
     out_of_date: tuple[ComputingCause, ...] = ()
 
     @property
-    def all_flags(self) -> list[str]:
+    def all_flags(self) -> list[Said]:
         """What was stored, and what was found out since about the camera."""
         flags = self.values.flags
         return flags if self.drift_flag is None else [*flags, self.drift_flag]

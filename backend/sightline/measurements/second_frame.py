@@ -32,6 +32,7 @@ from sightline.measurements.height_of_clicks import measured_frames
 from sightline.measurements.records import Clicks, Measurement, VehicleSheet
 from sightline.measurements.service import clicks_in_context, pose_in_force
 from sightline.measurements.sheets.query import get_sheet
+from sightline.messages.said import Said
 from sightline.recordings.frames.stills import OpenRecording, stills_of
 
 # Following is for a proposal that is waited for: what is not seen by then goes on at the speed found.
@@ -67,7 +68,7 @@ class FrameForTarget:
 
     target: Target
     ok: bool
-    reason: str | None = None
+    reason: Said | None = None
     frame: int | None = None
     u_now_m: float | None = None
     U95_now_m: float | None = None
@@ -94,7 +95,7 @@ class Candidate:
 
     target: Target
     u_now_m: float | None
-    reason: str | None = None
+    reason: Said | None = None
     spots: tuple[Spot, ...] = ()
     sure: frozenset[int] = frozenset()
 
@@ -167,7 +168,7 @@ def _with_an_inset(clicks: Clicks) -> Clicks:
 def candidates_of(
     pose: RoadPose,
     asked: Sequence[Clicks],
-    now: Sequence[tuple[float | None, str | None]],
+    now: Sequence[tuple[float | None, Said | None]],
     known: Sequence[Travels],
 ) -> list[Candidate]:
     """Where each of the targets could be clicked again; `now`: the uncertainty of each so far, or why there
@@ -247,9 +248,9 @@ def _best(rated: dict[int, tuple[float, float]]) -> int:
     return min((n for n in rated if rated[n][0] <= _AS_GOOD * least), key=lambda n: (rated[n][1], n))
 
 
-def _refused(target: Target, u_now_m: float | None, reason: str | None) -> FrameForTarget:
+def _refused(target: Target, u_now_m: float | None, reason: Said | None) -> FrameForTarget:
     U95 = None if u_now_m is None else COVERAGE_95 * u_now_m
-    reason = reason or "There is no height yet; click contact and target first."
+    reason = reason or Said("second-frame-no-height")
     return FrameForTarget(target=target, ok=False, reason=reason, u_now_m=u_now_m, U95_now_m=U95)
 
 
@@ -261,7 +262,7 @@ def _answered(found: Sequence[FrameForTarget], source: TravelSource | None = Non
     return replace(said, source=source, words=_WORDS[source])
 
 
-def _now(pose: RoadPose, clicks: Clicks) -> tuple[float | None, str | None]:
+def _now(pose: RoadPose, clicks: Clicks) -> tuple[float | None, Said | None]:
     """The uncertainty of what is clicked so far, or why there is none."""
     if clicks.more_frames:
         height = measured_frames(pose, clicks).height
@@ -318,7 +319,7 @@ def _speed(
     """Along the road's X, from the contacts on the first and the last frame; None where one says nothing."""
     (n, first), (m, last) = min(clicked_on), max(clicked_on)
     a, b = road_point(pose, first), road_point(pose, last)
-    if n == m or isinstance(a, str) or isinstance(b, str) or times[m] <= times[n]:
+    if n == m or isinstance(a, Said) or isinstance(b, Said) or times[m] <= times[n]:
         return None
     return float((b[0] - a[0]) / (times[m] - times[n]))
 
@@ -339,7 +340,7 @@ def follow(
     gray = stills_of(services).gray(recording_id, n)
     spots = textured(gray, _box(clicks, gray.shape))
     body = body_of(pose, clicks.contact, clicks.target_point, clicks.assumed()[1], spots)
-    if isinstance(body, str) or len(body.points_m) < 5:
+    if isinstance(body, Said) or len(body.points_m) < 5:
         return {}
     pixels = np.concatenate([[clicks.contact, clicks.target_point], spots])
     found: dict[int, float] = {}
@@ -400,7 +401,7 @@ def _in_sight(pose: RoadPose, clicks: Clicks, travels: dict[int, float]) -> froz
     uncertainty.
     """
     body = body_of(pose, clicks.contact, clicks.target_point, clicks.assumed()[1], np.empty((0, 2)))
-    if isinstance(body, str):
+    if isinstance(body, Said):
         return frozenset()
     taken = set(clicks.frames)
     return frozenset(
@@ -456,16 +457,13 @@ def _offered(one: Candidate, frame: int | None, more_frames: bool) -> FrameForTa
     if one.u_now_m is None:
         return _refused(one.target, None, one.reason)
     if not more_frames:
-        reason = "The pass has no other frame; extend it by its first or last frame."
-        return _refused(one.target, one.u_now_m, reason)
+        return _refused(one.target, one.u_now_m, Said("second-frame-no-other"))
     if not one.spots:
-        reason = "No other frame of the pass shows both points; use a single frame."
-        return _refused(one.target, one.u_now_m, reason)
+        return _refused(one.target, one.u_now_m, Said("second-frame-not-shown"))
     if frame is None:
         least = min(spot.u_height_m for spot in one.spots)
-        now, then = (1000 * COVERAGE_95 * u for u in (one.u_now_m, least))
-        reason = f"A second frame does not help: {now:.0f} mm now, {then:.0f} mm with it."
-        return _refused(one.target, one.u_now_m, reason)
+        now_m, then_m = (round(COVERAGE_95 * u, 3) for u in (one.u_now_m, least))
+        return _refused(one.target, one.u_now_m, Said("second-frame-no-gain", now_m=now_m, then_m=then_m))
     best = one.helpful[frame]
     return FrameForTarget(
         target=one.target,

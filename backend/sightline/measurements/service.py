@@ -43,7 +43,7 @@ from sightline.measurements.store import (
     add_measurement,
     get_measurement,
     is_stored_key,
-    revise_current_measurement,
+    revise_measurement,
 )
 from sightline.poses.store import get_pose
 from sightline.statistics.plausible import is_of_class
@@ -203,7 +203,7 @@ def store_revision(session: Session, before: Measurement, clicks: Clicks, *, act
     elif clicks.frame == then.frame and then.made in ("confirmed", "moved"):
         clicks = replace(clicks, made="moved")
     values = values_of_vehicle(session, before.vehicle_id, clicks, actor=actor)
-    return revise_current_measurement(session, before, values, actor=actor)
+    return revise_measurement(session, before, values, actor=actor)
 
 
 def _with_inset_of(clicks: Clicks, then: MeasurementValues) -> Clicks:
@@ -318,7 +318,7 @@ def revise_with_what_holds_now(session: Session, before: Measurement, *, actor: 
     """
     clicks = clicks_to_compute_again(before.values)
     values = values_of_vehicle(session, before.vehicle_id, clicks, actor=actor)
-    return revise_current_measurement(session, before, values, actor=actor)
+    return revise_measurement(session, before, values, actor=actor)
 
 
 def clicks_to_compute_again(values: MeasurementValues) -> Clicks:

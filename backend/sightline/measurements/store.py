@@ -19,7 +19,7 @@ from sightline.infra.audit.hashing import content_hash, plain
 from sightline.infra.audit.records import name_or_somebody
 from sightline.infra.database.rows import add_row, add_rows, missing, name_of, row_content
 from sightline.infra.database.types import columns_of, now
-from sightline.measurements.again.differences import same_height
+from sightline.measurements.again.differences import judged_alike, same_height
 from sightline.measurements.click_context_query import frames_by_number
 from sightline.measurements.derived_query import TELLING, derived_from
 from sightline.measurements.query import (
@@ -171,17 +171,11 @@ def _contents(session: Session, revision_ids: Sequence[int]) -> dict[int, JsonOb
 
 
 def revise_measurement(
-    session: Session, series_id: int, *, seen_revision: int, values: MeasurementValues, actor: int | None
-) -> Measurement:
-    """A new revision with other content. Raises Conflict for one not current, or withdrawn."""
-    before = require_measurement_revision(session, series_id, seen_revision)
-    return revise_current_measurement(session, before, values, actor=actor)
-
-
-def revise_current_measurement(
     session: Session, before: Measurement, values: MeasurementValues, *, actor: int | None
 ) -> Measurement:
-    """`revise_measurement` of what `require_measurement_revision` gave in the same transaction."""
+    """A new revision with other content than `before`, which `require_measurement_revision` gave in the same
+    transaction. Raises Conflict for one that is withdrawn, or a repeat.
+    """
     if before.withdrawn:
         raise Conflict("measurements-measurement-withdrawn-restore-before-you-change")
     if before.repeat_of is not None:
@@ -378,9 +372,8 @@ def _verdict_that_stood(session: Session, series_id: int, values: MeasurementVal
         .where(measurements.c.target_x_px == target_x, measurements.c.target_y_px == target_y)
         .order_by(measurements.c.revision.desc())
     )
-    alike = (measurement_of_row(row) for row in session.execute(query))
-    judged = (one.judged_revision for one in alike if same_height(one.values, values))
-    return next((revision for revision in judged if revision is not None), None)
+    history = (measurement_of_row(row) for row in session.execute(query))
+    return judged_alike(history, lambda one: same_height(one.values, values), lambda one: one.judged_revision)
 
 
 def _append(

@@ -30,7 +30,14 @@ from sightline.enums import (
     Target,
 )
 from sightline.infra.audit.vouched import WrittenOnce, WrittenOnceApart, vouched
-from sightline.infra.database.types import HOLDS, CanonicalJson, UtcDateTime, enum_check, identity, metadata
+from sightline.infra.database.types import (
+    HOLDS,
+    CanonicalJson,
+    enum_check,
+    identity,
+    made_columns,
+    metadata,
+)
 
 # What stays the same over all revisions of one measurement; append-only like them.
 measurement_series = Table(
@@ -63,8 +70,7 @@ computings = Table(
     Column("largest_m", Float),
     Column("causes", CanonicalJson, nullable=False),
     Column("code_version", String(60), nullable=False),
-    Column("created_at", UtcDateTime, nullable=False),
-    Column("created_by", ForeignKey("people.id")),
+    *made_columns(),
     enum_check("kind", ComputingKind),
     CheckConstraint("(kind = 'undo') = (undoes IS NOT NULL)", name="undo_names_another"),
     info=vouched(WrittenOnce("computing", "record of heights computed again")),
@@ -115,7 +121,7 @@ measurements = Table(
     Column("y_m", Float),
     Column("distance_m", Float),
     Column("status", String(20), nullable=False),
-    Column("reason", Text),
+    Column("reason", CanonicalJson),
     Column("flags", CanonicalJson, nullable=False),
     Column("budget", CanonicalJson, nullable=False),
     Column("code_version", String(60), nullable=False),
@@ -133,8 +139,7 @@ measurements = Table(
     Column("computing_id", ForeignKey("computings.id"), index=True),
     # the revision before it whose verdict holds for this one too: hardly moved, or put back where it was
     Column("verdict_of_revision", Integer),
-    Column("created_at", UtcDateTime, nullable=False),
-    Column("created_by", ForeignKey("people.id")),
+    *made_columns(),
     UniqueConstraint("series_id", "revision"),
     enum_check("target", Target),
     enum_check("status", MeasurementStatus),
@@ -176,8 +181,7 @@ click_sigmas = Table(
     Column("person_id", ForeignKey("people.id"), nullable=False),
     Column("sigma_px", Float),
     Column("pairs", Integer, nullable=False),
-    Column("created_at", UtcDateTime, nullable=False),
-    Column("created_by", ForeignKey("people.id")),
+    *made_columns(),
     CheckConstraint("sigma_px > 0", name="sigma_positive"),
     info=vouched(WrittenOnce("click_sigma", "click sigma")),
 )
@@ -200,8 +204,7 @@ lots = Table(
     Column("consumer_quality", Float, nullable=False),
     Column("consumer_risk", Float, nullable=False),
     Column("seed", String(64), nullable=False),
-    Column("created_at", UtcDateTime, nullable=False),
-    Column("created_by", ForeignKey("people.id")),
+    *made_columns(),
     UniqueConstraint("survey_id", "number"),
     CheckConstraint("acceptance_number < sample_size AND sample_size <= size", name="plan_fits"),
     info=vouched(WrittenOnce("lot", "lot")),
@@ -235,8 +238,7 @@ lot_decisions = Table(
     Column("rest", Integer, nullable=False),
     Column("sample", CanonicalJson, nullable=False),
     Column("left_out", CanonicalJson, nullable=False),
-    Column("created_at", UtcDateTime, nullable=False),
-    Column("created_by", ForeignKey("people.id")),
+    *made_columns(),
     enum_check("choice", LotChoice),
     info=vouched(WrittenOnce("lot_decision", "decision on a lot")),
 )
@@ -254,8 +256,7 @@ reviews = Table(
     Column("reason", Text),
     # empty for a verdict on this measurement alone
     Column("lot_id", ForeignKey("lots.id"), index=True),
-    Column("created_at", UtcDateTime, nullable=False),
-    Column("created_by", ForeignKey("people.id")),
+    *made_columns(),
     enum_check("verdict", ReviewVerdict),
     CheckConstraint("verdict <> 'rejected' OR reason IS NOT NULL", name="rejected_has_reason"),
     CheckConstraint("lot_id IS NULL OR verdict IN ('accepted', 'reopened')", name="lot_accepts_or_reopens"),
@@ -283,7 +284,6 @@ wheel_pairs = Table(
     Column("second_x_px", Float, nullable=False),
     Column("second_y_px", Float, nullable=False),
     Column("withdrawn", Boolean, nullable=False),
-    Column("created_at", UtcDateTime, nullable=False),
-    Column("created_by", ForeignKey("people.id")),
+    *made_columns(),
     info=vouched(WrittenOnce("wheel_pair", "pair of tyre contacts")),
 )

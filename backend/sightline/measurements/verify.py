@@ -19,7 +19,8 @@ from sightline.geometry.documents import pose_from_dict
 from sightline.geometry.road_pose import RoadPose
 from sightline.infra.audit.hashing import canonical_json, content_hash
 from sightline.infra.audit.records import Who
-from sightline.infra.csv_package.files import Files, read_columns, read_rows, read_whole
+from sightline.infra.csv_package.columns import CODE, said_in, words_of
+from sightline.infra.csv_package.files import Files, read_columns, read_rows, read_whole, unsafe
 from sightline.infra.csv_package.files import number as figure_of
 from sightline.infra.csv_package.recomputing import Recomputing
 from sightline.infra.csv_package.schema import AnyTable, Table, cell_text
@@ -42,6 +43,7 @@ from sightline.measurements.records import (
     MeasurementValues,
     ReviewState,
 )
+from sightline.messages.said import Said
 from sightline.poses.csv import pose_path
 from sightline.recordings.csv import filmings_in
 from sightline.recordings.filming import Filming
@@ -49,8 +51,8 @@ from sightline.recordings.filming import Filming
 #: The part of the program that computes heights from clicks, by its name in datapackage.json.
 HEIGHTS = "heights"
 Row = Mapping[str, str]
-#: The sentence about a camera that had moved, by recording, pose and frames; None where it had not.
-DriftFlag = Callable[[int, int, Sequence[int]], str | None]
+#: The flag about a camera that had moved, by recording, pose and frames; None where it had not.
+DriftFlag = Callable[[int, int, Sequence[int]], Said | None]
 # Half of the last decimal that a CSV carries, and a hair for the rounding of the last binary digit.
 _HEIGHT_TOLERANCE_M = 0.51e-6
 _FURTHER = re.compile(r"(?:contact|target)(\d+)_[xy]_px")
@@ -69,10 +71,10 @@ _ONLY_CURRENT = ("id", "filmed_at", "out_of_date", *_VERDICT)
 class MeasurementEvents:
     """What the events say of measurements, as digests: `revisions` by (measurement, revision), `repeats` by
     repeat, of its newest revision (as `table_of_repeats` has it), `budgets` of newest revisions;
-    `of_vehicle`: whose each measurement is; `follows_from`: target and facts of its newest revision;
-    `programs_of_repeats`: the version that computed each; `frames`: pts, time and CRC-32 of each frame
-    clicked on, by (recording, frame). Of tables that the package has with other `headers` than this program,
-    what both have is compared.
+    `of_vehicle`: whose each measurement or repeat is; `follows_from`: target and facts of each, newest
+    revision; `programs_of_repeats`: the version that computed each; `frames`: pts, time and CRC-32 of each
+    frame clicked on, by (recording, frame). Of tables that the package has with other `headers` than this
+    program, what both have is compared.
     """
 
     table_of_repeats: Table[Measurement]
@@ -97,17 +99,17 @@ class MeasurementEvents:
             known = [str(one.pts), repr(one.time_s), str(one.frame_crc32)]
             if self.frames.setdefault((made.recording_id, one.frame), known) != known:
                 raise Damaged("measurements-events-two-frames", recording=made.recording_id, frame=one.frame)
+        self.follows_from[number] = made.values.target, facts_of(made.values, made.values.pose_id)
         if made.repeat_of is not None:
             self.repeats[number] = self._of_record(self.table_of_repeats, made)
             self.programs_of_repeats[number] = made.values.code_version
         else:
-            self.follows_from[number] = made.values.target, facts_of(made.values, made.values.pose_id)
             most = max(2, len(made.values.frames))
             self.revisions[number, made.revision] = self._of_record(with_frames(REVISIONS, most), made)
             self.budgets[number] = _digest([cells_of(BUDGET, one) for one in budget_entries(made)])
 
     def _of_record(self, table: Table[Measurement], made: Measurement) -> bytes:
-        header = self.headers[table.path]
+        header = _without_words(self.headers[table.path])
         return _digest({name: text for name, text in cells_of(table, made).items() if name in header})
 
     def of_row(self, table: Table[Measurement], cells: Row) -> bytes:
@@ -115,8 +117,16 @@ class MeasurementEvents:
         known = self.known.get(table.path)
         if known is None:
             most = count_frames(self.headers[table.path])
-            known = self.known[table.path] = frozenset(with_frames(table, most).header)
+            header = frozenset(with_frames(table, most).header)
+            known = self.known[table.path] = header & _without_words(self.headers[table.path])
         return _digest({name: text for name, text in cells.items() if text and name in known})
+
+
+def _without_words(header: Collection[str]) -> frozenset[str]:
+    """The columns but for words whose codes stand beside them: an event holds the codes, and later versions
+    word them otherwise. A package that has no codes was made of events that hold its words.
+    """
+    return frozenset(name for name in header if f"{name}{CODE}" not in header)
 
 
 def _told(number: int, after: Mapping[str, Any]) -> Measurement:
@@ -129,6 +139,8 @@ def _told(number: int, after: Mapping[str, Any]) -> Measurement:
     }
     # what an event of an earlier version does not tell has the value that says so
     values = {one.name: row[one.name] for one in fields(MeasurementValues) if one.name in {*row} - {*points}}
+    values["reason"] = None if row["reason"] is None else Said.read(row["reason"])
+    values["flags"] = [Said.read(flag) for flag in row["flags"]]
     by = row["created_by"]
     return Measurement(
         id=number,
@@ -212,14 +224,20 @@ def check_measurements(
 
 
 class Recomputed:
-    """Heights computed again from the poses of a package, each read once."""
+    """Heights computed again from the poses of a package, each read once. `same_words`: whether this program
+    has the words of the one that made the package.
+    """
 
-    def __init__(self, files: Files, recomputing: Recomputing) -> None:
-        self._files, self._recomputing = files, recomputing
+    def __init__(self, files: Files, recomputing: Recomputing, *, same_words: bool) -> None:
+        self._files, self._recomputing, self._same_words = files, recomputing, same_words
         self._poses: dict[str, RoadPose] = {}
 
     def check(self, name: str, row: Row, by: str) -> None:
-        """The figures of a row, computed by this version, are those that its clicks give. Raises Damaged."""
+        """The figures of a row, computed by this version, are those that its clicks give, and its words those
+        of their codes. Raises Damaged.
+        """
+        if self._same_words:
+            _same_words(name, row)
         with self._recomputing.of(HEIGHTS, by):
             _same(name, row, self._answer(row))
 
@@ -228,6 +246,14 @@ class Recomputed:
         if path not in self._poses:
             self._poses[path] = _pose(self._files, path)
         return answer(self._poses[path], clicks_of_row(row))
+
+
+def _same_words(name: str, row: Row) -> None:
+    for column in row:
+        if column.endswith(CODE):
+            words = column.removesuffix(CODE)
+            if unsafe(row[words]) != (words_of(said_in(row[column])) or ""):
+                raise Damaged("measurements-words-not-of-code", name=name, column=words)
 
 
 def _pose(files: Files, path: str) -> RoadPose:
@@ -401,12 +427,19 @@ def _without_drift(row: Row, drift_flag: DriftFlag) -> dict[str, str]:
     told = {name: text for name, text in row.items() if text}
     numbers = [int(row["frame"]), *(int(row[f"frame{k}"]) for k in further(row))]
     added = drift_flag(int(row["recording_id"]), int(row["pose_id"]), numbers)
-    if added is not None:
-        flags = told.pop("flags", "")
-        if flags.removesuffix(added) == flags:
-            return {**told, "flags": ""}
-        if stored := flags.removesuffix(added).removesuffix("; "):
-            told["flags"] = stored
+    if added is None:
+        return told
+    code = f"flags{CODE}"
+    if row.get(code):
+        *stored, last = json.loads(told.pop(code))
+        if last != added.document:
+            return {**told, code: ""}
+        return {**told, code: canonical_json(stored)} if stored else told
+    flags = told.pop("flags", "")
+    if flags.removesuffix(str(added)) == flags:
+        return {**told, "flags": ""}
+    if words := flags.removesuffix(str(added)).removesuffix("; "):
+        told["flags"] = words
     return told
 
 

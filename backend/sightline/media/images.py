@@ -17,7 +17,6 @@ MAX_SIDE_PX = 16_384
 MAX_PIXELS = 100_000_000
 MAX_BYTES = 200_000_000
 HEIF = "media-heif-picture"
-_WAY_OUT = "save it as PNG or JPEG and try again"
 
 
 def read_image(source: bytes | Path, name: str | None = None) -> Gray:

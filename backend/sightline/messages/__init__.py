@@ -2,13 +2,14 @@
 
 `en.ftl` is the source (Project Fluent); the pages read the same files. Code raises keys and values; the
 sentence is made where somebody reads it. Numbers keep all their digits and are not grouped unless the
-sentence asks with NUMBER, for most of them are frames, lines and identifiers.
+sentence asks with NUMBER, for most of them are frames, lines and identifiers. SMALL writes metres as a small
+length: "14 mm" here, inches in the pages of those who read feet.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from functools import cache
 from importlib.resources import files
 from typing import TYPE_CHECKING, Any
@@ -74,6 +75,19 @@ def _given(value: Value) -> Any:
     return fluent_number(value, useGrouping=False, maximumFractionDigits=_MOST_DIGITS)
 
 
+def _small_length(locale: str) -> Callable[..., str]:
+    def small(length_m: float, digits: int | None = None) -> str:
+        """Below 1 cm with one decimal, unless the sentence asks for `digits`."""
+        from babel.numbers import format_decimal
+
+        length_mm = 1000 * float(length_m)
+        decimals = int(digits) if digits is not None else 1 if abs(length_mm) < 10 else 0
+        pattern = "0." + decimals * "0" if decimals else "0"
+        return f"{format_decimal(length_mm, pattern, locale.replace('-', '_'))} mm"
+
+    return small
+
+
 class _Bundle:
     """The messages of one language, each parsed when it is first said: all of them take half a second."""
 
@@ -83,7 +97,9 @@ class _Bundle:
         there = files(__name__) / f"{language}.ftl"
         text = there.read_text("utf-8") if there.is_file() else ""
         self._texts = entries(text)
-        self._parsed = FluentBundle(["en-GB" if language == SOURCE else language], use_isolating=False)
+        locale = "en-GB" if language == SOURCE else language
+        functions: dict[str, Any] = {"SMALL": _small_length(locale)}
+        self._parsed = FluentBundle([locale], functions=functions, use_isolating=False)
 
     def has(self, key: str) -> bool:
         return key in self._texts

@@ -1035,7 +1035,7 @@ recordings-picture-read = Video track { $number } of { $count } in the file
 recordings-picture-read-too = Import video track { $number } too ({ $codec }, { $size })
 recordings-picture-read-of = Import video track { $number } of { $recording } as a separate recording
 recordings-picture-added = { $name } is being imported.
-recordings-filming-rate-unknown = Filming rate not stated; motion is not measured.
+recordings-filming-rate-unknown = Filming rate not confirmed; motion is not measured.
 recordings-filming-rate-is = Filmed at { $rate } frames/s, as entered
 recordings-filming-rate-state = Enter the filming rate
 recordings-filming-rate-of = Enter the filming rate of { $recording }
@@ -1137,6 +1137,7 @@ upload-discard-one = Delete the partial upload of { $file }
 ## Words that many pages need
 
 interval = { $low } to { $high }
+words-apart = { $first }; { $second }
 person-system = Sightline
 person-unknown = unknown
 menu-language = Language
@@ -1542,14 +1543,14 @@ measure-step-new = { $target ->
     [driver_eye] new driver’s eye
     [taillight] new taillight
     [headlight] new headlight
-   *[other] new other
+   *[other] new other target
 }
 measure-step-withdrawal = { $target ->
-    [roof] withdrawal of roof
-    [driver_eye] withdrawal of driver’s eye
-    [taillight] withdrawal of taillight
-    [headlight] withdrawal of headlight
-   *[other] withdrawal of other
+    [roof] withdrawal of the roof
+    [driver_eye] withdrawal of the driver’s eye
+    [taillight] withdrawal of the taillight
+    [headlight] withdrawal of the headlight
+   *[other] withdrawal of the other target
 }
 measure-step-frame = { $nth ->
     [2] second frame
@@ -1574,7 +1575,7 @@ measure-driver = { $side ->
 measure-find-pose = Compute the camera pose
 measure-no-pose = No camera pose. Compute it before you measure.
 measure-choose-pass = Choose a pass on the left, or mark a new one with [ and ].
-measure-look-only = View only. Ask an operator for measuring rights.
+measure-look-only = View only. Ask an administrator for the operator role.
 measure-vehicle-done = Done. Keys 1 to 5 measure again.
 measure-next-pass = Next pass
 measure-choose-target = Choose a target: 1 to 5.
@@ -1631,23 +1632,23 @@ measure-afresh = { $target ->
     [driver_eye] Driver’s eye measured again. The previous value is in the history.
     [taillight] Taillight measured again. The previous value is in the history.
     [headlight] Headlight measured again. The previous value is in the history.
-   *[other] Other measured again. The previous value is in the history.
+   *[other] Other target measured again. The previous value is in the history.
 }
 measure-show-point = Show and select the point
 measure-click = click on the frame
 measure-details-show = { $target ->
-    [roof] Show the details of roof
-    [driver_eye] Show the details of driver’s eye
-    [taillight] Show the details of taillight
-    [headlight] Show the details of headlight
-   *[other] Show the details of other
+    [roof] Show the details of the roof
+    [driver_eye] Show the details of the driver’s eye
+    [taillight] Show the details of the taillight
+    [headlight] Show the details of the headlight
+   *[other] Show the details of the other target
 }
 measure-details-hide = { $target ->
-    [roof] Hide the details of roof
-    [driver_eye] Hide the details of driver’s eye
-    [taillight] Hide the details of taillight
-    [headlight] Hide the details of headlight
-   *[other] Hide the details of other
+    [roof] Hide the details of the roof
+    [driver_eye] Hide the details of the driver’s eye
+    [taillight] Hide the details of the taillight
+    [headlight] Hide the details of the headlight
+   *[other] Hide the details of the other target
 }
 measure-discard = Discard
 measure-doubt = { $kind ->
@@ -1724,7 +1725,7 @@ measure-second-hint = { $nth ->
     [driver_eye] click the same driver’s eye point; if it is hidden, go to another frame
     [taillight] click the same taillight point
     [headlight] click the same headlight point
-   *[other] click the same other point
+   *[other] click the same point of the other target
 }
 measure-second-hint-care = { $hint }. { $care }
 measure-second-nothing-yet = Measure a target first. Then you can add a second frame.
@@ -1959,7 +1960,7 @@ review-all-done = Each measurement has a verdict. New and corrected ones appear 
 review-to-export = Go to the package
 review-none-title = Nothing to review yet
 review-none = Measurements appear here as soon as an operator has made them.
-review-to-measure = Go to measuring
+review-to-measure = Go to Measure
 review-other-point = Choose the other point
 review-other-frame = Not the measured frame
 review-fix-hint = Drag a point, or press { $key } and nudge it with the arrows. Enter saves, Esc cancels.
@@ -2032,7 +2033,7 @@ review-pixels = { $point ->
     [driver_eye] Pixels around the driver’s eye point
     [taillight] Pixels around the taillight point
     [headlight] Pixels around the headlight point
-   *[other] Pixels around the other point
+   *[other] Pixels around the other target’s point
 }
 review-vehicle = Vehicle
 review-vehicle-unknown = not known
@@ -2046,8 +2047,8 @@ review-inset-estimate = { $inset } (u = { $u_inset }, estimate)
 review-points-set = Points
 review-made-by = { $made ->
     [snapped] contact snapped to the tyre, target clicked by { $person }, { $time }
-    [confirmed] proposed, confirmed by { $person }, { $time }
-    [moved] proposed, moved by { $person }, { $time }
+    [confirmed] suggested, confirmed by { $person }, { $time }
+    [moved] suggested, moved by { $person }, { $time }
    *[clicked] clicked by { $person }, { $time }
 }
 
@@ -2208,7 +2209,7 @@ again-none-own-title = No measurements of yours yet
 again-none-title = No measurements yet
 again-none-own = Measure some vehicles in this survey first. Then you can repeat your own measurements.
 again-none = Measure some vehicles first. Then they can be repeated.
-again-to-measure = Go to measuring
+again-to-measure = Go to Measure
 scans-lane-needs-boundaries = The vehicle was not measured yet, so it has no lane; place its boundaries first.
 
 ## Line scans: the page
@@ -2532,7 +2533,7 @@ scan-find-direct = Direct registration
 scan-find-paper = Block matching (Douxchamps et al.)
 scan-find-direct-what = Registers both strips of a vehicle as a whole: speed, acceleration and the cameras’ misalignment in one fit. The default.
 scan-find-paper-what = Block matching and linear regression, as published by Douxchamps, Macq and Chihara; for comparison.
-scan-find-what = What
+scan-find-what = Scope
 scan-find-all = Search the whole recording
 scan-find-known = Measure the known vehicles again
 scan-find-note = Manual boundaries and removed vehicles are kept. Accepted results that change return to review.
@@ -2730,7 +2731,7 @@ scan-references-done = { $values } reference { $values ->
 } and { $cars } car { $cars ->
     [one] name
    *[other] names
-} stored.
+} imported.
 scan-references-lines = Lines of the file
 scan-references-line = Line
 scan-references-vehicle = Vehicle
@@ -2839,25 +2840,25 @@ scan-heights-no-pose = Heights need the pose of camera 1. Record a rod with mark
 scan-heights-calibrate = Calibrate the height
 scan-heights-calibrate-first = Heights need the line camera’s pose; calibrate the height with a rod first.
 scan-height-hide = { $target ->
-    [roof] Hide the details of roof
-    [driver_eye] Hide the details of driver’s eye
-    [taillight] Hide the details of taillight
-    [headlight] Hide the details of headlight
-   *[other] Hide the details of other
+    [roof] Hide the details of the roof
+    [driver_eye] Hide the details of the driver’s eye
+    [taillight] Hide the details of the taillight
+    [headlight] Hide the details of the headlight
+   *[other] Hide the details of the other target
 }
 scan-height-show = { $target ->
-    [roof] Show the details of roof
-    [driver_eye] Show the details of driver’s eye
-    [taillight] Show the details of taillight
-    [headlight] Show the details of headlight
-   *[other] Show the details of other
+    [roof] Show the details of the roof
+    [driver_eye] Show the details of the driver’s eye
+    [taillight] Show the details of the taillight
+    [headlight] Show the details of the headlight
+   *[other] Show the details of the other target
 }
 scan-height-measure = { $target ->
     [roof] Measure: roof
     [driver_eye] Measure: driver’s eye
     [taillight] Measure: taillight
     [headlight] Measure: headlight
-   *[other] Measure: other
+   *[other] Measure: other target
 }
 scan-height-measure-again = { $target ->
     [roof] Measure again: roof
@@ -2946,7 +2947,7 @@ scan-step-height = { $target ->
     [driver_eye] driver’s eye of vehicle { $vehicle }
     [taillight] taillight of vehicle { $vehicle }
     [headlight] headlight of vehicle { $vehicle }
-   *[other] other of vehicle { $vehicle }
+   *[other] other target of vehicle { $vehicle }
 }
 scan-step-height-verdict = { $target ->
     [roof] verdict on the roof of vehicle { $vehicle }
@@ -2960,7 +2961,7 @@ scan-step-withdraw = { $target ->
     [driver_eye] withdrawing the driver’s eye of vehicle { $vehicle }
     [taillight] withdrawing the taillight of vehicle { $vehicle }
     [headlight] withdrawing the headlight of vehicle { $vehicle }
-   *[other] withdrawing the other of vehicle { $vehicle }
+   *[other] withdrawing the other target of vehicle { $vehicle }
 }
 scan-taken-out = Vehicle { $vehicle } removed. Ctrl+Z undoes this.
 scan-kept-vehicle = The vehicle is kept in this browser and appears in the list when the connection is back.
@@ -3456,7 +3457,7 @@ statistics-groups-note = The { NUMBER($count) } largest of { NUMBER($all) } grou
 statistics-groups-nothing = { $grouping ->
     [category] Nothing to draw: no vehicle has a category.
     [class_set] Nothing to draw: no vehicle is in a set.
-    [lighting] Nothing to draw: no vehicle has a lighting.
+    [lighting] Nothing to draw: no vehicle has its lighting set.
     [site] Nothing to draw: no vehicle has a site.
    *[operator] Nothing to draw: no vehicle has an operator.
 }
@@ -3734,7 +3735,7 @@ members-remove = Remove
 members-remove-title = Remove { $person } from the survey?
 members-remove-body = { $person } can no longer see it. Their work is kept.
 members-remove-yourself = You will no longer see this survey.
-members-none = This survey has no members yet; administrators decide who they are.
+members-none = No members yet.
 members-inactive = deactivated
 members-add = Add
 members-add-person = Person
@@ -4372,6 +4373,130 @@ snap-not-sure = A tyre was found near this click, but not reliably enough; the c
 measurements-proposals-not-these = These points are out of date: the suggestions were made again. Check and confirm them again.
 
 
+## Heights: why there is none, and what to know of one; what is followed and suggested (kept by code)
+
+height-click-not-finite = A click coordinate is not a finite number.
+height-contact-outside-picture = The contact point lies outside the picture.
+height-target-outside-picture = The target point lies outside the picture.
+height-contact-outside-lens = The contact point lies outside the lens model's valid radius, so its direction is unknown.
+height-target-outside-lens = The target point lies outside the lens model's valid radius, so its direction is unknown.
+height-camera-below-road = The pose puts the camera on or below the road; compute the camera pose again.
+height-contact-above-horizon = The contact point lies at or above the horizon, where there is no road.
+height-contact-behind-camera = The contact point lies behind the plane of the camera, as seen across the road.
+height-plane-edge-on = The side plane through the contact point is seen nearly edge-on.
+height-target-no-crossing = The target's ray never meets the side plane in front of the camera.
+height-target-below-road = The target lies on or below the road; were contact and target swapped?
+height-u-not-valid = A click uncertainty, inset or inset uncertainty is not a finite number, or an uncertainty is negative.
+height-side-unknown = The driver's side (near or far) is not set, and the height of the eye depends on it; set it.
+height-inset-implausible = The computed inset of { NUMBER($inset_m, minimumFractionDigits: 2, maximumFractionDigits: 2) } m is not plausible for a road vehicle ({ $low_m } to { $high_m } m): contact and target must be the same points in every frame.
+height-no-board-in-picture = The whole board does not fit in the image, so the camera pose cannot be computed.
+height-picture-too-narrow = The picture shows contact and target over { NUMBER($shown_m, minimumFractionDigits: 1, maximumFractionDigits: 1) } m of the wheel path only, so they cannot be clicked twice with { $travel_m } m between.
+height-frames-too-few = Contact and target are needed in at least two frames.
+height-of-frame = Frame { $frame } of { $frames }: { $reason }
+height-travel-short = The vehicle moved only { NUMBER($travel_m, minimumFractionDigits: 2, maximumFractionDigits: 2) } m between the frames; choose frames further apart.
+height-clicks-disagree = The clicks do not fit one moving vehicle; click the same two points in every frame.
+height-inset-undetermined = The frames do not determine the inset; choose frames further apart.
+height-no-clicks = Contact and target give no height.
+height-pass-empty = No point was followed; confirm contact and target on one frame first.
+height-pass-not-finite = A followed point, its time or its uncertainty is not a finite number.
+height-pass-u-not-positive = The uncertainty of a followed point is not positive; state it in pixels.
+height-pass-statement-not-valid = A number that describes the following is negative or not finite.
+height-pass-point-twice = A point is given twice on one frame; give each once.
+height-pass-few-frames = The { $point ->
+        [contact] contact
+        [second_contact] second contact
+       *[target] target
+    } was followed on { $count } usable frames; { $needed } are needed.
+height-pass-short = The { $point ->
+        [contact] contact
+        [second_contact] second contact
+       *[target] target
+    } was followed over only { NUMBER($travel_m, minimumFractionDigits: 2, maximumFractionDigits: 2) } m; follow it over more frames.
+height-pass-no-path = The followed points do not give a path on the road; follow them again.
+height-pass-disagrees = The followed points do not fit one moving vehicle; follow them again.
+height-pass-inset-undetermined = The frames do not determine the inset; follow the points over a longer distance.
+height-pass-most-excluded = { $dropped } of { $points } followed points were excluded; follow them again from a clearer frame.
+height-flag-plane-oblique = The side plane is seen at less than 10 degrees.
+height-flag-lens-edge = A click lies near the edge of what the lens model can invert.
+height-flag-far-from-board = The vehicle is at a very different distance than the board was.
+height-flag-u-large = The uncertainty is large, so the 95 % interval is approximate.
+height-flag-no-u-of-lens-and-pose = The uncertainty of lens and pose is unknown and not included.
+height-flag-no-u-of-lens = The uncertainty of the lens is unknown; only what the pose file states is included.
+height-flag-no-board = The board is unknown, so its tilt, height, square size and bow are not included in the uncertainty.
+height-flag-no-square-size = The pose does not state the board's square size; not included in the uncertainty.
+height-flag-no-bow = The pose does not state the board's bow; not included in the uncertainty.
+height-flag-no-square-size-and-bow = The pose does not state the board's square size and bow; not included in the uncertainty.
+height-flag-clicks-misfit = The clicks do not fit straight, level travel; check that the same points were clicked in every frame.
+height-flag-inset-weak = The frames are too close together to determine the inset well.
+height-flag-pass-misfit = The followed points deviate from straight, level travel by more than their uncertainty.
+height-flag-side-from-place = The pass has no direction; the driver's side follows from the camera's place in the median, past which all traffic runs one way.
+height-flag-camera-moved = The camera moved { NUMBER($moved_px, minimumFractionDigits: 1, maximumFractionDigits: 1) } px after the pose was computed; compute a new pose for this part, or decide to keep the old one.
+height-flag-camera-moved-by = The camera moved { NUMBER($moved_px, minimumFractionDigits: 1, maximumFractionDigits: 1) } px after the pose was computed (height error up to { SMALL($error_m, digits: 0) }); compute a new pose for this part, or decide to keep the old one.
+height-flag-inset-zero = inset taken as 0
+height-flag-u-inset-zero = uncertainty of the inset taken as 0
+height-flag-usual-inset = usual inset of { $target }
+height-flag-usual-inset-of-side = usual inset of { $target }, { $side }
+height-target-unknown = The target { $target } is not one of { $known }.
+height-side-not-known = The side { $side } is not one of { $known }.
+second-frame-no-height = There is no height yet; click contact and target first.
+second-frame-no-other = The pass has no other frame; extend it by its first or last frame.
+second-frame-not-shown = No other frame of the pass shows both points; use a single frame.
+second-frame-no-gain = A second frame does not help: { SMALL($now_m, digits: 0) } now, { SMALL($then_m, digits: 0) } with it.
+followed-off = It is { NUMBER($off_px, minimumFractionDigits: 1, maximumFractionDigits: 1) } px from the position given by the other frames, { NUMBER($times, minimumFractionDigits: 1, maximumFractionDigits: 1) } times its uncertainty.
+followed-outside-picture = It lies outside the frame.
+followed-outside-lens = It lies outside the lens model's valid radius.
+followed-above-horizon = It lies at or above the horizon, where there is no road.
+followed-left-picture = It has left the frame.
+followed-lost = It was lost: nothing is found where speed and camera pose place it.
+followed-elsewhere = Its position disagrees with the neighbouring frames.
+followed-unlike = The image is too unlike the other frames here; it may be hidden.
+followed-blurred = It is too blurred here compared with the other frames.
+followed-weak = Too little detail is visible here to locate it within 1.5 px.
+follow-outline = This target is an outline against a moving background and cannot be followed; click two frames.
+follow-frame-not-of-pass = The confirmed points are on a frame outside the pass.
+follow-not-from-here = The vehicle cannot be followed from this frame; confirm the points on another one.
+follow-points-needed = Following starts from a frame with contact and target; click both on it.
+contact-wrong-distance = The road is too near or too far here to detect a wheel.
+contact-oblique = The wheel is seen too obliquely here; its tread hides the contact.
+contact-no-rim = No complete rim is visible here, so the tyre cannot be separated from shadow and body.
+contact-no-edge = The lower edge of the tyre does not stand out from the road here.
+contact-radius = The wheel detected here would have a radius of { NUMBER($radius_m, minimumFractionDigits: 2, maximumFractionDigits: 2) } m.
+contact-far-from-pointer = The detected wheel is too far from the pointer; point closer to its contact.
+contact-none = No suggestion. { $reason } Click the contact yourself.
+contact-found = suggested contact, u = { NUMBER($expected_px, minimumFractionDigits: 1, maximumFractionDigits: 1) } px
+contact-found-rough = suggested contact, u = { NUMBER($expected_px, minimumFractionDigits: 1, maximumFractionDigits: 1) } px, less accurate than a careful click
+heading-of-contact = The { $which ->
+    [first] first
+   *[second] second
+ } tyre contact: { $reason }
+heading-base-short = The two tyre contacts are only { NUMBER($base_m, minimumFractionDigits: 2, maximumFractionDigits: 2) } m apart on the road; click the front and the rear tyre of the same side.
+heading-base-long = The two tyre contacts are { NUMBER($base_m, minimumFractionDigits: 0, maximumFractionDigits: 0) } m apart on the road; click both tyres of one vehicle.
+heading-at-edge = A tyre contact lies at the edge of the visible road; use another frame.
+heading-outlier = Excluded as an outlier; check its clicks.
+size-not-measured = It is not measured.
+size-rejected = Its measurement was rejected.
+size-no-tyres = No frame has both tyres clicked.
+drift-unknown = Camera movement cannot be determined: { $reason }
+drift-still = No camera movement detected, within { NUMBER($floor_px, minimumFractionDigits: 2, maximumFractionDigits: 2) } px.
+drift-still-of-height = No camera movement detected, within { NUMBER($floor_px, minimumFractionDigits: 2, maximumFractionDigits: 2) } px ({ SMALL($floor_m, digits: 1) } of height).
+drift-moved = { $how ->
+    [bumped] The camera moved
+    [before] The camera had already moved
+   *[drifted] The camera drifted
+ } at { $clock } (frame { $frame }) by { NUMBER($moved_px, minimumFractionDigits: 1, maximumFractionDigits: 1) } px, frames { $first } to { $last }.
+drift-moved-height = { $how ->
+    [bumped] The camera moved
+    [before] The camera had already moved
+   *[drifted] The camera drifted
+ } at { $clock } (frame { $frame }) by { NUMBER($moved_px, minimumFractionDigits: 1, maximumFractionDigits: 1) } px (height error up to { SMALL($error_m, digits: 0) }), frames { $first } to { $last }.
+drift-more = { $count } more movements.
+drift-few-points = Only { $count } background points were found again, or all of them in one part of the frame; it is too dark, covered, or another view.
+drift-no-frame = No frame was checked.
+drift-no-such-frame = The recording has no such frame.
+drift-nothing-in-pose-frame = The frame of the camera pose has nothing that can be followed; it is too dark or has too little contrast.
+drift-other-size = The frame size differs from that of the camera pose.
+drift-no-target = No target { $target_m } m high on the road between 3 and 12 m is in the frame.
+
 ## Errors: cameras
 
 cameras-charuco-board-needs-dictionary-markers-side = A ChArUco board needs the dictionary of its markers, the marker side and the square size; give all three.
@@ -4380,6 +4505,7 @@ cameras-frames-not-recording-frames-0 = Frames { $first } to { $last } are not i
 cameras-every-th-frame-would-views-take = Every { $every }th frame gives { $count } views; take every { $least }th frame or fewer frames.
 cameras-not-text-file-choose-calibration-yaml = { $file_name } is not a text file; choose a calibration as YAML, JSON or cameramodel.
 cameras-not-file-give-picture-files-clip = { $path } is not a file; give image files or a clip.
+cameras-still-has-no-tracks = { $path } is an image, not a video with tracks; leave --stream out.
 cameras-choose-calibration-give-pictures-width-height = Choose a calibration, or give the image’s width and height in pixels and its horizontal field of view in degrees.
 cameras-calibration-belongs-another-survey-choose-one = Calibration { $calibration_id } belongs to another survey; choose one of this survey’s cameras.
 cameras-cameras-csv-not-what-audit = cameras.csv: camera { $id } differs from its audit events; the table was changed.
@@ -4396,7 +4522,6 @@ commands-baseline-or-rig = Give either --baseline (with --u-baseline) or --rig.
 commands-not-percentile = “{ $part }” is not a percentile; give numbers between 0 and 100, such as --percentile 2.5,10,50.
 commands-no-row-with-height = { $path } has no row with a height; give a file with rows whose status is ok.
 commands-rig-file-no-rig = { $path } is not a rig: a JSON object with baseline_m, as `sightline rig calibrate -o` writes it, and with lanes that have a distance_m each.
-commands-row-not-length = { $where }: { $name } “{ $cell }” is not a possible length in metres; correct the cell.
 commands-larger-200-mb-give = { $path } is larger than 200 MB; give { $what }.
 commands-not-exist-give = { $path } does not exist; give { $what }.
 commands-not-utf-8-text-give-saved = { $path } is not UTF-8 text; give { $what }, saved as UTF-8.
@@ -4506,6 +4631,7 @@ export-described-otherwise = datapackage.json lists every file with its size and
 export-statistics-sealed-only = Statistics differ from those of this version because another version computed them; covered by the seal, not compared (first difference: { $difference })
 export-drawings-sealed-only = Figures, report and README were made by another version; covered by the seal, not compared.
 export-page-sealed-only = The page was made by another version: its tables were compared; its program is covered by the seal, not compared.
+export-words-sealed-only = Reasons and flags were put into words by another version: their codes were compared; the words are covered by the seal, not compared.
 export-heights-of-another-version = { $count ->
     [one] One number that another version computed differs
    *[other] { $count } numbers that other versions computed differ
@@ -4517,6 +4643,7 @@ export-not-one-whose-hash-crops-csv = { $path } does not have the hash stated in
 export-no-picture-size-crops-csv-tells = { $path } is not an image of the size stated in crops.csv; it was replaced.
 export-not-show-points-measurement-changed = { $overlay } does not show the points of its measurement; it was changed.
 export-cannot-read-take-whole-export-again = { $description } cannot be read; get the complete export again.
+csv-package-no-code = A cell with a code and its values cannot be read ({ $cell }); it was changed.
 export-another-files-chain-changed = { $description } states another { $name } than the files and the chain; it was changed.
 export-describes-otherwise-program-changed = { $description } describes { $named } differently from this program; it was changed.
 export-too-rows-changed = { $path } has too { $value } rows; it was changed.
@@ -4763,6 +4890,7 @@ measurements-measurement-stored-another-vehicle-already-click = This measurement
 measurements-frame-not-picture-clicked-load-again = Frame { $frame } is not the image that was clicked on; load it again.
 measurements-measurements-csv-lacks-measurement-revisions-csv = measurements.csv lacks a measurement of revisions.csv; one was removed.
 measurements-says-clicks-give-one-wrong = { $name } states { $status }, its clicks give { $status_2 }; one is wrong.
+measurements-words-not-of-code = { $name }: { $column } does not say what the code beside it says; one was changed.
 measurements-names-another-pose-file-pose-changed = { $path }: { $id } names another pose file than its pose; it was changed.
 measurements-measurement-no-audit-event-revision-put = { $path }: measurement { $key } has no audit event for revision { $key_2 }; it was added.
 measurements-measurement-differs-audit-event-changed = { $path }: measurement { $key } differs from its audit event; it was changed.
@@ -4891,7 +5019,6 @@ video-not-say-how-large-picture-says = { $name } does not state its frame size, 
 video-claims-picture-x-pixels-more-side = { $name } states a frame of { $width } x { $height } pixels, more than { $max_side_px } on a side or { $max_pixels } million in all; convert it to MP4 with H.264 or choose another file.
 video-claims-pixels-width-height-which-not = { $name } states a pixel aspect ratio of { $aspect }, which is not plausible; convert it to MP4 with H.264 or choose another file.
 video-not-video-read-here-convert-mp4 = { $name } is not a video that can be read here; convert it to MP4 with H.264 or choose another file.
-video-holds-no-picture-decoded-codec-convert = { $name } contains no frame that can be decoded (codec { $codec }); convert it to MP4 with H.264 or choose another file.
 video-no-times-follow = { $name } does not state the times of its frames, so a vehicle cannot be followed in it; convert it to MP4.
 video-times-not-of-filming = The time stamps of { $name } are not the times of filming (its notes give the reason), so motion is not measured. Enter its filming rate.
 video-holds-no-picture-decoded-convert-mp4 = { $name } contains no frame that can be decoded; convert it to MP4 with H.264 or choose another file.
@@ -4989,7 +5116,7 @@ recordings-nothing-decided-about-recordings-camera-nothing = There is no decisio
 recordings-belongs-another-survey-choose-one-surveys-2 = The { $word } { $row_id } belongs to another survey; choose one of this survey’s.
 recordings-road-pose-pictures-x-px-x = The camera pose { $pose_id } is for images of { $posed } x { $posed_2 } px and { $name } has { $filmed } x { $filmed_2 } px; choose a pose made at the recording’s size.
 recordings-frames-found-now-not-those-measured = The frames found now are not those that were measured; upload the video as a new one.
-recordings-uploads-speak-tus-1-0-0 = Uploads speak tus 1.0.0; send the header Tus-Resumable: 1.0.0.
+recordings-uploads-speak-tus-1-0-0 = Uploads use tus 1.0.0; send the header Tus-Resumable: 1.0.0.
 recordings-too-many-uploads-announced = You have { $most } uploads that are not complete; finish or cancel some first.
 recordings-upload-not-say-how-long-file = The upload does not state the length of the file; send the header Upload-Length.
 recordings-bytes-upload-come-application-offset-octet = The bytes of an upload come as application/offset+octet-stream; send that Content-Type.
@@ -5031,7 +5158,7 @@ reviews-somebody-changed-plan-meanwhile = The plan was changed meanwhile; reload
 reviews-plan-one-in-between = Enter a number from 0 (no blind checks) to { $most }.
 reviews-click-it-again-before = The survey’s plan requires a blind repeat of this measurement; click contact and target, then give your verdict.
 reviews-fix-changes-nothing-accept = Nothing was changed; move a point, or accept the measurement.
-reviews-measurement-waits-review-already = This measurement is already waiting for a review.
+reviews-waits-review-already = This is already waiting for a review.
 reviews-nobody-reviews-their-own-measurement-ask = You cannot review your own measurement; ask another reviewer.
 reviews-reviews-csv-not-what-audit-event = reviews.csv: { $id } differs from its audit event; it was changed.
 reviews-reviews-csv-missing-though-audit-event = reviews.csv: { $id } is missing, although it has an audit event.
@@ -5102,11 +5229,9 @@ scans-nothing-camera-2s-strip-looks-like = Nothing in the strip of camera 2 look
 scans-vehicle-no-speed-needs-reason-why = A vehicle without a speed needs a reason; measure it again.
 scans-vehicle-measured-again-meanwhile-look-newer = This vehicle was measured again meanwhile; check the newer result.
 scans-nobody-reviews-boundaries-they-placed-themselves = You cannot review boundaries that you placed; ask another reviewer.
-scans-vehicle-waits-review-already = This vehicle is already waiting for a review.
 scans-height-measured-again-meanwhile-look-newer = This height was measured again meanwhile; check the newer result.
 scans-height-without-figure-nothing-review = This height was withdrawn or has no value, so there is nothing to review.
 scans-nobody-reviews-height-they-clicked-themselves = You cannot review a height that you clicked or computed; ask another reviewer.
-scans-height-waits-review-already = This height is already waiting for a review.
 scans-camera-2-needs-both-lines-front = Camera 2 needs both lines, front and rear, or none; send both or leave both out.
 scans-wheelbase-needs-both-wheels-send-both = A wheelbase needs both wheels; send both lines, or none to remove them.
 scans-vehicle-not-deleted-nothing-restore = This vehicle was not deleted, so there is nothing to restore.
@@ -5176,6 +5301,8 @@ csv-empty-cell = { $name }, line { $line }: { $column } is empty; fill in the ce
 csv-not-a-number = { $name }, line { $line }: { $column } is “{ $cell }”, which is not a number; correct the cell.
 csv-number-separated = { $name }, line { $line }: { $column } is “{ $cell }”; write decimals with a point and nothing between thousands.
 csv-no-size-of-a-vehicle = { $name }, line { $line }: { $column } is “{ $cell }”, and no vehicle has more than 20 m; in { $unit } it would be { $metres } m. Give metres.
+csv-size-not-above-0 = { $name }, line { $line }: { $column } is “{ $cell }”; a size is above 0. Correct the cell.
+csv-uncertainty-below-0 = { $name }, line { $line }: { $column } is “{ $cell }”; an uncertainty is not below 0. Correct the cell.
 csv-not-utf-8 = { $name } is not a UTF-8 text; save it as CSV in UTF-8.
 vehicles-gives-frames-now-gave-when-read = { $name } now has { $count } frames, but had { $count_2 } when it was imported; import it again.
 vehicles-search-passes-cancelled-start-again-when = The search for passes was cancelled. You can start it again.
@@ -5679,6 +5806,26 @@ opened-report = Report (PDF)
 opened-measurements = Measurements
 opened-figures = Figures
 opened-tables = Tables
+opened-tables-lead = Numbers are rounded here; the files hold every digit. datapackage.json describes each column.
+opened-table = { $table ->
+    [survey] the survey, in one row
+    [vehicles] passes and vehicles
+    [recordings] video files
+    [poses] camera poses
+    [insets] default insets of the survey
+    [selection] limits of this package
+    [people] people named in the other tables
+    [exclusions] measurements excluded from the results, with the reason
+    [response] outcome of the passes
+    [error_table] errors of accepted roofs (measured minus manufacturer’s height)
+    [agreement] limits of agreement, and regression of the error on the height
+    [corrections] effect of each correction on the heights
+    [percentiles] percentiles of the heights, with 95 % intervals
+    [total_uncertainty] figures of the true heights, with total intervals
+    [same_rule] verdict on each design standard
+    [shares] share of heights below the value of each standard
+   *[lateral_positions] lateral positions of the vehicles
+}
 opened-checks = Checks
 opened-sizes = Sizes
 opened-checking = Checking the package…
@@ -6011,13 +6158,14 @@ geometry-board-not-on-paper = The board needs a sheet of { $width_mm } x { $heig
 geometry-paper-not-known = Paper { $paper } is not known; use one of { $papers }, or its width and height in mm, such as 841x1500.
 
 # Reference values of scanned vehicles, said or imported
-reference-value-cannot-be = A reference { $quantity } of { $value } { $unit } is out of range; give a value above 0 and up to { $most } { $unit }.
+reference-value-cannot-be = A reference { $quantity } of { $value } { $unit } is out of range; give a value above { $least } and up to { $most } { $unit }.
 reference-u-cannot-be = An uncertainty of { $u } { $unit } for a { $quantity } of { $value } { $unit } is out of range; give a standard uncertainty above 0 and not above the value itself.
 reference-device-too-long = The instrument’s name is longer than { $most } characters; shorten it.
 reference-withdrawn-already = This reference value was already removed; there is nothing to do.
 reference-changed-meanwhile = { $name } changed this reference value meanwhile; check it first.
 reference-columns-missing = { $name } needs a column “number” (of the vehicle in its recording) or “time” (at which it passed) and one of speed_kmh, length_m, wheelbase_m or run_of; its first line must name the columns.
 reference-column-unit = The column “{ $column }” of { $name } does not state its unit; name it one of { $names }, with “u_” in front for the uncertainty.
+reference-columns-of-one = The columns “{ $first }” and “{ $second }” of { $name } state the same; leave one out.
 reference-no-line-used = No line of { $name } can be used; line { $line }: { $reason }
 reference-line-no-number = The vehicle number is “{ $number }”; give the whole number shown on the line scan page.
 reference-line-no-vehicle = This recording has no vehicle { $number }.
@@ -6045,6 +6193,59 @@ reference-car-too-long = The car’s name is longer than 100 characters; shorten
 scans-reference-does-not-follow = { $path }: { $name } of row { $number } does not follow from the reference and the vehicle’s own value.
 ## What the server says in English, found again by its text (sightline/messages/recognised.py)
 
+told-geometry-several-cameras = { $file_name } contains several cameras: { $cameras }; { $key } was read (name another with --which).
+told-geometry-roi-whole = { $file_name }: the camera is that of the whole image, as requested, not of its roi.
+told-geometry-roi-part = { $file_name } describes part of the image (roi): { $width }x{ $height } px from ({ $left }, { $top }) of { $full_width }x{ $full_height } px; the camera is that of the part (--size { $full_width }x{ $full_height } for the whole).
+told-geometry-no-distortion = { $file_name } states a lens without any distortion, which is rare; check that this camera was calibrated.
+told-linescan-lane-unknown = The lane is not known ({ $why }): the uncertainties hold for every lane of its direction; choose its lane.
+told-linescan-lane-no-wheel = no wheel was found that tells the lane
+told-linescan-lane-not-this-way = no lane of the rig has this direction
+told-linescan-gap-lane-unknown = Its lane is not known, so the vehicle in front of it is not known either.
+told-linescan-gap-before-unknown = A vehicle of unknown lane passed in front of it, perhaps in this lane.
+told-linescan-mark-incomplete = Each mark needs a distance, a height and a row.
+told-linescan-marks-not-numbers = Distances, heights and rows of the marks must be numbers.
+told-linescan-marks-too-few = { $count } marks are too few; click at least { $least }.
+told-linescan-marks-above-zero = Distances of marks and the u of their rows must be above 0.
+told-linescan-rod-upside-down = Higher marks must have smaller rows; check which end of the rod is up.
+told-linescan-too-few-blocks = Too few blocks of { $lines } lines can be matched: the vehicle has too little detail, or too few lines; raise the line rate, or use the other method.
+told-linescan-rig-few-misalignment = { $count } vehicles give a misalignment; { $least } are needed.
+told-linescan-rig-few-gain = { $count } vehicles give a gain; { $least } are needed.
+told-linescan-no-wheel = No wheel was found: the lower part of the image shows none, or is too dark.
+told-linescan-no-scale = Without a motion the image has no scale in metres.
+told-media-not-decoded-at = This recording cannot be decoded at frame { $frame }: the decoder { $why } there; { $way_out }.
+told-media-filmed-at = Filmed at { $filmed_hz } frames per second, as entered; the file plays { $played_hz } per second. Times are those of filming.
+told-media-no-rate = The file states no frame rate: { $played_hz } frames per second are assumed. Its times are unreliable, so no motion is measured from them.
+told-media-impossible-rate-endless = The time stamps give infinitely many frames per second, which no camera films. Its times are unreliable, so no motion is measured from them.
+told-media-impossible-rate = The time stamps give { $rate } frames per second, which no camera films. Its times are unreliable, so no motion is measured from them.
+told-media-slow-motion = The file is marked as slow motion; it plays { $played_hz } frames per second. Heights from single frames are valid, but no motion is measured until you enter the filming rate.
+told-media-slow-motion-at = The file states that it was filmed at { $filmed_hz } frames per second; it plays { $played_hz } frames per second. Heights from single frames are valid, but no motion is measured until you enter the filming rate.
+told-media-one-gap = Frames are missing: one gap, the longest { $gap_s } s after frame { $frame }.
+told-media-gaps = Frames are missing: { $count } gaps, the longest { $gap_s } s after frame { $frame }.
+told-media-truncated = The file is truncated: { $missing } bytes are missing at its end. { $count } frames ({ $span_s } s) were imported; copy it again for the rest.
+told-media-two-in-one = The file contains another recording after this one, which is not imported. Split the file and add each part.
+told-media-another-track = The file contains another video track: { $others }; track { $stream } ({ $codec }, { $width_px }x{ $height_px }) was imported.
+told-media-other-tracks = The file contains { $count } other video tracks: { $others }; track { $stream } ({ $codec }, { $width_px }x{ $height_px }) was imported.
+told-media-not-turned = The header asks for a further rotation by { $degrees } degrees, which is not applied: only quarter turns keep the pixels as filmed.
+told-media-same-image-one = { $count } frame has the same image as the one before.
+told-media-not-later-one = { $count } frame has a time stamp not later than the one before; the times were sorted.
+told-media-same-image-many = { $count } frames have the same image as the one before.
+told-media-not-later-many = { $count } frames have a time stamp not later than the one before; the times were sorted.
+told-media-packets-one = { $count } damaged packet was skipped; frames are missing there.
+told-media-packets-many = { $count } damaged packets were skipped; frames are missing there.
+told-media-patched-one = { $count } frame is damaged and completed by the decoder, the first one at { $first }; do not measure there.
+told-media-patched-many = { $count } frames are damaged and completed by the decoder, the first one at { $first }; do not measure there.
+told-recordings-start-in-future = The file states a start of { $start } UTC, which is in the future: the camera's clock is wrong, so no start is suggested.
+told-scans-none-here = None here. Two line cameras at a known baseline give speed, length and gaps.
+told-scans-so-far = { $count } so far.
+told-audit-event-missing = Audit event { $number } of { $chain } is missing; restore a backup.
+told-audit-event-changed = Audit event { $number } of { $chain } was changed after it was written; restore a backup.
+told-audit-chain-ends-elsewhere = The audit chain of { $chain } ends at event { $count }, which is not where it ended; restore a backup.
+told-audit-chain-not-in = The audit chain is not the one in { $what } { $id }; restore a backup.
+told-audit-chains-not-signed = The audit chains are not those signed on { $at }; restore a backup.
+told-audit-row-not-events = The { $what } { $id } is not what its events say; restore a backup.
+told-audit-row-not-first = The { $what } { $id } is not what was written at first; restore a backup.
+told-audit-row-removed = The { $what } { $id } was removed behind the program's back; restore a backup.
+told-adjustment-length-not-finite = The { $what } or its uncertainty is not a finite number, or the uncertainty is negative.
 told-adjustment-its-of-m-is = Its { $lengths } of { $known_m } m is { $u } standard uncertainties too { $u2 } for the observed points; check the model.
 told-adjustment-too-many-of-its = Too many of its points are off a straight line.
 told-adjustment-a-point-lies-outside = A point lies outside the picture.
@@ -6061,6 +6262,32 @@ told-adjustment-the-uncertainty-of-a = The uncertainty of a point is not positiv
 told-adjustment-a-point-is-given = A point is given twice on one frame.
 told-adjustment-no-tyre-of-it = No tyre of this vehicle was measured, so it is not tied to the road.
 told-adjustment-no-known-length-of = No known length of this vehicle was measured.
+told-budget-click-target = click, target
+told-budget-click-contact = click, contact
+told-budget-clicks = clicks
+told-budget-inset = inset
+told-budget-lens-and-pose = lens and pose
+told-budget-board-lean = board lean
+told-budget-board-roll = board roll
+told-budget-board-height = board height
+told-budget-square-size = square size
+told-budget-board-bow = board bow
+told-budget-heading = heading
+told-budget-row-time = row time
+told-budget-confirmed-points = confirmed points
+told-budget-drift = drift
+told-budget-baseline = baseline
+told-budget-clock = clock
+told-budget-misalignment = misalignment
+told-budget-fit = fit
+told-budget-boundaries = boundaries
+told-budget-regression = regression
+told-budget-following = following
+told-budget-frame-times = frame times
+told-budget-depth-of-what-is-followed = depth of what is followed
+told-budget-seen-from-another-side = seen from another side
+told-budget-front-and-rear = front and rear
+told-budget-pose-of-the-line-camera = pose of the line camera
 told-cameras-the-file-states-no = The file states no uncertainty of the lens, so that component is missing from the uncertainty of every height.
 told-cameras-focal-length-px = focal length { $fx_px } px
 told-cameras-of-views-used-residual = { $used } of { $given } views used, residual { $rms_px } px, { $focal }.
@@ -6080,18 +6307,10 @@ told-export-it-was-reopened-and = It was reopened and is waiting for another rev
 told-export-reading-the-survey = Reading the survey.
 told-export-storing-the-package = Storing the package.
 told-export-packing-the-files = Packing the files.
-told-geometry-the-pose-does-not = The pose does not state the board's { $join }; not included in the uncertainty.
-told-geometry-the-board-is-unknown = The board is unknown, so its tilt, height, square size and bow are not included in the uncertainty.
 told-geometry-the-picture-is-x = The image is { $size }x{ $size2 } px, most of the others are { $usual }x{ $usual2 } px.
 told-geometry-the-picture-is-blurred = The image is blurred (edges { $sharpness } px wide).
 told-geometry-and-a-height-at = and a height at { $distance_m } m changes by { $size } mm
 told-geometry-the-board-is-not = The board is not flat: it bends by about { $bow } % of a square; modelling its shape lowers the residual from { $flat } to { $bent } px{ $makes }. Fix the board to a stiff, flat plate and take the pictures again, or calibrate it as a board that may be bent.
-told-geometry-the-road-is-too = The road is too near or too far here to detect a wheel.
-told-geometry-the-wheel-is-seen = The wheel is seen too obliquely here; its tread hides the contact.
-told-geometry-no-whole-rim-is = No complete rim is visible here, so the tyre cannot be separated from shadow and body.
-told-geometry-the-lower-edge-of = The lower edge of the tyre does not stand out from the road here.
-told-geometry-what-looks-like-a = The wheel detected here would have a radius of { $radius } m.
-told-geometry-the-wheel-that-is = The detected wheel is too far from the pointer; point closer to its contact.
 told-geometry-no-board-of-x = No board of { $columns }x{ $rows } inner corners was found; show the whole board with its white margin, sharp and evenly lit, and count the inner corners.
 told-geometry-no-board-before-limit = No board of { $columns }x{ $rows } inner corners was found before the time limit of the search; show the whole board with its white margin, sharp and evenly lit, and count the inner corners.
 told-geometry-the-board-is-cut = The board is cut off by the edge of the image; show the whole board.
@@ -6107,15 +6326,6 @@ told-geometry-a-board-lies-where = A board lies where the lens model has no inve
 told-geometry-the-halves-could-not = The two halves could not be calibrated separately: { $message }
 told-geometry-two-halves-of-the = Two halves of the pictures, calibrated separately, differ by { $size } mm in a height at { $distance_m } m{ $by }: more than the corners' noise explains. The lens may need the other model, the board may be bent, or zoom or focus changed between pictures.
 told-geometry-pictures-that-did-not = Held-out images fit the lens much worse than fitted images ({ $held_out } px against { $fit } px); add images with the board tilted and in every part of the image.
-told-geometry-only-background-points-are = Only { $count } background points were found again, or all of them in one part of the frame; it is too dark, covered, or another view.
-told-geometry-no-target-m-high = No target { $target_m } m high on the road between 3 and 12 m is in the frame.
-told-geometry-no-frame-was-looked = No frame was checked.
-told-geometry-the-side-plane-is = The side plane is seen at less than 10 degrees.
-told-geometry-a-click-lies-near = A click lies near the edge of what the lens model can invert.
-told-geometry-the-vehicle-is-at = The vehicle is at a very different distance than the board was.
-told-geometry-the-uncertainty-is-large = The uncertainty is large, so the 95 % interval is approximate.
-told-geometry-the-uncertainty-of-lens = The uncertainty of lens and pose is unknown and not included.
-told-geometry-the-uncertainty-of-the = The uncertainty of the lens is unknown; only what the pose file states is included.
 told-geometry-does-not-name-its = { $file_name } does not name its distortion model; its four coefficients were read as { $taken } (choose with --model).
 told-geometry-not-enough-data-a = Not enough data: a few hundred vehicles are needed for u = 0.15 m.
 told-geometry-at-least-vehicles-of = At least { $least_known } vehicles of known height are needed; { $rows } can be used.
@@ -6129,7 +6339,6 @@ told-geometry-it-says-nothing-this = Not conclusive: this target is at about cam
 told-geometry-it-says-nothing-all = Not conclusive: all passed at about the same distance, { $d } to { $d2 } m.
 told-geometry-at-least-vehicles-measured = At least { $least_known } vehicles measured on two frames are needed; there are { $values }.
 told-geometry-it-says-next-to-nothing = Not conclusive: the frames were close together.
-told-geometry-it-is-not-known = The driver's side (near or far) is not set, and the height of the eye depends on it; set it.
 told-inset-roof-edge = near edge of the roof (estimate)
 told-inset-upright-sides = a body with upright sides (estimate)
 told-inset-less-certain = as of a car, less certain (estimate)
@@ -6138,13 +6347,6 @@ told-geometry-driver-on-the-side = driver on the side of the camera (estimate)
 told-geometry-driver-on-the-side-away = driver on the side away from the camera (estimate)
 told-geometry-not-known = not known
 told-geometry-outer-edge-of-the = outer edge of the lamp (estimate)
-told-geometry-the-clicks-do-not = The clicks do not fit one moving vehicle; click the same two points in every frame.
-told-geometry-contact-and-target-are = Contact and target are needed in at least two frames.
-told-geometry-the-clicks-disagree-with = The clicks do not fit straight, level travel; check that the same points were clicked in every frame.
-told-geometry-the-frames-are-too = The frames are too close together to determine the inset well.
-told-geometry-the-solved-inset-of = The computed inset of { $inset } m is not plausible for a road vehicle ({ $low } to { $high } m): contact and target must be the same points in every frame.
-told-geometry-the-vehicle-moved-only = The vehicle moved only { $travel } m between the frames; choose frames further apart.
-told-geometry-the-frames-do-not = The frames do not determine the inset; choose frames further apart.
 told-geometry-stand-the-board-square = Set the board perpendicular to the road, not plumb: on a crossfall of { $crossfall } % a plumb board biases heights by { $mm } mm at { $distance_m } m and by { $mm2 } mm at 1 m more.
 told-geometry-road-or-target-lie = Road or target are outside the picture for: { $join }; step back or use a wider lens.
 told-geometry-a-board-seen-obliquely = A board seen obliquely determines the camera's direction better than one seen frontally, while clicks are slightly less precise: with the camera turned 30 degrees along the road, an eye has ±{ $U95_mm } mm instead of ±{ $U95_mm2 } mm.
@@ -6154,8 +6356,6 @@ told-geometry-the-lane-is-very = The lane is very close; step back to at least 2
 told-geometry-the-picture-would-not = The picture would not show a board at { $board_m } m with its top row { $board_top_m } m above the road; put it at the wheel path, step back, or use a wider lens.
 told-geometry-the-camera-stands-at = The camera is at about the height of a driver's eye ({ $height_m } m), where the inset has little effect; for roofs or lamps, place it at their height.
 told-geometry-a-second-frame-m = A second frame { $travel_m } m on does not reduce the uncertainty here (±{ $U95_mm } mm for an eye); use frames further apart.
-told-geometry-the-whole-board-does = The whole board does not fit in the image, so the camera pose cannot be computed.
-told-geometry-the-picture-shows-contact = The picture shows contact and target over { $shown } m of the wheel path only, so they cannot be clicked twice with { $travel_m } m between.
 told-geometry-no-frame-was-given = No frame was given.
 told-geometry-at-most-of-its = At most { $parts } of its { $whole } corners were found; show the whole board.
 told-geometry-the-board-was-not = The board was not found in { $missed } of the frames; these are not used.
@@ -6165,29 +6365,12 @@ told-geometry-two-poses-fit-the = Two poses fit the board almost equally well; t
 told-geometry-the-squares-are-small = The squares are small in the image; bring the board closer.
 told-geometry-the-board-appears-rolled = The board appears rolled by { $roll } degrees; check that columns and rows were not exchanged.
 told-geometry-only-one-frame-is = Only one frame is used, so it is not checked that the board was at rest.
-told-geometry-a-click-coordinate-is = A click coordinate is not a finite number.
-told-geometry-the-contact-point-lies = The contact point lies outside the picture.
-told-geometry-the-target-point-lies = The target point lies outside the picture.
-told-geometry-the-contact-point-lies-outside = The contact point lies outside the lens model's valid radius, so its direction is unknown.
-told-geometry-the-target-point-lies-outside = The target point lies outside the lens model's valid radius, so its direction is unknown.
-told-geometry-the-pose-puts-the = The pose puts the camera on or below the road; compute the camera pose again.
-told-geometry-the-contact-point-lies-at = The contact point lies at or above the horizon, where there is no road.
-told-geometry-the-contact-point-lies-behind = The contact point lies behind the plane of the camera, as seen across the road.
-told-geometry-the-side-plane-through = The side plane through the contact point is seen nearly edge-on.
-told-geometry-the-target-ray-never = The target's ray never meets the side plane in front of the camera.
-told-geometry-the-target-lies-on = The target lies on or below the road; were contact and target swapped?
-told-geometry-a-click-uncertainty-inset = A click uncertainty, inset or inset uncertainty is not a finite number, or an uncertainty is negative.
 told-geometry-tilt-the-board-by = Tilt the board by about 30 degrees, its { $edge } nearer the camera.
 told-geometry-bring-the-board-nearer = Bring the board nearer: it never fills more than { $share } % of the image; a third or more is good.
 told-geometry-hold-the-board-in = Hold the board in the { $listed } of the image.
 told-geometry-the-board-moved-too = The board moved too far between two frames.
 told-geometry-turned-by-degrees-to = Rotated by { $heading_rad } degrees to the travel direction.
-told-geometry-the-two-tyre-contacts = The two tyre contacts are only { $base_m } m apart on the road; click the front and the rear tyre of the same side.
-told-geometry-the-two-tyre-contacts-are = The two tyre contacts are { $base_m } m apart on the road; click both tyres of one vehicle.
-told-geometry-a-tyre-contact-lies = A tyre contact lies at the edge of the visible road; use another frame.
 told-geometry-both-tyre-contacts-of = Both tyre contacts of at least { $least_vehicles } vehicles are needed; { $sum } can be used.
-told-geometry-the-tyre-contact = The { $word } tyre contact: { $lower }{ $point }
-told-geometry-contact-and-target-give = Contact and target give no height.
 told-geometry-the-lens-model-cannot = The lens model cannot be inverted in the corners of the image, so nothing is measured there; add images that reach the corners.
 told-geometry-in-of-views-the = In { $small } of { $spacings_px } views the squares are smaller than { $small_square_px } px and their corners inexact; bring the board nearer or use larger squares.
 told-geometry-fits-much-worse-than = { $file } fits much worse than the others ({ $value } px against { $usual } px); check its corners.
@@ -6203,16 +6386,6 @@ told-geometry-the-optical-axis-lies = The optical axis lies far from the middle 
 told-geometry-the-two-focal-lengths = The two focal lengths differ by more than 10 %; are the pixels square?
 told-geometry-pictures-of-several-sizes = Images of several sizes: { $other_size } skipped that are not { $width_px }x{ $height_px } px ({ $other_size2 } first); a calibration holds for one size only, so use images of the recordings' size.
 told-geometry-the-board-was-used = The board was used in only { $used } of { $used2 } images; count its inner corners again, and show the whole board, sharp and evenly lit.
-told-geometry-the-followed-points-do = The followed points do not fit one moving vehicle; follow them again.
-told-geometry-it-lies-px-from = It is { $off_px } px from the position given by the other frames, { $times } times its uncertainty.
-told-geometry-no-point-was-followed = No point was followed; confirm contact and target on one frame first.
-told-geometry-the-followed-points-do-not = The followed points do not give a path on the road; follow them again.
-told-geometry-the-frames-do-not-fix = The frames do not determine the inset; follow the points over a longer distance.
-told-geometry-it-lies-outside-the = It lies outside the frame.
-told-geometry-the-followed-points-disagree = The followed points deviate from straight, level travel by more than their uncertainty.
-told-geometry-it-lies-outside-the-lens = It lies outside the lens model's valid radius.
-told-geometry-it-lies-at-or = It lies at or above the horizon, where there is no road.
-told-geometry-of-followed-points-had = { $dropped } of { $frame } followed points were excluded; follow them again from a clearer frame.
 told-jobs-gave-up = The job stopped { $attempts } times; check the input and the available memory.
 told-jobs-broke = An error in the program stopped this ({ $name }); try again, and report it if it comes back.
 told-infra-a-worker-stopped-in = The job was interrupted and is started again.
@@ -6290,17 +6463,9 @@ told-linescan-the-uncertainty-of-the = The uncertainty of the occupancy is not k
 told-measurements-storing-the-heights-that = Saving the heights that changed.
 told-measurements-putting-the-old-heights = Restoring the previous heights.
 told-measurements-computing-the-heights = Computing the heights.
-told-measurements-proposal-expect-about-px = suggested contact, u = { $expected_px } px{ $worse }
-told-measurements-worse-than-a-careful = , less accurate than a careful click
-told-measurements-the-pass-has-no = The pass has no direction; the driver's side follows from the camera's place in the median, past which all traffic runs one way.
 told-measurements-the-vehicle-was-followed = The vehicle was followed through its pass.
 told-measurements-its-speed-is-that = Its speed is that of the points clicked on two frames.
 told-measurements-the-vehicle-could-not = The vehicle could not be followed; its speed is assumed, so look for the points around the marks.
-told-measurements-the-pass-has-no-other = The pass has no other frame; extend it by its first or last frame.
-told-measurements-on-no-other-frame = No other frame of the pass shows both points; use a single frame.
-told-measurements-another-frame-would-not = A second frame does not help: { $now } mm now, { $then } mm with it.
-told-measurements-there-is-no-height = There is no height yet; click contact and target first.
-told-media-save-it-as-png = save it as PNG or JPEG and try again
 told-media-is-in-colour-and = is in colour, and a line scan is grey
 told-media-has-a-palette-and = has a palette, and a line scan is grey
 told-media-has-a-transparency-channel = has a transparency channel, and a line scan has none
@@ -6309,13 +6474,10 @@ told-media-give-one-camera-strip = give one camera's strip
 told-media-is-not-a-picture = is not an image format that is supported
 told-media-save-it-as-8 = save it as 8-bit or 16-bit greyscale and try again
 told-media-copy-it-again-from = copy it again from the recorder
-told-media-convert-it-to-mp4 = convert it to MP4 with H.264 or choose another file
 told-media-choose-a-video-file = choose a video file
 told-media-copy-it-again-from-the = copy it again from the recorder, or repair it there
 told-media-stretched-for-pixels-of = stretched for pixels of { $sample_aspect }
 told-media-turned-by-degrees-clockwise = turned by { $rotation_deg } degrees clockwise
-told-media-the-picture-has-another = The frame size differs from that of the camera pose.
-told-media-the-picture-of-the = The frame of the camera pose has nothing that can be followed; it is too dark or has too little contrast.
 told-media-the-camera-moves-by = The camera moves by up to { $far }; the search compensates for it. A camera pose is valid only while the camera is at rest.
 told-media-the-camera-moves-by-and = The camera moves (by { $far } and more), so road and vehicles cannot be separated; mark the passes by hand.
 told-media-the-header-speaks-of = The header states { $duration_s } s, the frames end after { $end_s } s; the file may be truncated.
@@ -6375,16 +6537,9 @@ told-quality-no-roof-is-measured = No vehicle with a manufacturer's height has a
 told-quality-nothing-is-measured-of = No measurements of this target.
 told-quality-the-road-x-axis = The road's X axis is rotated by { $figures } against the traffic.
 told-quality-the-road-x-axis-agrees = The road's X axis agrees with the traffic: rotated by { $figures }, not significant.
-told-quality-left-out-it-strays = Excluded as an outlier; check its clicks.
 told-quality-turned-by-to-the = Rotated by { $turn_rad }° to the direction of { $vehicles } vehicles.
 told-quality-looking-for-the-frames = Searching for camera movement.
-told-quality-whether-the-camera-moved = Camera movement cannot be determined: { $document }
-told-quality-the-camera-stands-still = No camera movement detected, within { $document } px{ $worth }.
-told-quality-heights-are-off-by = (height error up to { $span } mm)
 told-quality-looking-for-the-background = Searching for the background in frame { $n }.
-told-quality-the-recording-has-no = The recording has no such frame.
-told-quality-mm-of-height = ({ $document } mm of height)
-told-quality-and-more-times = { $moved } more movements.
 told-quality-clicked-of-their-own = { $name } has { $pairs } own repeats; { $least_freedom } are needed.
 told-quality-were-clicked-by-one = { $sums } repeated on another frame by one operator; { $least_freedom } are needed.
 told-quality-the-first-clicks-give = The first clicks give no height: { $reason }
@@ -6394,14 +6549,9 @@ told-quality-the-camera-pose-is = The camera pose changed since, so not only the
 told-quality-the-inset-is-another = The insets differ, so not only the clicks differ.
 told-quality-a-height-has-no = A height has no uncertainty.
 told-quality-the-catalogue-is-empty = The catalogue is empty.
-told-quality-it-is-not-measured = It is not measured.
-told-quality-its-measurement-was-rejected = Its measurement was rejected.
-told-quality-both-tyres-are-not = No frame has both tyres clicked.
 told-recordings-looking-for-the-board = Searching for the board.
 told-recordings-fitting-the-lens-and = Fitting the lens, and the two halves separately.
 told-recordings-looking-for-the-board-in = Searching for the board in { $name }.
-told-recordings-the-camera-had-moved = The camera moved { $moved_px } px after the pose was computed{ $off }; compute a new pose for this part, or decide to keep the old one.
-told-recordings-heights-are-off-by = (height error up to { $change_m } mm)
 told-recordings-the-ingest-was-cancelled = The import was cancelled; start it again or delete the recording.
 told-recordings-reading-the-video = Reading the video.
 told-results-too-few-different-errors = too few different errors for a bootstrap interval
@@ -6541,7 +6691,6 @@ told-studies-no-weights-meet-all = no weights meet all shares of the fleet at on
 told-studies-has-one-site-join = { $stratum } has one site: join it with another stratum, so that sites can differ
 told-studies-no-height-of-counts = no height of { $variable } { $words } counts, which the fleet has
 told-studies-a-stratum-has-its = a stratum has its class at one site only, so that sites cannot differ
-told-vehicles-the-search-for-passes = The search for passes was cancelled; you can start it again.
 told-vehicles-new-known-or-discarded = { $passes }: { $new } new, { $found } known or discarded before.
 told-vehicles-looking-for-passes = Searching for passes.
 told-vehicles-no-passes-were-found = No passes were found; mark them by hand.
@@ -6583,10 +6732,6 @@ told-statistics-the-reference-heights-own-uncertainty = The reference heights' o
 told-geometry-to-the-left = to the left
 told-geometry-edge = { $side } edge
 told-geometry-to-the-right = to the right
-told-assist-no-proposal-click-the = No suggestion: { $reason } Click the contact yourself.
-told-drift-the-camera-moved-at = The camera moved at { $clock } (frame { $frame }) by { $moved } px{ $off }, frames { $first } to { $last }.
-told-drift-the-camera-had-moved = The camera had already moved at { $clock } (frame { $frame }) by { $moved } px{ $off }, frames { $first } to { $last }.
-told-drift-the-camera-crept-at = The camera drifted at { $clock } (frame { $frame }) by { $moved } px{ $off }, frames { $first } to { $last }.
 told-words-and = { $first } and { $last }
 told-thing-camera-pose = camera pose
 told-thing-line-scan = line-scan recording

@@ -95,7 +95,7 @@ state-rejected = rejeté
 state-reopened = rouvert
 state-withdrawn = retiré
 state-not_measurable = non mesurable
-state-done = terminée
+state-done = terminé
 state-next = à suivre
 state-begun = en cours
 state-waiting = en attente
@@ -1033,7 +1033,7 @@ recordings-picture-read = Piste vidéo { $number } sur les { $count } du fichier
 recordings-picture-read-too = Importer aussi la piste vidéo { $number } ({ $codec }, { $size })
 recordings-picture-read-of = Importer la piste vidéo { $number } de { $recording } comme un enregistrement à part
 recordings-picture-added = { $name } est en cours d’import.
-recordings-filming-rate-unknown = Cadence de prise de vue non indiquée ; aucun mouvement n’est mesuré.
+recordings-filming-rate-unknown = Cadence de prise de vue non confirmée ; aucun mouvement n’est mesuré.
 recordings-filming-rate-is = Filmé à { $rate } images/s, valeur saisie
 recordings-filming-rate-state = Saisir la cadence de prise de vue
 recordings-filming-rate-of = Saisir la cadence de prise de vue de { $recording }
@@ -1135,6 +1135,7 @@ upload-discard-one = Supprimer l’envoi partiel de { $file }
 ## Mots utiles à beaucoup de pages
 
 interval = { $low } à { $high }
+words-apart = { $first } ; { $second }
 person-system = Sightline
 person-unknown = inconnu
 menu-language = Langue
@@ -1573,7 +1574,7 @@ measure-driver = { $side ->
 measure-find-pose = Calculer la pose de la caméra
 measure-no-pose = Pas de pose de la caméra. Calculez-la avant de mesurer.
 measure-choose-pass = Choisissez un passage à gauche, ou marquez-en un nouveau avec [ et ].
-measure-look-only = Lecture seule. Demandez le droit de mesurer à un opérateur.
+measure-look-only = Lecture seule. Demandez le rôle d’opérateur à un administrateur.
 measure-vehicle-done = Terminé : plus rien à mesurer. 1 à 5 pour mesurer à nouveau.
 measure-next-pass = Passage suivant
 measure-choose-target = Choisissez une cible : 1 à 5.
@@ -2531,7 +2532,7 @@ scan-find-direct = Recalage direct
 scan-find-paper = Appariement de blocs (Douxchamps et al.)
 scan-find-direct-what = Recale les deux bandes d’un véhicule dans leur ensemble : vitesse, accélération et désalignement des caméras en un seul ajustement. Par défaut.
 scan-find-paper-what = Appariement de blocs et régression linéaire, tels que publiés par Douxchamps, Macq et Chihara ; pour comparaison.
-scan-find-what = Quoi
+scan-find-what = Portée
 scan-find-all = Chercher dans tout l’enregistrement
 scan-find-known = Mesurer à nouveau les véhicules connus
 scan-find-note = Les bornes placées à la main et les véhicules retirés sont gardés. Les résultats validés qui changent retournent en vérification.
@@ -2722,7 +2723,7 @@ scan-references-store = { $count ->
     [one] Importer { $count } ligne
    *[other] Importer { $count } lignes
 }
-scan-references-done = Enregistré : { $values } { $values ->
+scan-references-done = Importé : { $values } { $values ->
     [one] valeur
    *[other] valeurs
 } de référence et { $cars } { $cars ->
@@ -2855,7 +2856,7 @@ scan-height-measure = { $target ->
     [driver_eye] Mesurer : œil du conducteur
     [taillight] Mesurer : feu arrière
     [headlight] Mesurer : projecteur
-   *[other] Mesurer : autre
+   *[other] Mesurer : autre cible
 }
 scan-height-measure-again = { $target ->
     [roof] Mesurer à nouveau : toit
@@ -3183,8 +3184,8 @@ statistics-counted = { $measurements ->
    *[other] { $roofs } toits
 } avec hauteur du constructeur.
 statistics-without-class = { $count ->
-    [one] { NUMBER($count) } véhicule n’a pas de classe et est exclu des résultats par classe. <link>Choisissez-la dans Mesurer</link> (liste : Sans classe).
-   *[other] { NUMBER($count) } véhicules n’ont pas de classe et sont exclus des résultats par classe. <link>Choisissez-la dans Mesurer</link> (liste : Sans classe).
+    [one] { NUMBER($count) } véhicule n’a pas de classe et est exclu des résultats par classe. <link>Choisissez-la dans Mesure</link> (liste : Sans classe).
+   *[other] { NUMBER($count) } véhicules n’ont pas de classe et sont exclus des résultats par classe. <link>Choisissez-la dans Mesure</link> (liste : Sans classe).
 }
 statistics-left-out = Exclues : { $states }.
 statistics-left-out-state = { $state ->
@@ -3730,7 +3731,7 @@ members-remove = Retirer
 members-remove-title = Retirer { $person } du relevé ?
 members-remove-body = { $person } ne le verra plus. Son travail reste à son nom.
 members-remove-yourself = Vous ne verrez plus ce relevé.
-members-none = Personne n’est encore membre de ce relevé ; les administrateurs en décident.
+members-none = Aucun membre pour l’instant.
 members-inactive = désactivé
 members-add = Ajouter
 members-add-person = Personne
@@ -4368,12 +4369,139 @@ measurements-proposals-not-these = Ces points sont périmés : les propositions
 
 ## Erreurs : caméras
 
+## Heights: why there is none, and what to know of one; what is followed and suggested (kept by code)
+
+height-click-not-finite = Une coordonnée de pointé n’est pas un nombre fini.
+height-contact-outside-picture = Le contact est hors de l’image.
+height-target-outside-picture = La cible est hors de l’image.
+height-contact-outside-lens = Le contact est hors du rayon valable du modèle d’objectif ; sa direction est inconnue.
+height-target-outside-lens = La cible est hors du rayon valable du modèle d’objectif ; sa direction est inconnue.
+height-camera-below-road = La pose place la caméra sur la chaussée ou dessous ; recalculez la pose de la caméra.
+height-contact-above-horizon = Le contact est sur l’horizon ou au-dessus, où il n’y a pas de route.
+height-contact-behind-camera = Le contact est derrière le plan de la caméra, vu en travers de la route.
+height-plane-edge-on = Le plan latéral passant par le contact est vu presque par la tranche.
+height-target-no-crossing = Le rayon de la cible ne rencontre pas le plan latéral devant la caméra.
+height-target-below-road = La cible est sur la route ou dessous ; contact et cible sont-ils inversés ?
+height-u-not-valid = Une incertitude de pointé, un retrait ou son incertitude n’est pas un nombre fini, ou une incertitude est négative.
+height-side-unknown = Le côté du conducteur (proche ou éloigné) n’est pas indiqué, et la hauteur de l’œil en dépend ; indiquez-le.
+height-inset-implausible = Le retrait calculé de { NUMBER($inset_m, minimumFractionDigits: 2, maximumFractionDigits: 2) } m n’est pas plausible pour un véhicule routier ({ $low_m } à { $high_m } m) : le contact et la cible doivent être les mêmes points sur chaque image.
+height-no-board-in-picture = La mire entière n’entre pas dans l’image ; la pose de la caméra ne peut être calculée.
+height-picture-too-narrow = L’image ne montre contact et cible que sur { NUMBER($shown_m, minimumFractionDigits: 1, maximumFractionDigits: 1) } m de la trace de roues ; on ne peut les pointer deux fois à { $travel_m } m d’intervalle.
+height-frames-too-few = Contact et cible sont nécessaires sur deux images au moins.
+height-of-frame = Image { $frame } sur { $frames } : { $reason }
+height-travel-short = Le véhicule n’a avancé que de { NUMBER($travel_m, minimumFractionDigits: 2, maximumFractionDigits: 2) } m entre les images ; choisissez des images plus éloignées.
+height-clicks-disagree = Les pointés ne correspondent pas à un même véhicule en mouvement ; pointez les deux mêmes points sur chaque image.
+height-inset-undetermined = Les images ne déterminent pas le retrait ; choisissez des images plus éloignées.
+height-no-clicks = Contact et cible ne donnent pas de hauteur.
+height-pass-empty = Aucun point n’a été suivi ; confirmez d’abord contact et cible sur une image.
+height-pass-not-finite = Un point suivi, son instant ou son incertitude n’est pas un nombre fini.
+height-pass-u-not-positive = L’incertitude d’un point suivi n’est pas positive ; indiquez-la en pixels.
+height-pass-statement-not-valid = Un nombre qui décrit le suivi est négatif ou n’est pas fini.
+height-pass-point-twice = Un point est donné deux fois sur une image ; donnez chacun une seule fois.
+height-pass-few-frames =
+    { $point ->
+        [contact] Le contact
+        [second_contact] Le second contact
+       *[target] La cible
+    } n’a été suivi que sur { $count } images utilisables ; il en faut { $needed }.
+height-pass-short =
+    { $point ->
+        [contact] Le contact
+        [second_contact] Le second contact
+       *[target] La cible
+    } n’a été suivi que sur { NUMBER($travel_m, minimumFractionDigits: 2, maximumFractionDigits: 2) } m ; suivez-le sur plus d’images.
+height-pass-no-path = Les points suivis ne donnent pas de trajectoire sur la chaussée ; suivez-les à nouveau.
+height-pass-disagrees = Les points suivis ne correspondent pas à un même véhicule en mouvement ; suivez-les à nouveau.
+height-pass-inset-undetermined = Les images ne déterminent pas le retrait ; suivez les points sur une plus longue distance.
+height-pass-most-excluded = { $dropped } points suivis sur { $points } ont été exclus ; suivez-les à nouveau à partir d’une image plus nette.
+height-flag-plane-oblique = Le plan latéral est vu sous moins de 10 degrés.
+height-flag-lens-edge = Un pointé est près du bord de ce que le modèle d’objectif sait inverser.
+height-flag-far-from-board = Le véhicule est à une tout autre distance que ne l’était la mire.
+height-flag-u-large = L’incertitude est grande ; l’intervalle à 95 % est approché.
+height-flag-no-u-of-lens-and-pose = L’incertitude de l’objectif et de la pose est inconnue et n’est pas comprise.
+height-flag-no-u-of-lens = L’incertitude de l’objectif est inconnue ; seul ce que dit le fichier de pose est compté.
+height-flag-no-board = La mire est inconnue ; son inclinaison, sa hauteur, le côté de ses cases et sa flèche ne sont pas compris dans l’incertitude.
+height-flag-no-square-size = La pose n’indique pas le côté des cases de la mire ; non compris dans l’incertitude.
+height-flag-no-bow = La pose n’indique pas la flèche de la mire ; non comprise dans l’incertitude.
+height-flag-no-square-size-and-bow = La pose n’indique ni le côté des cases ni la flèche de la mire ; non compris dans l’incertitude.
+height-flag-clicks-misfit = Les pointés ne suivent pas une trajectoire droite et horizontale ; vérifiez que les mêmes points sont pointés sur chaque image.
+height-flag-inset-weak = Les images sont trop rapprochées pour bien déterminer le retrait.
+height-flag-pass-misfit = Les points suivis s’écartent d’une trajectoire droite et horizontale de plus que leur incertitude.
+height-flag-side-from-place = Le passage n’a pas de sens ; le côté du conducteur se déduit de la place de la caméra sur le terre-plein central, le long duquel tous vont dans le même sens.
+height-flag-camera-moved = La caméra avait bougé de { NUMBER($moved_px, minimumFractionDigits: 1, maximumFractionDigits: 1) } px depuis sa pose ; prenez une nouvelle pose pour cette partie, ou décidez que l’ancienne convient encore.
+height-flag-camera-moved-by = La caméra avait bougé de { NUMBER($moved_px, minimumFractionDigits: 1, maximumFractionDigits: 1) } px depuis sa pose (erreur de hauteur jusqu’à { SMALL($error_m, digits: 0) }) ; prenez une nouvelle pose pour cette partie, ou décidez que l’ancienne convient encore.
+height-flag-inset-zero = retrait pris égal à 0
+height-flag-u-inset-zero = incertitude du retrait prise égale à 0
+height-flag-usual-inset = retrait usuel de { $target }
+height-flag-usual-inset-of-side = retrait usuel de { $target }, { $side }
+height-target-unknown = La cible { $target } n’est pas l’une de { $known }.
+height-side-not-known = Le côté { $side } n’est pas l’un de { $known }.
+second-frame-no-height = Il n’y a pas encore de hauteur ; pointez d’abord contact et cible.
+second-frame-no-other = Le passage n’a pas d’autre image ; prolongez-le par sa première ou sa dernière image.
+second-frame-not-shown = Sur aucune autre image du passage les deux points ne sont dans l’image ; une image suffira.
+second-frame-no-gain = Une autre image n’aiderait pas ici : { SMALL($now_m, digits: 0) } actuellement, { SMALL($then_m, digits: 0) } avec elle.
+followed-off = Il est à { NUMBER($off_px, minimumFractionDigits: 1, maximumFractionDigits: 1) } px de la position donnée par les autres images, { NUMBER($times, minimumFractionDigits: 1, maximumFractionDigits: 1) } fois son incertitude.
+followed-outside-picture = Il est hors de l’image.
+followed-outside-lens = Il est hors du rayon valable du modèle d’objectif.
+followed-above-horizon = Il est sur l’horizon ou au-dessus, où il n’y a pas de route.
+followed-left-picture = Il est sorti de l’image.
+followed-lost = Il a été perdu : rien ne se trouve à l’endroit donné par la vitesse et la pose de la caméra.
+followed-elsewhere = Sa position contredit les images voisines.
+followed-unlike = L’image diffère trop des autres ici ; il est peut-être caché.
+followed-blurred = Il est trop flou ici par rapport aux autres images.
+followed-weak = Trop peu de détails sont visibles ici pour le situer à 1,5 px près.
+follow-outline = Cette cible est un contour devant un arrière-plan mobile et ne peut pas être suivie ; pointez-la sur deux images.
+follow-frame-not-of-pass = Les points confirmés sont sur une image hors du passage.
+follow-not-from-here = Le véhicule ne peut pas être suivi à partir de cette image ; confirmez les points sur une autre.
+follow-points-needed = Le suivi part d’une image avec le contact et la cible ; pointez les deux sur celle-ci.
+contact-wrong-distance = La route est ici trop proche ou trop lointaine pour distinguer une roue.
+contact-oblique = La roue est vue ici trop en biais ; sa bande de roulement cache le contact.
+contact-no-rim = Aucune jante entière n’est visible ici ; le pneu ne peut être séparé de l’ombre et de la carrosserie.
+contact-no-edge = Le bord inférieur du pneu ne se détache pas ici de la route.
+contact-radius = La roue détectée ici aurait un rayon de { NUMBER($radius_m, minimumFractionDigits: 2, maximumFractionDigits: 2) } m.
+contact-far-from-pointer = La roue détectée est trop loin du pointeur ; pointez plus près de son contact.
+contact-none = Pas de proposition. { $reason } Cliquez vous-même sur le contact.
+contact-found = contact proposé, u = { NUMBER($expected_px, minimumFractionDigits: 1, maximumFractionDigits: 1) } px
+contact-found-rough = contact proposé, u = { NUMBER($expected_px, minimumFractionDigits: 1, maximumFractionDigits: 1) } px, moins précis qu’un pointé soigneux
+heading-of-contact = { $which ->
+    [first] Premier
+   *[second] Second
+ } contact de pneu : { $reason }
+heading-base-short = Les deux contacts de pneu ne sont qu’à { NUMBER($base_m, minimumFractionDigits: 2, maximumFractionDigits: 2) } m l’un de l’autre ; pointez le pneu avant et le pneu arrière du même côté.
+heading-base-long = Les deux contacts de pneu sont à { NUMBER($base_m, minimumFractionDigits: 0, maximumFractionDigits: 0) } m l’un de l’autre ; pointez les deux pneus d’un même véhicule.
+heading-at-edge = Un contact de pneu est au bord de la chaussée visible ; prenez une autre image.
+heading-outlier = Exclu comme valeur aberrante ; contrôlez ses pointés.
+size-not-measured = Ce n’est pas mesuré.
+size-rejected = Sa mesure a été rejetée.
+size-no-tyres = Sur aucune image les deux pneus ne sont pointés.
+drift-unknown = On ne peut dire si la caméra a bougé : { $reason }
+drift-still = Aucun mouvement de la caméra détecté, à { NUMBER($floor_px, minimumFractionDigits: 2, maximumFractionDigits: 2) } px près.
+drift-still-of-height = Aucun mouvement de la caméra détecté, à { NUMBER($floor_px, minimumFractionDigits: 2, maximumFractionDigits: 2) } px près ({ SMALL($floor_m, digits: 1) } de hauteur).
+drift-moved = { $how ->
+    [bumped] La caméra a bougé
+    [before] La caméra avait déjà bougé
+   *[drifted] La caméra a glissé
+ } à { $clock } (image { $frame }) de { NUMBER($moved_px, minimumFractionDigits: 1, maximumFractionDigits: 1) } px, images { $first } à { $last }.
+drift-moved-height = { $how ->
+    [bumped] La caméra a bougé
+    [before] La caméra avait déjà bougé
+   *[drifted] La caméra a glissé
+ } à { $clock } (image { $frame }) de { NUMBER($moved_px, minimumFractionDigits: 1, maximumFractionDigits: 1) } px (erreur de hauteur jusqu’à { SMALL($error_m, digits: 0) }), images { $first } à { $last }.
+drift-more = { $count } autres mouvements.
+drift-few-points = Seuls { $count } points du fond sont retrouvés, ou tous dans une même partie de l’image ; elle est trop sombre, masquée, ou montre une autre vue.
+drift-no-frame = Aucune image n’a été examinée.
+drift-no-such-frame = L’enregistrement n’a pas cette image.
+drift-nothing-in-pose-frame = L’image de la pose de la caméra n’a rien qui puisse être suivi ; elle est trop sombre ou trop peu contrastée.
+drift-other-size = La taille d’image diffère de celle de la pose de la caméra.
+drift-no-target = Aucune cible haute de { $target_m } m sur la route entre 3 et 12 m n’est dans l’image.
+
 cameras-charuco-board-needs-dictionary-markers-side = Une mire ChArUco demande le dictionnaire de ses marqueurs, le côté d’un marqueur et le côté d’une case ; indiquez les trois.
 cameras-plain-checkerboard-no-markers-choose-charuco = Un damier simple n’a pas de marqueurs ; choisissez ChArUco comme type de mire, ou omettez dictionnaire et marqueur.
 cameras-frames-not-recording-frames-0 = Les images { $first } à { $last } ne sont pas dans l’enregistrement ; il a les images 0 à { $frame_count }.
 cameras-every-th-frame-would-views-take = Une image sur { $every } donnerait { $count } vues ; prenez une image sur { $least } ou moins.
 cameras-not-text-file-choose-calibration-yaml = { $file_name } n’est pas un fichier texte ; choisissez un étalonnage en YAML, JSON ou cameramodel.
 cameras-not-file-give-picture-files-clip = { $path } n’est pas un fichier ; indiquez des fichiers de photos ou un clip.
+cameras-still-has-no-tracks = { $path } est une photo, pas une vidéo à plusieurs pistes ; retirez --stream.
 cameras-choose-calibration-give-pictures-width-height = Choisissez un étalonnage, ou indiquez la largeur et la hauteur de l’image en pixels et son champ horizontal en degrés.
 cameras-calibration-belongs-another-survey-choose-one = L’étalonnage { $calibration_id } appartient à un autre relevé ; choisissez-en un des caméras de ce relevé.
 cameras-cameras-csv-not-what-audit = cameras.csv : la caméra { $id } n’est pas ce que ses événements d’audit en ont fait ; le tableau a été modifié.
@@ -4390,7 +4518,6 @@ commands-baseline-or-rig = Donnez soit --baseline (avec --u-baseline), soit --ri
 commands-not-percentile = « { $part } » n’est pas un centile ; indiquez des nombres entre 0 et 100, par exemple --percentile 2.5,10,50.
 commands-no-row-with-height = { $path } n’a aucune ligne avec une hauteur ; indiquez un fichier dont des lignes ont le status ok.
 commands-rig-file-no-rig = { $path } n’est pas un dispositif : il faut un objet JSON avec baseline_m, comme l’écrit `sightline rig calibrate -o`, et des voies avec chacune son distance_m.
-commands-row-not-length = { $where } : { $name } « { $cell } » n’est pas une longueur possible en mètres ; corrigez la cellule.
 commands-larger-200-mb-give = { $path } dépasse 200 Mo ; indiquez { $what }.
 commands-not-exist-give = { $path } n’existe pas ; indiquez { $what }.
 commands-not-utf-8-text-give-saved = { $path } n’est pas un texte UTF-8 ; indiquez { $what }, enregistré en UTF-8.
@@ -4500,6 +4627,7 @@ export-described-otherwise = datapackage.json énumère chaque fichier avec sa t
 export-statistics-sealed-only = Les statistiques diffèrent de celles de cette version, car une autre version les a calculées ; couvertes par le sceau, non comparées (première différence : { $difference })
 export-drawings-sealed-only = Figures, rapport et README ont été faits par une autre version ; couverts par le sceau, non comparés.
 export-page-sealed-only = La page a été faite par une autre version : ses tables ont été comparées ; son programme est couvert par le sceau, non comparé.
+export-words-sealed-only = Motifs et remarques ont été mis en mots par une autre version : leurs codes ont été comparés ; les mots sont couverts par le sceau, non comparés.
 export-heights-of-another-version = { $count ->
     [one] Un nombre calculé par une autre version diffère
    *[other] { $count } nombres calculés par d’autres versions diffèrent
@@ -4511,6 +4639,7 @@ export-not-one-whose-hash-crops-csv = { $path } n’est pas celui dont crops.csv
 export-no-picture-size-crops-csv-tells = { $path } n’est pas une image de la taille indiquée par crops.csv ; il a été échangé.
 export-not-show-points-measurement-changed = { $overlay } ne montre pas les points de sa mesure ; il a été modifié.
 export-cannot-read-take-whole-export-again = { $description } est illisible ; reprenez l’export complet.
+csv-package-no-code = Une cellule avec un code et ses valeurs ne peut être lue ({ $cell }) ; elle a été modifiée.
 export-another-files-chain-changed = { $description } a une autre valeur de { $name } que les fichiers et la chaîne ; il a été modifié.
 export-describes-otherwise-program-changed = { $description } décrit { $named } autrement que ce programme ; il a été modifié.
 export-too-rows-changed = { $path } a { $value ->
@@ -4798,6 +4927,7 @@ measurements-measurement-stored-another-vehicle-already-click = Cette mesure a d
 measurements-frame-not-picture-clicked-load-again = L’image { $frame } n’est pas celle qui a été pointée ; rechargez-la.
 measurements-measurements-csv-lacks-measurement-revisions-csv = measurements.csv : il manque une mesure que contient revisions.csv ; elle a été retirée.
 measurements-says-clicks-give-one-wrong = { $name } indique { $status }, ses pointés donnent { $status_2 } ; l’un des deux est faux.
+measurements-words-not-of-code = { $name } : { $column } ne dit pas ce que dit le code à côté ; l’un des deux a été modifié.
 measurements-names-another-pose-file-pose-changed = { $path } : { $id } nomme un autre fichier de pose que sa pose ; il a été modifié.
 measurements-measurement-no-audit-event-revision-put = { $path } : la mesure { $key } n’a pas d’événement d’audit pour la révision { $key_2 } ; ajout après coup.
 measurements-measurement-differs-audit-event-changed = { $path } : la mesure { $key } diffère de son événement d’audit ; elle a été modifiée.
@@ -4932,7 +5062,6 @@ video-not-say-how-large-picture-says = { $name } ne dit pas la taille de son ima
 video-claims-picture-x-pixels-more-side = { $name } annonce une image de { $width } x { $height } pixels, plus de { $max_side_px } de côté ou { $max_pixels } millions en tout ; convertissez-le en MP4 avec H.264 ou choisissez un autre fichier.
 video-claims-pixels-width-height-which-not = { $name } annonce des pixels au rapport largeur sur hauteur de { $aspect }, ce qui n’est pas crédible ; convertissez-le en MP4 avec H.264 ou choisissez un autre fichier.
 video-not-video-read-here-convert-mp4 = { $name } n’est pas une vidéo lisible ici ; convertissez-le en MP4 avec H.264 ou choisissez un autre fichier.
-video-holds-no-picture-decoded-codec-convert = { $name } ne contient aucune image décodable (codec { $codec }) ; convertissez-le en MP4 avec H.264 ou choisissez un autre fichier.
 video-no-times-follow = { $name } ne donne pas l’instant de ses images : un véhicule ne peut pas y être suivi ; convertissez-le en MP4.
 video-times-not-of-filming = Les instants de { $name } ne sont pas ceux de la prise de vue (ses remarques en donnent le motif) : aucun mouvement n’est mesuré. Saisissez sa cadence de prise de vue.
 video-holds-no-picture-decoded-convert-mp4 = { $name } ne contient aucune image décodable ; convertissez-le en MP4 avec H.264 ou choisissez un autre fichier.
@@ -5035,7 +5164,7 @@ recordings-belongs-another-survey-choose-one-surveys-2 = { $word ->
 } { $row_id } : appartient à un autre relevé ; choisissez dans ce relevé.
 recordings-road-pose-pictures-x-px-x = La pose { $pose_id } de la caméra vaut pour des images de { $posed } x { $posed_2 } px et { $name } a { $filmed } x { $filmed_2 } px ; choisissez une pose faite à la taille de l’enregistrement.
 recordings-frames-found-now-not-those-measured = Les images trouvées maintenant ne sont pas celles qui ont été mesurées ; envoyez la vidéo comme nouvelle.
-recordings-uploads-speak-tus-1-0-0 = Les envois parlent tus 1.0.0 ; envoyez l’en-tête Tus-Resumable: 1.0.0.
+recordings-uploads-speak-tus-1-0-0 = Les envois utilisent tus 1.0.0 ; envoyez l’en-tête Tus-Resumable: 1.0.0.
 recordings-too-many-uploads-announced = Vous avez { $most } envois incomplets ; terminez ou annulez-en d’abord.
 recordings-upload-not-say-how-long-file = L’envoi ne dit pas la longueur du fichier ; envoyez l’en-tête Upload-Length.
 recordings-bytes-upload-come-application-offset-octet = Les octets d’un envoi arrivent en application/offset+octet-stream ; envoyez ce Content-Type.
@@ -5077,7 +5206,7 @@ reviews-somebody-changed-plan-meanwhile = Le plan a été modifié entre-temps�
 reviews-plan-one-in-between = « Une sur combien » est un nombre entre 0 (aucune) et { $most }.
 reviews-click-it-again-before = Le plan du relevé veut que celle-ci soit repointée avant d’être montrée ; pointez contact et cible, puis jugez-la.
 reviews-fix-changes-nothing-accept = Cette correction ne change rien ; déplacez un point, ou validez la mesure.
-reviews-measurement-waits-review-already = Cette mesure attend déjà une vérification.
+reviews-waits-review-already = Ceci attend déjà une vérification.
 reviews-nobody-reviews-their-own-measurement-ask = Personne ne vérifie sa propre mesure ; demandez à un autre vérificateur.
 reviews-reviews-csv-not-what-audit-event = reviews.csv : { $id } diffère de son événement d’audit ; il a été modifié.
 reviews-reviews-csv-missing-though-audit-event = reviews.csv : { $id } manque, bien que son événement d’audit soit là.
@@ -5154,11 +5283,9 @@ scans-nothing-camera-2s-strip-looks-like = Rien dans la bande de la caméra 2 ne
 scans-vehicle-no-speed-needs-reason-why = Un véhicule qui n’a pas de vitesse demande un motif ; remesurez-le.
 scans-vehicle-measured-again-meanwhile-look-newer = Ce véhicule a été remesuré entre-temps ; regardez le nouveau résultat.
 scans-nobody-reviews-boundaries-they-placed-themselves = Personne ne vérifie les bornes qu’il a placées ; demandez à un autre vérificateur.
-scans-vehicle-waits-review-already = Ce véhicule attend déjà une vérification.
 scans-height-measured-again-meanwhile-look-newer = Cette hauteur a été remesurée entre-temps ; regardez le nouveau résultat.
 scans-height-without-figure-nothing-review = Cette hauteur est retirée ou n’a pas de valeur : il n’y a rien à vérifier.
 scans-nobody-reviews-height-they-clicked-themselves = Personne ne vérifie une hauteur qu’il a pointée ou calculée ; demandez à un autre vérificateur.
-scans-height-waits-review-already = Cette hauteur attend déjà une vérification.
 scans-camera-2-needs-both-lines-front = La caméra 2 demande les deux lignes, avant et arrière, ou aucune ; envoyez les deux ou omettez les deux.
 scans-wheelbase-needs-both-wheels-send-both = Un empattement demande les deux roues ; envoyez les deux lignes, ou aucune pour les retirer.
 scans-vehicle-not-deleted-nothing-restore = Ce véhicule n’a pas été supprimé : il n’y a rien à restaurer.
@@ -5228,6 +5355,8 @@ csv-empty-cell = { $name }, ligne { $line } : { $column } est vide ; remplis
 csv-not-a-number = { $name }, ligne { $line } : { $column } vaut « { $cell } », qui n’est pas un nombre ; corrigez la cellule.
 csv-number-separated = { $name }, ligne { $line } : { $column } vaut « { $cell } » ; écrivez les décimales avec un point et rien entre les milliers.
 csv-no-size-of-a-vehicle = { $name }, ligne { $line } : { $column } vaut « { $cell } », et aucun véhicule n’a plus de 20 m ; en { $unit }, ce serait { $metres } m. Indiquez des mètres.
+csv-size-not-above-0 = { $name }, ligne { $line } : { $column } vaut « { $cell } » ; une dimension est supérieure à 0. Corrigez la cellule.
+csv-uncertainty-below-0 = { $name }, ligne { $line } : { $column } vaut « { $cell } » ; une incertitude n’est pas négative. Corrigez la cellule.
 csv-not-utf-8 = { $name } n’est pas un texte UTF-8 ; enregistrez-le en CSV UTF-8.
 vehicles-gives-frames-now-gave-when-read = { $name } donne maintenant { $count } images et en donnait { $count_2 } à la lecture ; relisez-le.
 vehicles-search-passes-cancelled-start-again-when = La recherche des passages a été annulée ; relancez-la quand vous voulez.
@@ -5735,6 +5864,26 @@ opened-report = Rapport (PDF)
 opened-measurements = Mesures
 opened-figures = Figures
 opened-tables = Tableaux
+opened-tables-lead = Les nombres sont arrondis ici ; les fichiers contiennent toutes les décimales. datapackage.json décrit chaque colonne, en anglais.
+opened-table = { $table ->
+    [survey] le relevé, en une ligne
+    [vehicles] passages et véhicules
+    [recordings] fichiers vidéo
+    [poses] poses de la caméra
+    [insets] retraits par défaut du relevé
+    [selection] limites de cette archive
+    [people] personnes nommées dans les autres tableaux
+    [exclusions] mesures exclues des résultats, avec le motif
+    [response] issue des passages
+    [error_table] erreurs des toits validés (hauteur mesurée moins hauteur du constructeur)
+    [agreement] limites d’agrément, et régression de l’erreur sur la hauteur
+    [corrections] effet de chaque correction sur les hauteurs
+    [percentiles] centiles des hauteurs, avec intervalles à 95 %
+    [total_uncertainty] grandeurs des hauteurs vraies, avec intervalles totaux
+    [same_rule] verdict pour chaque norme
+    [shares] part des hauteurs inférieures à la valeur de chaque norme
+   *[lateral_positions] positions latérales des véhicules
+}
 opened-checks = Vérifications
 opened-sizes = Tailles
 opened-checking = Contrôle de l’archive…
@@ -6074,13 +6223,14 @@ print-board-check = Imprimez sur { $paper } à taille réelle (100 %), sans aju
 geometry-board-larger-than-paper = La mire demande une feuille de { $width_mm } x { $height_mm } mm avec son bord blanc, plus grande que A0 ; choisissez des cases plus petites, ou nommez un rouleau de papier, par exemple 1200x900.
 geometry-board-not-on-paper = La mire demande une feuille de { $width_mm } x { $height_mm } mm avec son bord blanc et ne tient pas sur { $paper } ; choisissez un papier plus grand ou des cases plus petites.
 geometry-paper-not-known = Il n’y a pas de papier { $paper } ; utilisez l’un de { $papers }, ou sa largeur et sa hauteur en mm, par exemple 841x1500.
-reference-value-cannot-be = Une référence ({ $quantity }) de { $value } { $unit } est impossible ; indiquez une valeur supérieure à 0 et d’au plus { $most } { $unit }.
+reference-value-cannot-be = Une référence ({ $quantity }) de { $value } { $unit } est impossible ; indiquez une valeur supérieure à { $least } et d’au plus { $most } { $unit }.
 reference-u-cannot-be = Une incertitude de { $u } { $unit } pour { $quantity } de { $value } { $unit } est impossible ; indiquez une incertitude-type supérieure à 0 et non supérieure à la valeur elle-même.
 reference-device-too-long = Le nom de l’instrument dépasse { $most } caractères ; raccourcissez-le.
 reference-withdrawn-already = Cette valeur de référence a déjà été supprimée ; rien n’a été fait.
 reference-changed-meanwhile = { $name } a modifié cette valeur de référence entre-temps ; regardez-la d’abord.
 reference-columns-missing = { $name } demande une colonne « number » (numéro du véhicule dans son enregistrement) ou « time » (heure de son passage) et l’une de speed_kmh, length_m, wheelbase_m ou run_of ; sa première ligne nomme les colonnes.
 reference-column-unit = La colonne « { $column } » de { $name } ne dit pas son unité ; nommez-la de l’une de ces façons : { $names }, précédée de « u_ » pour l’incertitude.
+reference-columns-of-one = Les colonnes « { $first } » et « { $second } » de { $name } indiquent la même chose ; retirez-en une.
 reference-no-line-used = Aucune ligne de { $name } n’est utilisable ; ligne { $line } : { $reason }
 reference-line-no-number = Le numéro du véhicule est « { $number } » ; indiquez le nombre entier affiché à l’établi.
 reference-line-no-vehicle = Cet enregistrement n’a pas de véhicule { $number }.
@@ -6109,6 +6259,59 @@ scans-reference-does-not-follow = { $path } : { $name } de la ligne { $number }
 
 ## What the server says in English, found again by its text (sightline/messages/recognised.py)
 
+told-geometry-several-cameras = { $file_name } contient plusieurs caméras : { $cameras } ; { $key } a été lue (nommez-en une autre avec --which).
+told-geometry-roi-whole = { $file_name } : la caméra est celle de l’image entière, comme demandé, et non de sa roi.
+told-geometry-roi-part = { $file_name } décrit une partie de l’image (roi) : { $width }x{ $height } px à partir de ({ $left } ; { $top }) sur { $full_width }x{ $full_height } px ; la caméra est celle de cette partie (--size { $full_width }x{ $full_height } pour l’image entière).
+told-geometry-no-distortion = { $file_name } indique un objectif sans aucune distorsion, ce qui est rare ; contrôlez que cette caméra a été étalonnée.
+told-linescan-lane-unknown = La voie n’est pas connue ({ $why }) : les incertitudes valent pour toutes les voies de son sens ; choisissez sa voie.
+told-linescan-lane-no-wheel = aucune roue trouvée n’indique la voie
+told-linescan-lane-not-this-way = aucune voie du dispositif n’a ce sens
+told-linescan-gap-lane-unknown = Sa voie n’est pas connue ; le véhicule qui le précède ne l’est donc pas non plus.
+told-linescan-gap-before-unknown = Un véhicule dont la voie n’est pas connue l’a précédé, peut-être sur cette voie.
+told-linescan-mark-incomplete = Chaque repère a besoin d’une distance, d’une hauteur et d’une ligne.
+told-linescan-marks-not-numbers = Les distances, hauteurs et lignes des repères doivent être des nombres.
+told-linescan-marks-too-few = { $count } repères ne suffisent pas ; pointez-en au moins { $least }.
+told-linescan-marks-above-zero = Les distances des repères et l’u de leurs lignes doivent être supérieures à 0.
+told-linescan-rod-upside-down = Les repères les plus hauts doivent avoir les lignes les plus petites ; contrôlez le sens du jalon.
+told-linescan-too-few-blocks = Trop peu de blocs de { $lines } lignes peuvent être appariés : le véhicule présente trop peu de détails, ou trop peu de lignes ; augmentez la fréquence de lignes, ou utilisez l’autre méthode.
+told-linescan-rig-few-misalignment = { $count } véhicules donnent un désalignement ; il en faut { $least }.
+told-linescan-rig-few-gain = { $count } véhicules donnent un gain ; il en faut { $least }.
+told-linescan-no-wheel = Aucune roue n’a été trouvée : le bas de l’image n’en montre pas, ou est trop sombre.
+told-linescan-no-scale = Sans mouvement mesuré, l’image n’a pas d’échelle en mètres.
+told-media-not-decoded-at = Cet enregistrement ne peut pas être décodé à l’image { $frame } : là, le décodeur { $why } ; { $way_out }.
+told-media-filmed-at = Filmé à { $filmed_hz } images par seconde, comme saisi ; le fichier en lit { $played_hz } par seconde. Les instants sont ceux du tournage.
+told-media-no-rate = Le fichier n’indique aucune cadence : { $played_hz } images par seconde sont supposées. Ses instants ne sont pas fiables ; aucun mouvement n’en est donc mesuré.
+told-media-impossible-rate-endless = Les horodatages donnent une infinité d’images par seconde, ce qu’aucune caméra ne filme. Ses instants ne sont pas fiables ; aucun mouvement n’en est donc mesuré.
+told-media-impossible-rate = Les horodatages donnent { $rate } images par seconde, ce qu’aucune caméra ne filme. Ses instants ne sont pas fiables ; aucun mouvement n’en est donc mesuré.
+told-media-slow-motion = Le fichier est marqué comme ralenti ; il lit { $played_hz } images par seconde. Les hauteurs d’une seule image sont valables, mais aucun mouvement n’est mesuré tant que vous n’avez pas saisi la cadence de tournage.
+told-media-slow-motion-at = Le fichier indique qu’il a été filmé à { $filmed_hz } images par seconde ; il lit { $played_hz } images par seconde. Les hauteurs d’une seule image sont valables, mais aucun mouvement n’est mesuré tant que vous n’avez pas saisi la cadence de tournage.
+told-media-one-gap = Des images manquent : une lacune, de { $gap_s } s après l’image { $frame }.
+told-media-gaps = Des images manquent : { $count } lacunes, la plus longue de { $gap_s } s après l’image { $frame }.
+told-media-truncated = Le fichier est tronqué : il manque { $missing } octets à la fin. { $count } images ({ $span_s } s) ont été importées ; recopiez-le pour le reste.
+told-media-two-in-one = Le fichier contient après celui-ci un autre enregistrement, qui n’est pas importé. Scindez le fichier et ajoutez chaque partie.
+told-media-another-track = Le fichier contient une autre piste vidéo : { $others } ; la piste { $stream } ({ $codec }, { $width_px }x{ $height_px }) a été importée.
+told-media-other-tracks = Le fichier contient { $count } autres pistes vidéo : { $others } ; la piste { $stream } ({ $codec }, { $width_px }x{ $height_px }) a été importée.
+told-media-not-turned = L’en-tête demande une rotation supplémentaire de { $degrees } degrés, qui n’est pas appliquée : seuls les quarts de tour conservent les pixels tels que filmés.
+told-media-same-image-one = { $count } image identique à la précédente.
+told-media-not-later-one = { $count } image à l’horodatage non postérieur au précédent ; les instants ont été triés.
+told-media-same-image-many = { $count } images identiques à la précédente.
+told-media-not-later-many = { $count } images à l’horodatage non postérieur au précédent ; les instants ont été triés.
+told-media-packets-one = { $count } paquet endommagé ignoré ; des images y manquent.
+told-media-packets-many = { $count } paquets endommagés ignorés ; des images y manquent.
+told-media-patched-one = { $count } image endommagée et complétée par le décodeur, la première à { $first } ; n’y mesurez pas.
+told-media-patched-many = { $count } images endommagées et complétées par le décodeur, la première à { $first } ; n’y mesurez pas.
+told-recordings-start-in-future = Le fichier indique un début à { $start } UTC, qui est dans le futur : l’horloge de la caméra est fausse ; aucun début n’est donc proposé.
+told-scans-none-here = Aucun ici. Deux caméras linéaires à une base connue donnent la vitesse, la longueur et les intervalles.
+told-scans-so-far = { $count } jusqu’ici.
+told-audit-event-missing = L’événement d’audit { $number } de { $chain } manque ; restaurez une sauvegarde.
+told-audit-event-changed = L’événement d’audit { $number } de { $chain } a été modifié après son écriture ; restaurez une sauvegarde.
+told-audit-chain-ends-elsewhere = La chaîne d’audit de { $chain } se termine à l’événement { $count }, ce qui n’est pas sa vraie fin ; restaurez une sauvegarde.
+told-audit-chain-not-in = La chaîne d’audit n’est pas celle de { $what } { $id } ; restaurez une sauvegarde.
+told-audit-chains-not-signed = Les chaînes d’audit ne sont pas celles signées le { $at } ; restaurez une sauvegarde.
+told-audit-row-not-events = La ligne { $id } ({ $what }) diffère de ses événements ; restaurez une sauvegarde.
+told-audit-row-not-first = La ligne { $id } ({ $what }) diffère de ce qui a été écrit à l’origine ; restaurez une sauvegarde.
+told-audit-row-removed = La ligne { $id } ({ $what }) a été supprimée sans événement ; restaurez une sauvegarde.
+told-adjustment-length-not-finite = La valeur ({ $what }) ou son incertitude n’est pas un nombre fini, ou l’incertitude est négative.
 told-adjustment-its-of-m-is = Son { $lengths ->
        [wheelbase] empattement
        *[other] hauteur connue
@@ -6131,6 +6334,32 @@ told-adjustment-the-uncertainty-of-a = L’incertitude d’un point n’est pas 
 told-adjustment-a-point-is-given = Un point est donné deux fois sur une image.
 told-adjustment-no-tyre-of-it = Aucun pneu de ce véhicule n’est mesuré ; rien ne le rattache à la chaussée.
 told-adjustment-no-known-length-of = Aucune longueur connue de ce véhicule n’est mesurée.
+told-budget-click-target = pointé, cible
+told-budget-click-contact = pointé, contact
+told-budget-clicks = pointés
+told-budget-inset = retrait
+told-budget-lens-and-pose = objectif et pose
+told-budget-board-lean = inclinaison de la mire
+told-budget-board-roll = roulis de la mire
+told-budget-board-height = hauteur de la mire
+told-budget-square-size = côté d’une case
+told-budget-board-bow = flèche de la mire
+told-budget-heading = cap
+told-budget-row-time = durée d’une ligne
+told-budget-confirmed-points = points confirmés
+told-budget-drift = dérive
+told-budget-baseline = base
+told-budget-clock = horloge
+told-budget-misalignment = désalignement
+told-budget-fit = ajustement
+told-budget-boundaries = limites
+told-budget-regression = régression
+told-budget-following = suivi
+told-budget-frame-times = instants des images
+told-budget-depth-of-what-is-followed = profondeur du point suivi
+told-budget-seen-from-another-side = vu sous un autre angle
+told-budget-front-and-rear = avant et arrière
+told-budget-pose-of-the-line-camera = pose de la caméra linéaire
 told-cameras-the-file-states-no = Le fichier n’indique pas d’incertitude de l’objectif ; cette composante manque dans l’incertitude de chaque hauteur.
 told-cameras-focal-length-px = focale { $fx_px } px
 told-cameras-of-views-used-residual = { $used } vues utilisées sur { $given }, résidu { $rms_px } px, { $focal }.
@@ -6150,18 +6379,10 @@ told-export-it-was-reopened-and = Elle a été rouverte et attend une nouvelle v
 told-export-reading-the-survey = Lecture du relevé.
 told-export-storing-the-package = Enregistrement de l’archive.
 told-export-packing-the-files = Archivage des fichiers.
-told-geometry-the-pose-does-not = La pose n’indique pas pour la mire : { $join } ; non compris dans l’incertitude.
-told-geometry-the-board-is-unknown = La mire est inconnue ; son inclinaison, sa hauteur, le côté de ses cases et sa flèche ne sont pas compris dans l’incertitude.
 told-geometry-the-picture-is-x = La photo fait { $size }x{ $size2 } px, la plupart des autres { $usual }x{ $usual2 } px.
 told-geometry-the-picture-is-blurred = La photo est floue (bords larges de { $sharpness } px).
 told-geometry-and-a-height-at = et une hauteur à { $distance_m } m change de { $size } mm
 told-geometry-the-board-is-not = La mire n’est pas plane : elle fléchit d’environ { $bow } % d’une case ; avec sa forme estimée, le résidu passe de { $flat } à { $bent } px{ $makes }. Fixez la mire sur une plaque rigide et plane et reprenez les photos, ou étalonnez en tenant compte de la flèche.
-told-geometry-the-road-is-too = La route est ici trop proche ou trop lointaine pour distinguer une roue.
-told-geometry-the-wheel-is-seen = La roue est vue ici trop en biais ; sa bande de roulement cache le contact.
-told-geometry-no-whole-rim-is = Aucune jante entière n’est visible ici ; le pneu ne peut être séparé de l’ombre et de la carrosserie.
-told-geometry-the-lower-edge-of = Le bord inférieur du pneu ne se détache pas ici de la route.
-told-geometry-what-looks-like-a = La roue détectée ici aurait un rayon de { $radius } m.
-told-geometry-the-wheel-that-is = La roue détectée est trop loin du pointeur ; pointez plus près de son contact.
 told-geometry-no-board-of-x = Aucune mire de { $columns }x{ $rows } coins intérieurs n’a été trouvée ; montrez la mire entière avec sa marge blanche, nette et éclairée uniformément, et comptez les coins intérieurs.
 told-geometry-no-board-before-limit = Aucune mire de { $columns }x{ $rows } coins intérieurs n’a été trouvée dans le temps imparti à la recherche ; montrez la mire entière avec sa marge blanche, nette et éclairée uniformément, et comptez les coins intérieurs.
 told-geometry-the-board-is-cut = La mire est coupée par le bord de l’image ; montrez-la en entier.
@@ -6177,15 +6398,6 @@ told-geometry-a-board-lies-where = Une mire est là où le modèle d’objectif 
 told-geometry-the-halves-could-not = Les deux moitiés n’ont pas pu être étalonnées séparément : { $message }
 told-geometry-two-halves-of-the = Deux moitiés des photos, étalonnées séparément, diffèrent de { $size } mm pour une hauteur à { $distance_m } m{ $by } : plus que le bruit des coins ne l’explique. L’objectif demande peut-être l’autre modèle, la mire est peut-être gauchie, ou le zoom ou la mise au point a changé entre les photos.
 told-geometry-pictures-that-did-not = Les photos hors ajustement s’accordent bien moins que les photos ajustées ({ $held_out } px contre { $fit } px) ; ajoutez des photos où la mire est inclinée, partout dans l’image.
-told-geometry-only-background-points-are = Seuls { $count } points du fond sont retrouvés, ou tous dans une même partie de l’image ; elle est trop sombre, masquée, ou montre une autre vue.
-told-geometry-no-target-m-high = Aucune cible haute de { $target_m } m sur la route entre 3 et 12 m n’est dans l’image.
-told-geometry-no-frame-was-looked = Aucune image n’a été examinée.
-told-geometry-the-side-plane-is = Le plan latéral est vu sous moins de 10 degrés.
-told-geometry-a-click-lies-near = Un pointé est près du bord de ce que le modèle d’objectif sait inverser.
-told-geometry-the-vehicle-is-at = Le véhicule est à une tout autre distance que ne l’était la mire.
-told-geometry-the-uncertainty-is-large = L’incertitude est grande ; l’intervalle à 95 % est approché.
-told-geometry-the-uncertainty-of-lens = L’incertitude de l’objectif et de la pose est inconnue et n’est pas comprise.
-told-geometry-the-uncertainty-of-the = L’incertitude de l’objectif est inconnue ; seul ce que dit le fichier de pose est compté.
 told-geometry-does-not-name-its = { $file_name } ne nomme pas son modèle de distorsion ; ses quatre coefficients ont été lus comme { $taken } (à choisir par --model).
 told-geometry-not-enough-data-a = Pas assez de données : il faut quelques centaines de véhicules pour u = 0,15 m.
 told-geometry-at-least-vehicles-of = Il faut au moins { $least_known } véhicules de hauteur connue ; utilisables : { $rows }.
@@ -6199,7 +6411,6 @@ told-geometry-it-says-nothing-this = Cela ne dit rien : cette cible est à peu 
 told-geometry-it-says-nothing-all = Cela ne dit rien : tous sont passés à peu près à la même distance, { $d } à { $d2 } m.
 told-geometry-at-least-vehicles-measured = Il faut au moins { $least_known } véhicules mesurés sur deux images ; il y en a { $values }.
 told-geometry-it-says-next-to-nothing = Cela ne dit presque rien : les images étaient trop rapprochées.
-told-geometry-it-is-not-known = Le côté du conducteur (proche ou éloigné) n’est pas indiqué, et la hauteur de l’œil en dépend ; indiquez-le.
 told-inset-roof-edge = bord proche du toit (estimation)
 told-inset-upright-sides = caisse à parois verticales (estimation)
 told-inset-less-certain = comme une voiture, moins certain (estimation)
@@ -6208,13 +6419,6 @@ told-geometry-driver-on-the-side = conducteur du côté de la caméra (estimatio
 told-geometry-driver-on-the-side-away = conducteur du côté opposé à la caméra (estimation)
 told-geometry-not-known = retrait inconnu
 told-geometry-outer-edge-of-the = bord extérieur du feu (estimation)
-told-geometry-the-clicks-do-not = Les pointés ne correspondent pas à un même véhicule en mouvement ; pointez les deux mêmes points sur chaque image.
-told-geometry-contact-and-target-are = Contact et cible sont nécessaires sur deux images au moins.
-told-geometry-the-clicks-disagree-with = Les pointés ne suivent pas une trajectoire droite et horizontale ; vérifiez que les mêmes points sont pointés sur chaque image.
-told-geometry-the-frames-are-too = Les images sont trop rapprochées pour bien déterminer le retrait.
-told-geometry-the-solved-inset-of = Le retrait calculé de { $inset } m n’est pas plausible pour un véhicule routier ({ $low } à { $high } m) : le contact et la cible doivent être les mêmes points sur chaque image.
-told-geometry-the-vehicle-moved-only = Le véhicule n’a avancé que de { $travel } m entre les images ; choisissez des images plus éloignées.
-told-geometry-the-frames-do-not = Les images ne déterminent pas le retrait ; choisissez des images plus éloignées.
 told-geometry-stand-the-board-square = Placez la mire perpendiculaire à la route, pas à la verticale : avec un dévers de { $crossfall } %, une mire verticale fausse les hauteurs de { $mm } mm à { $distance_m } m et de { $mm2 } mm à 1 m de plus.
 told-geometry-road-or-target-lie = La route ou la cible est hors de l’image pour : { $join } ; reculez ou prenez un objectif plus large.
 told-geometry-a-board-seen-obliquely = Une mire vue en biais fixe mieux la direction de la caméra qu’une mire vue de face, mais les pointés valent un peu moins : caméra tournée de 30 degrés le long de la route, un œil a ±{ $U95_mm } mm au lieu de ±{ $U95_mm2 } mm.
@@ -6224,8 +6428,6 @@ told-geometry-the-lane-is-very = La voie est très proche ; reculez à 2 m au 
 told-geometry-the-picture-would-not = L’image ne montrerait pas une mire à { $board_m } m dont la rangée du haut est à { $board_top_m } m au-dessus de la route ; placez-la à la trace de roues, reculez ou prenez un objectif plus large.
 told-geometry-the-camera-stands-at = La caméra est à peu près à la hauteur de l’œil du conducteur ({ $height_m } m), où le retrait ne compte guère ; pour les toits ou les feux, placez-la à leur hauteur.
 told-geometry-a-second-frame-m = Une deuxième image { $travel_m } m plus loin ne réduit pas l’incertitude ici (±{ $U95_mm } mm pour un œil) ; prenez des images plus éloignées.
-told-geometry-the-whole-board-does = La mire entière n’entre pas dans l’image ; la pose de la caméra ne peut être calculée.
-told-geometry-the-picture-shows-contact = L’image ne montre contact et cible que sur { $shown } m de la trace de roues ; on ne peut les pointer deux fois à { $travel_m } m d’intervalle.
 told-geometry-no-frame-was-given = Aucune image n’a été donnée.
 told-geometry-at-most-of-its = Au plus { $parts } de ses { $whole } coins ont été trouvés ; montrez la mire entière.
 told-geometry-the-board-was-not = La mire n’a pas été trouvée dans { $missed } des images ; celles-ci ne servent pas.
@@ -6235,34 +6437,12 @@ told-geometry-two-poses-fit-the = Deux poses s’accordent presque aussi bien à
 told-geometry-the-squares-are-small = Les cases sont petites dans l’image ; approchez la mire.
 told-geometry-the-board-appears-rolled = La mire paraît tournée de { $roll } degrés ; contrôlez que colonnes et rangées ne sont pas inversées.
 told-geometry-only-one-frame-is = Une seule image est utilisée ; l’immobilité de la mire n’est pas contrôlée.
-told-geometry-a-click-coordinate-is = Une coordonnée de pointé n’est pas un nombre fini.
-told-geometry-the-contact-point-lies = Le contact est hors de l’image.
-told-geometry-the-target-point-lies = La cible est hors de l’image.
-told-geometry-the-contact-point-lies-outside = Le contact est hors du rayon valable du modèle d’objectif ; sa direction est inconnue.
-told-geometry-the-target-point-lies-outside = La cible est hors du rayon valable du modèle d’objectif ; sa direction est inconnue.
-told-geometry-the-pose-puts-the = La pose place la caméra sur la chaussée ou dessous ; recalculez la pose de la caméra.
-told-geometry-the-contact-point-lies-at = Le contact est sur l’horizon ou au-dessus, où il n’y a pas de route.
-told-geometry-the-contact-point-lies-behind = Le contact est derrière le plan de la caméra, vu en travers de la route.
-told-geometry-the-side-plane-through = Le plan latéral passant par le contact est vu presque par la tranche.
-told-geometry-the-target-ray-never = Le rayon de la cible ne rencontre pas le plan latéral devant la caméra.
-told-geometry-the-target-lies-on = La cible est sur la route ou dessous ; contact et cible sont-ils inversés ?
-told-geometry-a-click-uncertainty-inset = Une incertitude de pointé, un retrait ou son incertitude n’est pas un nombre fini, ou une incertitude est négative.
 told-geometry-tilt-the-board-by = Inclinez la mire d’environ 30 degrés, { $edge } plus près de la caméra.
 told-geometry-bring-the-board-nearer = Approchez la mire : elle ne remplit jamais plus de { $share } % de l’image ; un tiers ou plus convient.
 told-geometry-hold-the-board-in = Tenez la mire dans cette partie de l’image : { $listed }.
 told-geometry-the-board-moved-too = La mire a trop bougé entre deux images.
 told-geometry-turned-by-degrees-to = Pivotée de { $heading_rad } degrés vers le sens de circulation.
-told-geometry-the-two-tyre-contacts = Les deux contacts de pneu ne sont qu’à { $base_m } m l’un de l’autre ; pointez le pneu avant et le pneu arrière du même côté.
-told-geometry-the-two-tyre-contacts-are = Les deux contacts de pneu sont à { $base_m } m l’un de l’autre ; pointez les deux pneus d’un même véhicule.
-told-geometry-a-tyre-contact-lies = Un contact de pneu est au bord de la chaussée visible ; prenez une autre image.
 told-geometry-both-tyre-contacts-of = Il faut les deux contacts de pneu d’au moins { $least_vehicles } véhicules ; utilisables : { $sum }.
-told-geometry-the-tyre-contact = Contact du pneu { $word ->
-       [front] avant
-       [first] 1
-       [second] 2
-       *[other] arrière
-    } : { $lower }{ $point }
-told-geometry-contact-and-target-give = Contact et cible ne donnent pas de hauteur.
 told-geometry-the-lens-model-cannot = Le modèle d’objectif ne s’inverse pas dans les coins de l’image : rien n’y est mesuré ; ajoutez des photos qui atteignent les coins.
 told-geometry-in-of-views-the = Dans { $small } vues sur { $spacings_px }, les cases font moins de { $small_square_px } px et leurs coins sont inexacts ; approchez la mire ou prenez des cases plus grandes.
 told-geometry-fits-much-worse-than = { $file } s’accorde bien moins que les autres ({ $value } px contre { $usual } px) ; contrôlez ses coins.
@@ -6278,16 +6458,6 @@ told-geometry-the-optical-axis-lies = L’axe optique est loin du milieu de l’
 told-geometry-the-two-focal-lengths = Les deux focales diffèrent de plus de 10 % ; les pixels sont-ils carrés ?
 told-geometry-pictures-of-several-sizes = Photos de plusieurs tailles : { $other_size } ignorées qui ne font pas { $width_px }x{ $height_px } px (d’abord { $other_size2 }) ; un étalonnage ne vaut que pour une taille, prenez des photos à la taille des enregistrements.
 told-geometry-the-board-was-used = La mire n’a servi que dans { $used } photos sur { $used2 } ; recomptez ses coins intérieurs et montrez-la entière, nette et éclairée uniformément.
-told-geometry-the-followed-points-do = Les points suivis ne correspondent pas à un même véhicule en mouvement ; suivez-les à nouveau.
-told-geometry-it-lies-px-from = Il est à { $off_px } px de la position donnée par les autres images, { $times } fois son incertitude.
-told-geometry-no-point-was-followed = Aucun point n’a été suivi ; confirmez d’abord contact et cible sur une image.
-told-geometry-the-followed-points-do-not = Les points suivis ne donnent pas de trajectoire sur la chaussée ; suivez-les à nouveau.
-told-geometry-the-frames-do-not-fix = Les images ne déterminent pas le retrait ; suivez les points sur une plus longue distance.
-told-geometry-it-lies-outside-the = Il est hors de l’image.
-told-geometry-the-followed-points-disagree = Les points suivis s’écartent d’une trajectoire droite et horizontale de plus que leur incertitude.
-told-geometry-it-lies-outside-the-lens = Il est hors du rayon valable du modèle d’objectif.
-told-geometry-it-lies-at-or = Il est sur l’horizon ou au-dessus, où il n’y a pas de route.
-told-geometry-of-followed-points-had = { $dropped } points suivis sur { $frame } ont été exclus ; suivez-les à nouveau à partir d’une image plus nette.
 told-jobs-gave-up = Le processus s’est arrêté { $attempts } fois au milieu de la tâche ; contrôlez le fichier et la mémoire.
 told-jobs-broke = Une erreur du programme a arrêté la tâche ({ $name }) ; réessayez, et signalez-la si elle revient.
 told-infra-a-worker-stopped-in = La tâche a été interrompue ; elle est relancée.
@@ -6372,17 +6542,9 @@ told-linescan-the-uncertainty-of-the = L’incertitude du taux d’occupation n�
 told-measurements-storing-the-heights-that = Enregistrement des hauteurs modifiées.
 told-measurements-putting-the-old-heights = Rétablissement des anciennes hauteurs.
 told-measurements-computing-the-heights = Calcul des hauteurs.
-told-measurements-proposal-expect-about-px = contact proposé, u = { $expected_px } px{ $worse }
-told-measurements-worse-than-a-careful = , moins précis qu’un pointé soigneux
-told-measurements-the-pass-has-no = Le passage n’a pas de sens ; le côté du conducteur se déduit de la place de la caméra sur le terre-plein central, le long duquel tous vont dans le même sens.
 told-measurements-the-vehicle-was-followed = Le véhicule a été suivi pendant son passage.
 told-measurements-its-speed-is-that = Sa vitesse est celle des points cliqués sur deux images.
 told-measurements-the-vehicle-could-not = Le véhicule n’a pu être suivi ; sa vitesse est supposée : cherchez les points autour des repères.
-told-measurements-the-pass-has-no-other = Le passage n’a pas d’autre image ; prolongez-le par sa première ou sa dernière image.
-told-measurements-on-no-other-frame = Sur aucune autre image du passage les deux points ne sont dans l’image ; une image suffira.
-told-measurements-another-frame-would-not = Une autre image n’aiderait pas ici : { $now } mm actuellement, { $then } mm avec elle.
-told-measurements-there-is-no-height = Il n’y a pas encore de hauteur ; pointez d’abord contact et cible.
-told-media-save-it-as-png = enregistrez-la en PNG ou JPEG et réessayez
 told-media-is-in-colour-and = est en couleur, alors qu’un balayage est en gris
 told-media-has-a-palette-and = a une palette, alors qu’un balayage est en gris
 told-media-has-a-transparency-channel = a une couche de transparence, alors qu’un balayage n’en a pas
@@ -6391,13 +6553,10 @@ told-media-give-one-camera-strip = donnez la bande d’une caméra
 told-media-is-not-a-picture = n’est pas d’un format d’image pris en charge
 told-media-save-it-as-8 = enregistrez-la en niveaux de gris 8 ou 16 bits et réessayez
 told-media-copy-it-again-from = copiez de nouveau le fichier depuis l’enregistreur
-told-media-convert-it-to-mp4 = convertissez-le en MP4 H.264 ou choisissez un autre fichier
 told-media-choose-a-video-file = choisissez un fichier vidéo
 told-media-copy-it-again-from-the = copiez de nouveau le fichier depuis l’enregistreur, ou réparez-le sur place
 told-media-stretched-for-pixels-of = étirée pour des pixels de { $sample_aspect }
 told-media-turned-by-degrees-clockwise = tournée de { $rotation_deg } degrés dans le sens horaire
-told-media-the-picture-has-another = La taille d’image diffère de celle de la pose de la caméra.
-told-media-the-picture-of-the = L’image de la pose de la caméra n’a rien qui puisse être suivi ; elle est trop sombre ou trop peu contrastée.
 told-media-the-camera-moves-by = La caméra bouge de { $far } au plus ; la recherche en tient compte. Une pose de la caméra ne vaut que tant que la caméra est immobile.
 told-media-the-camera-moves-by-and = La caméra bouge (de { $far } et plus) ; la chaussée et les véhicules ne peuvent être séparés ; marquez les passages à la main.
 told-media-the-header-speaks-of = L’en-tête annonce { $duration_s } s, les images s’arrêtent à { $end_s } s ; le fichier est peut-être tronqué.
@@ -6457,16 +6616,9 @@ told-quality-no-roof-is-measured = Aucun véhicule dont la hauteur du constructe
 told-quality-nothing-is-measured-of = Aucune mesure de cette cible.
 told-quality-the-road-x-axis = L’axe X de la route est pivoté de { $figures } par rapport au trafic.
 told-quality-the-road-x-axis-agrees = L’axe X de la route s’accorde avec le trafic : rotation de { $figures }, non significative.
-told-quality-left-out-it-strays = Exclu comme valeur aberrante ; contrôlez ses pointés.
 told-quality-turned-by-to-the = Pivotée de { $turn_rad }° vers le sens de { $vehicles } véhicules.
 told-quality-looking-for-the-frames = Recherche de mouvements de la caméra.
-told-quality-whether-the-camera-moved = On ne peut dire si la caméra a bougé : { $document }
-told-quality-the-camera-stands-still = Aucun mouvement de la caméra détecté, à { $document } px près{ $worth }.
-told-quality-heights-are-off-by = (erreur de hauteur jusqu’à { $span } mm)
 told-quality-looking-for-the-background = Recherche du fond dans l’image { $n }.
-told-quality-the-recording-has-no = L’enregistrement n’a pas cette image.
-told-quality-mm-of-height = ({ $document } mm de hauteur)
-told-quality-and-more-times = { $moved } autres mouvements.
 told-quality-clicked-of-their-own = Répétitions propres de { $name } : { $pairs } ; il en faut { $least_freedom }.
 told-quality-were-clicked-by-one = Répétées sur une autre image par un même opérateur : { $sums } ; il en faut { $least_freedom }.
 told-quality-the-first-clicks-give = Les premiers pointés ne donnent pas de hauteur : { $reason }
@@ -6476,14 +6628,9 @@ told-quality-the-camera-pose-is = La pose de la caméra a changé depuis : les 
 told-quality-the-inset-is-another = Les retraits diffèrent : les pointés ne sont pas seuls à différer.
 told-quality-a-height-has-no = Une hauteur est sans incertitude.
 told-quality-the-catalogue-is-empty = Le catalogue est vide.
-told-quality-it-is-not-measured = Ce n’est pas mesuré.
-told-quality-its-measurement-was-rejected = Sa mesure a été rejetée.
-told-quality-both-tyres-are-not = Sur aucune image les deux pneus ne sont pointés.
 told-recordings-looking-for-the-board = Recherche de la mire.
 told-recordings-fitting-the-lens-and = Ajustement de l’objectif, et de ses deux moitiés séparément.
 told-recordings-looking-for-the-board-in = Recherche de la mire dans { $name }.
-told-recordings-the-camera-had-moved = La caméra avait bougé de { $moved_px } px depuis sa pose{ $off } ; prenez une nouvelle pose pour cette partie, ou décidez que l’ancienne convient encore.
-told-recordings-heights-are-off-by = (erreur de hauteur jusqu’à { $change_m } mm)
 told-recordings-the-ingest-was-cancelled = La lecture de la vidéo a été annulée ; relancez-la ou supprimez l’enregistrement.
 told-recordings-reading-the-video = Lecture de la vidéo.
 told-results-too-few-different-errors = trop peu d’erreurs différentes pour un intervalle par bootstrap
@@ -6637,7 +6784,6 @@ told-studies-no-weights-meet-all = aucun poids ne satisfait à la fois toutes le
 told-studies-has-one-site-join = { $stratum } n’a qu’un site : réunissez-la à une autre strate, pour que des sites puissent différer
 told-studies-no-height-of-counts = aucune hauteur de { $variable } { $words } ne compte, que le parc contient
 told-studies-a-stratum-has-its = une strate n’a sa classe que sur un site ; des sites ne peuvent différer
-told-vehicles-the-search-for-passes = La recherche de passages a été annulée ; vous pouvez la relancer.
 told-vehicles-new-known-or-discarded = { $passes } : { $new ->
        [none] aucun nouveau
        *[other] nouveaux : { $new }
@@ -6688,10 +6834,6 @@ told-geometry-edge = bord { $side ->
        *[lower] inférieur
     }
 told-geometry-to-the-right = à droite
-told-assist-no-proposal-click-the = Pas de proposition : { $reason } Cliquez vous-même sur le contact.
-told-drift-the-camera-moved-at = La caméra a bougé à { $clock } (image { $frame }) de { $moved } px{ $off }, images { $first } à { $last }.
-told-drift-the-camera-had-moved = La caméra avait déjà bougé à { $clock } (image { $frame }) de { $moved } px{ $off }, images { $first } à { $last }.
-told-drift-the-camera-crept-at = La caméra a glissé à { $clock } (image { $frame }) de { $moved } px{ $off }, images { $first } à { $last }.
 told-words-and = { $first } et { $last }
 told-thing-camera-pose = pose de la caméra
 told-thing-line-scan = balayage

@@ -21,8 +21,8 @@ if TYPE_CHECKING:
 
 #: Those that are made by their key and sent as text stand here too, each of one line and without a choice.
 KEYS = (
-    "told-", "audit-problem-", "proposals-looking", "proposals-made", "recordings-misfit-", "reference-line-",
-    "csv-", "snap-measured-free",
+    "told-", "proposals-looking", "proposals-made", "recordings-misfit-", "reference-line-",
+    "csv-", "snap-measured-free", "height-side-unknown",
 )  # fmt: skip
 _JOINING = len(" and ")
 _NUMBER = re.compile(r"-?\d+(?:\.(\d+))?")

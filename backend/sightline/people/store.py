@@ -22,11 +22,6 @@ from sightline.infra.web.person import Person
 LINK_LIFETIME = timedelta(days=7)
 
 
-def anybody(session: Session) -> bool:
-    """Whether there is an account at all (first start: no)."""
-    return session.execute(select(people.c.id).limit(1)).first() is not None
-
-
 def get_person(session: Session, person_id: int) -> Person:
     """One person. Raises NotFound."""
     return _person(get_row(session, people, person_id, "person"))

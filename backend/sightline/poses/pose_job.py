@@ -12,7 +12,7 @@ from sightline.enums import BoardKind, BoardSide
 from sightline.errors import BadInput
 from sightline.geometry.board import Board, require_board
 from sightline.geometry.camera import Camera
-from sightline.geometry.corners import detect
+from sightline.geometry.corners import find_board
 from sightline.geometry.documents import camera_from_dict
 from sightline.geometry.road_pose import DEFAULT_U_BOW_M, Reference
 from sightline.infra.database import Session
@@ -100,7 +100,7 @@ def look_for_span(
             fitting_camera(session, recording, calibration_id)
     stills = stills_of(services)
     count = recording.frame_count or frame + 1
-    return still_span(lambda n: detect(stills.gray(recording_id, n), board), frame, count - 1)
+    return still_span(lambda n: find_board(stills.gray(recording_id, n), board), frame, count - 1)
 
 
 def request_pose(session: Session, wanted: PoseRequest, *, actor: int) -> Job:

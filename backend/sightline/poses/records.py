@@ -37,6 +37,10 @@ class PoseOverlay(TypedDict):
 
 @dataclass(frozen=True, slots=True)
 class PoseSummary:
+    """`turned_from`: the pose that it was before it was turned about the road's normal by `turned_by_rad`,
+    `adjusted_from`: before it was adjusted by its traffic.
+    """
+
     id: int
     survey_id: int
     recording_id: int
@@ -54,28 +58,10 @@ class PoseSummary:
 
 
 @dataclass(frozen=True, slots=True)
-class Pose:
-    """A road pose with its pose.json `document`; never changed once written.
+class Pose(PoseSummary):
+    """A road pose with its pose.json `document`; never changed once written."""
 
-    `turned_from`: the pose that it was before it was turned about the road's normal by `turned_by_rad`,
-    `adjusted_from`: before it was adjusted by its traffic.
-    """
-
-    id: int
-    survey_id: int
-    recording_id: int
-    calibration_id: int
-    created_at: datetime
-    created_by: Who | None
-    first_frame: int
-    last_frame: int
-    rms_px: float | None
-    distance_m: float | None
-    summary: str
     document: JsonObject
     warnings: list[str]
     expected: list[ExpectedHeight]
     overlay: PoseOverlay
-    turned_from: int | None
-    turned_by_rad: float | None
-    adjusted_from: int | None

@@ -15,13 +15,14 @@ from sightline.errors import BadInput
 from sightline.geometry.arrays import Floats
 from sightline.geometry.board import Board
 from sightline.geometry.camera import Camera, project
-from sightline.geometry.corners import Corners, Gray, detect
+from sightline.geometry.corners import Corners, Gray, find_board
 from sightline.geometry.documents import pose_to_dict
 from sightline.geometry.mean_picture import MeanPicture
 from sightline.geometry.pose import expected_u, pose_from_corners
 from sightline.geometry.road import axes_at_contact, iso_heights, road_grid
 from sightline.geometry.road_pose import Reference, RoadPose
 from sightline.geometry.ruler import DrawnAxes, drawn_axes, polyline
+from sightline.messages.said import Said
 from sightline.poses.records import ExpectedHeight, IsoHeight, PoseOverlay
 
 # Corner errors of neighbouring frames are correlated: more frames add time, not accuracy.
@@ -62,7 +63,7 @@ def preview_board(pictures: Iterable[Gray], board: Board) -> BoardSeen:
     """Detect the board in grey pictures in time order; where it is not found, the reason stays."""
     mean, found = MeanPicture(), []
     for gray in pictures:
-        corners = detect(gray, board)
+        corners = find_board(gray, board)
         found.append(corners)
         if corners.found and corners.ids is None:
             mean.add(gray, corners)
@@ -84,7 +85,7 @@ class Solved:
 
 def board_view(gray: Gray, board: Board) -> BoardView:
     """Look for the board in one grey picture (H, W). Raises BadInput for an impossible board."""
-    corners = detect(gray, board)
+    corners = find_board(gray, board)
     if not corners.found:
         return BoardView(
             found=False,
@@ -258,7 +259,7 @@ def _axes_of_board(pose: RoadPose) -> DrawnAxes | None:
     """The axes through the road's origin (below the board), None where it is out of sight."""
     origin_px = project(pose.camera, pose.translation_m.reshape(1, 3))[0]
     axes = axes_at_contact(pose, origin_px, length_m=1.0, height_m=1.5)
-    return None if isinstance(axes, str) else drawn_axes(axes)
+    return None if isinstance(axes, Said) else drawn_axes(axes)
 
 
 def check_fits(camera: Camera, width_px: int, height_px: int, name: str) -> None:

@@ -11,7 +11,7 @@ from sqlalchemy import (
 )
 
 from sightline.infra.audit.vouched import WrittenOnce, vouched
-from sightline.infra.database.types import CanonicalJson, UtcDateTime, identity, metadata
+from sightline.infra.database.types import CanonicalJson, identity, made_columns, metadata
 
 road_poses = Table(
     "road_poses",
@@ -34,8 +34,7 @@ road_poses = Table(
     Column("turned_by_rad", Float),
     # a pose adjusted by its traffic's known lengths; the account is in its document
     Column("adjusted_from", ForeignKey("road_poses.id")),
-    Column("created_at", UtcDateTime, nullable=False),
-    Column("created_by", ForeignKey("people.id")),
+    *made_columns(),
     CheckConstraint("first_frame >= 0 AND last_frame >= first_frame", name="span_forward"),
     info=vouched(WrittenOnce("pose", "camera pose")),
 )

@@ -17,6 +17,7 @@ from sightline.enums import AskedTarget, Direction, ProposedPoint, WheelEnd
 from sightline.geometry.height import measure_height
 from sightline.geometry.road import road_point
 from sightline.geometry.road_pose import RoadPose
+from sightline.messages.said import Said
 from sightline.proposals.keypoints import FINE_POINTS, POINTS, Networks
 from sightline.proposals.motion import LEAST_FRAMES, Motion, motion_of
 from sightline.proposals.seen import FrameSeen
@@ -104,7 +105,7 @@ def _first_looks(
     sides = []
     for one in seen:
         at = road_point(pose, (0.5 * (one.box[0] + one.box[2]), one.box[3]))
-        if not isinstance(at, str):
+        if not isinstance(at, Said):
             sides.append(float(at[1]))
     if not sides:
         return {}

@@ -27,6 +27,7 @@ from sightline.proposals.keypoints import (
 )
 from sightline.proposals.motion import Motion
 from sightline.proposals.seen import FrameSeen
+from sightline.robust import robust_scale
 
 LEAST_SURE = 0.25  # of the first look, to be looked at closely
 LEAST_FINE = 0.5  # of the second, to be believed
@@ -206,7 +207,7 @@ def _combined(name: str, found: Sequence[tuple[int, float, Seen]]) -> Place | No
     u = np.array([one.u_z_m for _, _, one in some])
     weight = u**-2
     middle = float(np.median(z))
-    scatter = 1.4826 * float(np.median(np.abs(z - middle)))
+    scatter = robust_scale(z - middle)
     keep = np.abs(z - middle) <= MOST_OFF * np.maximum(u, max(scatter, 0.002))
     if keep.sum() < fewest or keep.mean() < 0.5:
         return None

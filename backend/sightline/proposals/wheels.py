@@ -12,6 +12,7 @@ from sightline.enums import Direction
 from sightline.geometry.contact import SYSTEMATIC_PX, Proposal, propose
 from sightline.geometry.road import road_point
 from sightline.geometry.road_pose import RoadPose
+from sightline.messages.said import Said
 
 Box = tuple[float, float, float, float]
 EVERY_PX = 14.0
@@ -124,7 +125,7 @@ def _pointers(standing: NDArray[np.bool_], box: Box) -> list[tuple[float, float]
 def _wheel(pose: RoadPose, one: Proposal) -> Wheel | None:
     contact = one.contact_px[0], one.contact_px[1] - FOOT_PX
     at = road_point(pose, contact)
-    if isinstance(at, str):
+    if isinstance(at, Said):
         return None
     scatter = float(np.sqrt(max(one.expected_px**2 - SYSTEMATIC_PX**2, 0.0)))
     expected = float(np.hypot(U_FOOT_PX, OF_SCATTER * scatter))

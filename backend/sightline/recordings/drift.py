@@ -8,6 +8,7 @@ from pydantic import Field
 from typing_extensions import TypedDict
 
 from sightline.enums import DriftState
+from sightline.messages.said import Said
 
 
 class DriftLook(TypedDict, total=False):
@@ -23,7 +24,7 @@ class DriftLook(TypedDict, total=False):
     u_px: float
     points: int
     change_m: float | None
-    reason: str
+    reason: Said
 
 
 class DriftStep(TypedDict):
@@ -62,8 +63,8 @@ class DriftCheck(TypedDict):
     pose_id: int
     pose_recording_id: int
     state: DriftState
-    words: str
-    reason: str | None
+    words: list[Said]
+    reason: Said | None
     floor_px: float | None
     floor_m: float | None
     target_m: float
@@ -157,10 +158,10 @@ def spans_told(check: DriftCheck) -> list[SpanTold]:
     ]
 
 
-def flag_of_frames(spans: Iterable[MovedSpan], frames: Sequence[int]) -> str | None:
+def flag_of_frames(spans: Iterable[MovedSpan], frames: Sequence[int]) -> Said | None:
     """The flag of a measurement on these frames: the largest motion's; None where the camera stood."""
     on = [span for span in spans if any(span.first_frame <= n <= span.last_frame for n in frames)]
-    return sentence(max(on, key=lambda span: span.moved_px)) if on else None
+    return _flag(max(on, key=lambda span: span.moved_px)) if on else None
 
 
 def open_spans(
@@ -193,10 +194,9 @@ def _decided(span: MovedSpan, decision: DriftDecision | None, pose_id: int | Non
     )
 
 
-def sentence(span: MovedSpan) -> str:
-    """The flag of a measurement on such a frame."""
-    off = "" if span.change_m is None else f" (height error up to {abs(span.change_m) * 1000:.0f} mm)"
-    return (
-        f"The camera moved {span.moved_px:.1f} px after the pose was computed{off}; compute a new pose for "
-        "this part, or decide to keep the old one."
-    )
+def _flag(span: MovedSpan) -> Said:
+    moved_px = round(span.moved_px, 1)
+    if span.change_m is None:
+        return Said("height-flag-camera-moved", moved_px=moved_px)
+    error_m = round(abs(span.change_m), 3)
+    return Said("height-flag-camera-moved-by", moved_px=moved_px, error_m=error_m)

@@ -31,8 +31,8 @@ STOPPED = "The import was cancelled; start it again or delete the recording."
 # Mean luminance (0-255) below which low light is proposed; people decide.
 LOW_LIGHT_BELOW = 60.0
 IN_FUTURE = (
-    "The file states that it was begun on {:%Y-%m-%d at %H:%M} UTC, which is in the future; the camera's "
-    "clock is wrong, and no start is proposed."
+    "The file states a start of {:%Y-%m-%d %H:%M} UTC, which is in the future: the camera's clock is wrong, "
+    "so no start is suggested."
 )
 
 

@@ -15,6 +15,7 @@ from sightline.infra.database import Session
 from sightline.infra.web.bodies import In, JobBody, Name, Out, example
 from sightline.infra.web.deps import Exporter, Operator, PathId, Reading, Uploader, Viewer, Wired, Writing
 from sightline.infra.web.named import CameraId, PoseId
+from sightline.media.video.decode import Picture
 from sightline.recordings import ingest_job, store
 from sightline.recordings.bodies import StartIn
 from sightline.recordings.csv import started_text
@@ -30,16 +31,6 @@ router = APIRouter()
 class Thumb(Out):
     frame: int
     url: str
-
-
-class PictureBody(Out):
-    """One of a file's pictures, where it has several."""
-
-    codec: str | None
-    width_px: int
-    height_px: int
-    still: bool
-    off: Annotated[bool, Field(description="The file switches it off.")]
 
 
 class RateIn(In):
@@ -72,7 +63,7 @@ class RecordingBody(Out):
     stream_number: Annotated[
         int | None, Field(description="Which of `pictures` is read, from 1; null where the file has one.")
     ]
-    pictures: list[PictureBody]
+    pictures: list[Picture]
     clock_doubt: Annotated[
         ClockDoubt | None,
         Field(description="Why its times are not those of filming, so that no motion is measured."),

@@ -20,6 +20,7 @@ from sightline.infra.database.types import (
     UtcDateTime,
     enum_check,
     identity,
+    made_columns,
     metadata,
 )
 
@@ -62,8 +63,7 @@ recordings = Table(
     # whether the camera moved since its pose was taken, and what a person decided about it
     Column("drift", CanonicalJson),
     Column("drift_decision", CanonicalJson),
-    Column("created_at", UtcDateTime, nullable=False),
-    Column("created_by", ForeignKey("people.id")),
+    *made_columns(),
     Column("deleted_at", UtcDateTime),
     enum_check("state", RecordingState),
     enum_check("lighting", Lighting),

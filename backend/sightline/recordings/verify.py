@@ -11,6 +11,7 @@ from sightline.errors import Damaged
 from sightline.infra.csv_package.files import Files, read_rows
 from sightline.infra.csv_package.schema import Cells
 from sightline.infra.csv_package.verify import says
+from sightline.messages.said import Said
 from sightline.recordings.csv import RECORDINGS, drift_cells, drift_of, started_text
 from sightline.recordings.drift import DriftDecision, DriftFigures, SpanTold, flag_of_frames, undecided
 
@@ -51,7 +52,7 @@ class RecordingEvents:
         pose_id = self.facts.get(number, {}).get("pose_id")
         return None if pose_id is None else int(pose_id)
 
-    def drift_flag(self, number: int, pose_id: int, frames: Sequence[int]) -> str | None:
+    def drift_flag(self, number: int, pose_id: int, frames: Sequence[int]) -> Said | None:
         """What is said of a height on these frames where the camera had moved since the pose."""
         spans = self.spans.get(number, {}).get(pose_id)
         if not spans:

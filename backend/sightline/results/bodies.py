@@ -1,36 +1,67 @@
 """Bodies of the statistics: lengths in metres; a part that cannot be computed is its reason."""
 
-from typing import Annotated
+from typing import Annotated, get_args
 
+from fastapi import Depends, Query
 from pydantic import Field
 
 from sightline.enums import (
+    Category,
+    ClassSet,
     ErrorGrouping,
-    IntervalPart,
+    Lighting,
     LightingGroup,
     Rounding,
     StandardHeight,
+    StatisticsState,
     StatisticsTarget,
     Target,
 )
 from sightline.infra.audit.records import Who
 from sightline.infra.web.bodies import Finite, In, Out
+from sightline.infra.web.deps import SurveysSeen
 from sightline.infra.web.figures import (
     DensityBody,
     EcdfBody,
     FigureBody,
     ReasonBody,
 )
+from sightline.infra.web.named import SurveyId
 from sightline.results.survey_comparison import ComparedSurveys
-from sightline.results.survey_statistics import SampleCounts
+from sightline.results.survey_statistics import Filter, SampleCounts
 from sightline.statistics.agreement import BlandAltman, ReferencePart
 from sightline.statistics.distributions import Percentile
 from sightline.statistics.errors import Interval
-from sightline.statistics.figures import TotalFigure, TotalPercentile
 from sightline.statistics.known_errors import Inside
 from sightline.statistics.paper import PaperColumn
 from sightline.statistics.rules import RuleToday
 from sightline.statistics.standards import Standard
+from sightline.statistics.total_uncertainty import TotalFigures
+
+
+def heights_asked_for(
+    seen: SurveysSeen,
+    survey: Annotated[list[SurveyId], Query(max_length=200)] = [],  # noqa: B006 (FastAPI copies it)
+    lighting: Lighting | None = None,
+    category: Annotated[list[Category], Query(max_length=len(get_args(Category)))] = [],  # noqa: B006
+    class_set: Annotated[
+        list[ClassSet],
+        Query(max_length=len(get_args(ClassSet)), description="Beside `category`: what is of either counts."),
+    ] = [],  # noqa: B006
+    state: StatisticsState = "accepted",
+) -> Filter:
+    """Which heights a question is about."""
+    return Filter(
+        survey_ids=tuple(sorted(set(survey))),
+        lighting=lighting,
+        categories=tuple(one for one in get_args(Category) if one in category),
+        class_sets=tuple(one for one in get_args(ClassSet) if one in class_set),
+        state=state,
+        seen=seen,
+    )
+
+
+HeightsAsked = Annotated[Filter, Depends(heights_asked_for)]
 
 
 class ErrorGroupBody(Out):
@@ -159,22 +190,9 @@ class GroupingBody(Out):
     left_out: int = Field(description="Smaller groups that are not listed.")
 
 
-class TotalBody(Out):
-    """Figures of the true heights; their intervals hold what `holds` says."""
-
-    n: int
-    sites: int | None = Field(description="Sites as clusters; null: heights speak of one place.")
-    holds: list[IntervalPart]
-    words: str = Field(description="What the intervals hold, and for which roads.")
-    mean: TotalFigure
-    sd: TotalFigure
-    percentiles: list[TotalPercentile]
-    shares: list[TotalFigure] = Field(description="Below the standards' heights, in their order.")
-
-
 class TargetBody(Out):
     target: StatisticsTarget
-    total: TotalBody | None = Field(description="Null where heights are not corrected by their insets.")
+    total: TotalFigures | None = Field(description="Null where heights are not corrected by their insets.")
     raw: DistributionBody
     corrected: CorrectedBody
     density: DensityBody | ReasonBody

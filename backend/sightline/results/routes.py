@@ -1,6 +1,6 @@
 """Statistics of measurements: errors against reference heights, distributions, vehicles to take."""
 
-from dataclasses import asdict, fields
+from dataclasses import asdict, fields, replace
 from datetime import date
 from typing import Annotated, Any, get_args
 
@@ -8,26 +8,20 @@ import numpy as np
 from fastapi import APIRouter, Query
 
 from sightline.enums import (
-    Category,
-    ClassSet,
     Correction,
-    Lighting,
     LightingGroup,
     Rounding,
     StandardHeight,
-    StatisticsState,
     StatisticsTarget,
 )
 from sightline.errors import BadInput
 from sightline.infra.audit.records import Who
 from sightline.infra.web.bodies import Id
-from sightline.infra.web.deps import Operator, PathId, Reading, SurveysSeen, Viewer, Writing
-from sightline.infra.web.named import SurveyId
+from sightline.infra.web.deps import Operator, PathId, Reading, Viewer, Writing
 from sightline.results import standards_store
-from sightline.results.bodies import StandardsIn, StatisticsBody
+from sightline.results.bodies import HeightsAsked, StandardsIn, StatisticsBody
 from sightline.results.standards_store import StandardsOfSurvey
 from sightline.results.survey_statistics import (
-    Filter,
     Statistics,
     StatisticsOptions,
     standards_of,
@@ -53,20 +47,12 @@ _LIGHTING = get_args(LightingGroup)
 def statistics_of_measurements(
     who: Viewer,
     session: Reading,
-    seen: SurveysSeen,
-    survey: Annotated[list[SurveyId], Query(max_length=200)] = [],  # noqa: B006 (FastAPI copies it)
-    lighting: Lighting | None = None,
-    category: Annotated[list[Category], Query(max_length=len(get_args(Category)))] = [],  # noqa: B006
-    class_set: Annotated[
-        list[ClassSet],
-        Query(max_length=len(get_args(ClassSet)), description="Beside `category`: what is of either counts."),
-    ] = [],  # noqa: B006
+    heights: HeightsAsked,
     operator: Annotated[Id | None, Query()] = None,
     first_day: date | None = None,
     last_day: date | None = None,
     filmed_from: Annotated[date | None, Query(description="By the clocks of the place.")] = None,
     filmed_to: Annotated[date | None, Query(description="The last day, included.")] = None,
-    state: StatisticsState = "accepted",
     target: Annotated[
         StatisticsTarget | None,
         Query(description="Only this target is counted and shown; errors are of roofs anyway."),
@@ -83,19 +69,14 @@ def statistics_of_measurements(
     if not 0.0 <= u_reference_m < 1.0:
         raise BadInput("results-reference-heights-u-must-least-0")
     own = _own("eye_car", eye_limit_m) + _own("object_stopping", object_limit_m)
-    chosen = Filter(
-        survey_ids=tuple(sorted(set(survey))),
-        lighting=lighting,
-        categories=tuple(one for one in get_args(Category) if one in category),
-        class_sets=tuple(one for one in get_args(ClassSet) if one in class_set),
+    chosen = replace(
+        heights,
         operator_id=operator,
         first_day=first_day,
         last_day=last_day,
         filmed_from=filmed_from,
         filmed_to=filmed_to,
-        state=state,
         target=target,
-        seen=seen,
     )
     choices = StatisticsOptions(rounding, correction, u_reference_m, own)
     return statistics_body(survey_statistics(session, chosen, choices), correction)

@@ -60,7 +60,6 @@ from sightline.surveys.store import survey_names
 
 SHOWN: tuple[StatisticsTarget, ...] = get_args(StatisticsTarget)
 OUT_OF_SAMPLE = "out_of_sample"
-GROUPINGS = ("lighting", "category", "class_set", "site", "operator")
 _STATES: dict[StatisticsState, tuple[str, ...]] = {
     "accepted": ("accepted", "fixed"),
     "to_review": ("to_review", "reopened"),

@@ -10,7 +10,13 @@ from sqlalchemy import (
 )
 
 from sightline.infra.audit.vouched import CarriesHead, vouched
-from sightline.infra.database.types import NEEDS_MEDIA, CanonicalJson, UtcDateTime, identity, metadata
+from sightline.infra.database.types import (
+    NEEDS_MEDIA,
+    CanonicalJson,
+    identity,
+    made_columns,
+    metadata,
+)
 
 exports = Table(
     "exports",
@@ -27,7 +33,6 @@ exports = Table(
     Column("selection", CanonicalJson, nullable=False),
     # that of the figures and the report
     Column("language", String(20), nullable=False),
-    Column("created_at", UtcDateTime, nullable=False),
-    Column("created_by", ForeignKey("people.id")),
+    *made_columns(),
     info=vouched(CarriesHead("export")),
 )

@@ -53,11 +53,11 @@ def add_review(
     """
     before = require_measurement_revision(session, series_id, seen_revision)
     _not_own(session, before, actor)
-    require_verdict(before.review, seen)
-    _allowed(before, verdict, reason, fixed)
+    _allowed(before, verdict, fixed)
+    told = require_verdict(before.review, seen, verdict, reason)
     result_revision = seen_revision
     content: dict[str, Any] = {"series_id": series_id, "revision": seen_revision, "verdict": verdict}
-    content["reason"] = (reason or "").strip() or None
+    content["reason"] = told
     content["lot_id"] = None
     if fixed is not None:
         result_revision = append_measurement_revision(
@@ -74,11 +74,23 @@ def add_review(
     return get_measurement(session, series_id)
 
 
-def require_verdict(standing: ReviewState, seen: Verdict | None) -> None:
-    """Raises Conflict if somebody gave another verdict since `seen`; None: not compared."""
+def require_verdict(
+    standing: ReviewState, seen: Verdict | None, verdict: ReviewVerdict, reason: str | None
+) -> str | None:
+    """The reason of a verdict that may be given, without blanks around it.
+
+    Raises Conflict if somebody gave another verdict since `seen` (None: not compared), or for reopening what
+    waits already, BadInput for a rejection without a reason.
+    """
     if seen is not None and standing.verdict != seen:
         name = name_or_somebody(standing.reviewer)
         raise Conflict("reviews-verdict-given-meanwhile", name=name, verdict=standing.verdict)
+    told = (reason or "").strip() or None
+    if verdict == "rejected" and told is None:
+        raise BadInput("reviews-rejection-needs-reason-say-what-wrong")
+    if verdict == "reopened" and standing.verdict in ("to_review", "reopened"):
+        raise Conflict("reviews-waits-review-already")
+    return told
 
 
 def review_queue(
@@ -196,16 +208,11 @@ def _not_own(session: Session, before: Measurement, actor: int) -> None:
 def _allowed(
     before: Measurement,
     verdict: ReviewVerdict,
-    reason: str | None,
     fixed: MeasurementValues | None,
 ) -> None:
     if before.withdrawn:
         raise Conflict("reviews-measurement-withdrawn-nothing-review")
     if before.repeat_of is not None:
         raise Conflict("reviews-repeat-not-reviewed-review-measurement-repeats")
-    if verdict == "rejected" and not (reason or "").strip():
-        raise BadInput("reviews-rejection-needs-reason-say-what-wrong")
     if (verdict == "fixed") != (fixed is not None):
         raise BadInput("reviews-fix-needs-new-points-only-fix")
-    if verdict == "reopened" and before.review.verdict in ("to_review", "reopened"):
-        raise Conflict("reviews-measurement-waits-review-already")

@@ -1,5 +1,6 @@
 """Bodies of line-scan recordings: what comes in and what goes out. Metres, seconds; U95 = 1.96 u."""
 
+from dataclasses import dataclass
 from datetime import datetime
 from typing import Annotated
 
@@ -7,22 +8,15 @@ from pydantic import Field
 from pydantic.fields import FieldInfo
 
 from sightline.enums import (
-    AxlesBy,
     Category,
-    Cause,
     CutAlong,
-    LaneBy,
     Lighting,
     LiveState,
-    MeasurementStatus,
     ScanDirection,
     ScanMethod,
-    ScanSource,
-    ScanState,
     ScanVehicleState,
     ScanVerdict,
     TimeAxis,
-    VehicleOrigin,
     Verdict,
 )
 from sightline.infra.audit.records import Who
@@ -30,10 +24,11 @@ from sightline.infra.web.bodies import Finite, Id, In, JobBody, Name, Out, Text
 from sightline.infra.web.named import RecordingId, UploadId
 from sightline.infra.web.quantities import Word
 from sightline.linescan import rig
-from sightline.linescan.parts import USUAL_SHADOW_SHARE
+from sightline.linescan.parts import USUAL_SHADOW_SHARE, Entry, Gap
 from sightline.linescan.rig import Limits
 from sightline.measurements.records import ReviewState
 from sightline.recordings.bodies import StartIn
+from sightline.scans.records import FoundMotion, ScanVehicleFacts, StripPair
 from sightline.scans.references.bodies import ReferenceBody
 
 Version = Annotated[int, Field(ge=1, le=2**31 - 1, description="The version that you saw.")]
@@ -168,44 +163,8 @@ class ChangedScan(In):
     lanes: Lanes | None = None
 
 
-class RigLaneBody(Out):
-    name: str
-    distance_m: float
-    u_distance_m: float
-    direction: ScanDirection | None
-    tyres_from_px: float | None
-    tyres_to_px: float | None
-    shadow_share: float | None
-
-
-class RigBody(Out):
-    baseline_m: float
-    line_rate_hz: float
-    u_baseline_m: float
-    u_line_rate_ratio: float
-    divergence_rad: float
-    u_divergence_rad: float
-    distance_m: float | None
-    misalignment_px: float | None
-    u_misalignment_px: float
-    shadow_share: float
-    baseline_correlation: float
-    u_distance_m: float
-    lanes: list[RigLaneBody]
-
-
-class ScanCountsBody(Out):
-    vehicles: int
-    to_review: int
-    accepted: int
-    rejected: int
-    not_measurable: int
-    older: int = Field(description="Measured with other values of the rig; find again brings them up.")
-    heights: int = Field(description="Standing heights of targets.")
-    heights_to_review: int
-
-
-class ScanRunBody(Out):
+@dataclass(frozen=True, slots=True)
+class ScanRunBody:
     """One search for vehicles, and what it says of the recording."""
 
     id: int
@@ -221,7 +180,8 @@ class ScanRunBody(Out):
     created_at: datetime
 
 
-class LevelBody(Out):
+@dataclass(frozen=True, slots=True)
+class LevelBody:
     """A zoom level of the strips: so many lines, of which each stands for `step` lines of the recording."""
 
     level: int
@@ -230,51 +190,22 @@ class LevelBody(Out):
     tiles: int
 
 
-class ScanBody(Out):
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ScanBody(StripPair):
     """A pair of strips; tiles are at `/api/scans/{id}/tiles/{camera}/{level}/{index}`, time to the right."""
 
-    id: int
-    survey_id: int
-    name: str
-    state: ScanState
-    error: str | None
     job: JobBody | None
-    source: ScanSource
-    recording_id: int | None
-    cut_along: CutAlong | None
-    cut_1_px: int | None
-    cut_2_px: int | None
-    first_name: str | None
-    second_name: str | None
-    time_axis: TimeAxis
-    rows_px: int | None
-    lines: int | None
-    bits: int | None
     duration_s: float | None
     tile_lines: int
-    tiles_version: str | None = Field(description="Put it into the tiles' address as ?v= .")
+    tiles_version: Annotated[str | None, Field(description="Put it into the tiles' address as ?v= .")]
     levels: list[LevelBody]
-    notes: list[str]
-    rig: RigBody
-    lighting: Lighting | None
-    heard_at: datetime | None = Field(description="When its live stream was last heard; null: not live.")
-    stream_state: LiveState | None = Field(description="Of a live one; stopped: it never ended, nor goes on.")
-    start_proposed: datetime | None = Field(
-        description="When the video that it was cut from began; for a person to confirm."
-    )
-    started_at: datetime | None = Field(description="When line 0 was taken, as a person confirmed.")
-    time_zone: str | None
-    u_start_s: float | None = Field(description="Standard uncertainty of `started_at` (k = 1).")
-    started_local: str | None = Field(
-        description="`started_at` by the clocks of `time_zone`, ISO 8601 with offset."
-    )
-    counts: ScanCountsBody
+    stream_state: Annotated[
+        LiveState | None, Field(description="Of a live one; stopped: it never ended, nor goes on.")
+    ]
+    started_local: Annotated[
+        str | None, Field(description="`started_at` by the clocks of `time_zone`, ISO 8601 with offset.")
+    ]
     run: ScanRunBody | None
-    version: int
-    created_by: Who | None
-    created_at: datetime
-    updated_by: Who | None
-    updated_at: datetime
 
 
 class SwapWanted(In):
@@ -290,127 +221,61 @@ class FindWanted(In):
     )
 
 
-class ScanMotionBody(Out):
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ScanMotionBody(FoundMotion):
     """One revision of a vehicle's motion: speed and acceleration are those when the front is at camera 1."""
 
     id: int
     revision: int
-    cause: Cause
     placed_by_person: bool
-    method: ScanMethod
-    older: bool = Field(description="Made with other values of the rig than the scan has now.")
-    direction: ScanDirection = Field(description="Which camera it reached first.")
-    front_line_1: float
-    rear_line_1: float
-    front_line_2: float
-    rear_line_2: float
-    time_s: float = Field(description="When the front is at camera 1, from the first line on.")
-    speed_mps: float | None
-    u_speed_mps: float | None
+    older: Annotated[bool, Field(description="Made with other values of the rig than the scan has now.")]
+    time_s: Annotated[float, Field(description="When the front is at camera 1, from the first line on.")]
     U95_speed_mps: float | None
-    acceleration_mps2: float | None
-    u_acceleration_mps2: float | None
     U95_acceleration_mps2: float | None
-    length_m: float | None
-    u_length_m: float | None
     U95_length_m: float | None
-    fit_error_percent: float | None
-    misalignment_px: float | None
-    u_misalignment_px: float | None
-    gain: float | None
-    front_wheel_line: float | None
-    rear_wheel_line: float | None
-    wheelbase_m: float | None
-    u_wheelbase_m: float | None
     U95_wheelbase_m: float | None
-    axle_lines: list[float] | None = Field(
-        description="Of strip 1, at each wheel's hub; null: not looked for."
-    )
-    axles_by: AxlesBy | None
-    lane: str | None = Field(description="Of the rig's lanes; null: not known, or the rig has none.")
-    lane_by: LaneBy | None
-    tyres_px: float | None = Field(
-        description="Row of strip 1 at which its tyres meet the road; null: not looked for."
-    )
-    status: MeasurementStatus
-    reason: str | None
-    warnings: list[str]
-    code_version: str
     created_by: Who | None
     created_at: datetime
     review: ReviewState
-    mine: bool = Field(description="You placed its boundaries, so somebody else reviews it.")
+    mine: Annotated[bool, Field(description="You placed its boundaries, so somebody else reviews it.")]
 
 
-class GapBody(Out):
-    """From the rear of the vehicle before it of its direction and lane to this front, at camera 1; numbers
-    are null where unknown.
-    """
-
-    time_gap_s: float | None
-    u_time_gap_s: float | None
-    distance_gap_m: float | None = Field(description="By the leader's own fitted motion.")
-    u_distance_gap_m: float | None
-    headway_s: float | None = Field(description="From front to front at camera 1.")
-    paper_distance_gap_m: float | None = Field(description="The paper's: time gap times the mean speed.")
-    reason: str | None
-
-
-class ScanVehicleBody(Out):
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ScanVehicleBody(ScanVehicleFacts):
     """A vehicle of a scan with its current measurement; errors are measured minus the maker's value."""
 
-    id: int
-    scan_id: int
-    number: int
-    origin: VehicleOrigin
     state: ScanVehicleState
-    make: str | None
-    model: str | None
-    year: int | None
-    category: Category | None
-    true_length_m: float | None
-    u_true_length_m: float | None
-    true_wheelbase_m: float | None
-    u_true_wheelbase_m: float | None
-    facts_source: str | None
-    run_of: str | None = Field(description="The name of the car of which it is one run.")
-    lighting: Lighting | None
-    notes: str
-    version: int
-    deleted: bool
-    updated_by: Who | None
-    updated_at: datetime
     measurement: ScanMotionBody | None
-    filmed_at: str | None = Field(
-        description="When its front reached camera 1, ISO 8601 with offset; null without a start."
-    )
-    u_filmed_at_s: float | None = Field(description="Of that (k = 1); null without a measured motion.")
+    filmed_at: Annotated[
+        str | None,
+        Field(description="When its front reached camera 1, ISO 8601 with offset; null without a start."),
+    ]
+    u_filmed_at_s: Annotated[
+        float | None, Field(description="Of that (k = 1); null without a measured motion.")
+    ]
     U95_filmed_at_s: float | None
-    gap: GapBody | None = Field(description="null: the first vehicle.")
+    gap: Annotated[Gap | None, Field(description="null: the first vehicle.")]
     length_error_m: float | None
     wheelbase_error_m: float | None
-    references: list[ReferenceBody] = Field(description="What something else measured of it, beside ours.")
+    references: Annotated[
+        list[ReferenceBody], Field(description="What something else measured of it, beside ours.")
+    ]
 
 
-class ScanBudgetEntryBody(Out):
-    source: str
-    u_speed_mps: float
-    u_acceleration_mps2: float
-    u_length_m: float
-
-
-class ProfileBody(Out):
+@dataclass(frozen=True, slots=True)
+class ProfileBody:
     """Columns of equal length, one entry a block; residual = speed - fit; not `used`: left out of it."""
 
     line_1: list[float]
-    time_s: list[float] = Field(description="From the front's reaching camera 1.")
+    time_s: Annotated[list[float], Field(description="From the front's reaching camera 1.")]
     speed_mps: list[float]
     fitted_mps: list[float]
     residual_mps: list[float]
     used: list[bool]
 
 
-class ScanReviewBody(Out):
+@dataclass(frozen=True, slots=True)
+class ScanReviewBody:
     revision: int
     verdict: ScanVerdict
     reason: str | None
@@ -418,7 +283,8 @@ class ScanReviewBody(Out):
     at: datetime
 
 
-class MatchBody(Out):
+@dataclass(frozen=True, slots=True)
+class MatchBody:
     """Where the pictures of the match lie: pixel (x, y) is line `first_line + step x`, row y, of strip 1."""
 
     first_line: int
@@ -430,10 +296,11 @@ class MatchBody(Out):
     difference_url: str
 
 
-class ScanVehicleDetailBody(Out):
+@dataclass(frozen=True, slots=True)
+class ScanVehicleDetailBody:
     vehicle: ScanVehicleBody
     profile: ProfileBody | None
-    budget: list[ScanBudgetEntryBody]
+    budget: list[Entry]
     match: MatchBody | None
     history: list[ScanMotionBody]
     reviews: list[ScanReviewBody]

@@ -40,7 +40,7 @@ from sightline.linescan.parts import Gap
 from sightline.recordings.csv import started_column
 from sightline.scans.clock import Passing
 from sightline.scans.heights.csv import TABLES as HEIGHT_TABLES
-from sightline.scans.heights.csv import HeightRecords
+from sightline.scans.heights.csv import VERDICT, HeightRecords
 from sightline.scans.records import Scan, ScanMeasurement, ScanReview
 from sightline.scans.references.csv import SCAN_REFERENCES, ListedReference, listed_references
 from sightline.scans.references.store import reference_history_of_scan, standing_references
@@ -230,18 +230,7 @@ _MOTION: tuple[Column[ScanMeasurement], ...] = (
     person("created_by_id", "who made it; empty for the program itself", lambda m: m.created_by),
     moment("created_at", "when the revision was stored", lambda m: m.created_at),
 )
-_VERDICT: tuple[Column[ScanMeasurement], ...] = (
-    text(
-        "verdict",
-        "state of the review of this revision",
-        lambda m: m.review.verdict,
-        required=True,
-        enum=("to_review", *get_args(ScanVerdict)),
-    ),
-    text("review_reason", "the reviewer's reason", lambda m: m.review.reason),
-    person("reviewer_id", "who reviewed", lambda m: m.review.reviewer),
-    moment("reviewed_at", "when it was reviewed", lambda m: m.review.at),
-)
+_VERDICT: tuple[Column[ScanMeasurement], ...] = of_part(VERDICT, lambda m: m.review)
 
 
 def _motion(shown: ShownVehicle) -> ScanMeasurement | None:

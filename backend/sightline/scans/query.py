@@ -1,6 +1,7 @@
 """The queries by which scanned vehicles and their measurements are read."""
 
 from collections.abc import Mapping
+from dataclasses import fields
 from typing import Any
 
 from sqlalchemy import ColumnElement, Select, Text, exists, func, select, type_coerce
@@ -16,10 +17,10 @@ _later = scan_measurements.alias("later")
 _maker = people.alias("maker")
 _reviewer = people.alias("reviewer")
 _changer = people.alias("changer")
-_VALUES = tuple(ScanValues.__slots__)
+_VALUES = tuple(one.name for one in fields(ScanValues))
 _LISTED = tuple(name for name in _VALUES if name != "profile")
 _OF_VEHICLE = tuple(
-    name for name in ScanVehicle.__slots__ if name not in ("updated_by", "deleted", "measurement")
+    one.name for one in fields(ScanVehicle) if one.name not in ("updated_by", "deleted", "measurement")
 )
 
 #: True for the newest revision of each vehicle.

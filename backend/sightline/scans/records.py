@@ -1,8 +1,10 @@
 """Records of line-scan recordings: frozen, as `records` has them for videos."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from datetime import datetime
-from typing import TypedDict
+from typing import Annotated, TypedDict
+
+from pydantic import Field
 
 from sightline.enums import (
     AxlesBy,
@@ -71,35 +73,29 @@ class StripFacts:
 
 @dataclass(frozen=True, slots=True)
 class ScanCounts:
-    """Computed when asked, never stored; `older` were measured with other values of the rig.
-
-    `heights`: standing heights of targets, and those among them that wait for a verdict.
-    """
+    """The vehicles of a scan by state; computed when asked, never stored."""
 
     vehicles: int = 0
     to_review: int = 0
     accepted: int = 0
     rejected: int = 0
     not_measurable: int = 0
-    older: int = 0
-    heights: int = 0
+    older: Annotated[
+        int, Field(description="Measured with other values of the rig; find again brings them up.")
+    ] = 0
+    heights: Annotated[int, Field(description="Standing heights of targets.")] = 0
     heights_to_review: int = 0
 
 
-@dataclass(frozen=True, slots=True)
-class Scan:
-    """A pair of strips. Facts are None until it is ready; `first` is the camera that is reached first.
-
-    `started_at`, with its zone and uncertainty: when line 0 was taken, as a person said; `start_proposed`:
-    when the video that it was cut from began. `heard_at`: when its live stream was last heard.
-    """
+@dataclass(frozen=True, slots=True, kw_only=True)
+class StripPair:
+    """What is said of a pair of strips in an answer too. Facts are None until it is ready."""
 
     id: int
     survey_id: int
     name: str
     state: ScanState
     error: str | None
-    job: Job | None
     source: ScanSource
     recording_id: int | None
     cut_along: CutAlong | None
@@ -107,33 +103,45 @@ class Scan:
     cut_2_px: int | None
     first_name: str | None
     second_name: str | None
-    first_source_key: str | None
-    second_source_key: str | None
-    first_source_sha256: str | None
-    second_source_sha256: str | None
     time_axis: TimeAxis
-    first_key: str | None
-    second_key: str | None
-    first_sha256: str | None
-    second_sha256: str | None
     rows_px: int | None
     lines: int | None
     bits: int | None
     notes: list[str]
     rig: Rig
     lighting: Lighting | None
-    started_at: datetime | None
+    heard_at: Annotated[
+        datetime | None, Field(description="When its live stream was last heard; null: not live.")
+    ]
+    start_proposed: Annotated[
+        datetime | None,
+        Field(description="When the video that it was cut from began; for a person to confirm."),
+    ]
+    started_at: Annotated[datetime | None, Field(description="When line 0 was taken, as a person confirmed.")]
     time_zone: str | None
-    u_start_s: float | None
-    start_proposed: datetime | None
-    heard_at: datetime | None
+    u_start_s: Annotated[float | None, Field(description="Standard uncertainty of `started_at` (k = 1).")]
     counts: ScanCounts
-    run: "ScanRun | None"
     version: int
     created_by: Who | None
     created_at: datetime
     updated_by: Who | None
     updated_at: datetime
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Scan(StripPair):
+    """A pair of strips; `first` is the camera that is reached first."""
+
+    job: Job | None
+    first_source_key: str | None
+    second_source_key: str | None
+    first_source_sha256: str | None
+    second_source_sha256: str | None
+    first_key: str | None
+    second_key: str | None
+    first_sha256: str | None
+    second_sha256: str | None
+    run: "ScanRun | None"
 
     @property
     def clock(self) -> ScanClock | None:
@@ -176,39 +184,21 @@ class ScanRunValues:
 
 
 @dataclass(frozen=True, slots=True)
-class ScanRun:
+class ScanRun(ScanRunValues):
     id: int
     scan_id: int
     job_id: int | None
-    method: ScanMethod
-    rig: JsonObject
-    found: int
-    measured: int
-    summary: JsonObject
-    warnings: list[str]
-    code_version: str
     created_by: Who | None
     created_at: datetime
 
 
-@dataclass(frozen=True, slots=True)
-class ScanValues:
-    """The content of one revision: boundaries, the rig they were measured with, and the motion.
-
-    `cause`: what made it. `placed_by`: who placed the boundaries or wheels that stand in it, None where the
-    machine found them. `budget`: {source, u_speed_mps, u_acceleration_mps2, u_length_m} each. `profile`:
-    columns line_1, speed_mps, fitted_mps, used of equal length. `axle_lines`: of strip 1 at each wheel's hub,
-    rising; None where nobody looked for wheels. `lane`: of the rig's lanes, None where it is not known or
-    there are none; `tyres_px`: the row of strip 1 at which its tyres meet the road, where looked for.
-    `u_boundaries_m`: what the doubt about found boundaries brings to the length's u.
-    """
+@dataclass(frozen=True, slots=True, kw_only=True)
+class FoundMotion:
+    """Boundaries of a vehicle and its motion; speed and acceleration as the front is at camera 1."""
 
     cause: Cause
-    placed_by: int | None
-    run_id: int | None
     method: ScanMethod
-    rig: JsonObject
-    direction: ScanDirection
+    direction: Annotated[ScanDirection, Field(description="Which camera it reached first.")]
     front_line_1: float
     rear_line_1: float
     front_line_2: float
@@ -223,23 +213,45 @@ class ScanValues:
     misalignment_px: float | None
     u_misalignment_px: float | None
     gain: float | None
-    correlation: float | None
     front_wheel_line: float | None
     rear_wheel_line: float | None
     wheelbase_m: float | None
     u_wheelbase_m: float | None
-    axle_lines: list[float] | None
+    axle_lines: Annotated[
+        list[float] | None, Field(description="Of strip 1, at each wheel's hub; null: not looked for.")
+    ]
     axles_by: AxlesBy | None
-    lane: str | None
+    lane: Annotated[
+        str | None, Field(description="Of the rig's lanes; null: not known, or the rig has none.")
+    ]
     lane_by: LaneBy | None
-    tyres_px: float | None
-    u_boundaries_m: float
+    tyres_px: Annotated[
+        float | None,
+        Field(description="Row of strip 1 at which its tyres meet the road; null: not looked for."),
+    ]
     status: MeasurementStatus
     reason: str | None
-    budget: list[JsonObject]
-    profile: JsonObject | None
     warnings: list[str]
     code_version: str
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ScanValues(FoundMotion):
+    """The content of one revision: boundaries, the rig they were measured with, and the motion.
+
+    `placed_by`: who placed the boundaries or wheels that stand in it, None where the machine found them.
+    `budget`: {source, u_speed_mps, u_acceleration_mps2, u_length_m} each. `profile`: columns line_1,
+    speed_mps, fitted_mps, used of equal length. `u_boundaries_m`: what the doubt about found boundaries
+    brings to the length's u.
+    """
+
+    placed_by: int | None
+    run_id: int | None
+    rig: JsonObject
+    correlation: float | None
+    u_boundaries_m: float
+    budget: list[JsonObject]
+    profile: JsonObject | None
 
     @property
     def axles(self) -> int | None:
@@ -253,7 +265,7 @@ _NOT_CONTENT = ("cause", "placed_by", "run_id", "budget", "profile", "code_versi
 
 def same_motion(then: ScanValues, now: ScanValues) -> bool:
     """Whether one has the very boundaries, wheels, rig and numbers of another, whoever made it."""
-    names = [name for name in ScanValues.__slots__ if name not in _NOT_CONTENT]
+    names = [one.name for one in fields(ScanValues) if one.name not in _NOT_CONTENT]
     return all(getattr(then, name) == getattr(now, name) for name in names)
 
 
@@ -295,14 +307,11 @@ class ScanVehicleChanges(TypedDict, total=False):
     notes: str
 
 
-@dataclass(frozen=True, slots=True)
-class ScanVehicle:
-    """A vehicle of a scan with its current measurement; `true_` lengths are the manufacturer's. `run_of`: the
-    name of the car of which it is one run.
-    """
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ScanVehicleFacts:
+    """What is known of a vehicle of a scan; `true_` lengths are the manufacturer's."""
 
     id: int
-    survey_id: int
     scan_id: int
     number: int
     origin: VehicleOrigin
@@ -315,13 +324,20 @@ class ScanVehicle:
     true_wheelbase_m: float | None
     u_true_wheelbase_m: float | None
     facts_source: str | None
-    run_of: str | None
+    run_of: Annotated[str | None, Field(description="The name of the car of which it is one run.")]
     lighting: Lighting | None
     notes: str
     version: int
     updated_by: Who | None
     updated_at: datetime
     deleted: bool
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ScanVehicle(ScanVehicleFacts):
+    """A vehicle of a scan with its current measurement."""
+
+    survey_id: int
     measurement: ScanMeasurement | None
 
     @property

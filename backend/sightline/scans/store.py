@@ -1,7 +1,7 @@
 """Line-scan recordings: from two strips (or two columns of a video) through reading to use."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import asdict, replace
+from dataclasses import asdict, fields, replace
 from datetime import datetime
 from functools import partial
 from typing import Any, cast
@@ -60,7 +60,7 @@ CALIBRATED = ("baseline_m", "u_baseline_m", "divergence_rad", "u_divergence_rad"
 _ALIVE: ColumnElement[bool] = scans.c.deleted_at.is_(None)
 _CHANGEABLE = frozenset(ScanChanges.__annotations__) - {"clock"} | set(CLOCK)
 _DERIVED = ("rig", "start_proposed", "heard_at", "job", "counts", "run", "created_by", "updated_by")
-_NAMED = [name for name in Scan.__slots__ if name not in _DERIVED]
+_NAMED = [one.name for one in fields(Scan) if one.name not in _DERIVED]
 
 
 def create_scan(

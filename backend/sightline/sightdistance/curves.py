@@ -16,7 +16,6 @@ from numpy.typing import ArrayLike, NDArray
 
 from sightline.enums import CurveCase
 from sightline.errors import BadInput
-from sightline.sightdistance.distances import FASTEST_MPS
 
 Floats = NDArray[np.float64]
 
@@ -62,12 +61,35 @@ def crest_constants_m(eye_m: ArrayLike, object_m: ArrayLike) -> Floats:
 def crest_constant(
     eye_m: float, object_m: float, u_eye_m: float | None = None, u_object_m: float | None = None
 ) -> CrestConstant:
-    """The constant of two heights, with its standard uncertainty (JCGM 100:2008, 5.1.2: linear, independent
-    heights).
+    """The constant C of two heights for crest curves, K = S^2 / C (AASHTO 2018), with its uncertainty.
 
-    dC/dh = 200 (sqrt(h1) + sqrt(h2)) / sqrt(h). Without any u there is none; one u alone takes the other
-    height as exact. Raises BadInput for heights or uncertainties that cannot be; an object at 0 has no
-    linear u.
+    C = 100 (sqrt(2 h1) + sqrt(2 h2))^2, dC/dh = 200 (sqrt(h1) + sqrt(h2)) / sqrt(h), linear, independent
+    heights (JCGM 100:2008, 5.1.2).
+
+    Parameters
+    ----------
+    eye_m, object_m : float
+        Heights above the road, metres.
+    u_eye_m, u_object_m : float, optional
+        Their standard uncertainties, metres. Without any there is none; one alone takes the other height as
+        exact. An object at 0 has no linear u.
+
+    Returns
+    -------
+    CrestConstant
+        `constant_m` and `u_constant_m`, metres.
+
+    Raises
+    ------
+    BadInput
+        For heights or uncertainties that cannot be.
+
+    Examples
+    --------
+    >>> import sightline
+    >>> found = sightline.crest_constant(1.08, 0.60, u_eye_m=0.01, u_object_m=0.02)
+    >>> round(found.constant_m), round(found.u_constant_m)
+    (658, 10)
     """
     constant = float(crest_constants_m(eye_m, object_m))
     if u_eye_m is None and u_object_m is None:
@@ -89,7 +111,33 @@ def crest_length(distance_m: float, difference_percent: float, constant_m: float
     """The least length of a crest (AASHTO 2018).
 
     S < L: A S^2 / C; S > L: 2 S - C / A, which is nothing where the grades alone keep the distance. Both
-    meet at S = L. Raises BadInput for values that cannot be.
+    meet at S = L.
+
+    Parameters
+    ----------
+    distance_m : float
+        The sight distance S, metres.
+    difference_percent : float
+        Difference A of the grades, per cent.
+    constant_m : float
+        C of `crest_constant`, metres.
+
+    Returns
+    -------
+    CurveLength
+        Metres, and which case it is.
+
+    Raises
+    ------
+    BadInput
+        For values that cannot be.
+
+    Examples
+    --------
+    >>> import sightline
+    >>> found = sightline.crest_length(distance_m=185.0, difference_percent=5.0, constant_m=658.0)
+    >>> round(found.length_m), found.case
+    (260, 'S < L')
     """
     grades = _difference(difference_percent)
     return _length(_distance(distance_m), grades * distance_m / _positive(constant_m), constant_m / grades)
@@ -132,16 +180,6 @@ def sag_length(
     return _length(distance_m, grades * distance_m / lit, lit / grades)
 
 
-def sag_comfort_k_m(speed_mps: float) -> float:
-    """K = V^2 / 395, V in km/h: a sag whose centripetal acceleration stays at 0.3 m/s^2 (AASHTO 2018).
-
-    Raises BadInput.
-    """
-    if not (math.isfinite(speed_mps) and 0.0 < speed_mps <= FASTEST_MPS):
-        raise BadInput("sightdistance-speed", speed_kmh=f"{3.6 * speed_mps:g}")
-    return (3.6 * speed_mps) ** 2 / 395.0
-
-
 def sightline_offset_m(radius_m: float, distance_m: float) -> float:
     """The room needed at the middle of a horizontal curve: R (1 - cos(S / 2R)), for S up to the curve's
     length.
@@ -152,16 +190,6 @@ def sightline_offset_m(radius_m: float, distance_m: float) -> float:
     if not (math.isfinite(radius_m) and 0.0 < _distance(distance_m) <= math.pi * radius_m):
         raise BadInput("sightdistance-radius")
     return 2.0 * radius_m * math.sin(0.25 * distance_m / radius_m) ** 2
-
-
-def sightline_distance_m(radius_m: float, offset_m: float) -> float:
-    """The distance seen past an obstacle this far inside a horizontal curve; inverse of `sightline_offset_m`.
-
-    Raises BadInput for an offset of more than the radius, or values that cannot be.
-    """
-    if not (math.isfinite(radius_m) and 0.0 <= offset_m <= radius_m and radius_m > 0.0):
-        raise BadInput("sightdistance-radius")
-    return 4.0 * radius_m * math.asin(math.sqrt(0.5 * offset_m / radius_m))
 
 
 def _length(distance_m: float, share: float, sharp_m: float) -> CurveLength:

@@ -114,9 +114,35 @@ def stopping_distance(
 ) -> SightDistance:
     """Stopping sight distance: travelled during the reaction, then braking (AASHTO 2018).
 
-    gradient: rise over run in the direction of travel, negative downhill; where it is not 0 the form with a
-    gradient is used, whose factor 254 is not quite that of 0.039. deceleration_mps2: None for 3.4 m/s^2
-    (11.2 ft/s^2). Raises BadInput for a speed or a gradient that cannot be.
+    Parameters
+    ----------
+    speed_mps : float
+        Design speed, m/s.
+    units : UnitSystem
+        Whose rounded coefficients are used.
+    gradient : float
+        Rise over run in the direction of travel, negative downhill; where it is not 0 the form with a
+        gradient is used, whose factor 254 is not quite that of 0.039.
+    reaction_s : float
+        Seconds.
+    deceleration_mps2 : float, optional
+        None for 3.4 m/s^2 (11.2 ft/s^2).
+
+    Returns
+    -------
+    SightDistance
+        `distance_m`, and `design_m` as the book rounds it.
+
+    Raises
+    ------
+    BadInput
+        For a speed or a gradient that cannot be.
+
+    Examples
+    --------
+    >>> import sightline
+    >>> sightline.stopping_distance(100 / 3.6).design_m
+    185.0
     """
     speed = _speed(speed_mps, units)
     braking = units.deceleration if deceleration_mps2 is None else deceleration_mps2 / units.length_m

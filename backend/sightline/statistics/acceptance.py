@@ -115,7 +115,31 @@ def single_plan(size: int, risks: RiskPoints) -> SamplingPlan:
 
     For each acceptance number the least sample that keeps the consumer's risk is found by bisection; the
     first that keeps the producer's too has the smallest sample, since a larger number needs a larger one.
-    There always is one: the whole lot, at worst. Raises ValueError for an empty lot.
+    There always is one: the whole lot, at worst.
+
+    Parameters
+    ----------
+    size : int
+        Of the lot.
+    risks : RiskPoints
+        What the plan is to promise, fractions from 0 to 1.
+
+    Returns
+    -------
+    SamplingPlan
+        `sample_size`, `acceptance_number`, and the risks that it keeps.
+
+    Raises
+    ------
+    ValueError
+        For an empty lot.
+
+    Examples
+    --------
+    >>> import sightline
+    >>> plan = sightline.single_plan(1000, sightline.RiskPoints(0.01, 0.05, 0.10, 0.10))
+    >>> plan.sample_size, plan.acceptance_number
+    (37, 1)
     """
     if size < 1:
         raise ValueError("a lot holds something")

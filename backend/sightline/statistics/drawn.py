@@ -168,7 +168,6 @@ def ordered(design: Design, order: Ints | NDArray[np.bool_]) -> Design:
         stratum=design.stratum[order],
         site=design.site[order],
         sites_there=design.sites_there,
-        units_there=design.units_there,
         margins=tuple(one.where(order) for one in design.margins),
         drawn=None if design.drawn is None else design.drawn[order],
     )

@@ -309,10 +309,33 @@ def error_table(
     rounding: Rounding = "cm",
     measured: HeightSample | None = None,
 ) -> dict[str, ErrorGroup]:
-    """The whole table: daytime, low light, overall, from `measured_m`, `reference_m` (N,), metres; `lighting`
-    has N words, and rows without one count in overall only. measured: as of `error_group`.
+    """The table of errors against reference heights: daytime, low light, overall.
 
     Dupuis et al. 2019, Table 1; its "overall" is not the pool of its two groups, here it is.
+
+    Parameters
+    ----------
+    measured_m, reference_m : (N,) array
+        Metres.
+    lighting : list of str
+        N words; rows without one count in overall only.
+    rounding : {"cm", "none"}
+        "cm": both heights to whole centimetres before they are compared, as in the paper.
+    measured : HeightSample, optional
+        The measured heights with their budgets, as of `error_group`.
+
+    Returns
+    -------
+    dict of str to ErrorGroup
+        `figures` of each group, metres, with their intervals.
+
+    Examples
+    --------
+    >>> import sightline
+    >>> light = ["daytime", "daytime", "low_light"]
+    >>> table = sightline.error_table([1.452, 1.398, 1.511], [1.45, 1.41, 1.50], light, rounding="none")
+    >>> list(table), round(table["overall"].figures["mae_m"], 4)
+    (['daytime', 'low_light', 'overall'], 0.0083)
     """
     error, reference = signed_errors(measured_m, reference_m, rounding)
     where = np.array(lighting, dtype=object)

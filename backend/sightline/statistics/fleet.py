@@ -12,7 +12,6 @@ from sightline.statistics.survey_design import Design
 from sightline.statistics.survey_weights import Margin
 from sightline.statistics.total_uncertainty import HeightSample, TotalUncertainty
 
-Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
 

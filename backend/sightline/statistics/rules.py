@@ -11,13 +11,10 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 import numpy as np
-from numpy.typing import NDArray
 
 from sightline.enums import RuleVerdict
 from sightline.statistics.standards import Standard
 from sightline.statistics.total_uncertainty import TotalUncertainty
-
-Floats = NDArray[np.float64]
 
 MOST_RISK = 0.025
 

@@ -4,13 +4,10 @@ from dataclasses import dataclass
 
 import numpy as np
 import scipy
-from numpy.typing import NDArray
 
 from sightline.coverage import COVERAGE_95
 from sightline.errors import BadInput
 from sightline.statistics.distributions import vehicles_for_interval
-
-Floats = NDArray[np.float64]
 
 
 @dataclass(frozen=True)

@@ -72,14 +72,39 @@ def sample_of_measurements(
     site: Ints | None = None,
     pose_names: Ints | None = None,
 ) -> HeightSample:
-    """Heights height_m (N,) with budgets of u_height_m (N,), of which u_clicks_m (N,) comes from clicks and
-    u_by_inset_m (N,) from an assumed inset; pose (N,), inset (N,), site (N,): codes from 0, which of each a
-    height used; pose_names (G,): by which another sample knows each pose.
+    """Heights with their budgets, as the figures of a distribution want them.
 
     Own reading of the budget: clicks are random; what neither clicks nor inset explain (lens, pose, board) is
     shared by all heights of a pose; of an assumed inset half the variance is the vehicles' own and half that
-    of its mean, which all heights with that inset share, for no inset's source says how much. Where the parts
-    are not known (NaN) all of it is taken as the pose's.
+    of its mean, which all heights with that inset share, for no inset's source says how much.
+
+    Parameters
+    ----------
+    height_m, u_height_m : (N,) array
+        Heights and their standard uncertainties, metres.
+    u_clicks_m, u_by_inset_m : (N,) array
+        The parts of u that come from clicks and from an assumed inset, metres; where they are not known (NaN)
+        all of u is taken as the pose's.
+    pose, inset : (N,) array of int
+        Codes from 0: which pose and which inset a height used.
+    site : (N,) array of int, optional
+        Codes from 0; heights of one site go together.
+    pose_names : (G,) array of int, optional
+        By which another sample knows each pose.
+
+    Returns
+    -------
+    HeightSample
+
+    Examples
+    --------
+    >>> import numpy as np, sightline
+    >>> height_m = np.random.default_rng(1).normal(1.45, 0.08, 60)
+    >>> parts_m = np.full(60, 0.01), np.full(60, 0.006), np.full(60, 0.005)
+    >>> one = np.zeros(60, np.int64)
+    >>> sample = sightline.sample_of_measurements(height_m, *parts_m, pose=one, inset=one)
+    >>> sample.height_m.shape
+    (60,)
     """
     clicks, by_inset = np.nan_to_num(u_clicks_m), np.nan_to_num(u_by_inset_m)
     by_pose = np.sqrt(np.maximum(np.nan_to_num(u_height_m) ** 2 - clicks**2 - by_inset**2, 0.0))
@@ -485,7 +510,36 @@ class TotalFigures:
 def total_figures(
     sample: HeightSample, percents: Sequence[float], limits_m: Sequence[float] = ()
 ) -> TotalFigures | None:
-    """All figures of a sample; None of an empty one."""
+    """Mean, standard deviation, percentiles and shares of a sample with their total uncertainty.
+
+    Values are those of the true heights: random error is taken out of the spread. Intervals hold sampling,
+    differences between sites, shared and random error. Own derivation: `TotalUncertainty` has it.
+
+    Parameters
+    ----------
+    sample : HeightSample
+        N heights, metres.
+    percents : sequence of float
+        Which percentiles, 0 to 100.
+    limits_m : sequence of float
+        For each of them, the share of heights at or below it.
+
+    Returns
+    -------
+    TotalFigures or None
+        `value`, `U95_low`, `U95_high` of each figure, or its reason; None of an empty sample.
+
+    Examples
+    --------
+    >>> import numpy as np, sightline
+    >>> height_m = np.random.default_rng(1).normal(1.45, 0.08, 60)
+    >>> parts_m = np.full(60, 0.01), np.full(60, 0.006), np.full(60, 0.005)
+    >>> one, site = np.zeros(60, np.int64), np.repeat([0, 1, 2], 20)
+    >>> sample = sightline.sample_of_measurements(height_m, *parts_m, pose=one, inset=one, site=site)
+    >>> mean = sightline.total_figures(sample, [10.0, 50.0]).mean
+    >>> round(mean.value, 2), mean.U95_low < 1.45 < mean.U95_high
+    (1.45, True)
+    """
     if not len(sample.height_m):
         return None
     found = TotalUncertainty(sample)

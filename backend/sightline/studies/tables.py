@@ -15,7 +15,15 @@ from sqlalchemy import (
 )
 
 from sightline.infra.audit.vouched import ChangedByEvents, WrittenOnce, vouched
-from sightline.infra.database.types import NEEDS_MEDIA, CanonicalJson, UtcDateTime, identity, metadata
+from sightline.infra.database.types import (
+    NEEDS_MEDIA,
+    CanonicalJson,
+    UtcDateTime,
+    changed_columns,
+    identity,
+    made_columns,
+    metadata,
+)
 
 # Surveys joined: which ones at which site and of which year, the fleet, facts of the sites.
 studies = Table(
@@ -37,14 +45,9 @@ studies = Table(
     Column("open_to_all", Boolean, nullable=False),
     # the newest computing that was asked for
     Column("job_id", ForeignKey("jobs.id")),
-    Column("version", Integer, nullable=False),
-    Column("created_at", UtcDateTime, nullable=False),
-    Column("created_by", ForeignKey("people.id")),
-    Column("updated_at", UtcDateTime, nullable=False),
-    Column("updated_by", ForeignKey("people.id")),
+    *changed_columns(),
     Column("deleted_at", UtcDateTime),
     CheckConstraint("goal_m > 0 AND goal_m < 1", name="goal_is_a_length"),
-    CheckConstraint("version >= 1", name="version_counts"),
     info=vouched(ChangedByEvents("study", "study")),
 )
 
@@ -76,7 +79,6 @@ study_results = Table(
     Column("report_key", String(400), nullable=False, info=NEEDS_MEDIA),
     Column("report_sha256", String(64), nullable=False),
     Column("code_version", String(60), nullable=False),
-    Column("created_at", UtcDateTime, nullable=False),
-    Column("created_by", ForeignKey("people.id")),
+    *made_columns(),
     info=vouched(WrittenOnce("study_result", "result of a study")),
 )

@@ -19,17 +19,15 @@ from sightline.enums import (
     StreetLamps,
 )
 from sightline.geometry.insets import INSET_CHOICES, ROOF_OF_CLASS
+from sightline.geometry.sides import TrafficFacts
 from sightline.infra.web.bodies import In, Name, Out, Text, example
 from sightline.statistics.sampling import MOST_HEADWAY_S, MOST_STEP, Quota, Sampling
+from sightline.surveys.classes import VehicleClass
+from sightline.surveys.place import Place
+from sightline.surveys.records import Asked, Inset
 
 Metres = Annotated[float, Field(ge=-10, le=10, allow_inf_nan=False)]
 Uncertainty = Annotated[float, Field(ge=0, le=10, allow_inf_nan=False)]
-
-
-class InsetBody(Out):
-    inset_m: Metres
-    u_inset_m: Uncertainty
-    note: Annotated[str, Field(max_length=1000)] = ""
 
 
 class InsetIn(In):
@@ -39,15 +37,15 @@ class InsetIn(In):
 
 
 class Insets(Out):
-    roof: InsetBody
-    roof_van: InsetBody
-    roof_box: InsetBody
-    roof_unknown: InsetBody
-    driver_eye_near: InsetBody
-    driver_eye_far: InsetBody
-    taillight: InsetBody
-    headlight: InsetBody
-    other: InsetBody
+    roof: Inset
+    roof_van: Inset
+    roof_box: Inset
+    roof_unknown: Inset
+    driver_eye_near: Inset
+    driver_eye_far: Inset
+    taillight: Inset
+    headlight: Inset
+    other: Inset
 
 
 class InsetChanges(In):
@@ -84,31 +82,10 @@ def inset_choices(insets: Insets) -> dict[str, list[InsetChoice]]:
     return choices
 
 
-class TrafficBody(Out):
-    """How traffic goes at the site and where the camera stands; null while nobody has said."""
-
-    traffic_side: Annotated[Hand | None, Field(description="Which side of the road traffic keeps.")] = None
-    steering_side: Annotated[Hand | None, Field(description="On which side the wheel usually is.")] = None
-    camera_place: CameraPlace | None = None
-
-
 class TrafficIn(In):
     traffic_side: Hand | None = None
     steering_side: Hand | None = None
     camera_place: CameraPlace | None = None
-
-
-class PlaceBody(Out):
-    """Where the site lies, what road it is, and whose clocks are told; null while nobody has said."""
-
-    latitude_deg: Annotated[float | None, Field(description="WGS84, north positive.")] = None
-    longitude_deg: Annotated[float | None, Field(description="WGS84, east positive.")] = None
-    road_class: str | None = None
-    lane: Annotated[str | None, Field(description="Which lane is measured, in words.")] = None
-    travel_direction: Annotated[str | None, Field(description="Where its traffic goes, in words.")] = None
-    speed_limit_mps: float | None = None
-    street_lamps: StreetLamps | None = None
-    time_zone: Annotated[str | None, Field(description="IANA; proposed for recordings.")] = None
 
 
 Degrees = Annotated[float, Field(allow_inf_nan=False)]
@@ -125,13 +102,6 @@ class PlaceIn(In):
     time_zone: Annotated[str, Field(max_length=60)] | None = None
 
 
-class AskedBody(Out):
-    """The targets that a vehicle is to have, by lighting."""
-
-    daytime: tuple[AskedTarget, ...]
-    low_light: tuple[AskedTarget, ...]
-
-
 AskedTargets = Annotated[tuple[AskedTarget, ...], Field(max_length=len(get_args(AskedTarget)))]
 
 
@@ -140,43 +110,11 @@ class AskedIn(In):
     low_light: AskedTargets
 
 
-class VehicleClassBody(Out):
-    """What a survey makes of one class of vehicles."""
-
-    category: Category
-    class_set: Annotated[ClassSet | None, Field(description="The set that it counts in; null: in none.")]
-    eu: Annotated[tuple[EuClass, ...], Field(description="Its classes in the EU.")]
-    fhwa: Annotated[tuple[int, ...], Field(description="Its classes among FHWA's 13.")]
-
-
 class VehicleClassIn(In):
     category: Category
     class_set: ClassSet | None = None
     eu: Annotated[tuple[EuClass, ...], Field(max_length=len(get_args(EuClass)))] = ()
     fhwa: Annotated[tuple[Annotated[int, Field(ge=1, le=13)], ...], Field(max_length=13)] = ()
-
-
-class QuotaBody(Out):
-    lighting: Lighting
-    class_set: Annotated[ClassSet | None, Field(description="Null: vehicles of any class.")]
-    wanted: int
-
-
-class SamplingBody(Out):
-    """Which passes are to be measured, and how many of each kind."""
-
-    method: SamplingMethod
-    step: Annotated[int, Field(description="With `nth`: each so many-th pass, by its number.")]
-    start: Annotated[int, Field(description="With `nth`: the first number taken.")]
-    share_percent: Annotated[float, Field(description="With `share`: how many of 100, drawn by the seed.")]
-    seed: int
-    free_flowing_s: Annotated[
-        float | None, Field(description="Only passes so many seconds behind the one before; null: all.")
-    ]
-    quotas: tuple[QuotaBody, ...]
-    outside_counts: Annotated[
-        bool, Field(description="Whether heights of passes out of the sample count in results.")
-    ]
 
 
 class QuotaIn(In):
@@ -211,11 +149,11 @@ class SurveyFacts(Out):
     open_to_all: bool
     version: int
     created_at: datetime
-    traffic: TrafficBody
-    place: PlaceBody
-    asked: AskedBody
-    classes: tuple[VehicleClassBody, ...]
-    sampling: SamplingBody
+    traffic: TrafficFacts
+    place: Place
+    asked: Asked
+    classes: tuple[VehicleClass, ...]
+    sampling: Sampling
     insets: Insets
 
     @computed_field  # type: ignore[prop-decorator]

@@ -10,7 +10,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
-from typing import Any, get_args
+from typing import Annotated, Any, get_args
+
+from pydantic import Field
 
 from sightline.enums import Category, ClassSet, EuClass
 from sightline.errors import BadInput
@@ -20,12 +22,12 @@ FHWA_CLASSES = range(1, 14)
 
 @dataclass(frozen=True, slots=True)
 class VehicleClass:
-    """One class of vehicles: its set, None for none, and what the EU and FHWA call it."""
+    """What a survey makes of one class of vehicles."""
 
     category: Category
-    class_set: ClassSet | None
-    eu: tuple[EuClass, ...] = ()
-    fhwa: tuple[int, ...] = ()
+    class_set: Annotated[ClassSet | None, Field(description="The set that it counts in; null: in none.")]
+    eu: Annotated[tuple[EuClass, ...], Field(description="Its classes in the EU.")] = ()
+    fhwa: Annotated[tuple[int, ...], Field(description="Its classes among FHWA's 13.")] = ()
 
 
 USUAL_CLASSES: tuple[VehicleClass, ...] = (

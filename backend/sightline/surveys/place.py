@@ -1,6 +1,9 @@
 """The place of a survey: where it lies, what road it is, and whose clocks are told."""
 
 from dataclasses import dataclass, replace
+from typing import Annotated
+
+from pydantic import Field
 
 from sightline.enums import StreetLamps
 from sightline.errors import BadInput
@@ -11,20 +14,16 @@ _FASTEST_MPS = 60.0
 
 @dataclass(frozen=True, slots=True)
 class Place:
-    """What is known of a survey's site; None while nobody has said.
+    """Where a survey's site lies, what road it is, and whose clocks are told; null while nobody has said."""
 
-    Latitude and longitude in degrees (WGS84), north and east positive; which lane is measured and where its
-    traffic goes, in words; `time_zone` by its IANA name, proposed for recordings.
-    """
-
-    latitude_deg: float | None = None
-    longitude_deg: float | None = None
+    latitude_deg: Annotated[float | None, Field(description="WGS84, north positive.")] = None
+    longitude_deg: Annotated[float | None, Field(description="WGS84, east positive.")] = None
     road_class: str | None = None
-    lane: str | None = None
-    travel_direction: str | None = None
+    lane: Annotated[str | None, Field(description="Which lane is measured, in words.")] = None
+    travel_direction: Annotated[str | None, Field(description="Where its traffic goes, in words.")] = None
     speed_limit_mps: float | None = None
     street_lamps: StreetLamps | None = None
-    time_zone: str | None = None
+    time_zone: Annotated[str | None, Field(description="IANA; proposed for recordings.")] = None
 
 
 PLACE: tuple[str, ...] = tuple(Place.__dataclass_fields__)

@@ -2,18 +2,15 @@
 
 from sqlalchemy import (
     Boolean,
-    CheckConstraint,
     Column,
     Float,
-    ForeignKey,
-    Integer,
     String,
     Table,
     Text,
 )
 
 from sightline.enums import CameraPlace, Hand, StreetLamps
-from sightline.infra.database.types import CanonicalJson, UtcDateTime, enum_check, identity, metadata
+from sightline.infra.database.types import CanonicalJson, changed_columns, enum_check, identity, metadata
 
 surveys = Table(
     "surveys",
@@ -47,14 +44,9 @@ surveys = Table(
     # which passes are to be measured, and how many
     Column("sampling", CanonicalJson, nullable=False),
     Column("insets", CanonicalJson, nullable=False),
-    Column("version", Integer, nullable=False),
-    Column("created_at", UtcDateTime, nullable=False),
-    Column("created_by", ForeignKey("people.id")),
-    Column("updated_at", UtcDateTime, nullable=False),
-    Column("updated_by", ForeignKey("people.id")),
+    *changed_columns(),
     enum_check("traffic_side", Hand),
     enum_check("steering_side", Hand),
     enum_check("camera_place", CameraPlace),
     enum_check("street_lamps", StreetLamps),
-    CheckConstraint("version >= 1", name="version_counts"),
 )

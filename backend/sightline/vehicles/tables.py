@@ -28,7 +28,14 @@ from sightline.enums import (
     VehicleOrigin,
 )
 from sightline.infra.audit.vouched import ChangedByEvents, vouched
-from sightline.infra.database.types import CanonicalJson, UtcDateTime, enum_check, identity, metadata
+from sightline.infra.database.types import (
+    CanonicalJson,
+    UtcDateTime,
+    changed_columns,
+    enum_check,
+    identity,
+    metadata,
+)
 from sightline.vehicles.records import KNOWN, NOT_VISIBLE
 
 vehicles = Table(
@@ -70,11 +77,7 @@ vehicles = Table(
     # why it is no pass of a vehicle to be measured
     Column("discarded", String(20)),
     Column("detection", CanonicalJson),
-    Column("version", Integer, nullable=False),
-    Column("created_at", UtcDateTime, nullable=False),
-    Column("created_by", ForeignKey("people.id")),
-    Column("updated_at", UtcDateTime, nullable=False),
-    Column("updated_by", ForeignKey("people.id")),
+    *changed_columns(),
     Column("deleted_at", UtcDateTime),
     UniqueConstraint("survey_id", "number"),
     enum_check("category", Category),
@@ -86,6 +89,5 @@ vehicles = Table(
     enum_check("discarded", Discarded),
     *(enum_check(name, NotVisible) for name in NOT_VISIBLE.values()),
     CheckConstraint("first_frame >= 0 AND last_frame >= first_frame", name="span_forward"),
-    CheckConstraint("version >= 1", name="version_counts"),
     info=vouched(ChangedByEvents("vehicle", "vehicle")),
 )

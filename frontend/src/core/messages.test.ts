@@ -1,5 +1,5 @@
 import { afterEach, expect, test, vi } from "vitest";
-import { language, preferredLanguage, say, sayCode, sentence, speak } from "./messages";
+import { language, preferredLanguage, say, sayCode, sentence, sentenceOf, speak } from "./messages";
 
 afterEach(() => speak("en"));
 
@@ -35,4 +35,16 @@ test("a language without a file leaves English", async () => {
 test("a sentence of the server: numbers are not grouped, one that is not known is left to its English", () => {
   expect(sayCode({ code: "said", values: { sentence: 123456 } })).toBe("123456");
   expect(sayCode({ code: "no-such-key", values: {} })).toBeNull();
+});
+
+test("a reason within a reason, and the server's own words where this program has none", async () => {
+  const message = "Frame 2 of 3: The horizon.";
+  const horizon = { code: "height-contact-above-horizon", values: {}, message: "The horizon." };
+  const within = { code: "height-of-frame", values: { frame: 2, frames: 3, reason: horizon }, message };
+  expect(sentenceOf({ ...within, code: "no-such-key" })).toBe(message);
+  await vi.waitFor(() =>
+    expect(sentenceOf(within)).toBe(
+      "Frame 2 of 3: The contact point lies at or above the horizon, where there is no road.",
+    ),
+  );
 });

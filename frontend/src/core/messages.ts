@@ -6,7 +6,13 @@
 
 import words from "virtual:words";
 import english from "virtual:words/en/everywhere";
-import { FluentBundle, FluentNumber, FluentResource, type FluentVariable } from "@fluent/bundle";
+import {
+  FluentBundle,
+  type FluentFunction,
+  FluentNumber,
+  FluentResource,
+  type FluentVariable,
+} from "@fluent/bundle";
 import { computed, signal } from "@preact/signals";
 import type { Messages } from "#messages";
 import { stored } from "./stored";
@@ -26,7 +32,11 @@ type Values<K extends MessageKey> = Messages[K] extends null ? [] : [values: Mes
 const chosen = stored<string>("language", "", (v) => typeof v === "string");
 /** The keys of the English sentences, as they stand there. */
 const KEYS = new Set<string>();
-const source = new FluentBundle(SOURCE, { useIsolating: false });
+let writeSmall = (metres: number, _digits?: number): string => `${metres * 1000} mm`;
+/** `{ SMALL($error_m) }` in a sentence: metres as a small length in the unit that is shown. */
+const SMALL: FluentFunction = ([metres], { digits }) =>
+  writeSmall(numberOf(metres), digits === undefined ? undefined : numberOf(digits));
+const source = bundleOf(SOURCE);
 addWords(source, english);
 /** Whose words are wanted, and those that each language has. */
 const rooms = new Set([EVERYWHERE]);
@@ -57,7 +67,7 @@ export async function learn(room: string): Promise<void> {
 
 /** Loads a language and speaks it; until it is here the app speaks as before. */
 export async function speak(name: string): Promise<void> {
-  const other = name === SOURCE || !words[name] ? [] : [new FluentBundle(name, { useIsolating: false })];
+  const other = name === SOURCE || !words[name] ? [] : [bundleOf(name)];
   await Promise.all(other.map(complete));
   bundles.value = [...other, source];
   document.documentElement.lang = language.value;
@@ -123,6 +133,12 @@ export function allOf(words: readonly string[]): string {
   return new Intl.ListFormat(region.value, { type: "conjunction" }).format(words);
 }
 
+/** "Roof; driver’s eye": what stands apart in a row. */
+export function apart(words: readonly string[]): string {
+  const [first = "", ...others] = words;
+  return others.reduce((before, second) => say("words-apart", { first: before, second }), first);
+}
+
 /** `say` where key and values were checked before. */
 export function sentence(key: string, values?: Record<string, FluentVariable>): string {
   for (const bundle of bundles.value) {
@@ -136,10 +152,17 @@ export function sentence(key: string, values?: Record<string, FluentVariable>): 
   return key;
 }
 
-/** What the server says: a key of the catalogue and the values of its sentence. */
+/** What the server says: a key of the catalogue and the values of its sentence, which may be said things themselves. */
 export interface Said {
   code: string;
-  values: Record<string, string | number>;
+  values: Record<string, string | number | Said>;
+  /** The sentence that the server made of it; an event of the audit trail has none. */
+  message?: string;
+}
+
+/** A reason or a flag of the server, in the language spoken and the unit shown. */
+export function sentenceOf(said: Said): string {
+  return sayCode(said) ?? said.message ?? said.code;
 }
 
 const MOST_DIGITS = 15;
@@ -155,7 +178,9 @@ export function sayCode({ code, values }: Said): string | null {
     name,
     typeof value === "number"
       ? new FluentNumber(value, { useGrouping: false, maximumFractionDigits: MOST_DIGITS })
-      : value,
+      : typeof value === "object"
+        ? sentenceOf(value)
+        : value,
   ]);
   return sentence(code, Object.fromEntries(given));
 }
@@ -174,6 +199,19 @@ async function complete(bundle: FluentBundle): Promise<boolean> {
   await Promise.all(fetched);
   await complete(bundle);
   return true;
+}
+
+/** How sentences write small lengths, told by the room that knows the unit. */
+export function writeSmallLengths(write: (metres: number, digits?: number) => string): void {
+  writeSmall = write;
+}
+
+function bundleOf(name: string): FluentBundle {
+  return new FluentBundle(name, { useIsolating: false, functions: { SMALL } });
+}
+
+function numberOf(value: unknown): number {
+  return Number(value instanceof FluentNumber ? value.value : value);
 }
 
 function addWords(bundle: FluentBundle, text: string): void {

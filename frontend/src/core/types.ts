@@ -21,7 +21,7 @@ export type Category = NonNullable<Schemas["VehicleBody"]["category"]>;
 export const ROLE_NAMES = wordsOf("role-", "viewer", "operator", "reviewer", "admin");
 
 /** What a member of a survey is there. */
-export type SurveyRole = Schemas["MemberBody"]["role"];
+export type SurveyRole = Schemas["Member"]["role"];
 export type Members = Schemas["MembersBody"];
 export type Member = Members["members"][number];
 export type Candidate = Schemas["Candidate"];
@@ -40,7 +40,7 @@ export type Study = StudyPage["study"];
 export type StudyResult = NonNullable<StudyPage["result"]>;
 export type StudiesBeside = Schemas["BesideBody"];
 
-export type Inset = Schemas["InsetBody"];
+export type Inset = Schemas["Inset"];
 export type Step = Schemas["Step"];
 export type Survey = Schemas["SurveyBody"];
 /** How traffic goes at a site and where the camera stands; null: nobody has said. */
@@ -73,7 +73,7 @@ export type CameraDocument = Schemas["CameraDocument"];
 export type CameraView = Schemas["ViewBody"];
 export type Calibration = Schemas["CalibrationBody"];
 export type CalibrationImage = Schemas["CalibrationImageBody"];
-export type Camera = Schemas["CameraBody"];
+export type Camera = Schemas["Camera"];
 export type CameraDetail = Schemas["CameraDetail"];
 
 export type Job = Schemas["JobBody"];
@@ -169,7 +169,7 @@ export type ScanMotion = Schemas["ScanMotionBody"];
 export type ScanVehicleDetail = Schemas["ScanVehicleDetailBody"];
 export type LinePose = Schemas["LinePoseBody"];
 export type LinePoses = Schemas["LinePosesBody"];
-export type RodMark = Schemas["RodMarkBody"];
+export type RodMark = Schemas["Mark"];
 export type SolvedRod = Schemas["SolvedRodBody"];
 export type LineHeight = Schemas["LineHeightBody"];
 export type LineHeightQueue = Schemas["LineHeightQueue"];
@@ -181,7 +181,7 @@ export type ReferenceQuantity = ScanReference["quantity"];
 export type ReferenceSource = ScanReference["source"];
 export type ReferencePlan = Schemas["ReferencePlan"];
 export type ReferenceRow = Schemas["ReferenceRow"];
-export type ReferenceGroup = Schemas["ReferenceGroupBody"];
+export type ReferenceGroup = Schemas["ReferenceGroup"];
 export type CarRuns = Schemas["CarRunsBody"];
 export type RunsTogether = Schemas["RunsTogether"];
 export type LiveStream = Schemas["LiveStreamBody"];

@@ -1,4 +1,5 @@
-import { beforeEach, describe, expect, it } from "vitest";
+import { beforeEach, describe, expect, it, vi } from "vitest";
+import { apart, sayCode, speak } from "./messages";
 import {
   fixed,
   formatAcceleration,
@@ -9,13 +10,14 @@ import {
   formatSmall,
   formatSpeed,
   heads,
-  inUnits,
   lengthUnit,
+  numbersIn,
   parseLength,
   parseNumber,
   parseSmall,
   plainAcceleration,
   plainLength,
+  plainPercent,
   plainSpeed,
   smallText,
 } from "./units";
@@ -78,10 +80,11 @@ describe("numbers", () => {
     expect(formatCount(1234567)).toBe("1,234,567");
   });
 
-  it("puts the millimetres of a sentence into inches for those who read feet", () => {
-    const words = "The camera moved by 2.5 px (height error up to 25.4 mm), frames 17 to 39.";
-    expect(inUnits(words, "m")).toBe(words);
-    expect(inUnits(words, "ft")).toContain("up to 1.00\u00a0in), frames 17");
+  it("writes the small lengths of a server's sentence in the unit that is shown", async () => {
+    const moved = { code: "height-flag-camera-moved-by", values: { moved_px: 2.5, error_m: 0.0254 } };
+    await vi.waitFor(() => expect(sayCode(moved)).toContain("error up to 25\u00a0mm)"));
+    lengthUnit.value = "ft";
+    expect(sayCode(moved)).toContain("error up to 1.00\u00a0in)");
   });
 
   it("rounds bytes into the next unit rather than 1000 of the last", () => {
@@ -118,5 +121,18 @@ describe("small lengths in fields", () => {
     expect(parseSmall("0.5")).toBeCloseTo(0.0127, 12);
     expect(parseSmall("wide")).toBeNull();
     expect(smallText(null)).toBe("");
+  });
+});
+
+describe("numbers and lists in another language", () => {
+  it("have the language's decimal sign and the digits that they were written with", async () => {
+    expect(numbersIn("−1.50")).toBe("−1.50");
+    expect(apart(["a", "b", "c"])).toBe("a; b; c");
+    await speak("fr");
+    expect(numbersIn("0.278 V t + 0.039 V² / a")).toBe("0,278 V t + 0,039 V² / a");
+    expect(numbersIn("−6,600.0")).toBe("−6\u202f600,0");
+    expect(plainPercent(2.5)).toBe("2,5");
+    expect(apart(["a", "b", "c"])).toBe("a\u202f; b\u202f; c");
+    await speak("en");
   });
 });

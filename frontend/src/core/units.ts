@@ -1,5 +1,5 @@
 /** Lengths and speeds as people read and type them. The server speaks metres and seconds; feet and miles are only shown. */
-import { region, say } from "./messages";
+import { region, say, writeSmallLengths } from "./messages";
 import { stored } from "./stored";
 
 export type LengthUnit = "m" | "ft";
@@ -76,24 +76,35 @@ export function formatHeight(
 }
 
 /** A small length: "18 mm", or "0.71 in" for those who read feet. */
-export function formatSmall(metres: number | null, unit = lengthUnit.value): string {
-  if (metres === null) return "–";
-  const [factor, name] = smallScale(unit);
-  const value = metres * factor;
-  const digits = unit === "ft" ? 2 : Math.abs(value) < 10 ? 1 : 0;
-  return `${fixed(value, digits)}${NBSP}${name}`;
+export function formatSmall(metres: number | null, unit = lengthUnit.value, ofMillimetres?: number): string {
+  return metres === null ? "–" : `${smallNumber(metres, unit, ofMillimetres)}${NBSP}${smallScale(unit)[1]}`;
 }
 
-/** A sentence of the server, which speaks millimetres, with its small lengths in the shown unit. */
-export function inUnits(words: string, unit = lengthUnit.value): string {
-  if (unit === "m") return words;
-  const said = /(\d+(?:[.,]\d+)?) mm\b/g;
-  return words.replace(said, (_, mm: string) => formatSmall(Number(mm.replace(",", ".")) / 1000, unit));
+/** Its number alone, for a sentence that names the unit later: "18". */
+export function smallNumber(metres: number | null, unit = lengthUnit.value, ofMillimetres?: number): string {
+  if (metres === null) return "–";
+  const value = metres * smallScale(unit)[0];
+  return fixed(value, unit === "ft" ? 2 : (ofMillimetres ?? (Math.abs(value) < 10 ? 1 : 0)));
 }
+writeSmallLengths((metres, digits) => formatSmall(metres, lengthUnit.value, digits));
 
 /** A small uncertainty to two digits that count, as the chosen language writes it: "0.0021". */
 export function significant(value: number): string {
   return new Intl.NumberFormat(region.value, { maximumSignificantDigits: 2 }).format(value);
+}
+
+/** "10", "2.5", "2,5": a percentage of a rule with the digits that it has, as the chosen language writes it. */
+export function plainPercent(value: number | null): string {
+  if (value === null) return "";
+  return new Intl.NumberFormat(region.value, { maximumFractionDigits: 3 }).format(value);
+}
+
+/** The numbers of a text that was written with points, each with its digits, as the chosen language writes them. */
+export function numbersIn(text: string): string {
+  return text.replace(/\d[\d,]*(?:\.\d+)?/g, (number) => {
+    const digits = number.split(".")[1]?.length ?? 0;
+    return numbers(digits, number.includes(",")).format(Number(number.replaceAll(",", "")));
+  });
 }
 
 /** What a person typed as a length in the shown unit, in metres; null when it is no number. Takes a comma for the point. */

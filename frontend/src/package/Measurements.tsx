@@ -1,6 +1,7 @@
 import { useState } from "preact/hooks";
 import type { Row } from "./csv";
 import { shownHeight } from "./digits";
+import { decimal, told } from "./language";
 import type { Again } from "./measured";
 import { again, type Opened } from "./opened";
 import { say } from "./say";
@@ -158,7 +159,7 @@ function Line({ row, isOutside, isChosen, choose }: LineProps) {
   const id = row["id"] ?? "";
   const found = again.value.get(id);
   const height = found?.lengths.height_m;
-  const print = found?.differs.length ? String : shownHeight; // a lie may stand in the last digit
+  const print = found?.differs.length ? decimal : shownHeight; // a lie may stand in the last digit
   return (
     <tr
       class={isChosen ? "opened__line opened__line--chosen" : "opened__line"}
@@ -201,7 +202,7 @@ function hereWords(found: Again | undefined, print = nanometres): string {
   return height === null ? say("opened-height-none") : say("opened-height-here", { height_m: print(height) });
 }
 
-const nanometres = (metres: number) => metres.toFixed(9);
+const nanometres = (metres: number) => decimal(metres.toFixed(9));
 
 function Detail({ row, found }: { row: Row; found: Opened }) {
   const id = row["id"] ?? "";
@@ -223,8 +224,8 @@ function Detail({ row, found }: { row: Row; found: Opened }) {
           <Crop key={crop["k"]} crop={crop} />
         ))}
       </div>
-      {row["reason"] && <p>{row["reason"]}</p>}
-      {row["flags"] && <p class="opened__quiet">{row["flags"]}</p>}
+      {row["reason"] && <p>{told(row["reason"])}</p>}
+      {row["flags"] && <p class="opened__quiet">{told(row["flags"])}</p>}
       {CAUSES.filter((cause) => row["out_of_date"]?.split("; ").includes(cause)).map((cause) => (
         <p key={cause} class="opened__wrong" data-stale-cause={cause}>
           {say("opened-stale", { cause })}
@@ -235,30 +236,40 @@ function Detail({ row, found }: { row: Row; found: Opened }) {
       )}
       <table class="opened__rows">
         <tbody>
-          <Pair name={say("opened-pair-package")} value={row["height_m"] || say("opened-height-none")} />
+          <Pair
+            name={say("opened-pair-package")}
+            value={decimal(row["height_m"] ?? "") || say("opened-height-none")}
+          />
           <Pair name={say("opened-pair-here")} value={hereWords(mine)} />
           {mine?.off_m !== null && mine !== undefined && (
             <Pair
               name={say("opened-pair-off")}
-              value={say("opened-nanometres", { off_nm: (mine.off_m * 1e9).toFixed(1) })}
+              value={say("opened-nanometres", { off_nm: decimal((mine.off_m * 1e9).toFixed(1)) })}
             />
           )}
-          <Pair name={say("opened-pair-contact")} value={`${row["contact_x_px"]}, ${row["contact_y_px"]}`} />
-          <Pair name={say("opened-pair-target")} value={`${row["target_x_px"]}, ${row["target_y_px"]}`} />
-          <Pair name={say("opened-pair-inset")} value={row["solved_inset_m"] || row["inset_m"] || ""} />
+          <Pair name={say("opened-pair-contact")} value={point(row, "contact")} />
+          <Pair name={say("opened-pair-target")} value={point(row, "target")} />
+          <Pair
+            name={say("opened-pair-inset")}
+            value={decimal(row["solved_inset_m"] || row["inset_m"] || "")}
+          />
           <Pair name={say("opened-pair-frame")} value={`${row["recording_id"]}: ${row["frame"]}`} />
           <Pair name={say("opened-pair-pose")} value={row["pose_id"] ?? ""} />
           {parts.map((part) => (
             <Pair
               key={part["source"]}
-              name={say("opened-pair-u", { source: part["source"] ?? "" })}
-              value={part["u_m"] ?? ""}
+              name={say("opened-pair-u", { source: told(part["source"] ?? "") })}
+              value={decimal(part["u_m"] ?? "")}
             />
           ))}
         </tbody>
       </table>
     </div>
   );
+}
+
+function point(row: Row, name: "contact" | "target"): string {
+  return [row[`${name}_x_px`], row[`${name}_y_px`]].map((one) => decimal(one ?? "")).join("; ");
 }
 
 function Pair({ name, value }: { name: string; value: string }) {
@@ -272,7 +283,7 @@ function Pair({ name, value }: { name: string; value: string }) {
 
 /** The picture that was clicked on, with the two points as crops.csv has them. */
 function Crop({ crop }: { crop: Row }) {
-  if (!crop["file"]) return <p class="opened__quiet">{crop["reason"]}</p>;
+  if (!crop["file"]) return <p class="opened__quiet">{told(crop["reason"] ?? "")}</p>;
   const number = (name: string) => Number(crop[name]);
   const [width, height] = [number("width_px"), number("height_px")];
   const points = ["contact", "target"].map(

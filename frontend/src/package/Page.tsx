@@ -2,8 +2,21 @@ import { useEffect, useState } from "preact/hooks";
 import { Checked } from "./Checked";
 import { type Row, unsafe } from "./csv";
 import { shown } from "./digits";
+import { Languages } from "./Languages";
+import { language } from "./language";
 import { Measurements } from "./Measurements";
-import { again, audited, checkPieces, done, failed, folder, type Opened, opened, progress } from "./opened";
+import {
+  again,
+  audited,
+  checkPieces,
+  done,
+  failed,
+  folder,
+  type Opened,
+  opened,
+  progress,
+  type TableName,
+} from "./opened";
 import { ofChosen, ofDropped, ofZip } from "./pieces";
 import type { Part } from "./readme";
 import { say } from "./say";
@@ -22,6 +35,7 @@ export function Page() {
   return (
     <main class="opened">
       <header class="opened__head">
+        <Languages />
         <h1 class="opened__title">{unsafe(survey?.["name"] ?? "")}</h1>
         <p class="opened__quiet">
           {[unsafe(survey?.["site"] ?? ""), unsafe(survey?.["description"] ?? "")].filter(Boolean).join(". ")}
@@ -216,6 +230,7 @@ function Tables({ found }: { found: Opened }) {
   return (
     <section class="opened__section" id="tables">
       <h2 class="opened__name">{say("opened-tables")}</h2>
+      <p class="opened__quiet">{say("opened-tables-lead")}</p>
       {found.about.left_out.length > 0 && (
         <p>{say("opened-left-out", { named: found.about.left_out.join(", ") })}</p>
       )}
@@ -230,19 +245,19 @@ const MOST_ROWS = 200;
 
 interface TableProps {
   path: string;
-  meaning: string;
+  name: TableName;
   columns: Readonly<Record<string, string>>;
   rows: (path: string) => readonly Row[];
 }
 
-function Table({ path, meaning, columns, rows }: TableProps) {
+function Table({ path, name: table, columns, rows }: TableProps) {
   const [isOpen, setOpen] = useState(false);
   const all = isOpen ? rows(path) : [];
   const names = Object.keys(columns);
   return (
     <details class="opened__table" onToggle={(event) => setOpen(event.currentTarget.open)}>
       <summary>
-        <a href={path}>{path}</a> {meaning}
+        <a href={path}>{path}</a> {say("opened-table", { table })}
       </summary>
       {isOpen && all.length === 0 && <p class="opened__quiet">{say("opened-table-empty")}</p>}
       {all.length > MOST_ROWS && (
@@ -254,7 +269,7 @@ function Table({ path, meaning, columns, rows }: TableProps) {
             <thead>
               <tr>
                 {names.map((name) => (
-                  <th key={name} scope="col" title={columns[name]}>
+                  <th key={name} scope="col" title={language.value === "en" ? columns[name] : undefined}>
                     {name}
                   </th>
                 ))}

@@ -1,6 +1,7 @@
 /** With how many digits the page prints the numbers of a package's tables: as its report does. */
 
 import { type Row, unsafe } from "./csv";
+import { decimal } from "./language";
 
 const HEIGHT_DIGITS = 3;
 const SMALL_DIGITS = 4;
@@ -12,13 +13,13 @@ const OF_ERRORS = /(?:^|\/)(?:error_table|known_errors|agreement)\.csv$/;
 export function shown(path: string, name: string, row: Row): string {
   const text = row[name] ?? "";
   if (!/^-?\d+\.\d+(?:e-?\d+)?$/.test(text)) return unsafe(text);
-  if (name === "percent") return String(Number(text));
-  return Number(text).toFixed(digits(path, name, row));
+  if (name === "percent") return decimal(String(Number(text)));
+  return decimal(Number(text).toFixed(digits(path, name, row)));
 }
 
 /** A height of measurements.csv. */
 export function shownHeight(metres: string | number): string {
-  return Number(metres).toFixed(HEIGHT_DIGITS);
+  return decimal(Number(metres).toFixed(HEIGHT_DIGITS));
 }
 
 function digits(path: string, name: string, row: Row): number {

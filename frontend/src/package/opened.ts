@@ -1,6 +1,7 @@
 /** What the page found, as signals: tables at once, then heights, chain and signature while somebody reads. */
 
 import { signal } from "@preact/signals";
+import type { Messages } from "#messages";
 import { type AuditFiles, auditFiles, type Held, heldFiles, textOf } from "./blocks";
 import { type Chain, type Signed, signed, walked } from "./chain";
 import { type Row, rowsOf } from "./csv";
@@ -12,6 +13,9 @@ import { type Part, partsOf, README } from "./readme";
 import { sha256 } from "./sha256";
 import { notVouched, posesNotVouched } from "./vouched";
 
+/** A table of a package, as `opened-table` says what it holds. */
+export type TableName = Messages["opened-table"]["table"];
+
 /** What the package says of itself for this page: sizes of its folders, figures, tables with their columns. */
 interface About {
   /** the vehicles that figures and report are limited to, in words; null for the whole survey */
@@ -21,7 +25,7 @@ interface About {
   readonly figures: readonly string[];
   /** tables that are too large for a page */
   readonly left_out: readonly string[];
-  readonly tables: readonly { path: string; meaning: string; columns: Readonly<Record<string, string>> }[];
+  readonly tables: readonly { path: string; name: TableName; columns: Readonly<Record<string, string>> }[];
 }
 
 export interface Opened {

@@ -1,18 +1,30 @@
-/** The sentences of this page: those of the catalogue whose keys begin with `opened-`, taken out when it is built. */
+/** The sentences of this page: those of the catalogues whose keys begin with `opened-`, taken out when it is built. */
 
-import text from "virtual:opened-messages";
+import catalogues from "virtual:opened-messages";
 import { FluentBundle, FluentResource, type FluentVariable } from "@fluent/bundle";
 import type { Messages } from "#messages";
+import { begin, language } from "./language";
 
-const bundle = new FluentBundle("en", { useIsolating: false });
-bundle.addResource(new FluentResource(text));
+export const LANGUAGES: readonly string[] = Object.keys(catalogues);
+
+const bundles = new Map(
+  Object.entries(catalogues).map(([name, text]) => {
+    const bundle = new FluentBundle(name, { useIsolating: false });
+    bundle.addResource(new FluentResource(text));
+    return [name, bundle];
+  }),
+);
+begin(LANGUAGES);
 
 type Key = Extract<keyof Messages, `opened-${string}`>;
 
+/** A sentence in the language that is spoken; read in a render it follows that. */
 export function say<K extends Key>(
   key: K,
   ...[values]: Messages[K] extends null ? [] : [values: Messages[K]]
 ): string {
-  const pattern = bundle.getMessage(key)?.value;
-  return pattern ? bundle.formatPattern(pattern, values as Record<string, FluentVariable> | undefined) : key;
+  const bundle = bundles.get(language.value);
+  const pattern = bundle?.getMessage(key)?.value;
+  if (!bundle || !pattern) return key;
+  return bundle.formatPattern(pattern, values as Record<string, FluentVariable> | undefined);
 }

@@ -5,6 +5,7 @@
 import { signal } from "@preact/signals";
 import { api, explain } from "../core/api";
 import { Latest } from "../core/latest";
+import { sentenceOf } from "../core/messages";
 import type {
   AxesAnswer,
   DriverSide,
@@ -13,6 +14,8 @@ import type {
   SecondFrameAnswer,
   Target,
 } from "../core/types";
+import { formatHeight } from "../core/units";
+import { STATE_WORDS } from "../core/words";
 import { type ImagePoint, pair, samePoint } from "./points";
 import { clickBody, type FramePoints, frameBody, type Inset, type Values } from "./values";
 
@@ -45,6 +48,12 @@ export interface Live {
   readonly problem: string | null;
 }
 
+/** A height with its uncertainty, or why there is none. */
+export function heightOrReason(answer: HeightAnswer): string {
+  if (answer.status === "ok") return formatHeight(answer.height_m, answer.U95_height_m);
+  return answer.reason ? sentenceOf(answer.reason) : STATE_WORDS.not_measurable;
+}
+
 export class Geometry {
   /** Axes and ladder through the contact in use; old ones stay until new ones are here. */
   readonly axes = signal<AxesAnswer | null>(null);
@@ -62,7 +71,7 @@ export class Geometry {
     (answer, wish) => {
       if (wish === this.wished) this.arrived();
       this.axes.value = answer;
-      this.problem.value = answer.ok ? null : answer.reason;
+      this.problem.value = answer.reason && sentenceOf(answer.reason);
     },
     (error) => this.failed(error),
   );

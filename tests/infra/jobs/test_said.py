@@ -9,7 +9,7 @@ from sightline import messages
 from sightline.errors import BadInput, SightlineError
 from sightline.geometry.board import Board
 from sightline.geometry.calibration import calibrate
-from sightline.geometry.corners import detect
+from sightline.geometry.corners import find_board
 from sightline.infra.jobs.runner import Runner
 from sightline.infra.jobs.store import get_job
 from sightline.infra.services import Services
@@ -51,10 +51,17 @@ def test_a_sentence_is_said_by_its_key_and_a_value_that_is_a_sentence_too() -> N
     body = {"error": error.message, "said": {"code": error.code, "values": error.values}}
     told = json.loads(spoken(json.dumps(body).encode(), "fr"))
     assert told["error"].startswith("Il n’y a pas de rapport dans la langue") and told["said"] == body["said"]
-    still = "No camera movement detected, within 0.05 px (0.4 mm of height)."
-    within = SightlineError("said", sentence=still)
+    two = "Review 13 measurements. Remeasure 1 rejected measurement."
+    within = SightlineError("said", sentence=two)
     kept = {"code": within.code, "values": within.values}
-    assert said_by_key(kept, still, "fr").startswith("Aucun mouvement de la caméra")
+    assert said_by_key(kept, two, "fr").startswith("Vérifiez 13 mesures.")
+
+
+def test_what_a_budget_is_of_is_said_and_who_measured_a_reference_is_not() -> None:
+    body = {"budget": [{"source": "click, target", "u_m": 0.01}], "reference": {"source": "fit", "value": 3}}
+    told = json.loads(spoken(json.dumps(body).encode(), "fr"))
+    assert told["budget"] == [{"source": "pointé, cible", "u_m": 0.01}]
+    assert told["reference"] == body["reference"]
 
 
 def test_a_failed_recording_says_why_as_its_job_does() -> None:
@@ -68,7 +75,7 @@ def test_a_failed_recording_says_why_as_its_job_does() -> None:
 
 def test_pictures_without_a_board_say_why_in_french_to_the_last_word() -> None:
     board = Board(9, 6, 0.1)
-    corners = detect(np.full((120, 160), 128, np.uint8), board)
+    corners = find_board(np.full((120, 160), 128, np.uint8), board)
     with pytest.raises(BadInput, match=r"cut\.png: No board of 9x6") as few:
         calibrate([("cut.png", corners, (160, 120))], board)
     told = said_by_key({"code": few.value.code, "values": few.value.values}, few.value.message, "fr")

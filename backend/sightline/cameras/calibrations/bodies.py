@@ -10,20 +10,12 @@ from sightline.cameras.board_bodies import Markers
 from sightline.cameras.calibrations.calibrating import CHECKS
 from sightline.cameras.calibrations.records import Calibration
 from sightline.enums import CalibrationSource, LensModel, Point
+from sightline.geometry.camera import View
+from sightline.geometry.height_effect import HeightDifference
 from sightline.geometry.reshoot import places_missing
 from sightline.infra.audit.records import Who
 from sightline.infra.web.bodies import FrameNumber, Out
 from sightline.infra.web.named import RecordingId
-
-
-class CalibrationSummaryBody(Out):
-    id: int
-    camera_id: int
-    created_at: datetime
-    created_by: Who | None
-    source: CalibrationSource
-    trusted: bool
-    summary: str
 
 
 class ViewBody(Out):
@@ -39,16 +31,6 @@ class ViewBody(Out):
     residuals_px: list[Point]
 
 
-class HeightDifferenceBody(Out):
-    """What two lenses make of one height; `expected_m`: the standard uncertainty of the difference by the
-    lenses' covariances. Null where the picture does not show it.
-    """
-
-    distance_m: float
-    difference_m: float | None
-    expected_m: float | None = None
-
-
 class CrossValidationBody(Out):
     """Two halves of the pictures, calibrated separately. Where that could not be done, `reason` says why."""
 
@@ -56,7 +38,7 @@ class CrossValidationBody(Out):
     views: list[int] | None = Field(description="How many are in each half.")
     fit_rms_px: float | None
     held_out_rms_px: float | None = Field(description="Of each half's views under the other half's lens.")
-    height_differences: list[HeightDifferenceBody] = Field(
+    height_differences: list[HeightDifference] = Field(
         description="Camera level, 1.5 m high, board at 3 m, eye at 1.16 m; at 2, 3 and 5 m."
     )
 
@@ -68,14 +50,7 @@ class BoardShapeBody(Out):
     bow_m: float = Field(description="From the most forward to the rearmost corner.")
     flat_rms_px: float | None
     bent_rms_px: float | None
-    height_differences: list[HeightDifferenceBody] = Field(description="Taken as flat minus taken as bent.")
-
-
-class DocumentView(Out):
-    file: str
-    rms_px: float | None
-    used: bool
-    reason: str | None
+    height_differences: list[HeightDifference] = Field(description="Taken as flat minus taken as bent.")
 
 
 class CameraDocument(Out):
@@ -94,10 +69,17 @@ class CameraDocument(Out):
     rms_px: float | None
     parameters: list[str]
     covariance: list[list[float]] | None
-    views: list[DocumentView]
+    views: list[View]
 
 
-class CalibrationBody(CalibrationSummaryBody):
+class CalibrationBody(Out):
+    id: int
+    camera_id: int
+    created_at: datetime
+    created_by: Who | None
+    source: CalibrationSource
+    trusted: bool
+    summary: str
     document: CameraDocument
     cross_validation: CrossValidationBody | None = Field(description="Null for an import.")
     board_shape: BoardShapeBody | None

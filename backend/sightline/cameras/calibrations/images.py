@@ -13,7 +13,7 @@ from sightline.cameras.store import (
     set_detection,
 )
 from sightline.geometry.board import Board
-from sightline.geometry.corners import Corners, detect
+from sightline.geometry.corners import Corners, find_board
 from sightline.infra.services import Services
 from sightline.infra.stored_bytes import put_bytes, suffix_of
 from sightline.media.images import jpeg
@@ -23,7 +23,7 @@ JPEG_QUALITY = 92
 
 def look(gray: npt.NDArray[np.uint8], board: Board) -> Detection:
     """Look for the board in a picture (H, W). Raises BadInput for a board that nobody can look for."""
-    return detection_of(detect(gray, board), board)
+    return detection_of(find_board(gray, board), board)
 
 
 def detection_of(corners: Corners, board: Board) -> Detection:

@@ -1,23 +1,15 @@
 """A calibration, and the pictures that it was made of."""
 
 from dataclasses import dataclass
-from datetime import datetime
 
-from sightline.enums import CalibrationSource, JsonObject
-from sightline.infra.audit.records import Who
+from sightline.cameras.records import CalibrationSummary
+from sightline.enums import JsonObject
 
 
 @dataclass(frozen=True, slots=True)
-class Calibration:
+class Calibration(CalibrationSummary):
     """A calibration with its camera.json `document`; never changed once written."""
 
-    id: int
-    camera_id: int
-    created_at: datetime
-    created_by: Who | None
-    source: CalibrationSource
-    trusted: bool
-    summary: str
     document: JsonObject
     warnings: list[str]
     coverage: list[list[int]]
@@ -45,9 +37,9 @@ class Detection:
     marker_share: float | None = None
 
 
-@dataclass(frozen=True, slots=True)
-class CalibrationImage:
-    """A picture of the board and what was found in it, as in a `Detection`."""
+@dataclass(frozen=True, slots=True, kw_only=True)
+class CalibrationImage(Detection):
+    """A picture of the board and what was found in it."""
 
     id: int
     camera_id: int
@@ -55,12 +47,3 @@ class CalibrationImage:
     media_key: str
     width_px: int
     height_px: int
-    found: bool
-    reason: str | None
-    corners_px: list[list[float]]
-    columns: int
-    rows: int
-    sharpness: float | None
-    ids: list[int] | None
-    dictionary: str | None
-    marker_share: float | None

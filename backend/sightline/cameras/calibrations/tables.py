@@ -17,9 +17,9 @@ from sightline.infra.audit.vouched import WrittenOnce, vouched
 from sightline.infra.database.types import (
     NEEDS_MEDIA,
     CanonicalJson,
-    UtcDateTime,
     enum_check,
     identity,
+    made_columns,
     metadata,
 )
 
@@ -41,8 +41,7 @@ calibration_images = Table(
     Column("ids", CanonicalJson),
     Column("dictionary", String(40)),
     Column("marker_share", Float),
-    Column("created_at", UtcDateTime, nullable=False),
-    Column("created_by", ForeignKey("people.id")),
+    *made_columns(),
     CheckConstraint("found OR reason IS NOT NULL", name="missed_has_reason"),
 )
 
@@ -60,8 +59,7 @@ calibrations = Table(
     Column("coverage", CanonicalJson, nullable=False),
     Column("views", CanonicalJson, nullable=False),
     Column("summary", Text, nullable=False),
-    Column("created_at", UtcDateTime, nullable=False),
-    Column("created_by", ForeignKey("people.id")),
+    *made_columns(),
     enum_check("source", CalibrationSource),
     info=vouched(WrittenOnce("calibration", "calibration")),
 )

@@ -3,10 +3,15 @@
 from pydantic import Field
 
 from sightline.enums import MeasurementStatus
+from sightline.geometry.plan import Curve
+from sightline.geometry.plan_passing import Passing
+from sightline.geometry.plan_targets import TwoFrames
+from sightline.geometry.site import Outlook
 from sightline.infra.web.bodies import Out
 from sightline.infra.web.quantities import BudgetEntryBody
 from sightline.linescan.exposure import ExposurePlan
 from sightline.linescan.planner import PlannedValue
+from sightline.messages.said import Said
 
 
 class PlannedCamera(Out):
@@ -26,13 +31,6 @@ class PlannedSite(Out):
     travel_m: float
 
 
-class TwoFramesBody(Out):
-    reason: str | None
-    u_height_m: float | None
-    U95_height_m: float | None
-    u_inset_m: float | None
-
-
 class PlannedTargetBody(Out):
     target: str = Field(
         description="A target, or driver_eye_far: the driver on the side away from the camera."
@@ -41,30 +39,13 @@ class PlannedTargetBody(Out):
     inset_m: float
     u_inset_m: float
     status: MeasurementStatus
-    reason: str | None
+    reason: Said | None
     u_height_m: float | None
     U95_height_m: float | None
     bias_if_ignored_m: float
     budget: list[BudgetEntryBody]
-    flags: list[str]
-    two_frames: TwoFramesBody
-
-
-class CurveBody(Out):
-    """One line of a figure; a null is a point without a value."""
-
-    target: str
-    at_m: list[float]
-    value_m: list[float | None]
-
-
-class OutlookBody(Out):
-    """Where the picture's edges look: above the horizon, and from square across the road to +X."""
-
-    top_rad: float | None
-    bottom_rad: float | None
-    left_rad: float | None
-    right_rad: float | None
+    flags: list[Said]
+    two_frames: TwoFrames
 
 
 class PlannedBoard(Out):
@@ -74,30 +55,18 @@ class PlannedBoard(Out):
     top_m: float
 
 
-class PassingBody(Out):
-    """A vehicle on the planned wheel track, at one speed."""
-
-    speed_mps: float
-    blur_px: float = Field(description="Its motion in the picture during 1/1000 s.")
-    longest_exposure_s: float = Field(description="Until the motion is 2 px.")
-    shutter: int = Field(description="n of the 1/n s to set, on the safe side.")
-    frames: list[int] = Field(
-        description="With road and a driver's eye in view, at 30 and 60 frames a second."
-    )
-
-
 class PlanBody(Out):
     camera: PlannedCamera
     site: PlannedSite
     board: PlannedBoard
     targets: list[PlannedTargetBody]
     advice: list[str]
-    U95_over_distance: list[CurveBody]
-    bias_over_camera_height: list[CurveBody]
-    outlook: OutlookBody
+    U95_over_distance: list[Curve]
+    bias_over_camera_height: list[Curve]
+    outlook: Outlook
     tilt_rad: float
     track_shown_m: float
-    passing: list[PassingBody]
+    passing: list[Passing]
 
 
 class LineFormBody(Out):

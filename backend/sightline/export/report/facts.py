@@ -12,6 +12,7 @@ from datetime import date, datetime
 
 from sightline.enums import LengthUnit
 from sightline.export.verdicts import VerdictCounts
+from sightline.messages.said import Said
 from sightline.results.survey_statistics import Statistics, StatisticsOptions
 from sightline.scans.statistics.heights import ScannedHeights
 from sightline.scans.statistics.service import ScanStatistics
@@ -112,7 +113,7 @@ class Exclusion:
     vehicle: str
     target: str
     state: str
-    reason: str
+    reason: Said | str
 
 
 @dataclass(frozen=True)

@@ -9,13 +9,11 @@ from typing import Any
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.transforms import Bbox
-from numpy.typing import NDArray
 
 from sightline.export.report.canvas import FAINT, INK, MUTED, NOTE_PT
 from sightline.export.report.labels import Named
 from sightline.statistics.distributions import Density, Ecdf, Percentile
 
-Floats = NDArray[np.float64]
 _TEXT_MM = 2.7  # what an upright word needs beside the next
 
 

@@ -29,6 +29,7 @@ from sightline.export.response import response_in
 from sightline.export.seal import ENTITY
 from sightline.export.verdicts import verdicts_in
 from sightline.geometry.documents import pose_from_dict
+from sightline.infra.csv_package.columns import code_in
 from sightline.infra.csv_package.files import (
     Files,
     number,
@@ -278,5 +279,5 @@ def _exclusions(files: Files) -> Iterator[Exclusion]:
             vehicle=row["vehicle_number"],
             target=row["target"],
             state=STATES.get(row["state"], row["state"].replace("_", " ")),
-            reason=unsafe(row["reason"]),
+            reason=code_in(row["reason_code"]) or unsafe(row["reason"]),
         )

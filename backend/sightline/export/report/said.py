@@ -16,6 +16,7 @@ from typing import Generic, TypeVar
 from sightline import messages
 from sightline.messages.parts import parts_of, plurals
 from sightline.messages.recognised import translated
+from sightline.messages.said import Said
 
 _BEGINNING = "report-"
 _language: ContextVar[str] = ContextVar("language", default=messages.SOURCE)
@@ -42,9 +43,9 @@ def said(key: str, **values: str | int) -> str:
     return messages.say(key, values, spoken())
 
 
-def told(sentence: str) -> str:
-    """A sentence that a room below wrote in English, or that was stored so."""
-    return translated(sentence, spoken())
+def told(what: Said | str) -> str:
+    """What was said; or a sentence that a room below wrote in English, or that was stored so."""
+    return what.sentence(spoken()) if isinstance(what, Said) else translated(what, spoken())
 
 
 class Called(Mapping[Named, str], Generic[Named]):

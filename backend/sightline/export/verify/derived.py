@@ -33,7 +33,9 @@ def check_page_again(files: Files, found: Described, written: Mapping[str, Writt
     Raises Damaged.
     """
     same_program = found.is_made_alike(DRAWING)
-    return check_page(files, found.made_with, found.tables, written, same_program=same_program)
+    return check_page(
+        files, found.made_with, found.tables, written, found.language, same_program=same_program
+    )
 
 
 def check_tables_again(files: Files, found: Described) -> int:

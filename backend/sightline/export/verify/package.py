@@ -23,7 +23,7 @@ from pathlib import Path
 from sightline.cameras.calibrations.verify import check_calibrations
 from sightline.cameras.verify import check_cameras
 from sightline.errors import BadInput, Damaged
-from sightline.export.contents import DRAWING, STATISTICS
+from sightline.export.contents import DRAWING, STATISTICS, WORDS
 from sightline.export.seal import CHECKPOINT, Seal, check_seal, read_seal
 from sightline.export.verify.chain import ReplayedState, walk
 from sightline.export.verify.derived import (
@@ -36,6 +36,7 @@ from sightline.export.verify.derived import (
 from sightline.export.verify.described import Described, check_description, read_description
 from sightline.infra.audit.checkpoints import checkpoint_problem
 from sightline.infra.audit.records import AuditHead, survey_chain
+from sightline.infra.csv_package.columns import CODE
 from sightline.infra.csv_package.files import (
     Files,
     InFolder,
@@ -55,12 +56,13 @@ from sightline.infra.csv_package.recomputing import Recomputing
 from sightline.infra.csv_package.schema import CHECKSUMS, Written
 from sightline.infra.csv_package.verify import check_keys
 from sightline.measurements.again.verify import check_computings, check_out_of_date
-from sightline.measurements.csv import CLICKS, CLICKS_FOLDER
+from sightline.measurements.csv import CLICKS, CLICKS_FOLDER, MEASUREMENTS, REVISIONS
 from sightline.measurements.sheets.verify import check_vehicles
 from sightline.measurements.verify import Recomputed, check_frames, check_measurements
 from sightline.messages import say
 from sightline.poses.verify import check_poses
 from sightline.quality.checks.verify import check_wheel_pairs
+from sightline.quality.repeats.csv import REPEATS
 from sightline.quality.repeats.verify import check_repeats
 from sightline.recordings.verify import check_recordings
 from sightline.results.verify import check_standards
@@ -78,7 +80,7 @@ class PackageCheck:
     """What was checked; `problem` is one sentence, None when all is well. `notes`: what could not be.
 
     `not_checked`: the parts that another version of the program made, which this one did not compare:
-    "heights", "description", "statistics", "drawings", "page".
+    "heights", "words", "description", "statistics", "drawings", "page".
     """
 
     ok: bool
@@ -227,17 +229,21 @@ def _check_rows(
     check_sampling(files, told.survey)
     check_standards(files, told.standards)
     recomputing = Recomputing(described.is_computed_alike)
-    heights = Recomputed(files, recomputing)
+    same_words = described.is_made_alike(WORDS)
+    heights = Recomputed(files, recomputing, same_words=same_words)
     check_measurements(files, told.measurements, told.is_gone, told.recordings.drift_flag, heights)
     check_repeats(files, told.measurements, told.is_gone, heights)
     found.heights = recomputing.equal
-    check_out_of_date(
-        files,
-        told.measurements.follows_from,
-        told.survey,
-        told.vehicles,
-        told.recordings.pose_in_force,
-    )
+    for path in (MEASUREMENTS.path, REPEATS.path):
+        if "out_of_date" in told.measurements.headers[path]:
+            check_out_of_date(
+                files,
+                path,
+                told.measurements.follows_from,
+                told.survey,
+                told.vehicles,
+                told.recordings.pose_in_force,
+            )
     check_vehicles(files, told.vehicles, told.is_gone)
     check_recordings(files, told.recordings)
     check_wheel_pairs(files, told.pairs, told.is_gone)
@@ -251,6 +257,8 @@ def _check_rows(
     if recomputing.differing:
         values: dict[str, str | int] = {"count": recomputing.differing, "first": recomputing.first}
         _tell(found, "heights", [say("export-heights-of-another-version", values)])
+    if not same_words and f"reason{CODE}" in described.headers[REVISIONS.path]:
+        _tell(found, "words", [say("export-words-sealed-only", {})])
 
 
 def _same_head(told: ReplayedState, head: str | None) -> list[str]:

@@ -10,6 +10,8 @@ from typing import Any
 import numpy as np
 import rfc8785
 
+from sightline.messages.said import Said
+
 GENESIS = "0" * 64
 #: The largest whole number that every reader of JSON holds exactly (RFC 8785, 3.2.2.3; RFC 7493, 2.2).
 LARGEST_INTEGER = 2**53 - 1
@@ -109,7 +111,8 @@ def plain(value: Any) -> Any:
     """The value as JSON can hold it in any language.
 
     A time is ISO 8601 text in UTC with six decimals; a whole number beyond 2^53 - 1, which many readers would
-    round, is its decimal text; a record is an object, a NumPy number a number, a tuple a list.
+    round, is its decimal text; a record is an object, what is said its code and values, a NumPy number a
+    number, a tuple a list.
     """
     if isinstance(value, str | bool | float | None):
         return value.item() if isinstance(value, np.generic) else value
@@ -123,6 +126,8 @@ def plain(value: Any) -> Any:
         return _utc_text(value)
     if isinstance(value, np.generic):
         return plain(value.item())
+    if isinstance(value, Said):
+        return value.document
     if is_dataclass(value) and not isinstance(value, type):
         return {entry.name: plain(getattr(value, entry.name)) for entry in fields(value)}
     return value

@@ -196,14 +196,6 @@ def in_sight(seen: Collection[int]) -> ColumnElement[bool]:
     return or_(c.survey_id.in_(seen), and_(c.survey_id.is_(None), c.chain == _FOR_EVERYBODY))
 
 
-def for_export(session: Session, survey_id: int | None = None) -> tuple[AuditEvent, ...]:
-    """All events oldest first, of one survey or of all."""
-    query = _events().order_by(audit_events.c.id)
-    if survey_id is not None:
-        query = query.where(audit_events.c.survey_id == survey_id)
-    return tuple(_event(row) for row in session.execute(query))
-
-
 def _events() -> Any:
     return select(audit_events, people.c.name.label("actor_name")).outerjoin(
         people, people.c.id == audit_events.c.actor_id

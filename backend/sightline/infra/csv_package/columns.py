@@ -2,14 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+import json
+from collections.abc import Callable, Iterable, Sequence
 from datetime import datetime
 
 from typing_extensions import TypeVar
 
+from sightline.errors import Damaged
+from sightline.infra.audit.hashing import canonical_json
 from sightline.infra.audit.records import Who
 from sightline.infra.csv_package.schema import Cell, Column, Row, when
+from sightline.messages import SOURCE
+from sightline.messages.said import Said
 
+#: The end of the name of a column with the codes of the words in the column without it.
+CODE = "_code"
 R = TypeVar("R", default=Row)
 Part = TypeVar("Part")
 Getter = Callable[[R], Cell]
@@ -91,9 +98,49 @@ def person(name: str, meaning: str, of: Callable[[R], Who | None]) -> Column[R]:
     return integer(name, meaning, number_of)
 
 
-def joined(words: Sequence[str]) -> str:
+def joined(words: Iterable[str]) -> str:
     """Several sentences in one cell."""
     return "; ".join(words)
+
+
+def said(
+    name: str, meaning: str, of: Callable[[R], Said | Sequence[Said] | None]
+) -> tuple[Column[R], Column[R]]:
+    """What is said in words, and beside it the codes and values that the words are made of."""
+    return (
+        text(name, meaning, lambda record: words_of(of(record))),
+        text(f"{name}{CODE}", f"{name} by code and values (JSON)", lambda record: code_of(of(record))),
+    )
+
+
+def words_of(given: Said | Sequence[Said] | None, language: str = SOURCE) -> str | None:
+    """A reason, or several flags with semicolons between."""
+    each = [given] if isinstance(given, Said) else given or ()
+    return joined(one.sentence(language) for one in each) or None
+
+
+def code_of(given: Said | Sequence[Said] | None) -> str | None:
+    """The same as JSON: an object, or a list of objects."""
+    return canonical_json(given) if given else None
+
+
+def code_in(cell: str) -> Said | None:
+    """The one saying that a cell holds. Raises Damaged."""
+    found = said_in(cell)
+    if isinstance(found, list):
+        raise Damaged("csv-package-no-code", cell=cell)
+    return found
+
+
+def said_in(code: str) -> Said | list[Said] | None:
+    """What a cell of `code_of` holds. Raises Damaged."""
+    if not code:
+        return None
+    try:
+        found = json.loads(code)
+        return [Said.read(one) for one in found] if isinstance(found, list) else Said.read(found)
+    except (ValueError, TypeError, LookupError, AttributeError) as error:
+        raise Damaged("csv-package-no-code", cell=code) from error
 
 
 def of_part(

@@ -10,12 +10,15 @@ from sqlalchemy import (
     Column,
     DateTime,
     Dialect,
+    ForeignKey,
     Integer,
     MetaData,
     Table,
     Text,
     TypeDecorator,
 )
+
+from sightline.messages.said import Said
 
 NAMING = {
     "ix": "ix_%(table_name)s_%(column_0_N_name)s",
@@ -45,7 +48,20 @@ def document_text(value: Any) -> str:
 
     Unlike the canonical text that is hashed, it tells 1.0 from 1 and -0.0 from 0, and holds any integer.
     """
-    return json.dumps(value, sort_keys=True, separators=(",", ":"), ensure_ascii=False, allow_nan=False)
+    return json.dumps(
+        value,
+        sort_keys=True,
+        separators=(",", ":"),
+        ensure_ascii=False,
+        allow_nan=False,
+        default=_document_of,
+    )
+
+
+def _document_of(value: object) -> Any:
+    if isinstance(value, Said):
+        return value.document
+    raise TypeError(f"{value!r} is no JSON value")
 
 
 class UtcDateTime(TypeDecorator[datetime]):
@@ -87,6 +103,22 @@ class CanonicalJson(TypeDecorator[Any]):
 def identity() -> Column[int]:
     """An integer primary key that counts up."""
     return Column("id", Integer, primary_key=True)
+
+
+def made_columns() -> tuple[Column[Any], Column[Any]]:
+    """When a row was made, and by whom: nobody where the program did it."""
+    return Column("created_at", UtcDateTime, nullable=False), Column("created_by", ForeignKey("people.id"))
+
+
+def changed_columns() -> tuple[Column[Any] | CheckConstraint, ...]:
+    """The version of a row that changes, when it was made and last changed, and by whom."""
+    return (
+        Column("version", Integer, nullable=False),
+        *made_columns(),
+        Column("updated_at", UtcDateTime, nullable=False),
+        Column("updated_by", ForeignKey("people.id")),
+        CheckConstraint("version >= 1", name="version_counts"),
+    )
 
 
 def enum_check(column: str, words: Any) -> CheckConstraint:

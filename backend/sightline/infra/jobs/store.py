@@ -166,7 +166,7 @@ def finish_job(session: Session, job: Job, result: Mapping[str, Any]) -> Job:
 
 def fail_job(session: Session, job: Job, error: SightlineError) -> Job:
     """The job cannot be done; `error` says why. Raises JobLost."""
-    said = {"code": error.code, "values": error.values}
+    said = error.said.document
     return _end(session, job, "failed", {"error": error.message, "said": said})
 
 

@@ -15,7 +15,14 @@ from sqlalchemy import (
 )
 
 from sightline.enums import JobState
-from sightline.infra.database.types import CanonicalJson, UtcDateTime, enum_check, identity, metadata
+from sightline.infra.database.types import (
+    CanonicalJson,
+    UtcDateTime,
+    enum_check,
+    identity,
+    made_columns,
+    metadata,
+)
 
 jobs = Table(
     "jobs",
@@ -41,8 +48,7 @@ jobs = Table(
     Column("not_before", UtcDateTime),
     Column("worker", String(200)),
     Column("cancel_requested", Boolean, nullable=False, server_default=false()),
-    Column("created_at", UtcDateTime, nullable=False),
-    Column("created_by", ForeignKey("people.id")),
+    *made_columns(),
     Column("started_at", UtcDateTime),
     Column("finished_at", UtcDateTime),
     enum_check("state", JobState),

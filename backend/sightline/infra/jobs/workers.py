@@ -14,13 +14,15 @@ import subprocess
 import sys
 import threading
 import time
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
 from uuid import uuid4
 
+from sightline.children import child_environment
 from sightline.errors import SightlineError
-from sightline.infra.database.engine import make_engine, migrate, session_factory
+from sightline.infra.database.engine import explained, make_engine, migrate, session_factory
+from sightline.infra.database.pages import require_whole_pages
 from sightline.infra.installation import require_alike, show_settings
 from sightline.infra.jobs.engine import engine_of
 from sightline.infra.jobs.recovery import take_back
@@ -44,6 +46,9 @@ def run_workers(settings: Settings, *, parent: int | None = None, load_handlers:
     with ending_with(parent):
         keep_private(settings)
         engine = make_engine(settings.database_url)
+        if parent is None:  # a server has looked before it starts its own
+            with explained(), engine.connect() as connection:
+                require_whole_pages(connection, quick=True)
         migrate(engine)
         require_alike(engine, settings, app=False)
         engine.dispose()
@@ -282,7 +287,7 @@ class ChildSupervisor:
     """The supervisor that the server starts, restarts when it dies, and takes along when it ends."""
 
     def __init__(self, settings: Settings) -> None:
-        self._environment = {**os.environ, **_environment_of(settings)}
+        self._environment = child_environment(**_environment_of(settings))
         self._stopping = threading.Event()
         self.process = self._start()
         self._guard = threading.Thread(target=self._watch, name="worker-guard", daemon=True)
@@ -326,8 +331,4 @@ def _environment_of(settings: Settings) -> dict[str, str]:
         "HEARTBEAT_LIMIT_S": settings.heartbeat_limit_s,
         "LOG_FORMAT": settings.log_format,
     }
-    package = str(Path(__file__).resolve().parents[3])
-    paths: Iterable[str] = (package, os.environ.get("PYTHONPATH", ""))
-    return {f"SIGHTLINE_{name}": str(value) for name, value in given.items()} | {
-        "PYTHONPATH": os.pathsep.join(path for path in paths if path)
-    }
+    return {f"SIGHTLINE_{name}": str(value) for name, value in given.items()}

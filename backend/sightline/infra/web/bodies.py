@@ -38,8 +38,7 @@ def example(**body: Any) -> ConfigDict:
 class Out(BaseModel):
     """A body that goes out; built straight from the storage room's frozen records."""
 
-    # what has a default goes out all the same, and its description says so
-    model_config = ConfigDict(from_attributes=True, json_schema_serialization_defaults_required=True)
+    model_config = ConfigDict(from_attributes=True)
 
 
 class ErrorDetail(Out):
@@ -52,11 +51,8 @@ class ErrorDetail(Out):
 class ErrorBody(Out):
     """Every error of every route; a conflict may carry what is there now."""
 
-    # `current` is left out where nothing is there, and the description says so
-    model_config = ConfigDict(json_schema_serialization_defaults_required=False)
-
     error: ErrorDetail
-    current: Any | None = None
+    current: Any | None = None  # left out where nothing is there, and the description says so (`openapi`)
 
 
 class SaidBody(Out):

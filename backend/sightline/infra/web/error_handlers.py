@@ -35,7 +35,7 @@ class BadRequest(SightlineError):
 
 def answer(error: SightlineError, headers: dict[str, str] | None = None, **more: Any) -> JSONResponse:
     """The one shape of an error: its kind, its sentence's code and values, and the sentence in English."""
-    body = {"kind": error.kind, "code": error.code, "values": error.values, "message": error.message}
+    body = {"kind": error.kind, **error.said.body}
     return JSONResponse({"error": body, **more}, status_code=error.status, headers=headers)
 
 

@@ -1,10 +1,10 @@
 """Sentences of answers in the language that the request asks for.
 
-The rooms below and what is stored speak English; here, at the edge, fields that hold sentences are said in
-the first language of `Accept-Language` that there is: by key where `said` beside an error names it, else
-found again by their text (`messages.recognised`). Names and notes of people are not looked at (that of an
-inset is the program's until somebody writes another), nor are documents (a pose, a package, a signed page),
-which are the same for everybody. Who asks for no language gets what is stored.
+The rooms below and what is stored say codes or English; here, at the edge, what is read is said in the first
+language of `Accept-Language` that there is: by its code where there is one, beside a `message` or as `said`
+beside an error, else found again by its text (`messages.recognised`). Names and notes of people are not
+looked at (that of an inset is the program's until somebody writes another), nor are documents (a pose, a
+package, a signed page), which are the same for everybody. Who asks for no language gets what is stored.
 """
 
 from __future__ import annotations
@@ -116,12 +116,16 @@ def _walked(value: Any, language: str, sentence: bool = False) -> Any:
 
 def _said(value: dict[str, Any], language: str) -> dict[str, Any]:
     """What an object's other fields tell how to say; a recording failed as its last job did, with its key."""
+    if value.keys() >= {"code", "values", "message"}:
+        return {"message": said_by_key(value, value["message"], language)}
     error, job = value.get("error"), value.get("job")
     of = value if value.get("said") else job if isinstance(job, dict) and job.get("error") == error else {}
     if of.get("said") and isinstance(error, str):
         return {"error": said_by_key(of["said"], error, language)}
     if "inset_m" in value and isinstance(value.get("note"), str):
         return {"note": translated(value["note"], language)}
+    if isinstance(value.get("source"), str) and any(name.startswith("u_") for name in value):
+        return {"source": translated(value["source"], language)}  # a line of an uncertainty budget
     return {}
 
 
@@ -134,5 +138,9 @@ def said_by_key(said: dict[str, Any], english: str, language: str) -> str:
         return english
 
 
-def _value(one: str | float, language: str) -> str | float:
-    return translated(one, language) if isinstance(one, str) else one
+def _value(one: Any, language: str) -> str | float:
+    """A value that is a sentence of the program is said too."""
+    if isinstance(one, dict):
+        return said_by_key(one, str(one.get("message", one["code"])), language)
+    value: str | float = translated(one, language) if isinstance(one, str) else one
+    return value

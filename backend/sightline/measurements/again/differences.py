@@ -1,14 +1,17 @@
-"""What makes a height another one: the facts that it follows from, and its numbers."""
+"""What makes a height another one, of frames or of a line scan: the facts that it follows from, and its
+numbers; and which verdict holds for it then.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, fields
+from typing import Protocol, TypeVar
 
-from sightline.enums import Category, ComputingCause, DriverSide, InsetSource, SideBasis, Target
+from sightline.enums import Category, ComputingCause, DriverSide, InsetSource, SideBasis, Target, Verdict
 from sightline.geometry.sides import FoundSide
 from sightline.measurements.height_of_clicks import filled_in, on_side
-from sightline.measurements.records import Clicks, HeightOfClicks, Measurement, MeasurementValues
+from sightline.measurements.records import Clicks, HeightOfClicks, MeasurementValues
 from sightline.surveys.records import Inset
 
 # Half of the last decimal that the package carries: less than that is the same number.
@@ -16,6 +19,27 @@ _SAME_M = 0.5e-6
 _LENGTHS = tuple(one.name for one in fields(HeightOfClicks) if one.name.endswith("_m"))
 #: Lengths that one frame assumes; several frames solve for the inset, and these say nothing of the height.
 _ASSUMED = ("inset_m", "u_inset_m")
+
+
+_Revision = TypeVar("_Revision")
+
+
+class WithInset(Protocol):
+    """An inset, or what a height was computed with; metres."""
+
+    @property
+    def inset_m(self) -> float | None: ...
+    @property
+    def u_inset_m(self) -> float | None: ...
+
+
+class WithHeight(Protocol):
+    """A height, metres; None where there is none."""
+
+    @property
+    def height_m(self) -> float | None: ...
+    @property
+    def u_height_m(self) -> float | None: ...
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -54,7 +78,7 @@ def causes_of_facts(then: Facts, now: Facts) -> tuple[ComputingCause, ...]:
     by_place = (then.side_from == "place") != (now.side_from == "place")  # which a flag says
     if then.side != now.side or by_place:
         found.append("side")
-    elif not (same_length(then.inset_m, now.inset_m) and same_length(then.u_inset_m, now.u_inset_m)):
+    elif not same_inset(then, now):
         found.append("inset")
     return tuple(found)
 
@@ -92,8 +116,20 @@ def causes_of(then: MeasurementValues, now: MeasurementValues) -> tuple[Computin
         return found
     free = then.more_frames or then.inset_from == "own"
     names = [name for name in _LENGTHS if not (free and name in _ASSUMED)]
-    alike = all(same_length(getattr(then, name), getattr(now, name)) for name in names)
-    return () if alike and (then.status, then.flags) == (now.status, now.flags) else ("program",)
+    return causes_of_numbers(then, now, names, (then.status, then.flags) == (now.status, now.flags))
+
+
+def causes_of_numbers(
+    then: object, now: object, lengths: Iterable[str], same_words: bool
+) -> tuple[ComputingCause, ...]:
+    """The program, where any of the named lengths or what is said of them is another by the same facts."""
+    alike = same_words and all(same_length(getattr(then, name), getattr(now, name)) for name in lengths)
+    return () if alike else ("program",)
+
+
+def same_inset(then: WithInset, now: WithInset) -> bool:
+    """Whether two insets are the same to what the package carries."""
+    return same_length(then.inset_m, now.inset_m) and same_length(then.u_inset_m, now.u_inset_m)
 
 
 def same_height(then: MeasurementValues, now: MeasurementValues) -> bool:
@@ -117,18 +153,23 @@ def moved_beyond_u(then_m: float | None, u_then_m: float | None, now_m: float | 
     return abs(now_m - then_m) > (u_then_m or 0.0)
 
 
-def goes_to_review(then: MeasurementValues, now: MeasurementValues) -> bool:
-    """Whether a content computed again is another height to a reviewer."""
-    return moved_beyond_u(then.height_m, then.u_height_m, now.height_m)
-
-
-def verdict_still_holding(before: Measurement, now: MeasurementValues) -> int | None:
-    """The revision whose verdict holds for the new content too: of what hardly moved, and of a rejection,
-    for the clicks that were rejected are the same.
+def verdict_still_holds(verdict: Verdict, then: WithHeight, now: WithHeight) -> bool:
+    """Whether a verdict holds for a content computed again too: of what hardly moved, and of a rejection, for
+    the clicks that were rejected are the same.
     """
-    if before.review.verdict != "rejected" and goes_to_review(before.values, now):
-        return None
-    return before.judged_revision
+    return verdict == "rejected" or not moved_beyond_u(then.height_m, then.u_height_m, now.height_m)
+
+
+def judged_alike(
+    newest_first: Iterable[_Revision],
+    alike: Callable[[_Revision], bool],
+    judged: Callable[[_Revision], int | None],
+) -> int | None:
+    """The newest of the verdicts on content that is put back: where it was `judged`, by the revisions that
+    are `alike`; None where none of them was.
+    """
+    where = (judged(one) for one in newest_first if alike(one))
+    return next((one for one in where if one is not None), None)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

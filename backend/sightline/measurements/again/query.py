@@ -19,6 +19,7 @@ from sightline.measurements.click_context_query import ClickContext, said_not_vi
 from sightline.measurements.query import fetch_measurements, is_current, measurement_revision_rows
 from sightline.measurements.records import Measurement
 from sightline.measurements.tables import computings, measurement_series, measurements
+from sightline.messages.said import Said
 from sightline.poses.tables import road_poses
 from sightline.recordings.tables import recordings
 from sightline.surveys.records import Inset, Survey
@@ -216,7 +217,7 @@ def _computed(row: Any) -> ComputedHeight:
         U95_height_m=row.U95_height_m,
         x_m=row.x_m,
         y_m=row.y_m,
-        reason=row.reason,
+        reason=None if row.reason is None else Said.read(row.reason),
         **changed_height(row, verdict_goes_over=row.verdict_of_revision is not None),
     )
 

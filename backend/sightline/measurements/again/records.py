@@ -8,6 +8,7 @@ from pydantic import Field
 
 from sightline.enums import ComputingCause, ComputingKind, MeasurementStatus, Target
 from sightline.infra.audit.records import Who
+from sightline.messages.said import Said
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -80,7 +81,7 @@ class ComputedHeight:
     change_m: float | None
     moved_by_u: float | None
     to_review: Annotated[bool, Field(description="Its verdict no longer holds: it moved by more than its u.")]
-    reason: str | None
+    reason: Said | None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -21,7 +21,7 @@ from sightline.infra.version import code_version
 from sightline.measurements.again.differences import (
     causes_now,
     causes_of,
-    verdict_still_holding,
+    verdict_still_holds,
 )
 from sightline.measurements.again.query import (
     Made,
@@ -124,7 +124,8 @@ def measurement_changes_to_come(
         for one, values in zip(some, _computed(session, some, contexts, answers), strict=True):
             causes = causes_of(one.values, values)
             if causes and not (only_waiting and values.height_m is None):
-                judged = verdict_still_holding(one, values)
+                holds = verdict_still_holds(one.review.verdict, one.values, values)
+                judged = one.judged_revision if holds else None
                 found.append(Changed(before=one, values=values, causes=causes, verdict_of_revision=judged))
     return found
 

@@ -60,19 +60,20 @@ def check_computings(
 
 def check_out_of_date(
     files: Files,
+    path: str,
     follows_from: Mapping[int, tuple[Target, Facts]],
     survey: Mapping[str, Any],
     vehicles: Mapping[int, Mapping[str, Any]],
     pose_in_force: Callable[[int], int | None],
 ) -> None:
-    """Each measurement is marked as out of date for what its events say, and no other. All from the audit
-    chain: `follows_from` of each measurement, the survey's traffic and insets, the vehicles by number and the
-    road pose in force of a recording. Raises Damaged.
+    """Each measurement or repeat of a table is marked as out of date for what its events say, and no other.
+    All from the audit chain: `follows_from` of each, the survey's traffic and insets, the vehicles by number
+    and the road pose in force of a recording. Raises Damaged.
     """
     traffic = TrafficFacts(**{one.name: survey.get(one.name) for one in fields(TrafficFacts)})
     insets = insets_of(survey["insets"])
     names = ("id", "vehicle_id", "recording_id", "withdrawn", "out_of_date")
-    for id_, vehicle, recording, withdrawn, said in read_columns(files, "measurements.csv", names):
+    for id_, vehicle, recording, withdrawn, said in read_columns(files, path, names):
         car, pose_id = vehicles.get(int(vehicle), {}), pose_in_force(int(recording))
         target, then = follows_from[int(id_)]
         side = driver_side(car.get("driver_side"), car.get("direction"), traffic)
@@ -84,7 +85,7 @@ def check_out_of_date(
             else ()
         )
         if said != joined(found):
-            raise Damaged("computing-out-of-date-not-so", path="measurements.csv", id=id_)
+            raise Damaged("computing-out-of-date-not-so", path=path, id=id_)
 
 
 def _of_event(event: Mapping[str, Any]) -> dict[str, Any]:

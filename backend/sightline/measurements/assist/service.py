@@ -19,7 +19,7 @@ from sightline.infra.database import Session
 from sightline.infra.services import Services
 from sightline.measurements.click_context_query import click_context
 from sightline.measurements.service import pose_in_force
-from sightline.messages import say
+from sightline.messages.said import Said
 from sightline.recordings.frames.stills import stills_of
 from sightline.vehicles.proposing.records import PointProposal
 from sightline.vehicles.proposing.store import proposals_of_vehicle
@@ -36,8 +36,8 @@ class ContactProposal:
     outline: Annotated[list[Point], Field(description="The wheel's outline, px.")]
     radius_m: float | None
     expected_px: Annotated[float | None, Field(description="How far off the proposal may be.")]
-    words: str
-    reason: str | None
+    words: Said
+    reason: Said | None
 
 
 @dataclass(frozen=True)
@@ -59,9 +59,9 @@ def contact_near(
     with services.reading() as session:
         pose = _pose(session, recording_id)
         if vehicle_id is not None and _is_free(proposals_of_vehicle(session, vehicle_id)):
-            return _none(say("snap-measured-free", {}))
+            return _none(Said("snap-measured-free"))
     found = propose(stills_of(services).gray(recording_id, n), pose, pointer)
-    if isinstance(found, str):
+    if isinstance(found, Said):
         return _none(found)
     return ContactProposal(
         contact=_stored_as(found.contact_px),
@@ -106,14 +106,16 @@ def is_from(services: Services, vehicle_id: int, n: int, click: Point, contact: 
     return contact_near(services, recording_id, n, click, vehicle_id=vehicle_id).contact == contact
 
 
-def words_of(expected_px: float) -> str:
+def words_of(expected_px: float) -> Said:
     """What to expect of it, beside the proposal."""
-    worse = ", less accurate than a careful click" if expected_px > PERSON_PX else ""
-    return f"suggested contact, u = {expected_px:.1f} px{worse}"
+    shown_px = round(expected_px, 1)
+    if expected_px > PERSON_PX:
+        return Said("contact-found-rough", expected_px=shown_px)
+    return Said("contact-found", expected_px=shown_px)
 
 
-def _none(reason: str) -> ContactProposal:
-    words = f"No suggestion: {reason[:1].lower()}{reason[1:]} Click the contact yourself."
+def _none(reason: Said) -> ContactProposal:
+    words = Said("contact-none", reason=reason)
     return ContactProposal(
         contact=None, outline=[], radius_m=None, expected_px=None, words=words, reason=reason
     )

@@ -19,6 +19,7 @@ from sightline.measurements.height_of_clicks import Answer, answer
 from sightline.measurements.records import Clicks
 from sightline.measurements.service import clicks_in_context, pose_in_force
 from sightline.media.video.report import require_clock_of_filming
+from sightline.messages.said import Said
 from sightline.recordings.frames.stills import stills_of
 from sightline.vehicles.proposing.records import PointProposal
 from sightline.vehicles.proposing.store import proposals_of_vehicle
@@ -44,14 +45,14 @@ class NotFollowed:
 
     frame: int
     point: FollowedPoint
-    reason: str
+    reason: Said
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class FollowedAnswer:
     """What was followed and the height of it all, or why nothing can be (then the lists are empty)."""
 
-    reason: str | None
+    reason: Said | None
     points: tuple[PointOnFrame, ...] = ()
     dropped: tuple[NotFollowed, ...] = ()
     height: Answer | None = None
@@ -66,7 +67,7 @@ def follow_vehicle(
     that fails its checksum.
     """
     pose, whole, found = _followed(services, vehicle_id, clicks, second, actor)
-    if isinstance(found, str):
+    if isinstance(found, Said):
         return FollowedAnswer(reason=found)
     height = answer(pose, replace(whole, followed=text_of(found.tracks, found.following)))
     tracks = found.tracks
@@ -87,7 +88,7 @@ def followed_text(
     followed.
     """
     _, _, found = _followed(services, vehicle_id, clicks, second, actor)
-    if isinstance(found, str):
+    if isinstance(found, Said):
         raise BadInput("measurements-not-followed", reason=found)
     return text_of(found.tracks, found.following)
 
@@ -105,7 +106,7 @@ def _other_tyre(some: Sequence[PointProposal], clicks: Clicks) -> Point | None:
 
 def _followed(
     services: Services, vehicle_id: int, clicks: Clicks, second: Point | None, actor: int
-) -> tuple[RoadPose, Clicks, FollowedPass | str]:
+) -> tuple[RoadPose, Clicks, FollowedPass | Said]:
     if clicks.more_frames:
         raise BadInput("measurements-followed-and-clicked")
     with services.reading() as session:

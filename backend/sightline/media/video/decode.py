@@ -25,7 +25,6 @@ DECODER_THREADS = 4
 NO_PTS = -(2**63)
 _READ_FAILURES = 8
 _LOOKED_AT = 1000  # packets of several pictures that are looked at to see which of them move
-_WAY_OUT = "convert it to MP4 with H.264 or choose another file"
 
 
 @dataclass(frozen=True)
@@ -298,23 +297,6 @@ def same_size(frame: av.VideoFrame, layout: Layout) -> bool:
     return frame.width == layout.coded_width_px and frame.height == layout.coded_height_px
 
 
-def probe(path: Path, name: str | None = None) -> VideoFacts:
-    """Open the file, check it, decode its first frame and say what it is.
-
-    Raises BadInput with one sentence that names the file for everything that is not a video: empty,
-    text, sound alone, a still picture or a playlist under a video's name, cut off before its index,
-    absurd dimensions.
-    """
-    name = name or path.name
-    with closing(open_container(path, name)) as container:
-        stream = video_stream(container, name)
-        first = next(decoded(container, stream), None)
-        if first is None:
-            codec = stream.codec_context.name
-            raise BadInput("video-holds-no-picture-decoded-codec-convert", name=name, codec=codec)
-        return facts_of(container, stream, first)
-
-
 def facts_of(container: InputContainer, stream: VideoStream, first: av.VideoFrame) -> VideoFacts:
     """The facts of an open stream and its first decoded frame."""
     layout = layout_of(first, stream.sample_aspect_ratio)
@@ -354,7 +336,9 @@ def frames_of(
     """Frame by frame (n, pts, gray) from the first to the last, upright, of the picture that `video_stream`
     takes; for command-line clips.
 
-    Where the stream holds no time stamps, pts is n. Raises BadInput like `probe`.
+    Where the stream holds no time stamps, pts is n. Raises BadInput with one sentence that names
+    the file for everything that is not a video: empty, text, sound alone, a still picture or a playlist under
+    a video's name, cut off before its index, absurd dimensions.
     """
     name = name or path.name
     with closing(open_container(path, name)) as container:

@@ -10,7 +10,6 @@ from __future__ import annotations
 import hashlib
 import itertools
 import logging
-import os
 import signal
 import socket
 import subprocess
@@ -23,11 +22,11 @@ from concurrent.futures import Future
 from contextlib import suppress
 from dataclasses import dataclass, field
 from multiprocessing.connection import Connection
-from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 
+from sightline.children import child_environment
 from sightline.enums import Display
 from sightline.errors import SightlineError
 from sightline.media.video.decode_child import TOO_MUCH_MEMORY
@@ -44,6 +43,8 @@ MOST_KNOWN = 32
 TRIES = 4
 START_S = 60.0
 _LOOK_S = 0.05
+# decoding has no use for their pools
+_ONE_THREAD = {"OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1"}
 _GIGABYTE = 1024**3
 Reply = tuple[Header, bytes]
 
@@ -98,7 +99,7 @@ class _Child:
                 [sys.executable, "-m", entry, *arguments],
                 pass_fds=[theirs.fileno()],
                 stdin=subprocess.DEVNULL,
-                env=_environment(),
+                env=child_environment(**_ONE_THREAD),
             )
         self._link = Link(Connection(ours.detach()))
         self._limits, self._crashes = limits, blame
@@ -356,10 +357,3 @@ def _why(status: int, limits: Limits) -> str:
     if status == -signal.SIGKILL:
         return "was killed again and again, also alone in a fresh process,"
     return "crashed"
-
-
-def _environment() -> dict[str, str]:
-    """Ours, so that the child finds this very package, without thread pools that decoding has no use for."""
-    package = str(Path(__file__).resolve().parents[3])
-    paths = os.pathsep.join(path for path in (package, os.environ.get("PYTHONPATH", "")) if path)
-    return {**os.environ, "PYTHONPATH": paths, "OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1"}

@@ -85,7 +85,7 @@ def error_header(error: Exception) -> Header:
     """An error as data: one of ours by its name, code and values, any other by what it is."""
     if isinstance(error, SightlineError):
         known = next(kind.__name__ for kind in type(error).__mro__ if kind.__name__ in _ERRORS)
-        return {"error": known, "code": error.code, "values": error.values}
+        return {"error": known, **error.said.document}
     return {"error": "", "code": f"{type(error).__name__}: {error}"}
 
 

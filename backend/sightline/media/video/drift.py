@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from sightline.geometry.arrays import Floats
 from sightline.geometry.drift import Motion, fit_motion
 from sightline.media.video.picture import Gray
+from sightline.messages.said import Said
 
 _CELLS = (12, 9)
 _A_CELL = 4
@@ -54,16 +55,13 @@ def background(picture: NDArray[np.generic]) -> Background:
     return Background(flat, _corners(flat), scale, (width, height))
 
 
-def register(ours: Background, picture: NDArray[np.generic]) -> Motion | str:
+def register(ours: Background, picture: NDArray[np.generic]) -> Motion | Said:
     """How `picture` (h, w) moved against the background, or why it cannot be told."""
     flat = _flattened(picture, ours.scale)
     if flat.shape != ours.picture.shape:
-        return "The frame size differs from that of the camera pose."
+        return Said("drift-other-size")
     if len(ours.corners) == 0:
-        return (
-            "The frame of the camera pose has nothing that can be followed; it is too dark or has too "
-            "little contrast."
-        )
+        return Said("drift-nothing-in-pose-frame")
     before, after = _followed(ours.picture, flat, ours.corners)
     # the centre of the first pixel is (0, 0) at every scale
     return fit_motion(_unscaled(before, ours.scale), _unscaled(after, ours.scale), ours.size_px)

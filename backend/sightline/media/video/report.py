@@ -130,7 +130,7 @@ def times_of_filming(time_s: NDArray[np.float64], filmed_hz: float, name: str = 
 def _filmed_notes(filmed_hz: float, time_s: NDArray[np.float64]) -> list[str]:
     played_hz = _played_hz(time_s) or 0.0
     return [
-        f"Filmed at {filmed_hz:.6g} frames per second, as a person stated; the file plays {played_hz:.4g} "
+        f"Filmed at {filmed_hz:.6g} frames per second, as entered; the file plays {played_hz:.4g} "
         "per second. Times are those of filming."
     ]
 
@@ -149,22 +149,22 @@ def _clock_notes(doubt: ClockDoubt | None, time_s: NDArray[np.float64], stated: 
         return []
     if doubt == "no_rate":
         return [
-            f"The file states no frame rate: {played_hz:.4g} frames per second are assumed, so do not trust "
-            "its times; no motion is measured from them."
+            f"The file states no frame rate: {played_hz:.4g} frames per second are assumed. Its times are "
+            "unreliable, so no motion is measured from them."
         ]
     if doubt == "impossible_rate":
-        rate = "an endless number of" if played_hz == float("inf") else f"{played_hz:.6g}"
+        rate = "infinitely many" if played_hz == float("inf") else f"{played_hz:.6g}"
         return [
-            f"The time stamps give {rate} frames per second, which no camera films; its times are "
-            "not to be trusted, and no motion is measured from them."
+            f"The time stamps give {rate} frames per second, which no camera films. Its times are "
+            "unreliable, so no motion is measured from them."
         ]
     if stated.filmed_hz is None:
-        how = "The file states that it is to be shown in slow motion"
+        how = "The file is marked as slow motion"
     else:
         how = f"The file states that it was filmed at {stated.filmed_hz:.4g} frames per second"
     return [
-        f"{how}; its times play {played_hz:.4g} per second. Heights of single frames hold, but no speed or "
-        "motion is measured: say at what rate it was filmed."
+        f"{how}; it plays {played_hz:.4g} frames per second. Heights from single frames are valid, but no "
+        "motion is measured until you enter the filming rate."
     ]
 
 
@@ -177,23 +177,21 @@ def _gap_notes(time_s: NDArray[np.float64]) -> list[str]:
     if len(gaps) == 0:
         return []
     longest = int(gaps[np.argmax(steps[gaps])])
-    count = "once" if len(gaps) == 1 else f"{len(gaps)} times"
-    return [
-        f"No pictures for a while, {count}; the longest time is {steps[longest]:.2f} s after frame {longest}."
-    ]
+    count = "one gap" if len(gaps) == 1 else f"{len(gaps)} gaps"
+    return [f"Frames are missing: {count}, the longest {steps[longest]:.2f} s after frame {longest}."]
 
 
 def _extent_notes(extent: Extent, time_s: NDArray[np.float64]) -> list[str]:
     notes = []
     if extent.missing:
         notes.append(
-            f"The file was cut short: {extent.missing} bytes are missing at its end. {len(time_s)} frames, "
-            f"{float(time_s.max()):.2f} s, are there; copy it again for the rest."
+            f"The file is truncated: {extent.missing} bytes are missing at its end. {len(time_s)} frames "
+            f"({float(time_s.max()):.2f} s) were imported; copy it again for the rest."
         )
     if extent.another:
         notes.append(
-            "The file holds another recording behind this one, which is not read; split it, and give each "
-            "as a file of its own."
+            "The file contains another recording after this one, which is not imported. Split the file and "
+            "add each part."
         )
     return notes
 
@@ -221,17 +219,17 @@ def _shape_notes(facts: VideoFacts) -> list[str]:
     if facts.pictures:
         numbered = list(enumerate(facts.pictures, start=1))
         others = [f"{number} ({one.words})" for number, one in numbered if number != facts.stream]
-        count = "another picture" if len(others) == 1 else f"{len(others)} other pictures"
+        count = "another video track" if len(others) == 1 else f"{len(others)} other video tracks"
         notes.append(
-            f"The file holds {count}: {', '.join(others)}; {facts.stream} ({facts.codec}, "
-            f"{facts.width_px}x{facts.height_px}) was read."
+            f"The file contains {count}: {', '.join(others)}; track {facts.stream} ({facts.codec}, "
+            f"{facts.width_px}x{facts.height_px}) was imported."
         )
     if facts.layout_note:
         notes.append(f"The frames were {facts.layout_note}, as their header states.")
     if facts.left_turned_deg > LEAST_TURN_DEG:
         notes.append(
-            f"The header turns the picture by {facts.left_turned_deg:.0f} degrees more, which is not done: "
-            "only quarter turns are, so that pixels stay as they were filmed."
+            f"The header asks for a further rotation by {facts.left_turned_deg:.0f} degrees, which is not "
+            "applied: only quarter turns keep the pixels as filmed."
         )
     if facts.interlaced:
         notes.append("The recording is interlaced: moving edges are combed, prefer a progressive recording.")
@@ -272,7 +270,7 @@ def _time_notes(
 def _order_notes(duplicates: int, unordered: int) -> list[str]:
     notes = []
     if duplicates:
-        notes.append(f"{duplicates} {_frames(duplicates)} the same picture as the one before.")
+        notes.append(f"{duplicates} {_frames(duplicates)} the same image as the one before.")
     if unordered:
         notes.append(
             f"{unordered} {_frames(unordered)} a time stamp not later than the one before; "
@@ -294,9 +292,9 @@ def _damage_notes(facts: VideoFacts, count: int, damage: Damage) -> list[str]:
         packets = "damaged packet was" if damage.packets == 1 else "damaged packets were"
         notes.append(f"{damage.packets} {packets} skipped; frames are missing there.")
     if damage.patched:
-        pictures = "picture is" if len(damage.patched) == 1 else "pictures are"
+        frames = "frame is" if len(damage.patched) == 1 else "frames are"
         notes.append(
-            f"{len(damage.patched)} {pictures} damaged and filled up by the decoder, the first at frame "
+            f"{len(damage.patched)} {frames} damaged and completed by the decoder, the first one at "
             f"{damage.patched[0]}; do not measure there."
         )
     if damage.other_size:

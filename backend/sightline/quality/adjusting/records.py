@@ -8,8 +8,6 @@ from pydantic import Field
 from sightline.adjustment.adjust import Moved
 from sightline.enums import Target
 
-Vehicle = Annotated[int | None, Field(description="Its number in the survey.")]
-
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class KnownUncertainties:

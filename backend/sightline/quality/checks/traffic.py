@@ -25,6 +25,7 @@ from sightline.measurements.records import Measurement, VehicleSheet
 from sightline.measurements.service import pose_in_force, road_pose
 from sightline.measurements.sheets.query import list_sheets
 from sightline.measurements.store import list_measurements
+from sightline.messages.said import Said
 from sightline.poses.store import get_pose
 from sightline.quality.checks.records import WheelPair
 from sightline.quality.checks.store import add_wheel_pair, list_wheel_pairs
@@ -50,7 +51,7 @@ class VehicleHeading:
     heading_rad: float | None = None
     u_heading_rad: float | None = None
     base_m: float | None = None
-    reason: str | None = None
+    reason: Said | None = None
 
 
 @dataclass(frozen=True)
@@ -81,7 +82,7 @@ class _Told:
     recording_id: int
     frame: int
     source: DirectionSource
-    found: Heading | str
+    found: Heading | Said
 
 
 def check_traffic(session: Session, survey_id: int) -> tuple[PoseCheck, ...]:
@@ -223,14 +224,14 @@ def _shown(one: _Told, used: bool) -> VehicleHeading:
         source=one.source,
         used=used,
     )
-    if isinstance(one.found, str):
+    if isinstance(one.found, Said):
         return replace(heading, used=False, reason=one.found)
     return replace(
         heading,
         heading_rad=one.found.heading_rad,
         u_heading_rad=one.found.u_heading_rad,
         base_m=one.found.base_m,
-        reason=None if used else "Excluded as an outlier; check its clicks.",
+        reason=None if used else Said("heading-outlier"),
     )
 
 
@@ -269,8 +270,8 @@ def store_pair(
     vehicle = get_vehicle(session, vehicle_id)
     pose, _, _ = pose_in_force(session, click_context(session, vehicle.recording_id, actor))
     found = heading_of_pair(pose, first, second)
-    if isinstance(found, str):
-        raise BadInput("said", sentence=found)
+    if isinstance(found, Said):
+        raise BadInput(found.code, **found.values)
     if not vehicle.first_frame <= frame <= vehicle.last_frame:
         raise BadInput(
             "quality-frame-not-vehicle-which-passes-frames",

@@ -19,6 +19,7 @@ from sightline.infra.services import Services
 from sightline.infra.version import code_version
 from sightline.measurements.service import road_pose
 from sightline.media.video.drift import Background, background, mean_of, register
+from sightline.messages.said import Said
 from sightline.poses.records import Pose
 from sightline.poses.store import get_pose
 from sightline.recordings.drift import DriftCheck, DriftLook, DriftMotion, DriftSpan, DriftStep
@@ -30,6 +31,7 @@ from sightline.recordings.store import get_recording, store_drift
 _OF_POSE = 8  # frames of the pose's span whose mean is looked for
 _EVERY_S = 1.0
 _FEWEST, _MOST = 24, 120
+_MOST_SAID = 3
 
 
 @dataclass(frozen=True, eq=False)
@@ -61,10 +63,10 @@ def look_for_drift(context: registry.JobContext) -> registry.Outcome:
         looks.append(Look(n, register(ours, stills_of(services).gray(recording_id, n))))
     context.progress(0.92, "Searching for camera movement.")
 
-    def look_at(n: int) -> Motion | str:
+    def look_at(n: int) -> Motion | Said:
         context.progress(0.95, f"Searching for the background in frame {n}.")
         if not 0 <= n < (recording.frame_count or 0):
-            return "The recording has no such frame."
+            return Said("drift-no-such-frame")
         return register(ours, stills_of(services).gray(recording_id, n))
 
     size = (road.camera.width_px, road.camera.height_px)
@@ -83,7 +85,7 @@ def look_for_drift(context: registry.JobContext) -> registry.Outcome:
 
     def store(session: Session) -> Mapping[str, Any]:
         store_drift(session, recording_id, pose_id, document, actor=context.actor)
-        return {"state": document["state"], "words": document["words"]}
+        return {"state": document["state"], "words": [one.document for one in document["words"]]}
 
     return store
 
@@ -126,7 +128,7 @@ def document_of(check: _Check) -> DriftCheck:
         "pose_id": check.pose.id,
         "pose_recording_id": check.pose.recording_id,
         "state": state,
-        "words": "",
+        "words": [],
         "reason": found.reason,
         "floor_px": found.floor_px,
         "floor_m": floor,
@@ -153,14 +155,15 @@ def _motion(motion: Motion) -> DriftMotion:
     }
 
 
-def _change(road: RoadPose, motion: Motion | str) -> HeightChange | None:
+def _change(road: RoadPose, motion: Motion | Said) -> HeightChange | None:
     return height_change(road, motion) if isinstance(motion, Motion) else None
 
 
 def _look_row(check: _Check, look: Look, change: HeightChange | None) -> DriftLook:
     at: DriftLook = {"frame": look.frame, "time_s": check.time_s(look.frame)}
-    if isinstance(look.motion, str) or change is None:
-        return {**at, "reason": str(look.motion)}
+    if isinstance(look.motion, Said) or change is None:
+        assert isinstance(look.motion, Said)
+        return {**at, "reason": look.motion}
     return {**at, **_motion(look.motion), "change_m": change.change_m}
 
 
@@ -181,32 +184,38 @@ def _floor(check: _Check) -> float | None:
     return None if change is None else abs(change)
 
 
-def words_of(document: DriftCheck, time_s: Callable[[int], float]) -> str:
-    """The verdict in one or two sentences."""
+def words_of(document: DriftCheck, time_s: Callable[[int], float]) -> list[Said]:
+    """The verdict: what was found, or each of the first movements."""
     if document["state"] == "unknown":
-        return f"Camera movement cannot be determined: {document['reason']}"
+        return [Said("drift-unknown", reason=document["reason"])]
     if document["state"] == "still":
-        worth = "" if document["floor_m"] is None else f" ({document['floor_m'] * 1000:.1f} mm of height)"
-        return f"No camera movement detected, within {document['floor_px']:.2f} px{worth}."
+        floor_px, floor_m = round(document["floor_px"] or 0.0, 2), document["floor_m"]
+        if floor_m is None:
+            return [Said("drift-still", floor_px=floor_px)]
+        return [Said("drift-still-of-height", floor_px=floor_px, floor_m=round(floor_m, 4))]
     moved = [one for one in document["spans"] if one["moved"]]
-    return " ".join(_told(one, document["bumps"], time_s) for one in moved[:3]) + (
-        f" {len(moved) - 3} more movements." if len(moved) > 3 else ""
-    )
+    said = [_said(one, document["bumps"], time_s) for one in moved[:_MOST_SAID]]
+    more = len(moved) - _MOST_SAID
+    return [*said, Said("drift-more", count=more)] if more > 0 else said
 
 
-def _told(span: DriftSpan, bumps: list[DriftStep], time_s: Callable[[int], float]) -> str:
+def _said(span: DriftSpan, bumps: list[DriftStep], time_s: Callable[[int], float]) -> Said:
     first, last = span["first_frame"], span["last_frame"]
     bumped = any(bump["after"] < first <= bump["frame"] for bump in bumps)
-    how = (
-        "The camera moved"
-        if bumped
-        else "The camera had already moved"
-        if first == 0
-        else "The camera drifted"
+    how = "bumped" if bumped else "before" if first == 0 else "drifted"
+    at, moved_px = clock(time_s(first)), round(span["moved_px"], 1)
+    if span["change_m"] is None:
+        return Said("drift-moved", how=how, clock=at, frame=first, moved_px=moved_px, first=first, last=last)
+    return Said(
+        "drift-moved-height",
+        how=how,
+        clock=at,
+        frame=first,
+        moved_px=moved_px,
+        error_m=round(abs(span["change_m"]), 3),
+        first=first,
+        last=last,
     )
-    off = "" if span["change_m"] is None else f" (height error up to {abs(span['change_m']) * 1000:.0f} mm)"
-    by = f"by {span['moved_px']:.1f} px{off}, frames {first} to {last}."
-    return f"{how} at {clock(time_s(first))} (frame {first}) {by}"
 
 
 def clock(seconds: float) -> str:

@@ -6,6 +6,7 @@ from pydantic import Field
 from sightline.enums import DriftState
 from sightline.infra.web.bodies import In, JobBody, Out, Text
 from sightline.infra.web.deps import Operator, PathId, Reading, Viewer, Writing
+from sightline.messages.said import Said
 from sightline.recordings.drift import DriftStep, MovedSpan, drift_check_of, open_spans
 from sightline.recordings.drift_request import request_drift, under_way
 from sightline.recordings.records import Recording
@@ -27,7 +28,7 @@ class DriftSample(Out):
     u_px: float | None = None
     points: int | None = None
     change_m: float | None = None
-    reason: str | None = None
+    reason: Said | None = None
 
 
 class SpanBody(Out):
@@ -51,8 +52,8 @@ class CheckBody(Out):
     pose_id: int
     pose_recording_id: int
     state: DriftState
-    words: str
-    reason: str | None
+    words: list[Said]
+    reason: Said | None
     floor_px: float | None
     floor_m: float | None
     target_m: float

@@ -12,7 +12,8 @@ from sightline.infra.csv_package.columns import (
     text,
 )
 from sightline.infra.csv_package.schema import Table
-from sightline.measurements.csv import FRAME, PASS, POINTS, POSE
+from sightline.measurements.again.csv import out_of_date
+from sightline.measurements.csv import FRAME, PASS, POINTS, POSE, REASON
 from sightline.measurements.records import Measurement
 
 REPEATS: Table[Measurement] = Table(
@@ -41,10 +42,11 @@ REPEATS: Table[Measurement] = Table(
         ),
         metres("u_height_m", "standard uncertainty of height_m (k = 1)", lambda m: m.values.u_height_m),
         text("status", "whether there is a height", lambda m: m.values.status, required=True),
-        text("reason", "why there is no height", lambda m: m.values.reason),
+        *REASON,
         person("created_by_id", "who clicked the points", lambda m: m.created_by),
         moment("created_at", "when it was stored", lambda m: m.created_at),
         flag("withdrawn", "true if the repeat was withdrawn", lambda m: m.withdrawn, required=True),
+        out_of_date("recording's road pose", lambda m: m.out_of_date),
     ),
     primary=("id",),
     foreign=(

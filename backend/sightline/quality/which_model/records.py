@@ -6,6 +6,7 @@ from typing import Annotated
 from pydantic import Field
 
 from sightline.enums import ModelSize
+from sightline.messages.said import Said
 from sightline.vehicles.catalogue.records import CatalogueEntry
 
 
@@ -16,7 +17,7 @@ class MeasuredSize:
     size: ModelSize
     value_m: float | None = None
     u_m: float | None = None
-    reason: str | None = None
+    reason: Said | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

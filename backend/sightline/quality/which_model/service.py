@@ -13,6 +13,7 @@ from sightline.measurements.height_of_clicks import DEFAULT_SIGMA_PX
 from sightline.measurements.records import VehicleSheet
 from sightline.measurements.service import road_pose
 from sightline.measurements.sheets.query import get_sheet
+from sightline.messages.said import Said
 from sightline.quality.checks.store import of_vehicle
 from sightline.quality.which_model.records import FittingModel, MeasuredSize, SizeDifference, WhichModel
 from sightline.statistics.agreement import U_MANUFACTURER_M
@@ -82,9 +83,9 @@ def _height(sheet: VehicleSheet, size: ModelSize) -> MeasuredSize:
     target = TARGET_OF[size]
     made = next((one for one in sheet.measurements if one.values.target == target), None)
     if made is None:
-        return MeasuredSize(size=size, reason="It is not measured.")
+        return MeasuredSize(size=size, reason=Said("size-not-measured"))
     if made.review.verdict == "rejected":
-        return MeasuredSize(size=size, reason="Its measurement was rejected.")
+        return MeasuredSize(size=size, reason=Said("size-rejected"))
     if made.values.height_m is None:
         return MeasuredSize(size=size, reason=made.values.reason)
     return MeasuredSize(size=size, value_m=made.values.height_m, u_m=made.values.u_height_m)
@@ -94,10 +95,12 @@ def _wheelbase(session: Session, vehicle_id: int) -> MeasuredSize:
     """The distance of both tyre contacts (Checks, Road direction)."""
     pair = of_vehicle(session, vehicle_id)
     if pair is None or pair.pose_id is None:
-        return MeasuredSize(size="wheelbase", reason="No frame has both tyres clicked.")
+        return MeasuredSize(size="wheelbase", reason=Said("size-no-tyres"))
     found = heading_of_pair(road_pose(session, pair.pose_id), pair.first, pair.second, DEFAULT_SIGMA_PX)
-    if isinstance(found, str) or found.u_base_m is None:
-        return MeasuredSize(size="wheelbase", reason=str(found))
+    if isinstance(found, Said):
+        return MeasuredSize(size="wheelbase", reason=found)
+    if found.u_base_m is None:
+        return MeasuredSize(size="wheelbase", reason=Said("size-no-tyres"))
     u_m = float(np.hypot(found.u_base_m, SCALE_U * found.base_m))
     return MeasuredSize(size="wheelbase", value_m=found.base_m, u_m=u_m)
 

@@ -23,7 +23,7 @@ from sightline.cameras.store import get_camera, list_calibration_images
 from sightline.errors import BadInput
 from sightline.geometry.board import Board, require_board
 from sightline.geometry.calibration_checks import calibrate_and_check
-from sightline.geometry.corners import detect
+from sightline.geometry.corners import find_board
 from sightline.infra.database import Session
 from sightline.infra.jobs import registry
 from sightline.infra.jobs.records import Job
@@ -123,7 +123,7 @@ def _seen_image(services: Services, image: CalibrationImage, board: Board) -> De
     if image.found and made_for(image, board):
         corners = stored_corners(image, board)
     else:
-        corners = detect(calibration_images.gray_of(services, image), board)
+        corners = find_board(calibration_images.gray_of(services, image), board)
     return DetectedView(image.name, corners, (image.width_px, image.height_px), image_id=image.id)
 
 
@@ -137,6 +137,6 @@ def _from_recording(context: JobContext, services: Services, wish: CalibrationRe
         gray = stills_of(services).gray(wish.recording_id, n)
         size = (int(gray.shape[1]), int(gray.shape[0]))
         seen.append(
-            DetectedView(f"{opened.recording.name} frame {n}", detect(gray, wish.board), size, frame=n)
+            DetectedView(f"{opened.recording.name} frame {n}", find_board(gray, wish.board), size, frame=n)
         )
     return seen

@@ -10,7 +10,7 @@ from sqlalchemy import (
 )
 
 from sightline.enums import UploadPurpose
-from sightline.infra.database.types import UtcDateTime, enum_check, identity, metadata
+from sightline.infra.database.types import UtcDateTime, enum_check, identity, made_columns, metadata
 
 uploads = Table(
     "uploads",
@@ -21,8 +21,7 @@ uploads = Table(
     Column("size_bytes", BigInteger, nullable=False),
     Column("media_key", String(400), nullable=False),
     Column("recording_id", ForeignKey("recordings.id")),
-    Column("created_at", UtcDateTime, nullable=False),
-    Column("created_by", ForeignKey("people.id")),
+    *made_columns(),
     Column("finished_at", UtcDateTime),
     # a video becomes a recording; a strip waits, with its content's hash, for the scan that it belongs to
     Column("purpose", String(20), nullable=False, server_default="video"),

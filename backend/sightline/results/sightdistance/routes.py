@@ -6,20 +6,16 @@ from fastapi import APIRouter, Query
 
 from sightline.enums import (
     Category,
-    ClassSet,
     EyeRule,
     LengthUnit,
-    Lighting,
     SightKind,
-    StatisticsState,
     StatisticsTarget,
 )
 from sightline.errors import BadInput
-from sightline.infra.web.deps import Reading, SurveysSeen, Viewer
-from sightline.infra.web.named import SurveyId
+from sightline.infra.web.deps import Reading, Viewer
+from sightline.results.bodies import HeightsAsked
 from sightline.results.sightdistance.records import SightDistances, SightQuestion
 from sightline.results.sightdistance.service import sight_distances
-from sightline.results.survey_statistics import Filter
 
 router = APIRouter()
 
@@ -31,12 +27,7 @@ Percent = Annotated[float, Query(gt=0, lt=100, allow_inf_nan=False)]
 def sight_distances_of_measurements(
     who: Viewer,
     session: Reading,
-    seen: SurveysSeen,
-    survey: Annotated[list[SurveyId], Query(max_length=200)] = [],  # noqa: B006 (FastAPI copies it)
-    lighting: Lighting | None = None,
-    category: Annotated[list[Category], Query(max_length=len(get_args(Category)))] = [],  # noqa: B006
-    class_set: Annotated[list[ClassSet], Query(max_length=len(get_args(ClassSet)))] = [],  # noqa: B006
-    state: StatisticsState = "accepted",
+    heights: HeightsAsked,
     eye_m: Annotated[Number, Query(description="The standard's eye.")] = 1.08,
     object_m: Annotated[Number, Query(description="The standard's object.")] = 0.60,
     eye_what: Annotated[
@@ -60,14 +51,7 @@ def sight_distances_of_measurements(
 ) -> SightDistances:
     """Crests by the standard's heights, by the survey's and by another fleet's, with sag and curve."""
     question = SightQuestion(
-        chosen=Filter(
-            survey_ids=tuple(sorted(set(survey))),
-            lighting=lighting,
-            categories=tuple(one for one in get_args(Category) if one in category),
-            class_sets=tuple(one for one in get_args(ClassSet) if one in class_set),
-            state=state,
-            seen=seen,
-        ),
+        chosen=heights,
         eye_m=eye_m,
         object_m=object_m,
         eye_percent=eye_percent,

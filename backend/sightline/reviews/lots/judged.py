@@ -15,7 +15,7 @@ from sightline.reviews.lots.records import LotItem
 
 
 @dataclass(frozen=True, slots=True)
-class Said:
+class Judgement:
     """A verdict since the draw: on which revision, and for which it holds."""
 
     revision: int
@@ -35,7 +35,7 @@ class ItemNow:
     place: int
     newest: int
     gone: LotLeaving | None = None
-    said: Sequence[Said] = ()
+    said: Sequence[Judgement] = ()
     heights: Mapping[int, tuple[float | None, float | None]] = field(default_factory=dict)
 
 

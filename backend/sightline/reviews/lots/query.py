@@ -23,7 +23,7 @@ from sightline.measurements.tables import (
     reviews,
 )
 from sightline.recordings.tables import recordings
-from sightline.reviews.lots.judged import ItemNow, Said
+from sightline.reviews.lots.judged import ItemNow, Judgement
 from sightline.reviews.lots.records import Common, Decision, Lot
 from sightline.statistics.acceptance import RiskPoints
 from sightline.vehicles.tables import vehicles
@@ -169,7 +169,7 @@ def _gone(deleted: bool, withdrawn: bool) -> LotLeaving | None:
     return "withdrawn" if withdrawn else None
 
 
-def _said(session: Session, wanted: ColumnElement[bool]) -> dict[tuple[int, int], list[Said]]:
+def _said(session: Session, wanted: ColumnElement[bool]) -> dict[tuple[int, int], list[Judgement]]:
     r = reviews.c
     query = (
         select(_item.lot_id, r.series_id, r.revision, r.result_revision, r.verdict)
@@ -179,9 +179,9 @@ def _said(session: Session, wanted: ColumnElement[bool]) -> dict[tuple[int, int]
         .where(wanted, r.lot_id.is_(None), r.created_at >= lots.c.created_at)
         .order_by(r.id)
     )
-    found: dict[tuple[int, int], list[Said]] = defaultdict(list)
+    found: dict[tuple[int, int], list[Judgement]] = defaultdict(list)
     for row in session.execute(query):
-        found[row.lot_id, row.series_id].append(Said(row.revision, row.result_revision, row.verdict))
+        found[row.lot_id, row.series_id].append(Judgement(row.revision, row.result_revision, row.verdict))
     return found
 
 

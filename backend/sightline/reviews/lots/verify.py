@@ -15,7 +15,7 @@ from sightline.infra.csv_package.files import number as figure_of
 from sightline.measurements.verify import cells_of
 from sightline.reviews.lots.csv import LOT_ITEMS, LOTS, ItemOfLot
 from sightline.reviews.lots.draw import drawn_order, seed_of
-from sightline.reviews.lots.judged import ItemNow, Said, items_of
+from sightline.reviews.lots.judged import ItemNow, Judgement, items_of
 from sightline.reviews.lots.query import decision_of, lot_of
 from sightline.reviews.lots.records import Lot, LotItem
 from sightline.reviews.lots.service import decided_items
@@ -174,7 +174,9 @@ def _conforming(
     """What the verdicts may say of an item: None where nobody judged it; both where a fix moved it by just
     about its U95, or where its heights are not in the package any more (its vehicle was deleted).
     """
-    verdicts = [Said(int(each["revision"]), int(each["result_revision"]), each["verdict"]) for each in said]
+    verdicts = [
+        Judgement(int(each["revision"]), int(each["result_revision"]), each["verdict"]) for each in said
+    ]
     found: set[bool | None] = set()
     for hair in (-_LENGTH_M, _LENGTH_M) if heights is not None else (-1e9, 1e9):
         known = heights if heights is not None else {each: (0.0, 0.0) for each in _revisions(one, verdicts)}
@@ -191,7 +193,7 @@ def _conforming(
     return None if None in found else {bool(each) for each in found}
 
 
-def _revisions(one: LotItem, verdicts: Sequence[Said]) -> set[int]:
+def _revisions(one: LotItem, verdicts: Sequence[Judgement]) -> set[int]:
     return {one.revision, *(each.result_revision for each in verdicts)}
 
 

@@ -9,7 +9,12 @@ from sightline.enums import Category, ComputingCause
 from sightline.infra.database import Session
 from sightline.linescan.line_height import LineHeight
 from sightline.linescan.line_pose import LinePose
-from sightline.measurements.again.differences import HeightChange, moved_beyond_u, same_length
+from sightline.measurements.again.differences import (
+    HeightChange,
+    causes_of_numbers,
+    same_inset,
+    verdict_still_holds,
+)
 from sightline.measurements.again.service import Tell, untold
 from sightline.scans.again.query import current_line_poses_of_survey
 from sightline.scans.heights.poses import pose_of
@@ -80,7 +85,8 @@ def line_changes_to_come(
             tell(at / len(standing))
         causes = causes_of_line_height(one.values, values)
         if causes:
-            judged = _verdict_still_holding(one, values)
+            holds = verdict_still_holds(one.review.verdict, one.values, values)
+            judged = one.judged_id if holds else None
             found.append(LineChanged(before=one, values=values, causes=causes, verdict_of_id=judged))
     return found
 
@@ -114,20 +120,11 @@ def causes_of_line_height(then: LineHeightValues, now: LineHeightValues) -> tupl
     found: list[ComputingCause] = []
     if then.pose_id != now.pose_id:
         found.append("pose")
-    if not (same_length(then.inset_m, now.inset_m) and same_length(then.u_inset_m, now.u_inset_m)):
+    if not same_inset(then, now):
         found.append("inset")
     if found:
         return tuple(found)
-    alike = all(same_length(getattr(then, name), getattr(now, name)) for name in _LENGTHS)
-    return () if alike and (then.status, then.warnings) == (now.status, now.warnings) else ("program",)
-
-
-def _verdict_still_holding(before: StoredLineHeight, now: LineHeightValues) -> int | None:
-    """The revision whose verdict holds for the new content too: of what hardly moved, and of a rejection."""
-    then = before.values
-    if before.review.verdict != "rejected" and moved_beyond_u(then.height_m, then.u_height_m, now.height_m):
-        return None
-    return before.judged_id
+    return causes_of_numbers(then, now, _LENGTHS, (then.status, then.warnings) == (now.status, now.warnings))
 
 
 def line_changes_back(session: Session, computing_id: int) -> tuple[list[LineChanged], int]:

@@ -13,6 +13,7 @@ from sightline.enums import Category, DriverSide, InsetSource, Target
 from sightline.measurements.again.query import changed_height
 from sightline.measurements.again.records import ComputedHeight
 from sightline.measurements.tables import computings
+from sightline.messages.said import Said
 from sightline.scans.heights.pose_store import current_line_poses
 from sightline.scans.heights.records import StoredLinePose
 from sightline.scans.heights.store import stands
@@ -94,7 +95,7 @@ def computed_line_heights(session: Session, computing_id: int) -> tuple[Computed
             U95_before_m=expanded(row.u_before_m),
             U95_height_m=expanded(row.u_height_m),
             distance_m=row.distance_m,
-            reason=row.reason,
+            reason=None if row.reason is None else Said.read(row.reason),
             **changed_height(row, verdict_goes_over=row.verdict_of_id is not None),
         )
         for row in session.execute(query)

@@ -19,6 +19,7 @@ from sightline.infra.web.named import ScanVehicleId
 from sightline.infra.web.quantities import BudgetEntryBody, InsetM, SigmaPx, UInsetM
 from sightline.measurements.records import ReviewState
 from sightline.scans.bodies import DistanceM, Line
+from sightline.scans.heights.poses import Mark
 
 Row = Annotated[Finite, Field(ge=-1, le=1e6, description="Row of strip 1, fractional, from the top.")]
 SeenRevision = Annotated[int, Field(ge=0, le=2**31 - 1, description="The revision that you saw; 0: none.")]
@@ -62,19 +63,12 @@ class SolvedRodBody(Out):
     warnings: list[str]
 
 
-class RodMarkBody(Out):
-    distance_m: float
-    height_m: float
-    row_px: float
-    line: float
-
-
 class LinePoseBody(Out):
     """One calibration of camera 1 with its marks."""
 
     id: int
     revision: int
-    marks: list[RodMarkBody]
+    marks: list[Mark]
     sigma_px: float | None
     u_distance_m: float
     u_lean_rad: float

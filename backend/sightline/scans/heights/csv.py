@@ -33,6 +33,7 @@ from sightline.infra.csv_package.files import Staging
 from sightline.infra.csv_package.schema import Column, Table
 from sightline.infra.database import Session
 from sightline.measurements.again.csv import out_of_date
+from sightline.measurements.records import ReviewState
 from sightline.scans.heights.pose_store import line_pose_history
 from sightline.scans.heights.poses import line_pose_result
 from sightline.scans.heights.records import (
@@ -239,6 +240,24 @@ def _values(listed: ListedHeight) -> LineHeightValues:
     return listed.height.values
 
 
+def _review(listed: ListedHeight) -> ReviewState:
+    return listed.height.review
+
+
+#: Of the revision of a motion or height: what stands of its reviews.
+VERDICT: tuple[Column[ReviewState], ...] = (
+    text(
+        "verdict",
+        "state of the review of this revision",
+        lambda r: r.verdict,
+        required=True,
+        enum=("to_review", *get_args(ScanVerdict)),
+    ),
+    text("review_reason", _WHY, lambda r: r.reason),
+    person("reviewer_id", _REVIEWER, lambda r: r.reviewer),
+    moment("reviewed_at", "when it was reviewed", lambda r: r.at),
+)
+
 LINE_HEIGHTS: Table[ListedHeight] = Table(
     "line_heights",
     "Every revision of every height measured in a line scan, by two clicks in strip 1. A vehicle's height of "
@@ -267,16 +286,7 @@ LINE_HEIGHTS: Table[ListedHeight] = Table(
         ),
         person("created_by_id", "who clicked; empty for the program itself", lambda h: h.height.created_by),
         moment("created_at", _MADE_AT, lambda h: h.height.created_at),
-        text(
-            "verdict",
-            "state of the review of this revision",
-            lambda h: h.height.review.verdict,
-            required=True,
-            enum=("to_review", *get_args(ScanVerdict)),
-        ),
-        text("review_reason", _WHY, lambda h: h.height.review.reason),
-        person("reviewer_id", _REVIEWER, lambda h: h.height.review.reviewer),
-        moment("reviewed_at", "when it was reviewed", lambda h: h.height.review.at),
+        *of_part(VERDICT, _review),
         out_of_date("line camera's calibration", lambda h: h.out_of_date),
     ),
     primary=("id",),

@@ -4,7 +4,7 @@ from sqlalchemy import select
 from sqlalchemy.orm import Session
 
 from sightline.enums import ScanVerdict, Verdict
-from sightline.errors import BadInput, Conflict, NotAllowed
+from sightline.errors import Conflict, NotAllowed
 from sightline.infra.audit import trail
 from sightline.infra.database.people import people
 from sightline.infra.database.rows import add_row, stored_hash, who
@@ -38,12 +38,7 @@ def add_line_height_review(
         raise Conflict("scans-height-without-figure-nothing-review")
     if height_id in heights_of_own_clicks(session, before.scan_id, actor):
         raise NotAllowed("scans-nobody-reviews-height-they-clicked-themselves")
-    require_verdict(before.review, seen)
-    told = (reason or "").strip() or None
-    if verdict == "rejected" and told is None:
-        raise BadInput("reviews-rejection-needs-reason-say-what-wrong")
-    if verdict == "reopened" and before.review.verdict in ("to_review", "reopened"):
-        raise Conflict("scans-height-waits-review-already")
+    told = require_verdict(before.review, seen, verdict, reason)
     content = {"survey_id": before.survey_id, "height_id": height_id, "verdict": verdict, "reason": told}
     row_id = add_row(session, line_height_reviews, {**content, "created_at": now(), "created_by": actor})
     after = {

@@ -181,9 +181,14 @@ def _height_bodies(
     return [
         _height_body(
             one,
-            older=pose is None
-            or one.values.pose_id != pose.id
-            or service.has_another_inset(one.values, insets, one.category),
+            older=bool(
+                service.causes_now_of_line(
+                    one.values,
+                    superseded=pose is None or one.values.pose_id != pose.id,
+                    insets=insets,
+                    category=one.category,
+                )
+            ),
             mine=one.id in own,
         )
         for one in found

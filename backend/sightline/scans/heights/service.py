@@ -17,7 +17,7 @@ from sightline.infra.database import Session
 from sightline.infra.version import code_version
 from sightline.linescan.line_height import LineHeight, contact_distance, ladder, line_height
 from sightline.linescan.line_pose import LinePose
-from sightline.measurements.again.differences import same_length
+from sightline.measurements.again.differences import WithInset, same_inset
 from sightline.measurements.height_of_clicks import DEFAULT_SIGMA_PX, inset_for
 from sightline.scans.heights.pose_store import current_line_poses
 from sightline.scans.heights.poses import LENGTH_DECIMALS, pose_of
@@ -101,7 +101,7 @@ def preview_line_height(
     clicks = _filled(session, scan.survey_id, clicked, category)
     distance_m = contact_distance(pose, clicked.contact[1])
     if clicks is None:
-        reason = None if clicked.target_point is None and distance_m is not None else SIDE_UNKNOWN
+        reason = None if clicked.target_point is None and distance_m is not None else str(SIDE_UNKNOWN)
         return HeightPreview(LineHeight("not_measurable", reason, distance_m), None, None, ())
     rungs = ladder(pose, distance_m + clicks.inset_m, scan.rows_px or 0) if distance_m is not None else ()
     only_contact = clicked.target_point is None and distance_m is not None
@@ -227,7 +227,7 @@ def clicks_to_compute_again(values: LineHeightValues) -> Clicked:
     )
 
 
-class WithInset(Protocol):
+class InsetOfTarget(WithInset, Protocol):
     """What is kept of a stored height's inset."""
 
     @property
@@ -236,28 +236,19 @@ class WithInset(Protocol):
     def side(self) -> DriverSide | None: ...
     @property
     def inset_from(self) -> InsetSource: ...
-    @property
-    def inset_m(self) -> float: ...
-    @property
-    def u_inset_m(self) -> float: ...
-
-
-def has_another_inset(stored: WithInset, insets: Mapping[str, Inset], category: Category | None) -> bool:
-    """Whether the survey's inset that a height was computed with is another by now; its own never is."""
-    own = stored.inset_from == "own"
-    usual = None if own else inset_for(stored.target, stored.side, category, insets)
-    return usual is not None and not (
-        same_length(stored.inset_m, usual.inset_m) and same_length(stored.u_inset_m, usual.u_inset_m)
-    )
 
 
 def causes_now_of_line(
-    stored: WithInset, *, superseded: bool, insets: Mapping[str, Inset], category: Category | None
+    stored: InsetOfTarget, *, superseded: bool, insets: Mapping[str, Inset], category: Category | None
 ) -> tuple[ComputingCause, ...]:
-    """Which facts of a stored height no longer hold; `superseded`: its calibration is not the newest."""
+    """Which facts of a stored height no longer hold; an inset of its own always does. `superseded`: its
+    calibration is not the newest.
+    """
+    own = stored.inset_from == "own"
+    usual = None if own else inset_for(stored.target, stored.side, category, insets)
     told: tuple[tuple[ComputingCause, bool], ...] = (
         ("pose", superseded),
-        ("inset", has_another_inset(stored, insets, category)),
+        ("inset", usual is not None and not same_inset(stored, usual)),
     )
     return tuple(cause for cause, holds in told if holds)
 

@@ -15,12 +15,12 @@ from sightline.infra.audit.records import name_or_somebody
 from sightline.infra.database.people import people
 from sightline.infra.database.rows import add_row, add_rows, missing, stored_hash, stored_hashes, who
 from sightline.infra.database.types import now
+from sightline.measurements.again.differences import judged_alike
 from sightline.measurements.records import ReviewState
 from sightline.scans.heights.records import LineHeightValues, StoredLineHeight, same_line_height
 from sightline.scans.heights.tables import line_height_reviews, line_heights
 from sightline.scans.tables import scan_vehicles, scans
 from sightline.scans.vehicles.store import require_scan_vehicle_version
-from sightline.scans.verdicts import verdict_that_stood
 
 _VALUES = tuple(LineHeightValues.__slots__)
 _later = line_heights.alias("later")
@@ -247,7 +247,8 @@ def _append(
 
 def _verdict_that_stood(session: Session, vehicle_id: int, values: LineHeightValues) -> int | None:
     mine = (line_heights.c.vehicle_id == vehicle_id) & (line_heights.c.target == values.target)
-    return verdict_that_stood(_where(session, mine), lambda one: same_line_height(one.values, values))
+    history = reversed(_where(session, mine))
+    return judged_alike(history, lambda one: same_line_height(one.values, values), lambda one: one.judged_id)
 
 
 def _where(session: Session, condition: ColumnElement[bool]) -> tuple[StoredLineHeight, ...]:

@@ -16,7 +16,13 @@ from sqlalchemy import (
 
 from sightline.enums import DriverSide, InsetSource, MeasurementStatus, ScanVerdict, Target
 from sightline.infra.audit.vouched import WrittenOnce, vouched
-from sightline.infra.database.types import CanonicalJson, UtcDateTime, enum_check, identity, metadata
+from sightline.infra.database.types import (
+    CanonicalJson,
+    enum_check,
+    identity,
+    made_columns,
+    metadata,
+)
 
 # One row a calibration of a scan's camera 1 with the rod; the newest of a scan counts. Written once.
 line_poses = Table(
@@ -37,8 +43,7 @@ line_poses = Table(
     Column("u_camera_height_m", Float, nullable=False),
     Column("rms_px", Float, nullable=False),
     Column("code_version", String(60), nullable=False),
-    Column("created_at", UtcDateTime, nullable=False),
-    Column("created_by", ForeignKey("people.id")),
+    *made_columns(),
     UniqueConstraint("scan_id", "revision"),
     CheckConstraint("revision >= 1", name="revision_counts"),
     info=vouched(WrittenOnce("line_pose", "calibration of a line camera")),
@@ -79,8 +84,7 @@ line_heights = Table(
     # the revision before it whose verdict holds for this one too
     Column("verdict_of_id", ForeignKey("line_heights.id")),
     Column("code_version", String(60), nullable=False),
-    Column("created_at", UtcDateTime, nullable=False),
-    Column("created_by", ForeignKey("people.id")),
+    *made_columns(),
     UniqueConstraint("vehicle_id", "target", "revision"),
     enum_check("target", Target),
     enum_check("inset_from", InsetSource),
@@ -104,8 +108,7 @@ line_height_reviews = Table(
     Column("height_id", ForeignKey("line_heights.id"), nullable=False),
     Column("verdict", String(20), nullable=False),
     Column("reason", Text),
-    Column("created_at", UtcDateTime, nullable=False),
-    Column("created_by", ForeignKey("people.id")),
+    *made_columns(),
     enum_check("verdict", ScanVerdict),
     CheckConstraint("verdict <> 'rejected' OR reason IS NOT NULL", name="rejected_has_reason"),
     info=vouched(WrittenOnce("line_height_review", "review of a scanned vehicle's height")),

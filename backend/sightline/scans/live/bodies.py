@@ -4,7 +4,7 @@ from datetime import datetime
 
 from sightline.enums import LiveState, MeasurementStatus, ScanDirection
 from sightline.infra.web.bodies import Out
-from sightline.scans.live.records import LiveHealth
+from sightline.scans.live.records import FlowMinute, LiveHealth
 
 
 class LiveVehicleBody(Out):
@@ -23,14 +23,6 @@ class LiveVehicleBody(Out):
     time_gap_s: float | None
     status: MeasurementStatus | None
     reason: str | None
-
-
-class FlowMinuteBody(Out):
-    """Vehicles of a minute; `whole`: all of it was watched."""
-
-    begin: datetime
-    vehicles: int
-    whole: bool
 
 
 class LiveScanBody(Out):
@@ -52,5 +44,5 @@ class LiveStreamBody(LiveScanBody):
     line_rate_hz: float
     health: LiveHealth | None
     vehicles: list[LiveVehicleBody]
-    flow: list[FlowMinuteBody]
+    flow: list[FlowMinute]
     earlier: list[LiveScanBody]

@@ -6,7 +6,7 @@ from fastapi import APIRouter
 
 from sightline.coverage import expanded
 from sightline.infra.web.deps import PathId, Reading, Viewer
-from sightline.scans.live.bodies import FlowMinuteBody, LiveScanBody, LiveStreamBody, LiveVehicleBody
+from sightline.scans.live.bodies import LiveScanBody, LiveStreamBody, LiveVehicleBody
 from sightline.scans.live.service import LiveStream, live_streams
 from sightline.scans.vehicles.listing import ShownVehicle
 from sightline.surveys.store import get_survey
@@ -30,7 +30,7 @@ def _stream_body(one: LiveStream) -> LiveStreamBody:
             "state": one.state,
             "until": one.until,
             "vehicles": [_vehicle_body(vehicle, at) for vehicle, at in one.vehicles],
-            "flow": [FlowMinuteBody.model_validate(minute) for minute in one.flow],
+            "flow": one.flow,
             "earlier": [LiveScanBody.model_validate(before) for before in one.earlier],
         }
     )

@@ -245,11 +245,18 @@ def _refuse(one: _Line, several: Sequence[_Line], code: str, **words: str) -> No
 
 
 def _fields(header: Sequence[str], name: str) -> list[_Field | None]:
-    """What each column holds, each once. Raises BadInput for a quantity without a unit, or no number."""
+    """What each column holds, each once. Raises BadInput for a quantity without a unit or in two
+    columns, or no number.
+    """
     found: list[_Field | None] = []
+    titles: dict[object, str] = {}
     for title in header:
         field = _field(title, name)
-        found.append(None if field in found else field)
+        found.append(field)
+        of = field[:2] if isinstance(field, tuple) else field
+        if of is not None and of in titles:
+            raise BadInput("reference-columns-of-one", name=name, first=titles[of][:60], second=title[:60])
+        titles[of] = title
     names_vehicle = "number" in found or "time" in found
     if not names_vehicle or not any(isinstance(one, tuple) or one == "run_of" for one in found):
         raise BadInput("reference-columns-missing", name=name)

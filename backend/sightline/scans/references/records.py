@@ -14,6 +14,7 @@ MEASURED: dict[ReferenceQuantity, str] = {
     "wheelbase": "wheelbase_m",
 }
 UNITS: dict[ReferenceQuantity, str] = {"speed": "m/s", "length": "m", "wheelbase": "m"}
+_LEAST: dict[ReferenceQuantity, float] = {"speed": 0.0, "length": 0.3, "wheelbase": 0.3}
 _MOST: dict[ReferenceQuantity, float] = {"speed": 150.0, "length": 100.0, "wheelbase": 100.0}
 MOST_DEVICE = 200
 
@@ -89,12 +90,13 @@ class ReferencesImported:
 def require_reference(one: ReferenceValues) -> None:
     """Raise BadInput for a value that no vehicle has, or one without an uncertainty."""
     unit = UNITS[one.quantity]
-    if not 0 < one.value <= _MOST[one.quantity]:
+    if not _LEAST[one.quantity] < one.value <= _MOST[one.quantity]:
         raise BadInput(
             "reference-value-cannot-be",
             quantity=one.quantity,
             value=f"{one.value:.7g}",
             unit=unit,
+            least=f"{_LEAST[one.quantity]:g}",
             most=f"{_MOST[one.quantity]:g}",
         )
     if not 0 < one.u <= one.value:

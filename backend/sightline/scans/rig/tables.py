@@ -3,7 +3,7 @@
 from sqlalchemy import CheckConstraint, Column, Float, ForeignKey, Integer, String, Table, UniqueConstraint
 
 from sightline.infra.audit.vouched import WrittenOnce, vouched
-from sightline.infra.database.types import CanonicalJson, UtcDateTime, identity, metadata
+from sightline.infra.database.types import CanonicalJson, identity, made_columns, metadata
 
 # One row a calibration; the scan's rig took its values when it was stored. Written once.
 rig_calibrations = Table(
@@ -28,8 +28,7 @@ rig_calibrations = Table(
     Column("degrees_of_freedom", Integer, nullable=False),
     Column("p_value", Float, nullable=False),
     Column("code_version", String(60), nullable=False),
-    Column("created_at", UtcDateTime, nullable=False),
-    Column("created_by", ForeignKey("people.id")),
+    *made_columns(),
     UniqueConstraint("scan_id", "revision"),
     CheckConstraint("revision >= 1", name="revision_counts"),
     info=vouched(WrittenOnce("rig_calibration", "calibration of a rig")),

@@ -13,10 +13,9 @@ from sightline.linescan.rig import RigEstimate
 from sightline.scans.statistics.figures import scan_height_statistics, scan_statistics
 from sightline.scans.statistics.heights import ScannedHeights
 from sightline.scans.statistics.paper import NOTE, TABLE_I
-from sightline.scans.statistics.service import ScanStatistics, Spread
+from sightline.scans.statistics.service import ReferenceGroup, ScanStatistics, Spread
 from sightline.statistics.distributions import Density, Ecdf, Percentile
 from sightline.statistics.errors import ErrorGroup
-from sightline.statistics.references import ReferenceErrors
 from sightline.statistics.runs import RunsTogether
 from sightline.surveys.store import get_survey
 
@@ -70,15 +69,6 @@ class ScanRowBody(Out):
     references: list[RowReferenceBody]
 
 
-class ReferenceGroupBody(Out):
-    """Ours minus the references of one source (null: of all), in `unit`."""
-
-    quantity: ReferenceQuantity
-    source: ReferenceSource | None
-    unit: str
-    errors: ReferenceErrors
-
-
 class CarRunsBody(Out):
     """The runs of one car; the chi-square holds each size against what the runs state (k = 1)."""
 
@@ -111,7 +101,7 @@ class ScanStatisticsBody(Out):
     wheelbase_ratio: RigEstimate = Field(description=_RATIO)
     spreads: list[ScanSpreadBody] = Field(description="Speed, length, time gap, distance gap, headway.")
     table: list[ScanRowBody]
-    references: list[ReferenceGroupBody]
+    references: list[ReferenceGroup]
     cars: list[CarRunsBody]
     heights: list[ScannedHeights]
     paper: list[PaperCarBody]
@@ -141,7 +131,7 @@ def _body(found: ScanStatistics, heights: tuple[ScannedHeights, ...]) -> ScanSta
         wheelbase_ratio=found.wheelbase_ratio,
         spreads=[_spread(one) for one in found.spreads],
         table=[ScanRowBody.model_validate(one) for one in found.table],
-        references=[ReferenceGroupBody.model_validate(one) for one in found.references],
+        references=list(found.references),
         cars=[CarRunsBody.model_validate(one) for one in found.cars],
         heights=list(heights),
         paper=[PaperCarBody.model_validate(one) for one in TABLE_I],

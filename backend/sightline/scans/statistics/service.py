@@ -88,7 +88,7 @@ class VehicleMotion:
 
 @dataclass(frozen=True)
 class ReferenceGroup:
-    """The differences of a quantity from what one source says (None: from all sources), in `unit`."""
+    """Ours minus the references of one source (None: of all), in `unit`."""
 
     quantity: ReferenceQuantity
     source: ReferenceSource | None

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from bisect import bisect_left
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 from typing import Any
 
 from sightline.enums import Cause, JsonObject, ScanMethod
@@ -226,7 +226,7 @@ def _shared(found: Crossings, known: ScanVehicle) -> bool:
 
 def _alike(one: ScanValues, other: ScanValues) -> bool:
     """Whether two revisions say the same (the listed one comes without its profile)."""
-    names = [name for name in ScanValues.__slots__ if name not in (*_NOT_COMPARED, "profile")]
+    names = [one.name for one in fields(ScanValues) if one.name not in (*_NOT_COMPARED, "profile")]
     return all(getattr(one, name) == getattr(other, name) for name in names)
 
 

@@ -11,11 +11,11 @@ from sightline.errors import BadInput
 from sightline.infra.audit import trail
 from sightline.infra.database.rows import add_rows, get_row, missing, stored_hashes
 from sightline.infra.database.types import now
+from sightline.measurements.again.differences import judged_alike
 from sightline.scans.query import scan_measurement_of_row, scan_revision_rows
 from sightline.scans.records import ScanMeasurement, ScanValues, same_motion
 from sightline.scans.tables import scan_measurements, scan_vehicles, scans
 from sightline.scans.vehicles.store import require_scan_vehicle_version
-from sightline.scans.verdicts import verdict_that_stood
 
 # rows of one statement; each has some forty columns
 _AT_ONCE = 500
@@ -186,7 +186,7 @@ def _verdict_that_stood(history: Sequence[ScanMeasurement], values: ScanValues) 
         by_placer = reviewer is not None and reviewer.id == values.placed_by
         return not by_placer and same_motion(one.values, values)
 
-    return verdict_that_stood(history, same)
+    return judged_alike(reversed(history), same, lambda one: one.judged_id)
 
 
 def _check(values: ScanValues) -> None:

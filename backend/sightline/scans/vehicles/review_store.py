@@ -3,7 +3,7 @@
 from sqlalchemy.orm import Session
 
 from sightline.enums import ScanVerdict, Verdict
-from sightline.errors import BadInput, Conflict, NotAllowed
+from sightline.errors import Conflict, NotAllowed
 from sightline.infra.audit import trail
 from sightline.infra.database.rows import add_row, stored_hash
 from sightline.infra.database.types import now
@@ -35,12 +35,7 @@ def add_scan_review(
         raise Conflict("scans-vehicle-measured-again-meanwhile-look-newer")
     if before.values.placed_by == actor:
         raise NotAllowed("scans-nobody-reviews-boundaries-they-placed-themselves")
-    require_verdict(before.review, seen)
-    told = (reason or "").strip() or None
-    if verdict == "rejected" and told is None:
-        raise BadInput("reviews-rejection-needs-reason-say-what-wrong")
-    if verdict == "reopened" and before.review.verdict in ("to_review", "reopened"):
-        raise Conflict("scans-vehicle-waits-review-already")
+    told = require_verdict(before.review, seen, verdict, reason)
     content = {"survey_id": before.survey_id, "measurement_id": measurement_id}
     content |= {"verdict": verdict, "reason": told}  # type: ignore[dict-item]
     row_id = add_row(session, scan_reviews, {**content, "created_at": now(), "created_by": actor})

@@ -82,11 +82,6 @@ def last_scan_vehicles(session: Session, scan_id: int, count: int) -> tuple[Scan
     return _fetch(session, (scan_vehicles.c.scan_id == scan_id) & late)
 
 
-def list_survey_scan_vehicles(session: Session, survey_id: int) -> tuple[ScanVehicle, ...]:
-    """The vehicles of all scans of a survey, scan by scan in the order in which they passed."""
-    return _fetch(session, scan_vehicles.c.survey_id == survey_id)
-
-
 def counts_of_scans(session: Session, rigs: Mapping[int, RigFor]) -> dict[int, ScanCounts]:
     """How many vehicles each scan has by state, and how many were measured with another rig than its own.
 

@@ -1,26 +1,13 @@
 """Members of a survey as they come in and go out."""
 
-from typing import Annotated
-
-from pydantic import Field
-
-from sightline.enums import Role, SurveyRole
+from sightline.enums import SurveyRole
 from sightline.infra.web.bodies import In, Out, example
-
-
-class MemberBody(Out):
-    person_id: int
-    name: str
-    role: SurveyRole
-    active: bool
-    account_role: Annotated[
-        Role, Field(description="An administrator's role in a survey changes nothing: they do everything.")
-    ]
+from sightline.surveys.members.records import Member
 
 
 class MembersBody(Out):
     open_to_all: bool
-    members: tuple[MemberBody, ...]
+    members: tuple[Member, ...]
 
 
 class MemberRole(In):

@@ -1,6 +1,9 @@
 """A member of a survey."""
 
 from dataclasses import dataclass
+from typing import Annotated
+
+from pydantic import Field
 
 from sightline.enums import Role, SurveyRole
 
@@ -13,7 +16,9 @@ class Member:
     name: str
     role: SurveyRole
     active: bool
-    account_role: Role
+    account_role: Annotated[
+        Role, Field(description="An administrator's role in a survey changes nothing: they do everything.")
+    ]
 
 
 @dataclass(frozen=True, slots=True)

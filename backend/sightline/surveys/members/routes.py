@@ -5,7 +5,7 @@ from fastapi import APIRouter, Request
 from sightline.infra.database import Session
 from sightline.infra.web.deps import Manager, PathId, Reading, Viewer, Wired, access_of
 from sightline.surveys.members import store
-from sightline.surveys.members.bodies import MemberBody, MemberRole, MembersBody, Openness
+from sightline.surveys.members.bodies import MemberRole, MembersBody, Openness
 from sightline.surveys.members.records import Candidate
 from sightline.surveys.store import get_survey
 
@@ -15,7 +15,7 @@ router = APIRouter()
 def _members(session: Session, survey_id: int) -> MembersBody:
     return MembersBody(
         open_to_all=get_survey(session, survey_id).open_to_all,
-        members=tuple(MemberBody.model_validate(one) for one in store.list_members(session, survey_id)),
+        members=store.list_members(session, survey_id),
     )
 
 

@@ -1,4 +1,4 @@
-"""Members of surveys, and the questions that every access rests on: `seen_surveys` and `role_in_survey`."""
+"""Members of surveys, and the questions that every access rests on: `seen_surveys` and `roles_by_thing`."""
 
 from collections.abc import Collection
 from typing import Any, get_args
@@ -48,11 +48,6 @@ def seen_studies(session: Session, person: Person) -> Seen:
         for row in session.execute(query)
         if row.open_to_all or all(one["survey_id"] in seen for one in row.surveys)
     )
-
-
-def role_in_survey(session: Session, person: Person, survey_id: int) -> ActingRole | None:
-    """What a person is in a survey; None where they do not see it, or where there is none."""
-    return roles_by_thing(session, person, "surveys", [survey_id]).get(survey_id)
 
 
 def roles_by_thing(

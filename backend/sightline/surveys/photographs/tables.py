@@ -12,7 +12,7 @@ from sqlalchemy import (
 )
 
 from sightline.infra.audit.vouched import ChangedByEvents, vouched
-from sightline.infra.database.types import NEEDS_MEDIA, UtcDateTime, identity, metadata
+from sightline.infra.database.types import NEEDS_MEDIA, UtcDateTime, changed_columns, identity, metadata
 
 # Pictures of the set-up: the rig, the road, the board in place. `position` is their order on the page.
 survey_photographs = Table(
@@ -28,14 +28,9 @@ survey_photographs = Table(
     Column("size_bytes", BigInteger, nullable=False),
     Column("width_px", Integer, nullable=False),
     Column("height_px", Integer, nullable=False),
-    Column("version", Integer, nullable=False),
-    Column("created_at", UtcDateTime, nullable=False),
-    Column("created_by", ForeignKey("people.id")),
-    Column("updated_at", UtcDateTime, nullable=False),
-    Column("updated_by", ForeignKey("people.id")),
+    *changed_columns(),
     Column("deleted_at", UtcDateTime),
     CheckConstraint("width_px > 0 AND height_px > 0 AND size_bytes > 0", name="size_positive"),
     CheckConstraint("position >= 1", name="position_counts"),
-    CheckConstraint("version >= 1", name="version_counts"),
     info=vouched(ChangedByEvents("photograph", "photograph of the set-up")),
 )

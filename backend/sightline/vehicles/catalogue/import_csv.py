@@ -181,7 +181,7 @@ class _Sorter:
             row = _row(table, given.line, named, columns)
         except BadInput as error:
             who = (named.get("make", ""), named.get("model", ""), None)
-            self._note(given.line, who, "refused", partial(_said, error.code, **error.values))
+            self._note(given.line, who, "refused", partial(str, error.said))
             return
         change, words = self._change(given.line, row)
         self._note(given.line, (row.make, row.model, row.year_from), change, words)

@@ -28,7 +28,6 @@ from sightline.vehicles.records import VehicleChanges
 from sightline.vehicles.store import PassSpan, create_vehicle, pass_spans
 
 KIND = PASSES
-STOPPED = "The search for passes was cancelled; you can start it again."
 SAME_SHARE = 0.5
 UNDER_WAY: tuple[JobState, ...] = ("queued", "running")
 

@@ -4,11 +4,10 @@ import { Button, JobProgress, type MarkShape, Problem, Shape, TextField } from "
 import { useAction } from "../../core/action";
 import { api } from "../../core/api";
 import { jobProblem, useJob } from "../../core/jobs";
-import { say } from "../../core/messages";
+import { say, sentenceOf } from "../../core/messages";
 import { useResource } from "../../core/resource";
 import { may } from "../../core/session";
 import type { Drift, Job } from "../../core/types";
-import { inUnits } from "../../core/units";
 import { DriftPlot } from "./DriftPlot";
 import "./drift.css";
 
@@ -49,7 +48,13 @@ export function DriftVerdict({ recordingId, poseId, open }: Props) {
     <div role="group" class="drift" aria-label={say("drift-title")} data-testid="drift">
       <p class="drift__words">
         <Shape shape={shapeOf(drift.data)} />
-        <span>{check ? inUnits(check.words) : job ? say("drift-under-way") : say("drift-not-yet")}</span>
+        <span>
+          {check
+            ? check.words.map(sentenceOf).join(" ")
+            : job
+              ? say("drift-under-way")
+              : say("drift-not-yet")}
+        </span>
       </p>
       {decision?.holds && (
         <p class="small">{say("drift-holds", { person: decision.by, reason: decision.reason })}</p>

@@ -1,7 +1,7 @@
 /** How far the picture moved over the recording's time: a dot a look, the floor as a band, moved parts shaded. */
-import { say } from "../../core/messages";
+import { say, sentenceOf } from "../../core/messages";
 import type { DriftCheck } from "../../core/types";
-import { fixed, formatLength, formatSmall, inUnits } from "../../core/units";
+import { fixed, formatLength, formatSmall } from "../../core/units";
 
 const WIDTH = 420;
 const HEIGHT = 92;
@@ -23,7 +23,7 @@ export function DriftPlot({ check }: { check: DriftCheck }) {
       <svg
         viewBox={`0 0 ${WIDTH} ${HEIGHT}`}
         role="img"
-        aria-label={inUnits(check.words)}
+        aria-label={check.words.map(sentenceOf).join(" ")}
         class="drift__plot"
       >
         <rect

@@ -1,7 +1,7 @@
 import type { ComponentChildren } from "preact";
 import { useEffect, useRef, useState } from "preact/hooks";
 import { Button, Problem } from "../../components";
-import { say } from "../../core/messages";
+import { language, say } from "../../core/messages";
 import { theme } from "../../core/theme";
 import { type LengthUnit, lengthUnit } from "../../core/units";
 import { type Cell, csvOf, download } from "./csv";
@@ -9,7 +9,7 @@ import "./figures.css";
 import { type Hue, hueOf } from "./hues";
 import { type Drawn, drawnOf, Reader } from "./Reader";
 import { readablesOf } from "./reading";
-import { inOneStyle, type PlotOptions } from "./style";
+import { figureOf, type PlotOptions } from "./style";
 import { svgFile } from "./svg";
 
 export type Plot = typeof import("./plot");
@@ -93,9 +93,7 @@ export function PlotFigure({ name, title, says, note, legend, data, options, tab
   const draw = (wide: number, height: number) => {
     if (!plot || !box.current || wide < 200) return;
     const chosen = options(plot, unit);
-    const drawn = plot.plot(inOneStyle({ ...chosen, width: wide, ariaLabel: says }, height));
-    drawn.setAttribute("role", "img");
-    for (const part of drawn.querySelectorAll("g[aria-label]")) part.removeAttribute("aria-label"); // one picture
+    const drawn = figureOf(plot, { ...chosen, width: wide, ariaLabel: says }, height);
     box.current.replaceChildren(drawn);
     const labels = { x: chosen.x?.label, y: chosen.y?.label };
     setRead(drawnOf(drawn, readablesOf(chosen.marks), labels));
@@ -104,7 +102,7 @@ export function PlotFigure({ name, title, says, note, legend, data, options, tab
     if (inView(box.current)) return draw(width, HEIGHT);
     const later = setTimeout(() => draw(width, HEIGHT)); // what is in view is drawn and shown first
     return () => clearTimeout(later);
-  }, [plot, width, data, unit, theme.value, reason]);
+  }, [plot, width, data, unit, theme.value, language.value, reason]);
   useOnPaper(
     () => draw(box.current?.closest(".stat-figures") ? HALF_A_PAGE : A_PAGE, HEIGHT_ON_PAPER),
     () => draw(width, HEIGHT),

@@ -1,5 +1,5 @@
 import { useState } from "preact/hooks";
-import { say } from "../../core/messages";
+import { apart, say } from "../../core/messages";
 import { fixed } from "../../core/units";
 import { digitsOf, type Read, type Readable, readAt, valueWords } from "./reading";
 
@@ -84,7 +84,7 @@ export function Reader({ title, drawn, place }: Props) {
       aria-valuemin={low}
       aria-valuemax={high}
       aria-valuenow={x ?? (low + high) / 2}
-      aria-valuetext={words ? [words.place, ...words.values].join("; ") : say("figure-read-hint")}
+      aria-valuetext={words ? apart([words.place, ...words.values]) : say("figure-read-hint")}
       onKeyDown={byKey}
       onPointerMove={byPointer}
       onPointerDown={byPointer}

@@ -1,6 +1,6 @@
 import { DataTable, Panel } from "../../components";
 import { say } from "../../core/messages";
-import { lengthScale, plainHeight, plainSmall, smallScale } from "../../core/units";
+import { lengthScale, plainHeight, plainPercent, plainSmall, smallScale } from "../../core/units";
 import "./figures.css";
 import { NONE, percent } from "./numbers";
 import type { RuleToday } from "./types";
@@ -27,7 +27,7 @@ export function SameRule({ rules }: { rules: readonly Rule[] }) {
           rowHead(say("statistics-rule-standard"), (one) => one.standard.name),
           col(say("statistics-rule-rule"), (one) =>
             say("statistics-rule-of", {
-              percent: String(one.standard.percent),
+              percent: plainPercent(one.standard.percent),
               class: one.by_class ? one.standard.vehicle_class : say("statistics-rule-all"),
             }),
           ),

@@ -1,4 +1,5 @@
 import { describe, expect, it } from "vitest";
+import { speak } from "../../core/messages";
 import {
   densityMarks,
   ecdfMarks,
@@ -9,7 +10,8 @@ import {
   standardTiers,
 } from "./curves";
 import type { Plot } from "./PlotFigure";
-import { inOneStyle } from "./style";
+import * as library from "./plot";
+import { figureOf, inOneStyle } from "./style";
 import type { Density, Ecdf, Standard } from "./types";
 
 const standard = (name: string, height_m: number) => ({ name, height_m, what: "eye_car" }) as Standard;
@@ -76,5 +78,19 @@ describe("all figures", () => {
     expect(styled.x).toMatchObject({ label: "speed (km/h)", labelArrow: "none", labelAnchor: "center" });
     expect(styled.y).toMatchObject({ labelArrow: "none", grid: true });
     expect(styled.height).toBe(300);
+  });
+
+  it("have the numbers of their axes as the language writes them", async () => {
+    await speak("fr");
+    const options = { document, x: { domain: [0, 1] }, y: { domain: [0, 1] }, marks: [] };
+    const drawn = figureOf(library, options, 300);
+    const times = { domain: [new Date("2025-05-14T08:09:05Z"), new Date("2025-05-14T08:09:25Z")] };
+    const timed = figureOf(library, { document, x: times, marks: [] }, 300);
+    await speak("en");
+    const ticks = [...drawn.querySelectorAll("text")].map((one) => one.textContent);
+    expect(ticks).toContain("0,2");
+    expect(ticks.join()).not.toContain(".");
+    expect([...timed.querySelectorAll("text")].some((one) => one.textContent?.includes(":"))).toBe(true);
+    expect(timed.querySelectorAll("tspan").length).toBeGreaterThan(0);
   });
 });

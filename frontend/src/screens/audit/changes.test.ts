@@ -1,4 +1,4 @@
-import { expect, it } from "vitest";
+import { expect, it, vi } from "vitest";
 import { changesOf } from "./changes";
 
 it("lists what differs, and nothing else", () => {
@@ -15,4 +15,14 @@ it("reads a new record as everything added, a removed one as everything gone", (
   expect(changesOf(null, { name: "A" })).toEqual([{ name: "name", before: null, after: "A" }]);
   expect(changesOf({ name: "A" }, null)).toEqual([{ name: "name", before: "A", after: null }]);
   expect(changesOf(null, null)).toEqual([]);
+});
+
+it("says reasons and flags that events hold by their codes", async () => {
+  const horizon = { code: "height-contact-above-horizon", values: {} };
+  const flags = [horizon, { code: "height-flag-u-large", values: {} }];
+  await vi.waitFor(() =>
+    expect(changesOf(null, { reason: horizon })[0]?.after).toMatch(/^The contact point lies at/),
+  );
+  expect(changesOf(null, { flags })[0]?.after).toMatch(/there is no road\. The uncertainty is large/);
+  expect(changesOf(null, { flags: [] })[0]?.after).toBe("[]");
 });

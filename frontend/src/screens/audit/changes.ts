@@ -1,3 +1,5 @@
+import { type Said, sentenceOf } from "../../core/messages";
+
 export interface Change {
   name: string;
   before: string | null;
@@ -21,6 +23,12 @@ export function changesOf(before: Fields, after: Fields): Change[] {
 function shown(value: unknown): string | null {
   if (value === undefined || value === null) return null;
   if (typeof value === "string") return value === "" ? null : value;
+  const said = [value].flat();
+  if (said.length > 0 && said.every(isSaid)) return said.map(sentenceOf).join(" ");
   const text = JSON.stringify(value);
   return text.length > 400 ? `${text.slice(0, 400)}…` : text;
+}
+
+function isSaid(value: unknown): value is Said {
+  return typeof value === "object" && value !== null && "code" in value && "values" in value;
 }

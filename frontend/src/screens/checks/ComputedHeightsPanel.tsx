@@ -1,7 +1,7 @@
 /** One computing: what it changed in words, as a figure, and height by height, with the undo of all. */
 import { Button, Loading, num, Panel, Problem, Table } from "../../components";
 import { api } from "../../core/api";
-import { say } from "../../core/messages";
+import { say, sentenceOf } from "../../core/messages";
 import { useResource } from "../../core/resource";
 import { canWork } from "../../core/session";
 import type { ComputedHeight, ComputedHeights, Computing } from "../../core/types";
@@ -186,7 +186,7 @@ function Heights({ surveyId, found }: { surveyId: number; found: ComputedHeights
               {one.repeat && <span class="badge">{say("computing-repeat")}</span>}
             </td>
             <td class="num">{formatHeight(one.height_before_m, one.U95_before_m)}</td>
-            <td class="num" title={one.reason ?? undefined}>
+            <td class="num" title={one.reason ? sentenceOf(one.reason) : undefined}>
               {formatHeight(one.height_m, one.U95_height_m)}
             </td>
             <td class="num">{formatSmall(one.change_m)}</td>

@@ -1,6 +1,6 @@
 /** What the traffic says of the pose, the vehicles with their headings, and the turn before it is accepted. */
 import { Button, DataTable, num, SelectField, Table } from "../../components";
-import { say } from "../../core/messages";
+import { say, sentenceOf } from "../../core/messages";
 import { canWork } from "../../core/session";
 import type { Vehicle } from "../../core/types";
 import { formatLength, formatSmall } from "../../core/units";
@@ -156,7 +156,7 @@ function Row({ model, vehicle }: { model: TrafficModel; vehicle: Vehicle }) {
           <strong>#{vehicle.number}</strong> {[vehicle.make, vehicle.model].filter(Boolean).join(" ")}
         </button>
         {found?.source === "two_frames" && <div class="small muted">{say("checks-two-frames")}</div>}
-        {found?.reason && <div class="small">{found.reason}</div>}
+        {found?.reason && <div class="small">{sentenceOf(found.reason)}</div>}
         {current && model.pair.value && canWork.value && (
           <Button small kind="quiet" icon="trash" onClick={() => void model.withdraw()}>
             {say("checks-withdraw")}

@@ -17,7 +17,7 @@ import { nameOfLanguage } from "../../components/LanguageChoice";
 import { Said } from "../../components/Said";
 import { api } from "../../core/api";
 import { cancelJob, isOver, useJob } from "../../core/jobs";
-import { say } from "../../core/messages";
+import { apart, say } from "../../core/messages";
 import type { ScreenProps } from "../../core/places";
 import { useResource } from "../../core/resource";
 import { survey } from "../../core/survey";
@@ -209,7 +209,7 @@ function wantedWords({ lighting, class_sets, categories, filmed_from, filmed_to 
     filmed_from && say("export-of-filmed-from", { day: filmed_from }),
     filmed_to && say("export-of-filmed-to", { day: filmed_to }),
   ];
-  return words.filter(Boolean).join("; ");
+  return apart(words.filter((one): one is string => Boolean(one)));
 }
 
 function openWords({ to_review, rejected }: Survey["counts"]): string {

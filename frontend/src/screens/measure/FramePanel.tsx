@@ -4,10 +4,10 @@ import { commandName, hint } from "../../core/commands";
 import { say } from "../../core/messages";
 import { canWork } from "../../core/session";
 import type { HeightAnswer } from "../../core/types";
-import { formatHeight } from "../../core/units";
-import { STATE_WORDS, TARGET_NOUNS, TARGET_WORDS, vehicleName } from "../../core/words";
+import { TARGET_NOUNS, TARGET_WORDS, vehicleName } from "../../core/words";
 import { AnswerLines } from "../../viewer/AnswerLines";
 import { FrameView } from "../../viewer/FrameView";
+import { heightOrReason } from "../../viewer/geometry";
 import { loupeBelow } from "../../viewer/Loupe";
 import { InImage, Line, PointMark } from "../../viewer/Overlay";
 import type { Player } from "../../viewer/player";
@@ -234,9 +234,7 @@ function LiveHeight({ model }: { model: MeasureModel }) {
 function words(answer: HeightAnswer | null, problem: string | null): string {
   if (!answer) return problem ?? "";
   if (answer.of_class === false) return "–";
-  return answer.status === "ok"
-    ? formatHeight(answer.height_m, answer.U95_height_m)
-    : (answer.reason ?? STATE_WORDS.not_measurable);
+  return heightOrReason(answer);
 }
 
 /** The same for screen readers: said once the pointer rests, not at every pixel. */

@@ -2,11 +2,11 @@
 import { useSignal } from "@preact/signals";
 import { Button, Icon, StateMark } from "../../components";
 import { keyMap, showChord } from "../../core/commands";
-import { say } from "../../core/messages";
+import { say, sentenceOf } from "../../core/messages";
 import { outbox } from "../../core/outbox";
 import { canWork } from "../../core/session";
 import type { Target } from "../../core/types";
-import { formatLength, inUnits } from "../../core/units";
+import { formatLength } from "../../core/units";
 import { TARGET_NOUNS, TARGET_WORDS, TARGETS } from "../../core/words";
 import { StaleMarks } from "../../parts/again/StaleMarks";
 import { MeasurementConflict } from "./Conflicts";
@@ -216,13 +216,13 @@ function Said({ model, entry }: { model: MeasureModel; entry: Entry }) {
       {m.status !== "ok" && (
         <p class="height-row__said">
           <Icon name="warning" size={14} />
-          <span class="grow">{m.reason && inUnits(m.reason)}</span>
+          <span class="grow">{m.reason && sentenceOf(m.reason)}</span>
         </p>
       )}
       {m.flags.map((flag) => (
-        <p key={flag} class="height-row__said">
+        <p key={flag.code} class="height-row__said">
           <Icon name="info" size={14} />
-          <span class="grow">{inUnits(flag)}</span>
+          <span class="grow">{sentenceOf(flag)}</span>
         </p>
       ))}
       {verdict !== "to_review" && (

@@ -3,11 +3,11 @@ import { useEffect, useState } from "preact/hooks";
 import { Button } from "../../components";
 import { explain } from "../../core/api";
 import { hint } from "../../core/commands";
-import { say } from "../../core/messages";
+import { say, sentenceOf } from "../../core/messages";
 import { canWork } from "../../core/session";
 import type { HeightAnswer, Measurement, SecondFrameAnswer } from "../../core/types";
 import { formatHeight, formatLength, formatSmall, formatSpeed, speedScale } from "../../core/units";
-import { askHeight, askSecondFrame } from "../../viewer/geometry";
+import { askHeight, askSecondFrame, heightOrReason } from "../../viewer/geometry";
 import { PointMark } from "../../viewer/Overlay";
 import { fromServer, type ImagePoint } from "../../viewer/points";
 import type { FrameStage } from "../../viewer/stage";
@@ -142,7 +142,7 @@ function AgainstOne({ model, entry }: { model: MeasureModel; entry: Entry }) {
       <dt>{say("measure-one-frame")}</dt>
       <dd>{formatHeight(answer.single.height_m, answer.single.U95_height_m)}</dd>
       <dt>{say("measure-all-frames", { count: answer.frames })}</dt>
-      <dd>{answer.status === "ok" ? formatHeight(answer.height_m, answer.U95_height_m) : answer.reason}</dd>
+      <dd>{heightOrReason(answer)}</dd>
     </dl>
   );
 }
@@ -156,7 +156,7 @@ function GainButton({ model, entry }: { model: MeasureModel; entry: Entry }) {
   const which = entry.values.more.length === 0 ? "second" : "another";
   if (problem) return <p class="small muted">{problem}</p>;
   if (!answer) return <p class="small muted">{say("measure-gain-looking", { which })}</p>;
-  if (!answer.ok) return <p class="small muted">{answer.reason}</p>;
+  if (!answer.ok) return <p class="small muted">{answer.reason && sentenceOf(answer.reason)}</p>;
   return (
     <div data-testid="second-frame-gain">
       <Button

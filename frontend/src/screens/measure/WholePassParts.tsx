@@ -1,9 +1,10 @@
 /** What is seen of a pass that was followed: its points on the frame, its frames on the timeline, and what to do with it. */
 import { Button } from "../../components";
 import { hint } from "../../core/commands";
-import { say } from "../../core/messages";
+import { type Said, say, sentenceOf } from "../../core/messages";
 import type { Measurement } from "../../core/types";
 import { formatHeight, formatLength, formatSpeed } from "../../core/units";
+import { heightOrReason } from "../../viewer/geometry";
 import { PointMark } from "../../viewer/Overlay";
 import { fromServer } from "../../viewer/points";
 import type { Span } from "../../viewer/spans";
@@ -54,7 +55,7 @@ export function WholePassPanel({ model }: { model: MeasureModel }) {
       <h3 class="small">{say("measure-whole-heading")}</h3>
       <dl class="facts small">
         <dt>{say("measure-whole-height")}</dt>
-        <dd>{height && ok ? formatHeight(height.height_m, height.U95_height_m) : height?.reason}</dd>
+        <dd>{height && heightOrReason(height)}</dd>
         {height?.single && (
           <>
             <dt>{say("measure-one-frame")}</dt>
@@ -102,9 +103,10 @@ export function WholePassPanel({ model }: { model: MeasureModel }) {
   );
 }
 
-function reasonsOf(dropped: readonly { readonly reason: string }[]): [string, number][] {
+function reasonsOf(dropped: readonly { readonly reason: Said }[]): [string, number][] {
   const counts = new Map<string, number>();
-  for (const { reason } of dropped) counts.set(reason, (counts.get(reason) ?? 0) + 1);
+  for (const reason of dropped.map((one) => sentenceOf(one.reason)))
+    counts.set(reason, (counts.get(reason) ?? 0) + 1);
   return [...counts].sort((a, b) => b[1] - a[1]);
 }
 

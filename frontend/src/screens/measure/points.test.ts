@@ -335,10 +335,15 @@ describe("measuring with clicks", () => {
   });
 
   it("says which target has no second frame and asks for the others only", async () => {
-    const reason = "No other frame of the pass shows both points; use a single frame.";
-    const none = { ok: false, frame: null, reason, spots: [] };
+    const message = "No other frame of the pass shows both points; use a single frame.";
+    const none = {
+      ok: false,
+      frame: null,
+      reason: { code: "second-frame-not-shown", values: {}, message },
+      spots: [],
+    };
     await secondOf({ ...none, target: "roof" }, on("driver_eye", 44), { ...none, target: "taillight" });
-    expect(toasts.value.map((one) => one.text)).toEqual([`Roof: ${reason} Taillight: ${reason}`]);
+    expect(toasts.value.map((one) => one.text)).toEqual([`Roof: ${message} Taillight: ${message}`]);
     expect(aim()).toEqual(["driver_eye", 44, "contact"]);
     model.stage.place(at(140, 400));
     model.stage.place(at(130, 300));

@@ -4,7 +4,7 @@
  */
 import { computed, signal } from "@preact/signals";
 import { explain } from "../../core/api";
-import { say } from "../../core/messages";
+import { say, sentenceOf } from "../../core/messages";
 import { toast } from "../../core/toasts";
 import type { FrameForTarget, SecondFrameAnswer, Target } from "../../core/types";
 import { TARGET_WORDS } from "../../core/words";
@@ -318,6 +318,6 @@ export class SecondFrame implements ClickTool {
 function noFrame({ target, reason }: FrameForTarget): string {
   return say("measure-second-none", {
     target: TARGET_WORDS[target],
-    reason: reason ?? say("measure-second-no-use"),
+    reason: reason ? sentenceOf(reason) : say("measure-second-no-use"),
   });
 }

@@ -1,4 +1,5 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
+import type { Said } from "../../core/messages";
 import { FakeServer, recording, vehicle } from "../../testing/server";
 import { imagePoint } from "../../viewer/points";
 import { MeasureModel } from "./model";
@@ -13,10 +14,11 @@ const POINTS = [
   { frame: 39, point: "target", at: [71, 300], sigma_px: [0.1, 0.1] },
   { frame: 40, point: "contact", at: [100, 400], sigma_px: [0.1, 0.1] },
 ];
-const DROPPED = [{ frame: 40, point: "target", reason: "It is too blurred here." }];
+const BLURRED = { code: "followed-blurred", values: {}, message: "It is too blurred here." };
+const DROPPED = [{ frame: 40, point: "target", reason: BLURRED }];
 const HEIGHT = { status: "ok", height_m: 0.81, U95_height_m: 0.01, u_height_m: 0.005, frames: 2, budget: [] };
 
-function answers(reason: string | null = null): void {
+function answers(reason: Said | null = null): void {
   server.on("POST", /^\/vehicles\/7\/follow$/, () =>
     reason === null
       ? { reason, points: POINTS, dropped: DROPPED, height: HEIGHT }
@@ -82,7 +84,11 @@ describe("following through the pass", () => {
   });
 
   it("shows nothing where nothing can be followed", async () => {
-    answers("The vehicle cannot be followed from this frame.");
+    answers({
+      code: "follow-not-from-here",
+      values: {},
+      message: "The vehicle cannot be followed from this frame.",
+    });
     await model.whole.start(key());
     expect(model.whole.now.value).toBeNull();
     expect(model.whole.looking.value).toBe(false);

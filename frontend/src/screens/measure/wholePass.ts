@@ -4,7 +4,7 @@
  */
 import { computed, signal } from "@preact/signals";
 import { explain } from "../../core/api";
-import { say } from "../../core/messages";
+import { say, sentenceOf } from "../../core/messages";
 import { toast } from "../../core/toasts";
 import type { FollowedAnswer } from "../../core/types";
 import { askFollow } from "../../viewer/geometry";
@@ -73,7 +73,7 @@ export class WholePass {
     try {
       const answer = await askFollow(entry.vehicleId, entry.values, this.second(entry));
       if (turn !== this.asked || this.desk.vehicleId.value !== entry.vehicleId) return;
-      if (answer.reason !== null) toast(answer.reason);
+      if (answer.reason !== null) toast(sentenceOf(answer.reason));
       else this.now.value = { key: entry.key, values: entry.values, answer };
     } catch (error) {
       if (turn === this.asked) toast(explain(error), { kind: "problem" });

@@ -5,7 +5,7 @@ import { theme } from "../../core/theme";
 import { lengthScale, lengthUnit, smallScale } from "../../core/units";
 import { type Drawn, drawnOf, Reader } from "../../parts/figures/Reader";
 import { readable, readablesOf } from "../../parts/figures/reading";
-import { inOneStyle } from "../../parts/figures/style";
+import { figureOf } from "../../parts/figures/style";
 import { type Curve, type Plan, wordOf } from "./model";
 
 type Plot = typeof import("../../parts/figures/plot");
@@ -135,21 +135,18 @@ function Figure({ title, note, curves, words, marker, fromZero }: FigureProps) {
         },
       ),
     ];
-    const drawn = plot.plot(
-      inOneStyle(
-        {
-          width,
-          ariaLabel: label,
-          x: { label: x },
-          y: { label: y, zero: fromZero, nice: true },
-          symbol: { domain: targets, range: targets.map((one) => SYMBOLS[one] ?? "circle"), legend: false },
-          marks,
-        },
-        300,
-      ),
+    const drawn = figureOf(
+      plot,
+      {
+        width,
+        ariaLabel: label,
+        x: { label: x },
+        y: { label: y, zero: fromZero, nice: true },
+        symbol: { domain: targets, range: targets.map((one) => SYMBOLS[one] ?? "circle"), legend: false },
+        marks,
+      },
+      300,
     );
-    drawn.setAttribute("role", "img");
-    for (const part of drawn.querySelectorAll("g[aria-label]")) part.removeAttribute("aria-label"); // one picture
     box.current.replaceChildren(drawn);
     setRead(drawnOf(drawn, readablesOf(marks), { x, y }));
   }, [plot, width, curves, marker, unit, theme.value]);

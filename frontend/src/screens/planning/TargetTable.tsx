@@ -1,6 +1,6 @@
 import { useState } from "preact/hooks";
 import { num, Panel, Table } from "../../components";
-import { say } from "../../core/messages";
+import { say, sentenceOf } from "../../core/messages";
 import { formatLength, formatSmall } from "../../core/units";
 import { type PlannedTarget, wordOf } from "./model";
 
@@ -39,12 +39,12 @@ export function TargetTable({ targets, travelM }: Props) {
 
 function Row({ one }: { one: PlannedTarget }) {
   const two = one.two_frames;
+  const reason = one.reason ?? two.reason;
   return (
     <tr>
       <td class="plan-target">
         {wordOf(one.target)}
-        {one.reason && <div class="field__hint">{one.reason}</div>}
-        {!one.reason && two.reason && <div class="field__hint">{two.reason}</div>}
+        {reason && <div class="field__hint">{sentenceOf(reason)}</div>}
       </td>
       <td class="num">{formatLength(one.height_m, 2)}</td>
       <td class="num">

@@ -4,9 +4,9 @@ import { wordsOf } from "../../core/messages";
 type Schemas = components["schemas"];
 export type Plan = Schemas["PlanBody"];
 export type PlannedTarget = Schemas["PlannedTargetBody"];
-export type Passing = Schemas["PassingBody"];
+export type Passing = Schemas["Passing"];
 export type LinePlan = Schemas["LinePlanBody"];
-export type Curve = Schemas["CurveBody"];
+export type Curve = Schemas["Curve"];
 
 const TARGET_WORDS: Readonly<Record<string, string>> = wordsOf({
   roof: "planning-roof",

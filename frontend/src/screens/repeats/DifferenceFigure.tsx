@@ -9,7 +9,7 @@ import { lengthScale, lengthUnit, smallScale } from "../../core/units";
 import { TARGET_WORDS } from "../../core/words";
 import { type Drawn, drawnOf, Reader } from "../../parts/figures/Reader";
 import type { Readable } from "../../parts/figures/reading";
-import { inOneStyle } from "../../parts/figures/style";
+import { figureOf } from "../../parts/figures/style";
 
 type Plot = typeof import("../../parts/figures/plot");
 
@@ -104,32 +104,28 @@ function draw(plot: Plot, differences: readonly RepeatDifference[], width: numbe
     target: one.target,
   }));
   const targets = Object.keys(SYMBOLS) as Target[];
-  const drawn = plot.plot(
-    inOneStyle(
-      {
-        width,
-        ariaLabel: say("repeats-differences-label", { small, unit, count: points.length }),
-        x: { label: say("repeats-differences-x", { unit }), nice: true },
-        y: { label: say("repeats-differences-y", { unit: small }), nice: true },
-        symbol: { domain: targets, range: targets.map((one) => SYMBOLS[one]), legend: false },
-        marks: [
-          plot.ruleY([0], { stroke: "var(--line-strong)" }),
-          plot.ruleX(points, { x: "x", y1: "low", y2: "high", stroke: "var(--line-strong)" }),
-          plot.dot(points, {
-            x: "x",
-            y: "y",
-            symbol: "target",
-            r: 4,
-            fill: "var(--surface)",
-            stroke: "var(--ink)",
-            strokeWidth: 1.5,
-          }),
-        ],
-      },
-      300,
-    ),
+  return figureOf(
+    plot,
+    {
+      width,
+      ariaLabel: say("repeats-differences-label", { small, unit, count: points.length }),
+      x: { label: say("repeats-differences-x", { unit }), nice: true },
+      y: { label: say("repeats-differences-y", { unit: small }), nice: true },
+      symbol: { domain: targets, range: targets.map((one) => SYMBOLS[one]), legend: false },
+      marks: [
+        plot.ruleY([0], { stroke: "var(--line-strong)" }),
+        plot.ruleX(points, { x: "x", y1: "low", y2: "high", stroke: "var(--line-strong)" }),
+        plot.dot(points, {
+          x: "x",
+          y: "y",
+          symbol: "target",
+          r: 4,
+          fill: "var(--surface)",
+          stroke: "var(--ink)",
+          strokeWidth: 1.5,
+        }),
+      ],
+    },
+    300,
   );
-  drawn.setAttribute("role", "img");
-  for (const part of drawn.querySelectorAll("g[aria-label]")) part.removeAttribute("aria-label"); // one picture
-  return drawn;
 }

@@ -1,13 +1,13 @@
 /** Figures of repeats in words; every number is the server's. */
 import { say } from "../../core/messages";
 import type { ProposedTarget, RepeatSpread, TargetRepeats } from "../../core/types";
-import { fixed, formatSmall } from "../../core/units";
+import { fixed, formatSmall, smallNumber } from "../../core/units";
 
 /** "4.1 mm" with "3.2 to 5.6 mm"; null where there is none. */
 export function spreadWords(one: RepeatSpread): { value: string; interval: string } | null {
   if (one.sd === null) return null;
-  const low = formatSmall(one.low).replace(/\s(mm|in)$/, "");
-  return { value: formatSmall(one.sd), interval: say("interval", { low, high: formatSmall(one.high) }) };
+  const interval = say("interval", { low: smallNumber(one.low), high: formatSmall(one.high) });
+  return { value: formatSmall(one.sd), interval };
 }
 
 /** "0.62 px" with "0.54 to 0.72 px". */
@@ -29,5 +29,5 @@ export function claimVerdict(claim: TargetRepeats["uncertainty_check"]): string 
 /** "-0.8 ± 1.4 mm"; null where too few vehicles tell. */
 export function shiftWords(shift: ProposedTarget["shift"]): string | null {
   if (shift.shift_m === null) return null;
-  return `${formatSmall(shift.shift_m).replace(/\s(mm|in)$/, "")}\u00a0±\u00a0${formatSmall(shift.U95_shift_m)}`;
+  return `${smallNumber(shift.shift_m)}\u00a0±\u00a0${formatSmall(shift.U95_shift_m)}`;
 }

@@ -37,7 +37,7 @@ export function BlindPanel({ model, item }: { model: ReviewModel; item: ReviewIt
 }
 
 export function Comparisons({ model }: { model: ReviewModel }) {
-  const found = model.comparisons.value ?? [];
+  const found = model.repeats.comparisons.value ?? [];
   if (found.length === 0) return null;
   return (
     <section class="review__again" aria-label={say("review-again")} data-testid="comparisons">

@@ -28,8 +28,8 @@ afterEach(() => render(null, document.body));
 
 it("counts the heights of line scans that wait and leads to each one's bench", () => {
   const model = new ReviewModel(7);
-  model.items.value = [];
-  model.lineHeights.value = { to_review: 1, own: 1, items: [line(1, false), line(2, true)] };
+  model.queue.items.value = [];
+  model.queue.lineHeights.value = { to_review: 1, own: 1, items: [line(1, false), line(2, true)] };
   render(<Queue model={model} />, document.body);
   const rows = [...document.querySelectorAll<HTMLAnchorElement>("a.review__row")];
   expect(rows.map((one) => one.getAttribute("href"))).toEqual([
@@ -46,13 +46,13 @@ it("counts the heights of line scans that wait and leads to each one's bench", (
 it("leads back to the lot, and to its decision once its sample is reviewed", () => {
   history.replaceState(null, "", "/surveys/7/review?lot=3");
   const model = new ReviewModel(7);
-  model.items.value = [judged(1, "accepted"), judged(2, "to_review")];
+  model.queue.items.value = [judged(1, "accepted"), judged(2, "to_review")];
   render(<Queue model={model} />, document.body);
   const decide = () => document.querySelector("[data-testid=review-lot-judged]");
   expect(decide()).toBeNull();
   const address = "/surveys/7/lots?lot=3";
   expect(document.querySelector("[data-testid=review-lot] a")?.getAttribute("href")).toBe(address);
-  model.items.value = [judged(1, "accepted"), judged(2, "rejected")];
+  model.queue.items.value = [judged(1, "accepted"), judged(2, "rejected")];
   render(<Queue model={model} />, document.body);
   expect(decide()?.textContent).toContain("sample of this lot is reviewed");
   const next = [...document.querySelectorAll("a")].find((one) => one.textContent === "Decide on the lot");

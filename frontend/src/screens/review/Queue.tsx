@@ -13,15 +13,16 @@ import { reviewTabs } from "../../core/tabs";
 import type { LineHeightQueue, ReviewItem } from "../../core/types";
 import { formatHeight } from "../../core/units";
 import { STATE_WORDS, TARGET_WORDS, vehicleName } from "../../core/words";
-import type { ReviewModel, Shown } from "./model";
+import type { ReviewModel } from "./model";
+import type { Shown } from "./queue";
 
 const STATES: readonly Shown[] = ["to_review", "rejected", "accepted", "fixed", "all"];
 const SHOWN_WORDS: Readonly<Record<Shown, string>> = wordsOf("review-state-");
 
 export function Queue({ model }: { model: ReviewModel }) {
-  const items = model.items.value ?? [];
+  const items = model.queue.items.value ?? [];
   const counts = survey.value?.counts;
-  const work = model.work.value;
+  const work = model.queue.work.value;
   const box = useRef<HTMLUListElement>(null);
   useOneTabStop(box, ".pass");
   useSignalEffect(() => {
@@ -47,7 +48,7 @@ export function Queue({ model }: { model: ReviewModel }) {
           <select
             class="input"
             aria-label={say("review-show")}
-            value={model.shown.value}
+            value={model.queue.shown.value}
             onChange={(event) => void model.show(event.currentTarget.value as Shown)}
           >
             {STATES.map((one) => (
@@ -75,9 +76,9 @@ export function Queue({ model }: { model: ReviewModel }) {
         {items.map((item) => (
           <Row key={item.measurement.id} model={model} item={item} />
         ))}
-        {model.more.value && (
+        {model.queue.more.value && (
           <li>
-            <Button small kind="quiet" onClick={() => void model.loadMore()}>
+            <Button small kind="quiet" onClick={() => void model.queue.loadMore()}>
               {say("review-queue-more")}
             </Button>
           </li>
@@ -94,12 +95,14 @@ type Line = LineHeightQueue["items"][number];
 
 /** They have no lots, and here only those that wait. */
 function linesShown(model: ReviewModel): readonly Line[] {
-  const shown = model.lot === null && (model.shown.value === "to_review" || model.shown.value === "all");
-  return shown ? (model.lineHeights.value?.items ?? []) : [];
+  const shown =
+    model.queue.lot === null &&
+    (model.queue.shown.value === "to_review" || model.queue.shown.value === "all");
+  return shown ? (model.queue.lineHeights.value?.items ?? []) : [];
 }
 
 function LinesLine({ model }: { model: ReviewModel }) {
-  const found = model.lineHeights.value;
+  const found = model.queue.lineHeights.value;
   if (!found || found.to_review + found.own === 0) return null;
   return (
     <p class="small muted" data-testid="review-lines">
@@ -139,13 +142,13 @@ export function benchOf(surveyId: number, one: Line): string {
 
 /** While the sample of one lot is judged, how to come back to the lot or to all; else how much waits for its lot's sample. */
 function LotLine({ model }: { model: ReviewModel }) {
-  const held = model.work.value?.in_lots ?? 0;
-  if (model.lot !== null) {
-    const number = model.items.value?.[0]?.judged.lot?.number;
-    const toLot = lotAddress(model.surveyId, model.lot);
+  const held = model.queue.work.value?.in_lots ?? 0;
+  if (model.queue.lot !== null) {
+    const number = model.queue.items.value?.[0]?.judged.lot?.number;
+    const toLot = lotAddress(model.surveyId, model.queue.lot);
     return (
       <>
-        {model.lotJudged.value && (
+        {model.queue.lotJudged.value && (
           <div class="review__judged">
             <p class="small" data-testid="review-lot-judged">
               {say("lots-sample-done")}
@@ -176,7 +179,7 @@ function LotLine({ model }: { model: ReviewModel }) {
 
 /** Who is clicked blind is the survey's plan: told to everybody, chosen by an administrator. */
 function Plan({ model }: { model: ReviewModel }) {
-  const plan = model.plan.value;
+  const plan = model.queue.plan.value;
   if (!plan) return null;
   const oneIn = plan.blind_one_in;
   if (!may("manager")) {

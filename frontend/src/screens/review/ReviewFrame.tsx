@@ -1,10 +1,10 @@
 /** The picture with the reviewed points, their axes and ladder; the points can be dragged while fixing. */
 
 import { say } from "../../core/messages";
-import { formatHeight } from "../../core/units";
 import { TARGET_NOUNS } from "../../core/words";
 import { AnswerLines } from "../../viewer/AnswerLines";
 import { FrameView } from "../../viewer/FrameView";
+import { heightOrReason } from "../../viewer/geometry";
 import { InImage, Line, PointMark } from "../../viewer/Overlay";
 import type { Player } from "../../viewer/player";
 import { fromServer, pair } from "../../viewer/points";
@@ -43,7 +43,7 @@ function SecondClicks({ model }: { model: ReviewModel }) {
   if (model.fix.value) return null;
   return (
     <g data-testid="second-clicks">
-      {(model.comparisons.value ?? [])
+      {(model.repeats.comparisons.value ?? [])
         .filter(({ repeat }) => repeat.frame === frame)
         .map(({ repeat }) => (
           <g key={repeat.id}>
@@ -61,11 +61,7 @@ function Hint({ model }: { model: ReviewModel }) {
   if (!words) return <p class="visually-hidden" id="review-hint" />;
   return (
     <p class="frame-hint" id="review-hint" role="status">
-      {model.fix.value && live && (
-        <strong class="nowrap">
-          {live.status === "ok" ? formatHeight(live.height_m, live.U95_height_m) : live.reason}
-        </strong>
-      )}
+      {model.fix.value && live && <strong class="nowrap">{heightOrReason(live)}</strong>}
       <span>{words}</span>
     </p>
   );

@@ -37,7 +37,7 @@ export default function ReviewScreen({ surveyId }: ScreenProps) {
       </div>
     );
   }
-  const items = model.items.value;
+  const items = model.queue.items.value;
   return (
     <div class="review">
       <h1 class="visually-hidden">{say("page-review")}</h1>
@@ -77,12 +77,12 @@ export default function ReviewScreen({ surveyId }: ScreenProps) {
 }
 
 function NothingHere({ surveyId, model }: { surveyId: number; model: ReviewModel }) {
-  if (model.lot !== null) {
+  if (model.queue.lot !== null) {
     return (
       <Empty
         title={say("lots-sample-done-title")}
         actions={
-          <Button kind="primary" href={lotAddress(surveyId, model.lot)}>
+          <Button kind="primary" href={lotAddress(surveyId, model.queue.lot)}>
             {say("lots-decide")}
           </Button>
         }
@@ -91,14 +91,14 @@ function NothingHere({ surveyId, model }: { surveyId: number; model: ReviewModel
       </Empty>
     );
   }
-  if (model.shown.value !== "to_review") {
+  if (model.queue.shown.value !== "to_review") {
     return (
       <Empty title={say("review-none-in-state-title")}>
         <p>{say("review-none-in-state")}</p>
       </Empty>
     );
   }
-  const line = model.lineHeights.value?.items.find((one) => !one.mine);
+  const line = model.queue.lineHeights.value?.items.find((one) => !one.mine);
   if (line) {
     return (
       <Empty

@@ -24,8 +24,8 @@ afterEach(() => {
 });
 
 it.each([
-  ["confirmed", "proposed, confirmed by Marie, "],
-  ["moved", "proposed, moved by Marie, "],
+  ["confirmed", "suggested, confirmed by Marie, "],
+  ["moved", "suggested, moved by Marie, "],
   ["snapped", "contact snapped to the tyre, target clicked by Marie, "],
   ["clicked", "clicked by Marie, "],
 ] as [Made, string][])("points that were %s", async (made, words) => {

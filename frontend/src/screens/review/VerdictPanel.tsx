@@ -1,12 +1,12 @@
 /** What is known of the reviewed measurement, and the verdict: accept, fix, reject with a reason. */
 import { Button, Icon, Notice, StateMark } from "../../components";
 import { type ActionId, commandName, hint, keyMap, showChord } from "../../core/commands";
-import { allOf, say } from "../../core/messages";
+import { allOf, say, sentenceOf } from "../../core/messages";
 import { may } from "../../core/session";
 import { survey } from "../../core/survey";
 import { formatFrameTime, formatMoment, formatPlaceMoment } from "../../core/times";
 import type { Measurement, Px, Recording, ReviewItem, Target } from "../../core/types";
-import { formatHeight, formatLength, inUnits } from "../../core/units";
+import { formatHeight, formatLength } from "../../core/units";
 import {
   INSET_PLACE_WORDS,
   LIGHTING_NOUNS,
@@ -48,10 +48,10 @@ export function VerdictPanel({ model, item }: { model: ReviewModel; item: Review
         )}
         <StaleMarks measurementId={m.id} />
         <OutOfDateNotice surveyId={model.surveyId} computed={() => model.load()} />
-        {m.reason && <p>{inUnits(m.reason)}</p>}
+        {m.reason && <p>{sentenceOf(m.reason)}</p>}
         {m.flags.map((flag) => (
-          <p key={flag} class="small row">
-            <Icon name="info" size={14} /> {inUnits(flag)}
+          <p key={flag.code} class="small row">
+            <Icon name="info" size={14} /> {sentenceOf(flag)}
           </p>
         ))}
         <Signs item={item} />
@@ -289,7 +289,7 @@ function Verdict({ model, item }: { model: ReviewModel; item: ReviewItem }) {
       </footer>
     );
   }
-  const own = model.ownRepeat.value;
+  const own = model.repeats.own.value;
   const judged =
     item.measurement.review.verdict === "accepted" || item.measurement.review.verdict === "rejected";
   return (

@@ -2,36 +2,22 @@
 import { batch, computed, effect, type ReadonlySignal, signal } from "@preact/signals";
 import { asked, setQuery } from "../../core/address";
 import { api } from "../../core/api";
-import { History, type Ledger } from "../../core/history";
+import { History } from "../../core/history";
 import { say } from "../../core/messages";
-import { outbox, type Wanted } from "../../core/outbox";
-import { may, me } from "../../core/session";
-import { refreshSurvey } from "../../core/survey";
+import { may } from "../../core/session";
 import { toast, toastProblem } from "../../core/toasts";
-import type {
-  Comparison,
-  LineHeightQueue,
-  Measurement,
-  ReviewItem,
-  ReviewPlan,
-  ReviewWork,
-  Verdict,
-} from "../../core/types";
-import { STATE_WORDS, TARGET_WORDS, vehicleName } from "../../core/words";
+import type { Measurement, ReviewItem } from "../../core/types";
+import { vehicleName } from "../../core/words";
 import { type Again, BlindClicks } from "../../viewer/blind";
 import { Geometry } from "../../viewer/geometry";
 import { fromServer, type ImagePoint, pair, samePoint } from "../../viewer/points";
 import { Reel } from "../../viewer/reel";
-import { repeatWish } from "../../viewer/repeats";
 import { FrameStage } from "../../viewer/stage";
 import { insetOf, valuesOf } from "../../viewer/values";
 import { type Fix, FixTool } from "./fix";
-import { type GivenVerdict, VERDICT, type VerdictAbout } from "./kinds";
-
-/** The states that the queue can be asked for; reopened ones are to review again. */
-export type Shown = Exclude<Verdict, "reopened"> | "all";
-
-const PAGE = 200;
+import { Verdicts } from "./giving";
+import { isWaiting, ReviewQueue, type Shown } from "./queue";
+import { isOwn, Repeats } from "./repeats";
 
 export class ReviewModel {
   readonly reel = new Reel();
@@ -43,8 +29,8 @@ export class ReviewModel {
         : [this.fixing, this.verdicts],
   );
   readonly geometry = new Geometry();
-  readonly shown = signal<Shown>("to_review");
-  readonly items = signal<readonly ReviewItem[] | null>(null);
+  readonly queue: ReviewQueue;
+  readonly repeats: Repeats;
   readonly problem = signal<unknown>(null);
   readonly currentId = signal<number | null>(null);
   readonly fixing = new FixTool({
@@ -61,19 +47,10 @@ export class ReviewModel {
     const item = this.current.peek();
     return () => {
       if (item && this.currentId.value !== item.measurement.id)
-        this.open(this.itemOf(item.measurement.id) ?? item);
+        this.open(this.queue.find(item.measurement.id) ?? item);
     };
   });
-  /** Which measurements are clicked blind: the survey's, not the reviewer's choice. */
-  readonly plan = signal<ReviewPlan | null>(null);
-  readonly work = signal<ReviewWork | null>(null);
-  /** Heights of line scans that wait: they have a bench of their own, and stand in this queue. */
-  readonly lineHeights = signal<LineHeightQueue | null>(null);
   readonly busy = signal(false);
-  /** True while the server has more of the queue than was read. */
-  readonly more = signal(false);
-  /** The repeats of what is shown, each with its difference; null until they are here. */
-  readonly comparisons = signal<readonly Comparison[] | null>(null);
   readonly blind: BlindClicks;
   /** Esc leaves a rejection that was begun, Enter gives it once it has a reason. */
   private readonly verdicts = {
@@ -88,14 +65,12 @@ export class ReviewModel {
       return begun;
     },
   };
+  private readonly given: Verdicts;
   private readonly revealed = signal<ReadonlySet<number>>(new Set());
 
-  readonly current = computed(
-    () => this.items.value?.find((item) => item.measurement.id === this.currentId.value) ?? null,
-  );
+  readonly current = computed(() => this.queue.find(this.currentId.value) ?? null);
   /** Neither points nor height of what is open may be seen yet. */
   readonly hidden = computed(() => this.current.value !== null && this.isHidden(this.current.value));
-  readonly ownRepeat = computed(() => this.comparisons.value?.filter(isOwn).at(-1) ?? null);
   readonly contact = computed<ImagePoint | null>(() => {
     const m = this.current.value?.measurement;
     return this.fix.value?.contact ?? (m ? fromServer(m.contact) : null);
@@ -126,7 +101,11 @@ export class ReviewModel {
   private readonly stops: (() => void)[] = [];
 
   constructor(readonly surveyId: number) {
-    this.blind = new BlindClicks(this.stage, this.reel, this.geometry, this.lane, (again) =>
+    const lane = `review ${surveyId}`;
+    this.queue = new ReviewQueue(surveyId);
+    this.given = new Verdicts(this.queue, lane);
+    this.repeats = new Repeats(lane, (id) => this.readComparisons(id));
+    this.blind = new BlindClicks(this.stage, this.reel, this.geometry, lane, (again) =>
       this.clickedAgain(again),
     );
     this.stops.push(effect(() => this.followAxes()));
@@ -136,23 +115,16 @@ export class ReviewModel {
     this.problem.value = null;
     try {
       const wanted = asked("measurement");
-      const [page, alone, recordings] = await Promise.all([
-        this.read({ limit: PAGE }),
-        wanted && wanted < 2 ** 31 ? this.read({ measurement: wanted, state: "all" }) : [],
+      const [named, recordings] = await Promise.all([
+        this.queue.load(wanted),
         this.reel.recordings.value.length > 0
           ? this.reel.recordings.value
           : api.ask("GET /surveys/{survey_id}/recordings", { survey_id: this.surveyId }),
-        this.readPlan(),
       ]);
       this.reel.recordings.value = recordings;
-      // what the address names comes first if it is not in the first page of a long queue
-      const known = page.some((item) => item.measurement.id === wanted);
-      const items = known ? page : [...alone, ...page];
-      this.items.value = items;
-      this.more.value = page.length === PAGE;
-      const named = items.find((item) => item.measurement.id === wanted);
       if (wanted !== null && !named)
         toast(say("address-elsewhere", { what: "measurement" }), { kind: "problem" });
+      const items = this.queue.items.value ?? [];
       const first = named ?? items.find((item) => !item.mine) ?? items[0];
       if (first) this.open(first);
       else this.currentId.value = null;
@@ -166,33 +138,6 @@ export class ReviewModel {
     this.reel.close();
   }
 
-  async loadMore(): Promise<void> {
-    const items = this.items.value ?? [];
-    const last = items.at(-1);
-    if (!last || !this.more.value) return;
-    try {
-      const page = await this.read({ limit: PAGE, after: last.measurement.id });
-      const known = new Set(items.map((item) => item.measurement.id));
-      this.items.value = [...items, ...page.filter((item) => !known.has(item.measurement.id))];
-      this.more.value = page.length === PAGE;
-    } catch (error) {
-      toastProblem(error);
-    }
-  }
-
-  /** The open lot whose sample alone is shown, by the address. */
-  get lot(): number | null {
-    return asked("lot");
-  }
-
-  /** The sample of the lot that is shown has its verdicts: what is next is to decide on the lot. */
-  readonly lotJudged = computed(
-    () =>
-      this.lot !== null &&
-      !this.more.value &&
-      this.items.value?.some((item) => isWaiting(item.measurement)) === false,
-  );
-
   async leaveLot(): Promise<void> {
     setQuery({ lot: null });
     await this.load();
@@ -203,50 +148,21 @@ export class ReviewModel {
     return isWaiting(item.measurement);
   }
 
-  /** An administrator's choice, for everybody who reviews this survey. */
   async choosePlan(blind_one_in: number): Promise<void> {
-    const version = this.plan.value?.version ?? 0;
-    try {
-      this.plan.value = await api.write(
-        "PUT /surveys/{survey_id}/review-plan",
-        { survey_id: this.surveyId },
-        { body: { blind_one_in, version } },
-      );
-      await this.load();
-    } catch (error) {
-      toastProblem(error);
-      await this.readPlan();
-    }
-  }
-
-  private async readPlan(): Promise<void> {
-    const survey_id = this.surveyId;
-    [this.plan.value, this.work.value, this.lineHeights.value] = await Promise.all([
-      api.ask("GET /surveys/{survey_id}/review-plan", { survey_id }),
-      api.ask("GET /surveys/{survey_id}/review-work", { survey_id }),
-      api.ask("GET /surveys/{survey_id}/line-height-queue", { survey_id }),
-    ]);
-  }
-
-  private async readWork(): Promise<void> {
-    try {
-      this.work.value = await api.ask("GET /surveys/{survey_id}/review-work", { survey_id: this.surveyId });
-    } catch {
-      // it is read again after the next verdict
-    }
+    if (await this.queue.choosePlan(blind_one_in)) await this.load();
   }
 
   /** The points and the height are shown: it was clicked again. */
   private reveal(id: number): void {
     if (this.blind.wanted.value?.measurement_id === id) this.blind.begin(null);
     this.revealed.value = new Set(this.revealed.value).add(id);
-    const item = this.itemOf(id);
-    if (item && this.currentId.value === id) this.aimAt(item.measurement);
+    const item = this.current.value;
+    if (item?.measurement.id === id) this.aimAt(item.measurement);
   }
 
   async show(shown: Shown): Promise<void> {
-    this.shown.value = shown;
-    this.items.value = null;
+    this.queue.shown.value = shown;
+    this.queue.items.value = null;
     setQuery({ measurement: null, lot: null });
     await this.load();
   }
@@ -257,7 +173,7 @@ export class ReviewModel {
       this.currentId.value = m.id;
       this.fixing.leave();
       this.rejecting.value = false;
-      this.comparisons.value = null;
+      this.repeats.comparisons.value = null;
       this.geometry.forgetHeight();
       this.showFrame(m);
       if (this.isHidden(item)) this.stage.whole();
@@ -278,16 +194,10 @@ export class ReviewModel {
     this.stage.aim(fromServer(m.contact), fromServer(m.target_point));
   }
 
-  private itemOf(id: number): ReviewItem | undefined {
-    return this.items.value?.find((item) => item.measurement.id === id);
-  }
-
   go(step: 1 | -1): void {
-    const items = this.items.value ?? [];
-    const at = items.findIndex((item) => item.measurement.id === this.currentId.value);
-    const next = items[at + step];
+    const next = this.queue.beside(this.currentId.value, step);
     if (next) this.open(next);
-    else if (step === 1 && this.more.value) void this.loadMore().then(() => this.go(1));
+    else if (step === 1 && this.queue.more.value) void this.queue.loadMore().then(() => this.go(1));
     else toast(say(step === 1 ? "review-queue-end" : "review-queue-start"));
   }
 
@@ -316,7 +226,7 @@ export class ReviewModel {
     this.busy.value = true;
     try {
       if (verdict === "fixed" && fix)
-        await this.give(item, {
+        await this.given.give(item, {
           verdict,
           reason: null,
           points: { contact: pair(fix.contact), target_point: pair(fix.point), frame },
@@ -325,67 +235,18 @@ export class ReviewModel {
         await this.history.run(
           say("review-step-verdict", { target, vehicle: vehicleName(item.vehicle.number) }),
           async (changes) => {
-            await changes.write(this.given, id, { verdict, reason: reason ?? null });
+            await changes.write(this.given.given, id, { verdict, reason: reason ?? null });
           },
         );
       if (verdict !== "reopened") this.goOn(id);
     } catch (error) {
       toastProblem(error);
       // told here, and the measurement is looked at again: nothing is left to choose
-      outbox.discard(keyOf(item));
+      this.given.forget(item);
       await this.refreshItem(item);
     } finally {
       this.busy.value = false;
     }
-  }
-
-  /** The verdict that stands on a measurement; what waits is written as reopened. */
-  private readonly given: Ledger<number, Pick<GivenVerdict, "verdict" | "reason">> = {
-    read: (id) => {
-      const m = this.itemOf(id)?.measurement;
-      if (!m || isWaiting(m)) return { verdict: "reopened", reason: null };
-      return { verdict: m.review.verdict as GivenVerdict["verdict"], reason: m.review.reason };
-    },
-    write: async (id, want) => {
-      const item = this.itemOf(id);
-      if (item) await this.give(item, { ...want, points: null });
-    },
-  };
-
-  /** Resolves once the verdict is stored, or kept where there is no connection; it stands in the queue from then on. */
-  private async give(item: ReviewItem, want: GivenVerdict): Promise<void> {
-    const stored = await outbox.store(this.verdictOn(item, want));
-    if (!stored) toast(say("review-verdict-kept"));
-    const { id } = item.measurement;
-    const measurement = stored?.saved ?? expected(item.measurement, want);
-    this.items.value = (this.items.value ?? []).map((other) =>
-      other.measurement.id === id ? { ...other, measurement } : other,
-    );
-    void refreshSurvey();
-    void this.readWork();
-  }
-
-  private get lane(): string {
-    return `review ${this.surveyId}`;
-  }
-
-  private verdictOn(item: ReviewItem, want: GivenVerdict): Wanted<Measurement, GivenVerdict, VerdictAbout> {
-    const m = item.measurement;
-    const verdict = STATE_WORDS[want.verdict];
-    return {
-      key: keyOf(item),
-      kind: VERDICT,
-      lane: this.lane,
-      about: { id: m.id, revision: m.revision, by: me.value?.person.id ?? 0 },
-      what: say("review-verdict-of", {
-        target: TARGET_WORDS[m.target],
-        vehicle: vehicleName(item.vehicle.number),
-      }),
-      mine: want.reason ? say("review-verdict-reason", { verdict, reason: want.reason }) : verdict,
-      page: `/surveys/${this.surveyId}/review?measurement=${m.id}`,
-      saved: m,
-      want,
-    };
   }
 
   /** Points to correct: those that stand, or this person's own second click. */
@@ -406,25 +267,10 @@ export class ReviewModel {
     const step = say("review-again-take-back");
     await this.history
       .run(step, async (changes) => {
-        await changes.write(this.repeats, repeat, false);
+        await changes.write(this.repeats.standing, repeat, false);
       })
       .catch(toastProblem);
   }
-
-  /** Whether a second click stands. */
-  private readonly repeats: Ledger<Measurement, boolean> = {
-    nameOf: ({ id }) => id,
-    read: ({ id }) => this.comparisons.value?.some(({ repeat }) => repeat.id === id) === true,
-    write: async (repeat, stands) => {
-      const saved = this.turned.get(repeat.id) ?? repeat;
-      const about = { vehicleId: repeat.vehicle_id };
-      const want = { clicks: null, withdrawn: !stands };
-      const stored = await outbox.store(repeatWish(`repeat.${repeat.id}`, this.lane, about, saved, want));
-      if (stored?.saved) this.turned.set(repeat.id, stored.saved);
-      if (repeat.repeat_of !== null) await this.readComparisons(repeat.repeat_of);
-    },
-  };
-  private readonly turned = new Map<number, Measurement>();
 
   cancel(): void {
     this.reason.value = "";
@@ -454,40 +300,15 @@ export class ReviewModel {
   private goOn(id: number): void {
     this.cancel();
     if (this.currentId.value !== id) return;
-    const items = this.items.value ?? [];
-    const at = items.findIndex((item) => item.measurement.id === id);
-    const waits = (item: ReviewItem): boolean => !item.mine && isWaiting(item.measurement);
-    const next = items.find((item, i) => i > at && waits(item)) ?? items.find(waits);
+    const next = this.queue.waitsAfter(id);
     if (next) this.open(next);
-    else if (this.more.value) void this.loadMore().then(() => this.go(1));
+    else if (this.queue.more.value) void this.queue.loadMore().then(() => this.go(1));
   }
 
   /** A verdict was refused, perhaps because the operator changed the points meanwhile: show what there is now. */
-  private async refreshItem(item: ReviewItem): Promise<void> {
-    try {
-      const measurement = await api.ask("GET /measurements/{measurement_id}", {
-        measurement_id: item.measurement.id,
-      });
-      if (measurement.revision === item.measurement.revision) return;
-      this.items.value = (this.items.value ?? []).map((other) =>
-        other.measurement.id === measurement.id ? { ...other, measurement } : other,
-      );
-      // what was begun on another one meanwhile stays
-      if (this.currentId.value === measurement.id) this.fixing.leave();
-    } catch {
-      // the refusal's own sentence has been shown
-    }
-  }
-
-  private read(page: {
-    limit?: number;
-    after?: number;
-    measurement?: number;
-    state?: Shown;
-  }): Promise<ReviewItem[]> {
-    const lot = this.lot && page.measurement === undefined ? { lot: this.lot } : {};
-    const wanted = { survey_id: this.surveyId, state: this.shown.value, ...lot, ...page };
-    return api.ask("GET /surveys/{survey_id}/review-queue", wanted);
+  private async refreshItem({ measurement: { id } }: ReviewItem): Promise<void> {
+    // what was begun on another one meanwhile stays
+    if ((await this.queue.refresh(id)) && this.currentId.value === id) this.fixing.leave();
   }
 
   private clickedAgain({ clicks }: Again): void {
@@ -497,9 +318,9 @@ export class ReviewModel {
 
   private async readComparisons(id: number): Promise<void> {
     try {
-      const found = await api.ask("GET /measurements/{measurement_id}/repeats", { measurement_id: id });
+      const found = await this.repeats.read(id);
       if (this.currentId.value !== id) return;
-      this.comparisons.value = found;
+      this.repeats.comparisons.value = found;
       if (found.some(isOwn)) this.reveal(id);
     } catch (error) {
       toastProblem(error);
@@ -523,23 +344,4 @@ export class ReviewModel {
         : null,
     );
   }
-}
-
-/** True while nobody has said anything of what stands; what was reopened waits again. */
-function isWaiting({ review }: Measurement): boolean {
-  return review.verdict === "to_review" || review.verdict === "reopened";
-}
-
-/** A measurement as it will be once the verdict is stored. */
-function expected(m: Measurement, { verdict, reason, points }: GivenVerdict): Measurement {
-  const reviewer = me.value ? { id: me.value.person.id, name: me.value.person.name } : null;
-  return { ...m, ...points, review: { verdict, reason, reviewer, at: null, lot_id: null } };
-}
-
-function isOwn(one: Comparison): boolean {
-  return one.repeat.created_by !== null && one.repeat.created_by.id === me.value?.person.id;
-}
-
-function keyOf({ measurement }: ReviewItem): string {
-  return `verdict.${measurement.id}`;
 }

@@ -4,7 +4,7 @@ import { Button, Dialog, DropFiles, Loading, Notice, num, Problem, Table } from 
 import { CommitField } from "../../components/CommitField";
 import { useAction } from "../../core/action";
 import { api } from "../../core/api";
-import { say, wordsOf } from "../../core/messages";
+import { apart, say, wordsOf } from "../../core/messages";
 import type { ReferencePlan, ReferenceRow } from "../../core/types";
 import { fixed, formatCount, parseNumber } from "../../core/units";
 import type { ScanModel } from "./model";
@@ -156,5 +156,5 @@ function givenWords({ given, run_of, source }: ReferenceRow): string {
       u: apartWords(one.quantity, one.u),
     }),
   );
-  return [...values, run_of ?? "", given.length ? "" : source].filter(Boolean).join("; ");
+  return apart([...values, run_of ?? "", given.length ? "" : source].filter(Boolean));
 }

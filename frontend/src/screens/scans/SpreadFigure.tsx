@@ -1,8 +1,8 @@
 /** The cumulative distribution of one quantity with its band, and the percentiles that are asked for. */
 
-import { say, wordsOf } from "../../core/messages";
+import { apart, say, wordsOf } from "../../core/messages";
 import type { ScanSpread } from "../../core/types";
-import { fixed, lengthScale, type Scale, speedScale } from "../../core/units";
+import { fixed, lengthScale, plainPercent, type Scale, speedScale } from "../../core/units";
 import { aroundOne, ecdfMarks, noBandWords } from "../../parts/figures/curves";
 import { PlotFigure } from "../../parts/figures/PlotFigure";
 
@@ -37,7 +37,7 @@ export function SpreadFigure({ spread }: { spread: ScanSpread }) {
   const title = TITLES[spread.quantity] ?? spread.quantity;
   const there = "value" in ecdf;
   const asked = spread.percentiles.filter((one) => ASKED.includes(one.percent));
-  const percentiles = asked.map((one) => percentileWords(one, by)).join("; ");
+  const percentiles = apart(asked.map((one) => percentileWords(one, by)));
   const notes = [
     percentiles && say("motion-spread-note", { unit, percentiles }),
     there ? noBandWords(ecdf.n) : null,
@@ -88,7 +88,7 @@ export function SpreadFigure({ spread }: { spread: ScanSpread }) {
 }
 
 function percentileWords(one: ScanSpread["percentiles"][number], by: number): string {
-  const percent = String(one.percent);
+  const percent = plainPercent(one.percent);
   if (one.value === null) return one.reason ?? "";
   const value = fixed(one.value * by, 2);
   if (one.low === null || one.high === null) return say("motion-percentile", { percent, value });

@@ -1,6 +1,6 @@
 /** How the outbox brings what is done on the strips to the server: addresses, bodies, and when two of them are the same. */
 import { api } from "../../core/api";
-import { say } from "../../core/messages";
+import { apart, say } from "../../core/messages";
 import { type Kind, outbox } from "../../core/outbox";
 import type { BodyOf } from "../../core/routes";
 import { shapeOf } from "../../core/shape";
@@ -309,7 +309,7 @@ export function scannedWords({ there, boundaries, hubs, axles, lane, facts }: Sc
     lane === undefined ? "" : say("scan-wish-lane", { lane: lane ?? say("scan-lane-by-program") }),
     facts ? factsWords(facts) : "",
   ];
-  return told.filter(Boolean).join("; ");
+  return apart(told.filter(Boolean));
 }
 
 function linesWords(lines: readonly (number | null)[]): string {

@@ -8,7 +8,7 @@ import { say } from "../../core/messages";
 import type { ScreenProps } from "../../core/places";
 import { useResource } from "../../core/resource";
 import { resultsTabs } from "../../core/tabs";
-import { fixed, formatLength, formatSpeed, lengthScale, plainHeight } from "../../core/units";
+import { fixed, formatLength, formatSpeed, lengthScale, numbersIn, plainHeight } from "../../core/units";
 import { OutOfDateNotice } from "../../parts/again/OutOfDateNotice";
 import { loadPlot } from "../../parts/figures/PlotFigure";
 import { KFigure } from "./KFigure";
@@ -107,7 +107,7 @@ function Cases({ sight }: { sight: Sight }) {
         speed: formatSpeed(Number(query.value.get("speed_mps") ?? 100 / 3.6), null, 0),
         distance: formatLength(sight.distance.distance_m, 1),
         design: formatLength(sight.distance.design_m, 0),
-        formula: sight.distance.formula,
+        formula: numbersIn(sight.distance.formula),
       })}
     >
       <Table

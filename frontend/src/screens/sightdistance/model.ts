@@ -1,6 +1,6 @@
 /** What the sight-distance page asks and shows; all of it is in the address. */
 import type { components } from "#schema";
-import { allOf, say, wordsOf } from "../../core/messages";
+import { allOf, apart, say, wordsOf } from "../../core/messages";
 import type { AddressOf } from "../../core/routes";
 import { lengthUnit } from "../../core/units";
 import { TARGET_WORDS } from "../../core/words";
@@ -61,7 +61,7 @@ export function withoutCrest(one: Case): string {
   const each = one.too_few.map(({ target, reason }) =>
     say("sight-too-few-of", { target: TARGET_WORDS[target], reason }),
   );
-  return say("sight-too-few", { targets: each.join("; ") });
+  return say("sight-too-few", { targets: apart(each) });
 }
 
 /** The fleet of an address: percent by class; empty where none is asked for. */

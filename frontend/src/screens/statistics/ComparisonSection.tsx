@@ -1,6 +1,6 @@
 import { num, Panel, Table } from "../../components";
 import { say } from "../../core/messages";
-import { formatSmall } from "../../core/units";
+import { formatSmall, plainPercent } from "../../core/units";
 import { TARGET_WORDS } from "../../core/words";
 import { NONE } from "../../parts/figures/numbers";
 import type { Comparison } from "./model";
@@ -39,7 +39,7 @@ export function ComparisonSection({ compared }: { compared: Comparison }) {
 
 function Row({ one }: { one: Figure }) {
   const { U95_low_m: low, U95_high_m: high } = one;
-  const figure = one.percent === null ? say("statistics-compared-mean") : `P${one.percent}`;
+  const figure = one.percent === null ? say("statistics-compared-mean") : `P${plainPercent(one.percent)}`;
   return (
     <tr>
       <th scope="row">

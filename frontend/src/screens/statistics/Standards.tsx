@@ -3,7 +3,7 @@ import { Button, num, Panel, SelectField, Table, TextField } from "../../compone
 import { query } from "../../core/address";
 import { say } from "../../core/messages";
 import { canWork } from "../../core/session";
-import { formatLength, lengthUnit, parseLength } from "../../core/units";
+import { formatLength, lengthUnit, parseLength, plainPercent } from "../../core/units";
 import { formatLimit, standardKey, STANDARD_OF as WHAT } from "../../parts/figures/standards";
 import type { Standard } from "../../parts/figures/types";
 import { setFilter } from "./filters";
@@ -138,7 +138,7 @@ const COMPARED: readonly string[] = Object.values(STANDARD_FOR);
 /** "P10 of passenger cars" */
 function ruleOf(one: Standard): string {
   if (one.percent === null) return one.vehicle_class;
-  const percent = String(one.percent);
+  const percent = plainPercent(one.percent);
   if (!one.vehicle_class) return say("statistics-standard-percentile", { percent });
   return say("statistics-standard-rule", { percent, group: one.vehicle_class });
 }

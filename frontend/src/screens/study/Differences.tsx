@@ -1,7 +1,7 @@
 import { num, Table } from "../../components";
 import { say } from "../../core/messages";
 import type { StudiesBeside } from "../../core/types";
-import { formatSmall } from "../../core/units";
+import { formatSmall, plainPercent } from "../../core/units";
 import { TARGET_WORDS } from "../../core/words";
 import { NONE } from "../../parts/figures/numbers";
 import { Bounded } from "./Section";
@@ -29,7 +29,8 @@ export function Differences({ rows, column }: Props) {
       {rows.map((one) => (
         <tr key={`${one.target}|${one.between}|${one.percent}`}>
           <th scope="row">
-            {TARGET_WORDS[one.target]}, {one.percent === null ? say("study-mean") : `P${one.percent}`}
+            {TARGET_WORDS[one.target]},{" "}
+            {one.percent === null ? say("study-mean") : `P${plainPercent(one.percent)}`}
           </th>
           {column && <td>{one.between}</td>}
           <td class="num">{say("statistics-compared-of", { first: one.n_first, second: one.n_second })}</td>

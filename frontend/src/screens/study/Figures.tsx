@@ -1,7 +1,7 @@
 import { DataTable, num, Table } from "../../components";
 import { say } from "../../core/messages";
 import type { Category, StudyResult } from "../../core/types";
-import { fixed, formatSmall, lengthScale, plainHeight } from "../../core/units";
+import { fixed, formatSmall, lengthScale, plainHeight, plainPercent } from "../../core/units";
 import { CATEGORY_WORDS, LIGHTING_WORDS, TARGET_WORDS } from "../../core/words";
 import { NONE, percent } from "../../parts/figures/numbers";
 import { SameRule } from "../../parts/figures/SameRule";
@@ -54,7 +54,9 @@ function asRule(one: Found["rules"][number]) {
 }
 
 const nameOf = (one: Row) =>
-  one.figure === "percentile" ? `P${one.percent}` : say(one.figure === "mean" ? "study-mean" : "study-sd");
+  one.figure === "percentile"
+    ? `P${plainPercent(one.percent)}`
+    : say(one.figure === "mean" ? "study-mean" : "study-sd");
 
 function Percentiles({ found, targets }: { found: Found; targets: readonly Row["target"][] }) {
   const unit = lengthScale()[1];

@@ -3,7 +3,7 @@ import { Button, DataTable, Notice, Panel, Problem } from "../../components";
 import { say } from "../../core/messages";
 import { may } from "../../core/session";
 import type { Response, Sampling, Survey } from "../../core/types";
-import { fixed, formatCount } from "../../core/units";
+import { fixed, formatCount, plainPercent } from "../../core/units";
 import { CLASS_SET_WORDS, LIGHTING_WORDS, TARGET_WORDS } from "../../core/words";
 import { SampleQuotas, useSample } from "../../parts/vehicles/SampleQuotas";
 
@@ -94,7 +94,7 @@ function ruleWords(rule: Sampling): string {
     method: rule.method,
     step: rule.step,
     start: rule.start,
-    share: String(rule.share_percent),
+    share: plainPercent(rule.share_percent),
     seed: String(rule.seed),
   });
   return rule.free_flowing_s === null

@@ -1,5 +1,5 @@
 /** A proposal over the frame: dashed, a diamond, and the word; nothing is stored until a person clicks. */
-import { say } from "../../../core/messages";
+import { say, sentenceOf } from "../../../core/messages";
 import { InImage } from "../../../viewer/Overlay";
 import type { FrameStage } from "../../../viewer/stage";
 import type { Assist } from "./assist";
@@ -20,7 +20,7 @@ export function AssistLayer({ assist, stage }: { assist: Assist; stage: FrameSta
         <path class="point-mark__halo" d={diamond} />
         <path class="point-mark__line" d={diamond} />
         <text class="overlay-word overlay-word--strong" x={15} y={20}>
-          {answer.words}
+          {sentenceOf(answer.words)}
         </text>
       </g>
     </g>
@@ -35,8 +35,8 @@ export function AssistNote({ assist }: { assist: Assist }) {
     : (assist.problem.value ??
       (answer
         ? answer.contact
-          ? say("measure-proposal-take", { proposal: answer.words })
-          : answer.words
+          ? say("measure-proposal-take", { proposal: sentenceOf(answer.words) })
+          : sentenceOf(answer.words)
         : null));
   if (!words) return null;
   const drawn = answer?.contact != null;

@@ -4,8 +4,9 @@ import { hint, keyMap, showChord } from "../../../core/commands";
 import { say, sayCode } from "../../../core/messages";
 import { canWork } from "../../../core/session";
 import type { PointProposal } from "../../../core/types";
-import { fixed, formatHeight } from "../../../core/units";
-import { STATE_WORDS, TARGET_WORDS, TARGETS } from "../../../core/words";
+import { fixed } from "../../../core/units";
+import { TARGET_WORDS, TARGETS } from "../../../core/words";
+import { heightOrReason } from "../../../viewer/geometry";
 import { PointLoupe } from "../../../viewer/PointLoupe";
 import { samePoint } from "../../../viewer/points";
 import type { MeasureModel } from "../model";
@@ -79,13 +80,7 @@ function Card({ model, one }: { model: MeasureModel; one: InHand }) {
         <kbd>{showChord(keyMap.value[id ?? "target1"][0] ?? "")}</kbd> {name}
       </span>
       <span class="proposed__height">
-        {one.role === "contact"
-          ? " "
-          : height === null
-            ? "…"
-            : height.status === "ok"
-              ? formatHeight(height.height_m, height.U95_height_m)
-              : (height.reason ?? STATE_WORDS.not_measurable)}
+        {one.role === "contact" ? " " : height === null ? "…" : heightOrReason(height)}
       </span>
       <span class="muted small" title={moved ? undefined : say("measure-proposed-expected-title")}>
         {moved

@@ -1,0 +1,74 @@
+/** Verdicts on their way to the server, each a value of its measurement that can be put back. */
+import type { Ledger } from "../../core/history";
+import { say } from "../../core/messages";
+import { outbox, type Wanted } from "../../core/outbox";
+import { me } from "../../core/session";
+import { refreshSurvey } from "../../core/survey";
+import { toast } from "../../core/toasts";
+import type { Measurement, ReviewItem } from "../../core/types";
+import { STATE_WORDS, TARGET_WORDS, vehicleName } from "../../core/words";
+import { type GivenVerdict, VERDICT, type VerdictAbout } from "./kinds";
+import { isWaiting, type ReviewQueue } from "./queue";
+
+export class Verdicts {
+  constructor(
+    private readonly queue: ReviewQueue,
+    private readonly lane: string,
+  ) {}
+
+  /** The verdict that stands on a measurement; what waits is written as reopened. */
+  readonly given: Ledger<number, Pick<GivenVerdict, "verdict" | "reason">> = {
+    read: (id) => {
+      const m = this.queue.find(id)?.measurement;
+      if (!m || isWaiting(m)) return { verdict: "reopened", reason: null };
+      return { verdict: m.review.verdict as GivenVerdict["verdict"], reason: m.review.reason };
+    },
+    write: async (id, want) => {
+      const item = this.queue.find(id);
+      if (item) await this.give(item, { ...want, points: null });
+    },
+  };
+
+  /** Resolves once the verdict is stored, or kept where there is no connection; it stands in the queue from then on. */
+  async give(item: ReviewItem, want: GivenVerdict): Promise<void> {
+    const stored = await outbox.store(this.verdictOn(item, want));
+    if (!stored) toast(say("review-verdict-kept"));
+    this.queue.replace(stored?.saved ?? expected(item.measurement, want));
+    void refreshSurvey();
+    void this.queue.readWork();
+  }
+
+  /** A verdict that was refused is not sent again. */
+  forget(item: ReviewItem): void {
+    outbox.discard(keyOf(item));
+  }
+
+  private verdictOn(item: ReviewItem, want: GivenVerdict): Wanted<Measurement, GivenVerdict, VerdictAbout> {
+    const m = item.measurement;
+    const verdict = STATE_WORDS[want.verdict];
+    return {
+      key: keyOf(item),
+      kind: VERDICT,
+      lane: this.lane,
+      about: { id: m.id, revision: m.revision, by: me.value?.person.id ?? 0 },
+      what: say("review-verdict-of", {
+        target: TARGET_WORDS[m.target],
+        vehicle: vehicleName(item.vehicle.number),
+      }),
+      mine: want.reason ? say("review-verdict-reason", { verdict, reason: want.reason }) : verdict,
+      page: `/surveys/${this.queue.surveyId}/review?measurement=${m.id}`,
+      saved: m,
+      want,
+    };
+  }
+}
+
+/** A measurement as it will be once the verdict is stored. */
+function expected(m: Measurement, { verdict, reason, points }: GivenVerdict): Measurement {
+  const reviewer = me.value ? { id: me.value.person.id, name: me.value.person.name } : null;
+  return { ...m, ...points, review: { verdict, reason, reviewer, at: null, lot_id: null } };
+}
+
+function keyOf({ measurement }: ReviewItem): string {
+  return `verdict.${measurement.id}`;
+}

@@ -1,0 +1,158 @@
+/** What is to be reviewed: the queue as far as it was read, what is left of the work, and which of it is clicked blind. */
+import { computed, signal } from "@preact/signals";
+import { asked } from "../../core/address";
+import { api } from "../../core/api";
+import { toastProblem } from "../../core/toasts";
+import type {
+  LineHeightQueue,
+  Measurement,
+  ReviewItem,
+  ReviewPlan,
+  ReviewWork,
+  Verdict,
+} from "../../core/types";
+
+/** The states that the queue can be asked for; reopened ones are to review again. */
+export type Shown = Exclude<Verdict, "reopened"> | "all";
+
+const PAGE = 200;
+
+export class ReviewQueue {
+  readonly shown = signal<Shown>("to_review");
+  readonly items = signal<readonly ReviewItem[] | null>(null);
+  /** True while the server has more of the queue than was read. */
+  readonly more = signal(false);
+  /** Which measurements are clicked blind: the survey's, not the reviewer's choice. */
+  readonly plan = signal<ReviewPlan | null>(null);
+  readonly work = signal<ReviewWork | null>(null);
+  /** Heights of line scans that wait: they have a bench of their own, and stand in this queue. */
+  readonly lineHeights = signal<LineHeightQueue | null>(null);
+  /** The sample of the lot that is shown has its verdicts: what is next is to decide on the lot. */
+  readonly lotJudged = computed(
+    () =>
+      this.lot !== null &&
+      !this.more.value &&
+      this.items.value?.some((item) => isWaiting(item.measurement)) === false,
+  );
+
+  constructor(readonly surveyId: number) {}
+
+  /** The open lot whose sample alone is shown, by the address. */
+  get lot(): number | null {
+    return asked("lot");
+  }
+
+  /** Reads the first page, and before it what the address names if it is not there; answers what was named. */
+  async load(named: number | null): Promise<ReviewItem | undefined> {
+    const [page, alone] = await Promise.all([
+      this.read({ limit: PAGE }),
+      named && named < 2 ** 31 ? this.read({ measurement: named, state: "all" }) : [],
+      this.readPlan(),
+    ]);
+    const known = page.some((item) => item.measurement.id === named);
+    this.items.value = known ? page : [...alone, ...page];
+    this.more.value = page.length === PAGE;
+    return named === null ? undefined : this.find(named);
+  }
+
+  async loadMore(): Promise<void> {
+    const items = this.items.value ?? [];
+    const last = items.at(-1);
+    if (!last || !this.more.value) return;
+    try {
+      const page = await this.read({ limit: PAGE, after: last.measurement.id });
+      const known = new Set(items.map((item) => item.measurement.id));
+      this.items.value = [...items, ...page.filter((item) => !known.has(item.measurement.id))];
+      this.more.value = page.length === PAGE;
+    } catch (error) {
+      toastProblem(error);
+    }
+  }
+
+  find(id: number | null): ReviewItem | undefined {
+    return this.items.value?.find((item) => item.measurement.id === id);
+  }
+
+  /** The one before or after an item, where it was read. */
+  beside(id: number | null, step: 1 | -1): ReviewItem | undefined {
+    const items = this.items.value ?? [];
+    return items[items.findIndex((item) => item.measurement.id === id) + step];
+  }
+
+  /** The next after an item that waits for this person's verdict; from the beginning if none comes after it. */
+  waitsAfter(id: number): ReviewItem | undefined {
+    const items = this.items.value ?? [];
+    const at = items.findIndex((item) => item.measurement.id === id);
+    const waits = (item: ReviewItem): boolean => !item.mine && isWaiting(item.measurement);
+    return items.find((item, i) => i > at && waits(item)) ?? items.find(waits);
+  }
+
+  /** The measurement as it is now, in the place of what was read. */
+  replace(measurement: Measurement): void {
+    this.items.value = (this.items.value ?? []).map((other) =>
+      other.measurement.id === measurement.id ? { ...other, measurement } : other,
+    );
+  }
+
+  /** Reads a measurement anew; answers whether it has another revision now, which is then in its place. */
+  async refresh(measurement_id: number): Promise<boolean> {
+    try {
+      const now = await api.ask("GET /measurements/{measurement_id}", { measurement_id });
+      if (now.revision === this.find(measurement_id)?.measurement.revision) return false;
+      this.replace(now);
+      return true;
+    } catch {
+      return false; // why it is asked for has been said
+    }
+  }
+
+  /** An administrator's choice, for everybody who reviews this survey; answers whether it was made. */
+  async choosePlan(blind_one_in: number): Promise<boolean> {
+    const version = this.plan.value?.version ?? 0;
+    try {
+      this.plan.value = await api.write(
+        "PUT /surveys/{survey_id}/review-plan",
+        { survey_id: this.surveyId },
+        { body: { blind_one_in, version } },
+      );
+      return true;
+    } catch (error) {
+      toastProblem(error);
+      await this.readPlan();
+      return false;
+    }
+  }
+
+  async readWork(): Promise<void> {
+    try {
+      this.work.value = await api.ask("GET /surveys/{survey_id}/review-work", { survey_id: this.surveyId });
+    } catch {
+      // it is read again after the next verdict
+    }
+  }
+
+  private async readPlan(): Promise<void> {
+    const survey_id = this.surveyId;
+    [this.plan.value, this.work.value, this.lineHeights.value] = await Promise.all([
+      api.ask("GET /surveys/{survey_id}/review-plan", { survey_id }),
+      api.ask("GET /surveys/{survey_id}/review-work", { survey_id }),
+      api.ask("GET /surveys/{survey_id}/line-height-queue", { survey_id }),
+    ]);
+  }
+
+  private read(page: {
+    limit?: number;
+    after?: number;
+    measurement?: number;
+    state?: Shown;
+  }): Promise<ReviewItem[]> {
+    const lot = this.lot && page.measurement === undefined ? { lot: this.lot } : {};
+    const wanted = { survey_id: this.surveyId, state: this.shown.value, ...lot, ...page };
+    return api.ask("GET /surveys/{survey_id}/review-queue", wanted);
+  }
+}
+
+/** True while nobody has said anything of what stands; what was reopened waits again. */
+export function isWaiting({ review }: Measurement): boolean {
+  return review.verdict === "to_review" || review.verdict === "reopened";
+}
