@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sightline.linescan.background import Road, first_road
+from sightline.linescan.depth import in_8_bits
 from sightline.linescan.finding import SPEEDS_MPS, Finder
 from sightline.linescan.parts import Crossings, Passage, Pixels, Rig
 
@@ -27,7 +28,7 @@ def passage_at(crossings: Crossings, rig: Rig, rows: int, reads: tuple[Read, Rea
     one = _cut(finder, crossings.front_line_1, crossings.rear_line_1, reads[0])
     two = _cut(finder, crossings.front_line_2, crossings.rear_line_2, reads[1])
     noise_dn = max(one.road.noise_dn, two.road.noise_dn)
-    return Passage(
+    passage = Passage(
         crossings=crossings,
         first=one.picture,
         second=two.picture,
@@ -37,6 +38,7 @@ def passage_at(crossings: Crossings, rig: Rig, rows: int, reads: tuple[Read, Rea
         background_2=two.road.line,
         noise_dn=noise_dn,
     )
+    return in_8_bits(passage)
 
 
 @dataclass(frozen=True, eq=False)

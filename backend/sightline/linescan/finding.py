@@ -12,6 +12,7 @@ import numpy as np
 from sightline.errors import BadInput
 from sightline.linescan.background import MOST_UNREST, Grid, enough_lines
 from sightline.linescan.boundaries import refined
+from sightline.linescan.depth import in_8_bits
 from sightline.linescan.lanes import lane_of
 from sightline.linescan.parts import Crossings, Passage, Pixels, Rig
 from sightline.linescan.rig import at_lane
@@ -288,6 +289,7 @@ class Finder:
         )
         if reason:
             return passage
+        passage = in_8_bits(passage)
         if not self.rig.lanes:
             return _bounded(passage, self.rig)
         lane = lane_of(passage, self.rig).lane

@@ -223,11 +223,11 @@ export function FundamentalFigure({ scan, against }: { scan: ScanTraffic; agains
       data={scan}
       options={(plot) => ({
         height: 240,
-        x: { label: axes.xLabel, zero: true, ...aroundOne([0, ...states.map(axes.x)]) },
+        x: { label: axes.xLabel, zero: true, nice: true, ...aroundOne([0, ...states.map(axes.x)]) },
         y:
           against === "density"
-            ? { label: axes.yLabel, zero: true }
-            : { label: axes.yLabel, ...aroundOne(states.map(axes.y)) },
+            ? { label: axes.yLabel, zero: true, nice: true }
+            : { label: axes.yLabel, nice: true, ...aroundOne(states.map(axes.y)) },
         marks: [
           plot.dot(
             states.filter((one) => one.partial),
