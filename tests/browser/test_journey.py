@@ -12,6 +12,8 @@ import pandas as pd
 import pytest
 from playwright.sync_api import Browser, BrowserContext, Page, expect
 
+from sightline.demo.made import lab_images
+
 from .conftest import choose_plan
 from .picture import on_screen
 from .server import Server
@@ -55,7 +57,7 @@ def go_to_frame(page: Page, frame: int) -> None:
     expect(shown).to_be_visible()
 
 
-def calibrate(page: Page, survey_id: int, server: Server) -> tuple[int, int]:
+def calibrate(page: Page, survey_id: int) -> tuple[int, int]:
     """(camera, calibration): a new camera from the lab pictures, all of it by hand."""
     page.goto(f"/surveys/{survey_id}/camera")
     page.get_by_role("button", name="Another camera").click()
@@ -69,7 +71,7 @@ def calibrate(page: Page, survey_id: int, server: Server) -> tuple[int, int]:
     page.get_by_label(re.compile("columns|across", re.I)).first.fill("9")
     page.get_by_label(re.compile("rows|down", re.I)).first.fill("6")
     page.get_by_label(re.compile("square", re.I)).first.fill("30")
-    pictures = sorted((server.data_dir / "demonstration" / "lab").glob("*.png"))
+    pictures = lab_images()
     assert len(pictures) >= 15
     page.locator("input[type=file][multiple]").set_input_files([str(path) for path in pictures])
     button = page.get_by_role("button", name="Calibrate", exact=True)
@@ -171,7 +173,7 @@ def test_calibrate_pose_measure_review_export(
 ) -> None:
     truth = scene_truth("day")
     recording = recording_of(page, survey_id, "day")
-    camera, calibration = calibrate(page, survey_id, demonstration)
+    camera, calibration = calibrate(page, survey_id)
     choose_camera(page, survey_id, recording, camera)
     find_pose(page, survey_id, recording, truth, calibration)
 

@@ -157,8 +157,8 @@ def request_demonstration(services: Services) -> None:
         job = request_both(session)
     if job is not None:
         click.echo(
-            "The demonstration is being created: a simulated study of four sites now, the survey within a "
-            "minute. Both appear on the home page."
+            "The demonstration is being created: a simulated study of four sites and a survey. Both appear "
+            "on the home page."
         )
 
 
