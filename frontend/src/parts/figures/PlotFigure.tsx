@@ -29,7 +29,7 @@ interface Props {
   /** What the picture shows, in words, for those who do not see it. */
   says: string;
   note?: ComponentChildren;
-  /** Names of the curves: written beside them where all have room, else above the figure; those of dots always above. */
+  /** Names of the curves: written beside them where they have room, else above the figure; those of dots always above. */
   legend?: readonly LegendEntry[];
   /** Drawn again when it changes. */
   data: unknown;

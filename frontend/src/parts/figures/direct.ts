@@ -1,4 +1,4 @@
-/** Names of curves, each written beside its own in place of a legend; all of them or, without room, none. */
+/** Names of curves, each written beside its own where it has room; the legend keeps the others. */
 import type { Drawn } from "./Reader";
 import type { Readable } from "./reading";
 
@@ -27,24 +27,21 @@ const APART_PX = 7;
 const ENOUGH_PX = 40;
 const MARGIN_PX = 3;
 
-/** The middle of each curve's word (its size in `sizes`); null unless every word has a place in the frame that is free. */
+/** The middle of each curve's word (its size in `sizes`); null where it has no free place in the frame. */
 export function placesOf(
   curves: readonly (readonly Point[])[],
   sizes: readonly Size[],
   frame: Box,
   taken: readonly Box[] = [],
-): Point[] | null {
+): (Point | null)[] {
   const full = [...taken];
-  const places: Point[] = [];
-  for (const [i, size] of sizes.entries()) {
+  return sizes.map((size, i) => {
     const others = curves.filter((_, n) => n !== i);
     const free = (box: Box) => within(box, frame) && !full.some((one) => meet(box, one));
     const best = roomiest(size, curves[i] ?? [], others, free);
-    if (best === null) return null;
-    full.push(boxOf(best, size));
-    places.push(best);
-  }
-  return places;
+    if (best) full.push(boxOf(best, size));
+    return best;
+  });
 }
 
 /** The place beside a curve that is furthest from all others, and nearer to it than to them. */
@@ -144,15 +141,16 @@ export function writeBeside(figure: Element, drawn: Drawn, words: ReadonlySet<st
     frame,
     writtenIn(figure, texts),
   );
-  if (places === null) {
-    for (const text of texts) text.remove();
-    return new Set();
+  const written = new Set<string>();
+  for (const [i, text] of texts.entries()) {
+    const at = places[i];
+    if (at) {
+      text.setAttribute("x", at.x.toFixed(1));
+      text.setAttribute("y", at.y.toFixed(1));
+      written.add(text.textContent ?? "");
+    } else text.remove();
   }
-  for (const [i, { x, y }] of places.entries()) {
-    texts[i]?.setAttribute("x", x.toFixed(1));
-    texts[i]?.setAttribute("y", y.toFixed(1));
-  }
-  return new Set(named.map((one) => one.word));
+  return written;
 }
 
 function textOf({ word, ink }: Readable): SVGTextElement {
