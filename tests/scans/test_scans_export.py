@@ -6,6 +6,7 @@ import shutil
 from dataclasses import replace
 from datetime import UTC, datetime
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -22,7 +23,7 @@ from sightline.infra.csv_package.recomputing import Recomputing
 from sightline.infra.services import Services
 from sightline.recordings.filming import Filming
 from sightline.scans.clock import ScanClock
-from sightline.scans.heights.review_store import add_line_height_review
+from sightline.scans.heights.service import review_scan_height
 from sightline.scans.store import update_scan
 from sightline.scans.vehicles.measurement_store import append_scan_measurement
 from sightline.scans.vehicles.review_store import add_scan_review
@@ -56,8 +57,9 @@ def one(services: Services) -> Sample:
         rod = scans_samples.rod(session, made, first.scan_id)
         roof = scans_samples.tall(session, made, first.vehicle_id, rod)
         scans_samples.tall(session, made, first.vehicle_id, rod, target="other")
-        add_line_height_review(session, roof.id, verdict="rejected", reason="A rack.", actor=made.rene.id)
-        add_line_height_review(session, roof.id, verdict="accepted", actor=made.rene.id)
+        by: dict[str, Any] = {"revision": 1, "actor": made.rene.id}
+        review_scan_height(session, roof.id, verdict="rejected", reason="A rack.", **by)
+        review_scan_height(session, roof.id, verdict="accepted", **by)
         scans_samples.removed(session, made)
     return made
 

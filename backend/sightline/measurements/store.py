@@ -1,14 +1,13 @@
 """Measurements: append-only revisions of a series. Nothing changes a row; the database refuses it too."""
 
 from collections import defaultdict
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, fields, replace
 from datetime import datetime
-from functools import cache
-from operator import attrgetter
+from functools import cache, partial
 from typing import Any
 
-from sqlalchemy import Row, Select, and_, bindparam, exists, func, select
+from sqlalchemy import Row, Select, and_, bindparam, exists, func, null, select
 from sqlalchemy.orm import Session
 
 from sightline.cameras.calibrations.tables import calibrations
@@ -29,8 +28,17 @@ from sightline.measurements.query import (
     is_last,
     measurement_of_row,
     measurement_revision_rows,
+    scan_height_of_row,
+    scan_height_rows,
 )
-from sightline.measurements.records import FurtherFrame, Measurement, MeasurementValues, ReviewState
+from sightline.measurements.records import (
+    FurtherFrame,
+    Measurement,
+    MeasurementValues,
+    ReviewState,
+    ScanHeight,
+    ScanHeightValues,
+)
 from sightline.measurements.tables import measurement_series, measurements, reviews
 from sightline.poses.tables import road_poses
 from sightline.recordings.frames.store import missing_frame
@@ -83,7 +91,10 @@ def add_measurement(
     place: dict[str, Any] = {"survey_id": ground.survey_id, "recording_id": ground.recording_id}
     place |= {"vehicle_id": vehicle_id, "repeat_of": _repeated(session, vehicle_id, repeat_of, values.target)}
     series_id = add_row(session, measurement_series, {**place, "client_key": client_key})
-    return _append(session, series_id, 1, values, withdrawn=False, before=None, action="create", actor=actor)
+    made: Measurement = append_revision(
+        session, series_id, 1, values, before=None, action="create", actor=actor
+    )
+    return made
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -256,7 +267,19 @@ def _current() -> Select[Any]:
 
 @cache
 def _revision() -> Select[Any]:
-    return _with_place().where(measurements.c.id == bindparam("of_revision"))
+    return _whole(_with_place())
+
+
+@cache
+def _line_revision() -> Select[Any]:
+    return _whole(scan_height_rows(null()))
+
+
+def _whole(rows: Select[Any]) -> Select[Any]:
+    """One revision, with every column of its row."""
+    there = set(rows.selected_columns.keys())
+    others = [column for column in columns_of(measurements, "id") if column.name not in there]
+    return rows.add_columns(*others).where(measurements.c.id == bindparam("of_revision"))
 
 
 def _current_row(session: Session, series_id: int) -> Row[Any]:
@@ -347,78 +370,105 @@ def append_measurement_revision(
     _check(ground, values)
     carried = None
     if ground.judged and not withdrawn and action != "fix":
-        carried = _verdict_that_stood(session, before.id, values)
-    then = {name: getattr(before.values, name) for name in _IN_EVENTS} | {"revision": before.revision}
-    return _append(
+        carried = verdict_that_stood(session, before.id, values)
+    made: Measurement = append_revision(
         session,
         before.id,
         before.revision + 1,
         values,
         withdrawn=withdrawn,
-        before=then,
+        before=before,
         action=action,
         actor=actor,
         verdict_of_revision=carried,
     )
+    return made
 
 
-def _verdict_that_stood(session: Session, series_id: int, values: MeasurementValues) -> int | None:
+def verdict_that_stood(
+    session: Session, series_id: int, values: MeasurementValues | ScanHeightValues
+) -> int | None:
     """The newest judged of the revisions with this very content: the one that its verdict was given to."""
     (contact_x, contact_y), (target_x, target_y) = values.contact, values.target_point
+    rows, record_of_row = _reading(values)
     query = (
-        measurement_revision_rows()
-        .where(measurements.c.series_id == series_id, measurements.c.frame == values.frame)
+        rows()
+        .where(measurements.c.series_id == series_id)
         .where(measurements.c.contact_x_px == contact_x, measurements.c.contact_y_px == contact_y)
         .where(measurements.c.target_x_px == target_x, measurements.c.target_y_px == target_y)
         .order_by(measurements.c.revision.desc())
     )
-    history = (measurement_of_row(row) for row in session.execute(query))
+    history = (record_of_row(row) for row in session.execute(query))
     return judged_alike(history, lambda one: same_height(one.values, values), lambda one: one.judged_revision)
 
 
-def _append(
+def _reading(
+    values: MeasurementValues | ScanHeightValues,
+) -> tuple[Callable[[], Select[Any]], Callable[[Row[Any]], Any]]:
+    """How revisions with such values are read."""
+    if isinstance(values, ScanHeightValues):
+        return partial(scan_height_rows, null()), scan_height_of_row
+    return measurement_revision_rows, measurement_of_row
+
+
+def append_revision(
     session: Session,
     series_id: int,
     revision: int,
-    values: MeasurementValues,
+    values: MeasurementValues | ScanHeightValues,
     *,
-    withdrawn: bool,
-    before: JsonObject | None,
+    withdrawn: bool = False,
+    before: Measurement | ScanHeight | None,
     action: str,
     actor: int | None,
     verdict_of_revision: int | None = None,
-) -> Measurement:
+) -> Any:
+    """Write a revision whose content was checked, with its audit event, and give it back: a Measurement or a
+    ScanHeight, as its values are.
+    """
     stamps: dict[str, Any] = {"series_id": series_id, "revision": revision, "withdrawn": withdrawn}
     stamps["verdict_of_revision"] = verdict_of_revision
     stamps |= {"created_at": now(), "created_by": actor}
     row_id = add_row(session, measurements, {**_row_of(values), **stamps})
-    made, content = _as_stored(session, row_id)
-    after = _after(made, content)
-    trail.record(session, actor, action, "measurement", series_id, made.survey_id, before, after)
+    made, content = _as_stored(session, row_id, values)
+    then = None if before is None else _told(before)
+    trail.record(
+        session, actor, action, "measurement", series_id, made.survey_id, then, _after(made, content)
+    )
     return made
 
 
-_VALUES = tuple(field.name for field in fields(MeasurementValues))
-_values_of = attrgetter(*_VALUES)
+# Every column of a content: what is said of frames is said of no line, and the other way round.
+_EMPTY: dict[str, Any] = {
+    one.name: None
+    for kind in (MeasurementValues, ScanHeightValues)
+    for one in fields(kind)
+    if one.name not in ("contact", "target_point")
+}
 
 
-def _row_of(values: MeasurementValues) -> dict[str, Any]:
-    row: dict[str, Any] = dict(zip(_VALUES, _values_of(values), strict=True))
+def _row_of(values: MeasurementValues | ScanHeightValues) -> dict[str, Any]:
+    row: dict[str, Any] = {one.name: getattr(values, one.name) for one in fields(values)}
     (row["contact_x_px"], row["contact_y_px"]) = row.pop("contact")
     (row["target_x_px"], row["target_y_px"]) = row.pop("target_point")
     row["more_frames"] = [plain(one) for one in values.more_frames]
-    return row
+    return {**_EMPTY, "made": "clicked", **row}
 
 
-def _after(made: Measurement, content: JsonObject) -> JsonObject:
+def _told(one: Measurement | ScanHeight) -> JsonObject:
+    """The few words of an event on a revision."""
+    words = {name: getattr(one.values, name) for name in _IN_EVENTS if hasattr(one.values, name)}
+    return {**words, "revision": one.revision}
+
+
+def _after(made: Measurement | ScanHeight, content: JsonObject) -> JsonObject:
     """What an event says of a revision: a few words, and the whole row, so that every input and every figure
     can be held against what the chain says.
     """
-    after: JsonObject = {name: getattr(made.values, name) for name in _IN_EVENTS} | {
-        "revision": made.revision,
+    after: JsonObject = {
+        **_told(made),
         "revision_id": made.revision_id,
-        "vehicle_id": made.vehicle_id,
-        "recording_id": made.recording_id,
+        **made.place,
         "withdrawn": made.withdrawn,
         "row": content,
         "content_sha256": content_hash(content),
@@ -434,8 +484,8 @@ class ComputedAgain:
     verdict holds for it too.
     """
 
-    before: Measurement
-    values: MeasurementValues
+    before: Measurement | ScanHeight
+    values: MeasurementValues | ScanHeightValues
     verdict_of_revision: int | None = None
 
 
@@ -458,7 +508,7 @@ def append_computed_again(
         ids = add_rows(session, measurements, [_row_again(one, computing_id, moment) for one in some])
         content_of = _contents(session, ids)
         events = [
-            (one.before.id, _before_again(one), _after(_made_again(one, row_id), content_of[row_id]))
+            (one.before.id, _told(one.before), _after(_made_again(one, row_id), content_of[row_id]))
             for one, row_id in zip(some, ids, strict=True)
         ]
         trail.record_many(session, actor, action, "measurement", survey_id, events)
@@ -477,22 +527,19 @@ def _row_again(one: ComputedAgain, computing_id: int, moment: datetime) -> dict[
     }
 
 
-def _before_again(one: ComputedAgain) -> JsonObject:
-    then = {name: getattr(one.before.values, name) for name in _IN_EVENTS}
-    return {**then, "revision": one.before.revision}
+def _made_again(one: ComputedAgain, row_id: int) -> Measurement | ScanHeight:
+    new: dict[str, Any] = {"revision": one.before.revision + 1, "values": one.values}
+    return replace(one.before, revision_id=row_id, withdrawn=False, **new)
 
 
-def _made_again(one: ComputedAgain, row_id: int) -> Measurement:
-    return replace(
-        one.before, revision=one.before.revision + 1, revision_id=row_id, values=one.values, withdrawn=False
-    )
-
-
-def _as_stored(session: Session, revision_id: int) -> tuple[Measurement, JsonObject]:
+def _as_stored(
+    session: Session, revision_id: int, values: MeasurementValues | ScanHeightValues
+) -> tuple[Any, JsonObject]:
     """A revision as the database gives it back, and the content of its row as a verification hashes it."""
-    row = session.execute(_revision(), {"of_revision": revision_id}).one()
+    of_line = isinstance(values, ScanHeightValues)
+    row = session.execute(_line_revision() if of_line else _revision(), {"of_revision": revision_id}).one()
     content = {column.name: row._mapping[column.name] for column in columns_of(measurements, "id")}
-    return _measurement_of(row), plain(row_content(content))
+    return scan_height_of_row(row) if of_line else _measurement_of(row), plain(row_content(content))
 
 
 @cache
