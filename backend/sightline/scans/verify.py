@@ -58,11 +58,17 @@ _OTHER_WORDS = ("notes", "created_at")
 
 
 def check_scans(
-    files: Files, events_of_scans: int, computings: Mapping[str, str], recomputing: Recomputing
+    files: Files,
+    events_of_scans: int,
+    computings: Mapping[str, str],
+    recomputing: Recomputing,
+    *,
+    same_words: bool,
 ) -> int:
     """Every row is what its events say, none is missing and none too many; how many were held against them.
 
     The current revision of a vehicle is its newest. `computings`: the kind of each, by its number.
+    `same_words`: whether this program has the words of the one that made the package.
     Raises Damaged.
     """
     if not events_of_scans and not any(_rows(files, table) for table in _ENTITIES.values()):
@@ -99,7 +105,7 @@ def check_scans(
         computings,
         line_height_put_back,
     )
-    check_line_heights(files, told["line_pose"], recomputing)
+    check_line_heights(files, told["line_pose"], recomputing, same_words=same_words)
     check_rig_calibrations(files, told["rig_calibration"], recomputing)
     return sum(len(found) for found in rows.values())
 
