@@ -1,14 +1,13 @@
 """Measurements: append-only revisions of a series. Nothing changes a row; the database refuses it too."""
 
 from collections import defaultdict
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, fields, replace
 from datetime import datetime
-from functools import cache
-from operator import attrgetter
+from functools import cache, partial
 from typing import Any
 
-from sqlalchemy import Row, Select, and_, bindparam, exists, func, insert, select
+from sqlalchemy import Row, Select, and_, bindparam, exists, func, insert, null, select
 from sqlalchemy.orm import Session
 from sqlalchemy.sql.dml import ReturningInsert
 
@@ -31,8 +30,17 @@ from sightline.measurements.query import (
     is_last,
     measurement_of_row,
     measurement_revision_rows,
+    scan_height_of_row,
+    scan_height_rows,
 )
-from sightline.measurements.records import FurtherFrame, Measurement, MeasurementValues, ReviewState
+from sightline.measurements.records import (
+    FurtherFrame,
+    Measurement,
+    MeasurementValues,
+    ReviewState,
+    ScanHeight,
+    ScanHeightValues,
+)
 from sightline.measurements.tables import measurement_series, measurements, reviews
 from sightline.poses.tables import road_poses
 from sightline.recordings.frames.store import missing_frame
@@ -85,7 +93,7 @@ def add_measurement(
     place: dict[str, Any] = {"survey_id": ground.survey_id, "recording_id": ground.recording_id}
     place |= {"vehicle_id": vehicle_id, "repeat_of": _repeated(session, vehicle_id, repeat_of, values.target)}
     series_id = add_row(session, measurement_series, {**place, "client_key": client_key})
-    made = Measurement(
+    to_come = Measurement(
         id=series_id,
         revision=1,
         revision_id=0,
@@ -96,7 +104,11 @@ def add_measurement(
         review=ReviewState("to_review"),
         **place,
     )
-    return _append(session, ground, made, before=None, action="create", actor=actor)
+    known = partial(_known, to_come, ground, actor)
+    made: Measurement = append_revision(
+        session, series_id, 1, values, before=None, action="create", actor=actor, known=known
+    )
+    return made
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -257,7 +269,19 @@ def _current() -> Select[Any]:
 
 @cache
 def _revision() -> Select[Any]:
-    return _with_place().where(measurements.c.id == bindparam("of_revision"))
+    return _whole(_with_place())
+
+
+@cache
+def _line_revision() -> Select[Any]:
+    return _whole(scan_height_rows(null()))
+
+
+def _whole(rows: Select[Any]) -> Select[Any]:
+    """One revision, with every column of its row."""
+    there = set(rows.selected_columns.keys())
+    others = [column for column in columns_of(measurements, "id") if column.name not in there]
+    return rows.add_columns(*others).where(measurements.c.id == bindparam("of_revision"))
 
 
 def _current_row(session: Session, series_id: int) -> Row[Any]:
@@ -348,60 +372,84 @@ def append_measurement_revision(
     _check(ground, values)
     carried = None
     if ground.judged and not withdrawn and action != "fix":
-        carried = _verdict_that_stood(session, before.id, values)
-    then = {name: getattr(before.values, name) for name in _IN_EVENTS} | {"revision": before.revision}
-    made = replace(
+        carried = verdict_that_stood(session, before.id, values)
+    to_come = replace(
         before,
         revision=before.revision + 1,
         values=values,
-        created_at=now(),
         withdrawn=withdrawn,
         review=ReviewState("to_review"),
         computing_id=None,
-        verdict_of_revision=carried,
+        verdict_of_revision=None,
         judged_revision=None,
     )
-    return _append(session, ground, made, before=then, action=action, actor=actor)
+    made: Measurement = append_revision(
+        session,
+        before.id,
+        to_come.revision,
+        values,
+        withdrawn=withdrawn,
+        before=before,
+        action=action,
+        actor=actor,
+        verdict_of_revision=carried,
+        # a verdict comes with it: read
+        known=None if carried is not None else partial(_known, to_come, ground, actor),
+    )
+    return made
 
 
-def _verdict_that_stood(session: Session, series_id: int, values: MeasurementValues) -> int | None:
+def verdict_that_stood(
+    session: Session, series_id: int, values: MeasurementValues | ScanHeightValues
+) -> int | None:
     """The newest judged of the revisions with this very content: the one that its verdict was given to."""
     (contact_x, contact_y), (target_x, target_y) = values.contact, values.target_point
+    rows, record_of_row = _reading(values)
     query = (
-        measurement_revision_rows()
-        .where(measurements.c.series_id == series_id, measurements.c.frame == values.frame)
+        rows()
+        .where(measurements.c.series_id == series_id)
         .where(measurements.c.contact_x_px == contact_x, measurements.c.contact_y_px == contact_y)
         .where(measurements.c.target_x_px == target_x, measurements.c.target_y_px == target_y)
         .order_by(measurements.c.revision.desc())
     )
-    history = (measurement_of_row(row) for row in session.execute(query))
+    history = (record_of_row(row) for row in session.execute(query))
     return judged_alike(history, lambda one: same_height(one.values, values), lambda one: one.judged_revision)
 
 
-def _append(
+def _reading(
+    values: MeasurementValues | ScanHeightValues,
+) -> tuple[Callable[[], Select[Any]], Callable[[Row[Any]], Any]]:
+    """How revisions with such values are read."""
+    if isinstance(values, ScanHeightValues):
+        return partial(scan_height_rows, null()), scan_height_of_row
+    return measurement_revision_rows, measurement_of_row
+
+
+def append_revision(
     session: Session,
-    ground: "_Ground",
-    to_come: Measurement,
+    series_id: int,
+    revision: int,
+    values: MeasurementValues | ScanHeightValues,
     *,
-    before: JsonObject | None,
+    withdrawn: bool = False,
+    before: Measurement | ScanHeight | None,
     action: str,
     actor: int | None,
-) -> Measurement:
-    """Write a revision with its audit event; what it is, with its number and what the ground tells of it."""
-    stamps: dict[str, Any] = {"series_id": to_come.id, "created_by": actor}
-    stamps |= {name: getattr(to_come, name) for name in _STAMPS}
-    row = session.execute(_insert_revision(), {**_row_of(to_come.values), **stamps}).one()
-    made = replace(to_come, revision_id=row.id, created_by=who(actor, ground.actor_name))
-    if made.verdict_of_revision is None:
-        made = derived_from(made, ground.telling)
-    else:  # a verdict comes with it
-        made = _measurement_of(session.execute(_revision(), {"of_revision": row.id}).one())
+    verdict_of_revision: int | None = None,
+    known: Callable[[Row[Any]], Any] | None = None,
+) -> Any:
+    """Write a revision whose content was checked, with its audit event, and give it back: a Measurement or a
+    ScanHeight, as its values are. `known` tells from the row as it was stored what else would be read.
+    """
+    stamps: dict[str, Any] = {"series_id": series_id, "revision": revision, "withdrawn": withdrawn}
+    stamps["verdict_of_revision"] = verdict_of_revision
+    stamps |= {"created_at": now(), "created_by": actor}
+    row = session.execute(_insert_revision(), {**_row_of(values), **stamps}).one()
+    made = known(row) if known else _as_stored(session, row.id, values)
+    then = None if before is None else _told(before)
     after = _after(made, plain(row_content(row._mapping)))
-    trail.record(session, actor, action, "measurement", made.id, made.survey_id, before, after)
+    trail.record(session, actor, action, "measurement", series_id, made.survey_id, then, after)
     return made
-
-
-_STAMPS = ("revision", "withdrawn", "created_at", "verdict_of_revision")
 
 
 @cache
@@ -410,27 +458,44 @@ def _insert_revision() -> ReturningInsert[Any]:
     return insert(measurements).returning(measurements)
 
 
-_VALUES = tuple(field.name for field in fields(MeasurementValues))
-_values_of = attrgetter(*_VALUES)
+def _known(to_come: Measurement, ground: "_Ground", actor: int | None, row: Row[Any]) -> Measurement:
+    """A revision with the number that it was given, and what the ground tells of it."""
+    named = who(actor, ground.actor_name)
+    made = replace(to_come, revision_id=row.id, created_at=row.created_at, created_by=named)
+    return derived_from(made, ground.telling)
 
 
-def _row_of(values: MeasurementValues) -> dict[str, Any]:
-    row: dict[str, Any] = dict(zip(_VALUES, _values_of(values), strict=True))
+# Every column of a content: what is said of frames is said of no line, and the other way round.
+_EMPTY: dict[str, Any] = {
+    one.name: None
+    for kind in (MeasurementValues, ScanHeightValues)
+    for one in fields(kind)
+    if one.name not in ("contact", "target_point")
+}
+
+
+def _row_of(values: MeasurementValues | ScanHeightValues) -> dict[str, Any]:
+    row: dict[str, Any] = {one.name: getattr(values, one.name) for one in fields(values)}
     (row["contact_x_px"], row["contact_y_px"]) = row.pop("contact")
     (row["target_x_px"], row["target_y_px"]) = row.pop("target_point")
     row["more_frames"] = [plain(one) for one in values.more_frames]
-    return row
+    return {**_EMPTY, "made": "clicked", **row}
 
 
-def _after(made: Measurement, content: JsonObject) -> JsonObject:
+def _told(one: Measurement | ScanHeight) -> JsonObject:
+    """The few words of an event on a revision."""
+    words = {name: getattr(one.values, name) for name in _IN_EVENTS if hasattr(one.values, name)}
+    return {**words, "revision": one.revision}
+
+
+def _after(made: Measurement | ScanHeight, content: JsonObject) -> JsonObject:
     """What an event says of a revision: a few words, and the whole row, so that every input and every figure
     can be held against what the chain says.
     """
-    after: JsonObject = {name: getattr(made.values, name) for name in _IN_EVENTS} | {
-        "revision": made.revision,
+    after: JsonObject = {
+        **_told(made),
         "revision_id": made.revision_id,
-        "vehicle_id": made.vehicle_id,
-        "recording_id": made.recording_id,
+        **made.place,
         "withdrawn": made.withdrawn,
         "row": content,
         "content_sha256": content_hash(content),
@@ -446,8 +511,8 @@ class ComputedAgain:
     verdict holds for it too.
     """
 
-    before: Measurement
-    values: MeasurementValues
+    before: Measurement | ScanHeight
+    values: MeasurementValues | ScanHeightValues
     verdict_of_revision: int | None = None
 
 
@@ -470,7 +535,7 @@ def append_computed_again(
         ids = add_rows(session, measurements, [_row_again(one, computing_id, moment) for one in some])
         content_of = _contents(session, ids)
         events = [
-            (one.before.id, _before_again(one), _after(_made_again(one, row_id), content_of[row_id]))
+            (one.before.id, _told(one.before), _after(_made_again(one, row_id), content_of[row_id]))
             for one, row_id in zip(some, ids, strict=True)
         ]
         trail.record_many(session, actor, action, "measurement", survey_id, events)
@@ -489,15 +554,16 @@ def _row_again(one: ComputedAgain, computing_id: int, moment: datetime) -> dict[
     }
 
 
-def _before_again(one: ComputedAgain) -> JsonObject:
-    then = {name: getattr(one.before.values, name) for name in _IN_EVENTS}
-    return {**then, "revision": one.before.revision}
+def _made_again(one: ComputedAgain, row_id: int) -> Measurement | ScanHeight:
+    new: dict[str, Any] = {"revision": one.before.revision + 1, "values": one.values}
+    return replace(one.before, revision_id=row_id, withdrawn=False, **new)
 
 
-def _made_again(one: ComputedAgain, row_id: int) -> Measurement:
-    return replace(
-        one.before, revision=one.before.revision + 1, revision_id=row_id, values=one.values, withdrawn=False
-    )
+def _as_stored(session: Session, revision_id: int, values: MeasurementValues | ScanHeightValues) -> Any:
+    """A revision as the database gives it back."""
+    of_line = isinstance(values, ScanHeightValues)
+    row = session.execute(_line_revision() if of_line else _revision(), {"of_revision": revision_id}).one()
+    return scan_height_of_row(row) if of_line else _measurement_of(row)
 
 
 @cache

@@ -237,7 +237,7 @@ class Recomputed:
         of their codes. Raises Damaged.
         """
         if self._same_words:
-            _same_words(name, row)
+            check_words(name, row)
         with self._recomputing.of(HEIGHTS, by):
             _same(name, row, self._answer(row))
 
@@ -248,7 +248,8 @@ class Recomputed:
         return answer(self._poses[path], clicks_of_row(row))
 
 
-def _same_words(name: str, row: Row) -> None:
+def check_words(name: str, row: Row) -> None:
+    """The words of a row are those of the codes beside them. Raises Damaged."""
     for column in row:
         if column.endswith(CODE):
             words = column.removesuffix(CODE)

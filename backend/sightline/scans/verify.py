@@ -26,7 +26,7 @@ from sightline.scans.csv import (
     lanes_text,
 )
 from sightline.scans.heights.csv import LINE_HEIGHT_REVIEWS, LINE_HEIGHTS, LINE_POSES
-from sightline.scans.heights.verify import check_line_heights, line_height_put_back
+from sightline.scans.heights.verify import check_line_heights, height_or_verdict, line_height_put_back
 from sightline.scans.references.csv import SCAN_REFERENCES
 from sightline.scans.references.verify import check_references
 from sightline.scans.rig.csv import RIG_CALIBRATIONS
@@ -58,11 +58,17 @@ _OTHER_WORDS = ("notes", "created_at")
 
 
 def check_scans(
-    files: Files, events_of_scans: int, computings: Mapping[str, str], recomputing: Recomputing
+    files: Files,
+    events_of_scans: int,
+    computings: Mapping[str, str],
+    recomputing: Recomputing,
+    *,
+    same_words: bool,
 ) -> int:
     """Every row is what its events say, none is missing and none too many; how many were held against them.
 
     The current revision of a vehicle is its newest. `computings`: the kind of each, by its number.
+    `same_words`: whether this program has the words of the one that made the package.
     Raises Damaged.
     """
     if not events_of_scans and not any(_rows(files, table) for table in _ENTITIES.values()):
@@ -99,7 +105,7 @@ def check_scans(
         computings,
         line_height_put_back,
     )
-    check_line_heights(files, told["line_pose"], recomputing)
+    check_line_heights(files, told["line_pose"], recomputing, same_words=same_words)
     check_rig_calibrations(files, told["rig_calibration"], recomputing)
     return sum(len(found) for found in rows.values())
 
@@ -107,10 +113,14 @@ def check_scans(
 def _told(files: Files) -> dict[str, dict[int, dict[str, Any]]]:
     told: dict[str, dict[int, dict[str, Any]]] = {entity: {} for entity in _ENTITIES}
     for event in chain(files):
-        if event["entity"] in told and event["after"]:
-            known = told[event["entity"]].setdefault(int(event["entity_id"]), {"deleted": False})
-            known.update(json.loads(event["after"]))
-            if event["entity"] in _REVIEWS:
+        entity, after = event["entity"], json.loads(event["after"] or "{}")
+        number = int(event["entity_id"] or 0)
+        if "scan_vehicle_id" in after:
+            entity, number, after = height_or_verdict(entity, number, after, told["line_height"])
+        if entity in told and after:
+            known = told[entity].setdefault(number, {"deleted": False})
+            known.update(after)
+            if entity in _REVIEWS:
                 known["reviewer_id"] = event["actor_id"]
     return told
 

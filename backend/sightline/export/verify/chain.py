@@ -67,8 +67,11 @@ def walk(files: Files, seal: Seal, headers: Mapping[str, Collection[str]]) -> Re
         if told.count > seal.as_of or event["entity"] == ENTITY:
             continue
         told.moment, told.survey_head = stamp(event["at"]), event["hash"]
-        if event["after"]:
-            _gather(told, event, json.loads(event["after"]))
+        after = json.loads(event["after"] or "{}")
+        if event["entity"] in ("measurement", "line_height"):
+            count_revisions(told.revisions_of_computings, after.get("row", after))
+        if after and "scan_vehicle_id" not in after:  # heights of line scans are held with their tables
+            _gather(told, event, after)
     return told
 
 
@@ -82,9 +85,6 @@ def _gather(told: ReplayedState, event: Event, after: dict[str, Any]) -> None:
     entity, action, number = event["entity"], event["action"], int(event["entity_id"] or 0)
     if entity == "measurement":
         told.measurements.add(number, {**after, "by": event["actor_id"]})
-        count_revisions(told.revisions_of_computings, after["row"])
-    elif entity == "line_height":
-        count_revisions(told.revisions_of_computings, after)
     elif entity == "survey":
         told.survey |= after
     elif entity == "vehicle":

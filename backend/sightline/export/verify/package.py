@@ -251,7 +251,7 @@ def _check_rows(
     check_verdicts(files, told.reviews, told.is_gone)
     check_lots(files, told.lots, told.reviews, told.measurements.of_vehicle, told.is_gone)
     check_frames(files, told.measurements)
-    check_scans(files, told.scans, computings, recomputing)
+    check_scans(files, told.scans, computings, recomputing, same_words=same_words)
     check_photographs(files, told.photographs, written)
     found.keys = check_keys(files, described.tables)
     if recomputing.differing:

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from sightline.coverage import expanded
 from sightline.infra.database import Session
 from sightline.linescan.clock import since_start_s
 from sightline.linescan.rig import baseline_of
 from sightline.recordings.filming import FilmedWithin
-from sightline.scans.heights.store import list_line_heights
+from sightline.scans.heights.store import list_scan_heights
 from sightline.scans.records import Scan, ScanValues
 from sightline.scans.statistics.heights import HeightSeen, ScannedHeights, scanned_heights
 from sightline.scans.statistics.service import GAPS, MOTION, ScanStatistics, VehicleMotion, statistics_of_seen
@@ -52,14 +51,10 @@ def scan_height_statistics(
     seen = []
     for scan in list_scans(session, survey_id):
         held = {one.vehicle.id for one in vehicles_of(session, scan.id) if filmed.holds(_filmed_at(one))}
-        for one in list_line_heights(session, scan.id):
-            values, u95 = one.values, expanded(one.values.u_height_m)
-            if (
-                one.vehicle_id in held
-                and not values.withdrawn
-                and values.height_m is not None
-                and u95 is not None
-            ):
+        for one in list_scan_heights(session, scan.id):
+            values, u95 = one.values, one.values.U95_height_m
+            stands = one.vehicle_id in held and not one.withdrawn
+            if stands and values.height_m is not None and u95 is not None:
                 seen.append(HeightSeen(values.target, one.review.verdict, values.height_m, u95))
     return scanned_heights(seen, accepted_only=accepted_only)
 
