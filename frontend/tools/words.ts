@@ -6,17 +6,19 @@
 import { readdirSync, readFileSync } from "node:fs";
 import { basename, dirname, join, posix } from "node:path";
 import { fileURLToPath } from "node:url";
+import { FluentResource } from "@fluent/bundle";
 import { type Entry, FluentParser, FluentSerializer, Resource, Visitor } from "@fluent/syntax";
 import type { Plugin } from "vite";
 
 const HERE = dirname(fileURLToPath(import.meta.url));
 const CATALOGUE = join(HERE, "../../backend/sightline/messages");
 const PAGES = join(HERE, "../src");
+const SOURCE = "en";
 const [EVERYWHERE, SERVER] = ["everywhere", "server"] as const;
 const MOST_ROOMS = 2;
 
-/** `virtual:words`: each language's rooms and how their words are fetched; `virtual:words/<language>/<room>`: the words.
- *  Tests have all words everywhere. */
+/** `virtual:words`: each language's rooms and how their words are fetched; `virtual:words/<language>/<room>`: the words,
+ *  their Fluent read already. Tests have all words everywhere. */
 export function words(): Plugin {
   const name = "virtual:words";
   const languages = readdirSync(CATALOGUE)
@@ -30,6 +32,7 @@ export function words(): Plugin {
   };
   const loaders = (language: string) =>
     [...wordsOf(language).keys()]
+      .filter((room) => language !== SOURCE || room !== EVERYWHERE) // which every page has
       .map((room) => `${JSON.stringify(room)}: () => import("${name}/${language}/${room}")`)
       .join(",");
   return {
@@ -41,9 +44,14 @@ export function words(): Plugin {
       if (!id.startsWith(`\0${name}/`)) return null;
       const [language = "", room = ""] = id.slice(name.length + 2).split("/");
       this.addWatchFile(join(CATALOGUE, `${language}.ftl`));
-      return `export default ${JSON.stringify(wordsOf(language).get(room))}`;
+      return `export default ${JSON.stringify(read(wordsOf(language).get(room) ?? ""))}`;
     },
   };
+}
+
+/** Each message's pattern, as Fluent's bundle takes it. */
+function read(source: string): Record<string, unknown> {
+  return Object.fromEntries(new FluentResource(source).body.map(({ id, value }) => [id, value]));
 }
 
 /** What the file of a language's room is called: "words-fr-measure". */

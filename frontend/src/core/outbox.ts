@@ -94,6 +94,8 @@ export class Outbox {
     const lanes = new Set(all.filter(({ state }) => state === "saving").map(({ lane }) => lane));
     return { kept: all.length, queued: all.length - lanes.size, resting: every.length - all.length };
   });
+  /** Loads the kinds that no page has brought yet. */
+  bringKinds: () => Promise<unknown> = async () => undefined;
   private readonly kinds = new Map<string, AnyKind>();
   private readonly listeners = new Map<string, Set<Listener>>();
   private readonly lanes = new Map<string, Promise<void>>();
@@ -141,7 +143,7 @@ export class Outbox {
     };
     window.addEventListener("storage", told);
     signal.addEventListener("abort", () => window.removeEventListener("storage", told));
-    this.adopt((one) => one.tab === this.tab);
+    void this.adopt((one) => one.tab === this.tab);
     this.watch();
     if (this.locks) return;
     this.adoptOld();
@@ -170,10 +172,11 @@ export class Outbox {
     for (const { tab } of this.kept()) {
       if (tab === this.tab || this.watched.has(tab)) continue;
       this.watched.add(tab);
-      const gone = (): void => {
+      // the lock is held until all is taken over, so that nobody else takes it too
+      const gone = async (): Promise<void> => {
         if (signal.aborted) return;
         this.watched.delete(tab);
-        this.adopt((one) => one.tab === tab);
+        await this.adopt((one) => one.tab === tab);
         this.watch();
       };
       this.locks.request(lockOf(tab), { signal }, gone).catch(() => undefined);
@@ -181,15 +184,19 @@ export class Outbox {
   }
 
   private adoptOld(): void {
-    this.adopt((one) => this.now() - one.touched > ORPHANED_AFTER_MS);
+    void this.adopt((one) => this.now() - one.touched > ORPHANED_AFTER_MS);
   }
 
   /** Items that are this tab's from now on: left by it before a reload, or by a tab that is gone. */
-  private adopt(left: (one: Kept) => boolean): void {
-    const orphans = this.kept()
-      .filter((one) => left(one) && this.kinds.has(one.kind) && !this.wishes.value.has(one.key))
-      .sort((a, b) => a.order - b.order);
-    for (const { order, tab: _tab, touched: _touched, ...wanted } of orphans) {
+  private async adopt(left: (one: Kept) => boolean): Promise<void> {
+    const { signal } = this.ended;
+    const orphans = () => this.kept().filter((one) => left(one) && !this.wishes.value.has(one.key));
+    if (orphans().some(({ kind }) => !this.kinds.has(kind))) await this.bringKinds().catch(() => undefined);
+    if (signal.aborted) return;
+    const known = orphans().filter(({ kind }) => this.kinds.has(kind));
+    for (const { order, tab: _tab, touched: _touched, ...wanted } of known.sort(
+      (a, b) => a.order - b.order,
+    )) {
       this.orders.set(wanted.key, order);
       // kept by another version of this page, it may be of another shape: then the server is asked what there is
       const saved = this.kinds.get(wanted.kind)?.isSaved(wanted.saved) ? wanted.saved : null;
