@@ -7,7 +7,9 @@ import english from "../../../backend/sightline/messages/en.ftl?raw";
 import { api, connection, PATIENCE_MS, tryAgainNow } from "../core/api";
 import { type Kind, outbox, type Wanted, type Wish } from "../core/outbox";
 import { imagePoint } from "../viewer/points";
-import "./kinds";
+import { loadKinds } from "./kinds";
+
+await loadKinds();
 
 // every code that the server may name stands in the catalogue
 const CODES = [...english.matchAll(/^([a-z][\w-]*) =/gm)].map(([, code]) => code);

@@ -46,7 +46,7 @@ export interface LegendEntry {
   dash?: string;
   faint?: boolean;
   hue?: Hue;
-  dot?: "circle" | "triangle" | "square";
+  dot?: Dot;
 }
 
 const HEIGHT = 320;
@@ -153,7 +153,12 @@ export function PlotFigure({ name, title, says, note, legend, data, options, tab
   );
 }
 
+export type Dot = keyof typeof DOTS;
+
+/** As Plot draws them. */
 const DOTS = {
+  cross: "M-4.5,-1.5H-1.5V-4.5H1.5V-1.5H4.5V1.5H1.5V4.5H-1.5V1.5H-4.5Z",
+  diamond: "M0,-5L3,0L0,5L-3,0Z",
   circle: "M4,0A4,4,0,1,1,-4,0A4,4,0,1,1,4,0Z",
   triangle: "M0,-5L4.4,2.6L-4.4,2.6Z",
   square: "M-3.5,-3.5H3.5V3.5H-3.5Z",
