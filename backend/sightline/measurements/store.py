@@ -269,19 +269,12 @@ def _current() -> Select[Any]:
 
 @cache
 def _revision() -> Select[Any]:
-    return _whole(_with_place())
+    return _with_place().where(measurements.c.id == bindparam("of_revision"))
 
 
 @cache
 def _line_revision() -> Select[Any]:
-    return _whole(scan_height_rows(null()))
-
-
-def _whole(rows: Select[Any]) -> Select[Any]:
-    """One revision, with every column of its row."""
-    there = set(rows.selected_columns.keys())
-    others = [column for column in columns_of(measurements, "id") if column.name not in there]
-    return rows.add_columns(*others).where(measurements.c.id == bindparam("of_revision"))
+    return scan_height_rows(null()).where(measurements.c.id == bindparam("of_revision"))
 
 
 def _current_row(session: Session, series_id: int) -> Row[Any]:
