@@ -4525,7 +4525,6 @@ cameras-not-file-give-picture-files-clip = { $path } is not a file; give image f
 cameras-still-has-no-tracks = { $path } is an image, not a video with tracks; leave --stream out.
 cameras-choose-calibration-give-pictures-width-height = Choose a calibration, or give the image’s width and height in pixels and its horizontal field of view in degrees.
 cameras-calibration-belongs-another-survey-choose-one = Calibration { $calibration_id } belongs to another survey; choose one of this survey’s cameras.
-cameras-cameras-csv-not-what-audit = cameras.csv: camera { $id } differs from its audit events; the table was changed.
 cameras-calibration-of-another-camera = calibrations.csv: { $id } names another camera than the audit events; the table was changed.
 cameras-taken-without-calibration = Camera { $camera } has no calibration to copy; calibrate it in its own survey, or add it here as a new camera.
 cameras-taken-from-itself = Camera { $camera } belongs to this survey already; choose one of another survey.
@@ -4795,6 +4794,9 @@ csv_package-not-what-audit-event-says-changed = { $path } differs from its audit
 csv_package-not-one-audit-chain-vouches-changed = { $path_of } is not the one recorded in the audit chain; it was changed.
 csv_package-made-others-another-time-says = { $path }: { $kind_name } { $id } has another author or time than { $path_2 } states.
 csv_package-differs-one-changed = { $path }: { $kind_name } { $id } differs from { $path_2 }; one was changed.
+csv_package-row-of-no-event = { $path }: row { $key } has no audit event; it was added.
+csv_package-row-not-as-its-events = { $path }: { $name } of row { $key } differs from its audit events; it was changed.
+csv_package-row-missing = { $path }: row { $key } is missing, although it has an audit event.
 csv_package-not-csv-row-taken-out-changed = { $path }: { $mine } { $values } is not in { $table }.csv; a row was removed or changed.
 
 ## Errors: database
@@ -4879,8 +4881,6 @@ measurements-frame-not-part-vehicle-go-frame = Frame { $frame } cannot split veh
 measurements-only-two-passes-same-recording-joined = Only passes of the same recording can be joined; choose another one.
 measurements-vehicles-both-measurements-measurement-stays-vehicle = Vehicles { $number } and { $number_2 } both have measurements, and a measurement stays with its vehicle; discard one of the passes instead.
 measurements-vehicle-measured-before-after-frame-measurement = Vehicle { $number } was measured before and after frame { $frame }, and a measurement stays with its vehicle; split at another frame.
-measurements-vehicles-csv-missing-though-audit-event = vehicles.csv: { $missing } is missing, although it has an audit event.
-measurements-vehicles-csv-not-what-audit-events = vehicles.csv: { $id } differs from its audit events; it was changed.
 measurements-measurement-withdrawn-restore-before-you-change = This measurement is withdrawn; restore it before you change it.
 measurements-repeat-stands-clicked-withdraw-click-again = A repeat cannot be changed; withdraw it and click it again.
 measurements-measurement-withdrawn-already-restore-use-again = This measurement is already withdrawn; restore it to use it again.
@@ -4889,10 +4889,8 @@ adjusting-not-an-adjusted-pose-in-force = This is not a current adjusted pose, s
 computing-undo-cannot-be-undone = An undo cannot be undone; compute the heights again instead.
 computing-undone-already = This was already undone; compute the heights again to restore them.
 computing-undo-the-later-first = Heights were computed again at { $when }; undo that first.
-computing-computings-csv-not-what-event-says = computings.csv: { $id } differs from its audit event; get the complete export again.
 computing-computing-made-other-revisions = computings.csv: { $id } made a different number of revisions than it states; get the complete export again.
 computing-out-of-date-not-so = { $path }: the out-of-date mark of { $id } does not follow from its facts; get the complete export again.
-computing-computing-missing = computings.csv: { $id } is missing, although it has an audit event; get the complete export again.
 computing-verdict-went-over = revisions.csv: revision { $revision } of measurement { $name } has a verdict that was given to another height; get the complete export again.
 measurements-measurement-not-withdrawn-nothing-restore = This measurement is not withdrawn, so there is nothing to restore.
 measurements-deleted-vehicle-restore-first = { $name } deleted vehicle { $vehicle_number } at { $when }; restore it first.
@@ -5086,7 +5084,6 @@ poses-calibration-belongs-another-survey-choose-one = Calibration { $calibration
 quality-no-recording-uses-road-pose-any = No recording uses this camera pose any more; reload the page Checks.
 quality-traffics-direction-now-not-what-you = The travel direction is now { $turn_deg }°, not the value shown; reload the page.
 quality-frame-not-vehicle-which-passes-frames = Vehicle { $number } does not appear in frame { $frame }; it passes in frames { $first_frame } to { $last_frame }. Go to one of them.
-quality-wheel-pairs-csv-not-what-audit = wheel_pairs.csv: { $id } differs from its audit event; it was changed.
 quality-clicked-their-own-measurements-again-needed = { $name } has repeated { $pairs } of their own measurements; { $least_pairs } are needed for their own click uncertainty. Repeat more of them.
 quality-repeats-csv-repeat-missing-though-audit = repeats.csv: repeat { $left } is missing, although it has an audit event.
 quality-repeats-csv-not-what-audit-event = repeats.csv: { $number } differs from its audit event; it was changed.
@@ -5142,7 +5139,6 @@ recordings-upload-finished-already-look-recording-list = This upload is already 
 recordings-upload-became-recording-deleted-since-upload = This upload became a recording that was deleted since; upload it again.
 recordings-upload-finished-already-make-scan = This upload is already finished; create the line scan from it.
 recordings-upload-finished-delete-recording-instead = This upload is finished; delete its recording instead.
-recordings-recordings-csv-not-what-audit-events = recordings.csv: { $id } differs from its audit events; it was changed.
 
 ## Errors: results
 
@@ -5160,7 +5156,6 @@ results-standard-percent = { $name }: a percentile lies above 0 and below 100; c
 results-last-day-lies-before-first-exchange = The last day is before the first; swap them.
 recordings-hours-are-none = The hours begin and end at the same time, so that nothing was filmed in them; choose another end.
 results-no-survey-may-been-removed = There is no survey { $survey_id }; it may have been removed.
-results-standards-csv-not-what-surveys-audit = standards.csv differs from the survey’s audit events; it was changed.
 
 ## Errors: reviews
 
@@ -5176,8 +5171,6 @@ reviews-click-it-again-before = The survey’s plan requires a blind repeat of t
 reviews-fix-changes-nothing-accept = Nothing was changed; move a point, or accept the measurement.
 reviews-waits-review-already = This is already waiting for a review.
 reviews-nobody-reviews-their-own-measurement-ask = You cannot review your own measurement; ask another reviewer.
-reviews-reviews-csv-not-what-audit-event = reviews.csv: { $id } differs from its audit event; it was changed.
-reviews-reviews-csv-missing-though-audit-event = reviews.csv: { $id } is missing, although it has an audit event.
 reviews-measurements-csv-verdict-not-newest-review = measurements.csv: the verdict on { $one } is not that of its newest review; one is wrong.
 
 ## Errors: scans
@@ -5254,8 +5247,6 @@ scans-deleted-vehicle-restore-first = { $name } deleted vehicle { $number } at {
 scans-changed-vehicle-look-again-redo-yours = { $name } changed vehicle { $number } at { $when }; reload it and repeat your change.
 scans-scanned-vehicle-no-leave-out = A scanned vehicle has no { $unknown }; leave it out.
 scans-m-cannot-used-give-metres-4 = A { $name } of { $value } m is out of range; give it in metres, as in 4.447.
-scans-row-without-audit-event-missing = { $path }: row { $odd } has no audit event, or is missing.
-scans-row-not-what-audit-event-says = { $path }: { $name } of row { $id } differs from its audit event.
 scans-vehicle-not-newest-revision-changed = { $path }: vehicle { $number } is not its newest revision; it was changed.
 scans-verdict-went-over = { $path }: row { $id } has a verdict that was given to another measurement; get the complete export again.
 scans-verdict-row-not-one-given = { $path }: the verdict of row { $number } is not the one given.
@@ -5272,10 +5263,8 @@ surveys-survey-takes-photographs-take-one-out = A survey has at most { $most_pho
 surveys-photographs-added-taken-out-meanwhile-look = Photographs were added or removed meanwhile; reload and change the order again.
 surveys-changed-photograph-look-again-redo-yours = { $name } changed this photograph at { $when }; reload it and repeat your change.
 surveys-caption-most-characters-shorten = A caption has at most { $most_caption } characters; shorten it.
-surveys-not-photographs-audit-events-changed = { $path } does not have the photographs of the audit events; it was changed.
 surveys-no-row-put = { $strange } is in no row of { $path }; it was added.
 surveys-not-photograph-audit-event-names-exchanged = { $file } is not the photograph named by its audit event; it was replaced.
-surveys-not-what-audit-events-say-changed = { $path }: { $name } of { $id } differs from its audit events; it was changed.
 surveys-no-survey-named-check-name-home = There is no survey named “{ $name }”; check the name on the home page.
 surveys-changed-survey-look-again-redo = { $name } changed this survey at { $when }; reload it and repeat your change.
 surveys-place-half-coordinates = Coordinates are a latitude and a longitude; give both or neither.
@@ -5285,10 +5274,6 @@ surveys-place-speed-limit = A speed limit of { $kmh } km/h is out of range; give
 surveys-survey-needs-name-fill = A survey needs a name; fill it in.
 surveys-inset-cannot-used-give-known-target = The inset of “{ $target }” cannot be used; give a known target and an uncertainty of 0 or more.
 surveys-asks-nothing-choose-target = A survey needs at least one target by day and one in low light; choose them.
-surveys-survey-csv-not-what-audit = survey.csv differs from the survey’s audit events; it was changed.
-surveys-insets-csv-not-what-surveys-audit = insets.csv differs from the survey’s audit events; it was changed.
-surveys-classes-csv-not-what-surveys-audit = classes.csv differs from the survey’s audit events; it was changed.
-surveys-sampling-csv-not-what-audit = sampling.csv or quotas.csv differs from the survey’s audit events; it was changed.
 surveys-sampling-step = Every n-th pass: n must be from 1 to { $most_step }, the first number from 1 to n; correct them.
 surveys-sampling-share = A share of the passes must be above 0 and at most 100 %; correct it.
 surveys-sampling-headway = The headway of free-flowing vehicles must be above 0 and at most { $most_headway_s } s; correct it.
@@ -5485,8 +5470,6 @@ lots-not-accepted = Only an accepted lot can be undone; check the state of this 
 lots-decided-already = Lot { $number } was decided meanwhile; check it first.
 lots-event-another-row = audit.csv: event { $number } holds another lot than it hashed; get the complete export again.
 lots-verdict-of-no-lot = reviews.csv: a verdict by lot { $lot }, of which there is none; get the complete export again.
-lots-lots-csv-not-what-event-says = lots.csv: lot { $id } differs from its audit events; it was changed.
-lots-lot-missing = lots.csv: lot { $id } is missing, although it has an audit event.
 lots-seed-not-the-chains = lots.csv: the seed of lot { $id } does not follow from the audit chain; the draw was chosen.
 lots-not-drawn-by-its-seed = audit.csv: lot { $id } was not drawn in the order of its seed; the draw was changed.
 lots-plan-keeps-no-risk = lots.csv: the plan of lot { $id } does not keep the risks that it names; it was changed.
@@ -5496,7 +5479,6 @@ lots-counts-not-those-of-verdicts = audit.csv: the counts of lot { $id } are not
 lots-accepted-beyond-its-plan = audit.csv: lot { $id } was accepted with more nonconforming heights than its plan allows, or unjudged.
 lots-verdicts-not-those-of-its-rest = reviews.csv: the verdicts by lot { $id } are not those of its rest; some were added or removed.
 lots-verdict-before-the-decision = audit.csv: a verdict by lot { $id } came before its decision; one is wrong.
-lots-items-csv-not-what-events-say = lot_items.csv: place { $place } of lot { $id } differs from the audit events; it was changed.
 reviews-verdict-given-meanwhile = { $name } gave the verdict “{ $verdict }” meanwhile; check it first.
 
 ## Sight distance: the page

@@ -4521,7 +4521,6 @@ cameras-not-file-give-picture-files-clip = { $path } n’est pas un fichier ; 
 cameras-still-has-no-tracks = { $path } est une photo, pas une vidéo à plusieurs pistes ; retirez --stream.
 cameras-choose-calibration-give-pictures-width-height = Choisissez un étalonnage, ou indiquez la largeur et la hauteur de l’image en pixels et son champ horizontal en degrés.
 cameras-calibration-belongs-another-survey-choose-one = L’étalonnage { $calibration_id } appartient à un autre relevé ; choisissez-en un des caméras de ce relevé.
-cameras-cameras-csv-not-what-audit = cameras.csv : la caméra { $id } n’est pas ce que ses événements d’audit en ont fait ; le tableau a été modifié.
 cameras-calibration-of-another-camera = calibrations.csv : { $id } nomme une autre caméra que les événements d’audit ; le tableau a été modifié.
 cameras-taken-without-calibration = La caméra { $camera } n’a pas encore d’étalonnage : il n’y a rien à reprendre ; étalonnez-la dans son propre relevé, ou ajoutez-la ici comme nouvelle caméra.
 cameras-taken-from-itself = La caméra { $camera } est celle de ce relevé ; choisissez-en une d’un autre relevé.
@@ -4794,6 +4793,9 @@ csv_package-not-what-audit-event-says-changed = { $path } diffère de son évén
 csv_package-not-one-audit-chain-vouches-changed = { $path_of } n’est pas celui que garantit la chaîne d’audit ; il a été modifié.
 csv_package-made-others-another-time-says = { $path } : { $kind_name } { $id } a un autre auteur ou une autre date que ne le dit { $path_2 }.
 csv_package-differs-one-changed = { $path } : { $kind_name } { $id } diffère de { $path_2 } ; l’un des deux a été modifié.
+csv_package-row-of-no-event = { $path } : la ligne { $key } n’a pas d’événement d’audit ; elle a été ajoutée.
+csv_package-row-not-as-its-events = { $path } : { $name } de la ligne { $key } diffère de ses événements d’audit ; la valeur a été modifiée.
+csv_package-row-missing = { $path } : la ligne { $key } manque, bien qu’un événement d’audit en parle.
 csv_package-not-csv-row-taken-out-changed = { $path } : { $mine } { $values } n’est pas dans { $table }.csv ; une ligne a été retirée ou modifiée.
 
 ## Erreurs : base de données
@@ -4916,8 +4918,6 @@ measurements-frame-not-part-vehicle-go-frame = L’image { $frame } ne coupe pas
 measurements-only-two-passes-same-recording-joined = Seuls deux passages du même enregistrement peuvent être joints ; choisissez-en un autre.
 measurements-vehicles-both-measurements-measurement-stays-vehicle = Les véhicules { $number } et { $number_2 } ont tous deux des mesures, et une mesure reste avec son véhicule ; écartez plutôt l’un des passages.
 measurements-vehicle-measured-before-after-frame-measurement = Le véhicule { $number } a été mesuré avant et après l’image { $frame }, et une mesure reste avec son véhicule ; coupez à une autre image.
-measurements-vehicles-csv-missing-though-audit-event = vehicles.csv : { $missing } manque, bien que son événement d’audit soit là.
-measurements-vehicles-csv-not-what-audit-events = vehicles.csv : { $id } diffère de ses événements d’audit ; il a été modifié.
 measurements-measurement-withdrawn-restore-before-you-change = Cette mesure est retirée ; restaurez-la avant de la modifier.
 measurements-repeat-stands-clicked-withdraw-click-again = Une répétition reste telle que pointée ; retirez-la et repointez.
 measurements-measurement-withdrawn-already-restore-use-again = Cette mesure est déjà retirée ; restaurez-la pour l’utiliser à nouveau.
@@ -4926,10 +4926,8 @@ adjusting-not-an-adjusted-pose-in-force = Ce n’est pas une pose ajustée en vi
 computing-undo-cannot-be-undone = Une annulation ne s’annule pas ; recalculez plutôt les hauteurs.
 computing-undone-already = Ceci a déjà été annulé ; recalculez les hauteurs pour les retrouver.
 computing-undo-the-later-first = Les hauteurs ont été recalculées le { $when } ; annulez d’abord ce calcul.
-computing-computings-csv-not-what-event-says = computings.csv : { $id } diffère de son événement d’audit ; reprenez l’export complet.
 computing-computing-made-other-revisions = computings.csv : { $id } a fait un autre nombre de révisions qu’il ne dit ; reprenez l’export complet.
 computing-out-of-date-not-so = { $path } : la marque « périmé » de { $id } ne découle pas de ses données ; reprenez l’export complet.
-computing-computing-missing = computings.csv : { $id } manque, bien que son événement d’audit soit là ; reprenez l’export complet.
 computing-verdict-went-over = revisions.csv : la révision { $revision } de la mesure { $name } a une décision rendue sur une autre hauteur ; reprenez l’export complet.
 measurements-measurement-not-withdrawn-nothing-restore = Cette mesure n’est pas retirée : il n’y a rien à restaurer.
 measurements-deleted-vehicle-restore-first = { $name } a supprimé le véhicule { $vehicle_number } le { $when } ; restaurez-le d’abord.
@@ -5129,7 +5127,6 @@ poses-calibration-belongs-another-survey-choose-one = L’étalonnage { $calibra
 quality-no-recording-uses-road-pose-any = Plus aucun enregistrement n’utilise cette pose de la caméra ; regardez à nouveau les contrôles.
 quality-traffics-direction-now-not-what-you = La direction de la circulation est maintenant de { $turn_deg }°, non celle que vous avez vue ; regardez à nouveau.
 quality-frame-not-vehicle-which-passes-frames = L’image { $frame } n’est pas du véhicule { $number }, qui passe dans les images { $first_frame } à { $last_frame } ; allez à l’une d’elles.
-quality-wheel-pairs-csv-not-what-audit = wheel_pairs.csv : { $id } diffère de son événement d’audit ; il a été modifié.
 quality-clicked-their-own-measurements-again-needed = { $name } a repointé { $pairs } de ses propres mesures ; il en faut { $least_pairs } pour un sigma propre. Repointez-en d’autres.
 quality-repeats-csv-repeat-missing-though-audit = repeats.csv : la répétition { $left } manque, bien que son événement d’audit soit là.
 quality-repeats-csv-not-what-audit-event = repeats.csv : { $number } diffère de son événement d’audit ; il a été modifié.
@@ -5190,7 +5187,6 @@ recordings-upload-finished-already-look-recording-list = Cet envoi est déjà te
 recordings-upload-became-recording-deleted-since-upload = Cet envoi est devenu un enregistrement supprimé depuis ; envoyez-le à nouveau.
 recordings-upload-finished-already-make-scan = Cet envoi est déjà terminé ; créez-en le balayage.
 recordings-upload-finished-delete-recording-instead = Cet envoi est terminé ; supprimez plutôt son enregistrement.
-recordings-recordings-csv-not-what-audit-events = recordings.csv : { $id } diffère de ses événements d’audit ; il a été modifié.
 
 ## Erreurs : résultats
 
@@ -5208,7 +5204,6 @@ results-standard-percent = { $name } : un centile est supérieur à 0 et infér
 results-last-day-lies-before-first-exchange = Le dernier jour précède le premier ; inversez-les.
 recordings-hours-are-none = Les heures commencent et finissent au même moment : rien n’y a été filmé ; choisissez une autre fin.
 results-no-survey-may-been-removed = Il n’y a pas de relevé { $survey_id } ; il a pu être supprimé.
-results-standards-csv-not-what-surveys-audit = standards.csv diffère des événements d’audit du relevé ; il a été modifié.
 
 ## Erreurs : vérifications
 
@@ -5224,8 +5219,6 @@ reviews-click-it-again-before = Le plan du relevé veut que celle-ci soit repoin
 reviews-fix-changes-nothing-accept = Cette correction ne change rien ; déplacez un point, ou validez la mesure.
 reviews-waits-review-already = Ceci attend déjà une vérification.
 reviews-nobody-reviews-their-own-measurement-ask = Personne ne vérifie sa propre mesure ; demandez à un autre vérificateur.
-reviews-reviews-csv-not-what-audit-event = reviews.csv : { $id } diffère de son événement d’audit ; il a été modifié.
-reviews-reviews-csv-missing-though-audit-event = reviews.csv : { $id } manque, bien que son événement d’audit soit là.
 reviews-measurements-csv-verdict-not-newest-review = measurements.csv : la décision sur { $one } n’est pas celle de sa dernière vérification ; l’une des deux est fausse.
 
 ## Erreurs : balayages
@@ -5308,8 +5301,6 @@ scans-deleted-vehicle-restore-first = { $name } a supprimé le véhicule { $numb
 scans-changed-vehicle-look-again-redo-yours = { $name } a modifié le véhicule { $number } le { $when } ; regardez à nouveau et refaites votre modification.
 scans-scanned-vehicle-no-leave-out = Un véhicule balayé n’a pas de { $unknown } ; omettez-le.
 scans-m-cannot-used-give-metres-4 = { $name } de { $value } m : inutilisable ; indiquez-le en mètres, par exemple 4,447.
-scans-row-without-audit-event-missing = { $path } : la ligne { $odd } est là sans événement d’audit, ou manque.
-scans-row-not-what-audit-event-says = { $path } : { $name } de la ligne { $id } diffère de son événement d’audit.
 scans-vehicle-not-newest-revision-changed = { $path } : le véhicule { $number } n’est pas sa dernière révision ; il a été modifié.
 scans-verdict-went-over = { $path } : la ligne { $id } porte une décision rendue sur une autre mesure ; reprenez l’export complet.
 scans-verdict-row-not-one-given = { $path } : la décision de la ligne { $number } n’est pas celle qui a été rendue.
@@ -5326,10 +5317,8 @@ surveys-survey-takes-photographs-take-one-out = Un relevé contient au plus { $m
 surveys-photographs-added-taken-out-meanwhile-look = Des photos ont été ajoutées ou retirées entre-temps ; regardez à nouveau et refaites l’ordre.
 surveys-changed-photograph-look-again-redo-yours = { $name } a modifié cette photo le { $when } ; regardez à nouveau et refaites votre modification.
 surveys-caption-most-characters-shorten = Une légende a au plus { $most_caption } caractères ; raccourcissez-la.
-surveys-not-photographs-audit-events-changed = { $path } n’a pas les photos des événements d’audit ; il a été modifié.
 surveys-no-row-put = { $strange } n’est dans aucune ligne de { $path } ; ajouté après coup.
 surveys-not-photograph-audit-event-names-exchanged = { $file } n’est pas la photo que nomme son événement d’audit ; elle a été échangée.
-surveys-not-what-audit-events-say-changed = { $path } : { $name } de { $id } diffère de ses événements d’audit ; il a été modifié.
 surveys-no-survey-named-check-name-home = Il n’y a pas de relevé nommé « { $name } » ; vérifiez le nom sur la page d’accueil.
 surveys-changed-survey-look-again-redo = { $name } a modifié ce relevé le { $when } ; regardez à nouveau et refaites votre modification.
 surveys-place-half-coordinates = Des coordonnées sont une latitude et une longitude ; indiquez les deux ou aucune.
@@ -5339,10 +5328,6 @@ surveys-place-speed-limit = Une vitesse limite est supérieure à 0 et d’au pl
 surveys-survey-needs-name-fill = Un relevé doit avoir un nom ; indiquez-le.
 surveys-inset-cannot-used-give-known-target = Le retrait de « { $target } » est inutilisable ; indiquez une cible connue et une incertitude >= 0.
 surveys-asks-nothing-choose-target = Un relevé demande au moins une cible de jour et une en faible luminosité ; choisissez-les.
-surveys-survey-csv-not-what-audit = survey.csv diffère des événements d’audit du relevé ; il a été modifié.
-surveys-insets-csv-not-what-surveys-audit = insets.csv diffère des événements d’audit du relevé ; il a été modifié.
-surveys-classes-csv-not-what-surveys-audit = classes.csv diffère des événements d’audit du relevé ; il a été modifié.
-surveys-sampling-csv-not-what-audit = sampling.csv ou quotas.csv diffère des événements d’audit du relevé ; il a été modifié.
 surveys-sampling-step = Un passage sur n : n est entre 1 et { $most_step }, le premier numéro entre 1 et n ; corrigez-les.
 surveys-sampling-share = Une part des passages est supérieure à 0 et d’au plus 100 % ; corrigez-la.
 surveys-sampling-headway = Le temps intervéhiculaire des véhicules libres doit être supérieur à 0 et d’au plus { $most_headway_s } s ; corrigez-le.
@@ -5539,8 +5524,6 @@ lots-not-accepted = Seul un lot accepté peut être annulé ; regardez ce qu�
 lots-decided-already = Le lot { $number } a reçu une décision entre-temps ; regardez-la d’abord.
 lots-event-another-row = audit.csv : l’événement { $number } contient un autre lot que celui qu’il a haché ; reprenez l’export complet.
 lots-verdict-of-no-lot = reviews.csv : une décision par le lot { $lot }, qui n’existe pas ; reprenez l’export complet.
-lots-lots-csv-not-what-event-says = lots.csv : le lot { $id } diffère de ses événements d’audit ; il a été modifié.
-lots-lot-missing = lots.csv : le lot { $id } manque, bien que son événement d’audit soit là.
 lots-seed-not-the-chains = lots.csv : la graine du lot { $id } ne découle pas de la chaîne d’audit ; le tirage a été choisi.
 lots-not-drawn-by-its-seed = audit.csv : le lot { $id } n’a pas été tiré dans l’ordre de sa graine ; le tirage a été modifié.
 lots-plan-keeps-no-risk = lots.csv : le plan du lot { $id } ne respecte pas les risques qu’il nomme ; il a été modifié.
@@ -5550,7 +5533,6 @@ lots-counts-not-those-of-verdicts = audit.csv : les nombres du lot { $id } ne s
 lots-accepted-beyond-its-plan = audit.csv : le lot { $id } a été accepté avec plus de hauteurs non conformes que son plan n’en admet, ou sans jugement.
 lots-verdicts-not-those-of-its-rest = reviews.csv : les décisions par le lot { $id } ne sont pas celles de son reste ; certaines ont été ajoutées ou retirées.
 lots-verdict-before-the-decision = audit.csv : une décision par le lot { $id } précède la décision sur le lot ; l’une des deux est fausse.
-lots-items-csv-not-what-events-say = lot_items.csv : la place { $place } du lot { $id } diffère des événements d’audit ; elle a été modifiée.
 reviews-verdict-given-meanwhile = { $name } a rendu entre-temps la décision « { $verdict } » ; regardez-la d’abord.
 
 ## Distance de visibilité : la page
