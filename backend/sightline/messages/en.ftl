@@ -4628,8 +4628,6 @@ commands-not-exist-name-database-data-folder = { $place } does not exist; name a
 
 ## Errors: demo
 
-demo-drawing-demonstration-stopped-middle-start-server = Rendering the demonstration stopped before it was finished; start the server again.
-demo-no-sample-pictures = There are no sample images, because there is no demonstration; create it with sightline demo.
 
 ## Errors: export
 
@@ -6723,7 +6721,6 @@ told-demo-simulated-so-that-the = Simulated, so true values are known: invented 
 told-demo-reading-the-videos = Reading the videos.
 told-demo-computing-the-camera-poses = Computing the camera poses.
 told-demo-simulating-a-site = Simulating a site.
-told-demo-recording-the-line-scan = Recording the line scan.
 told-demo-saving-the-demonstration-survey = Saving the demonstration survey.
 told-results-not-rounded = not rounded
 told-checks-u-vehicles = { $deg }° (u { $u }°, { $count } vehicles)

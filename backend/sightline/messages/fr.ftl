@@ -4624,8 +4624,6 @@ commands-not-exist-name-database-data-folder = { $place } n’existe pas ; nom
 
 ## Erreurs : démonstration
 
-demo-drawing-demonstration-stopped-middle-start-server = Le rendu de la démonstration s’est arrêté en cours ; redémarrez le serveur.
-demo-no-sample-pictures = Il n’y a pas d’images d’exemple ici, car la démonstration n’a pas été créée ; sightline demo la crée.
 
 ## Erreurs : export
 
@@ -6819,7 +6817,6 @@ told-demo-simulated-so-that-the = Simulé, pour que les valeurs vraies soient co
 told-demo-reading-the-videos = Lecture des vidéos.
 told-demo-computing-the-camera-poses = Calcul des poses des caméras.
 told-demo-simulating-a-site = Simulation d’un site.
-told-demo-recording-the-line-scan = Enregistrement du balayage.
 told-demo-saving-the-demonstration-survey = Enregistrement du relevé de démonstration.
 told-results-not-rounded = non arrondies
 told-checks-u-vehicles = { $deg }° (u { $u }°, { $count } véhicules)
