@@ -1,4 +1,7 @@
-"""The command linescan (docs/formats.md): vehicles from a pair of strips, read once from front to back."""
+"""The command linescan (docs/formats.md): vehicles from a pair of strips, read once from front to back.
+
+Strips of more than 8 bits are read twice: the whole strip tells the camera's depth.
+"""
 
 from __future__ import annotations
 
@@ -35,7 +38,7 @@ from sightline.linescan.finding import Finder
 from sightline.linescan.parts import Crossings, Passage, Rig
 from sightline.linescan.passing import Vehicle, measured
 from sightline.media.strips.notes import column_of, lost_lines
-from sightline.media.strips.reader import Strip, check_pair, open_strip
+from sightline.media.strips.reader import Strip, bits_of, check_pair, open_strip
 
 
 @click.command()
@@ -84,7 +87,7 @@ def linescan(
             raise BadInput("commands-given-twice-give-strips-both-cameras", first=first)
         check_pair(one, two)
         notes = _rate_notes((one, two), rig)
-        finder = Finder(one.rows, rig)
+        finder = Finder(one.rows, rig, max(bits_of(one), bits_of(two)))
         table = _Table(as_json, begun, rig)
         passages = (_without_losses(passage, one, two) for passage in _passages(one, two, finder))
         for vehicle in measured(passages, rig, method, lambda lines: _columns(lines, one, two)):

@@ -12,7 +12,7 @@ import numpy as np
 from sightline.errors import BadInput
 from sightline.linescan.background import MOST_UNREST, Grid, enough_lines
 from sightline.linescan.boundaries import refined
-from sightline.linescan.depth import in_8_bits
+from sightline.linescan.depth import brightest_of, depth_of, in_8_bits
 from sightline.linescan.lanes import lane_of
 from sightline.linescan.parts import Crossings, Passage, Pixels, Rig
 from sightline.linescan.rig import at_lane
@@ -79,10 +79,11 @@ class LineBuffer:
 class Finder:
     """Vehicles of a pair of strips, pushed in pieces of any size; `notes` tells what else was seen.
 
-    rows: height of both strips; rig: baseline and line rate tell how far apart the crossings may be.
+    rows: height of both strips; rig: baseline and line rate tell how far apart the crossings may be; bits: of
+    the cameras, as the whole strips tell, or else the brightest pixel so far.
     """
 
-    def __init__(self, rows: int, rig: Rig) -> None:
+    def __init__(self, rows: int, rig: Rig, bits: int = 8) -> None:
         if rows < 8:
             raise BadInput("linescan-strips-rows-high-least-8-needed", rows=rows)
         rate = rig.line_rate_hz
@@ -105,6 +106,7 @@ class Finder:
         )
         self.margin = max(2 * step, round(0.02 * rate))
         self.watchers = (Watcher(self.grid, self.spans), Watcher(self.grid, self.spans))
+        self.bits = bits
         self.found = 0
         self.reversed = 0
         self.alone = 0
@@ -125,6 +127,7 @@ class Finder:
             )
         for held, piece in zip(self._held, (first, second), strict=True):
             held.append(piece)
+            self.bits = max(self.bits, depth_of(brightest_of(piece)))
         return self._work(False)
 
     @property
@@ -289,7 +292,7 @@ class Finder:
         )
         if reason:
             return passage
-        passage = in_8_bits(passage)
+        passage = in_8_bits(passage, self.bits)
         if not self.rig.lanes:
             return _bounded(passage, self.rig)
         lane = lane_of(passage, self.rig).lane

@@ -43,7 +43,9 @@ def too_coarse(passage: Passage, rig: Rig) -> str | None:
     if delay <= 0 or not told or sum(told) / len(told) >= LEAST_CARRIED:
         return None
     line_m = rig.baseline_m / delay
-    rate_hz = rig.line_rate_hz * max(line_m / GOOD_LINE_M, 2.0)
+    # crossings of so few lines are known to a line in all: the rate does for the fastest that they allow
+    most_m = rig.baseline_m / max(delay - 1.0, 1.0)
+    rate_hz = rig.line_rate_hz * max(most_m / GOOD_LINE_M, 2.0)
     return TOO_COARSE.format(line_mm=1000 * line_m, rate_hz=float(f"{rate_hz:.2g}"))
 
 

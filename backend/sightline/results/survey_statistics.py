@@ -1,8 +1,8 @@
 """Statistics of stored measurements: a filter, the columns that it leaves, and what is shown of them.
 
 `survey_statistics(session, Filter, StatisticsOptions)` is the one way in: page, report and package all show
-its answer. `Filter((survey_id,))` with the usual options gives a survey's accepted measurements, read against
-the survey's own table of standards (`results.standards_store`).
+its answer. `Filter(survey_ids=(survey_id,))` with the usual options gives a survey's accepted measurements,
+read against the survey's own table of standards (`results.standards_store`).
 `made_of` makes the same of columns that come from elsewhere, such as the rows of a package: what the database
 would tell is then given, `StatisticsOptions.standards` included.
 """

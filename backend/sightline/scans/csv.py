@@ -320,7 +320,7 @@ LINE_SCANS: Table[Scan] = Table(
         integer("recording_id", "video that the strips were cut from", lambda s: s.recording_id),
         integer("rows_px", "pixels a line", lambda s: s.rows_px, unit="px"),
         integer("lines", "lines of either strip", lambda s: s.lines),
-        integer("bits", "bits a pixel", lambda s: s.bits),
+        integer("bits", "bits of the cameras, as their brightest pixels tell", lambda s: s.bits),
         text("first_sha256", "SHA-256 of camera 1's stored strip", lambda s: s.first_sha256),
         text("second_sha256", "SHA-256 of camera 2's stored strip", lambda s: s.second_sha256),
         *of_part(_RIG, _rig_of_scan),

@@ -80,7 +80,7 @@ def find_vehicles(context: JobContext) -> Finish:
 
 def search(report: Report, rig: Rig, method: ScanMethod, readers: Readers) -> Search:
     """Every vehicle of the strips, measured as soon as it has passed; memory is bounded."""
-    finder = Finder(readers[0].rows, rig)
+    finder = Finder(readers[0].rows, rig, readers[0].bits)
     motions: list[Motion] = []
     for done, passages in _passages(finder, readers):
         motions += [measured(one, rig, method, readers) for one in passages]

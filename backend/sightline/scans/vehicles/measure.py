@@ -37,7 +37,7 @@ def measured_at(
     boundaries that the machine found.
     """
     first, second = readers
-    passage = passage_at(crossings, rig, first.rows, (first.read, second.read))
+    passage = passage_at(crossings, rig, first.rows, (first.read, second.read), first.bits)
     passage = replace(passage, u_boundaries_m=u_boundaries_m)
     if lane_named(rig, lane) is None:
         return measured(passage, rig, method, readers)
