@@ -2003,9 +2003,9 @@ review-plan = { $one_in ->
 review-plan-name = Contrôle en aveugle
 review-plan-choose = Contrôle en aveugle, pour tous ceux qui vérifient ce relevé
 review-plan-choice = { $one_in ->
-    [0] Contrôle en aveugle : désactivé
-    [1] Contrôle en aveugle : chaque mesure
-   *[other] Contrôle en aveugle : 1 sur { $one_in }
+    [0] désactivé
+    [1] chaque mesure
+   *[other] 1 sur { $one_in }
 }
 review-blind-click = à repointer
 review-blind-title = Contrôle en aveugle : pointez d’abord vous-même

@@ -150,9 +150,9 @@ function Figure({ title, note, curves, words, marker, fromZero }: FigureProps) {
       300,
     );
     box.current.replaceChildren(drawn);
-    const readable = drawnOf(drawn, readablesOf(marks), { x, y });
-    setRead(readable);
-    setBeside(readable ? writeBeside(drawn, readable, new Set(targets.map(wordOf))) : new Set());
+    const reads = drawnOf(drawn, readablesOf(marks), { x, y });
+    setRead(reads);
+    setBeside(reads ? writeBeside(drawn, reads, new Set(targets.map(wordOf))) : new Set());
   }, [plot, width, curves, marker, unit, theme.value]);
   return (
     <figure class="panel plan-figure">
