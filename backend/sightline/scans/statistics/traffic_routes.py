@@ -10,6 +10,7 @@ from sightline.errors import BadInput
 from sightline.infra.web.bodies import Out
 from sightline.infra.web.deps import PathId, Reading, Viewer
 from sightline.linescan.traffic import LENGTH_LIMITS_M, MINUTES, Figure, LengthClass
+from sightline.recordings.bodies import FilmedAsked
 from sightline.scans.statistics.figures import scan_traffic
 from sightline.scans.statistics.traffic import ScanTraffic, ShownInterval
 from sightline.statistics.distributions import Percentile
@@ -73,6 +74,7 @@ def get_scan_traffic(
     survey_id: PathId,
     who: Viewer,
     session: Reading,
+    filmed: FilmedAsked,
     minutes: Annotated[int, Query(description="Of an interval: 1, 5, 15 or 60.")] = 15,
     accepted_only: Annotated[bool, Query(description="false: speeds that wait for a review too.")] = True,
 ) -> ScanFlows:
@@ -80,7 +82,7 @@ def get_scan_traffic(
     get_survey(session, survey_id)
     if minutes not in MINUTES:
         raise BadInput("scans-traffic-other-minutes", minutes=minutes)
-    found = scan_traffic(session, survey_id, minutes, accepted_only=accepted_only)
+    found = scan_traffic(session, survey_id, minutes, accepted_only=accepted_only, filmed=filmed)
     return ScanFlows(
         minutes=minutes, length_limits_m=list(LENGTH_LIMITS_M), scans=[_body(one) for one in found]
     )
