@@ -2001,11 +2001,12 @@ review-plan = { $one_in ->
     [1] Blind check: every measurement is clicked before it is shown.
    *[other] Blind check: 1 measurement in { $one_in } is clicked before it is shown.
 }
+review-plan-name = Blind check
 review-plan-choose = Blind check, for all reviewers of this survey
 review-plan-choice = { $one_in ->
-    [0] Blind check: off
-    [1] Blind check: every measurement
-   *[other] Blind check: 1 in { $one_in }
+    [0] off
+    [1] every measurement
+   *[other] 1 in { $one_in }
 }
 review-blind-click = click it again
 review-blind-title = Blind check: click it yourself first
@@ -2185,8 +2186,8 @@ repeats-differences-label = { $count ->
     [one] Second minus first height in { $small } over their mean in { $unit }, { $count } repeat
    *[other] Second minus first height in { $small } over their mean in { $unit }, { $count } repeats
 }
-repeats-differences-x = mean of both heights ({ $unit })
-repeats-differences-y = difference ({ $unit })
+repeats-differences-x = Mean of both heights ({ $unit })
+repeats-differences-y = Difference ({ $unit })
 
 ## Click again: measurements once more, without their points
 
@@ -2782,15 +2783,15 @@ scan-profile-says = { $count ->
    *[other] Speed of { $count } blocks along vehicle { $vehicle } and the fitted motion
 }
 scan-profile-none = No speed profile: the vehicle has no measured motion.
-scan-profile-fitted = fitted motion
-scan-profile-used = block, used
-scan-profile-left-out = block, excluded
+scan-profile-fitted = Fitted motion
+scan-profile-used = Block, used
+scan-profile-left-out = Block, excluded
 scan-profile-note = Each block’s mean speed between the cameras.
 scan-profile-beyond = { $count ->
     [one] { $count } block lies outside this plot; the CSV contains all.
    *[other] { $count } blocks lie outside this plot; the CSV contains all.
 }
-scan-profile-x = time after the front reached camera 1 (s)
+scan-profile-x = Time after the front reached camera 1 (s)
 scan-match-title = Registration: strip 2 over strip 1
 scan-match-picture = Image of the registration
 scan-match-1 = 1
@@ -3325,8 +3326,8 @@ statistics-relative-note = Absolute error divided by the reference height. { $gr
 statistics-relative-x = Relative error (%)
 statistics-density-title = Signed error, density
 statistics-density-says = Density of the signed error; { $groups }
-statistics-density-note = Gaussian kernel, bandwidth { $bandwidths }; pointwise 95 % band. { $groups }.
-statistics-density-note-rounded = Gaussian kernel, bandwidth { $bandwidths }, at least half of the { $rounding } of rounding; pointwise 95 % band. { $groups }.
+statistics-density-note = Gaussian kernel, bandwidth { $bandwidths }; pointwise 95 % band for 30 vehicles or more. { $groups }.
+statistics-density-note-rounded = Gaussian kernel, bandwidth { $bandwidths }, at least half of the { $rounding } of rounding; pointwise 95 % band for 30 vehicles or more. { $groups }.
 statistics-signed-error = Signed error ({ $unit })
 statistics-density-y = Share of vehicles (% per { $unit })
 statistics-trend-title = Error against manufacturer’s height
@@ -3336,7 +3337,7 @@ statistics-trend-says = Signed error over the manufacturer’s height of { $coun
 }.
 statistics-trend-nothing = Nothing to draw: no vehicle has a reference height.
 statistics-trend-x = Manufacturer’s height ({ $unit })
-statistics-trend-legend = regression, 95 % band
+statistics-trend-legend = Regression, 95 % band
 statistics-trend = Slope { $slope } { $small } per { $unit } ({ $slope_interval }), r = { $correlation }.
 statistics-trend-absolute = Absolute error: r = { $correlation }.
 
@@ -3371,7 +3372,7 @@ statistics-target-nothing = Nothing to draw: no heights of this target match the
 statistics-height-x = Height above the road ({ $unit })
 statistics-target-density-title = { $target }, density
 statistics-target-density-says = Density of corrected { $target } heights
-statistics-target-density-note = Corrected heights, Gaussian kernel, pointwise 95 % band.
+statistics-target-density-note = Corrected heights, Gaussian kernel, pointwise 95 % band for 30 vehicles or more.
 statistics-share = { $standard }, { $height }: <strong>{ $share }</strong> of { $target ->
     [driver_eye] drivers’ eyes
     [taillight] taillights
@@ -3431,8 +3432,8 @@ statistics-lateral-x = Distance from the camera across the road ({ $unit })
 statistics-lateral-none = No vehicle has a direction yet, so there are no lanes. The pass search fills it in, or set it in the vehicle panel.
 statistics-lateral-vehicles = Vehicles
 statistics-lateral-all = all
-statistics-lane-right = to the right
-statistics-lane-left = to the left
+statistics-lane-right = To the right
+statistics-lane-left = To the left
 statistics-groups-title = Corrected heights by group
 statistics-groups-target = Target
 statistics-groups-by = Grouped by
@@ -4436,7 +4437,7 @@ height-pass-most-excluded = { $dropped } of { $points } followed points were exc
 height-flag-plane-oblique = The side plane is seen at less than 10 degrees.
 height-flag-lens-edge = A click lies near the edge of what the lens model can invert.
 height-flag-far-from-board = The vehicle is at a very different distance than the board was.
-height-flag-u-large = The uncertainty is large, so the 95 % interval is approximate.
+height-flag-u-large = The 95 % interval is approximate: u is above 30 mm.
 height-flag-no-u-of-lens-and-pose = The uncertainty of lens and pose is unknown and not included.
 height-flag-no-u-of-lens = The uncertainty of the lens is unknown; only what the pose file states is included.
 height-flag-no-board = The board is unknown, so its tilt, height, square size and bow are not included in the uncertainty.

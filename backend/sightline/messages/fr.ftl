@@ -1996,15 +1996,16 @@ review-verdict-kept = La décision est gardée dans ce navigateur et sera envoy�
 ## Vérification : repointer avant de voir les points
 
 review-plan = { $one_in ->
-    [0] Contrôle en aveugle : désactivé.
-    [1] Contrôle en aveugle : chaque mesure est pointée avant d’être montrée.
-   *[other] Contrôle en aveugle : 1 mesure sur { $one_in } est pointée avant d’être montrée.
+    [0] désactivé
+    [1] chaque mesure
+   *[other] 1 sur { $one_in }
 }
+review-plan-name = Contrôle en aveugle
 review-plan-choose = Contrôle en aveugle, pour tous ceux qui vérifient ce relevé
 review-plan-choice = { $one_in ->
-    [0] Contrôle en aveugle : désactivé
-    [1] Contrôle en aveugle : chaque mesure
-   *[other] Contrôle en aveugle : 1 sur { $one_in }
+    [0] désactivé
+    [1] chaque mesure
+   *[other] 1 sur { $one_in }
 }
 review-blind-click = à repointer
 review-blind-title = Contrôle en aveugle : pointez d’abord vous-même
@@ -2184,8 +2185,8 @@ repeats-differences-label = { $count ->
     [one] Seconde hauteur moins la première en { $small } selon leur moyenne en { $unit }, { $count } répétition
    *[other] Seconde hauteur moins la première en { $small } selon leur moyenne en { $unit }, { $count } répétitions
 }
-repeats-differences-x = moyenne des deux hauteurs ({ $unit })
-repeats-differences-y = écart ({ $unit })
+repeats-differences-x = Moyenne des deux hauteurs ({ $unit })
+repeats-differences-y = Écart ({ $unit })
 
 ## Repointer : des mesures refaites, sans leurs points
 
@@ -2780,15 +2781,15 @@ scan-profile-says = { $count ->
    *[other] Vitesse de { $count } blocs le long du véhicule { $vehicle } et mouvement ajusté
 }
 scan-profile-none = Pas de profil de vitesse : le véhicule n’a pas de mouvement mesuré.
-scan-profile-fitted = mouvement ajusté
-scan-profile-used = bloc, utilisé
-scan-profile-left-out = bloc, exclu
+scan-profile-fitted = Mouvement ajusté
+scan-profile-used = Bloc, utilisé
+scan-profile-left-out = Bloc, exclu
 scan-profile-note = Vitesse moyenne de chaque bloc entre les caméras.
 scan-profile-beyond = { $count ->
     [one] { $count } bloc est hors de cette figure ; le CSV les contient tous.
    *[other] { $count } blocs sont hors de cette figure ; le CSV les contient tous.
 }
-scan-profile-x = temps depuis l’avant à la caméra 1 (s)
+scan-profile-x = Temps depuis l’avant à la caméra 1 (s)
 scan-match-title = Recalage : bande 2 sur bande 1
 scan-match-picture = Image du recalage
 scan-match-1 = 1
@@ -3321,8 +3322,8 @@ statistics-relative-note = Erreur absolue rapportée à la hauteur de référenc
 statistics-relative-x = Erreur relative (%)
 statistics-density-title = Erreur signée, densité
 statistics-density-says = Densité de l’erreur signée ; { $groups }
-statistics-density-note = Noyau gaussien, largeur de bande { $bandwidths } ; bande ponctuelle à 95 %. { $groups }.
-statistics-density-note-rounded = Noyau gaussien, largeur de bande { $bandwidths }, au moins la moitié de l’arrondi ({ $rounding }) ; bande ponctuelle à 95 %. { $groups }.
+statistics-density-note = Noyau gaussien, largeur de bande { $bandwidths } ; bande ponctuelle à 95 % à partir de 30 véhicules. { $groups }.
+statistics-density-note-rounded = Noyau gaussien, largeur de bande { $bandwidths }, au moins la moitié de l’arrondi ({ $rounding }) ; bande ponctuelle à 95 % à partir de 30 véhicules. { $groups }.
 statistics-signed-error = Erreur signée ({ $unit })
 statistics-density-y = Part des véhicules (% par { $unit })
 statistics-trend-title = Erreur selon la hauteur du constructeur
@@ -3332,7 +3333,7 @@ statistics-trend-says = Erreur signée en fonction de la hauteur du constructeur
 }.
 statistics-trend-nothing = Rien à tracer : aucun véhicule n’a de hauteur de référence.
 statistics-trend-x = Hauteur du constructeur ({ $unit })
-statistics-trend-legend = régression, bande à 95 %
+statistics-trend-legend = Régression, bande à 95 %
 statistics-trend = Pente { $slope } { $small } par { $unit } ({ $slope_interval }), r = { $correlation }.
 statistics-trend-absolute = Erreur absolue : r = { $correlation }.
 
@@ -3367,7 +3368,7 @@ statistics-target-nothing = Rien à tracer : le filtre ne laisse aucune hauteur
 statistics-height-x = Hauteur au-dessus de la chaussée ({ $unit })
 statistics-target-density-title = { $target }, densité
 statistics-target-density-says = Densité des hauteurs corrigées, { $target }
-statistics-target-density-note = Hauteurs corrigées, noyau gaussien, bande ponctuelle à 95 %.
+statistics-target-density-note = Hauteurs corrigées, noyau gaussien, bande ponctuelle à 95 % à partir de 30 véhicules.
 statistics-share = { $standard }, { $height } : <strong>{ $share }</strong> des { $target ->
     [driver_eye] yeux de conducteur
     [taillight] feux arrière
@@ -3427,8 +3428,8 @@ statistics-lateral-x = Distance à la caméra en travers de la route ({ $unit })
 statistics-lateral-none = Aucun véhicule n’a encore de sens, donc il n’y a pas de voies ; la recherche des passages le renseigne, ou le panneau du véhicule.
 statistics-lateral-vehicles = Véhicules
 statistics-lateral-all = Tous
-statistics-lane-right = vers la droite
-statistics-lane-left = vers la gauche
+statistics-lane-right = Vers la droite
+statistics-lane-left = Vers la gauche
 statistics-groups-title = Hauteurs corrigées par groupe
 statistics-groups-target = Cible
 statistics-groups-by = Grouper par
@@ -4434,7 +4435,7 @@ height-pass-most-excluded = { $dropped } points suivis sur { $points } ont été
 height-flag-plane-oblique = Le plan latéral est vu sous moins de 10 degrés.
 height-flag-lens-edge = Un pointé est près du bord de ce que le modèle d’objectif sait inverser.
 height-flag-far-from-board = Le véhicule est à une tout autre distance que ne l’était la mire.
-height-flag-u-large = L’incertitude est grande ; l’intervalle à 95 % est approché.
+height-flag-u-large = L’intervalle à 95 % est approché : u dépasse 30 mm.
 height-flag-no-u-of-lens-and-pose = L’incertitude de l’objectif et de la pose est inconnue et n’est pas comprise.
 height-flag-no-u-of-lens = L’incertitude de l’objectif est inconnue ; seul ce que dit le fichier de pose est compté.
 height-flag-no-board = La mire est inconnue ; son inclinaison, sa hauteur, le côté de ses cases et sa flèche ne sont pas compris dans l’incertitude.

@@ -99,10 +99,10 @@ export function PlotFigure({ name, title, says, note, legend, data, options, tab
     const drawn = figureOf(plot, { ...chosen, width: wide, ariaLabel: says }, height);
     box.current.replaceChildren(drawn);
     const labels = { x: chosen.x?.label, y: chosen.y?.label };
-    const readable = drawnOf(drawn, readablesOf(chosen.marks), labels);
-    setRead(readable);
+    const reads = drawnOf(drawn, readablesOf(chosen.marks), labels);
+    setRead(reads);
     const words = new Set(legend?.map((one) => one.word));
-    setBeside(readable ? writeBeside(drawn, readable, words) : new Set());
+    setBeside(reads ? writeBeside(drawn, reads, words) : new Set());
   };
   useEffect(() => {
     if (inView(box.current)) return draw(width, HEIGHT);

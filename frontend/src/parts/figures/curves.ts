@@ -99,7 +99,7 @@ export function densityMarks(
     high: (density.high[i] ?? 0) * perY,
   }));
   const marks: Mark[] = [];
-  if (curve.band) {
+  if (curve.band && density.n >= LEAST_FOR_A_BAND) {
     marks.push(plot.areaY(rows, { x: "x", y1: "low", y2: "high", fill: hueOf(curve), fillOpacity: 0.09 }));
   }
   const of = (what: "x" | "y" | "low" | "high") => rows.map((row) => row[what]);

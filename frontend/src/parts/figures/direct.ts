@@ -26,6 +26,8 @@ const APART_PX = 7;
 /** More room than this makes no place better. */
 const ENOUGH_PX = 40;
 const MARGIN_PX = 3;
+/** What a pixel between a word's middle and its curve takes from its room: a word is not to hang on by its end. */
+const FROM_MIDDLE = 0.5;
 
 /** The middle of each curve's word (its size in `sizes`); null where it has no free place in the frame. */
 export function placesOf(
@@ -56,8 +58,9 @@ function roomiest(
     const box = boxOf(at, size);
     if (!free(box)) continue;
     const near = distance(box, own);
-    const room = Math.min(ENOUGH_PX, ...others.map((one) => distance(box, one)));
-    if (near < BESIDE_PX - 2 || room < near + APART_PX) continue;
+    const apart = Math.min(ENOUGH_PX, ...others.map((one) => distance(box, one)));
+    if (near < BESIDE_PX - 2 || apart < near + APART_PX) continue;
+    const room = apart - FROM_MIDDLE * distance(boxOf(at, { width: 0, height: 0 }), own);
     if (best === null || room > best.room) best = { at, room };
   }
   return best?.at ?? null;
