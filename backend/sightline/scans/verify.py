@@ -10,6 +10,7 @@ from collections.abc import Callable, Mapping
 from typing import Any
 
 from sightline.errors import Damaged
+from sightline.infra.audit.hashing import canonical_json
 from sightline.infra.csv_package.chain import chain
 from sightline.infra.csv_package.files import Files, read_rows
 from sightline.infra.csv_package.recomputing import Recomputing
@@ -150,6 +151,10 @@ def _rows(files: Files, table: AnyTable) -> dict[int, dict[str, str]]:
 def _in_words_of_table(entity: str, told: Mapping[str, Any]) -> Mapping[str, Any]:
     """A start is told in UTC and written by the clocks of its zone; wheels' lines and lanes are one cell."""
     if entity == "scan_measurement":
+        told, reason = {**told}, told["reason"]
+        if not isinstance(reason, str):  # an event of an earlier program has words
+            told["reason_code"] = reason and canonical_json(reason)
+            del told["reason"]
         return {
             **told,
             "axle_lines": axle_words(told["axle_lines"]),
