@@ -95,8 +95,8 @@ Run = tuple[Proposed, str, list[Hand], list[float], list[float]]
 
 def run(page: Page, server: Server, targets: Proposed, model: str) -> Run:
     """Of each vehicle what the hand did, seconds until the next one stands, and seconds in all."""
-    passes = whole_passes(server, "day")
-    ones = [own_vehicle(page, server, "day", passes[i % len(passes)]) for i in range(VEHICLES + 1)]
+    passes = whole_passes("day")
+    ones = [own_vehicle(page, "day", passes[i % len(passes)]) for i in range(VEHICLES + 1)]
     if targets is not None:
         put_proposals(server, ones, targets)
     page.goto(f"/surveys/{ones[0].survey}/measure?vehicle={ones[0].vehicle['id']}")

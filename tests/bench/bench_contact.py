@@ -20,10 +20,10 @@ import numpy as np
 sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
 
 from sightline.geometry.contact import Proposal, propose
-from sightline.simulation import truth
-from sightline.simulation.render import render_frame
-from sightline.simulation.scene import Scene, day_scene, low_light_scene
 from tests.bench.surveys import HELD_OUT, TRAINING, boxes_of, pose_of, site
+from tests.simulation import truth
+from tests.simulation.render import render_frame
+from tests.simulation.scene import Scene, day_scene, low_light_scene
 
 POINTER_PX = 8.0
 FRAMES_A_WHEEL = 3

@@ -26,9 +26,9 @@ from sightline.linescan.direct import measure_direct
 from sightline.linescan.finding import Finder
 from sightline.linescan.paper import measure_paper
 from sightline.linescan.parts import Motion, Passage, Rig
-from sightline.simulation.scan_strips import recording, strips
-from sightline.simulation.scan_traffic import ScanSite, ScanTruth, traffic, truths
 from tests.bench.goals import Row, report, rms, row
+from tests.simulation.scan_strips import recording, strips
+from tests.simulation.scan_traffic import ScanSite, ScanTruth, traffic, truths
 
 RIG = Rig(0.593, 4882.8)
 VEHICLES = int(os.environ.get("VEHICLES", "30"))

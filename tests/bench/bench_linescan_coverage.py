@@ -33,10 +33,10 @@ from sightline.enums import ScanMethod
 from sightline.linescan.gaps import gaps
 from sightline.linescan.methods import MEASURE
 from sightline.linescan.parts import Crossings, Motion
-from sightline.simulation.scan_traffic import ScanTruth
 from tests.bench.goals import Row, report, rms, row
 from tests.bench.proofs_page import put_section
 from tests.bench.scan_cells import RIG, Seen, seen
+from tests.simulation.scan_traffic import ScanTruth
 
 N = int(os.environ.get("N", "100"))
 SEED = int(os.environ.get("SEED", "9000"))

@@ -6,8 +6,7 @@
     python -m tests.bench.bench_passes --real FOLDER  the shared real clips, against spans read off them
     python -m tests.bench.bench_passes VIDEO ...   a contact sheet of the best frames, in .build/passes
 
-The first needs a made demonstration survey: SIGHTLINE_DATA_DIR (default .data) with demonstration/truth.json.
-The second draws its videos into .build/passes first, about a minute each. Of the sites, six were looked at
+`--sites` draws its videos into .build/passes first, about a minute each. Of the sites, six were looked at
 while the search was made (training), six were not (held out). Speed is process CPU time of one thread over
 the recording's length.
 """
@@ -33,11 +32,11 @@ ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT))
 cv2.setNumThreads(1)
 
+from sightline.demo.made import FOLDER, TRUTH  # noqa: E402
 from sightline.detection.classify import FoundPass  # noqa: E402
 from sightline.media.store.local import sha256_of  # noqa: E402
 from sightline.media.video.decode import frames_of  # noqa: E402
 from sightline.media.video.passes import find_passes  # noqa: E402
-from sightline.settings import load_settings  # noqa: E402
 from sightline.vehicles.passes.find_job import square_at  # noqa: E402
 from tests.bench import pass_baseline  # noqa: E402
 from tests.bench.goals import Row, report, row  # noqa: E402
@@ -115,16 +114,10 @@ def rows_of(name: str, one: Counted) -> Iterator[Row]:
 
 
 def demonstration() -> Iterator[Row]:
-    settings = load_settings()
-    path = settings.data_dir / "demonstration" / "truth.json"
-    if not path.is_file():
-        print(f"not measured: {path} is missing; run `sightline demo` once or name SIGHTLINE_DATA_DIR.")
-        return
-    truth = json.loads(path.read_text())
-    lengths = {sum(1 for _ in frames_of(video)): video for video in Path(settings.media_url).rglob("*.mp4")}
+    truth = json.loads(TRUTH.read_text())["scenes"]
     for name, scene in truth.items():
         true = [_passing(one) for one in scene["passes"]]
-        yield from rows_of(name, counted(lengths[scene["frames"]], true, scene["fps"], 0.5))
+        yield from rows_of(name, counted(FOLDER / scene["video"], true, scene["fps"], 0.5))
 
 
 def _passing(one: dict[str, Any]) -> Passing:

@@ -40,11 +40,11 @@ from sightline.media.video.passes import find_passes  # noqa: E402
 from sightline.media.video.proposals import propose_in_video  # noqa: E402
 from sightline.proposals.frames import box_on  # noqa: E402
 from sightline.proposals.propose import POINTS, Proposals, Proposed  # noqa: E402
-from sightline.simulation import PassTruth, truth  # noqa: E402
-from sightline.simulation.scene import Scene  # noqa: E402
 from sightline.vehicles.passes.find_job import square_at  # noqa: E402
 from tests.bench.goals import Row, report, rms, row  # noqa: E402
 from tests.bench.surveys import boxes_of, pose_of, site, video_of  # noqa: E402
+from tests.simulation import PassTruth, truth  # noqa: E402
+from tests.simulation.scene import Scene  # noqa: E402
 
 SET_ON = (451, 452, 453)
 REPORTED = (461, 462)  # 401, 402 and 411, 412 were reported before predicted errors were set anew

@@ -21,11 +21,11 @@ import cv2
 import numpy as np
 
 from sightline.geometry.snap import Snap, snap
-from sightline.simulation import truth
-from sightline.simulation.render import render_frame
-from sightline.simulation.scene import Scene
 from tests.bench.bench_contact import _covers
 from tests.bench.surveys import boxes_of, pose_of, site
+from tests.simulation import truth
+from tests.simulation.render import render_frame
+from tests.simulation.scene import Scene
 
 SETTING = (503, 504, 505, 506, 507, 509)
 HELD_OUT = (601, 602, 603, 604, 605, 606)

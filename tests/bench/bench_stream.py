@@ -22,8 +22,8 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
 
-from sightline.simulation.scan_strips import strips
-from sightline.simulation.scan_traffic import ScanSite, traffic
+from tests.simulation.scan_strips import strips
+from tests.simulation.scan_traffic import ScanSite, traffic
 
 PACE_S = 0.02
 

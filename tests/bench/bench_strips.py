@@ -30,9 +30,9 @@ sys.path.insert(0, str(ROOT))
 from sightline.media.strips.reader import open_strip  # noqa: E402
 from sightline.media.strips.stored_reader import StripReader  # noqa: E402
 from sightline.media.strips.stored_writer import store_strip  # noqa: E402
-from sightline.simulation.scan_traffic import ScanSite, ScanVehicle, traffic  # noqa: E402
 from tests.bench.goals import Row, report, row  # noqa: E402
 from tests.media.scans import Fed, stored_pair  # noqa: E402
+from tests.simulation.scan_traffic import ScanSite, ScanVehicle, traffic  # noqa: E402
 
 ROWS = 1024
 TIMES = 11

@@ -168,7 +168,7 @@ def clicks(ground: Ground) -> Iterator[Row]:
     context = ground.context()
     page = ground.measure_page(context, ground.recording_id)
     felt = []
-    for number, frame in measurable(ground.folder, vehicles)[:8]:
+    for number, frame in measurable(vehicles)[:8]:
         felt += _measured(page, number, frame)
     served = page.evaluate(_SERVED, "/measurements$")
     stills = page.evaluate(_SERVED, "/frames/\\d+\\.jpg")

@@ -23,10 +23,10 @@ from numpy.typing import NDArray
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT))
 
-from sightline.simulation.models import MODELS  # noqa: E402
 from sightline.statistics.agreement import U_MANUFACTURER_M  # noqa: E402
 from sightline.statistics.which_model import ModelFits, fit_models  # noqa: E402
 from tests.bench.goals import Row, report, row  # noqa: E402
+from tests.simulation.models import MODELS  # noqa: E402
 
 VEHICLES = 4000
 SHARED = 0.5

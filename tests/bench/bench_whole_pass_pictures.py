@@ -34,11 +34,11 @@ from sightline.geometry.follow_pass import PassFrame, follow_pass
 from sightline.geometry.followed_tracks import CONTACT, SECOND, TARGET
 from sightline.geometry.whole_pass import WholePass, measure_pass
 from sightline.messages.said import Said
-from sightline.simulation.render import render_frame
-from sightline.simulation.scene import Scene, Vehicle
-from sightline.simulation.truth import FramePixels, PassTruth, pass_truth
 from tests.bench.goals import Row, report, rms, row
 from tests.bench.surveys import pose_of, site
+from tests.simulation.render import render_frame
+from tests.simulation.scene import Scene, Vehicle
+from tests.simulation.truth import FramePixels, PassTruth, pass_truth
 
 SET_ON = (701, 702, 703, *range(811, 817), *range(821, 827))
 REPORTED = (831, 832, 833, 834, 835, 836)

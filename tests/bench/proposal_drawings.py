@@ -18,13 +18,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sightline.proposals.road import FEWEST, road_behind
-from sightline.simulation import truth
-from sightline.simulation.camera import DemoCamera
-from sightline.simulation.light import DAY, LOW, Light
-from sightline.simulation.render import render_frame
-from sightline.simulation.scene import FADE_FRAMES, FPS, RoadBoard, Scene, Vehicle
-from sightline.simulation.styles import STYLES, Style
 from tests.bench.surveys import boxes_of, site
+from tests.simulation import truth
+from tests.simulation.camera import DemoCamera
+from tests.simulation.light import DAY, LOW, Light
+from tests.simulation.render import render_frame
+from tests.simulation.scene import FADE_FRAMES, FPS, RoadBoard, Scene, Vehicle
+from tests.simulation.styles import STYLES, Style
 
 FIRST_SEED = 50_000  # far from every seed of surveys and benches
 FRAMES = 9

@@ -16,9 +16,9 @@ import numpy as np
 
 from sightline.linescan.finding import Finder
 from sightline.linescan.parts import Passage, Rig
-from sightline.simulation.models import MODELS
-from sightline.simulation.scan_strips import recordings
-from sightline.simulation.scan_traffic import (
+from tests.simulation.models import MODELS
+from tests.simulation.scan_strips import recordings
+from tests.simulation.scan_traffic import (
     Photograph,
     ScanSite,
     ScanTruth,

@@ -16,13 +16,13 @@ import numpy as np
 from sightline.geometry.camera import Camera
 from sightline.geometry.road_pose import RoadPose
 from sightline.media.video.writer import write_mp4
-from sightline.simulation import render
-from sightline.simulation.camera import DemoCamera
-from sightline.simulation.compose import Place
-from sightline.simulation.light import DAY, LOW, Light
-from sightline.simulation.models import MODELS
-from sightline.simulation.scene import FADE_FRAMES, FPS, RoadBoard, Scene, Vehicle, _paint, _reach
-from sightline.simulation.shape import shape_of
+from tests.simulation import render
+from tests.simulation.camera import DemoCamera
+from tests.simulation.compose import Place
+from tests.simulation.light import DAY, LOW, Light
+from tests.simulation.models import MODELS
+from tests.simulation.scene import FADE_FRAMES, FPS, RoadBoard, Scene, Vehicle, _paint, _reach
+from tests.simulation.shape import shape_of
 
 TRAINING = (101, 102, 103, 104, 105, 106)
 HELD_OUT = (201, 202, 203, 204, 205, 206)

@@ -16,6 +16,7 @@ from typing import Any
 from bench_media import Draw
 from playwright.sync_api import Browser, sync_playwright
 
+from sightline.demo.made import TRUTH
 from sightline.infra.services import open_services
 from sightline.media.video.writer import write_mp4
 from sightline.people.service import FIRST_ADMIN, new_sign_in_link
@@ -108,9 +109,9 @@ def clip_recording(
     return recording_id
 
 
-def measurable(folder: Path, vehicles: list[dict[str, Any]]) -> list[tuple[int, dict[str, Any]]]:
+def measurable(vehicles: list[dict[str, Any]]) -> list[tuple[int, dict[str, Any]]]:
     """(number, frame of the truth) of vehicles with contact and all targets in sight, driver near."""
-    document = json.loads((folder / "demonstration" / "truth.json").read_text())
+    document = json.loads(TRUTH.read_text())["scenes"]
     wanted = {"contact_rear", "roof", "driver_eye", "taillight"}
     open_ = {one["number"] for one in vehicles if one["state"] == "to_do"}
     found = []

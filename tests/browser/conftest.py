@@ -1,4 +1,7 @@
-"""One small demonstration survey, one server and one Chromium for all browser tests."""
+"""One demonstration survey, one server and one Chromium for all browser tests.
+
+What a test stores of a vehicle, it stores of one of its own (`vehicles.py`).
+"""
 
 import fcntl
 import os
@@ -24,7 +27,6 @@ from sightline.infra.database.engine import migrate
 from sightline.infra.services import open_services
 from sightline.people.service import first_sign_in_link
 from sightline.settings import load_settings
-from tests.support.waiting import NEVER_S
 from tests.support.working import run_jobs
 
 from .kept import put_back
@@ -32,12 +34,6 @@ from .server import ROOT, Server, start
 from .waits import NEVER_MS, wait_until
 
 expect.set_options(timeout=NEVER_MS)
-
-# Few vehicles, because drawing them is most of the wait: three by day with their driver on the near side, one
-# by day that is not measured, and one of the line scan without heights. What a test stores of a vehicle, it
-# stores of one of its own (`vehicles.py`).
-SCENES, SCAN_VEHICLES = ("day:8", "low_light:2"), 7
-
 
 # Files that begin first, in this order, with the processor seconds that each takes alone; the rest follow by
 # name. The walks read what the demonstration is like before other files have worked in it.
@@ -125,11 +121,11 @@ def browser(playwright: Playwright) -> Iterator[Browser]:
 
 @pytest.fixture(scope="session")
 def demonstration(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
-    """`sightline demo` over a copy of a small demonstration survey, which the first of all workers makes."""
+    """`sightline demo` over a copy of a demonstration survey, which the first of all workers makes."""
     here = tmp_path_factory.getbasetemp()
     shared = here.parent if "PYTEST_XDIST_WORKER" in os.environ else here
     data_dir = here / "demonstration"
-    shutil.copytree(made_once(shared / "small-demonstration"), data_dir)
+    shutil.copytree(made_once(shared / "made-demonstration"), data_dir)
     server = start("demo", data_dir)
     try:
         server.wait()
@@ -139,23 +135,23 @@ def demonstration(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
 
 
 def made_once(folder: Path) -> Path:
-    """The data folder of a small demonstration survey; who comes while it is made waits."""
+    """The data folder of a demonstration survey; who comes while it is made waits."""
     with folder.with_suffix(".lock").open("w") as lock:
         fcntl.flock(lock, fcntl.LOCK_EX)
         if not folder.exists():
             part = folder.with_suffix(".part")
-            make_small_survey(part)
+            make_survey(part)
             part.rename(folder)
     return folder
 
 
-def make_small_survey(data_dir: Path, **settings: str) -> None:
-    """As a worker of `sightline demo` makes it, but of fewer vehicles."""
+def make_survey(data_dir: Path, **settings: str) -> None:
+    """As a worker of `sightline demo` makes it, without the study."""
     services = open_services(load_settings(data_dir=data_dir, find_passes=False, **settings))
     migrate(services.engine)
     assert first_sign_in_link(services)  # whoever makes it comes first; the server then prints their link
     with services.writing() as session:
-        ensure_requested(session, scenes=SCENES, scan_vehicles=SCAN_VEHICLES)
+        ensure_requested(session)
     (job,) = run_jobs(services)
     services.close()
     assert job.state == "done", job
@@ -205,8 +201,7 @@ def wait_for_demonstration(page: Page) -> int:
     def made() -> int | None:
         return page.request.get("/api/session").json().get("demo_survey_id")
 
-    # a large one is drawn for minutes
-    return int(wait_until(page, made, lambda: "the demonstration survey was not made", 5 * NEVER_S))
+    return int(wait_until(page, made, lambda: "the demonstration survey was not made"))
 
 
 @pytest.fixture

@@ -9,8 +9,8 @@ from .vehicles import click_at, draw_free, own_vehicle, put_proposals, until, wh
 
 @pytest.mark.usefixtures("kept")
 def test_a_vehicle_measured_free_shows_no_proposal(page: Page, demonstration: Server) -> None:
-    passes = whole_passes(demonstration, "day")
-    ones = [own_vehicle(page, demonstration, "day", passes[i % len(passes)]) for i in range(2)]
+    passes = whole_passes("day")
+    ones = [own_vehicle(page, "day", passes[i % len(passes)]) for i in range(2)]
     free, shown = ones
     put_proposals(demonstration, ones)
     draw_free(demonstration, free)

@@ -31,7 +31,7 @@ def test_still_cameras_a_proposal_and_a_brightened_picture(
     page.goto(f"/surveys/{survey_id}/recordings")
     expect(page.get_by_text("No camera movement detected, within")).to_have_count(2)
 
-    one = own_vehicle(page, demonstration)
+    one = own_vehicle(page)
     x, y = one.pixels["contact_rear"]
     page.goto(one.address)
     expect(page.get_by_test_id(f"pass-{one.vehicle['number']}")).to_have_attribute("aria-current", "true")

@@ -170,7 +170,7 @@ def test_boards_that_cannot_be_used_are_named_and_left_out(page: Page, camera: t
 
 
 def test_a_span_without_a_board_gives_a_reason_and_changes_nothing(page: Page, demonstration: Server) -> None:
-    one = own_vehicle(page, demonstration)
+    one = own_vehicle(page)
     recording = page.request.get(f"/api/recordings/{one.vehicle['recording_id']}").json()
     page.goto(f"/surveys/{one.survey}/pose?recording={recording['id']}")
     expect(page.get_by_test_id("pose-verdict")).to_be_visible()
@@ -190,7 +190,7 @@ def test_a_span_without_a_board_gives_a_reason_and_changes_nothing(page: Page, d
 
 @pytest.fixture
 def opened(page: Page, demonstration: Server) -> OwnVehicle:
-    one = own_vehicle(page, demonstration)
+    one = own_vehicle(page)
     page.goto(one.address)
     expect(page.get_by_test_id(f"pass-{one.vehicle['number']}")).to_have_attribute("aria-current", "true")
     on_screen(page, (0, 0))
@@ -230,7 +230,7 @@ def test_a_target_below_the_road_is_stored_with_its_reason_and_no_number(
 @pytest.fixture
 def folding_lens(kept: None, page: Page, demonstration: Server) -> OwnVehicle:
     """The low-light recording on a lens whose polynomial folds back inside the picture; undone afterwards."""
-    one = own_vehicle(page, demonstration)
+    one = own_vehicle(page)
     recording = page.request.get(f"/api/recordings/{one.vehicle['recording_id']}").json()
     pose = page.request.get(f"/api/poses/{recording['pose_id']}").json()
     lens = page.request.get(f"/api/calibrations/{pose['calibration_id']}").json()["document"]

@@ -55,7 +55,7 @@ def test_insets_are_used_with_their_origin(page: Page, survey_id: int) -> None:
 
 
 def test_both_tyres_are_clicked_undone_and_refused(page: Page, demonstration: Server) -> None:
-    own = own_vehicle(page, demonstration, "day")
+    own = own_vehicle(page, "day")
     survey_id, number = own.survey, own.vehicle["number"]
     vehicles = page.request.get(f"/api/surveys/{survey_id}/vehicles").json()
     before = next(one for one in vehicles if one["number"] == number - 1)

@@ -37,7 +37,7 @@ def page(context: BrowserContext) -> Iterator[Page]:
 @pytest.fixture
 def one(page: Page, demonstration: Server) -> OwnVehicle:
     """A vehicle of this test's own, open in Measure, with the roof measured."""
-    one = own_vehicle(page, demonstration)
+    one = own_vehicle(page)
     page.goto(one.address)
     expect(page.get_by_test_id(f"pass-{one.vehicle['number']}")).to_have_attribute("aria-current", "true")
     expect(page.locator(".frame-loading--on")).to_have_count(0)

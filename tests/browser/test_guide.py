@@ -47,7 +47,7 @@ def small_demonstration(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Se
     here = tmp_path_factory.getbasetemp()
     shared = here.parent if here.name.startswith("popen") else here
     data_dir = tmp_path_factory.mktemp("guide") / "data"
-    shutil.copytree(made_once(shared / "small-demonstration"), data_dir)
+    shutil.copytree(made_once(shared / "made-demonstration"), data_dir)
     server = start("demo", data_dir, extra={"SIGHTLINE_FIND_PASSES": "true"})
     try:
         server.wait()
@@ -224,7 +224,7 @@ def measure(guide: Guide, server: Server) -> dict[str, float]:
     """The heights of one vehicle of the list, each as near to the truth as its interval says."""
     page = guide.page
     guide.open("page-measure")
-    passes = scene_truth(server, "day")["passes"]
+    passes = scene_truth("day")["passes"]
     vehicles = page.request.get(f"/api{page.url.split(server.url)[1].split('/measure')[0]}/vehicles").json()
     vehicle, truth = next(
         (vehicle, one)

@@ -169,7 +169,7 @@ def test_calibrate_pose_measure_review_export(
     tmp_path: Path,
     record_property: Any,
 ) -> None:
-    truth = scene_truth(demonstration, "day")
+    truth = scene_truth("day")
     recording = recording_of(page, survey_id, "day")
     camera, calibration = calibrate(page, survey_id, demonstration)
     choose_camera(page, survey_id, recording, camera)
@@ -177,9 +177,9 @@ def test_calibrate_pose_measure_review_export(
 
     rng = np.random.default_rng(5)
     # of both lanes: near or far follows from the direction
-    whole = whole_passes(demonstration, "day")
+    whole = whole_passes("day")
     near, far = ([one for one in whole if one["driver_side"] == side] for side in ("near", "far"))
-    chosen = [own_vehicle(page, demonstration, "day", over) for over in (*near[:2], *far[:1])]
+    chosen = [own_vehicle(page, "day", over) for over in (*near[:2], *far[:1])]
     assert [one.vehicle["side"] for one in chosen] == ["near", "near", "far"]
     page.goto(f"/surveys/{survey_id}/measure?recording={recording['id']}")
     expect(page.get_by_test_id("frame-view")).to_be_visible()

@@ -37,7 +37,7 @@ def cursor(page: Page) -> Pixel:
 
 
 def test_three_targets_by_keyboard_and_back_again(page: Page, demonstration: Server) -> None:
-    one = own_vehicle(page, demonstration)
+    one = own_vehicle(page)
     number = int(one.vehicle["number"])
     vehicles = page.request.get(f"/api/surveys/{one.survey}/vehicles").json()
     before = next(v for v in vehicles if v["number"] == number - 1)
@@ -115,7 +115,7 @@ def nudge(page: Page, vehicle: int, point: list[float]) -> None:
 
 
 def test_help_and_frames_by_keyboard(page: Page, demonstration: Server) -> None:
-    one = own_vehicle(page, demonstration)
+    one = own_vehicle(page)
     page.goto(one.address)
     box = page.get_by_test_id("frame-box")
     expect(box).to_have_value(str(one.frame))

@@ -19,7 +19,7 @@ def counted(page: Page, survey: int) -> list[int]:
 @pytest.fixture
 def one(page: Page, demonstration: Server) -> Iterator[OwnVehicle]:
     """A vehicle of this test's own, and gone after it: a check target counts in the survey's figures."""
-    made = own_vehicle(page, demonstration)
+    made = own_vehicle(page)
     yield made
     assert page.request.delete(f"/api/vehicles/{made.vehicle['id']}", headers={"X-Sightline": "1"}).ok
 

@@ -12,10 +12,10 @@ from pathlib import Path
 import numpy as np
 from playwright.sync_api import Page, expect
 
-from sightline.demo.scan import SITE
 from sightline.export.evidence.page import read_page
 from sightline.export.evidence.verify import verify_evidence
 from sightline.media.strips.stored_reader import StripReader
+from tests.simulation.make import SITE
 from tests.support.waiting import NEVER_S
 
 from .server import SIGHTLINE, Server
@@ -70,10 +70,10 @@ def test_from_a_live_stream_to_an_evidence_file(
         said, problems = stream.communicate(timeout=NEVER_S)
     assert stream.returncode == 0, problems.decode()
     told = said.decode().splitlines()
-    assert len(told) == 7
+    assert len(told) == 9
 
     expect(page.get_by_text("ended", exact=True)).to_be_visible()
-    expect(page.get_by_test_id("live-vehicle-7")).to_be_visible()
+    expect(page.get_by_test_id("live-vehicle-9")).to_be_visible()
     link = page.get_by_test_id("live-vehicle-3").get_by_role("link")
     expect(link).to_be_visible(timeout=120_000)
     page.screenshot(path=screenshots / "live-ended.png")

@@ -37,7 +37,7 @@ def built(
     here = factory.getbasetemp()
     shared = here.parent if here.name.startswith("popen") else here
     data_dir = factory.mktemp(name) / "data"
-    shutil.copytree(made_once(shared / "small-demonstration"), data_dir)
+    shutil.copytree(made_once(shared / "made-demonstration"), data_dir)
     services = open_services(Settings(data_dir=data_dir))
     place = data_dir.parent / "package"
     place.mkdir()

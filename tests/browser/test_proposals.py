@@ -10,8 +10,8 @@ pytestmark = pytest.mark.usefixtures("kept")
 
 
 def test_proposals_are_confirmed_one_vehicle_after_the_other(page: Page, demonstration: Server) -> None:
-    passes = whole_passes(demonstration, "low_light")
-    first, second = (own_vehicle(page, demonstration, over=passes[-1 - i % len(passes)]) for i in range(2))
+    passes = whole_passes("low_light")
+    first, second = (own_vehicle(page, over=passes[-1 - i % len(passes)]) for i in range(2))
     put_proposals(demonstration, [first, second])
     page.goto(f"/surveys/{first.survey}/measure?vehicle={first.vehicle['id']}")
     expect(page.get_by_test_id("proposed-card-roof")).to_contain_text("±")
@@ -60,7 +60,7 @@ def test_proposals_are_confirmed_one_vehicle_after_the_other(page: Page, demonst
 def test_a_contact_alone_is_taken_and_the_targets_are_clicked_on_it(
     page: Page, demonstration: Server
 ) -> None:
-    one = own_vehicle(page, demonstration)
+    one = own_vehicle(page)
     put_proposals(demonstration, [one], ())
     page.goto(f"/surveys/{one.survey}/measure?vehicle={one.vehicle['id']}")
     expect(page.get_by_test_id("proposed-card-contact")).to_be_visible()
@@ -77,7 +77,7 @@ def test_a_contact_alone_is_taken_and_the_targets_are_clicked_on_it(
 def test_a_click_elsewhere_puts_another_contact_than_the_proposed_one(
     page: Page, demonstration: Server
 ) -> None:
-    one = own_vehicle(page, demonstration)
+    one = own_vehicle(page)
     put_proposals(demonstration, [one], ())
     page.goto(f"/surveys/{one.survey}/measure?vehicle={one.vehicle['id']}")
     expect(page.get_by_test_id("proposed-card-contact")).to_be_visible()
@@ -89,7 +89,7 @@ def test_a_click_elsewhere_puts_another_contact_than_the_proposed_one(
 
 
 def test_enter_goes_on_once_all_that_is_asked_for_is_there(page: Page, demonstration: Server) -> None:
-    one = own_vehicle(page, demonstration)
+    one = own_vehicle(page)
     page.goto(one.address)
     row = page.get_by_test_id(f"pass-{one.vehicle['number']}")
     expect(row).to_have_attribute("aria-current", "true")

@@ -46,10 +46,10 @@ def test_the_protocol_from_sides_to_a_package(
 ) -> None:
     _say_the_site(page, survey_id, screenshots)
     _say_the_quotas(page, survey_id)
-    by_day = whole_passes(demonstration, "day")
+    by_day = whole_passes("day")
     near, far = (next(one for one in by_day if one["driver_side"] == side) for side in ("near", "far"))
-    day = [own_vehicle(page, demonstration, "day", over) for over in (near, far)]
-    night = own_vehicle(page, demonstration, "low_light")
+    day = [own_vehicle(page, "day", over) for over in (near, far)]
+    night = own_vehicle(page, "low_light")
     before = _measured(page, survey_id)
     rng = np.random.default_rng(12)
     _measure(page, day[0], ("roof", "driver_eye"), rng)

@@ -7,9 +7,8 @@ from typing import Any
 import pytest
 from playwright.sync_api import Locator, Page, expect
 
-from sightline.demo.scan import SITE
-from sightline.demo.scan_heights import RODS
-from sightline.simulation.scan_rod import row_of
+from tests.simulation.make import RODS, SITE
+from tests.simulation.scan_rod import row_of
 
 from .waits import keep_toasts
 

@@ -24,8 +24,8 @@ from .vehicles import (
 
 def far_vehicle(page: Page, server: Server) -> OwnVehicle:
     """A daytime vehicle of the far lane."""
-    far = [one for one in whole_passes(server, "day") if one["driver_side"] == "far"]
-    return own_vehicle(page, server, "day", far[-1])
+    far = [one for one in whole_passes("day") if one["driver_side"] == "far"]
+    return own_vehicle(page, "day", far[-1])
 
 
 def pixels(one: dict[str, Any], frame: int) -> dict[str, list[float]]:
@@ -163,8 +163,8 @@ def test_every_frame_that_is_proposed_shows_the_target(page: Page, demonstration
     """All passes of both scenes: against where the scene put the vehicle, which the program does not know."""
     asked = answered = 0
     for scene in get_args(SceneName):
-        for truth in whole_passes(demonstration, scene):
-            own = own_vehicle(page, demonstration, scene, truth)
+        for truth in whole_passes(scene):
+            own = own_vehicle(page, scene, truth)
             targets = [{"target": one, "target_point": own.pixels[one]} for one in TARGETS]
             first = {**targets[0], "frame": own.frame, "contact": own.pixels["contact_rear"]}
             found = page.request.post(

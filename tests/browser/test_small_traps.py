@@ -160,7 +160,7 @@ def test_what_does_not_fit_and_what_has_no_class_stand_in_the_list(
     page: Page, demonstration: Server, screenshots: Path
 ) -> None:
     """A lorry with a car's roof, and a vehicle of which nobody said the class: a mark, a filter, a count."""
-    own = own_vehicle(page, demonstration, "day")
+    own = own_vehicle(page, "day")
     path, number = f"/api/vehicles/{own.vehicle['id']}", own.vehicle["number"]
     clicked = {"target": "roof", "frame": own.frame, "client_key": str(uuid4())}
     clicked |= {"contact": own.pixels["contact_rear"], "target_point": own.pixels["roof"]}

@@ -10,7 +10,7 @@ from .vehicles import click_at, own_vehicle, stored, until
 
 
 def test_a_click_above_the_contact_goes_to_the_tyre(page: Page, demonstration: Server) -> None:
-    one = own_vehicle(page, demonstration, "day")
+    one = own_vehicle(page, "day")
     x, y = one.pixels["contact_rear"]
     page.goto(one.address)
     expect(page.locator("#measure-hint")).to_contain_text("click where the tyre meets the road")

@@ -16,7 +16,7 @@ from .waits import keep_toasts
 
 @pytest.fixture
 def one(page: Page, demonstration: Server) -> OwnVehicle:
-    return own_vehicle(page, demonstration)
+    return own_vehicle(page)
 
 
 @pytest.fixture

@@ -16,7 +16,7 @@ def test_a_model_is_taken_by_key_and_one_that_cannot_fit_is_said(
     page: Page, demonstration: Server, size: tuple[int, int]
 ) -> None:
     page.set_viewport_size({"width": size[0], "height": size[1]})
-    one = own_vehicle(page, demonstration)
+    one = own_vehicle(page)
     page.goto(one.address)
     panel = page.get_by_role("region", name="Models that fit")
     expect(panel).to_contain_text("No size in the catalogue has been measured")
@@ -81,7 +81,7 @@ def test_a_model_is_taken_by_key_and_one_that_cannot_fit_is_said(
 
 
 def test_the_models_taken_last_are_taken_by_a_digit(page: Page, demonstration: Server) -> None:
-    one, two = own_vehicle(page, demonstration), own_vehicle(page, demonstration)
+    one, two = own_vehicle(page), own_vehicle(page)
     page.goto(one.address)
     make, model = page.get_by_label("Make", exact=True), page.get_by_label("Model", exact=True)
     expect(page.get_by_test_id(f"pass-{one.vehicle['number']}")).to_have_attribute("aria-current", "true")
@@ -110,7 +110,7 @@ def test_a_model_that_is_the_last_thing_asked_for_brings_the_next_vehicle(
     page: Page, demonstration: Server
 ) -> None:
     keep_toasts(page)
-    one = own_vehicle(page, demonstration)
+    one = own_vehicle(page)
     page.goto(one.address)
     row = page.get_by_test_id(f"pass-{one.vehicle['number']}")
     make = page.get_by_label("Make", exact=True)

@@ -11,6 +11,7 @@ from typing import Any, Literal, get_args
 from playwright.sync_api import Page
 from sqlalchemy import update
 
+from sightline.demo.made import TRUTH
 from sightline.enums import ProposedPoint
 from sightline.infra.services import open_services
 from sightline.recordings.store import get_recording
@@ -50,10 +51,9 @@ class OwnVehicle:
         )
 
 
-def scene_truth(server: Server, scene: SceneName) -> dict[str, Any]:
+def scene_truth(scene: SceneName) -> dict[str, Any]:
     """A scene's truth as the renderer wrote it."""
-    document = json.loads((server.data_dir / "demonstration" / "truth.json").read_text())
-    found: dict[str, Any] = document[scene]
+    found: dict[str, Any] = json.loads(TRUTH.read_text())["scenes"][scene]
     return found
 
 
@@ -74,17 +74,15 @@ def whole_frames(one: dict[str, Any]) -> list[dict[str, Any]]:
     return sorted(found, key=lambda frame: abs(int(frame["frame"]) - int(one["best_frame"])))
 
 
-def whole_passes(server: Server, scene: SceneName) -> list[dict[str, Any]]:
+def whole_passes(scene: SceneName) -> list[dict[str, Any]]:
     """The passes of a scene that have such a frame."""
-    return [one for one in scene_truth(server, scene)["passes"] if whole_frames(one)]
+    return [one for one in scene_truth(scene)["passes"] if whole_frames(one)]
 
 
-def own_vehicle(
-    page: Page, server: Server, scene: SceneName = "low_light", over: dict[str, Any] | None = None
-) -> OwnVehicle:
+def own_vehicle(page: Page, scene: SceneName = "low_light", over: dict[str, Any] | None = None) -> OwnVehicle:
     """A new vehicle over a pass of the scene: over the last that can be seen whole, unless told which."""
     survey = wait_for_demonstration(page)
-    one = over or whole_passes(server, scene)[-1]
+    one = over or whole_passes(scene)[-1]
     made = page.request.post(
         f"/api/recordings/{recording_of(page, survey, scene)['id']}/vehicles",
         headers={"X-Sightline": "1"},

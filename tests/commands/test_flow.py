@@ -21,11 +21,11 @@ from sightline.linescan.finding import Finder
 from sightline.linescan.parts import Rig
 from sightline.linescan.passing import measured
 from sightline.linescan.traffic import LENGTH_LIMITS_M
-from sightline.simulation.scan_strips import recording
-from sightline.simulation.scan_traffic import ScanSite, ScanTruth, traffic, truths
 from sightline.traffic.archive import add_recorded
 from sightline.traffic.query import ArchiveTables
 from sightline.traffic.records import Asked, Stood
+from tests.simulation.scan_strips import recording
+from tests.simulation.scan_traffic import ScanSite, ScanTruth, traffic, truths
 from tests.traffic.samples import recorded
 
 pytestmark = pytest.mark.once

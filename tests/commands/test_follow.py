@@ -9,9 +9,9 @@ import pytest
 from sightline.cli import main
 from sightline.geometry.documents import pose_to_dict
 from sightline.media.video.writer import write_mp4
-from sightline.simulation import PassTruth, day_scene, render_frame, truth
 from tests.bench.bench_whole_pass_pictures import begun_on
 from tests.bench.surveys import pose_of
+from tests.simulation import PassTruth, day_scene, render_frame, truth
 
 SCENE = day_scene()
 

@@ -16,8 +16,8 @@ import tifffile
 
 from sightline.cli import main
 from sightline.media.strips.sheet import Pixels
-from sightline.simulation.scan_strips import strips
-from sightline.simulation.scan_traffic import ScanSite, ScanTruth, traffic, truths
+from tests.simulation.scan_strips import strips
+from tests.simulation.scan_traffic import ScanSite, ScanTruth, traffic, truths
 
 pytestmark = pytest.mark.once
 

@@ -8,8 +8,8 @@ import pytest
 from sightline.cli import main
 from sightline.geometry.documents import pose_to_dict
 from sightline.media.video.writer import write_mp4
-from sightline.simulation import day_scene, render_frame
 from tests.bench.surveys import pose_of
+from tests.simulation import day_scene, render_frame
 
 
 @pytest.fixture(scope="module")

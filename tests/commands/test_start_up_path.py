@@ -1,4 +1,4 @@
-"""What a start loads: neither the renderer of the demonstration nor the libraries of figures and report."""
+"""What a start loads: neither the making of the demonstration nor the libraries of figures and report."""
 
 import pytest
 
@@ -6,7 +6,7 @@ from tests.commands.running import python
 
 pytestmark = pytest.mark.once
 
-LATER = ("sightline.simulation", "sightline.demo.build", "matplotlib", "typst", "pyarrow")
+LATER = ("sightline.demo.build", "sightline.demo.parts", "matplotlib", "typst", "pyarrow")
 
 
 STARTS = (
@@ -15,7 +15,7 @@ STARTS = (
 )
 
 
-def test_a_start_loads_no_renderer() -> None:
+def test_a_start_loads_only_what_it_needs() -> None:
     """Both starts, one after the other in one process."""
     loaded = f"print([name for name in {LATER!r} if name in sys.modules])"
     done = python("; ".join(("import sys", *(f"{start}; {loaded}" for start in STARTS))))

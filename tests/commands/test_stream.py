@@ -24,8 +24,8 @@ from sightline.media.lines.piped import PipedLines
 from sightline.media.lines.source import Ending
 from sightline.media.strips.sheet import Pixels
 from sightline.media.strips.spool import SpooledLines
-from sightline.simulation.scan_strips import strips
-from sightline.simulation.scan_traffic import ScanSite, traffic
+from tests.simulation.scan_strips import strips
+from tests.simulation.scan_traffic import ScanSite, traffic
 from tests.support.waiting import until
 
 pytestmark = pytest.mark.once

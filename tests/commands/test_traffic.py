@@ -11,8 +11,8 @@ import cv2
 import pytest
 
 from sightline.cli import main
-from sightline.simulation.scan_strips import strips
-from sightline.simulation.scan_traffic import ScanSite, traffic, truths
+from tests.simulation.scan_strips import strips
+from tests.simulation.scan_traffic import ScanSite, traffic, truths
 
 pytestmark = pytest.mark.once
 

@@ -71,6 +71,6 @@ def test_four_sites_have_650_vehicles() -> None:
 
 def test_the_study_is_asked_for_on_the_first_start_alone(services: Services) -> None:
     with services.writing() as session:
-        ensure_requested(session, scenes=["day:2"])  # as tests do that want no study
+        ensure_requested(session)  # as tests do that want no study
         request_both(session)
         assert STUDY_KIND not in {job.kind for job in list_jobs(session, state="queued")}

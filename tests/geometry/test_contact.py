@@ -10,9 +10,9 @@ from sightline.geometry.camera import Camera
 from sightline.geometry.contact import Proposal, propose
 from sightline.geometry.road_pose import RoadPose
 from sightline.messages.said import Said
-from sightline.simulation.render import render_frame
-from sightline.simulation.scene import Scene, day_scene, low_light_scene
-from sightline.simulation.truth import spot_pixel, spots_of
+from tests.simulation.render import render_frame
+from tests.simulation.scene import Scene, day_scene, low_light_scene
+from tests.simulation.truth import spot_pixel, spots_of
 
 POINTER_PX = 8.0
 

@@ -10,9 +10,9 @@ from sightline.geometry.follow_pass import LOST, UNLIKE, PassFrame, follow_pass
 from sightline.geometry.followed_tracks import CONTACT, SECOND, TARGET
 from sightline.geometry.whole_pass import measure_pass
 from sightline.messages.said import Said
-from sightline.simulation import day_scene, render_frame, truth
 from tests.bench.bench_whole_pass_pictures import begun_on
 from tests.bench.surveys import pose_of
+from tests.simulation import day_scene, render_frame, truth
 
 SCENE = day_scene()
 POSE = pose_of(SCENE)

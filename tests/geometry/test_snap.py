@@ -5,9 +5,9 @@ import numpy as np
 import pytest
 
 from sightline.geometry.snap import ACROSS_PX, DOWN_PX, UP_PX, Snap, snap, within_reach
-from sightline.simulation import truth
-from sightline.simulation.render import render_frame
 from tests.bench.surveys import pose_of, site
+from tests.simulation import truth
+from tests.simulation.render import render_frame
 
 SCENE = site(611)  # no other test or bench is tuned on it
 POSE = pose_of(SCENE)

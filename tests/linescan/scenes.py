@@ -7,8 +7,8 @@ import numpy as np
 
 from sightline.linescan.finding import Finder
 from sightline.linescan.parts import Passage, Rig
-from sightline.simulation.scan_strips import strips
-from sightline.simulation.scan_traffic import Halt, ScanSite, ScanTruth, ScanVehicle, traffic, truths
+from tests.simulation.scan_strips import strips
+from tests.simulation.scan_traffic import Halt, ScanSite, ScanTruth, ScanVehicle, traffic, truths
 
 RIG = Rig(0.593, 4882.8)
 SITE = ScanSite(rows=128, misalignment_px=0.4)

@@ -13,9 +13,9 @@ from sightline.linescan.masks import Sheet, sampled, shifted, slopes_along
 from sightline.linescan.paper import measure_paper
 from sightline.linescan.parts import Crossings, Passage, Rig
 from sightline.linescan.warp import Course, solved_by_boundaries
-from sightline.simulation.scan_strips import strips
-from sightline.simulation.scan_traffic import ScanSite, ScanVehicle, truths
 from tests.linescan.scenes import RIG, SITE, cars, found, plain_found, plain_truth
+from tests.simulation.scan_strips import strips
+from tests.simulation.scan_traffic import ScanSite, ScanVehicle, truths
 
 pytestmark = pytest.mark.once
 SOURCES = ("baseline", "clock", "misalignment", "fit", "boundaries")

@@ -15,9 +15,9 @@ from sightline.linescan.gaps import NONE_BEFORE, gaps
 from sightline.linescan.methods import MEASURE
 from sightline.linescan.parts import Crossings, Entry, Motion, Passage
 from sightline.linescan.passing import measured
-from sightline.simulation.scan_strips import strips
-from sightline.simulation.scan_traffic import ScanTruth, traffic, truths
 from tests.linescan.scenes import RIG, SITE, found, plain_found
+from tests.simulation.scan_strips import strips
+from tests.simulation.scan_traffic import ScanTruth, traffic, truths
 
 OF_RIG = replace(RIG, u_baseline_m=0.0003, u_line_rate_ratio=1e-4)
 

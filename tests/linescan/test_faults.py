@@ -7,9 +7,9 @@ import pytest
 
 from sightline.linescan.direct import measure_direct
 from sightline.linescan.faults import notes_of
-from sightline.simulation.scan_strips import strips
-from sightline.simulation.scan_traffic import traffic
 from tests.linescan.scenes import RIG, SITE, cars, found, plain, plain_truth
+from tests.simulation.scan_strips import strips
+from tests.simulation.scan_traffic import traffic
 
 pytestmark = pytest.mark.once
 

@@ -19,7 +19,6 @@ from sightline.linescan.direct import measure_direct
 from sightline.linescan.finding import CUT, NO_ROAD, STOPPED, TOO_LONG, Finder
 from sightline.linescan.methods import MEASURE
 from sightline.linescan.parts import Rig
-from sightline.simulation.scan_strips import strips
 from tests.linescan.scenes import (
     RIG,
     SITE,
@@ -32,6 +31,7 @@ from tests.linescan.scenes import (
     stopping,
     touching,
 )
+from tests.simulation.scan_strips import strips
 
 pytestmark = pytest.mark.once
 

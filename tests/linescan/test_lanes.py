@@ -13,9 +13,9 @@ from sightline.linescan.methods import MEASURE
 from sightline.linescan.parts import Lane, Motion, Passage, Rig
 from sightline.linescan.passing import measured
 from sightline.linescan.rig import at_lane, baseline_of, require_rig
-from sightline.simulation.scan_strips import strips
-from sightline.simulation.scan_traffic import ScanTruth, traffic, truths
 from tests.linescan.scenes import SITE, at, cars, found
+from tests.simulation.scan_strips import strips
+from tests.simulation.scan_traffic import ScanTruth, traffic, truths
 
 NEAR_M, FAR_M, OPENING_M = 5.0, 8.5, 0.021
 Q = OPENING_M / (FAR_M - NEAR_M)

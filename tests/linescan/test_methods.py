@@ -12,9 +12,9 @@ from sightline.enums import ScanMethod
 from sightline.linescan.either_way import WOULD_STOP
 from sightline.linescan.methods import MEASURE, believed, unlikely
 from sightline.linescan.parts import Crossings, Motion, Passage, Rig
-from sightline.simulation.scan_strips import strips
-from sightline.simulation.scan_traffic import traffic, truths
 from tests.linescan.scenes import RIG, SITE, found, plain_found
+from tests.simulation.scan_strips import strips
+from tests.simulation.scan_traffic import traffic, truths
 
 SEEN = Crossings(1000.0, 2000.0, 1200.0, 2200.0)
 GOOD = Motion(

@@ -7,8 +7,8 @@ from sightline.linescan.finding import STOPPED
 from sightline.linescan.matching import match_blocks
 from sightline.linescan.paper import measure_paper
 from sightline.linescan.parts import Crossings, Motion, Passage, Rig
-from sightline.simulation.scan_strips import strips
-from sightline.simulation.scan_traffic import ScanSite, ScanTruth, traffic, truths
+from tests.simulation.scan_strips import strips
+from tests.simulation.scan_traffic import ScanSite, ScanTruth, traffic, truths
 
 
 def texture(lines: np.ndarray, rows: int, seed: int = 0) -> np.ndarray:

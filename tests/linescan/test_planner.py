@@ -12,9 +12,9 @@ from sightline.linescan.exposure import LineCamera, plan_exposure
 from sightline.linescan.methods import MEASURE
 from sightline.linescan.parts import Rig
 from sightline.linescan.planner import COARSE_LINE_M, LinePlan, plan_lines
-from sightline.simulation.scan_strips import strips
-from sightline.simulation.scan_traffic import ScanSite, traffic
 from tests.linescan.scenes import found
+from tests.simulation.scan_strips import strips
+from tests.simulation.scan_traffic import ScanSite, traffic
 
 pytestmark = pytest.mark.once
 SPEED_MPS, BASELINE_M, U_BASELINE_M, RATE_HZ = 25.0, 0.6, 0.004, 3000.0

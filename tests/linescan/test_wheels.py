@@ -7,8 +7,8 @@ import pytest
 
 from sightline.linescan.parts import Crossings, Motion
 from sightline.linescan.wheels import NO_MOTION, NONE_FOUND, wheels_in
-from sightline.simulation.scan_traffic import ScanTruth
 from tests.linescan.scenes import RIG, plain, plain_truth
+from tests.simulation.scan_traffic import ScanTruth
 
 BESIDE = 100
 

@@ -33,7 +33,7 @@ from sqlalchemy import Engine, text
 from sightline.commands.verify import check_database
 from sightline.infra.database.engine import make_engine
 from sightline.media.atomic import PART
-from tests.browser.conftest import made_once, make_small_survey
+from tests.browser.conftest import made_once, make_survey
 from tests.browser.server import Server, start
 from tests.load.cluster import Cluster
 from tests.load.processes import kill_one
@@ -367,7 +367,7 @@ def main() -> None:
             cluster.start()
             extra["SIGHTLINE_DATABASE_URL"] = cluster.url
             extra["SIGHTLINE_SIGNING_KEY"] = secrets.token_hex(32)
-            make_small_survey(data, database_url=cluster.url)
+            make_survey(data, database_url=cluster.url)
         else:
             shutil.copytree(chosen.ground or made_once(here / "small"), data)
         engine = make_engine(cluster.url if cluster else f"sqlite:///{data / 'sightline.db'}")

@@ -27,7 +27,7 @@ import httpx2
 from sqlalchemy import Engine, make_url, text
 
 from sightline.infra.database.engine import make_engine
-from tests.browser.conftest import make_small_survey
+from tests.browser.conftest import make_survey
 from tests.browser.server import SIGHTLINE, Server, start
 from tests.load.cluster import Cluster
 from tests.load.faults import Person, World, clicking, lost_and_doubled, tell_stored, watched
@@ -280,7 +280,7 @@ def built(here: Path, stack: ExitStack) -> Machines:
     storage = stack.enter_context(Relay(*s3.get_host_and_port()))
     os.environ.update(KEYS)
     media = f"s3://sightline?endpoint=http://127.0.0.1:{storage.port}"
-    make_small_survey(here / "made", database_url=cluster.url, media_url=media)
+    make_survey(here / "made", database_url=cluster.url, media_url=media)
     relays = {name: stack.enter_context(Relay(str(cluster.folder), 5432)) for name in ("A", "B", "W")}
     engine = make_engine(cluster.url)
     stack.callback(engine.dispose)

@@ -30,7 +30,7 @@ import httpx2
 from sqlalchemy import make_url, text
 
 from sightline.infra.database.engine import make_engine
-from tests.browser.conftest import made_once, make_small_survey
+from tests.browser.conftest import made_once, make_survey
 from tests.browser.server import Server, start
 from tests.load.cluster import Cluster
 from tests.load.light import Answer, Light
@@ -201,7 +201,7 @@ def served(chosen: argparse.Namespace, here: Path, stack: ExitStack) -> tuple[li
         cluster.start()
         stack.callback(cluster.stop)
         url, media = cluster.url, str(here / "made" / "media")
-        make_small_survey(here / "made", database_url=url)
+        make_survey(here / "made", database_url=url)
         common = {
             "SIGHTLINE_DATABASE_URL": url,
             "SIGHTLINE_MEDIA_URL": media,

@@ -13,9 +13,9 @@ from sightline.infra.jobs.records import Job
 from sightline.infra.services import Services
 from sightline.media.video.display import brightened
 from sightline.media.video.writer import write_mp4
-from sightline.simulation.render import render_frame
-from sightline.simulation.scene import low_light_scene
-from sightline.simulation.truth import spot_pixel, spots_of
+from tests.simulation.render import render_frame
+from tests.simulation.scene import low_light_scene
+from tests.simulation.truth import spot_pixel, spots_of
 from tests.support.app import Client, error_of, upload
 from tests.support.ground import add_pose, store_calibration
 

@@ -12,8 +12,8 @@ from sightline.media.strips.notes import StripNotes
 from sightline.media.strips.reader import rebatched
 from sightline.media.strips.sheet import Pixels
 from sightline.media.strips.stored_writer import StoredStrip, store_strip
-from sightline.simulation.scan_strips import recording
-from sightline.simulation.scan_traffic import ScanSite, ScanVehicle
+from tests.simulation.scan_strips import recording
+from tests.simulation.scan_traffic import ScanSite, ScanVehicle
 
 Pairs = Callable[[], Iterator[tuple[Pixels, Pixels]]]
 

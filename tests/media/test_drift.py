@@ -10,8 +10,8 @@ from sightline.geometry.drift import Motion
 from sightline.geometry.drift_spans import Look, course, floor_px
 from sightline.media.video.drift import background, mean_of, register
 from sightline.messages.said import Said
-from sightline.simulation.render import render_frame
-from sightline.simulation.scene import day_scene, low_light_scene
+from tests.simulation.render import render_frame
+from tests.simulation.scene import day_scene, low_light_scene
 
 SIZE = (640, 480)
 SHAKES = [

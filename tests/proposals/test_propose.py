@@ -15,9 +15,9 @@ from sightline.proposals.keypoints import FINE_POINTS, fine_canvas, moved_to_pla
 from sightline.proposals.propose import POINTS, FrameSeen, Proposals, Proposed, propose_points
 from sightline.proposals.road import FEWEST, road_behind
 from sightline.proposals.targets import BY_HAND
-from sightline.simulation import PassTruth, day_scene, render_frame, truth
-from sightline.simulation.scene import Scene
 from tests.bench.surveys import boxes_of, pose_of
+from tests.simulation import PassTruth, day_scene, render_frame, truth
+from tests.simulation.scene import Scene
 
 SCENE = day_scene()
 NETWORKS = proposal_networks()

@@ -16,8 +16,8 @@ from sightline.media.strips.reader import open_strip
 from sightline.media.strips.sheet import Pixels
 from sightline.scans.live.records import LiveVehicle
 from sightline.scans.live.run import Clock, LiveRun, Nowhere
-from sightline.simulation.scan_strips import strips
-from sightline.simulation.scan_traffic import ScanSite, traffic
+from tests.simulation.scan_strips import strips
+from tests.simulation.scan_traffic import ScanSite, traffic
 
 pytestmark = pytest.mark.once
 

@@ -26,9 +26,9 @@ from sightline.scans.service import request_find
 from sightline.scans.store import list_scans
 from sightline.scans.vehicles.store import list_scan_vehicles
 from sightline.settings import load_settings
-from sightline.simulation.scan_strips import strips
-from sightline.simulation.scan_traffic import ScanSite, traffic
 from sightline.surveys.store import create_survey
+from tests.simulation.scan_strips import strips
+from tests.simulation.scan_traffic import ScanSite, traffic
 from tests.support.events import events_of
 from tests.support.waiting import until
 from tests.support.working import run_jobs

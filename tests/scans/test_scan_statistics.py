@@ -29,6 +29,7 @@ def test_rejected_vehicles_never_count_and_unreviewed_ones_where_asked_for() -> 
     assert told.counted == {
         "vehicles": 4,
         "used": 1,
+        "without_time": 0,
         "to_review": 1,
         "accepted": 1,
         "rejected": 1,

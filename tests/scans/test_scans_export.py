@@ -16,11 +16,12 @@ from sightline.export.seal import read_seal
 from sightline.export.verify.chain import walk
 from sightline.export.verify.derived import check_statistics
 from sightline.export.verify.described import read_description
-from sightline.export.verify.package import verify_place
+from sightline.export.verify.package import verify_package, verify_place
 from sightline.infra.csv_package.files import FolderFiles, Staging, unsafe
 from sightline.infra.csv_package.recomputing import Recomputing
 from sightline.infra.services import Services
-from sightline.recordings.filming import Filming
+from sightline.recordings.filming import FILMED, Filming
+from sightline.results.selection import Selection
 from sightline.scans.clock import ScanClock
 from sightline.scans.heights.review_store import add_line_height_review
 from sightline.scans.store import update_scan
@@ -188,6 +189,28 @@ def test_statistics_figures_and_report_tell_of_line_scans(package: Path) -> None
     heights.write_text(heights.read_text(encoding="utf-8").replace("1.400000", "1.410000"), encoding="utf-8")
     with pytest.raises(Damaged, match=r"scan_heights\.csv, line 3: mean_m states 1.410000"):
         check_statistics(FolderFiles(package), same_program=True)
+
+
+@pytest.mark.parametrize(("hours", "of_it"), [((8, 9), 1), ((9, None), 0)])
+def test_a_package_of_hours_of_filming(
+    services: Services, one: Sample, tmp_path: Path, hours: tuple[int, int | None], of_it: int
+) -> None:
+    """The vehicle of 08:10 counts, and intervals are those that begin within the hours."""
+    place = tmp_path / "package"
+    place.mkdir()
+    with services.reading() as session:
+        selection = Selection(hour_from=hours[0], hour_to=hours[1])
+        build(Staging(place), session, one.survey.id, services, selection=selection)
+    chosen = [list(row.values()) for row in rows(place, "selection")]
+    assert chosen == [[name, str(hour)] for name, hour in zip(FILMED[2:], hours, strict=True) if hour]
+    lengths = rows(place / "statistics", "scan_quantities")
+    assert {row["n"] for row in lengths if row["quantity"] == "speed"} == ({"1"} if of_it else set())
+    told = rows(place / "statistics", "traffic_intervals")
+    begun = {int(row["begins_at"][11:13]) for row in told}
+    assert (begun == {8}) if of_it else min(begun) == 9
+    assert sum(int(row["vehicles"]) for row in told if row["minutes"] == "60") == of_it
+    assert {row["refused"] for row in told} == {"0"}
+    assert verify_package(FolderFiles(place)).ok
 
 
 def test_traffic_is_counted_and_computed_again(package: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from sightline.simulation.camera import DemoCamera
-from sightline.simulation.truth import FramePixels, PassTruth
+from tests.simulation.camera import DemoCamera
+from tests.simulation.truth import FramePixels, PassTruth
 
 
 def frame_of(one: PassTruth, number: int) -> FramePixels:

@@ -4,7 +4,7 @@ import cv2
 import numpy as np
 import pytest
 
-from sightline.simulation.board import (
+from tests.simulation.board import (
     LAB_COLUMNS,
     LAB_COUNT,
     LAB_ROWS,
@@ -13,9 +13,9 @@ from sightline.simulation.board import (
     lab_corners_px,
     lab_image,
 )
-from sightline.simulation.camera import DemoCamera
-from sightline.simulation.render import render_frame
-from sightline.simulation.scene import Scene, day_scene, low_light_scene
+from tests.simulation.camera import DemoCamera
+from tests.simulation.render import render_frame
+from tests.simulation.scene import Scene, day_scene, low_light_scene
 
 STOP = (cv2.TERM_CRITERIA_EPS + cv2.TERM_CRITERIA_MAX_ITER, 40, 1e-3)
 

@@ -3,7 +3,7 @@
 import cv2
 import numpy as np
 
-from sightline.simulation.camera import DemoCamera, slope_maps
+from tests.simulation.camera import DemoCamera, slope_maps
 
 CAMERA = DemoCamera()
 MATRIX = np.array([[CAMERA.fx_px, 0, CAMERA.cx_px], [0, CAMERA.fy_px, CAMERA.cy_px], [0, 0, 1]])

@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from sightline.simulation.camera import DemoCamera
+from tests.simulation.camera import DemoCamera
 
 CAMERA = DemoCamera()
 

@@ -3,14 +3,14 @@
 import numpy as np
 import pytest
 
-from sightline.simulation import truth
-from sightline.simulation.compose import Place
-from sightline.simulation.glow import add_glow
-from sightline.simulation.render import render_frame
-from sightline.simulation.scene import Scene, day_scene, low_light_scene
-from sightline.simulation.shape import shape_of
-from sightline.simulation.truth import PassTruth
+from tests.simulation import truth
+from tests.simulation.compose import Place
+from tests.simulation.glow import add_glow
 from tests.simulation.picture import edge_along_column, frame_of
+from tests.simulation.render import render_frame
+from tests.simulation.scene import Scene, day_scene, low_light_scene
+from tests.simulation.shape import shape_of
+from tests.simulation.truth import PassTruth
 
 DAY, LOW = day_scene(), low_light_scene()
 CASES = [(DAY, k) for k in (0, 1, 2, 4, 6, 9, 11, 12, 15, 20)] + [(LOW, k) for k in (0, 1, 3, 5, 6, 9)]

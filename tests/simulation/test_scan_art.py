@@ -7,9 +7,9 @@ import cv2
 import numpy as np
 import pytest
 
-from sightline.simulation.models import MODELS
-from sightline.simulation.scan_art import ribbon_of
-from sightline.simulation.scan_traffic import Photograph, ScanSite, ScanVehicle, scan_body
+from tests.simulation.models import MODELS
+from tests.simulation.scan_art import ribbon_of
+from tests.simulation.scan_traffic import Photograph, ScanSite, ScanVehicle, scan_body
 
 pytestmark = pytest.mark.once
 SITE = ScanSite(rows=64)

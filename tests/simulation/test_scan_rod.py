@@ -5,13 +5,15 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from sightline.demo.scan_heights import CLICK_SIGMA_PX, clicked_rod, contact_of, targets_of
+from sightline.demo.made import HeldRod as SeenRod
+from sightline.demo.scan_heights import CLICK_SIGMA_PX, clicked_rod
 from sightline.linescan.line_height import line_height
 from sightline.scans.heights.poses import preview_line_pose, solve
-from sightline.simulation.scan_rod import LIGHT_DN, HeldRod, row_of
-from sightline.simulation.scan_strips import empty_line, strips
-from sightline.simulation.scan_traffic import ScanSite, demo_traffic, truths
-from sightline.simulation.truth import spots_of
+from tests.simulation.make import contact_of, held_rods, targets_of
+from tests.simulation.scan_rod import LIGHT_DN, HeldRod, row_of
+from tests.simulation.scan_strips import empty_line, strips
+from tests.simulation.scan_traffic import ScanSite, demo_traffic, truths
+from tests.simulation.truth import spots_of
 
 SITE = ScanSite(rows=256, line_rate_hz=2441.4, read_noise_dn=0.5, row_gain=0.0, plane_m=3.0)
 INSETS = {"roof": (0.30, 0.10), "driver_eye": (0.45, 0.10), "taillight": (0.05, 0.05)}
@@ -57,9 +59,10 @@ def test_a_roof_is_seen_where_its_inset_puts_it() -> None:
 
 def test_heights_of_all_its_vehicles_are_the_truth_within_their_uncertainty() -> None:
     rng = np.random.default_rng(5)
+    rods = [SeenRod(**rod) for rod in held_rods(SITE)]
     shares, distances = [], []
     for true in truths(SITE, demo_traffic()):
-        rod = clicked_rod(SITE, rng)
+        rod = clicked_rod(rods, rng)
         assert preview_line_pose(rod).status == "ok" and preview_line_pose(rod).warnings == ()
         pose = solve(rod)
         heights = {spot.name: spot.height_m for spot in spots_of(true.vehicle.vehicle)}

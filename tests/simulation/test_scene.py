@@ -7,11 +7,12 @@ from collections import Counter
 import numpy as np
 import pytest
 
-from sightline.simulation import truth
-from sightline.simulation.models import SOURCE, catalogue
-from sightline.simulation.scene import Scene, day_scene, low_light_scene
-from sightline.simulation.truth import truth_document
+from sightline.demo.made import SOURCE, catalogue
+from tests.simulation import truth
+from tests.simulation.models import MODELS
 from tests.simulation.picture import frame_of, height_m
+from tests.simulation.scene import Scene, day_scene, low_light_scene
+from tests.simulation.truth import truth_document
 
 SCENES = pytest.mark.parametrize("scene", [day_scene(), low_light_scene()], ids=lambda s: s.name)
 
@@ -85,6 +86,6 @@ def test_documents_are_plain_json_and_scenes_travel_to_processes() -> None:
 
 def test_catalogue_rows_are_invented_and_say_so() -> None:
     rows = catalogue()
-    assert all(row["source"] == SOURCE for row in rows)
-    assert len({(row["make"], row["model"]) for row in rows}) == len(rows)
-    assert all(float(row["wheelbase_m"]) < float(row["length_m"]) for row in rows)
+    assert len(rows) == len(MODELS) and all(row.source == SOURCE for row in rows)
+    assert len({(row.make, row.model) for row in rows}) == len(rows)
+    assert all((row.wheelbase_m or 9.0) < (row.length_m or 0.0) for row in rows)

@@ -5,9 +5,9 @@ import numpy as np
 from sightline.demo.wheels import CLICK_NOISE_PX, both_in_sight
 from sightline.geometry.camera import Camera
 from sightline.geometry.road_pose import RoadPose
-from sightline.simulation.scene import Scene, day_scene, low_light_scene
-from sightline.simulation.truth import pass_truth
 from tests.geometry.scenes import headings
+from tests.simulation.scene import Scene, day_scene, low_light_scene
+from tests.simulation.truth import pass_truth
 
 
 def true_pose(scene: Scene) -> RoadPose:

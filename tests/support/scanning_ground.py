@@ -8,8 +8,8 @@ from typing import Any
 import numpy as np
 import tifffile
 
-from sightline.simulation.scan_strips import strips
-from sightline.simulation.scan_traffic import ScanSite, ScanTruth, traffic, truths
+from tests.simulation.scan_strips import strips
+from tests.simulation.scan_traffic import ScanSite, ScanTruth, traffic, truths
 from tests.support.app import TUS, Client, error_of, send
 
 SITE = ScanSite(rows=64, line_rate_hz=2441.4, misalignment_px=0.4)

@@ -1,7 +1,7 @@
 """The demonstration survey: made once, as one job that ends in one transaction, so it is whole or not there.
 
-Its pictures are rendered from a known scene; lens, road poses and heights are what this program finds
-in them.
+Its files were rendered from a known scene and come with the program; lens, road poses and heights are what
+this program finds in them.
 """
 
 from __future__ import annotations
@@ -15,10 +15,10 @@ from sightline.cameras.calibrations.images import detection_of
 from sightline.cameras.calibrations.store import add_calibration
 from sightline.cameras.store import add_calibration_image, create_camera
 from sightline.demo.clicks import TARGETS, Pass, judge, measure, with_fates
-from sightline.demo.parts import LAB_BOARD, LabPicture, Parts, Video, make_parts, write_truth
-from sightline.demo.rendering import SCENES
+from sightline.demo.made import SceneTruth, catalogue, truth
+from sightline.demo.parts import LabPicture, Parts, Video, make_parts
 from sightline.demo.repeats import click_again
-from sightline.demo.scan import ScanMaker, ScanParts, store_scan
+from sightline.demo.scan import store_scan
 from sightline.demo.wheels import click_wheels
 from sightline.enums import Lighting, Role
 from sightline.geometry.sides import TrafficFacts
@@ -35,11 +35,9 @@ from sightline.recordings.filming import Filming
 from sightline.recordings.ingest_job import facts_of, table_of
 from sightline.recordings.records import RecordingChanges
 from sightline.recordings.store import create_recording, list_recordings, note_ingested, update_recording
-from sightline.simulation.models import catalogue as demo_catalogue
 from sightline.surveys.place import Place
 from sightline.surveys.records import Asked
 from sightline.surveys.store import create_survey, demo_survey_id
-from sightline.vehicles.catalogue.records import CatalogueRow
 from sightline.vehicles.catalogue.store import import_catalogue_rows
 from sightline.vehicles.records import VehicleChanges
 from sightline.vehicles.store import create_vehicle
@@ -47,9 +45,9 @@ from sightline.vehicles.store import create_vehicle
 NAME = "Demonstration: Corvane Road"
 SITE = "an invented road, two lanes"
 DESCRIPTION = (
-    "Rendered from a known scene, so that the truth is known: 24 vehicles in daylight and 16 in low light, "
-    "of invented makes. 23 are measured, most of them accepted; the others are there to try with. A "
-    "line-scan recording has 15 vehicles more, with speed, length and gaps."
+    "Rendered from a known scene, so that the truth is known: 9 vehicles in daylight and 7 in low light, "
+    "of invented makes. 14 are measured, most of them accepted; the others are there to try with. A "
+    "line-scan recording has 9 vehicles more, with speed, length and gaps."
 )
 TRAFFIC = TrafficFacts(traffic_side="right", steering_side="left", camera_place="verge")
 PLACE = Place(
@@ -59,10 +57,9 @@ PLACE = Place(
     street_lamps="present",
     time_zone="Europe/Paris",
 )
-LIGHTING: dict[str, Lighting] = {"day": "daytime", "low_light": "low_light"}
 # Invented, as all of it: when each scene was filmed, in what weather, whether lamps were lit.
-FILMED: dict[str, RecordingChanges] = {
-    "day": {
+FILMED: dict[Lighting, RecordingChanges] = {
+    "daytime": {
         "filming": Filming(datetime(2025, 5, 14, 6, 10, tzinfo=UTC), "Europe/Paris"),
         "weather": "some cloud",
         "street_lighting": "off",
@@ -73,9 +70,6 @@ FILMED: dict[str, RecordingChanges] = {
         "street_lighting": "on",
     },
 }
-# The last vehicle of a scene is left to try with.
-MEASURED = {"day": 14, "low_light": 9}
-WHEELED = {"day": 10, "low_light": 6}
 OPERATOR = ("Demonstration operator", "demonstration-operator@sightline.invalid")
 REVIEWER = ("Demonstration reviewer", "demonstration-reviewer@sightline.invalid")
 
@@ -87,20 +81,14 @@ def make(context: registry.JobContext) -> registry.Outcome:
         known = demo_survey_id(session)
     if known is not None:
         return {"survey_id": known}
-    beside = ScanMaker(services, context.payload.get("scan_vehicles"))
     try:
-        parts = make_parts(services, context.progress, context.payload.get("scenes", SCENES))
-        context.progress(0.97, "Recording the line scan.")
-        scanned = beside.result()
+        parts = make_parts(services, context.progress)
     except IngestCancelled as stopped:  # its threads may be heard before the one that told them to stop
         raise registry.Cancelled("said", sentence=STOPPED) from stopped
-    finally:
-        beside.stop()
-    context.progress(0.98, "Saving the demonstration survey.")
+    context.progress(0.95, "Saving the demonstration survey.")
 
     def store(session: Session) -> Mapping[str, Any]:
-        survey_id, numbers = build(session, parts, scanned)
-        write_truth(services, parts, numbers)
+        survey_id = build(session, parts)
         for recording in list_recordings(session, survey_id):
             request_if_posed(session, recording.id, actor=None)
         return {"survey_id": survey_id}
@@ -108,13 +96,13 @@ def make(context: registry.JobContext) -> registry.Outcome:
     return store
 
 
-def build(session: Session, parts: Parts, scanned: ScanParts) -> tuple[int, dict[str, list[int]]]:
-    """Store everything; the survey's id and the vehicles' numbers by scene."""
+def build(session: Session, parts: Parts) -> int:
+    """Store everything; the survey's id."""
     operator, reviewer = (
         demo_person(session, *OPERATOR, "operator"),
         demo_person(session, *REVIEWER, "reviewer"),
     )
-    import_catalogue_rows(session, [_model(row) for row in demo_catalogue()], actor=None)
+    import_catalogue_rows(session, catalogue(), actor=None)
     survey = create_survey(
         session,
         name=NAME,
@@ -129,25 +117,19 @@ def build(session: Session, parts: Parts, scanned: ScanParts) -> tuple[int, dict
         actor=None,
     )
     camera_id, calibration_id = _camera(session, survey.id, parts)
-    passes: dict[str, list[Pass]] = {}
+    chosen: list[Pass] = []
     for video, solved in zip(parts.videos, parts.poses, strict=True):
         recording_id = _recording(session, survey.id, camera_id, video)
         _pose(session, recording_id, calibration_id, video, solved)
-        passes[video.scene.name] = _vehicles(session, recording_id, video, operator.id)
-    chosen = [one for name in MEASURED for one in _measured(name, passes.get(name, []))]
+        passes = _vehicles(session, recording_id, video.truth, operator.id)
+        # the last one is left to try with; those by day show faults too
+        chosen += with_fates(passes[:-1], faults=video.truth.lighting == "daytime")
     stored = measure(session, chosen, actor=operator.id)
     click_again(session, chosen, stored, operator=operator.id, reviewer=reviewer.id)
     judge(session, chosen, stored, actor=reviewer.id)
-    wheeled = [one for name, count in WHEELED.items() for one in passes.get(name, [])[:count]]
-    click_wheels(session, wheeled, actor=operator.id)
-    store_scan(session, survey.id, scanned, operator=operator.id, reviewer=reviewer.id)
-    return survey.id, {name: [one.vehicle.number for one in found] for name, found in passes.items()}
-
-
-def _measured(scene: str, passes: list[Pass]) -> list[Pass]:
-    """Those of a scene that are measured, with what becomes of each; those by day show faults too."""
-    left = 1 if len(passes) > 2 else 0
-    return with_fates(passes[: min(MEASURED[scene], len(passes) - left)], faults=scene == "day")
+    click_wheels(session, chosen, actor=operator.id)
+    store_scan(session, survey.id, parts.scan, operator=operator.id, reviewer=reviewer.id)
+    return survey.id
 
 
 def demo_person(session: Session, name: str, email: str, role: Role) -> Person:
@@ -156,11 +138,6 @@ def demo_person(session: Session, name: str, email: str, role: Role) -> Person:
         session, name=name, email=email, role=role, actor=None
     )
     return update_person(session, known.id, name=name, role=role, active=False, actor=None)
-
-
-def _model(row: Mapping[str, Any]) -> CatalogueRow:
-    fields = CatalogueRow.__dataclass_fields__
-    return CatalogueRow(**{name: row[name] for name in fields if name in row})
 
 
 def _camera(session: Session, survey_id: int, parts: Parts) -> tuple[int, int]:
@@ -196,7 +173,7 @@ def _lab_image(session: Session, camera_id: int, one: LabPicture) -> DetectedVie
         width_px=seen.size[0],
         height_px=seen.size[1],
         actor=None,
-        detection=detection_of(seen.corners, LAB_BOARD),
+        detection=detection_of(seen.corners, truth().lab),
     )
     return DetectedView(seen.name, seen.corners, seen.size, image_id=image.id)
 
@@ -205,7 +182,7 @@ def _recording(session: Session, survey_id: int, camera_id: int, video: Video) -
     made = create_recording(
         session,
         survey_id,
-        name=video.name,
+        name=video.truth.video,
         media_key=video.media_key,
         sha256=video.sha256,
         size_bytes=video.size_bytes,
@@ -213,7 +190,7 @@ def _recording(session: Session, survey_id: int, camera_id: int, video: Video) -
         actor=None,
     )
     note_ingested(session, made.id, facts_of(video.found, None), table_of(video.found), actor=None)
-    facts: RecordingChanges = {**FILMED[video.scene.name], "lighting": LIGHTING[video.scene.name]}
+    facts: RecordingChanges = {**FILMED[video.truth.lighting], "lighting": video.truth.lighting}
     update_recording(session, made.id, facts, actor=None)
     return made.id
 
@@ -224,7 +201,7 @@ def _pose(session: Session, recording_id: int, calibration_id: int, video: Video
         recording_id,
         calibration_id=calibration_id,
         first_frame=0,
-        last_frame=video.scene.board_frames - 1,
+        last_frame=video.truth.board.last_frame,
         rms_px=solved.pose.rms_px,
         distance_m=solved.distance_m,
         summary=solved.summary,
@@ -236,24 +213,23 @@ def _pose(session: Session, recording_id: int, calibration_id: int, video: Video
     )
 
 
-def _vehicles(session: Session, recording_id: int, video: Video, actor: int) -> list[Pass]:
+def _vehicles(session: Session, recording_id: int, scene: SceneTruth, actor: int) -> list[Pass]:
     """The passes with what an operator would write down of each vehicle."""
     passes = []
-    for one in video.truth:
-        vehicle, model = one.vehicle, one.vehicle.model
+    for one in scene.passes:
         fields: VehicleChanges = {
-            "first_frame": vehicle.first_frame,
-            "last_frame": min(vehicle.last_frame, video.scene.frames - 1),
+            "first_frame": one.first_frame,
+            "last_frame": one.last_frame,
             "best_frame": one.best_frame,
-            "make": model.make,
-            "model": model.model,
-            "year": vehicle.year,
-            "category": model.category,  # type: ignore[typeddict-item]
-            "manufacturer_height_m": model.height_m,
+            "make": one.make,
+            "model": one.model,
+            "year": one.year,
+            "category": one.category,
+            "manufacturer_height_m": one.manufacturer_height_m,
             "u_manufacturer_height_m": 0.01,
             "height_source": "catalogue of the demonstration (invented)",
-            "lighting": LIGHTING[video.scene.name],
-            "direction": "right" if vehicle.direction > 0 else "left",
+            "lighting": scene.lighting,
+            "direction": "right" if one.direction > 0 else "left",
         }
-        passes.append(Pass(create_vehicle(session, recording_id, fields, actor=actor), one))
+        passes.append(Pass(create_vehicle(session, recording_id, fields, actor=actor), one, scene.fps))
     return passes

@@ -12,13 +12,12 @@ from uuid import UUID, uuid5
 
 import numpy as np
 
+from sightline.demo.made import PassTruth
 from sightline.enums import AskedTarget, DemoFate, Point
 from sightline.infra.database import Session
 from sightline.measurements.records import ClickedFrame, Clicks, Measurement
 from sightline.measurements.service import store_measurement
 from sightline.reviews.service import review
-from sightline.simulation.scene import FPS
-from sightline.simulation.truth import PassTruth
 from sightline.vehicles.records import Vehicle
 
 CLICK_NOISE_PX = 0.7
@@ -37,6 +36,7 @@ class Pass:
 
     vehicle: Vehicle
     truth: PassTruth
+    fps: int
     fate: DemoFate = "waits"
 
 
@@ -58,7 +58,7 @@ def measure(session: Session, passes: list[Pass], *, actor: int) -> dict[int, li
         slip = one.fate == "slipped"
         for clicks in _clicks(one.truth, rng, slip=slip):
             if clicks.target == "taillight" and index % _SECOND_EVERY == 0 and not slip:
-                clicks = replace(clicks, more_frames=_second(one.truth, clicks.frame, clicks.target, again))
+                clicks = replace(clicks, more_frames=_second(one, clicks.frame, clicks.target, again))
             key = str(uuid5(_NAMESPACE, f"{one.vehicle.id} {clicks.target}"))
             made = store_measurement(session, one.vehicle.id, key, clicks, actor=actor)
             stored.setdefault(one.vehicle.id, []).append(made)
@@ -80,14 +80,14 @@ def _clicks(truth: PassTruth, rng: np.random.Generator, slip: bool) -> Iterator[
         )
 
 
-def _second(truth: PassTruth, first: int, target: str, rng: np.random.Generator) -> tuple[ClickedFrame, ...]:
+def _second(seen: Pass, first: int, target: str, rng: np.random.Generator) -> tuple[ClickedFrame, ...]:
     """The same two points two metres further on or back; none where no frame shows them."""
-    before = next(one for one in truth.frames if one.frame == first)
-    apart = round(_SECOND_TRAVEL_M / truth.vehicle.speed_mps * FPS)
-    for one in truth.frames:
-        seen = before.contact is not None and before.contact in one.pixels and one.shows(target)
-        if seen and abs(one.frame - first) == apart and before.contact is not None:
-            contact, point = one.pixels[before.contact], one.pixels[target]
+    contact_name = next(one.contact for one in seen.truth.frames if one.frame == first)
+    apart = round(_SECOND_TRAVEL_M / seen.truth.speed_mps * seen.fps)
+    for one in seen.truth.frames:
+        shown = contact_name in one.pixels and one.shows(target)
+        if shown and abs(one.frame - first) == apart and contact_name is not None:
+            contact, point = one.pixels[contact_name], one.pixels[target]
             beside = {"contact": _beside(contact, rng), "target_point": _beside(point, rng)}
             return (ClickedFrame(frame=one.frame, **beside),)
     return ()

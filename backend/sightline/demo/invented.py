@@ -12,7 +12,6 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from datetime import UTC, date, datetime, time
 from pathlib import Path
-from typing import cast
 from uuid import UUID, uuid5
 
 import cv2
@@ -22,7 +21,8 @@ from numpy.typing import NDArray
 from sightline.cameras.calibrations.store import add_calibration
 from sightline.cameras.store import create_camera
 from sightline.demo.build import OPERATOR, PLACE, REVIEWER, TRAFFIC, demo_person
-from sightline.enums import AskedTarget, Category, Lighting, LotGrouping, Point
+from sightline.demo.made import Model, truth
+from sightline.enums import AskedTarget, Lighting, LotGrouping, Point
 from sightline.geometry.camera import Camera, project
 from sightline.geometry.documents import camera_to_dict
 from sightline.geometry.insets import USUAL_INSETS, inset_name
@@ -45,7 +45,6 @@ from sightline.reviews.lots.query import get_lot, waiting_measurements
 from sightline.reviews.lots.service import accept_lot, draw_lots, lots_with_items, planned_lots
 from sightline.reviews.plan_store import choose_review_plan
 from sightline.reviews.store import add_review
-from sightline.simulation.models import MODELS, Model
 from sightline.statistics.acceptance import USUAL_RISKS
 from sightline.studies.records import StudyFacts, StudySurvey
 from sightline.studies.store import create_study, simulated_study
@@ -339,7 +338,7 @@ def _rotation(turn: Floats) -> Floats:
 def _model(site: Site, rng: Rng) -> Model:
     classes = list(site.fleet)
     category = classes[int(rng.choice(len(classes), p=list(site.fleet.values())))]
-    known = [one for one in MODELS if one.category == category]
+    known = [one for one in truth().models if one.category == category]
     return known[int(rng.integers(len(known)))]
 
 
@@ -362,7 +361,7 @@ def _vehicle(
         "make": model.make,
         "model": model.model,
         "year": int(rng.integers(model.year_from, model.year_to + 1)),
-        "category": model.category,  # type: ignore[typeddict-item]
+        "category": model.category,
         "manufacturer_height_m": model.height_m,
         "u_manufacturer_height_m": 0.012,
         "height_source": "catalogue of the demonstration (invented)",
@@ -388,7 +387,7 @@ def _clicks(
     along_m = rng.uniform(-1.2, 1.2)
     heights = {"roof": model.height_m, "driver_eye": model.eye_height_m, "taillight": model.tail_lamp_m}
     for target in _TARGETS[lighting]:
-        name = inset_name(target, "far" if right else "near", cast(Category, model.category))
+        name = inset_name(target, "far" if right else "near", model.category)
         assert name is not None
         usual, u, _ = USUAL_INSETS[name]
         inset_m = rng.normal(usual, u)

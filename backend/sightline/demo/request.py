@@ -1,7 +1,4 @@
-"""Asking for the demonstration survey; apart from its making: a starting server needs no renderer."""
-
-from collections.abc import Sequence
-from typing import Any
+"""Asking for the demonstration survey; apart from its making, which a starting server does not load."""
 
 from sightline.enums import JobState
 from sightline.infra.database import Session
@@ -29,20 +26,11 @@ def _under_way(session: Session) -> Job | None:
     return next(found, None)
 
 
-def ensure_requested(
-    session: Session, *, scenes: Sequence[str] = (), scan_vehicles: int | None = None
-) -> Job | None:
-    """Queue the making of the demonstration survey unless it is there; None if it is, else its job.
-
-    `scenes` (such as "day:2", its first two vehicles) and `scan_vehicles` cut it, so that a test need not
-    wait for all of it; a job that waits already stays as it was asked for.
-    """
+def ensure_requested(session: Session) -> Job | None:
+    """Queue the making of the demonstration survey unless it is there; None if it is, else its job."""
     if demo_survey_id(session) is not None:
         return None
     under_way = _under_way(session)
     if under_way is not None:
         return under_way
-    payload: dict[str, Any] = {"scenes": list(scenes)} if scenes else {}
-    if scan_vehicles is not None:
-        payload["scan_vehicles"] = scan_vehicles
-    return registry.enqueue(session, KIND, payload, survey_id=None, actor=None)
+    return registry.enqueue(session, KIND, {}, survey_id=None, actor=None)

@@ -12,13 +12,13 @@ router = APIRouter()
 def list_samples(who: Viewer, services: Wired) -> Samples:
     """Which sample files there are: pictures of a board, the video of a recording (its own download)."""
     with services.reading() as session:
-        return samples(session, services)
+        return samples(session)
 
 
 @router.get("/samples/pictures.zip", response_class=Response)
-def download_sample_pictures(who: Viewer, services: Wired) -> Response:
+def download_sample_pictures(who: Viewer) -> Response:
     """Pictures of a checkerboard to calibrate a camera with, as a ZIP."""
-    return _file(pictures_zip(services), "application/zip", "sightline-sample-pictures.zip")
+    return _file(pictures_zip(), "application/zip", "sightline-sample-pictures.zip")
 
 
 @router.get("/samples/catalogue.csv", response_class=Response)

@@ -6,21 +6,20 @@ Its vehicles are found and measured by this program; two people fill in facts, c
 from __future__ import annotations
 
 import tempfile
-from collections.abc import Callable, Iterator, Sequence
-from concurrent.futures import Future, ThreadPoolExecutor
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from datetime import UTC, datetime
 from pathlib import Path
-from threading import Event
-from typing import Any, cast
+from typing import Any
 
 import numpy as np
 
-from sightline.demo.scan_heights import RODS, review_heights, store_heights
+from sightline.demo.made import ScanTruth, strip_of, truth
+from sightline.demo.scan_heights import review_heights, store_heights
 from sightline.infra.database import Session
 from sightline.infra.services import Services
 from sightline.linescan.parts import Pixels, Rig
-from sightline.media.cancelling import check_cancelled
+from sightline.media.cancelling import Cancelled, check_cancelled
 from sightline.media.store.local import key_of
 from sightline.media.strips.notes import StripNotes
 from sightline.media.strips.stored_reader import StripReader
@@ -38,12 +37,9 @@ from sightline.scans.vehicles.measurement_store import append_scan_measurement
 from sightline.scans.vehicles.motion import crossings_of, values_of, wheels_of, with_wheels
 from sightline.scans.vehicles.review_store import add_scan_review
 from sightline.scans.vehicles.store import change_scan_vehicle, get_scan_vehicle, list_scan_vehicles
-from sightline.simulation.scan_strips import recording
-from sightline.simulation.scan_traffic import ScanSite, ScanTruth, ScanVehicle, demo_traffic, truths
 
 NAME = "Line scan, lane 1"
-SITE = ScanSite(rows=256, line_rate_hz=2441.4, misalignment_px=0.6, seed=11, plane_m=3.0)
-RIG = Rig(SITE.baseline_m, SITE.line_rate_hz, u_baseline_m=0.0003, u_line_rate_ratio=2e-5)
+RIG = Rig(0.593, 2441.4, u_baseline_m=0.0003, u_line_rate_ratio=2e-5)
 # As if a GPS clock had stamped line 0.
 BEGUN_AT, TIME_ZONE, U_START_S = datetime(2025, 5, 14, 7, 29, 20, tzinfo=UTC), "Europe/Paris", 0.001
 CLICK_NOISE_LINES = 1.5
@@ -51,17 +47,16 @@ SLIP_LINES = 38.0
 U_RADAR_MPS = 0.2
 REJECTED = "The rear boundary lies on the shadow behind the vehicle; place it where the bumper ends."
 # by the order of passing: without facts, without wheels, accepted, with the slip
-PLAIN, UNWHEELED, ACCEPTED, SLIPPED = (6, 13), (3, 9), range(8), 10
+PLAIN, UNWHEELED, ACCEPTED, SLIPPED = (6,), (3,), range(7), 7
 
 
 @dataclass(frozen=True, eq=False)
 class ScanParts:
-    """The recording, already in the media store, what was found in it and what is true of it."""
+    """The recording, already in the media store, and what was found in it."""
 
     facts: StripFacts
     readers: tuple[StripReader, StripReader]
     found: Search
-    truth: tuple[ScanTruth, ...]
 
 
 class _Pictured:
@@ -71,7 +66,7 @@ class _Pictured:
         self.name, self._lines = name, lines
         self.lines, self.rows = lines.shape
         self.dtype: np.dtype[Any] = lines.dtype
-        self.notes = StripNotes(SITE.line_rate_hz)
+        self.notes = StripNotes(RIG.line_rate_hz)
 
     def chunks(self, lines: int | None = None) -> Iterator[Pixels]:
         size = lines or 4096
@@ -81,41 +76,12 @@ class _Pictured:
         """Nothing to give back."""
 
 
-class ScanMaker:
-    """Makes the recording beside the videos, in a thread of its own; `stop` gives it up.
-
-    `vehicles` keeps only the first ones of the traffic.
-    """
-
-    def __init__(self, services: Services, vehicles: int | None = None) -> None:
-        self._stopped = Event()
-        self._pool = ThreadPoolExecutor(1, thread_name_prefix="demonstration-scan")
-        traffic = demo_traffic()[:vehicles]
-        self._made: Future[ScanParts] = self._pool.submit(make_scan, services, self._stopped.is_set, traffic)
-
-    def result(self) -> ScanParts:
-        """Wait for it."""
-        return self._made.result()
-
-    def stop(self) -> None:
-        """End the thread; nothing of it is kept."""
-        self._stopped.set()
-        self._pool.shutdown(wait=True, cancel_futures=True)
-
-
-def make_scan(
-    services: Services, is_cancelled: Callable[[], bool], cars: tuple[ScanVehicle, ...]
-) -> ScanParts:
-    """Simulate, store and search the recording. Raises IngestCancelled."""
-    pieces: tuple[list[Pixels], list[Pixels]] = ([], [])
-    for first, second in recording(SITE, cars, rods=RODS):
-        check_cancelled(is_cancelled, NAME)
-        pieces[0].append(first)
-        pieces[1].append(second)
+def make_scan(services: Services, is_cancelled: Cancelled) -> ScanParts:
+    """Store and search the recording. Raises IngestCancelled."""
     stored = []
     with tempfile.TemporaryDirectory(prefix="demonstration-scan-", dir=services.scratch) as folder:
-        for camera, held in enumerate(pieces, 1):
-            strip = _Pictured(f"camera {camera} of {NAME}", cast(Pixels, np.concatenate(held)))
+        for camera in (1, 2):
+            strip = _Pictured(f"camera {camera} of {NAME}", strip_of(camera))
             target = Path(folder) / f"{camera}{SUFFIX}"
             one = store_strip(strip, target, is_cancelled=is_cancelled)
             services.media.put_file(key_of(one.sha256, SUFFIX), target, link=True)
@@ -142,7 +108,7 @@ def make_scan(
             "the first vehicle."
         ],
     )
-    return ScanParts(facts, readers, found, truths(SITE, cars))
+    return ScanParts(facts, readers, found)
 
 
 def store_scan(session: Session, survey_id: int, parts: ScanParts, *, operator: int, reviewer: int) -> int:
@@ -168,58 +134,58 @@ def store_scan(session: Session, survey_id: int, parts: ScanParts, *, operator: 
     store(session, scan, "direct", parts.found, plans, 0, job_id=None, actor=None)
     rng, rng_of_radar = np.random.default_rng(20070507), np.random.default_rng(1995)
     for index, one in enumerate(list_scan_vehicles(session, scan.id)):
-        truth = _truth_of(one, parts.truth)
-        if truth is None:
+        true = truth_of(one)
+        if true is None:
             continue
         if index not in PLAIN:
-            change_scan_vehicle(session, one.id, _facts(truth), version=2, actor=operator)
+            change_scan_vehicle(session, one.id, _facts(true), version=2, actor=operator)
         if index not in (*PLAIN, *UNWHEELED):
-            _click_wheels(session, one.id, truth, rng, operator)
+            _click_wheels(session, one.id, true, rng, operator)
         if index == SLIPPED:
             _slip(session, one.id, parts, operator)
         _judge(session, one.id, index, reviewer)
-        _refer(session, one.id, truth, rng_of_radar, operator)
-    store_heights(session, scan.id, SITE, parts.truth, operator)
+        _refer(session, one.id, true, rng_of_radar, operator)
+    store_heights(session, scan.id, operator)
     review_heights(session, scan.id, reviewer)
     return scan.id
 
 
-def _refer(session: Session, vehicle_id: int, truth: ScanTruth, rng: np.random.Generator, actor: int) -> None:
+def _refer(session: Session, vehicle_id: int, true: ScanTruth, rng: np.random.Generator, actor: int) -> None:
     """A radar beside the cameras, as good as it says."""
-    value = round(truth.vehicle.speed_mps + float(rng.normal(0.0, U_RADAR_MPS)), 3)
+    value = round(true.speed_mps + float(rng.normal(0.0, U_RADAR_MPS)), 3)
     said = ReferenceValues("speed", "radar", value=value, u=U_RADAR_MPS, device="Simulated radar")
     append_scan_reference(session, vehicle_id, said, seen_revision=0, actor=actor)
 
 
-def _truth_of(vehicle: StoredVehicle, truth: Sequence[ScanTruth]) -> ScanTruth | None:
+def truth_of(vehicle: StoredVehicle) -> ScanTruth | None:
+    """What is true of a vehicle that was found; None where nothing is near."""
     if vehicle.measurement is None or vehicle.measurement.values.status != "ok":
         return None
     front = vehicle.measurement.values.front_line_1
-    nearest = min(truth, key=lambda one: abs(one.front_line_1 - front))
+    _, nearest = truth().scan.nearest(front)
     return nearest if abs(nearest.front_line_1 - front) < 100 else None
 
 
-def _facts(truth: ScanTruth) -> ScanVehicleChanges:
-    model = truth.vehicle.vehicle.model
+def _facts(true: ScanTruth) -> ScanVehicleChanges:
     return ScanVehicleChanges(
-        make=model.make,
-        model=model.model,
-        year=truth.vehicle.vehicle.year,
-        category=model.category,  # type: ignore[typeddict-item]
-        true_length_m=model.length_m,
+        make=true.make,
+        model=true.model,
+        year=true.year,
+        category=true.category,
+        true_length_m=true.length_m,
         u_true_length_m=0.005,
-        true_wheelbase_m=model.wheelbase_m,
+        true_wheelbase_m=true.wheelbase_m,
         u_true_wheelbase_m=0.005,
         facts_source="catalogue of the demonstration (invented)",
     )
 
 
 def _click_wheels(
-    session: Session, vehicle_id: int, truth: ScanTruth, rng: np.random.Generator, actor: int
+    session: Session, vehicle_id: int, true: ScanTruth, rng: np.random.Generator, actor: int
 ) -> None:
     before = get_scan_vehicle(session, vehicle_id).measurement
     assert before is not None
-    lines = [round(line + float(rng.normal(0.0, CLICK_NOISE_LINES)), 1) for line in truth.wheel_lines_1]
+    lines = [round(line + float(rng.normal(0.0, CLICK_NOISE_LINES)), 1) for line in true.wheel_lines_1]
     values = replace(with_wheels(before.values, (lines[0], lines[1])), cause="wheels", placed_by=actor)
     append_scan_measurement(session, vehicle_id, replace(values, run_id=None), actor=actor)
 

@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 
 from sightline.demo.clicks import Pass
+from sightline.demo.made import PassTruth
 from sightline.enums import Point
 from sightline.infra.database import Session
 from sightline.quality.checks.traffic import store_pair
-from sightline.simulation.truth import PassTruth
 
 CLICK_NOISE_PX = 0.5
 _REAR, _FRONT = "contact_rear", "contact_front"

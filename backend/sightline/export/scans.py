@@ -23,6 +23,7 @@ from sightline.linescan.clock import since_start_s
 from sightline.linescan.parts import Rig
 from sightline.linescan.rig import baseline_of, rig_from
 from sightline.messages.said import Said
+from sightline.results.csv import selection_in
 from sightline.scans.heights.csv import LINE_HEIGHTS
 from sightline.scans.records import state_of
 from sightline.scans.references.csv import SCAN_REFERENCES
@@ -188,12 +189,13 @@ TABLES = (ERRORS, BASELINES, QUANTITIES, PERCENTILES, ECDF, HEIGHTS, REFERENCES,
 
 def scans_in(files: Files) -> ScanStatistics:
     """Statistics of the accepted vehicles of all line scans that a package is of, from its tables."""
-    return statistics_of_seen(list(scanned_motions(files)), accepted_only=True)
+    filmed = selection_in(files)
+    return statistics_of_seen(list(scanned_motions(files)), accepted_only=True, filmed=filmed)
 
 
 def scan_heights_in(files: Files) -> tuple[ScannedHeights, ...]:
     """The accepted heights of the same vehicles, target by target."""
-    chosen = chosen_scanned(files)
+    chosen = chosen_scanned(files).of
     names = ("vehicle_id", "target", "verdict", "current", "withdrawn", "height_m", "U95_height_m")
     return scanned_heights(
         (
@@ -208,13 +210,13 @@ def scan_heights_in(files: Files) -> tuple[ScannedHeights, ...]:
 
 
 def scanned_motions(files: Files) -> Iterator[VehicleMotion]:
-    """The vehicles of the line scans that a package is of, as its tables have them."""
+    """The vehicles of the line scans that a package is of, whenever they were filmed, as its tables say."""
     lighting = dict(read_columns(files, "line_scans.csv", ("id", "lighting")))
     rigs = {
         id_: rig_from({name: figure_of(value) for name, value in zip(_RIG, values, strict=True)})
         for id_, *values in read_columns(files, "scan_measurements.csv", ("id", *_RIG))
     }
-    chosen = chosen_scanned(files)
+    chosen = chosen_scanned(files).of_kind
     references = _standing(files)
     for row in read_rows(files, "scan_vehicles.csv"):
         if row["id"] not in chosen:
@@ -239,6 +241,7 @@ def scanned_motions(files: Files) -> Iterator[VehicleMotion]:
             },
             status=row["status"] or "not_measurable",
             reason=_reason(row),
+            filmed_at=row["filmed_at"],
             u_filmed_at_s=figure_of(row["u_filmed_at_s"]),
             run_of=row["run_of"] or None,
             references=tuple(references.get(row["id"], ())),

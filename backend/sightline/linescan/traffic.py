@@ -20,12 +20,14 @@ from dataclasses import dataclass
 from functools import lru_cache
 from itertools import pairwise
 from math import hypot, sqrt
+from typing import Protocol, TypeVar
 
 import numpy as np
 import scipy
 from numpy.typing import NDArray
 
 from sightline.coverage import COVERAGE_95
+from sightline.enums import ScanDirection
 from sightline.messages.said import Said
 
 #: Lengths of an interval, minutes.
@@ -58,6 +60,44 @@ class Passed:
     rig_ratio: float = 0.0
     axles: int | None = None
     refused: bool = False
+
+
+class Came(Protocol):
+    """A vehicle as far as traffic is parted by it; None: not known."""
+
+    @property
+    def since_s(self) -> float | None: ...
+    @property
+    def direction(self) -> ScanDirection | None: ...
+    @property
+    def lane(self) -> str | None: ...
+
+
+V = TypeVar("V", bound=Came)
+#: A direction and a lane, None where it is not known or there are none.
+Stream = tuple[ScanDirection, str | None]
+
+
+def streams_of(vehicles: Sequence[V]) -> dict[Stream, list[V]]:
+    """Vehicles that follow each other: by direction and lane, in order, each stream rising by `since_s`, what
+    has none last. Those of no known direction are of the first stream; where nobody's is known, they are
+    taken to reach camera 1 first.
+    """
+    found: dict[Stream, list[V]] = {}
+    for one in vehicles:
+        if one.direction is not None:
+            found.setdefault((one.direction, one.lane), []).append(one)
+    in_order = sorted(found, key=lambda key: (key[0], key[1] is None, key[1] or ""))
+    streams = {key: found[key] for key in in_order} or {("camera_1_first", None): []}
+    next(iter(streams.values())).extend(one for one in vehicles if one.direction is None)
+    for stream in streams.values():
+        stream.sort(key=lambda one: (one.since_s is None, one.since_s or 0.0))
+    return streams
+
+
+def headways_s(fronts_s: Sequence[float]) -> list[float | None]:
+    """From the front before to each of a stream's fronts (N,), rising; None for the first."""
+    return [None, *(behind - ahead for ahead, behind in pairwise(fronts_s))][: len(fronts_s)]
 
 
 @dataclass(frozen=True, slots=True)
@@ -129,10 +169,10 @@ def intervals(
         raise ValueError("Minutes of an interval must divide an hour.")
     long_s = 60.0 * minutes
     end_s = max([watched_s, *(one.since_s + one.occupied_s for one in passed)])
-    headways = [None, *(behind.since_s - ahead.since_s for ahead, behind in pairwise(passed))]
+    fronts_s = [one.since_s for one in passed]
+    headways = headways_s(fronts_s)
     covered, spans = _covered(passed), _spans(into_hour_s, long_s, end_s)
-    fronts_s = np.array([one.since_s for one in passed])
-    begins, stops = np.searchsorted(fronts_s, np.array(spans).reshape(-1, 2).T).tolist()
+    begins, stops = np.searchsorted(np.array(fronts_s), np.array(spans).reshape(-1, 2).T).tolist()
     out = []
     for begin, before_stop, (begin_s, stop_s) in zip(begins, stops, spans, strict=True):
         stop = len(passed) if stop_s == end_s else before_stop

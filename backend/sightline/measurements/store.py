@@ -2,14 +2,15 @@
 
 from collections import defaultdict
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, fields, replace
+from dataclasses import dataclass, field, fields, replace
 from datetime import datetime
 from functools import cache
 from operator import attrgetter
 from typing import Any
 
-from sqlalchemy import Row, Select, and_, bindparam, exists, func, select
+from sqlalchemy import Row, Select, and_, bindparam, exists, func, insert, select
 from sqlalchemy.orm import Session
+from sqlalchemy.sql.dml import ReturningInsert
 
 from sightline.cameras.calibrations.tables import calibrations
 from sightline.enums import JsonObject
@@ -17,8 +18,9 @@ from sightline.errors import BadInput, Conflict
 from sightline.infra.audit import trail
 from sightline.infra.audit.hashing import content_hash, plain
 from sightline.infra.audit.records import name_or_somebody
-from sightline.infra.database.rows import add_row, add_rows, missing, name_of, row_content
-from sightline.infra.database.types import columns_of, now
+from sightline.infra.database.people import people
+from sightline.infra.database.rows import add_row, add_rows, missing, name_of, row_content, who
+from sightline.infra.database.types import now
 from sightline.measurements.again.differences import judged_alike, same_height
 from sightline.measurements.click_context_query import frames_by_number
 from sightline.measurements.derived_query import TELLING, derived_from
@@ -70,7 +72,7 @@ def add_measurement(
     or a frame that is not the stored one, and for a target that stands measured, with that measurement, where
     this is no repeat: two heights of one target would be counted twice.
     """
-    ground = _ground_of(session, vehicle_id, values, client_key)
+    ground = _ground_of(session, vehicle_id, values, client_key, actor=actor)
     if ground.known_id is not None:
         if ground.known_vehicle_id != vehicle_id:
             raise Conflict("measurements-measurement-stored-another-vehicle-already-click")
@@ -83,7 +85,18 @@ def add_measurement(
     place: dict[str, Any] = {"survey_id": ground.survey_id, "recording_id": ground.recording_id}
     place |= {"vehicle_id": vehicle_id, "repeat_of": _repeated(session, vehicle_id, repeat_of, values.target)}
     series_id = add_row(session, measurement_series, {**place, "client_key": client_key})
-    return _append(session, series_id, 1, values, withdrawn=False, before=None, action="create", actor=actor)
+    made = Measurement(
+        id=series_id,
+        revision=1,
+        revision_id=0,
+        values=values,
+        created_by=None,
+        created_at=now(),
+        withdrawn=False,
+        review=ReviewState("to_review"),
+        **place,
+    )
+    return _append(session, ground, made, before=None, action="create", actor=actor)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -216,18 +229,6 @@ def is_stored_key(session: Session, client_key: str) -> bool:
     return session.execute(found).first() is not None
 
 
-def survey_of_vehicle(session: Session, vehicle_id: int) -> int:
-    """The survey of a vehicle; 0 where there is no such vehicle."""
-    found = session.execute(select(vehicles.c.survey_id).where(vehicles.c.id == vehicle_id))
-    return found.scalar_one_or_none() or 0
-
-
-def survey_of_measurement(session: Session, series_id: int) -> int:
-    """The survey of a measurement; 0 where there is no such measurement."""
-    chosen = select(measurement_series.c.survey_id).where(measurement_series.c.id == series_id)
-    return session.execute(chosen).scalar_one_or_none() or 0
-
-
 def get_measurement(session: Session, series_id: int) -> Measurement:
     """The current revision, withdrawn or not. Raises NotFound."""
     return _measurement_of(_current_row(session, series_id))
@@ -343,23 +344,24 @@ def append_measurement_revision(
     Points put back where they were, so that the height is what it was, bring the verdict back that stood on
     it: an undone change and a withdrawal undone leave a review as it was. A fix has a verdict of its own.
     """
-    ground = _ground_of(session, before.vehicle_id, values, series_id=before.id)
+    ground = _ground_of(session, before.vehicle_id, values, series_id=before.id, actor=actor)
     _check(ground, values)
     carried = None
     if ground.judged and not withdrawn and action != "fix":
         carried = _verdict_that_stood(session, before.id, values)
     then = {name: getattr(before.values, name) for name in _IN_EVENTS} | {"revision": before.revision}
-    return _append(
-        session,
-        before.id,
-        before.revision + 1,
-        values,
+    made = replace(
+        before,
+        revision=before.revision + 1,
+        values=values,
+        created_at=now(),
         withdrawn=withdrawn,
-        before=then,
-        action=action,
-        actor=actor,
+        review=ReviewState("to_review"),
+        computing_id=None,
         verdict_of_revision=carried,
+        judged_revision=None,
     )
+    return _append(session, ground, made, before=then, action=action, actor=actor)
 
 
 def _verdict_that_stood(session: Session, series_id: int, values: MeasurementValues) -> int | None:
@@ -378,24 +380,34 @@ def _verdict_that_stood(session: Session, series_id: int, values: MeasurementVal
 
 def _append(
     session: Session,
-    series_id: int,
-    revision: int,
-    values: MeasurementValues,
+    ground: "_Ground",
+    to_come: Measurement,
     *,
-    withdrawn: bool,
     before: JsonObject | None,
     action: str,
     actor: int | None,
-    verdict_of_revision: int | None = None,
 ) -> Measurement:
-    stamps: dict[str, Any] = {"series_id": series_id, "revision": revision, "withdrawn": withdrawn}
-    stamps["verdict_of_revision"] = verdict_of_revision
-    stamps |= {"created_at": now(), "created_by": actor}
-    row_id = add_row(session, measurements, {**_row_of(values), **stamps})
-    made, content = _as_stored(session, row_id)
-    after = _after(made, content)
-    trail.record(session, actor, action, "measurement", series_id, made.survey_id, before, after)
+    """Write a revision with its audit event; what it is, with its number and what the ground tells of it."""
+    stamps: dict[str, Any] = {"series_id": to_come.id, "created_by": actor}
+    stamps |= {name: getattr(to_come, name) for name in _STAMPS}
+    row = session.execute(_insert_revision(), {**_row_of(to_come.values), **stamps}).one()
+    made = replace(to_come, revision_id=row.id, created_by=who(actor, ground.actor_name))
+    if made.verdict_of_revision is None:
+        made = derived_from(made, ground.telling)
+    else:  # a verdict comes with it
+        made = _measurement_of(session.execute(_revision(), {"of_revision": row.id}).one())
+    after = _after(made, plain(row_content(row._mapping)))
+    trail.record(session, actor, action, "measurement", made.id, made.survey_id, before, after)
     return made
+
+
+_STAMPS = ("revision", "withdrawn", "created_at", "verdict_of_revision")
+
+
+@cache
+def _insert_revision() -> ReturningInsert[Any]:
+    """Gives the row back as the database has it: what a verification hashes."""
+    return insert(measurements).returning(measurements)
 
 
 _VALUES = tuple(field.name for field in fields(MeasurementValues))
@@ -488,13 +500,6 @@ def _made_again(one: ComputedAgain, row_id: int) -> Measurement:
     )
 
 
-def _as_stored(session: Session, revision_id: int) -> tuple[Measurement, JsonObject]:
-    """A revision as the database gives it back, and the content of its row as a verification hashes it."""
-    row = session.execute(_revision(), {"of_revision": revision_id}).one()
-    content = {column.name: row._mapping[column.name] for column in columns_of(measurements, "id")}
-    return _measurement_of(row), plain(row_content(content))
-
-
 @cache
 def _standing() -> Select[Any]:
     """The measurement of `of_vehicle`'s `of_target` that counts (the oldest), `but` and repeats left out."""
@@ -536,7 +541,8 @@ def _repeated(session: Session, vehicle_id: int, repeat_of: int | None, target: 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class _Ground:
     """What a revision is checked against. `known_*`: the measurement stored with the same client key;
-    `judged`: whether a verdict was ever given to the measurement that is revised.
+    `judged`: whether a verdict was ever given to the measurement that is revised. The name of who writes it
+    and what the recording tells are not of several at once.
     """
 
     survey_id: int
@@ -549,6 +555,8 @@ class _Ground:
     pose_survey_id: int | None
     has_calibration: bool
     frames: dict[int, tuple[int, int]]  # pts and crc32
+    actor_name: str | None = None
+    telling: Mapping[Any, Any] = field(default_factory=dict)  # of the recording: `TELLING`
 
 
 @cache
@@ -565,9 +573,12 @@ def _ground_query() -> Select[Any]:
             exists().where(reviews.c.series_id == bindparam("of_series")).label("judged"),
             road_poses.c.survey_id.label("pose_survey_id"),
             calibrations.c.id.label("calibration_id"),
+            *(people.c.name.label("actor_name"), *TELLING),
             *(frames.c.n, frames.c.pts, frames.c.crc32),
         )
         .select_from(vehicles)
+        .join(recordings, recordings.c.id == vehicles.c.recording_id)
+        .outerjoin(people, people.c.id == bindparam("of_actor"))
         .outerjoin(known, known.c.client_key == bindparam("of_key"))
         .outerjoin(road_poses, road_poses.c.id == bindparam("of_pose"))
         .outerjoin(calibrations, calibrations.c.id == bindparam("of_calibration"))
@@ -583,11 +594,13 @@ def _ground_of(
     client_key: str | None = None,
     *,
     series_id: int = 0,
+    actor: int | None,
 ) -> _Ground:
     """All of it in one query; `series_id`: what is revised. Raises NotFound for a vehicle that never was."""
     asked = {
         "of_vehicle": vehicle_id,
         "of_target": values.target,
+        "of_actor": actor,
         "of_key": client_key,
         "of_series": series_id,
         "of_pose": values.pose_id,
@@ -609,6 +622,8 @@ def _ground_of(
         pose_survey_id=row.pose_survey_id,
         has_calibration=row.calibration_id is not None,
         frames={of.n: (of.pts, of.crc32) for of in rows if of.n is not None},
+        actor_name=row.actor_name,
+        telling=row._mapping,
     )
 
 

@@ -3011,6 +3011,12 @@ motion-none-accepted-title = No accepted vehicles yet
 motion-none-accepted = Review some in Line scans, or include unreviewed vehicles.
 motion-none-title = No measured vehicles yet
 motion-none = Add a line scan and detect its vehicles.
+motion-filter = Time of filming
+motion-without-time = { $count ->
+    [one] { NUMBER($count) } vehicle is excluded because the start of its line scan is not confirmed. <link>Confirm it in Line scans</link>
+   *[other] { NUMBER($count) } vehicles are excluded because the starts of their line scans are not confirmed. <link>Confirm them in Line scans</link>
+}
+motion-none-filmed = No vehicle was filmed at this time.
 motion-counted = { $vehicles ->
     [one] { $vehicles } vehicle
    *[other] { $vehicles } vehicles
@@ -3187,6 +3193,10 @@ statistics-counted = { $measurements ->
     [one] { $roofs } roof
    *[other] { $roofs } roofs
 } with a manufacturer’s height.
+statistics-without-time = { $count ->
+    [one] { NUMBER($count) } vehicle is excluded because the start of its recording is not confirmed. <link>Confirm it in Recordings</link>
+   *[other] { NUMBER($count) } vehicles are excluded because the starts of their recordings are not confirmed. <link>Confirm them in Recordings</link>
+}
 statistics-without-class = { $count ->
     [one] { NUMBER($count) } vehicle has no class and is excluded from results by class. <link>Choose it in Measure</link> (list: No class).
    *[other] { NUMBER($count) } vehicles have no class and are excluded from results by class. <link>Choose them in Measure</link> (list: No class).
@@ -3229,6 +3239,8 @@ statistics-filter-operator = Operator
 statistics-filter-anybody = any
 statistics-filter-filmed-from = Filmed from
 statistics-filter-filmed-to = Filmed to
+statistics-filter-hour-from = From hour
+statistics-filter-hour-to = To hour
 statistics-filter-first-day = Measured from (UTC)
 statistics-filter-last-day = Measured to (UTC)
 statistics-filter-correction = Correction
@@ -4260,6 +4272,7 @@ export-of-title = Vehicles in statistics and report
 export-of-lighting = Lighting
 export-of-filmed-from = filmed from { $day }
 export-of-filmed-to = filmed up to { $day }
+export-of-hours = filmed between { $begins } and { $ends }
 export-of-help = Statistics, figures and report cover these vehicles only, as the first page of the report states. The tables are complete, so that the audit trail covers them; exclusions.csv lists what is excluded.
 export-of = Vehicles
 export-of-all = all vehicles
@@ -4615,8 +4628,6 @@ commands-not-exist-name-database-data-folder = { $place } does not exist; name a
 
 ## Errors: demo
 
-demo-drawing-demonstration-stopped-middle-start-server = Rendering the demonstration stopped before it was finished; start the server again.
-demo-no-sample-pictures = There are no sample images, because there is no demonstration; create it with sightline demo.
 
 ## Errors: export
 
@@ -5143,6 +5154,7 @@ results-standard-needs-name-such-aashto-usa = A standard needs a name, such as A
 results-height-must-lie-between-0-10 = The height of { $name } must lie between 0 and 10 m, such as 1.08.
 results-standard-percent = { $name }: a percentile lies above 0 and below 100; correct it, or leave it empty.
 results-last-day-lies-before-first-exchange = The last day is before the first; swap them.
+recordings-hours-are-none = The hours begin and end at the same time, so that nothing was filmed in them; choose another end.
 results-no-survey-may-been-removed = There is no survey { $survey_id }; it may have been removed.
 results-standards-csv-not-what-surveys-audit = standards.csv differs from the survey’s audit events; it was changed.
 
@@ -6756,7 +6768,6 @@ told-demo-simulated-so-that-the = Simulated, so true values are known: invented 
 told-demo-reading-the-videos = Reading the videos.
 told-demo-computing-the-camera-poses = Computing the camera poses.
 told-demo-simulating-a-site = Simulating a site.
-told-demo-recording-the-line-scan = Recording the line scan.
 told-demo-saving-the-demonstration-survey = Saving the demonstration survey.
 told-results-not-rounded = not rounded
 told-checks-u-vehicles = { $deg }° (u { $u }°, { $count } vehicles)
@@ -6953,6 +6964,7 @@ report-check-target = check target
 report-out-of-sample-state = outside the sample
 report-filmed-since = filmed from { $day }
 report-filmed-until = filmed up to { $day }
+report-filmed-hours = filmed between { $begins } and { $ends }
 report-lacking = { $mark } replaces characters of a script that this report’s fonts lack; the CSV files contain them.
 report-check-title = How to check this report
 report-median = Median
@@ -7006,6 +7018,7 @@ report-count-not-visible = targets not visible
 report-count-used = counted in the results
 report-count-left-out = excluded
 report-count-out-of-date = out of date (out_of_date in the tables says why)
+report-count-without-time = vehicles excluded because their time of filming is not known
 report-count-scanned = scanned vehicles
 report-count-scanned-used = accepted of them
 report-span = { $day } { $first } to { $last } ({ $zone })

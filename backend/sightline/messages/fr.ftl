@@ -3009,6 +3009,12 @@ motion-none-accepted-title = Aucun véhicule n’est encore validé
 motion-none-accepted = Vérifiez-en sous Balayages, ou incluez les véhicules non vérifiés.
 motion-none-title = Aucun véhicule n’est encore mesuré
 motion-none = Ajoutez un balayage et détectez ses véhicules.
+motion-filter = Heure du tournage
+motion-without-time = { $count ->
+    [one] { NUMBER($count) } véhicule est exclu, car le début de son balayage n’est pas confirmé. <link>Confirmez-le dans Balayages</link>
+   *[other] { NUMBER($count) } véhicules sont exclus, car les débuts de leurs balayages ne sont pas confirmés. <link>Confirmez-les dans Balayages</link>
+}
+motion-none-filmed = Aucun véhicule n’a été filmé à cette heure.
 motion-counted = { $vehicles ->
     [one] { $vehicles } véhicule
    *[other] { $vehicles } véhicules
@@ -3183,6 +3189,10 @@ statistics-counted = { $measurements ->
     [one] { $roofs } toit
    *[other] { $roofs } toits
 } avec hauteur du constructeur.
+statistics-without-time = { $count ->
+    [one] { NUMBER($count) } véhicule est exclu, car le début de son enregistrement n’est pas confirmé. <link>Confirmez-le dans Enregistrements</link>
+   *[other] { NUMBER($count) } véhicules sont exclus, car les débuts de leurs enregistrements ne sont pas confirmés. <link>Confirmez-les dans Enregistrements</link>
+}
 statistics-without-class = { $count ->
     [one] { NUMBER($count) } véhicule n’a pas de classe et est exclu des résultats par classe. <link>Choisissez-la dans Mesure</link> (liste : Sans classe).
    *[other] { NUMBER($count) } véhicules n’ont pas de classe et sont exclus des résultats par classe. <link>Choisissez-la dans Mesure</link> (liste : Sans classe).
@@ -3225,6 +3235,8 @@ statistics-filter-operator = Opérateur
 statistics-filter-anybody = tous
 statistics-filter-filmed-from = Filmé du
 statistics-filter-filmed-to = Filmé jusqu’au
+statistics-filter-hour-from = De l’heure
+statistics-filter-hour-to = À l’heure
 statistics-filter-first-day = Mesuré du (UTC)
 statistics-filter-last-day = Mesuré jusqu’au (UTC)
 statistics-filter-correction = Correction
@@ -4256,6 +4268,7 @@ export-of-title = Véhicules des statistiques et du rapport
 export-of-lighting = Luminosité
 export-of-filmed-from = filmés à partir du { $day }
 export-of-filmed-to = filmés jusqu’au { $day }
+export-of-hours = filmés entre { $begins } et { $ends }
 export-of-help = Les statistiques, les figures et le rapport portent sur ces véhicules, et la première page du rapport le dit. Les tableaux sont complets, pour que le journal d’audit les couvre ; exclusions.csv nomme ce qui est exclu.
 export-of = Véhicules
 export-of-all = tous les véhicules
@@ -4611,8 +4624,6 @@ commands-not-exist-name-database-data-folder = { $place } n’existe pas ; nom
 
 ## Erreurs : démonstration
 
-demo-drawing-demonstration-stopped-middle-start-server = Le rendu de la démonstration s’est arrêté en cours ; redémarrez le serveur.
-demo-no-sample-pictures = Il n’y a pas d’images d’exemple ici, car la démonstration n’a pas été créée ; sightline demo la crée.
 
 ## Erreurs : export
 
@@ -5191,6 +5202,7 @@ results-standard-needs-name-such-aashto-usa = Une norme doit avoir un nom, par e
 results-height-must-lie-between-0-10 = La hauteur de { $name } doit être entre 0 et 10 m, par exemple 1,08.
 results-standard-percent = { $name } : un centile est supérieur à 0 et inférieur à 100 ; corrigez-le, ou laissez-le vide.
 results-last-day-lies-before-first-exchange = Le dernier jour précède le premier ; inversez-les.
+recordings-hours-are-none = Les heures commencent et finissent au même moment : rien n’y a été filmé ; choisissez une autre fin.
 results-no-survey-may-been-removed = Il n’y a pas de relevé { $survey_id } ; il a pu être supprimé.
 results-standards-csv-not-what-surveys-audit = standards.csv diffère des événements d’audit du relevé ; il a été modifié.
 
@@ -6825,7 +6837,6 @@ told-demo-simulated-so-that-the = Simulé, pour que les valeurs vraies soient co
 told-demo-reading-the-videos = Lecture des vidéos.
 told-demo-computing-the-camera-poses = Calcul des poses des caméras.
 told-demo-simulating-a-site = Simulation d’un site.
-told-demo-recording-the-line-scan = Enregistrement du balayage.
 told-demo-saving-the-demonstration-survey = Enregistrement du relevé de démonstration.
 told-results-not-rounded = non arrondies
 told-checks-u-vehicles = { $deg }° (u { $u }°, { $count } véhicules)
@@ -7028,6 +7039,7 @@ report-check-target = cible de contrôle
 report-out-of-sample-state = hors échantillon
 report-filmed-since = filmé à partir du { $day }
 report-filmed-until = filmé jusqu’au { $day }
+report-filmed-hours = filmé entre { $begins } et { $ends }
 report-lacking = { $mark } remplace les caractères d’une écriture que les polices de ce rapport n’ont pas ; les fichiers CSV les contiennent.
 report-check-title = Comment contrôler ce rapport
 report-median = Médiane
@@ -7081,6 +7093,7 @@ report-count-not-visible = cibles non visibles
 report-count-used = comptées dans les résultats
 report-count-left-out = écartées
 report-count-out-of-date = périmées (out_of_date dans les tables dit pourquoi)
+report-count-without-time = véhicules exclus, car l’heure du tournage n’est pas connue
 report-count-scanned = véhicules balayés
 report-count-scanned-used = dont validés
 report-span = { $day } de { $first } à { $last } ({ $zone })

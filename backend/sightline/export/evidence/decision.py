@@ -14,7 +14,7 @@ from typing import Any
 from sightline.enums import JsonObject, JudgedQuantity
 from sightline.export.evidence.records import SIDES, UNITS, Rule
 from sightline.messages import say
-from sightline.messages.said import Said
+from sightline.messages.said import Said, SaidDocument
 from sightline.statistics.conformity import decide, require_risk
 
 KMH_PER_MPS = 3.6
@@ -83,7 +83,7 @@ def _why_none(document: Document, rule: Rule, value: float | None, u: float | No
     return None
 
 
-def _in_words(reason: JsonObject | None) -> str:
+def _in_words(reason: SaidDocument | None) -> str:
     return "" if reason is None else str(Said.read(reason))
 
 

@@ -5,6 +5,7 @@ import { language, say } from "../../core/messages";
 import { theme } from "../../core/theme";
 import { type LengthUnit, lengthUnit } from "../../core/units";
 import { type Cell, csvOf, download } from "./csv";
+import { writeBeside } from "./direct";
 import "./figures.css";
 import { type Hue, hueOf } from "./hues";
 import { type Drawn, drawnOf, Reader } from "./Reader";
@@ -28,6 +29,7 @@ interface Props {
   /** What the picture shows, in words, for those who do not see it. */
   says: string;
   note?: ComponentChildren;
+  /** Names of the curves: written beside them where they have room, else above the figure; those of dots always above. */
   legend?: readonly LegendEntry[];
   /** Drawn again when it changes. */
   data: unknown;
@@ -79,6 +81,7 @@ export function PlotFigure({ name, title, says, note, legend, data, options, tab
   const [problem, setProblem] = useState<unknown>(null);
   const [width, setWidth] = useState(0);
   const [read, setRead] = useState<Drawn | null>(null);
+  const [beside, setBeside] = useState<ReadonlySet<string>>(new Set());
   const box = useRef<HTMLDivElement>(null);
   const unit = lengthUnit.value;
   useEffect(() => {
@@ -96,7 +99,10 @@ export function PlotFigure({ name, title, says, note, legend, data, options, tab
     const drawn = figureOf(plot, { ...chosen, width: wide, ariaLabel: says }, height);
     box.current.replaceChildren(drawn);
     const labels = { x: chosen.x?.label, y: chosen.y?.label };
-    setRead(drawnOf(drawn, readablesOf(chosen.marks), labels));
+    const readable = drawnOf(drawn, readablesOf(chosen.marks), labels);
+    setRead(readable);
+    const words = new Set(legend?.map((one) => one.word));
+    setBeside(readable ? writeBeside(drawn, readable, words) : new Set());
   };
   useEffect(() => {
     if (inView(box.current)) return draw(width, HEIGHT);
@@ -134,7 +140,7 @@ export function PlotFigure({ name, title, says, note, legend, data, options, tab
         <p class="stat-reason">{reason}</p>
       ) : (
         <>
-          {legend && <Legend entries={legend} />}
+          {legend && <Legend entries={legend.filter((one) => !beside.has(one.word))} />}
           <Problem error={problem} />
           <div class="figure-read">
             <div ref={box} class="stat-figure__box" data-testid={`figure-${name}`} />
@@ -154,6 +160,7 @@ const DOTS = {
 };
 
 function Legend({ entries }: { entries: readonly LegendEntry[] }) {
+  if (entries.length === 0) return null;
   return (
     <ul class="stat-legend">
       {entries.map((one) => (

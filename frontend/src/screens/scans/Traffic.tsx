@@ -7,25 +7,27 @@ import { useResource } from "../../core/resource";
 import { formatPlaceClock, formatPlaceDay } from "../../core/times";
 import type { ScanTraffic, TrafficFigure, TrafficInterval, TrafficOfScans } from "../../core/types";
 import { fixed, heads, plainLength, speedScale } from "../../core/units";
+import type { Filmed } from "../../parts/filming/FilmedFields";
 import { FlowFigure, FundamentalFigure, placeOf, SpeedFigure } from "./TrafficFigures";
 
 interface Props {
   surveyId: number;
   acceptedOnly: boolean;
+  filmed: Filmed;
 }
 
 const MINUTES = ["1", "5", "15", "60"] as const;
 
-export function Traffic({ surveyId, acceptedOnly }: Props) {
+export function Traffic({ surveyId, acceptedOnly, filmed }: Props) {
   const [minutes, setMinutes] = useState<(typeof MINUTES)[number]>("5");
   const found = useResource(
     (signal) =>
       api.ask(
         "GET /surveys/{survey_id}/scan-traffic",
-        { survey_id: surveyId, minutes: Number(minutes), accepted_only: acceptedOnly },
+        { survey_id: surveyId, minutes: Number(minutes), accepted_only: acceptedOnly, ...filmed },
         { signal },
       ),
-    [surveyId, minutes, acceptedOnly],
+    [surveyId, minutes, acceptedOnly, ...Object.values(filmed)],
   );
   const scans = found.data?.scans ?? [];
   return (
