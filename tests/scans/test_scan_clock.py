@@ -7,6 +7,7 @@ import pytest
 
 from sightline.infra.services import Services
 from sightline.linescan.clock import u_passing_s
+from sightline.linescan.finding import CUT
 from sightline.scans.records import StripSource
 from sightline.scans.store import create_scan, note_scan_read
 from sightline.scans.vehicles.measurement_store import append_scan_measurement
@@ -42,7 +43,7 @@ def scan_id(services: Services, survey_id: int) -> int:
         note_scan_read(session, made.id, scans_samples.facts(), actor=None)
         for values in (
             scans_samples.values(),
-            scans_samples.values(**later, status="not_measurable", reason="Dark.", **nothing),
+            scans_samples.values(**later, status="not_measurable", reason=CUT, **nothing),
         ):
             one = create_scan_vehicle(session, made.id, origin="found", actor=None)
             append_scan_measurement(session, one.id, values, actor=None)

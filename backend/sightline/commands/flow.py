@@ -215,7 +215,7 @@ def _row(traffic: ScanTraffic, shown: ShownInterval) -> dict[str, Any]:
         "recording": traffic.name,
         "direction": traffic.direction,
         "lane": traffic.lane,
-        "reasons": "; ".join([*one.reasons, *_too_few(shown)]),
+        "reasons": "; ".join([*map(str, one.reasons), *_too_few(shown)]),
     }
     return {name: row[name] if name in row else getattr(one, name) for name in COLUMNS}
 

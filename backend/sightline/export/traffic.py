@@ -7,7 +7,7 @@ from typing import get_args, get_type_hints
 
 from sightline.enums import ScanDirection
 from sightline.export.scans import Cells, scanned_motions
-from sightline.infra.csv_package.columns import flag, integer, joined, key, metres, number, text
+from sightline.infra.csv_package.columns import flag, integer, key, metres, number, text, words_of
 from sightline.infra.csv_package.files import Files, read_rows, unsafe
 from sightline.infra.csv_package.files import number as figure_of
 from sightline.infra.csv_package.schema import Column, Table
@@ -176,7 +176,7 @@ def _interval_row(scan: ScanTraffic, one: ShownInterval) -> Cells:
     for each in one.percentiles:
         name = f"p{each.percent:g}_speed_mps"
         row |= {name: each.value, f"{name}_low": each.low, f"{name}_high": each.high}
-    return {**row, "reasons": joined(one.interval.reasons)}
+    return {**row, "reasons": words_of(one.interval.reasons)}
 
 
 def _class_rows(scan: ScanTraffic, one: ShownInterval) -> Iterator[Cells]:

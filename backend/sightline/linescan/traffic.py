@@ -28,6 +28,7 @@ from numpy.typing import NDArray
 
 from sightline.coverage import COVERAGE_95
 from sightline.enums import ScanDirection
+from sightline.messages.said import Said
 
 #: Lengths of an interval, minutes.
 MINUTES = (1, 5, 15, 60)
@@ -37,10 +38,7 @@ LENGTH_LIMITS_M = (5.2, 6.6, 11.6)
 MANY_AXLES = 5
 _HOUR_S = 3600.0
 _TAIL = 0.025
-_NO_SPEED = "No vehicle here has an accepted speed."
-_NO_OCCUPANCY_U = (
-    "The uncertainty of the occupancy is not known: {count} of the vehicles here have no motion."
-)
+_NO_SPEED = Said("scan-flow-no-speed")
 
 
 @dataclass(frozen=True, slots=True)
@@ -152,7 +150,7 @@ class Interval:
     classes: tuple[LengthClass, ...]
     unclassed: int
     speeds_mps: tuple[float, ...]
-    reasons: tuple[str, ...]
+    reasons: tuple[Said, ...]
 
 
 def intervals(
@@ -216,7 +214,7 @@ def _interval(
     occupancy = Figure(100 * occupied_s / watched_s, _u_occupancy(inside, watched_s))
     reasons = [] if moving else [_NO_SPEED]
     if occupancy.u is None:
-        reasons.append(_NO_OCCUPANCY_U.format(count=len(inside) - len(moving)))
+        reasons.append(Said("scan-flow-no-u-occupancy", count=len(inside) - len(moving)))
     lengths = [one for one in inside if one.length_m is not None]
     return Interval(
         begin_s=span[0],

@@ -6189,27 +6189,128 @@ reference-line-replaces = Replaces the { $quantity } { $value } { $unit } (u { $
 reference-line-renames = Was a run of { $car }.
 reference-car-too-long = The car’s name is longer than 100 characters; shorten it.
 scans-reference-does-not-follow = { $path }: { $name } of row { $number } does not follow from the reference and the vehicle’s own value.
+## Said: motions, gaps and runs of line scans
+
+scan-motion-lane-unknown = The lane is not known ({ $why }): the uncertainties hold for every lane of its direction; choose its lane.
+scan-lane-no-wheel = no wheel was found that tells the lane
+scan-lane-not-this-way = no lane of the rig has this direction
+scan-lane-other-rows = its tyres meet the road at row { $row }, { $lanes ->
+    [0] in no lane's rows
+   *[other] in the rows of several lanes
+ }
+scan-gap-lane-unknown = Its lane is not known, so the vehicle in front of it is not known either.
+scan-gap-before-unknown = A vehicle of unknown lane passed in front of it, perhaps in this lane.
+scan-gap-none-before = No vehicle was detected in front of this one.
+scan-gap-overlap = The two vehicles overlap at camera 1, so there is no gap.
+scan-gap-leader-unmeasured = The vehicle in front has no measured motion.
+scan-gap-leader-stopped = At the measured deceleration, the vehicle in front would have stopped by then.
+scan-motion-too-coarse = The lines are too far apart for this vehicle: it moves about { $line_mm } mm from line to line, so neighbouring lines have too little in common. Raise the line rate to { $rate_hz } Hz or more for vehicles at this speed; a longer baseline does not help.
+scan-no-wheel = No wheel was found: the lower part of the image shows none, or is too dark.
+scan-no-scale = Without a motion the image has no scale in metres.
+scan-motion-implausible = The computed { $what ->
+    [speed] speed
+    [length] length
+   *[acceleration] acceleration
+ } of { NUMBER($value, minimumFractionDigits: 1, maximumFractionDigits: 1) } { $unit } is not plausible for a road vehicle ({ $low } to { $high } { $unit }): check the boundaries, the baseline and the line rate.
+scan-motion-no-uncertainty = Too little of the vehicle was matched to state the uncertainty of its motion.
+scan-motion-would-stop = By the computed motion the vehicle would have stopped in view; check the boundaries.
+scan-motion-u-large = The U95 of the { $what ->
+    [speed] speed
+   *[length] length
+ } is { $percent } %, too large to be useful: too little of the vehicle is clear, the boundaries are wrong, or two vehicles pass at once.
+scan-motion-u-acceleration-large = The U95 of the acceleration is { $U95_mps2 } m/s², more than any vehicle brakes: too little of the vehicle is clear, or the boundaries are wrong.
+scan-motion-no-order = The boundaries are not in order: the front must come before the rear at both cameras.
+scan-motion-no-texture = Too little of the vehicle is clear enough to be registered between the strips.
+scan-motion-no-match = The two images of the vehicle do not fit one motion: two vehicles side by side, a vehicle that stopped, or lost lines.
+scan-motion-few-lines = Only about { $lines } lines were recorded between the two cameras, too few for its speed or direction: raise the line rate, or set the cameras further apart.
+scan-motion-few-blocks = Too few blocks of { $lines } lines can be matched: the vehicle has too little detail, or too few lines; raise the line rate, or use the other method.
+scan-motion-not-converged = The registration did not converge completely.
+scan-motion-cameras-disagree = The cameras disagree by { $apart_cm } cm about the front or the rear: check the boundaries, and whether two vehicles pass side by side.
+scan-motion-saturated = Part of the image is saturated; reduce the exposure.
+scan-motion-stopped = The vehicle stopped or nearly stopped in view; mark another vehicle, or measure it by hand.
+scan-motion-too-long-in-view = Something stood in view for longer than a vehicle takes to pass; it stopped, or the light changed.
+scan-motion-cut = The vehicle is cut off by the beginning or the end of the recording.
+scan-motion-no-road = The empty road before the vehicle is too unsteady: snow, rain, or traffic from the first line on; start to record while the road is empty.
+scan-motion-too-long = Its estimated length is { $length_m } m, and the limit is { $most_m } m: a train, vehicles without a gap, or a wrong baseline or line rate.
+scan-motion-two-at-once = The cameras show it for different durations: two vehicles pass side by side, or it stopped.
+scan-motion-lines-lost = The recorder lost { $lost } while the vehicle passed.
+scan-lines-of-camera = { $count } lines of camera { $camera }
+scan-lines-of = { $count } lines of { $name }
+words-both = { $first } and { $second }
+scan-motion-no-wheelbase = No wheelbase: { $reason }
+scan-wheelbase-no-motion = The vehicle has no measured motion.
+scan-wheelbase-one-wheel = Click the hubs of two different wheels.
+scan-wheelbase-at-rest = By its fitted motion the vehicle was at rest at one of the clicks.
+scan-run-none-found = No vehicle was found; check the strips, and that time runs along the chosen axis.
+scan-run-swapped = { $reversed } of { $found } vehicles reached the second strip first; if traffic does not run that way here, the strips are swapped.
+scan-run-alone = { $alone } times something passed only one camera: check that both show the same lane, and check baseline and line rate.
+scan-run-light-changed = The brightness changed suddenly { $count ->
+    [one] once
+   *[other] { $count } times
+ }; vehicles that passed at that moment may be missing.
+scan-run-camera-moved = A camera moved { $count ->
+    [one] once
+   *[other] { $count } times
+ }: the road is some rows higher or lower since then; fix the camera firmly.
+scan-run-road-unsteady = The empty road of camera { $camera } varies by { $percent } % from line to line: snow, rain, or a vehicle at the start; record the empty road first.
+scan-run-short-objects = Camera { $camera } shows { $per_s } short objects a second: rain, snow or insects; check the boundaries.
+scan-run-flicker = The light at camera { $camera } flickers by { $percent } %, as mains lighting does; use other lighting, or expect larger uncertainties.
+scan-run-saturated = { $percent } % of the image of camera { $camera } is saturated; reduce the exposure.
+rig-misalignments-scatter = The misalignment differs between vehicles by { NUMBER($sd_px, minimumFractionDigits: 2, maximumFractionDigits: 2) } px (standard deviation); check whether a camera moved.
+rig-few-known = { $count } known vehicles are too few; { $least } are needed.
+rig-sizes-differ = Measured vehicles are { NUMBER($percent, minimumFractionDigits: 2, maximumFractionDigits: 2) } % { $than ->
+    [longer] longer
+   *[shorter] shorter
+ } than known. Check the baseline; shadows can also add length.
+rig-misalignment-given = The misalignment was entered, so the estimates of the vehicles depend on it; leave it empty and measure again to have it estimated.
+rig-baseline-off = { $count } { $of ->
+    [length] lengths
+   *[wheelbase] wheelbases
+ } of known vehicles measure { NUMBER($percent, minimumFractionDigits: 2, maximumFractionDigits: 2) } % { $than ->
+    [longer] longer
+   *[shorter] shorter
+ } than they are (u { NUMBER($u_percent, minimumFractionDigits: 2, maximumFractionDigits: 2) } %): a { $than ->
+    [longer] shorter
+   *[shorter] longer
+ } baseline would fit. Check the baseline.{ $of ->
+    [length] { " " }Shadows can also add length; wheelbases are free of them.
+   *[wheelbase] { "" }
+ }
+rig-baseline-agrees = { $count } { $of ->
+    [length] lengths
+   *[wheelbase] wheelbases
+ } of known vehicles agree with the baseline entered to { NUMBER($U95_percent, minimumFractionDigits: 2, maximumFractionDigits: 2) } % (U95).
+scan-flow-no-speed = No vehicle here has an accepted speed.
+scan-flow-no-u-occupancy = The uncertainty of the occupancy is not known: { $count } of the vehicles here have no motion.
+stream-lines-lost = { $count } lines of camera { $camera } were lost and replaced by copies; vehicles that passed meanwhile are not measured.
+stream-vehicles-wait = { $message } { $waiting } vehicles wait to be stored in the survey.
+stream-stopped = The previous run was stopped after { $lines } lines (segment { $number }, last contact { $last_at } UTC). Its vehicles are kept; missing are the { NUMBER($gap_s, minimumFractionDigits: 1, maximumFractionDigits: 1) } s (about { $gap_lines } lines) since then, and the vehicle that was in view.
+stream-resumed = The previous run was stopped; it is resumed at line { $begin } of { $name }, and nothing is missing.
+stream-clock-set = The computer's clock was set by { NUMBER($jump_s, minimumFractionDigits: 1, maximumFractionDigits: 1) } s at line { $lines }; speeds, lengths and gaps are not affected, and times of day continue from the start of this segment.
+stream-lines-not-stored = Later lines could not be stored ({ $strerror }); they were measured nevertheless.
+stream-journal-not-written = The journal could not be written ({ $strerror }).
+stream-lines-stored = { $kept } lines are stored in { $path }.
+rig-few-vehicles = { $count } vehicles give a { $of ->
+    [misalignment] misalignment
+   *[gain] gain
+ }; { $least } are needed.
+scan-motion-not-finite = The computed { $what ->
+    [speed] speed
+    [length] length
+   *[acceleration] acceleration
+ } is not a number: check the boundaries, the baseline and the line rate.
+
 ## What the server says in English, found again by its text (sightline/messages/recognised.py)
 
 told-geometry-several-cameras = { $file_name } contains several cameras: { $cameras }; { $key } was read (name another with --which).
 told-geometry-roi-whole = { $file_name }: the camera is that of the whole image, as requested, not of its roi.
 told-geometry-roi-part = { $file_name } describes part of the image (roi): { $width }x{ $height } px from ({ $left }, { $top }) of { $full_width }x{ $full_height } px; the camera is that of the part (--size { $full_width }x{ $full_height } for the whole).
 told-geometry-no-distortion = { $file_name } states a lens without any distortion, which is rare; check that this camera was calibrated.
-told-linescan-lane-unknown = The lane is not known ({ $why }): the uncertainties hold for every lane of its direction; choose its lane.
-told-linescan-lane-no-wheel = no wheel was found that tells the lane
-told-linescan-lane-not-this-way = no lane of the rig has this direction
-told-linescan-gap-lane-unknown = Its lane is not known, so the vehicle in front of it is not known either.
-told-linescan-gap-before-unknown = A vehicle of unknown lane passed in front of it, perhaps in this lane.
 told-linescan-mark-incomplete = Each mark needs a distance, a height and a row.
 told-linescan-marks-not-numbers = Distances, heights and rows of the marks must be numbers.
 told-linescan-marks-too-few = { $count } marks are too few; click at least { $least }.
 told-linescan-marks-above-zero = Distances of marks and the u of their rows must be above 0.
 told-linescan-rod-upside-down = Higher marks must have smaller rows; check which end of the rod is up.
-told-linescan-too-few-blocks = Too few blocks of { $lines } lines can be matched: the vehicle has too little detail, or too few lines; raise the line rate, or use the other method.
-told-linescan-rig-few-misalignment = { $count } vehicles give a misalignment; { $least } are needed.
-told-linescan-rig-few-gain = { $count } vehicles give a gain; { $least } are needed.
-told-linescan-no-wheel = No wheel was found: the lower part of the image shows none, or is too dark.
-told-linescan-no-scale = Without a motion the image has no scale in metres.
 told-media-not-decoded-at = This recording cannot be decoded at frame { $frame }: the decoder { $why } there; { $way_out }.
 told-media-filmed-at = Filmed at { $filmed_hz } frames per second, as entered; the file plays { $played_hz } per second. Times are those of filming.
 told-media-no-rate = The file states no frame rate: { $played_hz } frames per second are assumed. Its times are unreliable, so no motion is measured from them.
@@ -6389,33 +6490,6 @@ told-jobs-broke = An error in the program stopped this ({ $name }); try again, a
 told-infra-a-worker-stopped-in = The job was interrupted and is started again.
 told-infra-waits-for-what-is-away = The database or the storage does not answer; the job is tried again by itself.
 told-infra-waits-for-the-next = Waiting to be started again.
-told-linescan-too-little-of-the = Too little of the vehicle is clear enough to be registered between the strips.
-told-linescan-the-two-pictures-of = The two images of the vehicle do not fit one motion: two vehicles side by side, a vehicle that stopped, or lost lines.
-told-linescan-the-boundaries-are-not = The boundaries are not in order: the front must come before the rear at both cameras.
-told-linescan-the-registration-did-not = The registration did not converge completely.
-told-linescan-the-cameras-disagree-by = The cameras disagree by { $apart_m } cm about the front or the rear: check the boundaries, and whether two vehicles pass side by side.
-told-linescan-part-of-the-picture = Part of the image is saturated; reduce the exposure.
-told-linescan-no-vehicle-was-found = No vehicle was found; check the strips, and that time runs along the chosen axis.
-told-linescan-of-vehicles-reached-the = { $reversed } of { $found } vehicles reached the second strip first; if traffic does not run that way here, the strips are swapped.
-told-linescan-times-something-passed-one = { $alone } times something passed only one camera: check that both show the same lane, and check baseline and line rate.
-told-linescan-the-light-jumped-a = The brightness changed suddenly { $times }; vehicles that passed at that moment may be missing.
-told-linescan-a-camera-moved-the = A camera moved { $times }: the road is some rows higher or lower since then; fix the camera firmly.
-told-linescan-what-camera-took-for = The empty road of camera { $number } varies by { $unrest } % from line to line: snow, rain, or a vehicle at the start; record the empty road first.
-told-linescan-camera-saw-short-things = Camera { $number } shows { $rate } short objects a second: rain, snow or insects; check the boundaries.
-told-linescan-the-light-before-camera = The light at camera { $number } flickers by { $share } %, as mains lighting does; use other lighting, or expect larger uncertainties.
-told-linescan-of-the-picture-of = { $share } % of the image of camera { $number } is saturated; reduce the exposure.
-told-linescan-the-vehicle-stopped-or = The vehicle stopped or nearly stopped in view; mark another vehicle, or measure it by hand.
-told-linescan-something-stood-in-view = Something stood in view for longer than a vehicle takes to pass; it stopped, or the light changed.
-told-linescan-the-vehicle-is-cut = The vehicle is cut off by the beginning or the end of the recording.
-told-linescan-the-empty-road-was = The empty road before the vehicle is too unsteady: snow, rain, or traffic from the first line on; start to record while the road is empty.
-told-linescan-it-is-about-m = Its estimated length is { $length_m } m, and the limit is { $most_m } m: a train, vehicles without a gap, or a wrong baseline or line rate.
-told-linescan-only-about-lines-were = Only about { $lines } lines were recorded between the two cameras, too few for its speed or direction: raise the line rate, or set the cameras further apart.
-told-linescan-the-two-cameras-saw = The cameras show it for different durations: two vehicles pass side by side, or it stopped.
-told-linescan-the-lines-lie-too = The lines are too far apart for this vehicle: it moves about { $line_mm } mm from line to line, so neighbouring lines have too little in common. Raise the line rate to { $rate_hz } Hz or more for vehicles at this speed; a longer baseline does not help.
-told-linescan-braking-on-as-measured = At the measured deceleration, the vehicle in front would have stopped by then.
-told-linescan-the-two-vehicles-overlap = The two vehicles overlap at camera 1, so there is no gap.
-told-linescan-the-vehicle-before-has = The vehicle in front has no measured motion.
-told-linescan-no-vehicle-was-seen = No vehicle was detected in front of this one.
 told-linescan-the-marks-do-not = The marks do not determine the camera height: hold the rod upright at two distances, such as the near and the far edge of the lane.
 told-linescan-the-marks-put-the = The marks put the camera below the road; check their distances, heights and rows.
 told-linescan-all-marks-are-at = All marks are at one distance, so the camera height cannot be determined; hold the rod upright at two.
@@ -6432,11 +6506,6 @@ told-linescan-rig-too-wide = The passes agree better than their stated uncertain
 told-linescan-rig-two-distances = Two distances cannot test whether the baseline changes linearly; add a third.
 told-linescan-rig-outside = { $distance_m } m is far outside the passes ({ $nearest_m } to { $farthest_m } m), so the baseline there is extrapolated; add a pass at this distance.
 told-rig-pass-twice = Another row has the same name; name each pass once.
-told-linescan-too-little-of-the-vehicle = Too little of the vehicle was matched to state the uncertainty of its motion.
-told-linescan-by-the-computed-motion = By the computed motion the vehicle would have stopped in view; check the boundaries.
-told-linescan-the-computed-is-no = The computed { $what } of { $value } { $unit } is not plausible for a road vehicle ({ $low } to { $high } { $unit2 }): check the boundaries, the baseline and the line rate.
-told-linescan-the-acceleration-is-unsure = The U95 of the acceleration is { $most } m/s², more than any vehicle brakes: too little of the vehicle is clear, or the boundaries are wrong.
-told-linescan-the-is-unsure-by = The U95 of the { $what } is { $value } %, too large to be useful: too little of the vehicle is clear, the boundaries are wrong, or two vehicles pass at once.
 told-linescan-expected-of-the-default = Expected of the default method, from simulated vehicles that fill the image; little texture, strong noise or rain make it worse, and each vehicle's own uncertainty states what was reached.
 told-linescan-only-lines-lie-between = Only { $lines } lines lie between the cameras; use a higher line rate or a longer baseline, otherwise this vehicle can hardly be measured.
 told-linescan-lines-too-far-apart = The vehicle moves { $line_mm } mm from line to line; beyond { $coarse_mm } mm most vehicles are refused. Use { $rate } Hz or more.
@@ -6445,14 +6514,6 @@ told-linescan-the-speeds-u95-is = The speed's U95 is { $percent }, more than the
 told-linescan-the-baseline-is-taken = The baseline is taken as exact; enter its uncertainty, which is part of every speed.
 told-linescan-the-baseline-limits-not = The baseline is the limit, not the line rate: its standard uncertainty is { $percent }, registering the strips adds { $percent2 }. Measure the baseline more accurately first.
 told-linescan-registering-limits-not = Registering the strips is the limit, not the baseline: it adds { $percent } (standard uncertainty), the baseline { $percent2 }. Use a longer baseline.
-told-linescan-vehicles-come-out-than = Measured vehicles are { $share } than known. Check the baseline; shadows can also add length.
-told-linescan-the-vehicles-misalignments-scatter = The misalignment differs between vehicles by { $spread } px (standard deviation); check whether a camera moved.
-told-linescan-known-vehicles-are-too = { $n } known vehicles are too few; { $least_vehicles } are needed.
-told-linescan-click-the-hubs-of = Click the hubs of two different wheels.
-told-linescan-by-its-fitted-motion = By its fitted motion the vehicle was at rest at one of the clicks.
-told-linescan-the-vehicle-has-no = The vehicle has no measured motion.
-told-linescan-no-vehicle-here-has = No vehicle here has an accepted speed.
-told-linescan-the-uncertainty-of-the = The uncertainty of the occupancy is not known: { $count } of the vehicles here have no motion.
 told-measurements-storing-the-heights-that = Saving the heights that changed.
 told-measurements-putting-the-old-heights = Restoring the previous heights.
 told-measurements-computing-the-heights = Computing the heights.
@@ -6556,23 +6617,11 @@ told-results-against-manufacturers-heights-every = { $heights } against manufact
 told-scans-the-marks-miss-the = The marks fit the model to { $rms_px } px only, worse than clicks of { $sigma_px } px explain; check the distances and the mark with the largest residual.
 told-scans-the-camera-height-is = The camera's height is known to { $u_height } m only; hold the rod at two distances further apart, or measure them better.
 told-scans-the-lines-of-this = The lines of this stream were not stored, so there is no image; its vehicles remain.
-told-scans-vehicles-wait-to-be = { $message } { $waiting } vehicles wait to be stored in the survey.
-told-scans-the-run-before-was = The previous run was stopped after { $lines } lines (segment { $number }, last contact { $last_at } UTC). Its vehicles are kept; missing are the { $gap_s } s (about { $gap_s2 } lines) since then, and the vehicle that was in view.
-told-scans-lines-of-camera-were = { $lost } lines of camera { $number } were lost and replaced by copies; vehicles that passed meanwhile are not measured.
-told-scans-the-computer-clock-was = The computer's clock was set by { $jump } s at line { $lines }; speeds, lengths and gaps are not affected, and times of day continue from the start of this segment.
-told-scans-the-run-before-was-killed = The previous run was stopped; it is resumed at line { $begin } of { $name }, and nothing is missing.
-told-scans-lines-after-these-could = Later lines could not be stored ({ $strerror }); they were measured nevertheless.
-told-scans-lines-are-kept-in = { $kept } lines are stored in { $path }.
-told-scans-the-journal-could-not = The journal could not be written ({ $strerror }).
 told-scans-the-reading-was-cancelled = The import was cancelled; start it again or delete the line-scan recording.
 told-scans-reading-the-strips = Reading the strips.
 told-scans-of-camera-pixels-are = { $saturated } of camera { $camera }'s pixels are saturated, so edges are lost there; reduce the light or the exposure.
 told-scans-the-recorder-of-lost = The recorder of { $name } lost { $lost } lines; they were replaced by copies.
 told-scans-cutting-the-strips = Cutting the strips.
-told-scans-the-misalignment-was-given = The misalignment was entered, so the estimates of the vehicles depend on it; leave it empty and measure again to have it estimated.
-told-scans-of-known-vehicles-come = { $which } of known vehicles measure { $off } % { $longer } than they are (u { $u } %): a { $longer2 } baseline would fit. Check the baseline.
-told-scans-of-known-vehicles-agree = { $which } of known vehicles agree with the baseline entered to { $expanded } % (U95).
-told-scans-a-shadow-lengthens-a = Shadows can also add length; wheelbases are free of them.
 told-progress-unread = { $count } line scans could not be imported; see the reason and try again.
 told-progress-unread-1 = 1 line scan could not be imported; see the reason and try again.
 told-progress-reading = { $count } line scans still being imported.
@@ -6591,8 +6640,6 @@ told-progress-height = { $count } of 1 height accepted.
 told-scans-being-searched-for-vehicles = being searched for vehicles
 told-scans-looking-for-vehicles = Searching for vehicles.
 told-scans-measuring-the-known-vehicles = Measuring the known vehicles again.
-told-scans-the-recorder-lost-while = The recorder lost { $join } while the vehicle passed.
-told-scans-lines-of-camera = { $count } lines of camera { $camera }
 told-statistics-a-trend-needs-at = A trend needs at least { $least } vehicles; { $there_are }.
 told-statistics-all-heights-are-the = All heights are the same, so there is no trend.
 told-statistics-limits-of-agreement-need = Limits of agreement need at least { $least } vehicles; { $there_are }.

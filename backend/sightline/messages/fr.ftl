@@ -6255,27 +6255,122 @@ reference-line-renames = Était un passage de { $car }.
 reference-car-too-long = Le nom du véhicule dépasse 100 caractères ; raccourcissez-le.
 scans-reference-does-not-follow = { $path } : { $name } de la ligne { $number } ne découle pas de la référence et de la valeur propre du véhicule.
 
+## Said: motions, gaps and runs of line scans
+
+scan-motion-lane-unknown = La voie n’est pas connue ({ $why }) : les incertitudes valent pour toutes les voies de son sens ; choisissez sa voie.
+scan-lane-no-wheel = aucune roue trouvée n’indique la voie
+scan-lane-not-this-way = aucune voie du dispositif n’a ce sens
+scan-lane-other-rows = ses pneus touchent la chaussée à la rangée { $row }, { $lanes ->
+    [0] hors des rangées de toute voie
+   *[other] dans les rangées de plusieurs voies
+ }
+scan-gap-lane-unknown = Sa voie n’est pas connue ; le véhicule qui le précède ne l’est donc pas non plus.
+scan-gap-before-unknown = Un véhicule dont la voie n’est pas connue l’a précédé, peut-être sur cette voie.
+scan-gap-none-before = Aucun véhicule n’a été détecté devant celui-ci.
+scan-gap-overlap = Les deux véhicules se recouvrent à la caméra 1 ; il n’y a pas d’intervalle.
+scan-gap-leader-unmeasured = Le véhicule précédent n’a pas de mouvement mesuré.
+scan-gap-leader-stopped = À la décélération mesurée, le véhicule précédent se serait déjà arrêté.
+scan-motion-too-coarse = Les lignes sont trop espacées pour ce véhicule : il avance d’environ { $line_mm } mm d’une ligne à la suivante, et des lignes voisines ont trop peu en commun. Portez la cadence à { $rate_hz } Hz ou plus pour des véhicules à cette vitesse ; une base plus longue n’y change rien.
+scan-no-wheel = Aucune roue n’a été trouvée : le bas de l’image n’en montre pas, ou est trop sombre.
+scan-no-scale = Sans mouvement mesuré, l’image n’a pas d’échelle en mètres.
+scan-motion-implausible = La { $what ->
+    [speed] vitesse
+    [length] longueur
+   *[acceleration] accélération
+ } calculée de { NUMBER($value, minimumFractionDigits: 1, maximumFractionDigits: 1) } { $unit } n’est pas plausible pour un véhicule routier ({ $low } à { $high } { $unit }) : contrôlez les bornes, la base et la cadence.
+scan-motion-no-uncertainty = Trop peu du véhicule a été apparié pour donner l’incertitude de son mouvement.
+scan-motion-would-stop = D’après le mouvement calculé, le véhicule se serait arrêté en vue ; contrôlez les bornes.
+scan-motion-u-large = L’U95 de la { $what ->
+    [speed] vitesse
+   *[length] longueur
+ } est de { $percent } %, trop pour être utile : trop peu du véhicule est net, les bornes sont fausses, ou deux véhicules passent à la fois.
+scan-motion-u-acceleration-large = L’U95 de l’accélération est de { $U95_mps2 } m/s², plus que ne freine aucun véhicule : trop peu du véhicule est net, ou les bornes sont fausses.
+scan-motion-no-order = Les bornes ne sont pas dans l’ordre : l’avant doit précéder l’arrière devant les deux caméras.
+scan-motion-no-texture = Trop peu du véhicule est assez net pour être recalé d’une bande à l’autre.
+scan-motion-no-match = Les deux images du véhicule ne suivent pas un même mouvement : deux véhicules côte à côte, un véhicule arrêté ou des lignes perdues.
+scan-motion-few-lines = Environ { $lines } lignes seulement ont été enregistrées entre les deux caméras, trop peu pour la vitesse ou le sens : augmentez la cadence, ou écartez les caméras.
+scan-motion-few-blocks = Trop peu de blocs de { $lines } lignes peuvent être appariés : le véhicule présente trop peu de détails, ou trop peu de lignes ; augmentez la fréquence de lignes, ou utilisez l’autre méthode.
+scan-motion-not-converged = Le recalage n’a pas entièrement convergé.
+scan-motion-cameras-disagree = Les caméras diffèrent de { $apart_cm } cm sur l’avant ou l’arrière : contrôlez les bornes, et si deux véhicules passent côte à côte.
+scan-motion-saturated = Une partie de l’image est saturée ; réduisez l’exposition.
+scan-motion-stopped = Le véhicule s’est arrêté ou presque devant les caméras ; marquez-en un autre, ou mesurez-le à la main.
+scan-motion-too-long-in-view = Quelque chose est resté en vue plus longtemps qu’un passage ; arrêt, ou changement de lumière.
+scan-motion-cut = Le véhicule est coupé par le début ou la fin de l’enregistrement.
+scan-motion-no-road = La chaussée vide avant le véhicule est trop instable : neige, pluie, ou trafic dès la première ligne ; commencez l’enregistrement quand la chaussée est vide.
+scan-motion-too-long = Sa longueur estimée est de { $length_m } m, et la limite de { $most_m } m : un train, des véhicules sans intervalle, ou une base ou une cadence fausse.
+scan-motion-two-at-once = Les caméras le montrent pendant des durées différentes : deux véhicules côte à côte, ou un arrêt.
+scan-motion-lines-lost = L’enregistreur a perdu { $lost } pendant le passage du véhicule.
+scan-lines-of-camera = { $count } lignes de la caméra { $camera }
+scan-lines-of = { $count } lignes de { $name }
+words-both = { $first } et { $second }
+scan-motion-no-wheelbase = Pas d’empattement : { $reason }
+scan-wheelbase-no-motion = Le véhicule n’a pas de mouvement mesuré.
+scan-wheelbase-one-wheel = Cliquez sur les moyeux de deux roues différentes.
+scan-wheelbase-at-rest = D’après son mouvement ajusté, le véhicule était arrêté à l’un des pointés.
+scan-run-none-found = Aucun véhicule n’a été trouvé ; contrôlez les bandes, et que le temps court selon l’axe choisi.
+scan-run-swapped = { $reversed } véhicules sur { $found } ont atteint d’abord la deuxième bande ; si le trafic ne va pas dans ce sens ici, les bandes sont inversées.
+scan-run-alone = { $alone } fois, quelque chose n’est passé que devant une caméra : vérifiez que les deux montrent la même voie, et contrôlez base et cadence de lignes.
+scan-run-light-changed = La luminosité a varié brusquement ({ $count } fois) ; les véhicules passés à ce moment peuvent manquer.
+scan-run-camera-moved = Une caméra a bougé ({ $count } fois) : depuis, la chaussée est quelques rangées plus haut ou plus bas ; fixez la caméra solidement.
+scan-run-road-unsteady = La chaussée vide de la caméra { $camera } varie de { $percent } % d’une ligne à l’autre : neige, pluie, ou véhicule au début ; enregistrez d’abord la chaussée vide.
+scan-run-short-objects = La caméra { $camera } montre { $per_s } objets courts par seconde : pluie, neige ou insectes ; contrôlez les bornes.
+scan-run-flicker = La lumière à la caméra { $camera } scintille de { $percent } %, comme un éclairage sur secteur ; changez d’éclairage, ou attendez-vous à des incertitudes plus grandes.
+scan-run-saturated = { $percent } % de l’image de la caméra { $camera } est saturée ; réduisez l’exposition.
+rig-misalignments-scatter = Le désalignement diffère d’un véhicule à l’autre de { NUMBER($sd_px, minimumFractionDigits: 2, maximumFractionDigits: 2) } px (écart-type) ; vérifiez si une caméra a bougé.
+rig-few-known = { $count } véhicules connus sont trop peu ; il en faut { $least }.
+rig-sizes-differ = Les véhicules mesurés sont de { NUMBER($percent, minimumFractionDigits: 2, maximumFractionDigits: 2) } % plus { $than ->
+    [longer] longs
+   *[shorter] courts
+ } que connus. Vérifiez la base ; une ombre allonge aussi.
+rig-misalignment-given = Le désalignement a été saisi : les estimations des véhicules en dépendent ; laissez-le vide et mesurez à nouveau pour l’estimer.
+rig-baseline-off = { $count } { $of ->
+    [length] longueurs
+   *[wheelbase] empattements
+ } de véhicules connus ressortent de { NUMBER($percent, minimumFractionDigits: 2, maximumFractionDigits: 2) } % plus { $than ->
+    [longer] longs
+   *[shorter] courts
+ } qu’ils ne sont (u { NUMBER($u_percent, minimumFractionDigits: 2, maximumFractionDigits: 2) } %) : une base plus { $than ->
+    [longer] courte
+   *[shorter] longue
+ } leur conviendrait. Mesurez-la de nouveau.{ $of ->
+    [length] { " " }Une ombre allonge aussi un véhicule ; les empattements n’en portent pas.
+   *[wheelbase] { "" }
+ }
+rig-baseline-agrees = { $count } { $of ->
+    [length] longueurs
+   *[wheelbase] empattements
+ } de véhicules connus s’accordent avec la base saisie à { NUMBER($U95_percent, minimumFractionDigits: 2, maximumFractionDigits: 2) } % (U95).
+scan-flow-no-speed = Aucun véhicule n’a ici de vitesse validée.
+scan-flow-no-u-occupancy = L’incertitude du taux d’occupation n’est pas connue : { $count } des véhicules n’ont pas de mouvement.
+stream-lines-lost = { $count } lignes de la caméra { $camera } ont été perdues et remplacées par des copies ; les véhicules passés pendant ce temps ne sont pas mesurés.
+stream-vehicles-wait = { $message } { $waiting } véhicules attendent d’être enregistrés dans le relevé.
+stream-stopped = L’exécution précédente a été interrompue après { $lines } lignes (segment { $number }, dernier contact { $last_at } UTC). Ses véhicules sont conservés ; manquent les { NUMBER($gap_s, minimumFractionDigits: 1, maximumFractionDigits: 1) } s (environ { $gap_lines } lignes) écoulées depuis, et le véhicule en vue.
+stream-resumed = L’exécution précédente a été interrompue ; elle reprend à la ligne { $begin } de { $name }, et rien ne manque.
+stream-clock-set = L’horloge de l’ordinateur a été réglée de { NUMBER($jump_s, minimumFractionDigits: 1, maximumFractionDigits: 1) } s à la ligne { $lines } ; vitesses, longueurs et intervalles n’en dépendent pas, et les heures continuent depuis le début de ce segment.
+stream-lines-not-stored = Les lignes suivantes n’ont pu être enregistrées ({ $strerror }) ; elles ont été mesurées tout de même.
+stream-journal-not-written = Le journal n’a pu être écrit ({ $strerror }).
+stream-lines-stored = { $kept } lignes sont enregistrées dans { $path }.
+rig-few-vehicles = { $count } véhicules donnent un { $of ->
+    [misalignment] désalignement
+   *[gain] gain
+ } ; il en faut { $least }.
+scan-motion-not-finite = La { $what ->
+    [speed] vitesse
+    [length] longueur
+   *[acceleration] accélération
+ } calculée n’est pas un nombre : contrôlez les bornes, la base et la cadence.
+
 ## What the server says in English, found again by its text (sightline/messages/recognised.py)
 
 told-geometry-several-cameras = { $file_name } contient plusieurs caméras : { $cameras } ; { $key } a été lue (nommez-en une autre avec --which).
 told-geometry-roi-whole = { $file_name } : la caméra est celle de l’image entière, comme demandé, et non de sa roi.
 told-geometry-roi-part = { $file_name } décrit une partie de l’image (roi) : { $width }x{ $height } px à partir de ({ $left } ; { $top }) sur { $full_width }x{ $full_height } px ; la caméra est celle de cette partie (--size { $full_width }x{ $full_height } pour l’image entière).
 told-geometry-no-distortion = { $file_name } indique un objectif sans aucune distorsion, ce qui est rare ; contrôlez que cette caméra a été étalonnée.
-told-linescan-lane-unknown = La voie n’est pas connue ({ $why }) : les incertitudes valent pour toutes les voies de son sens ; choisissez sa voie.
-told-linescan-lane-no-wheel = aucune roue trouvée n’indique la voie
-told-linescan-lane-not-this-way = aucune voie du dispositif n’a ce sens
-told-linescan-gap-lane-unknown = Sa voie n’est pas connue ; le véhicule qui le précède ne l’est donc pas non plus.
-told-linescan-gap-before-unknown = Un véhicule dont la voie n’est pas connue l’a précédé, peut-être sur cette voie.
 told-linescan-mark-incomplete = Chaque repère a besoin d’une distance, d’une hauteur et d’une ligne.
 told-linescan-marks-not-numbers = Les distances, hauteurs et lignes des repères doivent être des nombres.
 told-linescan-marks-too-few = { $count } repères ne suffisent pas ; pointez-en au moins { $least }.
 told-linescan-marks-above-zero = Les distances des repères et l’u de leurs lignes doivent être supérieures à 0.
 told-linescan-rod-upside-down = Les repères les plus hauts doivent avoir les lignes les plus petites ; contrôlez le sens du jalon.
-told-linescan-too-few-blocks = Trop peu de blocs de { $lines } lignes peuvent être appariés : le véhicule présente trop peu de détails, ou trop peu de lignes ; augmentez la fréquence de lignes, ou utilisez l’autre méthode.
-told-linescan-rig-few-misalignment = { $count } véhicules donnent un désalignement ; il en faut { $least }.
-told-linescan-rig-few-gain = { $count } véhicules donnent un gain ; il en faut { $least }.
-told-linescan-no-wheel = Aucune roue n’a été trouvée : le bas de l’image n’en montre pas, ou est trop sombre.
-told-linescan-no-scale = Sans mouvement mesuré, l’image n’a pas d’échelle en mètres.
 told-media-not-decoded-at = Cet enregistrement ne peut pas être décodé à l’image { $frame } : là, le décodeur { $why } ; { $way_out }.
 told-media-filmed-at = Filmé à { $filmed_hz } images par seconde, comme saisi ; le fichier en lit { $played_hz } par seconde. Les instants sont ceux du tournage.
 told-media-no-rate = Le fichier n’indique aucune cadence : { $played_hz } images par seconde sont supposées. Ses instants ne sont pas fiables ; aucun mouvement n’en est donc mesuré.
@@ -6461,33 +6556,6 @@ told-jobs-broke = Une erreur du programme a arrêté la tâche ({ $name }) ; r
 told-infra-a-worker-stopped-in = La tâche a été interrompue ; elle est relancée.
 told-infra-waits-for-what-is-away = La base de données ou le stockage ne répond pas ; la tâche est réessayée d’elle-même.
 told-infra-waits-for-the-next = En attente d’être relancée.
-told-linescan-too-little-of-the = Trop peu du véhicule est assez net pour être recalé d’une bande à l’autre.
-told-linescan-the-two-pictures-of = Les deux images du véhicule ne suivent pas un même mouvement : deux véhicules côte à côte, un véhicule arrêté ou des lignes perdues.
-told-linescan-the-boundaries-are-not = Les bornes ne sont pas dans l’ordre : l’avant doit précéder l’arrière devant les deux caméras.
-told-linescan-the-registration-did-not = Le recalage n’a pas entièrement convergé.
-told-linescan-the-cameras-disagree-by = Les caméras diffèrent de { $apart_m } cm sur l’avant ou l’arrière : contrôlez les bornes, et si deux véhicules passent côte à côte.
-told-linescan-part-of-the-picture = Une partie de l’image est saturée ; réduisez l’exposition.
-told-linescan-no-vehicle-was-found = Aucun véhicule n’a été trouvé ; contrôlez les bandes, et que le temps court selon l’axe choisi.
-told-linescan-of-vehicles-reached-the = { $reversed } véhicules sur { $found } ont atteint d’abord la deuxième bande ; si le trafic ne va pas dans ce sens ici, les bandes sont inversées.
-told-linescan-times-something-passed-one = { $alone } fois, quelque chose n’est passé que devant une caméra : vérifiez que les deux montrent la même voie, et contrôlez base et cadence de lignes.
-told-linescan-the-light-jumped-a = La luminosité a varié brusquement ({ $times }) ; les véhicules passés à ce moment peuvent manquer.
-told-linescan-a-camera-moved-the = Une caméra a bougé ({ $times }) : depuis, la chaussée est quelques rangées plus haut ou plus bas ; fixez la caméra solidement.
-told-linescan-what-camera-took-for = La chaussée vide de la caméra { $number } varie de { $unrest } % d’une ligne à l’autre : neige, pluie, ou véhicule au début ; enregistrez d’abord la chaussée vide.
-told-linescan-camera-saw-short-things = La caméra { $number } montre { $rate } objets courts par seconde : pluie, neige ou insectes ; contrôlez les bornes.
-told-linescan-the-light-before-camera = La lumière à la caméra { $number } scintille de { $share } %, comme un éclairage sur secteur ; changez d’éclairage, ou attendez-vous à des incertitudes plus grandes.
-told-linescan-of-the-picture-of = { $share } % de l’image de la caméra { $number } est saturée ; réduisez l’exposition.
-told-linescan-the-vehicle-stopped-or = Le véhicule s’est arrêté ou presque devant les caméras ; marquez-en un autre, ou mesurez-le à la main.
-told-linescan-something-stood-in-view = Quelque chose est resté en vue plus longtemps qu’un passage ; arrêt, ou changement de lumière.
-told-linescan-the-vehicle-is-cut = Le véhicule est coupé par le début ou la fin de l’enregistrement.
-told-linescan-the-empty-road-was = La chaussée vide avant le véhicule est trop instable : neige, pluie, ou trafic dès la première ligne ; commencez l’enregistrement quand la chaussée est vide.
-told-linescan-it-is-about-m = Sa longueur estimée est de { $length_m } m, et la limite de { $most_m } m : un train, des véhicules sans intervalle, ou une base ou une cadence fausse.
-told-linescan-only-about-lines-were = Environ { $lines } lignes seulement ont été enregistrées entre les deux caméras, trop peu pour la vitesse ou le sens : augmentez la cadence, ou écartez les caméras.
-told-linescan-the-two-cameras-saw = Les caméras le montrent pendant des durées différentes : deux véhicules côte à côte, ou un arrêt.
-told-linescan-the-lines-lie-too = Les lignes sont trop espacées pour ce véhicule : il avance d’environ { $line_mm } mm d’une ligne à la suivante, et des lignes voisines ont trop peu en commun. Portez la cadence à { $rate_hz } Hz ou plus pour des véhicules à cette vitesse ; une base plus longue n’y change rien.
-told-linescan-braking-on-as-measured = À la décélération mesurée, le véhicule précédent se serait déjà arrêté.
-told-linescan-the-two-vehicles-overlap = Les deux véhicules se recouvrent à la caméra 1 ; il n’y a pas d’intervalle.
-told-linescan-the-vehicle-before-has = Le véhicule précédent n’a pas de mouvement mesuré.
-told-linescan-no-vehicle-was-seen = Aucun véhicule n’a été détecté devant celui-ci.
 told-linescan-the-marks-do-not = Les repères ne déterminent pas la hauteur de la caméra : tenez le jalon vertical à deux distances, par exemple aux bords proche et éloigné de la voie.
 told-linescan-the-marks-put-the = Les repères placent la caméra sous la route ; contrôlez leurs distances, hauteurs et rangées.
 told-linescan-all-marks-are-at = Tous les repères sont à une même distance : la hauteur de la caméra ne peut être déterminée ; tenez le jalon vertical à deux distances.
@@ -6504,18 +6572,6 @@ told-linescan-rig-too-wide = Les passages concordent mieux que leurs incertitude
 told-linescan-rig-two-distances = Deux distances ne permettent pas de vérifier que la base varie linéairement ; ajoutez-en une troisième.
 told-linescan-rig-outside = { $distance_m } m est loin des passages ({ $nearest_m } à { $farthest_m } m) : la base y est extrapolée ; ajoutez un passage à cette distance.
 told-rig-pass-twice = Une autre ligne a le même nom ; nommez chaque passage une fois.
-told-linescan-too-little-of-the-vehicle = Trop peu du véhicule a été apparié pour donner l’incertitude de son mouvement.
-told-linescan-by-the-computed-motion = D’après le mouvement calculé, le véhicule se serait arrêté en vue ; contrôlez les bornes.
-told-linescan-the-computed-is-no = La { $what ->
-       [speed] vitesse
-       [length] longueur
-       *[other] accélération
-    } calculée de { $value } { $unit } n’est pas plausible pour un véhicule routier ({ $low } à { $high } { $unit2 }) : contrôlez les bornes, la base et la cadence.
-told-linescan-the-acceleration-is-unsure = L’U95 de l’accélération est de { $most } m/s², plus que ne freine aucun véhicule : trop peu du véhicule est net, ou les bornes sont fausses.
-told-linescan-the-is-unsure-by = L’U95 de la { $what ->
-       [speed] vitesse
-       *[other] longueur
-    } est de { $value } %, trop pour être utile : trop peu du véhicule est net, les bornes sont fausses, ou deux véhicules passent à la fois.
 told-linescan-expected-of-the-default = Attendu de la méthode par défaut, d’après des véhicules simulés qui remplissent l’image ; peu de texture, un bruit fort ou la pluie l’aggravent, et l’incertitude de chaque véhicule dit ce qui est atteint.
 told-linescan-only-lines-lie-between = Seules { $lines } lignes séparent les caméras ; prenez une cadence plus élevée ou une base plus longue, sinon ce véhicule est à peine mesurable.
 told-linescan-lines-too-far-apart = Le véhicule avance de { $line_mm } mm d’une ligne à la suivante ; au-delà de { $coarse_mm } mm la plupart des véhicules sont refusés. Prenez { $rate } Hz ou plus.
@@ -6524,14 +6580,6 @@ told-linescan-the-speeds-u95-is = L’U95 de la vitesse est de { $percent }, plu
 told-linescan-the-baseline-is-taken = La base est tenue pour exacte ; saisissez son incertitude, car elle entre dans toute vitesse.
 told-linescan-the-baseline-limits-not = La base est la limite, non la cadence : elle est connue à { $percent } (incertitude-type), la superposition des bandes ajoute { $percent2 }. Mesurez d’abord mieux la base.
 told-linescan-registering-limits-not = La superposition des bandes est la limite, non la base : elle ajoute { $percent } (incertitude-type), la base { $percent2 }. Prenez une base plus longue.
-told-linescan-vehicles-come-out-than = Les longueurs mesurées ne sont pas celles connues ({ $share }). Vérifiez la base ; une ombre allonge aussi.
-told-linescan-the-vehicles-misalignments-scatter = Le désalignement diffère de { $spread } px (écart-type) entre les véhicules ; vérifiez si une caméra a bougé.
-told-linescan-known-vehicles-are-too = { $n } véhicules connus sont trop peu ; il en faut { $least_vehicles }.
-told-linescan-click-the-hubs-of = Cliquez sur les moyeux de deux roues différentes.
-told-linescan-by-its-fitted-motion = D’après son mouvement ajusté, le véhicule était arrêté à l’un des pointés.
-told-linescan-the-vehicle-has-no = Le véhicule n’a pas de mouvement mesuré.
-told-linescan-no-vehicle-here-has = Aucun véhicule n’a ici de vitesse validée.
-told-linescan-the-uncertainty-of-the = L’incertitude du taux d’occupation n’est pas connue : { $count } des véhicules n’ont pas de mouvement.
 told-measurements-storing-the-heights-that = Enregistrement des hauteurs modifiées.
 told-measurements-putting-the-old-heights = Rétablissement des anciennes hauteurs.
 told-measurements-computing-the-heights = Calcul des hauteurs.
@@ -6635,37 +6683,11 @@ told-results-against-manufacturers-heights-every = { $heights } par rapport aux 
 told-scans-the-marks-miss-the = Les repères ne suivent le modèle qu’à { $rms_px } px près, moins bien que des pointés de { $sigma_px } px ne l’expliquent ; contrôlez les distances et le repère au plus grand résidu.
 told-scans-the-camera-height-is = La hauteur de la caméra n’est connue qu’à { $u_height } m ; tenez le jalon à deux distances plus éloignées, ou mesurez-les mieux.
 told-scans-the-lines-of-this = Les lignes de ce flux n’ont pas été enregistrées : il n’y a pas d’image ; ses véhicules restent.
-told-scans-vehicles-wait-to-be = { $message } { $waiting } véhicules attendent d’être enregistrés dans le relevé.
-told-scans-the-run-before-was = L’exécution précédente a été interrompue après { $lines } lignes (segment { $number }, dernier contact { $last_at } UTC). Ses véhicules sont conservés ; manquent les { $gap_s } s (environ { $gap_s2 } lignes) écoulées depuis, et le véhicule en vue.
-told-scans-lines-of-camera-were = { $lost } lignes de la caméra { $number } ont été perdues et remplacées par des copies ; les véhicules passés pendant ce temps ne sont pas mesurés.
-told-scans-the-computer-clock-was = L’horloge de l’ordinateur a été réglée de { $jump } s à la ligne { $lines } ; vitesses, longueurs et intervalles n’en dépendent pas, et les heures continuent depuis le début de ce segment.
-told-scans-the-run-before-was-killed = L’exécution précédente a été interrompue ; elle reprend à la ligne { $begin } de { $name }, et rien ne manque.
-told-scans-lines-after-these-could = Les lignes suivantes n’ont pu être enregistrées ({ $strerror }) ; elles ont été mesurées tout de même.
-told-scans-lines-are-kept-in = { $kept } lignes sont enregistrées dans { $path }.
-told-scans-the-journal-could-not = Le journal n’a pu être écrit ({ $strerror }).
 told-scans-the-reading-was-cancelled = L’import a été annulé ; relancez-le ou supprimez le balayage.
 told-scans-reading-the-strips = Lecture des bandes.
 told-scans-of-camera-pixels-are = { $saturated } des pixels de la caméra { $camera } sont saturés ; des bords y sont perdus ; réduisez la lumière ou l’exposition.
 told-scans-the-recorder-of-lost = L’enregistreur de { $name } a perdu { $lost } lignes ; elles sont remplacées par des copies.
 told-scans-cutting-the-strips = Découpe des bandes.
-told-scans-the-misalignment-was-given = Le désalignement a été saisi : les estimations des véhicules en dépendent ; laissez-le vide et mesurez à nouveau pour l’estimer.
-told-scans-of-known-vehicles-come = Véhicules connus, { $which ->
-       [lengths] longueurs
-       [Lengths] longueurs
-       *[other] empattements
-    } : ils ressortent de { $off } % { $longer ->
-       [longer] plus longs
-       *[other] plus courts
-    } qu’ils ne sont (u { $u } %) : une base { $longer2 ->
-       [shorter] plus courte
-       *[other] plus longue
-    } leur conviendrait. Mesurez-la de nouveau.
-told-scans-of-known-vehicles-agree = Véhicules connus, { $which ->
-       [lengths] longueurs
-       [Lengths] longueurs
-       *[other] empattements
-    } : accord avec la base saisie à { $expanded } % (U95).
-told-scans-a-shadow-lengthens-a = Une ombre allonge aussi un véhicule ; les empattements n’en portent pas.
 told-progress-unread = { $count } balayages n’ont pu être lus ; voyez pourquoi et réessayez.
 told-progress-unread-1 = Un balayage n’a pu être lu ; voyez pourquoi et réessayez.
 told-progress-reading = Importation en cours : { $count } balayages.
@@ -6684,8 +6706,6 @@ told-progress-height = Hauteurs validées : { $count } sur 1.
 told-scans-being-searched-for-vehicles = recherche de véhicules en cours
 told-scans-looking-for-vehicles = Recherche de véhicules.
 told-scans-measuring-the-known-vehicles = Nouvelle mesure des véhicules connus.
-told-scans-the-recorder-lost-while = L’enregistreur a perdu { $join } pendant le passage du véhicule.
-told-scans-lines-of-camera = { $count } lignes de la caméra { $camera }
 told-statistics-a-trend-needs-at = Une tendance demande au moins { $least } véhicules ; { $there_are }.
 told-statistics-all-heights-are-the = Toutes les hauteurs sont égales ; il n’y a pas de tendance.
 told-statistics-limits-of-agreement-need = Des limites de concordance demandent au moins { $least } véhicules ; { $there_are }.

@@ -31,12 +31,14 @@ from sightline.infra.csv_package.columns import (
     number,
     of_part,
     person,
+    said,
     text,
 )
 from sightline.infra.csv_package.files import Staging
 from sightline.infra.csv_package.schema import Cell, Column, Table
 from sightline.infra.database import Session
 from sightline.linescan.parts import Gap
+from sightline.messages.said import Said
 from sightline.recordings.csv import started_column
 from sightline.scans.clock import Passing
 from sightline.scans.heights.csv import TABLES as HEIGHT_TABLES
@@ -54,6 +56,18 @@ from sightline.scans.vehicles.store import list_scan_vehicles
 from sightline.surveys.store import get_survey
 
 Rig = Mapping[str, Cell]
+
+
+def _reason(one: ScanMeasurement) -> Said | None:
+    return one.values.reason
+
+
+def _warnings(one: ScanMeasurement) -> list[Said]:
+    return one.values.warnings
+
+
+def _gap_reason(one: Gap) -> Said | None:
+    return one.reason
 
 
 def axle_words(lines: list[float] | None) -> str | None:
@@ -207,12 +221,8 @@ _MOTION: tuple[Column[ScanMeasurement], ...] = (
         required=True,
         enum=get_args(MeasurementStatus),
     ),
-    text("reason", "why there is no motion", lambda m: m.values.reason),
-    text(
-        "warnings",
-        "warnings on this result, separated by semicolons",
-        lambda m: joined(m.values.warnings),
-    ),
+    *said("reason", "why there is no motion", _reason),
+    *said("warnings", "warnings on this result, separated by semicolons", _warnings),
     text(
         "method",
         "how the strips were matched",
@@ -301,7 +311,7 @@ _GAP: tuple[Column[Gap], ...] = (
         "the paper's D: time gap times the mean of both speeds",
         lambda g: g.paper_distance_gap_m,
     ),
-    text("gap_reason", "why a gap is missing", lambda g: g.reason),
+    *said("gap_reason", "why a gap is missing", _gap_reason),
 )
 _PEOPLE = ((("created_by_id",), "people", ("id",)), (("reviewer_id",), "people", ("id",)))
 

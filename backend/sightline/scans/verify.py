@@ -9,6 +9,7 @@ from collections.abc import Callable, Mapping
 from typing import Any
 
 from sightline.errors import Damaged
+from sightline.infra.audit.hashing import canonical_json
 from sightline.infra.csv_package.columns import joined
 from sightline.infra.csv_package.files import Files
 from sightline.infra.csv_package.recomputing import Recomputing
@@ -41,8 +42,12 @@ def _scan_cells(told: Told) -> Cells:
 
 
 def _motion_cells(told: Told) -> Cells:
-    lines = told["axle_lines"]
-    return {**told, "axle_lines": axle_words(lines), "axles": len(lines or ()) or None}
+    lines, reason = told["axle_lines"], told["reason"]
+    cells = {**told, "axle_lines": axle_words(lines), "axles": len(lines or ()) or None}
+    if not isinstance(reason, str):  # an event of an earlier program has words
+        del cells["reason"]
+        cells["reason_code"] = reason and canonical_json(reason)
+    return cells
 
 
 def _verdict_cells(told: Told) -> Cells:
@@ -74,18 +79,10 @@ _OF_PUTTING_BACK = (
 )
 
 
-def check_scans(
-    files: Files,
-    replay: Replay,
-    computings: Mapping[str, str],
-    recomputing: Recomputing,
-    *,
-    same_words: bool,
-) -> int:
+def check_scans(files: Files, replay: Replay, computings: Mapping[str, str], recomputing: Recomputing) -> int:
     """Every row is what its events say, none is missing and none too many; how many were held against them.
 
     The current revision of a vehicle is its newest. `computings`: the kind of each, by its number.
-    `same_words`: whether this program has the words of the one that made the package.
     Raises Damaged.
     """
     rows = {one.entity: {int(row["id"]): row for row in replay.hold(files, one)} for one in _REPLAYED}
@@ -112,7 +109,7 @@ def check_scans(
         computings,
         line_height_put_back,
     )
-    check_line_heights(files, told["line_pose"], recomputing, same_words=same_words)
+    check_line_heights(files, told["line_pose"], recomputing)
     check_rig_calibrations(files, told["rig_calibration"], recomputing)
     return sum(len(found) for found in rows.values())
 

@@ -19,6 +19,7 @@ from sightline.enums import ScanDirection
 from sightline.errors import BadInput
 from sightline.infra.given_csv import GivenTable, read_table
 from sightline.linescan.clock import u_passing_s
+from sightline.messages.said import Said
 from sightline.recordings.filming import Filming
 from sightline.scans.statistics.service import VehicleMotion
 from sightline.scans.statistics.traffic import Clock, ScanTraffic, Watched, traffic_of_seen
@@ -258,7 +259,7 @@ def _motions(
             lighting="unknown",
             values={name: getattr(one, name) for name in _NUMBERS},
             status=one.status,
-            reason=one.reason,
+            reason=Said.read(one.reason) if one.reason else None,
             since_s=one.front_s,
             occupied_s=one.rear_s - one.front_s,
             u_filmed_at_s=u_passing_s(one.front_s, u_start_s, u_rate, one.speed_mps, one.u_length_m),

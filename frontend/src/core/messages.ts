@@ -155,8 +155,10 @@ export interface Said {
 }
 
 /** A reason or a flag of the server, in the language spoken and the unit shown. */
-export function sentenceOf(said: Said): string {
-  return sayCode(said) ?? said.message ?? said.code;
+export function sentenceOf(said: Said): string;
+export function sentenceOf(said: Said | null | undefined): string | null;
+export function sentenceOf(said: Said | null | undefined): string | null {
+  return said ? (sayCode(said) ?? said.message ?? said.code) : null;
 }
 
 const MOST_DIGITS = 15;

@@ -24,6 +24,7 @@ from sightline.cameras.calibrations.verify import check_calibrations
 from sightline.cameras.verify import check_cameras
 from sightline.errors import BadInput, Damaged
 from sightline.export.contents import DRAWING, STATISTICS, WORDS
+from sightline.export.exclusions import EXCLUSIONS
 from sightline.export.seal import CHECKPOINT, check_seal, read_seal
 from sightline.export.verify.chain import ReplayedState, walk
 from sightline.export.verify.derived import (
@@ -36,7 +37,7 @@ from sightline.export.verify.derived import (
 from sightline.export.verify.described import Described, check_description, read_description
 from sightline.infra.audit.checkpoints import checkpoint_problem
 from sightline.infra.audit.records import AuditHead, survey_chain
-from sightline.infra.csv_package.columns import CODE
+from sightline.infra.csv_package.columns import CODE, check_words
 from sightline.infra.csv_package.files import (
     Files,
     InFolder,
@@ -227,7 +228,12 @@ def _check_rows(
     check_standards(files, told.survey)
     recomputing = Recomputing(described.is_computed_alike)
     same_words = described.is_made_alike(WORDS)
-    heights = Recomputed(files, recomputing, same_words=same_words)
+    if (
+        same_words
+    ):  # what is excluded has the words of people too; it is derived, and held against its sources
+        headers = {path: one for path, one in described.headers.items() if path != EXCLUSIONS.path}
+        check_words(files, headers)
+    heights = Recomputed(files, recomputing)
     check_measurements(files, told.measurements, told.is_gone, told.drift.drift_flag, heights)
     check_repeats(files, told.measurements, told.is_gone, heights)
     found.heights = recomputing.equal
@@ -248,7 +254,7 @@ def _check_rows(
     check_verdicts(files, replay)
     check_lots(files, told.lots, replay, told.measurements.of_vehicle)
     check_frames(files, told.measurements)
-    check_scans(files, replay, computings, recomputing, same_words=same_words)
+    check_scans(files, replay, computings, recomputing)
     check_photographs(files, replay, written)
     found.keys = check_keys(files, described.tables)
     if recomputing.differing:

@@ -20,7 +20,6 @@ from sightline.linescan.line_pose import LinePose, LinePoseError
 from sightline.measurements.again.differences import causes_now, facts_of
 from sightline.measurements.again.verify import same_figures
 from sightline.measurements.records import Clicks
-from sightline.measurements.verify import check_words
 from sightline.messages.said import Said
 from sightline.scans.heights.csv import LINE_BUDGET, LINE_HEIGHTS, LINE_MARKS, LINE_POSES
 from sightline.scans.heights.poses import Mark, Rod, solve
@@ -42,13 +41,10 @@ def check_line_heights(
     files: Files,
     told_poses: Mapping[int, Mapping[str, Any]],
     recomputing: Recomputing,
-    *,
-    same_words: bool,
 ) -> None:
     """Solve every calibration and compute every height again. Raises Damaged.
 
-    `told_poses`: what the audit events say of each calibration, its marks too. `same_words`: whether this
-    program has the words of the one that made the package.
+    `told_poses`: what the audit events say of each calibration, its marks too.
     """
     _out_of_date(files)
     marks: dict[int, list[Row]] = defaultdict(list)
@@ -66,8 +62,6 @@ def check_line_heights(
             "scans-calibration-no-row", path=LINE_MARKS.path, marks=min(marks), path_2=LINE_POSES.path
         )
     _heights(files, poses, versions, recomputing)
-    for row in read_rows(files, LINE_HEIGHTS.path) if same_words else ():
-        check_words(f"{LINE_HEIGHTS.path}: {row['id']}", row)
 
 
 def height_or_verdict(

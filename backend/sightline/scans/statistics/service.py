@@ -20,6 +20,7 @@ from sightline.enums import (
     ScanVehicleState,
 )
 from sightline.linescan.rig import RigEstimate, alone, baseline_ratio
+from sightline.messages.said import Said
 from sightline.recordings.filming import FilmedWithin
 from sightline.scans.references.records import MEASURED, UNITS, ReferenceValues
 from sightline.scans.references.service import LOOKED_AT, beside
@@ -76,7 +77,7 @@ class VehicleMotion:
     rig_baseline_m: float = 1.0
     rig_u_baseline_m: float = 0.0
     status: str = "ok"
-    reason: str | None = None
+    reason: Said | None = None
     since_s: float | None = None
     occupied_s: float | None = None
     filmed_at: str = ""
@@ -141,7 +142,7 @@ class Row:
     true_length_m: float | None
     fit_error_percent: float | None
     status: str
-    reason: str | None
+    reason: Said | None
     references: tuple[ReferenceValues, ...] = ()
 
 

@@ -14,7 +14,7 @@ from sightline.enums import ScanDirection
 from sightline.linescan.parts import Rig
 from sightline.linescan.rig import baseline_of
 from sightline.linescan.traffic import Interval, Passed, Stream, intervals, streams_of
-from sightline.messages import say
+from sightline.messages.said import Said
 from sightline.recordings.filming import FilmedWithin
 from sightline.scans.statistics.service import VehicleMotion, counts
 from sightline.statistics.distributions import Percentile, percentiles
@@ -64,7 +64,7 @@ class ScanTraffic:
     minutes: int
     intervals: tuple[ShownInterval, ...]
     unplaced: int
-    reason: str | None = None
+    reason: Said | None = None
     direction: ScanDirection = "camera_1_first"
     lane: str | None = None
 
@@ -126,9 +126,8 @@ def _traffic(
         "lane": stream[1],
     }
     if scan.clock is None or scan.watched_s is None:
-        code = "scans-traffic-not-read" if scan.watched_s is None else "scans-traffic-no-start"
-        reason = say(code, {})
-        return ScanTraffic(**named, intervals=(), reason=reason)
+        unread, undated = Said("scans-traffic-not-read"), Said("scans-traffic-no-start")
+        return ScanTraffic(**named, intervals=(), reason=unread if scan.watched_s is None else undated)
     into_hour_s = _into_hour_s(scan.clock)
     told = intervals(passed, scan.watched_s, into_hour_s, minutes)
     shown = tuple(

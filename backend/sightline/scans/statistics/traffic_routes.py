@@ -10,6 +10,7 @@ from sightline.errors import BadInput
 from sightline.infra.web.bodies import Out
 from sightline.infra.web.deps import PathId, Reading, Viewer
 from sightline.linescan.traffic import LENGTH_LIMITS_M, MINUTES, Figure, LengthClass
+from sightline.messages.said import Said
 from sightline.recordings.bodies import FilmedAsked
 from sightline.scans.statistics.figures import scan_traffic
 from sightline.scans.statistics.traffic import ScanTraffic, ShownInterval
@@ -46,7 +47,7 @@ class TrafficIntervalBody(Out):
     density_per_km: Figure
     classes: list[LengthClass]
     unclassed: int
-    reasons: list[str]
+    reasons: list[Said]
 
 
 class ScanTrafficBody(Out):
@@ -58,7 +59,7 @@ class ScanTrafficBody(Out):
     lane: str | None = Field(description="Of the rig's lanes; null: not known, or the rig has none.")
     intervals: list[TrafficIntervalBody]
     unplaced: int = Field(description="Never measured, so in no interval.")
-    reason: str | None
+    reason: Said | None
 
 
 class ScanFlows(Out):

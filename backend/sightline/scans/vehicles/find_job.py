@@ -16,6 +16,7 @@ from sightline.linescan import faults
 from sightline.linescan.finding import Finder
 from sightline.linescan.parts import Crossings, Motion, Rig
 from sightline.linescan.rig import gain, misalignment
+from sightline.messages.said import Said
 from sightline.scans.records import Scan, ScanRunValues, ScanValues, ScanVehicle
 from sightline.scans.service import FIND, open_strips
 from sightline.scans.store import get_scan, rig_columns
@@ -42,7 +43,7 @@ class Search:
     """What was found: motions in the order of passing, and what is to be said of the recording."""
 
     motions: tuple[Motion, ...] = ()
-    notes: tuple[str, ...] = ()
+    notes: tuple[Said, ...] = ()
 
 
 @dataclass(frozen=True, eq=False)

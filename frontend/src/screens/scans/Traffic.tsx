@@ -2,7 +2,7 @@
 import { useState } from "preact/hooks";
 import { Button, Empty, Loaded, Notice, num, Segments, Table } from "../../components";
 import { api } from "../../core/api";
-import { say } from "../../core/messages";
+import { say, sentenceOf } from "../../core/messages";
 import { useResource } from "../../core/resource";
 import { formatPlaceClock, formatPlaceDay } from "../../core/times";
 import type { ScanTraffic, TrafficFigure, TrafficInterval, TrafficOfScans } from "../../core/types";
@@ -78,7 +78,7 @@ function OfScan({ scan, of, surveyId }: { scan: ScanTraffic; of: TrafficOfScans;
           title={scan.name}
           actions={<Button href={`/surveys/${surveyId}/scans`}>{say("scans-all")}</Button>}
         >
-          <p>{scan.reason}</p>
+          <p>{sentenceOf(scan.reason)}</p>
         </Empty>
       </div>
     );
@@ -145,7 +145,7 @@ function Row({ one }: { one: TrafficInterval }) {
   const [by] = speedScale();
   const p85 = one.percentiles.find((each) => each.percent === 85);
   return (
-    <tr title={one.reasons.join(" ") || undefined}>
+    <tr title={one.reasons.map(sentenceOf).join(" ") || undefined}>
       <td class="nowrap">
         {formatPlaceClock(one.begins_at)}
         {one.partial && <span class="muted"> {say("flows-partial")}</span>}
