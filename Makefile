@@ -75,10 +75,12 @@ test test-postgresql test-browser: export OPENBLAS_NUM_THREADS := 1
 test test-postgresql test-browser: export OMP_NUM_THREADS := 1
 test test-postgresql test-browser: export OPENCV_FOR_THREADS_NUM := 1
 
+# A third worker has the processor while others wait for a child, a clock or a disk.
+WORKERS := 3
 test:
 	@$(MAKE) --no-print-directory -j2 setup .build/python-dev
 	@$(MAKE) --no-print-directory -j2 -Oline .build/chromium .build/r check
-	@SIGHTLINE_TEST_DATABASE_URL= $(BIN)/python -m pytest -n 2 --dist worksteal -m "not proof" --ignore=tests/browser
+	@SIGHTLINE_TEST_DATABASE_URL= $(BIN)/python -m pytest -n $(WORKERS) --dist worksteal -m "not proof" --ignore=tests/browser
 	@$(MAKE) --no-print-directory test-postgresql
 	@$(MAKE) --no-print-directory test-browser
 
@@ -86,7 +88,7 @@ test:
 # One stage after the other: beside each other on two cores both wait for the processor.
 test-postgresql:
 	@if [ -n "$$SIGHTLINE_TEST_DATABASE_URL" ]; then echo "The same on PostgreSQL ..." && \
-	   $(BIN)/python -m pytest -n 2 --dist worksteal -m "dialect and not once and not proof" \
+	   $(BIN)/python -m pytest -n $(WORKERS) --dist worksteal -m "dialect and not once and not proof" \
 	   $$(grep -rl 'mark\.dialect' tests --include='test_*.py'); fi
 
 # As many browsers as here; the files of each are fixed (tests/browser/conftest.py). What failed in a browser is tried

@@ -19,8 +19,20 @@ export default defineConfig({
   build: {
     target: "es2022",
     sourcemap: false,
+    modulePreload: { polyfill: false }, // every browser of this target has it
     rollupOptions: {
-      output: { chunkFileNames: ({ moduleIds }) => `assets/${wordsName(moduleIds) ?? "[name]"}-[hash].js` },
+      // of what `components` lists as one, a page takes what it shows
+      treeshake: { moduleSideEffects: [{ test: /[\\/]src[\\/]components[\\/]/, sideEffects: false }] },
+      output: {
+        chunkFileNames: ({ moduleIds }) => `assets/${wordsName(moduleIds) ?? "[name]"}-[hash].js`,
+        // what every page loads is one file, and so is the stage of the pages with frames: many small ones are a tenth more
+        codeSplitting: {
+          groups: [
+            { name: "base", tags: ["$initial"], priority: 1 },
+            { name: "frames", test: /[\\/]src[\\/]viewer[\\/]/, minShareCount: 4 },
+          ],
+        },
+      },
     },
   },
   test: {

@@ -19,7 +19,6 @@ from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
 import sightline
 from sightline import errors, messages
-from sightline.linescan import rig
 from sightline.media.video import report as video
 from sightline.media.video.decode import Damage
 from sightline.media.video.sniff import OTHERS
@@ -376,7 +375,7 @@ def pieced_together() -> list[str]:
 
 
 def of_recordings() -> list[str]:
-    """What is noted of a file when it is imported, and of a rig that few vehicles tell."""
+    """What is noted of a file when it is imported."""
     even = np.arange(8) / 25
     track = SimpleNamespace(words="h264, 640x480")
     of_file = {"codec": "h264", "width_px": 640, "height_px": 480, "reported_frames": None, "stream": 1}
@@ -393,7 +392,7 @@ def of_recordings() -> list[str]:
     for filmed_hz in (None, 240.0):
         said += video._clock_notes("slow_motion", even, Stated(filmed_hz=filmed_hz))
     said += video._clock_notes("impossible_rate", np.zeros(8), Stated())
-    return said + [str(rig._median([], what).reason) for what in ("a misalignment", "a gain")]
+    return said
 
 
 class _Asked(BaseModel):

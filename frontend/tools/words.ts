@@ -1,22 +1,24 @@
 /** The words of the pages by rooms, cut out of the catalogue when the pages are built: a page fetches those it says.
  *
- * A room is a folder of `src/screens`. What the app around the screens says, and what more than two rooms say, is said
- * "everywhere"; what no page says is the "server"'s, fetched once one of its sentences is to be said in another language.
+ * A room is a folder of `src/screens`, with what it imports of `parts` and `viewer`. What the app around the screens says,
+ * and what more than two rooms say, is said "everywhere"; what no page says is the "server"'s, fetched once one of its sentences is to be said in another language.
  */
 import { readdirSync, readFileSync } from "node:fs";
 import { basename, dirname, join, posix } from "node:path";
 import { fileURLToPath } from "node:url";
+import { FluentResource } from "@fluent/bundle";
 import { type Entry, FluentParser, FluentSerializer, Resource, Visitor } from "@fluent/syntax";
 import type { Plugin } from "vite";
 
 const HERE = dirname(fileURLToPath(import.meta.url));
 const CATALOGUE = join(HERE, "../../backend/sightline/messages");
 const PAGES = join(HERE, "../src");
+const SOURCE = "en";
 const [EVERYWHERE, SERVER] = ["everywhere", "server"] as const;
 const MOST_ROOMS = 2;
 
-/** `virtual:words`: each language's rooms and how their words are fetched; `virtual:words/<language>/<room>`: the words.
- *  Tests have all words everywhere. */
+/** `virtual:words`: each language's rooms and how their words are fetched; `virtual:words/<language>/<room>`: the words,
+ *  their Fluent read already. Tests have all words everywhere. */
 export function words(): Plugin {
   const name = "virtual:words";
   const languages = readdirSync(CATALOGUE)
@@ -30,6 +32,7 @@ export function words(): Plugin {
   };
   const loaders = (language: string) =>
     [...wordsOf(language).keys()]
+      .filter((room) => language !== SOURCE || room !== EVERYWHERE) // which every page has
       .map((room) => `${JSON.stringify(room)}: () => import("${name}/${language}/${room}")`)
       .join(",");
   return {
@@ -41,9 +44,14 @@ export function words(): Plugin {
       if (!id.startsWith(`\0${name}/`)) return null;
       const [language = "", room = ""] = id.slice(name.length + 2).split("/");
       this.addWatchFile(join(CATALOGUE, `${language}.ftl`));
-      return `export default ${JSON.stringify(wordsOf(language).get(room))}`;
+      return `export default ${JSON.stringify(read(wordsOf(language).get(room) ?? ""))}`;
     },
   };
+}
+
+/** Each message's pattern, as Fluent's bundle takes it. */
+function read(source: string): Record<string, unknown> {
+  return Object.fromEntries(new FluentResource(source).body.map(({ id, value }) => [id, value]));
 }
 
 /** What the file of a language's room is called: "words-fr-measure". */
@@ -81,11 +89,10 @@ function roomsOf(entries: readonly Written[]): Map<string, Set<string>> {
   };
   const together: string[][] = [];
   const files = sources();
-  const always = reachedFromOutside(files);
+  const roomsOfFile = roomsOfModules(files);
   for (const [file, text] of files) {
-    const room = always.has(file) ? EVERYWHERE : roomOf(file);
     const { said, lists } = keysIn(text, keys);
-    for (const key of said) put(key, room);
+    for (const room of roomsOfFile.get(file) ?? []) for (const key of said) put(key, room);
     together.push(...lists);
   }
   // a list that is read as a whole keeps its order, so it stays together
@@ -107,21 +114,27 @@ function sources(): ReadonlyMap<string, string> {
   return new Map(own.map((file) => [file, readFileSync(join(PAGES, file), "utf8")]));
 }
 
-/** The modules that are there whichever screen is shown: those outside screens, and what these import of them. */
-function reachedFromOutside(files: ReadonlyMap<string, string>): ReadonlySet<string> {
-  const found = new Set<string>();
-  const visit = (file: string): void => {
-    if (found.has(file)) return;
-    found.add(file);
-    for (const [, to = ""] of (files.get(file) ?? "").matchAll(/^(?:import|export)\s+(?!type\b)(?:[^;"]*?from\s+)?"(\.[^"]+)";/gm)) {
-      const path = posix.join(posix.dirname(file), to);
+/** Which rooms' code each module is in: what the app around the screens imports is everywhere, and so is what nobody does. */
+function roomsOfModules(files: ReadonlyMap<string, string>): ReadonlyMap<string, ReadonlySet<string>> {
+  const found = new Map<string, Set<string>>([...files.keys()].map((file) => [file, new Set()]));
+  const visit = (file: string, room: string, imports: RegExp): void => {
+    const rooms = found.get(file);
+    if (!rooms || rooms.has(room) || rooms.has(EVERYWHERE)) return;
+    rooms.add(room);
+    for (const [, first, later] of (files.get(file) ?? "").matchAll(imports)) {
+      const path = posix.join(posix.dirname(file), first ?? later ?? "");
       const module = [`${path}.ts`, `${path}.tsx`, `${path}/index.ts`].find((one) => files.has(one));
-      if (module) visit(module);
+      if (module) visit(module, room, imports);
     }
   };
-  for (const file of files.keys()) if (roomOf(file) === EVERYWHERE) visit(file);
+  for (const file of files.keys()) if (/^(app|core|components|main)\b/.test(file)) visit(file, EVERYWHERE, FIRST);
+  for (const file of files.keys()) if (file.startsWith("screens/")) visit(file, roomOf(file), FIRST_OR_LATE);
+  for (const [file, rooms] of found) if (rooms.has(EVERYWHERE) || rooms.size === 0) found.set(file, new Set([EVERYWHERE]));
   return found;
 }
+
+const FIRST = /^(?:import|export)\s+(?!type\b)(?:[^;"]*?from\s+)?"(\.[^"]+)";/gm;
+const FIRST_OR_LATE = new RegExp(`${FIRST.source}|\\bimport\\("(\\.[^"]+)"\\)`, "gm");
 
 function referredTo(entry: Entry): string[] {
   const within = new Within();

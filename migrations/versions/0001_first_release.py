@@ -29,8 +29,6 @@ WRITTEN_ONCE: dict[str, tuple[str, ...]] = {
     "scan_references": ("vehicle_id", "quantity", "source", "revision"),
     "line_poses": ("scan_id", "revision"),
     "rig_calibrations": ("scan_id", "revision"),
-    "line_heights": ("vehicle_id", "target", "revision"),
-    "line_height_reviews": (),
     "study_results": (),
 }
 # Keys between tables that name each other; SQLite takes them with the table itself.
@@ -809,39 +807,6 @@ def create_tables() -> None:
     )
     op.create_index(op.f("ix_rig_calibrations_survey_id"), "rig_calibrations", ["survey_id"], unique=False)
     op.create_table(
-        "measurement_series",
-        sa.Column("id", sa.Integer(), nullable=False),
-        sa.Column("survey_id", sa.Integer(), nullable=False),
-        sa.Column("recording_id", sa.Integer(), nullable=False),
-        sa.Column("vehicle_id", sa.Integer(), nullable=False),
-        sa.Column("client_key", sa.String(length=36), nullable=False),
-        sa.Column("repeat_of", sa.Integer(), nullable=True),
-        sa.ForeignKeyConstraint(
-            ["recording_id"], ["recordings.id"], name=op.f("fk_measurement_series_recording_id")
-        ),
-        sa.ForeignKeyConstraint(
-            ["repeat_of"], ["measurement_series.id"], name=op.f("fk_measurement_series_repeat_of")
-        ),
-        sa.ForeignKeyConstraint(["survey_id"], ["surveys.id"], name=op.f("fk_measurement_series_survey_id")),
-        sa.ForeignKeyConstraint(
-            ["vehicle_id"], ["vehicles.id"], name=op.f("fk_measurement_series_vehicle_id")
-        ),
-        sa.PrimaryKeyConstraint("id", name=op.f("pk_measurement_series")),
-        sa.UniqueConstraint("client_key", name=op.f("uq_measurement_series_client_key")),
-    )
-    op.create_index(
-        op.f("ix_measurement_series_recording_id"), "measurement_series", ["recording_id"], unique=False
-    )
-    op.create_index(
-        op.f("ix_measurement_series_repeat_of"), "measurement_series", ["repeat_of"], unique=False
-    )
-    op.create_index(
-        op.f("ix_measurement_series_survey_id"), "measurement_series", ["survey_id"], unique=False
-    )
-    op.create_index(
-        op.f("ix_measurement_series_vehicle_id"), "measurement_series", ["vehicle_id"], unique=False
-    )
-    op.create_table(
         "road_poses",
         sa.Column("id", sa.Integer(), nullable=False),
         sa.Column("survey_id", sa.Integer(), nullable=False),
@@ -945,6 +910,54 @@ def create_tables() -> None:
     )
     op.create_index(op.f("ix_scan_vehicles_survey_id"), "scan_vehicles", ["survey_id"], unique=False)
     op.create_table(
+        "measurement_series",
+        sa.Column("id", sa.Integer(), nullable=False),
+        sa.Column("survey_id", sa.Integer(), nullable=False),
+        sa.Column("recording_id", sa.Integer(), nullable=True),
+        sa.Column("vehicle_id", sa.Integer(), nullable=True),
+        sa.Column("scan_id", sa.Integer(), nullable=True),
+        sa.Column("scan_vehicle_id", sa.Integer(), nullable=True),
+        sa.Column("client_key", sa.String(length=36), nullable=False),
+        sa.Column("repeat_of", sa.Integer(), nullable=True),
+        sa.CheckConstraint(
+            "(recording_id IS NULL) = (vehicle_id IS NULL) AND (scan_id IS NULL) = (scan_vehicle_id IS NULL) "
+            "AND (vehicle_id IS NULL) <> (scan_vehicle_id IS NULL)",
+            name=op.f("ck_measurement_series_of_one_vehicle"),
+        ),
+        sa.ForeignKeyConstraint(
+            ["recording_id"], ["recordings.id"], name=op.f("fk_measurement_series_recording_id")
+        ),
+        sa.ForeignKeyConstraint(
+            ["repeat_of"], ["measurement_series.id"], name=op.f("fk_measurement_series_repeat_of")
+        ),
+        sa.ForeignKeyConstraint(["scan_id"], ["scans.id"], name=op.f("fk_measurement_series_scan_id")),
+        sa.ForeignKeyConstraint(
+            ["scan_vehicle_id"], ["scan_vehicles.id"], name=op.f("fk_measurement_series_scan_vehicle_id")
+        ),
+        sa.ForeignKeyConstraint(["survey_id"], ["surveys.id"], name=op.f("fk_measurement_series_survey_id")),
+        sa.ForeignKeyConstraint(
+            ["vehicle_id"], ["vehicles.id"], name=op.f("fk_measurement_series_vehicle_id")
+        ),
+        sa.PrimaryKeyConstraint("id", name=op.f("pk_measurement_series")),
+        sa.UniqueConstraint("client_key", name=op.f("uq_measurement_series_client_key")),
+    )
+    op.create_index(
+        op.f("ix_measurement_series_recording_id"), "measurement_series", ["recording_id"], unique=False
+    )
+    op.create_index(
+        op.f("ix_measurement_series_repeat_of"), "measurement_series", ["repeat_of"], unique=False
+    )
+    op.create_index(op.f("ix_measurement_series_scan_id"), "measurement_series", ["scan_id"], unique=False)
+    op.create_index(
+        op.f("ix_measurement_series_scan_vehicle_id"), "measurement_series", ["scan_vehicle_id"], unique=False
+    )
+    op.create_index(
+        op.f("ix_measurement_series_survey_id"), "measurement_series", ["survey_id"], unique=False
+    )
+    op.create_index(
+        op.f("ix_measurement_series_vehicle_id"), "measurement_series", ["vehicle_id"], unique=False
+    )
+    op.create_table(
         "wheel_pairs",
         sa.Column("id", sa.Integer(), nullable=False),
         sa.Column("survey_id", sa.Integer(), nullable=False),
@@ -1030,114 +1043,15 @@ def create_tables() -> None:
     )
     op.create_index(op.f("ix_computings_survey_id"), "computings", ["survey_id"], unique=False)
     op.create_table(
-        "line_heights",
-        sa.Column("id", sa.Integer(), nullable=False),
-        sa.Column("survey_id", sa.Integer(), nullable=False),
-        sa.Column("scan_id", sa.Integer(), nullable=False),
-        sa.Column("vehicle_id", sa.Integer(), nullable=False),
-        sa.Column("target", sa.String(length=20), nullable=False),
-        sa.Column("revision", sa.Integer(), nullable=False),
-        sa.Column("pose_id", sa.Integer(), nullable=False),
-        sa.Column("contact_line", sa.Float(), nullable=False),
-        sa.Column("contact_row_px", sa.Float(), nullable=False),
-        sa.Column("target_line", sa.Float(), nullable=False),
-        sa.Column("target_row_px", sa.Float(), nullable=False),
-        sa.Column("sigma_px", sa.Float(), nullable=False),
-        sa.Column("inset_m", sa.Float(), nullable=False),
-        sa.Column("u_inset_m", sa.Float(), nullable=False),
-        sa.Column("inset_from", sa.String(length=20), nullable=False),
-        sa.Column("side", sa.String(length=20), nullable=True),
-        sa.Column("distance_m", sa.Float(), nullable=True),
-        sa.Column("u_distance_m", sa.Float(), nullable=True),
-        sa.Column("height_m", sa.Float(), nullable=True),
-        sa.Column("u_height_m", sa.Float(), nullable=True),
-        sa.Column("status", sa.String(length=20), nullable=False),
-        sa.Column("reason", sa.Text(), nullable=True),
-        sa.Column("budget", sa.Text(), nullable=False),
-        sa.Column("warnings", sa.Text(), nullable=False),
-        sa.Column("withdrawn", sa.Boolean(), nullable=False),
-        sa.Column("computing_id", sa.Integer(), nullable=True),
-        sa.Column("verdict_of_id", sa.Integer(), nullable=True),
-        sa.Column("code_version", sa.String(length=60), nullable=False),
-        sa.Column("created_at", sa.DateTime(timezone=True), nullable=False),
-        sa.Column("created_by", sa.Integer(), nullable=True),
-        sa.CheckConstraint(
-            "(status = 'ok' AND height_m IS NOT NULL) OR (status <> 'ok' AND reason IS NOT NULL)",
-            name=op.f("ck_line_heights_height_or_reason"),
-        ),
-        sa.CheckConstraint(
-            "target <> 'driver_eye' OR side IS NOT NULL OR inset_from = 'own'",
-            name=op.f("ck_line_heights_eye_has_side"),
-        ),
-        sa.CheckConstraint("inset_from IN ('usual', 'own')", name=op.f("ck_line_heights_inset_from_known")),
-        sa.CheckConstraint("side IN ('near', 'far')", name=op.f("ck_line_heights_side_known")),
-        sa.CheckConstraint("status IN ('ok', 'not_measurable')", name=op.f("ck_line_heights_status_known")),
-        sa.CheckConstraint(
-            "target IN ('roof', 'driver_eye', 'taillight', 'headlight', 'other')",
-            name=op.f("ck_line_heights_target_known"),
-        ),
-        sa.CheckConstraint("revision >= 1", name=op.f("ck_line_heights_revision_counts")),
-        sa.ForeignKeyConstraint(
-            ["computing_id"], ["computings.id"], name=op.f("fk_line_heights_computing_id")
-        ),
-        sa.ForeignKeyConstraint(["created_by"], ["people.id"], name=op.f("fk_line_heights_created_by")),
-        sa.ForeignKeyConstraint(["pose_id"], ["line_poses.id"], name=op.f("fk_line_heights_pose_id")),
-        sa.ForeignKeyConstraint(["scan_id"], ["scans.id"], name=op.f("fk_line_heights_scan_id")),
-        sa.ForeignKeyConstraint(["survey_id"], ["surveys.id"], name=op.f("fk_line_heights_survey_id")),
-        sa.ForeignKeyConstraint(
-            ["vehicle_id"], ["scan_vehicles.id"], name=op.f("fk_line_heights_vehicle_id")
-        ),
-        sa.ForeignKeyConstraint(
-            ["verdict_of_id"], ["line_heights.id"], name=op.f("fk_line_heights_verdict_of_id")
-        ),
-        sa.PrimaryKeyConstraint("id", name=op.f("pk_line_heights")),
-        sa.UniqueConstraint(
-            "vehicle_id", "target", "revision", name=op.f("uq_line_heights_vehicle_id_target_revision")
-        ),
-    )
-    op.create_index(op.f("ix_line_heights_computing_id"), "line_heights", ["computing_id"], unique=False)
-    op.create_index(op.f("ix_line_heights_scan_id"), "line_heights", ["scan_id"], unique=False)
-    op.create_index(op.f("ix_line_heights_survey_id"), "line_heights", ["survey_id"], unique=False)
-    op.create_table(
-        "line_height_reviews",
-        sa.Column("id", sa.Integer(), nullable=False),
-        sa.Column("survey_id", sa.Integer(), nullable=False),
-        sa.Column("height_id", sa.Integer(), nullable=False),
-        sa.Column("verdict", sa.String(length=20), nullable=False),
-        sa.Column("reason", sa.Text(), nullable=True),
-        sa.Column("created_at", sa.DateTime(timezone=True), nullable=False),
-        sa.Column("created_by", sa.Integer(), nullable=True),
-        sa.CheckConstraint(
-            "verdict <> 'rejected' OR reason IS NOT NULL",
-            name=op.f("ck_line_height_reviews_rejected_has_reason"),
-        ),
-        sa.CheckConstraint(
-            "verdict IN ('accepted', 'rejected', 'reopened')",
-            name=op.f("ck_line_height_reviews_verdict_known"),
-        ),
-        sa.ForeignKeyConstraint(
-            ["created_by"], ["people.id"], name=op.f("fk_line_height_reviews_created_by")
-        ),
-        sa.ForeignKeyConstraint(
-            ["height_id"], ["line_heights.id"], name=op.f("fk_line_height_reviews_height_id")
-        ),
-        sa.ForeignKeyConstraint(["survey_id"], ["surveys.id"], name=op.f("fk_line_height_reviews_survey_id")),
-        sa.PrimaryKeyConstraint("id", name=op.f("pk_line_height_reviews")),
-    )
-    op.create_index("ix_line_height_reviews_height_id", "line_height_reviews", ["height_id"], unique=False)
-    op.create_index(
-        op.f("ix_line_height_reviews_survey_id"), "line_height_reviews", ["survey_id"], unique=False
-    )
-    op.create_table(
         "measurements",
         sa.Column("id", sa.Integer(), nullable=False),
         sa.Column("series_id", sa.Integer(), nullable=False),
         sa.Column("revision", sa.Integer(), nullable=False),
         sa.Column("target", sa.String(length=20), nullable=False),
-        sa.Column("frame", sa.Integer(), nullable=False),
-        sa.Column("pts", sa.BigInteger(), nullable=False),
-        sa.Column("time_s", sa.Float(), nullable=False),
-        sa.Column("frame_crc32", sa.BigInteger(), nullable=False),
+        sa.Column("frame", sa.Integer(), nullable=True),
+        sa.Column("pts", sa.BigInteger(), nullable=True),
+        sa.Column("time_s", sa.Float(), nullable=True),
+        sa.Column("frame_crc32", sa.BigInteger(), nullable=True),
         sa.Column("contact_x_px", sa.Float(), nullable=False),
         sa.Column("contact_y_px", sa.Float(), nullable=False),
         sa.Column("target_x_px", sa.Float(), nullable=False),
@@ -1151,8 +1065,9 @@ def create_tables() -> None:
         sa.Column("proposed_contact_y_px", sa.Float(), nullable=True),
         sa.Column("proposed_target_x_px", sa.Float(), nullable=True),
         sa.Column("proposed_target_y_px", sa.Float(), nullable=True),
-        sa.Column("pose_id", sa.Integer(), nullable=False),
-        sa.Column("calibration_id", sa.Integer(), nullable=False),
+        sa.Column("pose_id", sa.Integer(), nullable=True),
+        sa.Column("calibration_id", sa.Integer(), nullable=True),
+        sa.Column("line_pose_id", sa.Integer(), nullable=True),
         sa.Column("inset_m", sa.Float(), nullable=True),
         sa.Column("u_inset_m", sa.Float(), nullable=True),
         sa.Column("inset_from", sa.String(length=20), nullable=False),
@@ -1165,6 +1080,7 @@ def create_tables() -> None:
         sa.Column("x_m", sa.Float(), nullable=True),
         sa.Column("y_m", sa.Float(), nullable=True),
         sa.Column("distance_m", sa.Float(), nullable=True),
+        sa.Column("u_distance_m", sa.Float(), nullable=True),
         sa.Column("status", sa.String(length=20), nullable=False),
         sa.Column("reason", sa.Text(), nullable=True),
         sa.Column("flags", sa.Text(), nullable=False),
@@ -1198,6 +1114,16 @@ def create_tables() -> None:
             "inset_m IS NOT NULL OR target = 'driver_eye'",
             name=op.f("ck_measurements_inset_of_all_but_eyes"),
         ),
+        sa.CheckConstraint(
+            "line_pose_id IS NULL OR target <> 'driver_eye' OR side IS NOT NULL OR inset_from = 'own'",
+            name=op.f("ck_measurements_eye_of_a_line_has_side"),
+        ),
+        sa.CheckConstraint(
+            "(pose_id IS NULL) <> (line_pose_id IS NULL) AND (pose_id IS NULL) = (calibration_id IS NULL) "
+            "AND (pose_id IS NULL) = (frame IS NULL) AND (pose_id IS NULL) = (pts IS NULL) "
+            "AND (pose_id IS NULL) = (time_s IS NULL) AND (pose_id IS NULL) = (frame_crc32 IS NULL)",
+            name=op.f("ck_measurements_of_a_frame_or_a_line"),
+        ),
         sa.CheckConstraint("revision >= 1", name=op.f("ck_measurements_revision_counts")),
         sa.CheckConstraint("side IN ('near', 'far')", name=op.f("ck_measurements_side_known")),
         sa.CheckConstraint(
@@ -1228,6 +1154,9 @@ def create_tables() -> None:
             ["computing_id"], ["computings.id"], name=op.f("fk_measurements_computing_id")
         ),
         sa.ForeignKeyConstraint(["created_by"], ["people.id"], name=op.f("fk_measurements_created_by")),
+        sa.ForeignKeyConstraint(
+            ["line_pose_id"], ["line_poses.id"], name=op.f("fk_measurements_line_pose_id")
+        ),
         sa.ForeignKeyConstraint(["pose_id"], ["road_poses.id"], name=op.f("fk_measurements_pose_id")),
         sa.ForeignKeyConstraint(
             ["series_id"], ["measurement_series.id"], name=op.f("fk_measurements_series_id")

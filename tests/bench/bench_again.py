@@ -27,7 +27,6 @@ from sightline.measurements.again.query import get_computing
 from sightline.measurements.tables import measurement_series, measurements
 from sightline.poses.store import add_pose
 from sightline.scans.again.service import AllAnswers, changes_to_come, compute_again, undo_computing
-from sightline.scans.heights.tables import line_heights
 from sightline.scans.tables import scan_vehicles
 from sightline.vehicles.tables import vehicles
 from tests.bench.bench_storage import fresh
@@ -109,16 +108,20 @@ def filled_lines(factory: SessionFactory) -> Sample:
         scans_samples.tall(session, one, made.vehicle_id, first)
         of_scan = scan_vehicles.c.scan_id == made.scan_id
         car = dict(session.execute(select(scan_vehicles).where(of_scan)).mappings().one())
-        of_car = line_heights.c.vehicle_id == made.vehicle_id
-        template = dict(session.execute(select(line_heights).where(of_car)).mappings().one())
+        series = measurement_series.c.scan_vehicle_id == made.vehicle_id
+        place = dict(session.execute(select(measurement_series).where(series)).mappings().one())
+        of_car = measurements.c.series_id == place.pop("id")
+        template = dict(session.execute(select(measurements).where(of_car)).mappings().one())
         ids = range(10 + made.vehicle_id, 10 + made.vehicle_id + HEIGHTS)
         session.execute(insert(scan_vehicles), [{**car, "id": id_, "number": id_} for id_ in ids])
         template.pop("id")
-        row_px = template["contact_row_px"]
+        row_px = template["contact_y_px"]
+        of_cars = [{**place, "id": id_, "scan_vehicle_id": id_, "client_key": f"scan {id_}"} for id_ in ids]
+        session.execute(insert(measurement_series), of_cars)
         revisions = [
-            {**template, "vehicle_id": id_, "contact_row_px": row_px + n * 1e-3} for n, id_ in enumerate(ids)
+            {**template, "series_id": id_, "contact_y_px": row_px + n * 1e-3} for n, id_ in enumerate(ids)
         ]
-        session.execute(insert(line_heights), revisions)
+        session.execute(insert(measurements), revisions)
         scans_samples.rod(session, one, made.scan_id, 1)
     return one
 

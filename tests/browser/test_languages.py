@@ -4,8 +4,8 @@ The made-up language is English with accents, a third longer, each text in brack
 outside brackets is in no catalogue, whatever the language: a sentence that code wrote.
 """
 
-import json
 import re
+import subprocess
 from collections.abc import Iterator
 from functools import cache
 from pathlib import Path
@@ -25,6 +25,7 @@ from .test_screens import AXE, SCREENS, SIZES, findings, look_at, note, open_scr
 __all__ = ["places"]  # a fixture of every screen's
 
 FOLDER = Path(messages.__file__).parent
+FRONTEND = Path(__file__).resolve().parents[2] / "frontend"
 LEAST_SAID = 9  # letters of a sentence of the server's own, which tell it from any words
 ANY = "\x00"  # stands for a value in a sentence
 TAG = re.compile(r"(</?[a-z]+>)")
@@ -129,10 +130,27 @@ def made_up_language() -> str:
     return str(FluentSerializer().serialize(_Bracketed().visit(parsed)))
 
 
+@cache
+def made_up_words() -> str:
+    """The made-up language as the pages fetch words: each message's pattern, read by Fluent itself."""
+    node = ["node", "--input-type=module", "--eval", _READ]
+    read = subprocess.run(
+        node, input=made_up_language(), cwd=FRONTEND, text=True, capture_output=True, check=True
+    )
+    return f"export default {read.stdout};"
+
+
+_READ = """
+import { FluentResource } from "@fluent/bundle";
+import { readFileSync } from "node:fs";
+const { body } = new FluentResource(readFileSync(0, "utf8"));
+process.stdout.write(JSON.stringify(Object.fromEntries(body.map(({ id, value }) => [id, value]))));
+"""
+
+
 def speak_made_up(route: Route) -> None:
     """In the place of the French files, which the pages ask for by themselves."""
-    body = f"export default {json.dumps(made_up_language())};"
-    route.fulfill(body=body, content_type="text/javascript")
+    route.fulfill(body=made_up_words(), content_type="text/javascript")
 
 
 # -- what stands on a screen --

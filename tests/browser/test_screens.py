@@ -45,7 +45,7 @@ SCREENS = {
     "lots": ("/surveys/{survey}/lots", "[data-testid=lots-draw]"),
     "settings": ("/surveys/{survey}/settings", "[data-testid=sample]"),
     "history": ("/surveys/{survey}/history", "main table"),
-    "repeats": ("/surveys/{survey}/repeats", "[data-testid=repeats-figure] svg"),
+    "repeats": ("/surveys/{survey}/repeats", "[data-testid=figure-repeats] svg"),
     "click-again": ("/surveys/{survey}/repeats/click?of=all", "[data-testid=again-progress]"),
     "scans": ("/surveys/{survey}/scans", "article.scan-card img"),
     "scan-results": ("/surveys/{survey}/scans/results", "[data-testid=figure-scan-speed] svg"),

@@ -10,7 +10,7 @@ from collections.abc import Callable
 
 from playwright.sync_api import BrowserContext, Page
 
-from .walking import Shown, arrived, asked_by, begin, path_of, same, shown, there_and_back, walking
+from .walking import Shown, asked_by, back_from, begin, path_of, shown, there_and_loaded, walking
 
 LINKS = """() => [...document.querySelectorAll("a[href^='/']")]
   .filter((link) => link.checkVisibility() && !link.download && !link.target)
@@ -72,17 +72,12 @@ class Walk:
         for link in dict.fromkeys(self.walker.evaluate(LINKS)):
             if not self.is_to_walk(here, link):
                 continue
-            step = first(self.walker, link)
-            there = there_and_back(self.walker, start, step, link)
+            there = there_and_loaded(self.walker, start, first(self.walker, link), link)
             assert asked_by(link) <= asked_by(there.address), f"{link} leads to {there.address}"
-            if link in self.known:
-                continue
-            self.known.add(link)
-            step()
-            same(self.walker, arrived(self.walker, start), there, f"{link} once more")
-            self.go_on_from(link, there)
-            self.walker.go_back()
-            same(self.walker, arrived(self.walker, there), start, f"back from the links of {link}")
+            if link not in self.known:
+                self.known.add(link)
+                self.go_on_from(link, there)
+            back_from(self.walker, start, there, link)
 
 
 def test_every_link_forth_and_back_shows_what_a_reload_shows(context: BrowserContext) -> None:

@@ -174,17 +174,27 @@ def lines_of(page: Shown) -> list[str]:
 
 def there_and_back(page: Page, start: Shown, step: Callable[[], None], name: str) -> Shown:
     """Take a step, go back and forth, reload, go back: the same each time. What is shown after the step."""
+    there = there_and_loaded(page, start, step, name)
+    back_from(page, start, there, name)
+    return there
+
+
+def there_and_loaded(page: Page, start: Shown, step: Callable[[], None], name: str) -> Shown:
+    """Take a step, go back and forth, reload: the same each time. What is shown; the page stays there."""
     step()
     there = arrived(page, start, twice=True)
-    page.go_back()
-    same(page, arrived(page, there), start, f"back from {name}")
+    back_from(page, start, there, name)
     page.go_forward()
     same(page, arrived(page, start), there, f"forward to {name}")
     page.reload()
     same(page, shown(page), there, f"reload of {name}")
-    page.go_back()
-    same(page, arrived(page, there), start, f"back from {name}, loaded anew")
     return there
+
+
+def back_from(page: Page, start: Shown, there: Shown, name: str) -> None:
+    """Go back to where a step began: the same as before it."""
+    page.go_back()
+    same(page, arrived(page, there), start, f"back from {name}")
 
 
 def asked_by(address: str) -> set[tuple[str, str]]:

@@ -56,8 +56,9 @@ def built(
     made = viewer.seen(f"/surveys/{ground.survey_id}/exports")[0]
     with zipfile.ZipFile(io.BytesIO(viewer.http.get(made["url"]).content)) as archive:
         archive.extractall(place)
-    nothing = {"lighting": None, "class_sets": [], "categories": [], "filmed_from": None, "filmed_to": None}
-    assert made["selection"] == {**nothing, **chosen}
+    no_words: dict[str, object] = {"lighting": None, "class_sets": [], "categories": []}
+    any_time = dict.fromkeys(("filmed_from", "filmed_to", "hour_from", "hour_to"))
+    assert made["selection"] == {**no_words, **any_time, **chosen}
     return place
 
 
@@ -215,12 +216,20 @@ def test_a_package_of_days_of_filming(
         return count
 
     assert (counted(""), counted("filmed_from=2026-05-03"), counted("filmed_to=2026-05-05")) == (3, 0, 0)
+    asked = f"/statistics?survey={ground.survey_id}&hour_from=7"
+    assert viewer.seen(asked)["counted"]["without_time"] == 3
     answer = operator.put(f"/recordings/{ground.recording_id}", {"start": start})
     assert answer.status_code == 200, answer.text
     assert (counted("filmed_from=2026-05-04"), counted("filmed_to=2026-05-03")) == (1, 2)
     assert counted("filmed_from=2026-05-03&filmed_to=2026-05-04") == 3
+    by_hour = ("hour_from=23", "hour_to=1", "hour_from=22&hour_to=1", "hour_from=1&hour_to=23", "hour_to=24")
+    assert [counted(one) for one in by_hour] == [2, 1, 3, 0, 3]
+    assert counted("filmed_to=2026-05-03&hour_to=1") == 0
+    assert viewer.seen(asked)["counted"]["without_time"] == 0
     refused = viewer.get("/statistics?filmed_from=2026-05-04&filmed_to=2026-05-03")
     assert refused.status_code == 422
+    for wrong in ("hour_from=7&hour_to=7", "hour_from=24", "hour_to=0"):
+        assert viewer.get(f"/statistics?{wrong}").status_code == 422
 
     place = built(viewer, ground, work, tmp_path / "day", {"filmed_from": "2026-05-04"})
     found = {row["id"]: row["filmed_at"] for row in rows(place, "vehicles.csv")}

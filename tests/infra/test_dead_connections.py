@@ -40,6 +40,7 @@ def through(relay: Relay, database_url: str, monkeypatch: pytest.MonkeyPatch) ->
     """An engine that reaches the database by the relay, and waits a second for an answer."""
     for name in ("PING_S", "READ_S", "SHORT_WRITE_S", "LONG_WRITE_S"):
         monkeypatch.setattr(postgres, name, 1.0)
+    monkeypatch.setattr(postgres, "HEARD_S", 0.0)
     monkeypatch.setattr(postgres.LimitedConnection, "answer_s", 1.0)
     monkeypatch.setattr(database, "SHORT_IDLE_S", 1.0)
     monkeypatch.setattr(database, "LONG_IDLE_S", 1.0)

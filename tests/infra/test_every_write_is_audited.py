@@ -427,7 +427,7 @@ WRITES: dict[str, tuple[Write, Callable[[Session, Sample, Any], Any]]] = {
             s, o.survey.id, o.olga.id, sigma_px=0.6, pairs=12, actor=o.rene.id
         ),
     ),
-    "add_review": (lambda s, o: samples.measure(s, o), _review),
+    "give_verdict": (lambda s, o: samples.measure(s, o), _review),
     "add_export": (
         lambda s, o: None,
         lambda s, o, _: add_export(
@@ -501,7 +501,7 @@ NO_EVENT = {
     "state_filming_rate": "writes an event, before the one of restart_ingest",
     "append_measurement_revision": "writes an event; part of revise, withdraw, restore and reviews.add",
     "append_computed_again": "writes an event of each, after the one of add_computing",
-    "append_line_heights_again": "writes an event of each, after the one of add_computing",
+    "append_revision": "writes an event; part of adding, revising, withdrawing and restoring",
     "record": "is the event",
     "held": "begins a chain; part of record",
     "record_many": "is the events",

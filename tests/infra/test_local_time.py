@@ -1,13 +1,13 @@
 """Instants by the clocks of a place: gaps, hours that come twice, unknown zones."""
 
-from datetime import UTC, datetime
+from datetime import UTC, datetime, timedelta
 
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
 from sightline.errors import BadInput
-from sightline.infra.local_time import instant_of, local_day, local_text
+from sightline.infra.local_time import instant_of, local_text, local_us
 
 PARIS = "Europe/Paris"
 
@@ -67,4 +67,5 @@ def test_what_is_shown_is_read_back(moment: datetime, zone: str) -> None:
     text = local_text(at, zone)
     assert datetime.fromisoformat(text) == at
     assert instant_of(text, zone) == at
-    assert local_day(at, zone) == (datetime.fromisoformat(text[:10]) - datetime(1970, 1, 1)).days
+    shown = datetime.fromisoformat(text).replace(tzinfo=None)
+    assert local_us(at, zone) == (shown - datetime(1970, 1, 1)) // timedelta(microseconds=1)

@@ -44,7 +44,7 @@ from sightline.quality.checks.store import add_wheel_pair
 from sightline.recordings.store import remove_recording
 from sightline.reviews.lots.store import add_decision
 from sightline.reviews.store import add_review
-from sightline.scans.heights.review_store import add_line_height_review
+from sightline.scans.heights.service import review_scan_height
 from sightline.scans.vehicles.review_store import add_scan_review
 from sightline.settings import Settings
 from sightline.surveys.photographs.store import order_photographs
@@ -75,8 +75,6 @@ WRITTEN_ONCE = (
     "scan_references",
     "line_poses",
     "rig_calibrations",
-    "line_heights",
-    "line_height_reviews",
     "study_results",
 )
 
@@ -100,13 +98,14 @@ def _fill(url: str) -> None:
             samples.photograph(session, one, f"{n}.jpg")
         order_photographs(session, one.survey.id, [2, 1], actor=one.olga.id)
         scanned = scans_samples.measured(session, one)
+        scans_samples.vehicle(session, one)
         scans_samples.run(session, one, scanned.scan_id)
         add_scan_review(session, scanned.id, verdict="accepted", actor=one.rene.id)
         scans_samples.reference(session, one, scanned.vehicle_id)
         scans_samples.calibrated_rig(session, one, scanned.scan_id)
         rod = scans_samples.rod(session, one, scanned.scan_id)
         height = scans_samples.tall(session, one, scanned.vehicle_id, rod)
-        add_line_height_review(session, height.id, verdict="accepted", actor=one.rene.id)
+        review_scan_height(session, height.id, revision=1, verdict="accepted", actor=one.rene.id)
         samples.study_result(session, one)
     engine.dispose()
 
@@ -304,12 +303,12 @@ TAMPERED: dict[str, tuple[tuple[str, ...], str]] = {
         "reference value of a scanned vehicle 1 is not",
     ),
     "a height in a line scan": (
-        ("UPDATE line_heights SET height_m = 1.41 WHERE id = 1",),
-        "scanned vehicle's height 1 is not",
+        ("UPDATE measurements SET height_m = 1.41 WHERE line_pose_id IS NOT NULL",),
+        "measurement revision 3 is not",
     ),
-    "a verdict on a height in a line scan": (
-        ("UPDATE line_height_reviews SET verdict = 'reopened' WHERE id = 1",),
-        "review of a scanned vehicle's height 1 is not",
+    "the vehicle of a height in a line scan": (
+        ("UPDATE measurement_series SET scan_vehicle_id = 2 WHERE scan_vehicle_id IS NOT NULL",),
+        "measurement 3 is not",
     ),
     "another vehicle": (
         ("UPDATE measurement_series SET vehicle_id = 2 WHERE id = 1",),

@@ -5,6 +5,7 @@ import pytest
 
 from sightline.enums import ScanMethod
 from sightline.linescan.by_hand import Read, passage_at
+from sightline.linescan.finding import Finder
 from sightline.linescan.methods import MEASURE
 from sightline.linescan.parts import Motion, Pixels
 from tests.linescan.scenes import RIG, found, plain, plain_found
@@ -51,3 +52,25 @@ def test_a_vehicle_that_is_marked_is_the_same_in_16_bits() -> None:
         return MEASURE["direct"](passage_at(crossings, RIG, strips[0].shape[1], (first, second)), RIG)
 
     assert numbers(marked(in_16_bits(256))) == pytest.approx(numbers(marked(plain())), rel=1e-9)
+
+
+def test_a_dark_vehicle_of_a_12_bit_camera_is_on_the_scale_of_its_strip() -> None:
+    """Its own brightest pixel would tell a camera of 10 bits."""
+    crossings = plain_found()[0][0].crossings
+    strips = [
+        np.uint16(3) * (strip // 2).astype(np.uint16) for strip in plain()
+    ]  # up to 381: "10 bits" alone
+    reads = read_of(strips[0]), read_of(strips[1])
+    alone, told = (passage_at(crossings, RIG, strips[0].shape[1], reads, bits) for bits in (8, 12))
+    assert [int(one.first.max()) for one in (alone, told)] == [
+        int(strips[0][alone.start_1 :][: len(alone.first)].max()) >> drop for drop in (2, 4)
+    ]
+    assert told.noise_dn == pytest.approx(alone.noise_dn / 4)
+    seen = Finder(strips[0].shape[1], RIG)
+    seen.push(strips[0][:64], strips[1][:64])
+    assert seen.bits == 10
+    bright = strips[0][64:128].copy()
+    bright[0, 0] = 3000
+    seen.push(bright, strips[1][64:128])
+    seen.push(strips[0][128:192], strips[1][128:192])
+    assert seen.bits == 12

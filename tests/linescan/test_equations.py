@@ -5,6 +5,7 @@ from dataclasses import replace
 import pytest
 
 from sightline.linescan.equations import corrected, printed, solve_crossings
+from sightline.linescan.finding import STOPPED
 from sightline.linescan.gaps import gaps
 from sightline.linescan.parts import Crossings, Entry, Motion, Rig
 from sightline.linescan.planner import line_rate_for, speed_error
@@ -113,7 +114,7 @@ def test_an_end_is_known_to_so_many_metres_so_a_slow_vehicles_gap_is_less_sure()
 def test_a_gap_that_cannot_be_known_has_its_reason() -> None:
     rig = Rig(BASELINE_M, RATE_HZ)
     ahead, behind = crossings(9.0, 0.0, 4.2), crossings(9.0, 0.0, 4.2, start=60_000.0)
-    none = Motion("direct", ahead, "not_measurable", "It stopped in view.")
+    none = Motion("direct", ahead, "not_measurable", STOPPED)
     after = motion(behind, 9.0, 0.0, 4.2)
     gap = gaps([(ahead, none), (behind, after)], rig)[1]
     assert gap.time_gap_s is not None and gap.distance_gap_m is None and "motion" in str(gap.reason)

@@ -107,7 +107,7 @@ def test_an_unknown_lane_is_said_and_its_u_holds_for_all() -> None:
     vehicles = list(measured(passages, lost, "direct"))
     for one, truth in zip(vehicles, true, strict=True):
         motion = one.motion
-        assert motion.lane is None and "The lane is not known" in motion.warnings[-1]
+        assert motion.lane is None and "The lane is not known" in str(motion.warnings[-1])
         assert motion.speed_mps is not None and motion.u_speed_mps is not None
         assert abs(motion.speed_mps - truth.vehicle.speed_mps) < 1.96 * motion.u_speed_mps
     assert {one.gap.reason for one in vehicles} == {LANE_UNKNOWN}

@@ -110,4 +110,4 @@ def test_rows_that_no_road_point_has_give_a_reason() -> None:
     assert "not above" in str(line_height(pose, row_of(3.0, 0.0), row_of(2.0, 0.0)).reason)
     assert "number" in str(line_height(pose, float("nan"), 10.0).reason)
     outside = line_height(pose, row_of(3.0, 0.0), row_of(3.0, 3.0))
-    assert outside.status == "ok" and "extrapolated" in outside.warnings[0]
+    assert outside.status == "ok" and outside.flags[0].code == "line-height-extrapolated"

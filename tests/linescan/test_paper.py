@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from sightline.linescan.finding import STOPPED
 from sightline.linescan.matching import match_blocks
 from sightline.linescan.paper import measure_paper
 from sightline.linescan.parts import Crossings, Motion, Passage, Rig
@@ -106,5 +107,5 @@ def test_what_cannot_be_measured_has_a_reason(measured: list[tuple[ScanTruth, Mo
     flat = np.full((int(truth.rear_line_2) + 300, 64), 100, np.uint8)
     empty = measure_paper(passage_of(truth, flat, flat), rig)
     assert empty.status == "not_measurable" and "Too few blocks" in str(empty.reason)
-    told = measure_paper(passage_of(truth, flat, flat, reason="It stopped in view."), rig)
-    assert told.reason == "It stopped in view." and told.speed_mps is None
+    told = measure_paper(passage_of(truth, flat, flat, reason=STOPPED), rig)
+    assert told.reason == STOPPED and told.speed_mps is None

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from sightline.errors import BadInput
+from sightline.linescan.finding import STOPPED
 from sightline.linescan.parts import Crossings, Motion, Rig
 from sightline.linescan.rig import baseline_ratio, gain, misalignment, require_rig, wheelbase
 
@@ -70,8 +71,8 @@ def test_a_wheelbase_is_what_the_motion_covers_between_the_hubs() -> None:
 
 
 def test_clicks_that_give_no_wheelbase_have_a_reason() -> None:
-    none = Motion("direct", Crossings(0, 1, 2, 3), "not_measurable", "It stopped in view.")
-    assert wheelbase(none, RIG, 1, 2).reason == "It stopped in view."
+    none = Motion("direct", Crossings(0, 1, 2, 3), "not_measurable", STOPPED)
+    assert wheelbase(none, RIG, 1, 2).reason == STOPPED
     moving = motion(speed_mps=10.0, acceleration_mps2=-4.0)
     assert "different wheels" in str(wheelbase(moving, RIG, 1500, 1500).reason)
     assert "at rest" in str(wheelbase(moving, RIG, 1500, 1000 + 4882.8 * 3).reason)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from math import sqrt
 
 import numpy as np
@@ -9,7 +10,16 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from sightline.linescan.traffic import MINUTES, Passed, intervals, mean_speeds, poisson_interval
+from sightline.enums import ScanDirection
+from sightline.linescan.traffic import (
+    MINUTES,
+    Passed,
+    headways_s,
+    intervals,
+    mean_speeds,
+    poisson_interval,
+    streams_of,
+)
 
 VEHICLE = st.tuples(
     st.floats(0, 7199), st.floats(0.05, 9), st.floats(2.5, 40), st.floats(2, 20), st.booleans()
@@ -40,7 +50,9 @@ def test_nothing_is_lost_and_nothing_counted_twice(
         assert one.flow_low <= one.flow_per_hour <= one.flow_high
         time_mean, space_mean = one.time_mean_speed_mps.value, one.space_mean_speed_mps.value
         assert (
-            (time_mean is None) == (one.measured == 0) == bool("an accepted speed" in " ".join(one.reasons))
+            (time_mean is None)
+            == (one.measured == 0)
+            == bool("an accepted speed" in " ".join(map(str, one.reasons)))
         )
         if time_mean is not None and space_mean is not None:
             assert space_mean <= time_mean * (1 + 1e-12)
@@ -50,6 +62,27 @@ def test_nothing_is_lost_and_nothing_counted_twice(
     assert sum(one.watched_s for one in found) == pytest.approx(
         max([7200.0, *(one.since_s + one.occupied_s for one in passed)])
     )
+
+
+@dataclass(frozen=True)
+class Came:
+    since_s: float | None
+    direction: ScanDirection | None = "camera_1_first"
+    lane: str | None = None
+
+
+def test_a_vehicle_without_a_direction_follows_those_of_the_first_stream() -> None:
+    """Headways of vehicles and intervals are of the same streams."""
+    near, nowhere, other = Came(9.0), Came(4.0, None), Came(5.0, "camera_2_first")
+    never, first = Came(None, None), Came(1.0)
+    found = streams_of([near, other, never, nowhere, first])
+    assert found == {
+        ("camera_1_first", None): [first, nowhere, near, never],
+        ("camera_2_first", None): [other],
+    }
+    assert streams_of([other, nowhere]) == {("camera_2_first", None): [nowhere, other]}
+    assert streams_of([never]) == {("camera_1_first", None): [never]}
+    assert (headways_s([1.0, 4.0, 9.0]), headways_s([])) == ([None, 3.0, 5.0], [])
 
 
 def test_figures_of_a_steady_stream() -> None:
@@ -117,7 +150,7 @@ def test_vehicles_near_an_edge_or_a_limit_are_counted() -> None:
     assert [(kind.vehicles, kind.near_limit) for kind in first.classes] == [(0, 0), (1, 1), (0, 0), (0, 0)]
     # beside a standing vehicle another passes: time is occupied once, and how well is not known
     assert second.occupancy_percent.value == pytest.approx(100 * (0.19 + 30.0) / 60)
-    assert second.occupancy_percent.u is None and "1 of the vehicles" in second.reasons[0]
+    assert second.occupancy_percent.u is None and "1 of the vehicles" in str(second.reasons[0])
     assert second.unclassed == 1
 
 

@@ -267,6 +267,7 @@ def test_empty_one_and_few_have_reasons(viewer: Client, services: Services) -> N
         "with_reference": 0,
         "by_size": 0,
         "without_class": 0,
+        "without_time": 0,
         "left_out": {"to_review": 1},
     }
     found = viewer.seen(f"/statistics?state=all&survey={one.survey.id}&survey={second.id}")

@@ -293,10 +293,15 @@ def test_a_package_tells_which_verdicts_are_by_lot_and_what_is_forged_is_found(p
         and "not reviewed individually in 1 accepted" in report
     )
     for name, column, value, said in (
-        ("lots.csv", "seed", "0" * 64, "lots.csv: lot 1 differs from its audit events"),
-        ("lots.csv", "acceptance_number", "3", "lots.csv: lot 1 differs from its audit events"),
-        ("lots.csv", "nonconforming", "2", "lots.csv: lot 1 differs from its audit events"),
-        ("lot_items.csv", "role", "left", "lot_items.csv: place"),
+        ("lots.csv", "seed", "0" * 64, "lots.csv: seed of row 1 differs from its audit events"),
+        (
+            "lots.csv",
+            "acceptance_number",
+            "3",
+            "lots.csv: acceptance_number of row 1 differs from its audit events",
+        ),
+        ("lots.csv", "nonconforming", "2", "lots.csv: nonconforming of row 1 differs from its audit events"),
+        ("lot_items.csv", "role", "left", "lot_items.csv: role of row"),
         ("measurements.csv", "verdict_by", "individual", "verdict on"),
         ("reviews.csv", "lot_id", "2", "differs from its audit event"),
     ):

@@ -69,7 +69,8 @@ def now(client: Client, one: dict[str, Any]) -> dict[str, Any]:
 
 
 def judge(client: Client, one: dict[str, Any], verdict: str, **more: Any) -> None:
-    client.made(f"/line-heights/{one['id']}/review", {"verdict": verdict, **more})
+    body = {"revision": one["revision"], "verdict": verdict, **more}
+    client.made(f"/line-heights/{one['id']}/review", body)
 
 
 def say_inset(client: Client, survey_id: int, inset_m: float, name: str = "roof_unknown") -> None:
@@ -137,11 +138,7 @@ def test_another_inset_is_computed_as_new_revisions_old_beside_new(
     assert after["height_m"] == pytest.approx(expected_m(LARGE), abs=1e-6)
     assert after["computing_id"] == result["computing_id"] and now(operator, own)["revision"] == 1
     (row,) = viewer.seen(f"/computings/{result['computing_id']}")["listed"]
-    assert (row["line_height_id"], row["scan_id"], row["measurement_id"]) == (
-        after["id"],
-        vehicle.scan_id,
-        None,
-    )
+    assert (row["scan_id"], row["measurement_id"]) == (vehicle.scan_id, after["id"])
     assert (row["height_before_m"], row["height_m"]) == (usual["height_m"], after["height_m"])
     assert row["moved_by_u"] == pytest.approx(abs(row["change_m"]) / usual["u_height_m"])
     assert row["distance_m"] == pytest.approx(DISTANCE_M, abs=1e-6) and row["y_m"] is None
@@ -228,7 +225,8 @@ def test_whoever_computes_again_may_review_what_others_clicked(
     mine = click(reviewer, vehicle.vehicle_id, target="taillight")
     operator.put(f"/scans/{vehicle.scan_id}/line-pose", rod(1, scale=1.05))
     again(reviewer, vehicle.survey_id, work)
-    own = reviewer.post(f"/line-heights/{now(reviewer, mine)['id']}/review", {"verdict": "accepted"})
+    verdict = {"revision": now(reviewer, mine)["revision"], "verdict": "accepted"}
+    own = reviewer.post(f"/line-heights/{mine['id']}/review", verdict)
     assert own.status_code == 403
     judge(reviewer, now(reviewer, theirs), "accepted")
 
@@ -344,20 +342,20 @@ def test_the_package_marks_lines_heights_that_are_out_of_date_and_a_forged_mark_
         assert found.ok, found.problem
         return {int(row["id"]): row["out_of_date"] for row in rows(place, "line_heights.csv")}
 
-    assert marked("before") == {roof["id"]: "", own["id"]: ""}
+    assert marked("before") == {roof["revision_id"]: "", own["revision_id"]: ""}
     say_inset(operator, vehicle.survey_id, LARGE)
-    assert marked("inset") == {roof["id"]: "inset", own["id"]: ""}
+    assert marked("inset") == {roof["revision_id"]: "inset", own["revision_id"]: ""}
     operator.put(f"/scans/{vehicle.scan_id}/line-pose", rod(1, scale=1.02))
-    assert marked("rod") == {roof["id"]: "pose; inset", own["id"]: "pose"}
+    assert marked("rod") == {roof["revision_id"]: "pose; inset", own["revision_id"]: "pose"}
     assert stale_of(operator, vehicle.survey_id)["in_line_scans"] == 2
     again(operator, vehicle.survey_id, work)
     assert set(marked("again").values()) == {""}
     place = tmp_path / "rod"
-    edit(place, "line_heights.csv", lambda row: row["id"] == str(own["id"]), out_of_date="")
+    edit(place, "line_heights.csv", lambda row: row["id"] == str(own["revision_id"]), out_of_date="")
     rederive(place)
     told = verify_package(FolderFiles(place))
     assert told.problem is not None
-    assert told.problem.startswith(f"line_heights.csv: the out-of-date mark of {own['id']}")
+    assert told.problem.startswith(f"line_heights.csv: the out-of-date mark of {own['revision_id']}")
 
 
 def _a_verdict_goes_over(place: Path) -> str:

@@ -7,6 +7,7 @@ import pytest
 
 from sightline.infra.services import Services
 from sightline.linescan.clock import u_passing_s
+from sightline.linescan.finding import CUT
 from sightline.scans.records import StripSource
 from sightline.scans.store import create_scan, note_scan_read
 from sightline.scans.vehicles.measurement_store import append_scan_measurement
@@ -42,7 +43,7 @@ def scan_id(services: Services, survey_id: int) -> int:
         note_scan_read(session, made.id, scans_samples.facts(), actor=None)
         for values in (
             scans_samples.values(),
-            scans_samples.values(**later, status="not_measurable", reason="Dark.", **nothing),
+            scans_samples.values(**later, status="not_measurable", reason=CUT, **nothing),
         ):
             one = create_scan_vehicle(session, made.id, origin="found", actor=None)
             append_scan_measurement(session, one.id, values, actor=None)
@@ -77,6 +78,31 @@ def test_a_confirmed_start_gives_each_vehicle_its_time(
     )
     assert taken_back.json()["started_local"] is None
     assert all(one["filmed_at"] is None for one in viewer.seen(f"{address}/vehicles"))
+
+
+def test_days_and_hours_of_filming_hold_for_scanned_vehicles(
+    operator: Client, viewer: Client, survey_id: int, scan_id: int
+) -> None:
+    """One vehicle of 08:10 and one of 10:56; without a start both are left out, and counted."""
+    address = f"/surveys/{survey_id}"
+
+    def counted(query: str) -> tuple[int, int]:
+        told = viewer.seen(f"{address}/scan-statistics?accepted_only=false&{query}")["counted"]
+        return told["vehicles"], told["without_time"]
+
+    def begins(query: str) -> list[tuple[str, int]]:
+        (told,) = viewer.seen(f"{address}/scan-traffic?minutes=60&{query}")["scans"]
+        return [(one["begins_at"][:16], one["vehicles"]) for one in told["intervals"]]
+
+    assert (counted(""), counted("hour_from=8"), counted("filmed_to=2026-05-03")) == ((2, 0), (0, 2), (0, 2))
+    body = {"version": viewer.seen(f"/scans/{scan_id}")["version"], "start": START}
+    assert operator.http.patch(f"/api/scans/{scan_id}", json=body).status_code == 200
+    asked = ("hour_from=8&hour_to=9", "hour_from=9", "hour_from=20&hour_to=9", "filmed_from=2026-05-04")
+    assert [counted(one) for one in asked] == [(1, 0), (1, 0), (1, 0), (0, 0)]
+    every = [("2026-05-03T08:10", 1), ("2026-05-03T09:00", 0), ("2026-05-03T10:00", 1)]
+    every.append(("2026-05-03T11:00", 0))
+    assert [begins(one) for one in ("", *asked)] == [every, every[:1], every[1:], every[:1], []]
+    assert viewer.get(f"{address}/scan-traffic?hour_from=9&hour_to=9").status_code == 422
 
 
 @pytest.mark.parametrize(

@@ -4,6 +4,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from httpx2 import Response
 
 from sightline.infra.services import Services
 from sightline.scans.records import ScanMeasurement
@@ -32,6 +33,12 @@ def clicks(distance_m: float = 3.0, height_m: float = 1.45, **changed: Any) -> d
     contact = {"contact_line": 1400.0, "contact_row_px": row_of(distance_m, 0.0)}
     point = {"target_line": 1600.0, "target_row_px": row_of(distance_m + 0.3, height_m)}
     return {"target": "roof", **contact, **point, **changed}
+
+
+def accept(client: Client, one: dict[str, Any]) -> Response:
+    """The answer to accepting this revision."""
+    seen = {"revision": one["revision"], "verdict": "accepted"}
+    return client.post(f"/line-heights/{one['id']}/review", seen)
 
 
 @pytest.fixture
@@ -66,7 +73,7 @@ def test_from_the_rod_to_a_height_and_back(
     live = viewer.made(f"{scan}/line-height", clicks())
     made = operator.made(heights, {**clicks(), "revision": 0})
     assert made["height_m"] == pytest.approx(1.45, abs=1e-6) and made["inset_m"] == 0.3
-    shared = ("height_m", "u_height_m", "U95_height_m", "distance_m", "U95_distance_m", "budget", "warnings")
+    shared = ("height_m", "u_height_m", "U95_height_m", "distance_m", "U95_distance_m", "budget", "flags")
     assert {name: made[name] for name in shared} == {name: live[name] for name in shared}
     assert sum(one["u_m"] ** 2 for one in made["budget"]) == pytest.approx(made["u_height_m"] ** 2)
 
@@ -80,7 +87,7 @@ def test_from_the_rod_to_a_height_and_back(
     assert operator.delete(heights, params={"target": "roof", "revision": 3}).status_code == 409
     assert [one["withdrawn"] for one in viewer.seen(heights)] == [False, False, True]
     beside = operator.made(heights, {**clicks(contact_line=3000.0), "revision": 3})
-    assert "outside the vehicle" in beside["warnings"][0]
+    assert beside["flags"][0]["code"] == "line-height-beside-vehicle"
     kept = operator.delete(scan)
     assert kept.status_code == 409 and "worked on" in error_of(kept)
 
@@ -93,45 +100,48 @@ def test_a_height_is_reviewed_by_somebody_else(
     operator.put(f"{scan}/line-pose", rod())
     first = reviewer.made(heights, {**clicks(), "revision": 0})
     assert (first["review"]["verdict"], first["mine"]) == ("to_review", True)
-    own = reviewer.post(f"/line-heights/{first['id']}/review", {"verdict": "accepted"})
-    assert own.status_code == 403 and "you clicked or computed" in error_of(own)
+    own = accept(reviewer, first)
+    assert own.status_code == 403 and "your own measurement" in error_of(own)
     # computed again with another rod by the operator: the reviewer's clicks all the same
     operator.put(f"{scan}/line-pose", rod(1, u_distance_m=0.02))
     again = operator.made(heights, {**clicks(), "revision": 1})
     assert reviewer.seen(f"{scan}/heights")[0]["mine"]
-    assert reviewer.post(f"/line-heights/{again['id']}/review", {"verdict": "accepted"}).status_code == 403
+    assert accept(reviewer, again).status_code == 403
 
     made = operator.made(heights, {**clicks(height_m=1.46), "revision": 2})
     verdict = f"/line-heights/{made['id']}/review"
+    seen = {"revision": made["revision"]}
     counts = viewer.seen(scan)["counts"]
     assert (counts["heights"], counts["heights_to_review"]) == (1, 1)
-    stale = reviewer.post(f"/line-heights/{again['id']}/review", {"verdict": "accepted"})
+    stale = accept(reviewer, again)
     assert stale.status_code == 409 and "measured again meanwhile" in error_of(stale)
-    why = reviewer.post(verdict, {"verdict": "rejected", "reason": " "})
+    why = reviewer.post(verdict, {**seen, "verdict": "rejected", "reason": " "})
     assert why.status_code == 422 and "needs a reason" in error_of(why)
-    early = reviewer.post(verdict, {"verdict": "reopened"})
+    early = reviewer.post(verdict, {**seen, "verdict": "reopened"})
     assert early.status_code == 409 and "already waiting for a review" in error_of(early)
-    rejected = reviewer.made(verdict, {"verdict": "rejected", "reason": "A rack.", "seen": "to_review"})
+    rejected = reviewer.made(
+        verdict, {**seen, "verdict": "rejected", "reason": "A rack.", "seen": "to_review"}
+    )
     assert (rejected["review"]["verdict"], rejected["review"]["reason"]) == ("rejected", "A rack.")
-    late = reviewer.post(verdict, {"verdict": "accepted", "seen": "to_review"})
+    late = reviewer.post(verdict, {**seen, "verdict": "accepted", "seen": "to_review"})
     assert late.status_code == 409
     survey = f"/surveys/{vehicle.survey_id}"
     asked = f"{survey}/scan-statistics"
     (row,) = viewer.seen(asked)["heights"]
     assert (row["n"], row["to_review"], row["rejected"], row["mean_m"]) == (0, 0, 1, None)
-    reviewer.made(verdict, {"verdict": "reopened"})
+    reviewer.made(verdict, {**seen, "verdict": "reopened"})
     (row,) = viewer.seen(asked)["heights"]
     assert (row["n"], row["to_review"]) == (0, 1)
     (row,) = viewer.seen(f"{asked}?accepted_only=false")["heights"]
     assert (row["n"], row["to_review"]) == (1, 1)
     progress = viewer.seen(survey)["scans"]
     assert "Review 1 of 1 height." in progress["summary"] and progress["heights_to_review"] == 1
-    reviewer.made(verdict, {"verdict": "accepted"})
+    reviewer.made(verdict, {**seen, "verdict": "accepted"})
     (row,) = viewer.seen(asked)["heights"]
     assert (row["n"], row["to_review"], row["mean_m"]) == (1, 0, made["height_m"])
 
     taken = operator.delete(heights, params={"target": "roof", "revision": 3}).json()
-    gone = reviewer.post(f"/line-heights/{taken['id']}/review", {"verdict": "accepted"})
+    gone = accept(reviewer, taken)
     assert gone.status_code == 409 and "nothing to review" in error_of(gone)
     assert viewer.seen(asked)["heights"] == [] and viewer.seen(scan)["counts"]["heights"] == 0
 
@@ -149,7 +159,8 @@ def test_undo_brings_the_verdict_back_with_the_height(
     operator.put(f"/scans/{vehicle.scan_id}/line-pose", rod())
     first = operator.made(heights, {**clicks(), "revision": 0})
     judged = reviewer.made(
-        f"/line-heights/{first['id']}/review", {"verdict": verdict, "reason": "The tyre is hidden."}
+        f"/line-heights/{first['id']}/review",
+        {"revision": 1, "verdict": verdict, "reason": "The tyre is hidden."},
     )
     moved = operator.made(heights, {**clicks(height_m=1.5), "revision": 1})
     assert moved["review"]["verdict"] == "to_review"
@@ -164,7 +175,7 @@ def test_undo_brings_the_verdict_back_with_the_height(
     assert operator.made(heights, {**clicks(), "revision": 5})["review"] == judged["review"]
     files = exported(services, vehicle.survey_id, tmp_path / "export")
     assert checked(files).ok, checked(files).problem
-    forged = rewritten(files, "line_heights.csv", "verdict_of_id", str(moved["id"]))
+    forged = rewritten(files, "line_heights.csv", "verdict_of_id", str(moved["revision_id"]))
     assert not checked(forged).ok
 
 
@@ -214,7 +225,10 @@ def test_what_cannot_be_is_said_in_words(operator: Client, viewer: Client, vehic
     assert outside.status_code == 422 and "outside the strip" in error_of(outside)
     operator.put(f"{scan}/line-pose", rod())
     skyward = operator.made(heights, {**clicks(contact_row_px=row_of(3.0, 1.3)), "revision": 0})
-    assert skyward["status"] == "not_measurable" and "horizon" in skyward["reason"]
+    assert (
+        skyward["status"] == "not_measurable"
+        and skyward["reason"]["code"] == "line-height-contact-above-horizon"
+    )
     assert skyward["height_m"] is None and skyward["budget"] == []
     stale = operator.post(heights, {**clicks(), "revision": 0})
     assert stale.status_code == 409 and "meanwhile" in error_of(stale)
@@ -241,7 +255,7 @@ def test_heights_of_line_scans_stand_in_the_reviewers_queue(services: Services, 
     one = found["items"][1]
     assert (one["id"], one["scan_id"], one["vehicle_id"]) == (roof.id, seen.scan_id, seen.vehicle_id)
     assert one["height_m"] == pytest.approx(1.4) and one["U95_height_m"] > 0 and not one["mine"]
-    reviewer.made(review, {"verdict": "accepted"})
+    reviewer.made(review, {"revision": 1, "verdict": "accepted"})
     assert [one["target"] for one in reviewer.seen(queue)["items"]] == ["other"]
-    reviewer.made(review, {"verdict": "reopened"})
+    reviewer.made(review, {"revision": 1, "verdict": "reopened"})
     assert reviewer.seen(queue)["to_review"] == 2

@@ -12,6 +12,7 @@ from sightline.errors import BadInput
 from sightline.infra.audit.verification import verify_records
 from sightline.infra.local_time import instant_of
 from sightline.infra.services import Services
+from sightline.linescan.finding import CUT
 from sightline.recordings.filming import Filming
 from sightline.scans.records import StripSource
 from sightline.scans.references.passing_times import Matching, PassedAt
@@ -39,9 +40,7 @@ def scan_id(services: Services, survey_id: int) -> int:
         )
         note_scan_read(session, made.id, replace(scans_samples.facts(), lines=20_000), actor=None)
         told = [scans_samples.values(front_line_1=100.0 * n, length_m=m) for n, m in enumerate(LENGTHS_M, 1)]
-        told.append(
-            scans_samples.values(front_line_1=900.0, status="not_measurable", reason="Dark.", **nothing)
-        )
+        told.append(scans_samples.values(front_line_1=900.0, status="not_measurable", reason=CUT, **nothing))
         for values in told:
             one = create_scan_vehicle(session, made.id, origin="found", actor=None)
             append_scan_measurement(session, one.id, values, actor=None)

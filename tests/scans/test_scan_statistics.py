@@ -29,6 +29,7 @@ def test_rejected_vehicles_never_count_and_unreviewed_ones_where_asked_for() -> 
     assert told.counted == {
         "vehicles": 4,
         "used": 1,
+        "without_time": 0,
         "to_review": 1,
         "accepted": 1,
         "rejected": 1,
@@ -47,4 +48,4 @@ def test_a_baseline_is_judged_without_its_own_uncertainty() -> None:
     # 1 % of 4.04 m is the baseline's and common; 7 mm, 1 mm and the makers' 5 mm are each vehicle's own
     alone = ((0.041**2 - 0.0404**2 + 1e-6 + (1.01 * 0.005) ** 2) ** 0.5) / 4.0
     assert ratio.value == pytest.approx(1.01) and ratio.u == pytest.approx(alone / 7**0.5, rel=1e-6)
-    assert ratio.warning is not None and "1.00 % longer" in ratio.warning
+    assert ratio.warning is not None and "1.00 % longer" in str(ratio.warning)

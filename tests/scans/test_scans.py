@@ -68,7 +68,7 @@ def test_strips_given_the_wrong_way_round_are_told_and_swapped(
     address = f"/scans/{made['id']}"
     wrong = operator.seen(address)
     assert (wrong["counts"]["not_measurable"], wrong["counts"]["vehicles"]) == (0, 3)
-    assert "the strips are swapped" in operator.seen(f"{address}/rig-of-traffic")["order"]
+    assert operator.seen(f"{address}/rig-of-traffic")["order"]["code"] == "scan-run-swapped"
     swapped = operator.post(f"{address}/swap", {"version": wrong["version"]})
     assert swapped.status_code == 202 and swapped.json()["first_name"] == wrong["second_name"]
     assert {job.state for job in work()} == {"done"}

@@ -6,6 +6,7 @@ import shutil
 from dataclasses import replace
 from datetime import UTC, datetime
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -16,13 +17,14 @@ from sightline.export.seal import read_seal
 from sightline.export.verify.chain import walk
 from sightline.export.verify.derived import check_statistics
 from sightline.export.verify.described import read_description
-from sightline.export.verify.package import verify_place
+from sightline.export.verify.package import verify_package, verify_place
 from sightline.infra.csv_package.files import FolderFiles, Staging, unsafe
 from sightline.infra.csv_package.recomputing import Recomputing
 from sightline.infra.services import Services
-from sightline.recordings.filming import Filming
+from sightline.recordings.filming import FILMED, Filming
+from sightline.results.selection import Selection
 from sightline.scans.clock import ScanClock
-from sightline.scans.heights.review_store import add_line_height_review
+from sightline.scans.heights.service import review_scan_height
 from sightline.scans.store import update_scan
 from sightline.scans.vehicles.measurement_store import append_scan_measurement
 from sightline.scans.vehicles.review_store import add_scan_review
@@ -56,8 +58,9 @@ def one(services: Services) -> Sample:
         rod = scans_samples.rod(session, made, first.scan_id)
         roof = scans_samples.tall(session, made, first.vehicle_id, rod)
         scans_samples.tall(session, made, first.vehicle_id, rod, target="other")
-        add_line_height_review(session, roof.id, verdict="rejected", reason="A rack.", actor=made.rene.id)
-        add_line_height_review(session, roof.id, verdict="accepted", actor=made.rene.id)
+        by: dict[str, Any] = {"revision": 1, "actor": made.rene.id}
+        review_scan_height(session, roof.id, verdict="rejected", reason="A rack.", **by)
+        review_scan_height(session, roof.id, verdict="accepted", **by)
         scans_samples.removed(session, made)
     return made
 
@@ -190,6 +193,28 @@ def test_statistics_figures_and_report_tell_of_line_scans(package: Path) -> None
         check_statistics(FolderFiles(package), same_program=True)
 
 
+@pytest.mark.parametrize(("hours", "of_it"), [((8, 9), 1), ((9, None), 0)])
+def test_a_package_of_hours_of_filming(
+    services: Services, one: Sample, tmp_path: Path, hours: tuple[int, int | None], of_it: int
+) -> None:
+    """The vehicle of 08:10 counts, and intervals are those that begin within the hours."""
+    place = tmp_path / "package"
+    place.mkdir()
+    with services.reading() as session:
+        selection = Selection(hour_from=hours[0], hour_to=hours[1])
+        build(Staging(place), session, one.survey.id, services, selection=selection)
+    chosen = [list(row.values()) for row in rows(place, "selection")]
+    assert chosen == [[name, str(hour)] for name, hour in zip(FILMED[2:], hours, strict=True) if hour]
+    lengths = rows(place / "statistics", "scan_quantities")
+    assert {row["n"] for row in lengths if row["quantity"] == "speed"} == ({"1"} if of_it else set())
+    told = rows(place / "statistics", "traffic_intervals")
+    begun = {int(row["begins_at"][11:13]) for row in told}
+    assert (begun == {8}) if of_it else min(begun) == 9
+    assert sum(int(row["vehicles"]) for row in told if row["minutes"] == "60") == of_it
+    assert {row["refused"] for row in told} == {"0"}
+    assert verify_package(FolderFiles(place)).ok
+
+
 def test_traffic_is_counted_and_computed_again(package: Path, capsys: pytest.CaptureFixture[str]) -> None:
     told = rows(package / "statistics", "traffic_intervals")
     hours = [one for one in told if one["minutes"] == "60"]
@@ -306,7 +331,7 @@ def test_tampering_is_found(package: Path) -> None:
 
     def checked() -> int:
         told = walk(files, read_seal(files), read_description(files).headers)
-        return check_scans(files, told.scans, {}, Recomputing(lambda *_: True))
+        return check_scans(files, told.replay, {}, Recomputing(lambda *_: True))
 
     assert checked() == 15
     for name, old, new, problem in TAMPERED.values():

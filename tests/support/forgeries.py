@@ -122,7 +122,7 @@ def a_makers_height(place: Path, drawings: bool = False) -> str:
     )
     edit(place, "clicks.csv", lambda row: row["target"] == "roof", reference_height_m="1.310000")
     rederive(place, drawings)
-    return "vehicles.csv: 1 differs from its audit events"
+    return "vehicles.csv: manufacturer_height_m of row 1 differs from its audit events"
 
 
 def an_operator(place: Path) -> str:
@@ -183,13 +183,13 @@ def a_recording_s_name(place: Path) -> str:
     (row,) = rows(place, "recordings.csv")
     rewrite(place, "recordings.csv", [{**row, "name": "another.mp4"}])
     rederive(place)
-    return "recordings.csv: 1 differs from its audit events"
+    return "recordings.csv: name of row 1 differs from its audit events"
 
 
 def a_recording_s_length(place: Path) -> str:
     edit(place, "recordings.csv", lambda row: True, duration_s="123.0")
     rederive(place)
-    return "recordings.csv: 1 differs from its audit events"
+    return "recordings.csv: duration_s of row 1 differs from its audit events"
 
 
 def a_verdict(place: Path) -> str:
@@ -267,13 +267,13 @@ def a_frame(place: Path) -> str:
 def an_inset(place: Path) -> str:
     edit(place, "insets.csv", lambda row: row["target"] == "driver_eye_near", inset_m="0.100000")
     rederive(place)
-    return "insets.csv differs from the survey’s audit events"
+    return "insets.csv: inset_m of row driver_eye_near differs from its audit events"
 
 
 def a_standard(place: Path) -> str:
     edit(place, "standards.csv", lambda row: row["name"] == "France", height_m="0.900000")
     rederive(place)
-    return "standards.csv differs from the survey’s audit events"
+    return "standards.csv: height_m of row "
 
 
 def the_report(place: Path) -> str:
@@ -320,25 +320,25 @@ def a_pose_s_maker(place: Path) -> str:
 def tyres_at_another_time(place: Path) -> str:
     edit(place, "wheel_pairs.csv", lambda row: True, created_at="2020-01-01T00:00:00.000000Z")
     rederive(place)
-    return "wheel_pairs.csv: 1 differs from its audit event"
+    return "wheel_pairs.csv: created_at of row 1 differs from its audit event"
 
 
 def a_camera_that_stood_still(place: Path) -> str:
     edit(place, "recordings.csv", lambda row: True, drift_state="still", drift_moved_px="")
     rederive(place)
-    return "recordings.csv: 1 differs from its audit events"
+    return "recordings.csv: drift_state of row 1 differs from its audit events"
 
 
 def a_smaller_motion(place: Path) -> str:
     edit(place, "recordings.csv", lambda row: True, drift_height_m="0.001000")
     rederive(place)
-    return "recordings.csv: 1 differs from its audit events"
+    return "recordings.csv: drift_height_m of row 1 differs from its audit events"
 
 
 def a_decision(place: Path) -> str:
     edit(place, "recordings.csv", lambda row: True, drift_decision="Nobody was there.")
     rederive(place)
-    return "recordings.csv: 1 differs from its audit events"
+    return "recordings.csv: drift_decision of row 1 differs from its audit events"
 
 
 def a_figure(place: Path) -> str:

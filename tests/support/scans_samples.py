@@ -9,11 +9,11 @@ from sqlalchemy.orm import Session
 from sightline.enums import InsetSource, Target
 from sightline.linescan.line_pose import solve_line_pose
 from sightline.linescan.parts import Rig
+from sightline.measurements.records import Clicks
 from sightline.scans.heights.pose_store import append_line_pose
 from sightline.scans.heights.poses import pose_of, solved_values
-from sightline.scans.heights.review_store import add_line_height_review
-from sightline.scans.heights.service import RowClicks, answer, height_values
-from sightline.scans.heights.store import append_line_height, withdraw_line_height
+from sightline.scans.heights.service import answer, height_values
+from sightline.scans.heights.store import append_scan_height, withdraw_scan_height
 from sightline.scans.records import LiveSource, Scan, ScanRunValues, ScanValues, StripFacts, StripSource
 from sightline.scans.references.records import ReferenceValues
 from sightline.scans.references.store import append_scan_reference, withdraw_scan_reference
@@ -197,9 +197,11 @@ def tall(
     """A height 1.4 m above a contact at 3 m: of a target 0.3 m behind it, a roof's usual inset."""
     row = 500.0 - 900.0 * 0.3 / 3.3
     inset_from: InsetSource = "usual" if target == "roof" else "own"
-    clicks = RowClicks(target, (1300.0, 830.0), (1500.0, row), 1.0, 0.3, 0.1, inset_from)
+    inset: dict[str, Any] = {"inset_m": 0.3, "u_inset_m": 0.1, "inset_from": inset_from}
+    contact, point = (1300.0, 830.0), (1500.0, row)
+    clicks = Clicks(target=target, contact=contact, target_point=point, sigma_px=1.0, **inset)
     told = height_values(pose.id, clicks, answer(pose_of(pose.values), clicks), [])
-    return append_line_height(session, vehicle_id, told, seen_revision=seen_revision, actor=one.olga.id)
+    return append_scan_height(session, vehicle_id, told, seen_revision=seen_revision, actor=one.olga.id)
 
 
 Write = Callable[[Session, Sample], Any]
@@ -294,16 +296,12 @@ WRITES: dict[str, tuple[Write, Callable[[Session, Sample, Any], Any]]] = {
         lambda s, o, made: append_rig_calibration(s, made.scan_id, made.values, actor=o.olga.id),
     ),
     "append_line_pose": (ready, lambda s, o, made: rod(s, o, made.id)),
-    "append_line_height": (
+    "append_scan_height": (
         _calibrated,
         lambda s, o, made: tall(s, o, made[0].id, made[1]),
     ),
-    "add_line_height_review": (
+    "withdraw_scan_height": (
         _tall,
-        lambda s, o, made: add_line_height_review(s, made.id, verdict="accepted", actor=o.rene.id),
-    ),
-    "withdraw_line_height": (
-        _tall,
-        lambda s, o, made: withdraw_line_height(s, made.vehicle_id, "roof", seen_revision=1, actor=o.olga.id),
+        lambda s, o, made: withdraw_scan_height(s, made.vehicle_id, "roof", seen_revision=1, actor=o.olga.id),
     ),
 }

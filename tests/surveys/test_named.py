@@ -53,7 +53,7 @@ NO_THING = {
         "person_id",
         "operator",
     ),
-    *("catalogue_id", "days", "minutes"),
+    *("catalogue_id", "days", "minutes", "hour_from", "hour_to"),
 }
 
 

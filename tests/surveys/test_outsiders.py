@@ -45,7 +45,6 @@ def hidden_things(session: Session) -> tuple[samples.Sample, dict[str, int]]:
     one = samples.sample(session, open_to_all=False)
     measured = samples.measure(session, one)
     made = scans_samples.vehicle(session, one)
-    height = scans_samples.tall(session, one, made.id, scans_samples.rod(session, one, made.scan_id))
     detection = Detection(True, None, [[1.0, 2.0]], columns=9, rows=6, sharpness=3.0)
     file: dict[str, Any] = {"name": "a.png", "media_key": "k", "width_px": 640, "height_px": 480}
     stored: dict[str, Any] = {"media_key": "z", "size_bytes": 1, "sha256": "0" * 64}
@@ -71,7 +70,6 @@ def hidden_things(session: Session) -> tuple[samples.Sample, dict[str, int]]:
         "scans": made.scan_id,
         "scan_vehicles": made.id,
         "scan_measurements": scans_samples.measured(session, one).id,
-        "line_heights": height.id,
         "exports": add_export(
             session, one.survey.id, **stored, head=trail.head(session, one.survey.id), **by
         ).id,

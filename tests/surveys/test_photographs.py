@@ -135,13 +135,13 @@ def exchanged_alone(place: Path) -> str:
 def a_caption(place: Path) -> str:
     edit(place, "photographs.csv", lambda row: row["position"] == "1", caption="Another road")
     rederive(place)
-    return "photographs.csv: caption of"
+    return "photographs.csv: caption of row"
 
 
 def taken_out(place: Path) -> str:
     drop(place, "photographs.csv", lambda row: row["position"] == "2")
     rederive(place)
-    return "does not have the photographs of the audit events"
+    return "photographs.csv: row 2 is missing, although it has an audit event"
 
 
 @pytest.mark.parametrize("forge", [exchanged, exchanged_alone, a_caption, taken_out])

@@ -53,6 +53,16 @@ _DAY = click.DateTime(["%Y-%m-%d"])
     type=_DAY,
     help="Limit statistics and report to recordings up to and including this day (local time).",
 )
+@click.option(
+    "--hour-from",
+    type=click.IntRange(0, 23),
+    help="Limit statistics and report to vehicles filmed from this hour of the day on (local time).",
+)
+@click.option(
+    "--hour-to",
+    type=click.IntRange(1, 24),
+    help="Limit them to vehicles filmed before this hour of the day; below --hour-from: on the next day.",
+)
 @click.option("--language", default=SOURCE, help="Language of figures and report: en (default) or fr.")
 @data_dir_option
 def export(
@@ -64,6 +74,8 @@ def export(
     categories: tuple[str, ...],
     filmed_from: datetime | None,
     filmed_to: datetime | None,
+    hour_from: int | None,
+    hour_to: int | None,
     language: str,
     data_dir: Path | None,
 ) -> None:
@@ -74,13 +86,14 @@ def export(
     from sightline.export.build import build
     from sightline.export.export_job import check_language, find_survey
     from sightline.infra.csv_package.files import Staging, fresh_folder
-    from sightline.results.selection import require_days, selection_of
+    from sightline.results.selection import selection_of
 
     check_language(language)
     chosen: dict[str, Any] = {"lighting": lighting, "class_sets": class_sets, "categories": categories}
     chosen |= {"filmed_from": filmed_from and filmed_from.date(), "filmed_to": filmed_to and filmed_to.date()}
+    chosen |= {"hour_from": hour_from, "hour_to": hour_to}
     selection = selection_of(chosen)
-    require_days(selection)
+    selection.require_sense()
     with (
         opened_services(data_dir) as services,
         services.reading() as session,

@@ -15,9 +15,10 @@ from sightline.commands.files import write_whole
 from sightline.commands.options import json_option, print_json
 from sightline.commands.scanned import cell_of
 from sightline.errors import BadInput
-from sightline.linescan.traffic import LENGTH_LIMITS_M, MINUTES
+from sightline.linescan.traffic import LENGTH_LIMITS_M, MINUTES, headways_s, streams_of
 
 if TYPE_CHECKING:
+    from sightline.scans.statistics.service import VehicleMotion
     from sightline.scans.statistics.traffic import ScanTraffic, ShownInterval
     from sightline.traffic.results import Results
 
@@ -104,17 +105,19 @@ def _of_package(place: Path, minutes: Sequence[int]) -> tuple[list[ScanTraffic],
     from sightline.export.scans import scanned_motions
     from sightline.export.traffic import scans_in, traffic_in
     from sightline.infra.csv_package.files import open_package
+    from sightline.results.csv import selection_in
     from sightline.traffic.results import Results
 
     files = open_package(place)
     if "line_scans.csv" not in files.paths:
         raise BadInput("commands-flow-nothing-in-folder", place=place)
     found = traffic_in(files, minutes)
-    cars, rows = list(scanned_motions(files)), Rows()
+    cars, rows, filmed = list(scanned_motions(files)), Rows(), selection_in(files)
     for scan in scans_in(files):
         if scan.clock is not None:
             own = tuple(one for one in cars if one.scan_id == scan.scan_id and one.since_s is not None)
-            rows += _vehicle_rows(Results(scan.name, scan.clock, scan.watched_s, own))
+            seen = _vehicle_rows(Results(scan.name, scan.clock, scan.watched_s, own))
+            rows += [row for row in seen if filmed.holds(row["front_at"])]
     notes = {one.scan_id: f"{one.name}: {one.reason}" for one in found if one.reason}
     return [one for one in found if not one.reason], rows, list(notes.values())
 
@@ -212,7 +215,7 @@ def _row(traffic: ScanTraffic, shown: ShownInterval) -> dict[str, Any]:
         "recording": traffic.name,
         "direction": traffic.direction,
         "lane": traffic.lane,
-        "reasons": "; ".join([*one.reasons, *_too_few(shown)]),
+        "reasons": "; ".join([*map(str, one.reasons), *_too_few(shown)]),
     }
     return {name: row[name] if name in row else getattr(one, name) for name in COLUMNS}
 
@@ -224,18 +227,19 @@ def _too_few(shown: ShownInterval) -> list[str]:
 
 def _vehicle_rows(of: Results) -> Iterator[dict[str, Any]]:
     """Each vehicle with its headway: from the front before, of its direction and lane."""
-    before: dict[tuple[str | None, str | None], float] = {}
-    for one in sorted(of.vehicles, key=lambda one: one.since_s or 0.0):
-        since_s, stream = one.since_s or 0.0, (one.direction, one.lane)
+    found: list[tuple[float, float | None, VehicleMotion]] = []
+    for stream in streams_of(of.vehicles).values():
+        fronts_s = [one.since_s or 0.0 for one in stream]
+        found += zip(fronts_s, headways_s(fronts_s), stream, strict=True)
+    for since_s, headway_s, one in sorted(found, key=lambda each: each[0]):
         held = {
             "recording": of.name,
             "id": one.number,
             "front_at": of.clock.at(since_s),
             "u_front_at_s": one.u_filmed_at_s,
-            "headway_s": since_s - before[stream] if stream in before else None,
+            "headway_s": headway_s,
             **{name: one.values.get(name) for name in VEHICLE_COLUMNS if name in one.values},
         }
-        before[stream] = since_s
         yield {name: held[name] if name in held else getattr(one, name) for name in VEHICLE_COLUMNS}
 
 

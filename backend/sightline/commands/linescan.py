@@ -1,4 +1,7 @@
-"""The command linescan (docs/formats.md): vehicles from a pair of strips, read once from front to back."""
+"""The command linescan (docs/formats.md): vehicles from a pair of strips, read once from front to back.
+
+Strips of more than 8 bits are read twice: the whole strip tells the camera's depth.
+"""
 
 from __future__ import annotations
 
@@ -7,7 +10,6 @@ import io
 import json
 from collections.abc import Iterator
 from contextlib import closing
-from dataclasses import replace
 from pathlib import Path
 from typing import Any, get_args
 
@@ -35,7 +37,8 @@ from sightline.linescan.finding import Finder
 from sightline.linescan.parts import Crossings, Passage, Rig
 from sightline.linescan.passing import Vehicle, measured
 from sightline.media.strips.notes import column_of, lost_lines
-from sightline.media.strips.reader import Strip, check_pair, open_strip
+from sightline.media.strips.reader import Strip, bits_of, check_pair, open_strip
+from sightline.messages.said import Said
 
 
 @click.command()
@@ -84,7 +87,7 @@ def linescan(
             raise BadInput("commands-given-twice-give-strips-both-cameras", first=first)
         check_pair(one, two)
         notes = _rate_notes((one, two), rig)
-        finder = Finder(one.rows, rig)
+        finder = Finder(one.rows, rig, max(bits_of(one), bits_of(two)))
         table = _Table(as_json, begun, rig)
         passages = (_without_losses(passage, one, two) for passage in _passages(one, two, finder))
         for vehicle in measured(passages, rig, method, lambda lines: _columns(lines, one, two)):
@@ -93,7 +96,7 @@ def linescan(
         said["duration_s"] = one.lines / rig.line_rate_hz
         if begun is not None:
             said |= {"start": begun.at.isoformat(timespec="milliseconds"), "u_start_s": begun.u_s}
-    notes += faults.notes_of(finder)
+    notes += map(str, faults.notes_of(finder))
     notes += left_out(rig, table.measured, begun)
     if output is not None:
         write_whole(output, table.csv())
@@ -163,10 +166,8 @@ def _without_losses(passage: Passage, one: Strip, two: Strip) -> Passage:
             (two, passage.start_2, passage.second),
         )
     }
-    said = [f"{count} lines of {name}" for name, count in lost.items() if count]
-    if not said or passage.reason:
-        return passage
-    return replace(passage, reason=f"The recorder lost {' and '.join(said)} while the vehicle passed.")
+    said = [Said("scan-lines-of", count=count, name=name) for name, count in lost.items() if count]
+    return faults.lines_lost(passage, said)
 
 
 def _columns(crossings: Crossings, one: Strip, two: Strip) -> Crossings:

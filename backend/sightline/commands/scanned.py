@@ -208,6 +208,7 @@ def row_of(vehicle: Vehicle) -> dict[str, Any]:
     held |= {"time_gap_s": gap.time_gap_s, "distance_gap_m": gap.distance_gap_m}
     held |= {"direction": motion.crossings.direction, "axles": len(motion.axle_lines or ()) or None}
     held |= {"lane": motion.lane}
+    held |= {"reason": motion.reason and str(motion.reason)}
     return {name: held[name] if name in held else getattr(motion, name) for name in COLUMNS}
 
 
@@ -224,9 +225,9 @@ def object_of(vehicle: Vehicle) -> dict[str, Any]:
         "u_distance_gap_m": gap.u_distance_gap_m,
         "headway_s": gap.headway_s,
         "paper_distance_gap_m": gap.paper_distance_gap_m,
-        "gap_reason": gap.reason,
+        "gap_reason": gap.reason and str(gap.reason),
         "budget": [asdict(entry) for entry in motion.budget],
-        "warnings": list(motion.warnings),
+        "warnings": [str(one) for one in motion.warnings],
     }
 
 

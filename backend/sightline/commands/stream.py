@@ -22,6 +22,7 @@ from sightline.errors import BadInput
 from sightline.linescan.parts import Rig
 from sightline.media.lines.source import Ending, LineSource
 from sightline.media.strips.reader import LEAST_ROWS, MOST_ROWS
+from sightline.messages.said import Said
 from sightline.scans.live.records import Keeper, LiveVehicle
 from sightline.scans.live.run import LiveRun, Nowhere
 
@@ -224,5 +225,5 @@ def _taken(spool: Path | None) -> Iterator[None]:
         yield
 
 
-def _say(sentence: str) -> None:
-    click.echo(sentence, err=True)
+def _say(one: Said | str) -> None:
+    click.echo(str(one), err=True)

@@ -9,11 +9,11 @@ import numpy as np
 from sightline.demo.made import HeldRod, truth
 from sightline.enums import DriverSide, Target
 from sightline.infra.database import Session
+from sightline.measurements.records import Clicks
 from sightline.scans.heights import poses
 from sightline.scans.heights.poses import Mark, Rod
-from sightline.scans.heights.review_store import add_line_height_review
-from sightline.scans.heights.service import Clicked, store_line_height
-from sightline.scans.heights.store import list_line_heights
+from sightline.scans.heights.service import review_scan_height, store_scan_height
+from sightline.scans.heights.store import list_scan_heights
 from sightline.scans.vehicles.store import list_scan_vehicles
 
 MARK_SIGMA_PX, CLICK_SIGMA_PX, TAPE_SIGMA_M = 0.5, 1.0, 0.005
@@ -37,17 +37,17 @@ def store_heights(session: Session, scan_id: int, operator: int) -> None:
             continue
         contact = _off(true.contact, rng)
         for name, spot in true.targets.items():
-            clicked = Clicked(name, contact, _off(spot, rng), side=_side(name))
-            store_line_height(session, one.id, clicked, seen_revision=0, actor=operator)
+            clicked = Clicks(target=name, contact=contact, target_point=_off(spot, rng), side=_side(name))
+            store_scan_height(session, one.id, clicked, seen_revision=0, actor=operator)
 
 
 def review_heights(session: Session, scan_id: int, reviewer: int) -> None:
     """The other person accepts the heights, but for those of the vehicle that was clicked last."""
-    heights = [one for one in list_line_heights(session, scan_id) if one.values.status == "ok"]
+    heights = [one for one in list_scan_heights(session, scan_id) if one.values.status == "ok"]
     clicked = list(dict.fromkeys(one.vehicle_id for one in heights))
     for one in heights:
         if one.vehicle_id in clicked[:-_WAITING]:
-            add_line_height_review(session, one.id, verdict="accepted", actor=reviewer)
+            review_scan_height(session, one.id, revision=one.revision, verdict="accepted", actor=reviewer)
 
 
 def _side(name: Target) -> DriverSide | None:

@@ -418,7 +418,7 @@ def _crops(
     """Pictures of the vehicles that the package is of."""
     spots = [page for page in seen.spots if len(page)]
     if spots and not selection.is_all:
-        chosen = np.array([int(one) for one in chosen_vehicles(staging.files())], dtype=np.int64)
+        chosen = np.array([int(one) for one in chosen_vehicles(staging.files()).of], dtype=np.int64)
         spots = [kept for page in spots if len(kept := page[np.isin(page["vehicle"], chosen)])]
     if not spots:
         return staging.fill(CROPS, ())

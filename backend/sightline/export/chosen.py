@@ -3,29 +3,46 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
 
 from sightline.infra.csv_package.files import Files, read_columns
 from sightline.results.csv import selection_in
 from sightline.surveys.csv import class_sets_in
 
 
-def chosen_vehicles(files: Files) -> frozenset[str]:
-    """The vehicles of the videos, by number as text; one without lighting has its recording's."""
+@dataclass(frozen=True, slots=True)
+class ChosenVehicles:
+    """Vehicles by number as text: those a package is `of`, those it would be of whenever they were filmed,
+    and those of them whose time of filming is asked for and not known.
+    """
+
+    of: frozenset[str]
+    of_kind: frozenset[str]
+    without_time: frozenset[str]
+
+
+def chosen_vehicles(files: Files) -> ChosenVehicles:
+    """The vehicles of the videos; one without lighting has its recording's."""
     names = ("id", "recording_id", "lighting", "category", "filmed_at")
     return _chosen(files, "recordings.csv", read_columns(files, "vehicles.csv", names))
 
 
-def chosen_scanned(files: Files) -> frozenset[str]:
+def chosen_scanned(files: Files) -> ChosenVehicles:
     """The vehicles of the line scans, likewise."""
     names = ("id", "scan_id", "lighting", "category", "filmed_at")
     return _chosen(files, "line_scans.csv", read_columns(files, "scan_vehicles.csv", names))
 
 
-def _chosen(files: Files, filmed: str, vehicles: Iterable[Sequence[str]]) -> frozenset[str]:
+def _chosen(files: Files, filmed: str, vehicles: Iterable[Sequence[str]]) -> ChosenVehicles:
     selection, sets = selection_in(files), class_sets_in(files)
     lit = dict(read_columns(files, filmed, ("id", "lighting")))
-    return frozenset(
-        id_
+    of_kind = {
+        id_: filmed_at
         for id_, recording, lighting, category, filmed_at in vehicles
-        if selection.holds(lighting or lit.get(recording, ""), category, sets.get(category, ""), filmed_at)
+        if selection.is_of_kind(lighting or lit.get(recording, ""), category, sets.get(category, ""))
+    }
+    return ChosenVehicles(
+        frozenset(id_ for id_, filmed_at in of_kind.items() if selection.holds(filmed_at)),
+        frozenset(of_kind),
+        frozenset(id_ for id_, filmed_at in of_kind.items() if selection.limits_time and not filmed_at),
     )

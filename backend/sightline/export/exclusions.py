@@ -39,6 +39,11 @@ EXCLUSIONS = Table(
     foreign=((("measurement_id",), "measurements", ("id",)), (("vehicle_id",), "vehicles", ("id",))),
 )
 _CHECK = "check_target", "It checks the measuring: its errors are in statistics/errors_by_target.csv."
+_OTHER = "not_selected", "It is not among the vehicles of this package."
+_TIMELESS = (
+    "not_selected",
+    "This package is of days or hours of filming, and the start of its recording is not confirmed.",
+)
 _OUTSIDE = "out_of_sample", "Its vehicle is out of the survey's sample."
 _READ = (
     "id",
@@ -62,9 +67,11 @@ def exclusion_rows(files: Files) -> Iterator[dict[str, Cell]]:
         if not counts[id_]:
             apart[id_] = _CHECK if check == "true" else _OUTSIDE
     chosen = chosen_vehicles(files)
+    for id_ in numbers.keys() - chosen.of:
+        apart[id_] = _TIMELESS if id_ in chosen.without_time else _OTHER
     for values in read_columns(files, "measurements.csv", _READ):
         row = dict(zip(_READ, values, strict=True))
-        why = _why(row, row["vehicle_id"] in chosen) or apart.get(row["vehicle_id"])
+        why = _why(row) or apart.get(row["vehicle_id"])
         if why is not None:
             yield {
                 "measurement_id": int(row["id"]),
@@ -77,7 +84,7 @@ def exclusion_rows(files: Files) -> Iterator[dict[str, Cell]]:
             }
 
 
-def _why(row: Mapping[str, str], is_chosen: bool) -> tuple[str, str] | None:
+def _why(row: Mapping[str, str]) -> tuple[str, str] | None:
     if row["withdrawn"] == "true":
         return "withdrawn", "The measurement was withdrawn."
     if row["status"] != "ok":
@@ -90,6 +97,4 @@ def _why(row: Mapping[str, str], is_chosen: bool) -> tuple[str, str] | None:
         return "to_review", unsafe(row["review_reason"]) or (
             "It was reopened and is waiting for another review."
         )
-    if not is_chosen:
-        return "not_selected", "It is not among the vehicles of this package."
     return None

@@ -15,7 +15,7 @@ from sightline.infra.jobs import registry
 from sightline.infra.jobs.records import Job
 from sightline.media.store.local import check_room, key_of, sha256_of
 from sightline.messages import SOURCE, languages
-from sightline.results.selection import Selection, require_days, selection_of
+from sightline.results.selection import Selection, selection_of
 from sightline.surveys.records import Survey
 from sightline.surveys.store import get_survey, list_surveys, survey_by_name
 
@@ -47,7 +47,7 @@ def request_export(
     language of the catalogue. Raises NotFound, BadInput.
     """
     check_language(language)
-    require_days(selection)
+    selection.require_sense()
     get_survey(session, survey_id)
     payload = {"survey_id": survey_id, "crops": crops, "selection": selection.stored()}
     payload["language"] = language

@@ -21,6 +21,7 @@ from sightline.infra.csv_package.files import Files, read_columns, unsafe
 from sightline.infra.csv_package.forms import read_json
 from sightline.measurements.sheets.csv import counting_in
 from sightline.poses.csv import pose_path
+from sightline.recordings.filming import hour_filmed
 from sightline.results.csv import selection_in, standards_in
 from sightline.results.measured_columns_query import (
     CATEGORIES,
@@ -32,6 +33,7 @@ from sightline.results.measured_columns_query import (
     day_of,
     measured_of,
 )
+from sightline.results.selection import Selection
 from sightline.results.survey_statistics import Filter, Statistics, StatisticsOptions, filtered, made_of
 from sightline.scans.statistics.heights import ScannedHeights
 from sightline.scans.statistics.service import ScanStatistics
@@ -59,7 +61,7 @@ _READ = (
 
 _OF_CAR = (
     "lighting",
-    "filmed_day",
+    "filmed_hour",
     "lane",
     "category",
     "class_set",
@@ -93,13 +95,7 @@ def statistics_of(files: Files, choices: StatisticsOptions = StatisticsOptions()
     correction.
     """
     chosen_of = selection_in(files)
-    filter_ = Filter(
-        lighting=chosen_of.lighting,
-        categories=chosen_of.categories,
-        class_sets=chosen_of.class_sets,
-        filmed_from=chosen_of.filmed_from,
-        filmed_to=chosen_of.filmed_to,
-    )
+    filter_ = Filter(**{one.name: getattr(chosen_of, one.name) for one in fields(Selection)})
     measured, left_out = filtered(measured_in(files), filter_)
     groupings = _groupings(files, measured)
     wanted: list[tuple[Correction, Rounding]] = [(one, "none") for one in CORRECTIONS]
@@ -172,7 +168,7 @@ def _cars(files: Files) -> dict[str, dict[str, Any]]:
         reference = is_reference(of["model_chosen_by"])
         cars[of["id"]] = {
             "lighting": of["lighting"] or of_recording.get(of["recording_id"]) or None,
-            "filmed_day": _day(of["filmed_at"]) if of["filmed_at"] else None,
+            "filmed_hour": hour_filmed(of["filmed_at"]),
             "lane": of["direction"] or None,
             "category": of["category"] or None,
             "class_set": sets[of["category"]] if of["category"] else None,

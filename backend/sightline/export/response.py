@@ -59,7 +59,7 @@ def _passes(files: Files) -> Iterator[PassAnswers]:
         if withdrawn == "false":
             measured.setdefault(vehicle, set()).add(target)
     lit = dict(read_columns(files, "recordings.csv", ("id", "lighting")))
-    sets, asked, chosen = class_sets_in(files), asked_in(files), chosen_vehicles(files)
+    sets, asked, chosen = class_sets_in(files), asked_in(files), chosen_vehicles(files).of
     for row in read_rows(files, "vehicles.csv"):
         if row["id"] not in chosen or row["check_target"] == "true":
             continue

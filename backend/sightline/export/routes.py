@@ -19,6 +19,7 @@ from sightline.infra.audit.records import Who
 from sightline.infra.audit.signing import signing_key
 from sightline.infra.web.bodies import In, JobBody, Out, example
 from sightline.infra.web.deps import AskedIn, Exporter, PathId, Reading, SurveysSeen, Viewer, Wired, Writing
+from sightline.recordings.bodies import HourFrom, HourTo
 from sightline.results.overview.package_query import changes_since_packages
 from sightline.results.overview.records import ChangesSince
 from sightline.results.selection import Selection, selection_of
@@ -39,6 +40,8 @@ class WantedBody(In):
     categories: Annotated[tuple[Category, ...], Field(max_length=len(get_args(Category)))] = ()
     filmed_from: Annotated[date | None, Field(description="By the clocks of the place.")] = None
     filmed_to: Annotated[date | None, Field(description="The last day, included.")] = None
+    hour_from: HourFrom = None
+    hour_to: HourTo = None
     language: Annotated[
         str | None,
         Field(max_length=20, description="Of figures and report; that of the request where it is not said."),

@@ -15,13 +15,15 @@ from sightline.enums import (
     Target,
 )
 from sightline.export.chosen import chosen_scanned
-from sightline.infra.csv_package.columns import metres, number
+from sightline.infra.csv_package.columns import code_in, metres, number, words_of
 from sightline.infra.csv_package.files import Files, read_columns, read_rows, unsafe
 from sightline.infra.csv_package.files import number as figure_of
 from sightline.infra.csv_package.schema import Cell, Column, Table
 from sightline.linescan.clock import since_start_s
 from sightline.linescan.parts import Rig
 from sightline.linescan.rig import baseline_of, rig_from
+from sightline.messages.said import Said
+from sightline.results.csv import selection_in
 from sightline.scans.heights.csv import LINE_HEIGHTS
 from sightline.scans.records import state_of
 from sightline.scans.references.csv import SCAN_REFERENCES
@@ -187,12 +189,13 @@ TABLES = (ERRORS, BASELINES, QUANTITIES, PERCENTILES, ECDF, HEIGHTS, REFERENCES,
 
 def scans_in(files: Files) -> ScanStatistics:
     """Statistics of the accepted vehicles of all line scans that a package is of, from its tables."""
-    return statistics_of_seen(list(scanned_motions(files)), accepted_only=True)
+    filmed = selection_in(files)
+    return statistics_of_seen(list(scanned_motions(files)), accepted_only=True, filmed=filmed)
 
 
 def scan_heights_in(files: Files) -> tuple[ScannedHeights, ...]:
     """The accepted heights of the same vehicles, target by target."""
-    chosen = chosen_scanned(files)
+    chosen = chosen_scanned(files).of
     names = ("vehicle_id", "target", "verdict", "current", "withdrawn", "height_m", "U95_height_m")
     return scanned_heights(
         (
@@ -207,13 +210,13 @@ def scan_heights_in(files: Files) -> tuple[ScannedHeights, ...]:
 
 
 def scanned_motions(files: Files) -> Iterator[VehicleMotion]:
-    """The vehicles of the line scans that a package is of, as its tables have them."""
+    """The vehicles of the line scans that a package is of, whenever they were filmed, as its tables say."""
     lighting = dict(read_columns(files, "line_scans.csv", ("id", "lighting")))
     rigs = {
         id_: rig_from({name: figure_of(value) for name, value in zip(_RIG, values, strict=True)})
         for id_, *values in read_columns(files, "scan_measurements.csv", ("id", *_RIG))
     }
-    chosen = chosen_scanned(files)
+    chosen = chosen_scanned(files).of_kind
     references = _standing(files)
     for row in read_rows(files, "scan_vehicles.csv"):
         if row["id"] not in chosen:
@@ -237,7 +240,8 @@ def scanned_motions(files: Files) -> Iterator[VehicleMotion]:
                 )
             },
             status=row["status"] or "not_measurable",
-            reason=row["reason"] or None,
+            reason=_reason(row),
+            filmed_at=row["filmed_at"],
             u_filmed_at_s=figure_of(row["u_filmed_at_s"]),
             run_of=row["run_of"] or None,
             references=tuple(references.get(row["id"], ())),
@@ -246,6 +250,12 @@ def scanned_motions(files: Files) -> Iterator[VehicleMotion]:
             axles=int(row["axles"]) if row["axles"] else None,
             **({} if rig is None else _of_rig(row, rig)),
         )
+
+
+def _reason(row: Mapping[str, str]) -> Said | None:
+    """Why there is no motion; a package of an earlier version has the words alone."""
+    told = code_in(row["reason_code"])
+    return Said.read(unsafe(row["reason"])) if row["reason"] and told is None else told
 
 
 def _standing(files: Files) -> dict[str, list[ReferenceValues]]:
@@ -324,7 +334,12 @@ def _baseline_rows(found: ScanStatistics) -> Iterator[Cells]:
     for size, one in (("length", found.length_ratio), ("wheelbase", found.wheelbase_ratio)):
         if found.counted["used"]:
             row: Cells = {"size": size, "n": one.n, "ratio": one.value, "u_ratio": one.u}
-            yield {**row, "spread": one.spread, "reason": one.reason, "warning": one.warning}
+            yield {
+                **row,
+                "spread": one.spread,
+                "reason": words_of(one.reason),
+                "warning": words_of(one.warning),
+            }
 
 
 def _quantity_rows(found: ScanStatistics) -> Iterator[Cells]:

@@ -7,11 +7,12 @@ from typing import get_args, get_type_hints
 
 from sightline.enums import ScanDirection
 from sightline.export.scans import Cells, scanned_motions
-from sightline.infra.csv_package.columns import flag, integer, joined, key, metres, number, text
+from sightline.infra.csv_package.columns import flag, integer, key, metres, number, text, words_of
 from sightline.infra.csv_package.files import Files, read_rows, unsafe
 from sightline.infra.csv_package.files import number as figure_of
 from sightline.infra.csv_package.schema import Column, Table
 from sightline.linescan.traffic import MINUTES, Figure, Interval
+from sightline.results.csv import selection_in
 from sightline.scans.clock import clock_of
 from sightline.scans.statistics.traffic import PERCENTS, ScanTraffic, ShownInterval, Watched, traffic_of_seen
 
@@ -71,6 +72,7 @@ INTERVALS = Table(
             "those so near to an edge that the clock leaves it open on which side (95 %)",
             required=True,
         ),
+        integer("refused", "those whose motion could not be measured", required=True),
         integer("measured", "those with a speed that counts", required=True),
         number("flow_per_hour", "vehicles an hour, over the time watched", "1/h", required=True),
         number(
@@ -128,9 +130,11 @@ def traffic_in(files: Files, lengths: Sequence[int] = MINUTES) -> tuple[ScanTraf
     """The traffic of the vehicles that a package is of, from its tables; intervals of the first length first,
     of `lengths` in minutes.
     """
-    watched, found = scans_in(files), list(scanned_motions(files))
+    watched, found, filmed = scans_in(files), list(scanned_motions(files)), selection_in(files)
     return tuple(
-        one for minutes in lengths for one in traffic_of_seen(watched, found, minutes, accepted_only=True)
+        one
+        for minutes in lengths
+        for one in traffic_of_seen(watched, found, minutes, accepted_only=True, filmed=filmed)
     )
 
 
@@ -172,7 +176,7 @@ def _interval_row(scan: ScanTraffic, one: ShownInterval) -> Cells:
     for each in one.percentiles:
         name = f"p{each.percent:g}_speed_mps"
         row |= {name: each.value, f"{name}_low": each.low, f"{name}_high": each.high}
-    return {**row, "reasons": joined(one.interval.reasons)}
+    return {**row, "reasons": words_of(one.interval.reasons)}
 
 
 def _class_rows(scan: ScanTraffic, one: ShownInterval) -> Iterator[Cells]:

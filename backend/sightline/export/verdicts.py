@@ -21,7 +21,7 @@ class VerdictCounts:
 
 def verdicts_in(files: Files) -> VerdictCounts:
     """Of the vehicles that a package is of; lots are told whole."""
-    chosen = chosen_vehicles(files)
+    chosen = chosen_vehicles(files).of
     names = ("vehicle_id", "withdrawn", "verdict", "verdict_by")
     found = [
         basis

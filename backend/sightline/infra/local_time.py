@@ -8,7 +8,7 @@ from zoneinfo import ZoneInfo
 
 from sightline.errors import BadInput
 
-_UNIX_DAY = date(1970, 1, 1)
+_CLOCK_0 = datetime(1970, 1, 1)
 
 
 @cache
@@ -67,10 +67,12 @@ def local_text(instant: datetime, zone: str, seconds: float = 0.0) -> str:
     return at.astimezone(zone_of(zone)).isoformat(timespec="milliseconds")
 
 
-def local_day(instant: datetime, zone: str, seconds: float = 0.0) -> int:
-    """The day that clocks of a zone show then, in days since 1970-01-01."""
+def local_us(instant: datetime, zone: str, seconds: float = 0.0) -> int:
+    """What clocks of a zone show so many seconds after an instant, in microseconds since they showed the
+    beginning of 1970.
+    """
     at = instant + timedelta(milliseconds=round(1000.0 * seconds))
-    return (local_date(at, zone) - _UNIX_DAY).days
+    return (at.astimezone(zone_of(zone)).replace(tzinfo=None) - _CLOCK_0) // timedelta(microseconds=1)
 
 
 def local_date(instant: datetime, zone: str) -> date:

@@ -19,10 +19,11 @@ SEARCH_S = 6.0
 LEAST_LIKENESS = 0.6
 
 
-def passage_at(crossings: Crossings, rig: Rig, rows: int, reads: tuple[Read, Read]) -> Passage:
+def passage_at(crossings: Crossings, rig: Rig, rows: int, reads: tuple[Read, Read], bits: int = 8) -> Passage:
     """The pictures of a vehicle between these crossings, with a margin and the road as seen beside it.
 
     reads: for each strip the function that gives its lines start..stop as (n, rows), cut to what there is.
+    bits: of the cameras, see `in_8_bits`.
     """
     finder = Finder(rows, rig)
     one = _cut(finder, crossings.front_line_1, crossings.rear_line_1, reads[0])
@@ -38,7 +39,7 @@ def passage_at(crossings: Crossings, rig: Rig, rows: int, reads: tuple[Read, Rea
         background_2=two.road.line,
         noise_dn=noise_dn,
     )
-    return in_8_bits(passage)
+    return in_8_bits(passage, bits)
 
 
 @dataclass(frozen=True, eq=False)

@@ -12,17 +12,27 @@ _BITS, _WIDENED = 8, 257
 DEPTHS = (8, 10, 12, 14, 16)
 
 
-def in_8_bits(passage: Passage) -> Passage:
+def depth_of(brightest: int) -> int:
+    """The bits of a camera by the brightest pixel of its strip: the least of `DEPTHS` that holds it."""
+    return next(depth for depth in DEPTHS if brightest < 1 << depth)
+
+
+def brightest_of(picture: Pixels) -> int:
+    """The brightest pixel; 0 of a picture of 8 bits, where nobody asks for it."""
+    return 0 if picture.dtype == np.uint8 else int(picture.max(initial=0))
+
+
+def in_8_bits(passage: Passage, bits: int = _BITS) -> Passage:
     """The passage with pictures, roads and noise on the scale of 8 bits; one of 8 bits as it is.
 
-    How many bits the camera has is told by the brightest pixel of both pictures: the least of `DEPTHS` that
-    holds it. Bits below the eighth are left out; they lie within the noise of a line's exposure. Pixels of 8
-    bits that a program widened to 16 (times 257) are those 8 bits again.
+    `bits`: of the camera, as far as its whole strip tells; one vehicle may be dark. Bits below the eighth are
+    left out; they lie within the noise of a line's exposure. Pixels of 8 bits that a program widened to 16
+    (times 257) are those 8 bits again.
     """
     if passage.first.dtype == np.uint8:
         return passage
-    brightest = max(int(picture.max(initial=0)) for picture in (passage.first, passage.second))
-    drop = next(depth for depth in DEPTHS if brightest < 1 << depth) - _BITS
+    here = max(brightest_of(picture) for picture in (passage.first, passage.second))
+    drop = max(bits, depth_of(here)) - _BITS
     first, second = ((picture >> drop).astype(np.uint8) for picture in (passage.first, passage.second))
     widened = all(
         np.array_equal(picture, np.uint16(_WIDENED) * few.astype(np.uint16))

@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sightline.linescan.budget import budget_of
-from sightline.linescan.finding import TOO_FEW_LINES
+from sightline.linescan.finding import too_few_lines
 from sightline.linescan.masks import (
     ROWS,
     Points,
@@ -25,6 +25,7 @@ from sightline.linescan.registration import GAINS, Clock, Fit, Prior, State, reg
 from sightline.linescan.rig import baseline_of
 from sightline.linescan.spread import covariance, second_slopes
 from sightline.linescan.warp import solved_by_boundaries
+from sightline.messages.said import Said
 from sightline.robust import robust_scale
 
 Array = NDArray[np.float64]
@@ -44,12 +45,9 @@ UNLIKE_M = 0.05
 # by how much of the speed that the boundaries say the pictures may say another
 MOST_MOVED = 0.25
 MOST_SATURATED = 0.03
-NO_TEXTURE = "Too little of the vehicle is clear enough to be registered between the strips."
-NO_MATCH = (
-    "The two images of the vehicle do not fit one motion: two vehicles side by side, a vehicle "
-    "that stopped, or lost lines."
-)
-NO_ORDER = "The boundaries are not in order: the front must come before the rear at both cameras."
+NO_TEXTURE = Said("scan-motion-no-texture")
+NO_MATCH = Said("scan-motion-no-match")
+NO_ORDER = Said("scan-motion-no-order")
 
 
 @dataclass(frozen=True, eq=False)
@@ -127,7 +125,7 @@ def measure_direct(passage: Passage, rig: Rig) -> Motion:
     return _answer(passage, rig, scene, prior, whole, fit)
 
 
-def _none(crossings: Crossings, reason: str) -> Motion:
+def _none(crossings: Crossings, reason: Said) -> Motion:
     return Motion("direct", crossings, "not_measurable", reason)
 
 
@@ -199,7 +197,7 @@ def _coarse_to_fine(scene: Scene, start: State, prior: Prior) -> tuple[Fit, Fit]
     return whole, register(*args, whole.state, prior, scene.block, free, scene.cell)
 
 
-def _distrusted(fit: Fit, scene: Scene, start: State, rig: Rig) -> str | None:
+def _distrusted(fit: Fit, scene: Scene, start: State, rig: Rig) -> Said | None:
     """Why the registration's end is not to be believed, or None.
 
     Where a line at either end is a quarter of the way from camera to camera, boundaries a line off say
@@ -224,7 +222,7 @@ def _distrusted(fit: Fit, scene: Scene, start: State, rig: Rig) -> str | None:
     apart = (moved > 0.05 and missed > 0.25) or (max(moved, bent) > 0.02 and missed > 0.6)
     lines = began.baseline_m / began.speed_mps * rig.line_rate_hz
     if moved > MOST_MOVED and 2 / lines > MOST_MOVED:
-        return TOO_FEW_LINES.format(lines=lines)
+        return too_few_lines(lines)
     return NO_MATCH if moved > MOST_MOVED or apart or abs(told.acceleration_mps2) > 11.5 else None
 
 
@@ -271,18 +269,15 @@ def _u_shift(scene: Scene, prior: Prior, whole: Fit) -> float:
     return float(np.sqrt(variance))
 
 
-def _warnings(passage: Passage, scene: Scene, fit: Fit, apart_m: float) -> tuple[str, ...]:
+def _warnings(passage: Passage, scene: Scene, fit: Fit, apart_m: float) -> tuple[Said, ...]:
     """What a person should look at before believing the numbers."""
     said = []
     if not fit.settled:
-        said.append("The registration did not converge completely.")
+        said.append(Said("scan-motion-not-converged"))
     if apart_m > UNLIKE_M:
-        said.append(
-            f"The cameras disagree by {100 * apart_m:.0f} cm about the front or the rear: check "
-            "the boundaries, and whether two vehicles pass side by side."
-        )
+        said.append(Said("scan-motion-cameras-disagree", apart_cm=round(100 * apart_m)))
     if max(_saturated(passage.first), _saturated(passage.second)) > MOST_SATURATED:
-        said.append("Part of the image is saturated; reduce the exposure.")
+        said.append(Said("scan-motion-saturated"))
     return tuple(said)
 
 

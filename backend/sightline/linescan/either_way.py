@@ -17,10 +17,11 @@ from sightline.linescan.equations import ExactMotion, solve_crossings
 from sightline.linescan.parts import Crossings, Entry, Motion, Passage, Profile, Rig
 from sightline.linescan.rig import baseline_of
 from sightline.linescan.warp import Course
+from sightline.messages.said import Said
 
 Array = NDArray[np.float64]
 Measure = Callable[[Passage, Rig], Motion]
-WOULD_STOP = "By the computed motion the vehicle would have stopped in view; check the boundaries."
+WOULD_STOP = Said("scan-motion-would-stop")
 # sources of a budget that scale every speed of a motion alike
 _BASELINE, _CLOCK = "baseline", "clock"
 

@@ -1,22 +1,27 @@
-"""What a recording says against itself, in words: for the person who must decide whether to believe it.
+"""What a recording says against itself: for the person who must decide whether to believe it.
 
 Lines lost while the road was empty cannot be told from the pictures: all vehicles after them are shifted.
 Recorders that count them should say so beside the file.
 """
 
+from collections.abc import Sequence
+from dataclasses import replace
+
 import numpy as np
 
 from sightline.linescan.background import MOST_UNREST
 from sightline.linescan.finding import Finder
+from sightline.linescan.parts import Passage
 from sightline.linescan.watching import Watcher
+from sightline.messages.said import Said
 
 BLIPS_PER_S = 3.0
 FLICKER_SHARE = 0.012
 SATURATED_SHARE = 0.02
 
 
-def notes_of(finder: Finder) -> list[str]:
-    """One sentence for each thing that a finder saw besides vehicles, after `finish`; empty if nothing."""
+def notes_of(finder: Finder) -> list[Said]:
+    """A saying for each thing that a finder saw besides vehicles, after `finish`; empty if nothing."""
     seconds = max(finder.watchers[0].lines / finder.rig.line_rate_hz, 1e-9)
     said = [_none_found(finder), _swapped(finder), _alone(finder), _jumps(finder), _moves(finder)]
     for number, watcher in enumerate(finder.watchers, 1):
@@ -26,82 +31,69 @@ def notes_of(finder: Finder) -> list[str]:
             _flicker(number, watcher),
             _saturated(number, watcher),
         ]
-    return [sentence for sentence in said if sentence]
+    return [one for one in said if one]
 
 
-def _none_found(finder: Finder) -> str | None:
+def lines_lost(passage: Passage, lost: Sequence[Said]) -> Passage:
+    """The passage, with a reason where the recorder lost lines of one camera or both as it passed."""
+    if not lost or passage.reason:
+        return passage
+    said = lost[0] if len(lost) == 1 else Said("words-both", first=lost[0], second=lost[1])
+    return replace(passage, reason=Said("scan-motion-lines-lost", lost=said))
+
+
+def _none_found(finder: Finder) -> Said | None:
     if finder.found:
         return None
-    return "No vehicle was found; check the strips, and that time runs along the chosen axis."
+    return Said("scan-run-none-found")
 
 
-def _swapped(finder: Finder) -> str | None:
+def _swapped(finder: Finder) -> Said | None:
     if finder.reversed < 2 or finder.reversed * 10 < finder.found * 9:
         return None
-    return (
-        f"{finder.reversed} of {finder.found} vehicles reached the second strip first; if traffic "
-        "does not run that way here, the strips are swapped."
-    )
+    return Said("scan-run-swapped", reversed=finder.reversed, found=finder.found)
 
 
-def _alone(finder: Finder) -> str | None:
+def _alone(finder: Finder) -> Said | None:
     if finder.alone <= max(2, 0.2 * finder.found):
         return None
-    return (
-        f"{finder.alone} times something passed only one camera: check that both show the same "
-        "lane, and check baseline and line rate."
-    )
+    return Said("scan-run-alone", alone=finder.alone)
 
 
-def _jumps(finder: Finder) -> str | None:
+def _jumps(finder: Finder) -> Said | None:
     jumps = max(watcher.jumps for watcher in finder.watchers)
-    if not jumps:
-        return None
-    times = "once" if jumps == 1 else f"{jumps} times"
-    return f"The brightness changed suddenly {times}; vehicles that passed at that moment may be missing."
+    return Said("scan-run-light-changed", count=jumps) if jumps else None
 
 
-def _moves(finder: Finder) -> str | None:
+def _moves(finder: Finder) -> Said | None:
     moves = max(watcher.moves for watcher in finder.watchers)
-    if not moves:
-        return None
-    times = "once" if moves == 1 else f"{moves} times"
-    return f"A camera moved {times}: the road is some rows higher or lower since then; fix the camera firmly."
+    return Said("scan-run-camera-moved", count=moves) if moves else None
 
 
-def _unrest(number: int, watcher: Watcher) -> str | None:
+def _unrest(number: int, watcher: Watcher) -> Said | None:
     if watcher.road is None or watcher.road.unrest <= MOST_UNREST:
         return None
-    return (
-        f"The empty road of camera {number} varies by {100 * watcher.road.unrest:.0f} % from line "
-        "to line: snow, rain, or a vehicle at the start; record the empty road first."
-    )
+    return Said("scan-run-road-unsteady", camera=number, percent=round(100 * watcher.road.unrest))
 
 
-def _blips(number: int, watcher: Watcher, seconds: float) -> str | None:
+def _blips(number: int, watcher: Watcher, seconds: float) -> Said | None:
     rate = watcher.blips / seconds
     if rate < BLIPS_PER_S:
         return None
-    return (
-        f"Camera {number} shows {rate:.0f} short objects a second: rain, snow or insects; check "
-        "the boundaries."
-    )
+    return Said("scan-run-short-objects", camera=number, per_s=round(rate))
 
 
-def _flicker(number: int, watcher: Watcher) -> str | None:
+def _flicker(number: int, watcher: Watcher) -> Said | None:
     if watcher.road is None or watcher.road.unrest > MOST_UNREST:
         return None
     share = np.sqrt(2) * watcher.road.common_dn / max(float(np.mean(watcher.road.pooled)), 1.0)
     if share < FLICKER_SHARE:
         return None
-    return (
-        f"The light at camera {number} flickers by {100 * share:.0f} %, as mains lighting does; "
-        "use other lighting, or expect larger uncertainties."
-    )
+    return Said("scan-run-flicker", camera=number, percent=round(100 * share))
 
 
-def _saturated(number: int, watcher: Watcher) -> str | None:
+def _saturated(number: int, watcher: Watcher) -> Said | None:
     share = watcher.saturated_lines / max(watcher.lines, 1)
     if share < SATURATED_SHARE:
         return None
-    return f"{100 * share:.0f} % of the image of camera {number} is saturated; reduce the exposure."
+    return Said("scan-run-saturated", camera=number, percent=round(100 * share))

@@ -12,11 +12,12 @@ import numpy as np
 from sightline.errors import BadInput
 from sightline.linescan.background import MOST_UNREST, Grid, enough_lines
 from sightline.linescan.boundaries import refined
-from sightline.linescan.depth import in_8_bits
+from sightline.linescan.depth import brightest_of, depth_of, in_8_bits
 from sightline.linescan.lanes import lane_of
 from sightline.linescan.parts import Crossings, Passage, Pixels, Rig
 from sightline.linescan.rig import at_lane
 from sightline.linescan.watching import Event, Spans, Watcher, present
+from sightline.messages.said import Said
 
 BANDS = 64
 STEPS_HZ = 1220.0
@@ -28,24 +29,11 @@ KEPT_BYTES = 48 << 20
 LENGTHS_M = (1.0, 32.0)
 SPEEDS_MPS = (1.0, 85.0)
 
-STOPPED = "The vehicle stopped or nearly stopped in view; mark another vehicle, or measure it by hand."
-TOO_LONG = (
-    "Something stood in view for longer than a vehicle takes to pass; it stopped, or the light changed."
-)
-CUT = "The vehicle is cut off by the beginning or the end of the recording."
-NO_ROAD = (
-    "The empty road before the vehicle is too unsteady: snow, rain, or traffic from the first "
-    "line on; start to record while the road is empty."
-)
-NO_VEHICLE_SO_LONG = (
-    "Its estimated length is {length_m:.0f} m, and the limit is {most_m:g} m: a train, vehicles "
-    "without a gap, or a wrong baseline or line rate."
-)
-TOO_FEW_LINES = (
-    "Only about {lines:.0f} lines were recorded between the two cameras, too few for its speed or "
-    "direction: raise the line rate, or set the cameras further apart."
-)
-TWO_AT_ONCE = "The cameras show it for different durations: two vehicles pass side by side, or it stopped."
+STOPPED = Said("scan-motion-stopped")
+TOO_LONG = Said("scan-motion-too-long-in-view")
+CUT = Said("scan-motion-cut")
+NO_ROAD = Said("scan-motion-no-road")
+TWO_AT_ONCE = Said("scan-motion-two-at-once")
 
 
 @dataclass(eq=False)
@@ -79,10 +67,11 @@ class LineBuffer:
 class Finder:
     """Vehicles of a pair of strips, pushed in pieces of any size; `notes` tells what else was seen.
 
-    rows: height of both strips; rig: baseline and line rate tell how far apart the crossings may be.
+    rows: height of both strips; rig: baseline and line rate tell how far apart the crossings may be; bits: of
+    the cameras, as the whole strips tell, or else the brightest pixel so far.
     """
 
-    def __init__(self, rows: int, rig: Rig) -> None:
+    def __init__(self, rows: int, rig: Rig, bits: int = 8) -> None:
         if rows < 8:
             raise BadInput("linescan-strips-rows-high-least-8-needed", rows=rows)
         rate = rig.line_rate_hz
@@ -105,6 +94,7 @@ class Finder:
         )
         self.margin = max(2 * step, round(0.02 * rate))
         self.watchers = (Watcher(self.grid, self.spans), Watcher(self.grid, self.spans))
+        self.bits = bits
         self.found = 0
         self.reversed = 0
         self.alone = 0
@@ -125,6 +115,7 @@ class Finder:
             )
         for held, piece in zip(self._held, (first, second), strict=True):
             held.append(piece)
+            self.bits = max(self.bits, depth_of(brightest_of(piece)))
         return self._work(False)
 
     @property
@@ -241,16 +232,16 @@ class Finder:
         first, second = one.rear - one.front, two.rear - two.front
         return abs(first - second) - 6 * self.grid.step <= 0.12 * max(first, second)
 
-    def _long(self, one: Event, two: Event) -> str | None:
+    def _long(self, one: Event, two: Event) -> Said | None:
         """That it is longer than any vehicle, whatever its ends' rough lines may be off by."""
         lines = (one.rear - one.front + two.rear - two.front) / 2
         shift = self._shift(one, two)
         if lines * self.rig.baseline_m / (shift + 2 * self.grid.step) <= LENGTHS_M[1]:
             return None
         length_m = lines * self.rig.baseline_m / shift
-        return NO_VEHICLE_SO_LONG.format(length_m=length_m, most_m=LENGTHS_M[1])
+        return Said("scan-motion-too-long", length_m=round(length_m), most_m=LENGTHS_M[1])
 
-    def _reason(self, one: Event, two: Event) -> str | None:
+    def _reason(self, one: Event, two: Event) -> Said | None:
         if max(one.road.unrest, two.road.unrest) > MOST_UNREST:
             return NO_ROAD
         if one.still or two.still:
@@ -261,7 +252,7 @@ class Finder:
             return CUT if ended or started else TOO_LONG
         shift = self._shift(one, two)
         if shift <= 2 * self.grid.step:
-            return TOO_FEW_LINES.format(lines=shift)
+            return too_few_lines(shift)
         if min(one.front, two.front) < self.margin:
             return CUT
         return self._long(one, two) if self._alike(one, two) else TWO_AT_ONCE
@@ -289,7 +280,7 @@ class Finder:
         )
         if reason:
             return passage
-        passage = in_8_bits(passage)
+        passage = in_8_bits(passage, self.bits)
         if not self.rig.lanes:
             return _bounded(passage, self.rig)
         lane = lane_of(passage, self.rig).lane
@@ -310,6 +301,11 @@ class Finder:
         if not len(lines):
             return event.front, event.rear
         return max(float(lines[0]) - 0.5, event.front), min(float(lines[-1]) + step - 0.5, event.rear)
+
+
+def too_few_lines(lines: float) -> Said:
+    """Why a vehicle with so many lines from camera to camera is not measured."""
+    return Said("scan-motion-few-lines", lines=round(lines))
 
 
 def _bounded(passage: Passage, rig: Rig) -> Passage:

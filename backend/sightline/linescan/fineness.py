@@ -8,6 +8,7 @@ is read between them is a guess whose error no scatter tells.
 import numpy as np
 
 from sightline.linescan.parts import Passage, Pixels, Rig
+from sightline.messages.said import Said
 
 # Below this correlation of one line's change with the next, a vehicle is refused. On 40 simulated vehicles
 # whose strips were thinned out (seeds 701 to 704) u held down to 0.1, and from 45 mm a line on, where it
@@ -18,15 +19,9 @@ GOOD_LINE_M = 0.010
 FEWEST_LINES, MOST_LINES = 12, 4096
 _SIGMAS = 5.0
 
-TOO_COARSE = (
-    "The lines are too far apart for this vehicle: it moves about {line_mm:.0f} mm from line to "
-    "line, so neighbouring lines have too little in common. Raise the line rate to {rate_hz:.0f} "
-    "Hz or more for vehicles at this speed; a longer baseline does not help."
-)
 
-
-def too_coarse(passage: Passage, rig: Rig) -> str | None:
-    """Why the lines are too slow for this vehicle, and what to do, in words; None where they are not.
+def too_coarse(passage: Passage, rig: Rig) -> Said | None:
+    """Why the lines are too slow for this vehicle, and what to do; None where they are not.
 
     Also None where the picture shows too little to tell.
     """
@@ -43,8 +38,12 @@ def too_coarse(passage: Passage, rig: Rig) -> str | None:
     if delay <= 0 or not told or sum(told) / len(told) >= LEAST_CARRIED:
         return None
     line_m = rig.baseline_m / delay
-    rate_hz = rig.line_rate_hz * max(line_m / GOOD_LINE_M, 2.0)
-    return TOO_COARSE.format(line_mm=1000 * line_m, rate_hz=float(f"{rate_hz:.2g}"))
+    # crossings of so few lines are known to a line in all: the rate does for the fastest that they allow
+    most_m = rig.baseline_m / max(delay - 1.0, 1.0)
+    rate_hz = rig.line_rate_hz * max(most_m / GOOD_LINE_M, 2.0)
+    return Said(
+        "scan-motion-too-coarse", line_mm=round(1000 * line_m), rate_hz=round(float(f"{rate_hz:.2g}"))
+    )
 
 
 def carried_on(picture: Pixels, noise_dn: float) -> float | None:

@@ -16,10 +16,11 @@ from math import hypot, sqrt
 from sightline.enums import ScanDirection
 from sightline.linescan.boundaries import U_LINE_LINES
 from sightline.linescan.parts import Crossings, Gap, Motion, Rig
+from sightline.messages.said import Said
 
-NONE_BEFORE = "No vehicle was detected in front of this one."
-LANE_UNKNOWN = "Its lane is not known, so the vehicle in front of it is not known either."
-BEFORE_UNKNOWN = "A vehicle of unknown lane passed in front of it, perhaps in this lane."
+NONE_BEFORE = Said("scan-gap-none-before")
+LANE_UNKNOWN = Said("scan-gap-lane-unknown")
+BEFORE_UNKNOWN = Said("scan-gap-before-unknown")
 # Of a motion's budget what its boundaries bring to the length, by method; one of both is their share of it.
 _BOUNDARIES = ("boundaries", "front and rear")
 
@@ -66,10 +67,10 @@ def _gap(before: tuple[Crossings, Motion], this: tuple[Crossings, Motion], rig: 
     time_s = (behind.front_line_1 - ahead.rear_line_1) / rate
     headway_s = (behind.front_line_1 - ahead.front_line_1) / rate
     if time_s <= 0 or headway_s <= 0:
-        return Gap(None, None, None, reason="The two vehicles overlap at camera 1, so there is no gap.")
+        return Gap(None, None, None, reason=Said("scan-gap-overlap"))
     known = Gap(time_s, None, headway_s)
     if leader.speed_mps is None or leader.acceleration_mps2 is None:
-        return replace(known, reason="The vehicle in front has no measured motion.")
+        return replace(known, reason=Said("scan-gap-leader-unmeasured"))
     since_front_s = (ahead.rear_line_1 - ahead.front_line_1) / rate
     leaving_mps = leader.speed_mps + leader.acceleration_mps2 * since_front_s
     u_rear_s = _u_crossing_s(leader, leaving_mps, rate)
@@ -81,8 +82,7 @@ def _gap(before: tuple[Crossings, Motion], this: tuple[Crossings, Motion], rig: 
     known = replace(known, u_time_gap_s=u_time_s)
     now_mps = leaving_mps + leader.acceleration_mps2 * time_s
     if now_mps <= 0:
-        reason = "At the measured deceleration, the vehicle in front would have stopped by then."
-        return replace(known, paper_distance_gap_m=paper_m, reason=reason)
+        return replace(known, paper_distance_gap_m=paper_m, reason=Said("scan-gap-leader-stopped"))
     distance_m = (leaving_mps + now_mps) / 2 * time_s
     u_m = hypot(_u_motion_m(leader, headway_s, since_front_s), now_mps * u_rear_s)
     if follower.speed_mps is not None:

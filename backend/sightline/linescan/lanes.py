@@ -12,12 +12,10 @@ from sightline.linescan.either_way import exact_at_camera_1
 from sightline.linescan.parts import Lane, Motion, Passage, Rig
 from sightline.linescan.rig import at_lane
 from sightline.linescan.wheels import tyres_row
+from sightline.messages.said import Said
 
-NO_TYRES = "no wheel was found that tells the lane"
-NO_LANE_THIS_WAY = "no lane of the rig has this direction"
-LANE_UNKNOWN = (
-    "The lane is not known ({why}): the uncertainties hold for every lane of its direction; choose its lane."
-)
+NO_TYRES = Said("scan-lane-no-wheel")
+NO_LANE_THIS_WAY = Said("scan-lane-not-this-way")
 
 
 @dataclass(frozen=True)
@@ -25,7 +23,7 @@ class Assigned:
     """A vehicle's lane, or why it is not known; `tyres_px`: the row of its tyres' feet, if found."""
 
     lane: Lane | None
-    why: str | None = None
+    why: Said | None = None
     tyres_px: float | None = None
 
 
@@ -46,8 +44,7 @@ def lane_of(passage: Passage, rig: Rig) -> Assigned:
     ]
     if len(inside) == 1:
         return Assigned(inside[0], None, row)
-    which = "in no lane's rows" if not inside else "in the rows of several lanes"
-    return Assigned(None, f"its tyres meet the road at row {row:.0f}, {which}", row)
+    return Assigned(None, Said("scan-lane-other-rows", row=round(row), lanes=len(inside)), row)
 
 
 def in_its_lane(measure: Callable[[Passage, Rig], Motion]) -> Callable[[Passage, Rig], Motion]:
@@ -62,7 +59,7 @@ def in_its_lane(measure: Callable[[Passage, Rig], Motion]) -> Callable[[Passage,
             return replace(motion, lane=found.lane.name, lane_by="machine", tyres_px=found.tyres_px)
         motion = measure(passage, at_lane(rig, None, passage.crossings.direction))
         if motion.status == "ok":
-            said = LANE_UNKNOWN.format(why=found.why)
+            said = Said("scan-motion-lane-unknown", why=found.why)
             motion = replace(motion, warnings=(*motion.warnings, said))
         return replace(motion, tyres_px=found.tyres_px)
 

@@ -12,6 +12,7 @@ import numpy as np
 from sightline.coverage import COVERAGE_95
 from sightline.enums import MeasurementStatus
 from sightline.linescan.line_pose import LinePose
+from sightline.messages.said import Said
 
 STEP_M, MOST_LADDER_M = 0.5, 5.0
 
@@ -29,14 +30,14 @@ class LineHeight:
     """Distance and height with standard uncertainties in m; or the reason why there are none."""
 
     status: MeasurementStatus
-    reason: str | None = None
+    reason: Said | None = None
     distance_m: float | None = None
     u_distance_m: float | None = None
     height_m: float | None = None
     u_height_m: float | None = None
     U95_height_m: float | None = None
     budget: tuple[Contribution, ...] = ()
-    warnings: tuple[str, ...] = ()
+    flags: tuple[Said, ...] = ()
 
 
 def line_height(
@@ -79,17 +80,15 @@ def line_height(
     (1.45, 3.0)
     """
     if not np.all(np.isfinite([contact_row_px, target_row_px, sigma_px, inset_m, u_inset_m])):
-        return _refused("A click is not a number.")
+        return _refused(Said("line-height-click-no-number"))
     contact, target = (float(pose.slopes_of(row)) for row in (contact_row_px, target_row_px))
     if contact >= 0:
-        return _refused(
-            "The contact is at or above the horizon, where there is no road; click the tyre contact."
-        )
+        return _refused(Said("line-height-contact-above-horizon"))
     if target_row_px >= contact_row_px:
-        return _refused("The target is not above the contact; click the contact first, then the target.")
+        return _refused(Said("line-height-target-below-contact"))
     distance = -pose.camera_height_m / contact
     if distance + inset_m <= 0:
-        return _refused("The inset puts the target behind the camera.")
+        return _refused(Said("line-height-target-behind-camera"))
     height = pose.camera_height_m + target * (distance + inset_m)
     by_pose, by_contact, by_target = _gradients(pose, contact_row_px, target_row_px, inset_m)
     pose_distance, pose_height = (float(np.sqrt(max(g @ pose.covariance @ g, 0.0))) for g in by_pose)
@@ -108,7 +107,7 @@ def line_height(
         u_height_m=u_height,
         U95_height_m=COVERAGE_95 * u_height,
         budget=budget,
-        warnings=_warnings(pose, contact_row_px, target_row_px),
+        flags=_flags(pose, contact_row_px, target_row_px),
     )
 
 
@@ -149,13 +148,13 @@ def _slope_gradient(pose: LinePose, row: float) -> np.ndarray:
     return np.array([-1 / below, -slope / below, slope * row / below, (1 + slope * p2) / below])
 
 
-def _warnings(pose: LinePose, *rows: float) -> tuple[str, ...]:
+def _flags(pose: LinePose, *rows: float) -> tuple[Said, ...]:
     low, high = pose.row_span
     margin = 0.1 * (high - low)
     if all(low - margin <= row <= high + margin for row in rows):
         return ()
-    return ("A click lies outside the rows covered by the marks, so the pose is extrapolated.",)
+    return (Said("line-height-extrapolated"),)
 
 
-def _refused(reason: str) -> LineHeight:
+def _refused(reason: Said) -> LineHeight:
     return LineHeight("not_measurable", reason)

@@ -7,26 +7,27 @@ believed, whatever it says.
 
 from collections.abc import Callable
 from dataclasses import replace
-from math import inf
+from math import inf, isfinite
 
 from sightline.coverage import expanded
 from sightline.enums import ScanMethod
 from sightline.linescan.direct import measure_direct
-from sightline.linescan.either_way import either_way
+from sightline.linescan.either_way import WOULD_STOP, either_way
 from sightline.linescan.finding import LENGTHS_M, SPEEDS_MPS
 from sightline.linescan.fineness import too_coarse
 from sightline.linescan.lanes import in_its_lane
 from sightline.linescan.paper import measure_paper
 from sightline.linescan.parts import Motion, Passage, Rig
 from sightline.linescan.wheels import wheels_in
+from sightline.messages.said import Said
 
 # Brakes on a dry road give 11 m/s2 at most, and no road engine more than that.
 MOST_ACCELERATION_MPS2 = 11.5
 MOST_U95_SHARE = 0.25
 
 
-def unlikely(motion: Motion, rig: Rig) -> str | None:
-    """Why a computed motion is no road vehicle's or too unsure to be one, in words; None where it may be.
+def unlikely(motion: Motion, rig: Rig) -> Said | None:
+    """Why a computed motion is no road vehicle's or too unsure to be one; None where it may be.
 
     Speed within 1 to 85 m/s as the front reaches camera 1, still forward as the rear leaves it; acceleration
     of either sign up to 11.5 m/s^2; length 1 to 32 m; a U95 of speed and length, up to a quarter of them;
@@ -43,29 +44,22 @@ def unlikely(motion: Motion, rig: Rig) -> str | None:
         ("length", length, LENGTHS_M, "m"),
         ("acceleration", a, (-MOST_ACCELERATION_MPS2, MOST_ACCELERATION_MPS2), "m/s²"),
     ):
+        if not isfinite(value):
+            return Said("scan-motion-not-finite", what=what)
         if not low <= value <= high:
-            return (
-                f"The computed {what} of {value:.1f} {unit} is not plausible for a road vehicle "
-                f"({low:g} to {high:g} {unit}): check the boundaries, the baseline and the line "
-                "rate."
+            return Said(
+                "scan-motion-implausible", what=what, value=round(value, 1), unit=unit, low=low, high=high
             )
     if u_v <= 0 or u_length <= 0 or not u_v + u_length < inf:
-        return "Too little of the vehicle was matched to state the uncertainty of its motion."
+        return Said("scan-motion-no-uncertainty")
     if leaving <= 0:
-        return "By the computed motion the vehicle would have stopped in view; check the boundaries."
+        return WOULD_STOP
     for what, u, value in (("speed", u_v, v), ("length", u_length, length)):
         if expanded(u) > MOST_U95_SHARE * value:
-            return (
-                f"The U95 of the {what} is {100 * expanded(u) / value:.0f} %, too large to be "
-                "useful: too little of the vehicle is clear, the boundaries are wrong, or two "
-                "vehicles pass at once."
-            )
+            return Said("scan-motion-u-large", what=what, percent=round(100 * expanded(u) / value))
     # of the paper's method the acceleration is often as unsure; its speed is none the worse for it
     if motion.method == "direct" and u_a is not None and expanded(u_a) > MOST_ACCELERATION_MPS2:
-        return (
-            f"The U95 of the acceleration is {expanded(u_a):.0f} m/s², more than any vehicle "
-            "brakes: too little of the vehicle is clear, or the boundaries are wrong."
-        )
+        return Said("scan-motion-u-acceleration-large", U95_mps2=round(expanded(u_a)))
     return None
 
 

@@ -18,6 +18,7 @@ from sightline.linescan.matching import BLOCK_LINES, STEP_LINES, Matches, match_
 from sightline.linescan.parts import Crossings, Entry, Motion, Passage, Profile, Rig
 from sightline.linescan.rig import baseline_of
 from sightline.linescan.spread import widening
+from sightline.messages.said import Said
 
 # Blocks overlap, so of six neighbours one counts; two of those are spent on speed and acceleration.
 OVERLAP = BLOCK_LINES / STEP_LINES
@@ -28,10 +29,7 @@ U_CROSSING_LINES = 2.0
 # The gate looks at changes over this length of the vehicle: over one line of a slow one, noise hides them.
 GATE_M = 0.006
 
-TOO_FEW_BLOCKS = (
-    f"Too few blocks of {BLOCK_LINES} lines can be matched: the vehicle has too little detail, or too few "
-    "lines; raise the line rate, or use the other method."
-)
+TOO_FEW_BLOCKS = Said("scan-motion-few-blocks", lines=BLOCK_LINES)
 
 Floats = NDArray[np.float64]
 
@@ -148,5 +146,5 @@ def _budget(
     )
 
 
-def _refused(crossings: Crossings, reason: str) -> Motion:
+def _refused(crossings: Crossings, reason: Said) -> Motion:
     return Motion("paper", crossings, "not_measurable", reason)

@@ -7,12 +7,13 @@ first: b = v t + a t^2 / 2 between the same point's crossings. A method is given
 reached first as camera 1 (`either_way`).
 """
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
 from sightline.enums import LaneBy, MeasurementStatus, ScanDirection, ScanMethod
+from sightline.messages.said import Said
 
 Pixels = NDArray[np.uint8] | NDArray[np.uint16]
 
@@ -101,7 +102,7 @@ class Passage:
     background_1: NDArray[np.float32]
     background_2: NDArray[np.float32]
     noise_dn: float
-    reason: str | None = None
+    reason: Said | None = None
     u_boundaries_m: float = 0.0
 
 
@@ -136,7 +137,7 @@ class Motion:
     method: ScanMethod
     crossings: Crossings
     status: MeasurementStatus
-    reason: str | None = None
+    reason: Said | None = None
     speed_mps: float | None = None
     u_speed_mps: float | None = None
     acceleration_mps2: float | None = None
@@ -149,7 +150,7 @@ class Motion:
     gain: float | None = None
     budget: tuple[Entry, ...] = ()
     profile: Profile | None = None
-    warnings: tuple[str, ...] = field(default=())
+    warnings: tuple[Said, ...] = ()
     correlation: float | None = None  # of speed and acceleration, as fitted: gaps carry both on
     axle_lines: tuple[float, ...] | None = None  # of strip 1, at each wheel's hub; None: not looked for
     lane: str | None = None  # of the rig's lanes; None: not known, or the rig has none
@@ -171,4 +172,4 @@ class Gap:
     paper_distance_gap_m: float | None = None
     u_time_gap_s: float | None = None
     u_distance_gap_m: float | None = None
-    reason: str | None = None
+    reason: Said | None = None

@@ -19,6 +19,7 @@ from sightline.enums import ScanDirection
 from sightline.errors import BadInput
 from sightline.linescan.equations import travelled_m
 from sightline.linescan.parts import Lane, Motion, Rig
+from sightline.messages.said import Said
 from sightline.robust import robust_scale
 
 LEAST_VEHICLES = 5
@@ -167,8 +168,8 @@ class RigEstimate:
     u: float | None
     spread: float | None
     n: int
-    reason: str | None = None
-    warning: str | None = None
+    reason: Said | None = None
+    warning: Said | None = None
 
 
 class Registered(Protocol):
@@ -190,7 +191,7 @@ class Wheelbase:
 
     wheelbase_m: float | None
     u_wheelbase_m: float | None
-    reason: str | None = None
+    reason: Said | None = None
 
 
 def misalignment(motions: Sequence[Registered]) -> RigEstimate:
@@ -204,29 +205,19 @@ def misalignment(motions: Sequence[Registered]) -> RigEstimate:
         for one in motions
         if one.status == "ok" and one.misalignment_px is not None
     ]
-    estimate = _median([value for value, _ in found], "a misalignment")
+    estimate = _median([value for value, _ in found], "misalignment")
     if estimate.spread is None:
         return estimate
     claimed = float(np.median([u for _, u in found]))
     if estimate.spread > max(3 * claimed, 0.1):
-        warning = (
-            f"The misalignment differs between vehicles by {estimate.spread:.2f} px (standard "
-            "deviation); check whether a camera moved."
-        )
-        return RigEstimate(
-            value=estimate.value,
-            u=estimate.u,
-            spread=estimate.spread,
-            n=estimate.n,
-            reason=None,
-            warning=warning,
-        )
+        warning = Said("rig-misalignments-scatter", sd_px=round(estimate.spread, 2))
+        return replace(estimate, warning=warning)
     return estimate
 
 
 def gain(motions: Sequence[Registered]) -> RigEstimate:
     """Grey of strip 2 over grey of strip 1, the median over the vehicles."""
-    return _median([one.gain for one in motions if one.status == "ok" and one.gain is not None], "a gain")
+    return _median([one.gain for one in motions if one.status == "ok" and one.gain is not None], "gain")
 
 
 def alone(size_m: float, u_m: float | None, baseline_m: float, u_baseline_m: float) -> float:
@@ -255,9 +246,7 @@ def baseline_ratio(
     )
     n = len(values)
     if n < LEAST_VEHICLES:
-        return RigEstimate(
-            None, None, None, n, f"{n} known vehicles are too few; {LEAST_VEHICLES} are needed."
-        )
+        return RigEstimate(None, None, None, n, Said("rig-few-known", count=n, least=LEAST_VEHICLES))
     ratios = values / truth
     u_ratios = np.hypot(u_values, ratios * u_truth) / truth
     weights = 1 / np.maximum(u_ratios, 1e-9) ** 2
@@ -268,9 +257,9 @@ def baseline_ratio(
     spread = float(np.std(ratios, ddof=1))
     if abs(mean - 1) <= 2 * u:
         return RigEstimate(mean, u, spread, n)
-    share = f"{abs(mean - 1) * 100:.2f} % {'longer' if mean > 1 else 'shorter'}"
-    warning = f"Measured vehicles are {share} than known. Check the baseline; shadows can also add length."
-    return RigEstimate(value=mean, u=u, spread=spread, n=n, reason=None, warning=warning)
+    than = "longer" if mean > 1 else "shorter"
+    warning = Said("rig-sizes-differ", percent=round(abs(mean - 1) * 100, 2), than=than)
+    return RigEstimate(mean, u, spread, n, warning=warning)
 
 
 def wheelbase(motion: Motion, rig: Rig, line_a: float, line_b: float, *, u_line: float = 2.0) -> Wheelbase:
@@ -280,15 +269,15 @@ def wheelbase(motion: Motion, rig: Rig, line_a: float, line_b: float, *, u_line:
     the baseline is part of the motion's.
     """
     if motion.speed_mps is None or motion.acceleration_mps2 is None:
-        return Wheelbase(None, None, motion.reason or "The vehicle has no measured motion.")
+        return Wheelbase(None, None, motion.reason or Said("scan-wheelbase-no-motion"))
     lines = np.sort(np.array([line_a, line_b], dtype=np.float64))
     if not np.all(np.isfinite(lines)) or lines[0] == lines[1]:
-        return Wheelbase(None, None, "Click the hubs of two different wheels.")
+        return Wheelbase(None, None, Said("scan-wheelbase-one-wheel"))
     seconds = (lines - motion.crossings.front_line_1) / rig.line_rate_hz
     speed, acceleration = motion.speed_mps, motion.acceleration_mps2
     leaving = speed + acceleration * seconds
     if leaving.min() <= 0:
-        return Wheelbase(None, None, "By its fitted motion the vehicle was at rest at one of the clicks.")
+        return Wheelbase(None, None, Said("scan-wheelbase-at-rest"))
     first, second = np.asarray(travelled_m(speed, acceleration, seconds))
     u_clicks = float(np.hypot(*leaving)) * u_line / rig.line_rate_hz
     of_speed = float(seconds[1] - seconds[0]) * (motion.u_speed_mps or 0.0)
@@ -317,10 +306,12 @@ def _require_lanes(lanes: tuple[Lane, ...]) -> None:
             raise BadInput("linescan-lane-rows-order", name=one.name)
 
 
-def _median(values: Sequence[float], what: str) -> RigEstimate:
+def _median(values: Sequence[float], of: str) -> RigEstimate:
     n = len(values)
     if n < LEAST_VEHICLES:
-        return RigEstimate(None, None, None, n, f"{n} vehicles give {what}; {LEAST_VEHICLES} are needed.")
+        return RigEstimate(
+            None, None, None, n, Said("rig-few-vehicles", count=n, of=of, least=LEAST_VEHICLES)
+        )
     array: NDArray[np.float64] = np.asarray(values, dtype=np.float64)
     middle = float(np.median(array))
     spread = robust_scale(array - middle)

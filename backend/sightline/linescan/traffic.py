@@ -20,12 +20,15 @@ from dataclasses import dataclass
 from functools import lru_cache
 from itertools import pairwise
 from math import hypot, sqrt
+from typing import Protocol, TypeVar
 
 import numpy as np
 import scipy
 from numpy.typing import NDArray
 
 from sightline.coverage import COVERAGE_95
+from sightline.enums import ScanDirection
+from sightline.messages.said import Said
 
 #: Lengths of an interval, minutes.
 MINUTES = (1, 5, 15, 60)
@@ -35,10 +38,7 @@ LENGTH_LIMITS_M = (5.2, 6.6, 11.6)
 MANY_AXLES = 5
 _HOUR_S = 3600.0
 _TAIL = 0.025
-_NO_SPEED = "No vehicle here has an accepted speed."
-_NO_OCCUPANCY_U = (
-    "The uncertainty of the occupancy is not known: {count} of the vehicles here have no motion."
-)
+_NO_SPEED = Said("scan-flow-no-speed")
 
 
 @dataclass(frozen=True, slots=True)
@@ -60,6 +60,44 @@ class Passed:
     rig_ratio: float = 0.0
     axles: int | None = None
     refused: bool = False
+
+
+class Came(Protocol):
+    """A vehicle as far as traffic is parted by it; None: not known."""
+
+    @property
+    def since_s(self) -> float | None: ...
+    @property
+    def direction(self) -> ScanDirection | None: ...
+    @property
+    def lane(self) -> str | None: ...
+
+
+V = TypeVar("V", bound=Came)
+#: A direction and a lane, None where it is not known or there are none.
+Stream = tuple[ScanDirection, str | None]
+
+
+def streams_of(vehicles: Sequence[V]) -> dict[Stream, list[V]]:
+    """Vehicles that follow each other: by direction and lane, in order, each stream rising by `since_s`, what
+    has none last. Those of no known direction are of the first stream; where nobody's is known, they are
+    taken to reach camera 1 first.
+    """
+    found: dict[Stream, list[V]] = {}
+    for one in vehicles:
+        if one.direction is not None:
+            found.setdefault((one.direction, one.lane), []).append(one)
+    in_order = sorted(found, key=lambda key: (key[0], key[1] is None, key[1] or ""))
+    streams = {key: found[key] for key in in_order} or {("camera_1_first", None): []}
+    next(iter(streams.values())).extend(one for one in vehicles if one.direction is None)
+    for stream in streams.values():
+        stream.sort(key=lambda one: (one.since_s is None, one.since_s or 0.0))
+    return streams
+
+
+def headways_s(fronts_s: Sequence[float]) -> list[float | None]:
+    """From the front before to each of a stream's fronts (N,), rising; None for the first."""
+    return [None, *(behind - ahead for ahead, behind in pairwise(fronts_s))][: len(fronts_s)]
 
 
 @dataclass(frozen=True, slots=True)
@@ -112,7 +150,7 @@ class Interval:
     classes: tuple[LengthClass, ...]
     unclassed: int
     speeds_mps: tuple[float, ...]
-    reasons: tuple[str, ...]
+    reasons: tuple[Said, ...]
 
 
 def intervals(
@@ -131,10 +169,10 @@ def intervals(
         raise ValueError("Minutes of an interval must divide an hour.")
     long_s = 60.0 * minutes
     end_s = max([watched_s, *(one.since_s + one.occupied_s for one in passed)])
-    headways = [None, *(behind.since_s - ahead.since_s for ahead, behind in pairwise(passed))]
+    fronts_s = [one.since_s for one in passed]
+    headways = headways_s(fronts_s)
     covered, spans = _covered(passed), _spans(into_hour_s, long_s, end_s)
-    fronts_s = np.array([one.since_s for one in passed])
-    begins, stops = np.searchsorted(fronts_s, np.array(spans).reshape(-1, 2).T).tolist()
+    begins, stops = np.searchsorted(np.array(fronts_s), np.array(spans).reshape(-1, 2).T).tolist()
     out = []
     for begin, before_stop, (begin_s, stop_s) in zip(begins, stops, spans, strict=True):
         stop = len(passed) if stop_s == end_s else before_stop
@@ -176,7 +214,7 @@ def _interval(
     occupancy = Figure(100 * occupied_s / watched_s, _u_occupancy(inside, watched_s))
     reasons = [] if moving else [_NO_SPEED]
     if occupancy.u is None:
-        reasons.append(_NO_OCCUPANCY_U.format(count=len(inside) - len(moving)))
+        reasons.append(Said("scan-flow-no-u-occupancy", count=len(inside) - len(moving)))
     lengths = [one for one in inside if one.length_m is not None]
     return Interval(
         begin_s=span[0],

@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 
 from sightline.linescan.equations import travelled_m
 from sightline.linescan.parts import Motion, Pixels, Rig
+from sightline.messages.said import Said
 
 Array = NDArray[np.float32]
 STEP_M = 0.02
@@ -41,14 +42,14 @@ class Wheels:
     """
 
     lines: tuple[float, ...]
-    reason: str | None = None
+    reason: Said | None = None
     row: float | None = None
     likeness: float | None = None
     foot: float | None = None
 
 
-NONE_FOUND = "No wheel was found: the lower part of the image shows none, or is too dark."
-NO_MOTION = "Without a motion the image has no scale in metres."
+NONE_FOUND = Said("scan-no-wheel")
+NO_MOTION = Said("scan-no-scale")
 
 
 def tyres_row(picture: Pixels, start: int, motion: Motion, rig: Rig) -> float | None:

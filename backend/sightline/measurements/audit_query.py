@@ -9,18 +9,20 @@ from sqlalchemy.orm import Session
 from sightline.infra.audit.vouched import Event, Fingerprint, register
 from sightline.measurements.tables import measurement_series
 
+_PLACE = ("vehicle_id", "scan_vehicle_id", "repeat_of")
+
 
 def _promise(event: Event, promised: dict[int, str]) -> None:
     if (event.entity, event.action) == ("measurement", "create") and event.entity_id is not None:
-        place = {"vehicle_id": event.after["vehicle_id"], "repeat_of": event.after.get("repeat_of")}
-        promised[event.entity_id] = _text({**place, "survey_id": event.survey_id})
+        told = {name: event.after.get(name) for name in _PLACE}
+        promised[event.entity_id] = _text({**told, "survey_id": event.survey_id})
 
 
 def _stored(session: Session) -> Iterator[tuple[int, str]]:
     query = select(measurement_series).order_by(measurement_series.c.id).execution_options(yield_per=1000)
     with session.execute(query) as series:
         for row in series.mappings():
-            yield row["id"], _text({name: row[name] for name in ("survey_id", "vehicle_id", "repeat_of")})
+            yield row["id"], _text({name: row[name] for name in ("survey_id", *_PLACE)})
 
 
 def _text(place: Mapping[str, Any]) -> str:

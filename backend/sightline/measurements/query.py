@@ -3,16 +3,24 @@
 from collections.abc import Callable, Iterable
 from dataclasses import fields
 from operator import itemgetter
-from typing import Any
+from typing import Any, Generic, TypeVar
 
-from sqlalchemy import ColumnElement, Row, Select, exists, func, or_, select
+from sqlalchemy import ColumnElement, Row, Select, and_, exists, func, null, or_, select
 from sqlalchemy.orm import Session
 
 from sightline.enums import JsonObject
 from sightline.infra.database.people import people
 from sightline.infra.database.rows import who
 from sightline.measurements.derived_query import derived
-from sightline.measurements.records import FurtherFrame, Measurement, MeasurementValues, ReviewState
+from sightline.measurements.records import (
+    FoundHeight,
+    FurtherFrame,
+    Measurement,
+    MeasurementValues,
+    ReviewState,
+    ScanHeight,
+    ScanHeightValues,
+)
 from sightline.measurements.tables import measurement_series, measurements, reviews
 from sightline.messages.said import Said
 
@@ -50,6 +58,21 @@ is_first: ColumnElement[bool] = series.c.repeat_of.is_(None)
 verdict: ColumnElement[str] = func.coalesce(reviews.c.verdict, "to_review")
 waits: ColumnElement[bool] = verdict.in_(("to_review", "reopened"))
 
+_mine = measurements.alias("mine")
+
+
+def is_own(actor: int | None) -> ColumnElement[bool]:
+    """Whether a revision is of a person's making, or stands on the very points that they clicked; computed
+    again by others, clicks are still theirs who placed them.
+    """
+    names = ("frame", "contact_x_px", "contact_y_px", "target_x_px", "target_y_px")
+    same = and_(*(_mine.c[name].is_not_distinct_from(measurements.c[name]) for name in names))
+    return exists().where(
+        _mine.c.series_id == measurements.c.series_id,
+        _mine.c.created_by == actor,
+        or_(_mine.c.revision == measurements.c.revision, same),
+    )
+
 
 def with_verdict(*columns: Any) -> Select[Any]:
     """Revisions joined with their series and the newest review of that very revision, or of the one whose
@@ -63,22 +86,23 @@ def with_verdict(*columns: Any) -> Select[Any]:
     )
 
 
-# The fields of MeasurementValues that are a column of the same name.
-_MADE_OF_SEVERAL = ("contact", "target_point", "more_frames")
-_STORED = [field.name for field in fields(MeasurementValues) if field.name not in _MADE_OF_SEVERAL]
 _m = measurements.c
+_POINTS = ("contact_x_px", "contact_y_px", "target_x_px", "target_y_px")
 
 
-def measurement_revision_rows() -> Select[Any]:
-    """Whole revisions, for `measurement`; add the conditions and the order."""
+def _stored(values: type[FoundHeight]) -> list[str]:
+    """The fields that are a column of the same name."""
+    return [field.name for field in fields(values) if field.name not in ("contact", "target_point")]
+
+
+def _revision_rows(values: type[FoundHeight], *place: Any) -> Select[Any]:
+    """Whole revisions with such values, of vehicles that passed in such a place."""
     return (
         with_verdict(
-            *(_m[name] for name in _STORED),
-            *(_m.contact_x_px, _m.contact_y_px, _m.target_x_px, _m.target_y_px, _m.more_frames),
-            *(_m.series_id, _m.revision, _m.id.label("revision_id")),
-            *(series.c.survey_id, series.c.vehicle_id, series.c.recording_id, series.c.repeat_of),
-            *(_m.created_by, _maker.c.name.label("maker_name"), _m.created_at, _m.withdrawn),
-            *(reviews.c.verdict, reviews.c.reason.label("review_reason")),
+            *(_m[name] for name in (*_stored(values), *_POINTS)),
+            *(_m.series_id, _m.revision, _m.id.label("revision_id"), series.c.survey_id, *place),
+            *(series.c.repeat_of, _m.created_by, _maker.c.name.label("maker_name")),
+            *(_m.created_at, _m.withdrawn, reviews.c.verdict, reviews.c.reason.label("review_reason")),
             *(reviews.c.created_by.label("reviewer_id"), _reviewer.c.name.label("reviewer_name")),
             *(reviews.c.created_at.label("reviewed_at"), reviews.c.result_revision.label("judged_revision")),
             reviews.c.lot_id.label("verdict_lot_id"),
@@ -87,6 +111,22 @@ def measurement_revision_rows() -> Select[Any]:
         .outerjoin(_maker, _maker.c.id == measurements.c.created_by)
         .outerjoin(_reviewer, _reviewer.c.id == reviews.c.created_by)
     )
+
+
+def measurement_revision_rows() -> Select[Any]:
+    """Whole revisions on frames, for `measurement_of_row`; add the conditions and the order."""
+    rows = _revision_rows(MeasurementValues, series.c.vehicle_id, series.c.recording_id)
+    return rows.where(series.c.vehicle_id.is_not(None))
+
+
+def scan_height_rows(category: ColumnElement[Any]) -> Select[Any]:
+    """Whole revisions in line scans, for `scan_height_of_row`; add the joins, the conditions and the order.
+
+    `category`: the column of the scanned vehicles that has their class, which this room does not know.
+    """
+    place = (series.c.scan_vehicle_id.label("vehicle_id"), series.c.scan_id, category.label("category"))
+    rows = _revision_rows(ScanHeightValues, *place)
+    return rows.where(series.c.scan_vehicle_id.is_not(None))
 
 
 def fetch_measurements(session: Session, query: Select[Any]) -> tuple[Measurement, ...]:
@@ -105,49 +145,52 @@ def measurements_of_vehicles(
     return found
 
 
-# Where each name stands in a row, asked of the statement once: looked up row by row, a survey's thousands of
-# measurements would take half as long again.
-_AT = {name: place for place, name in enumerate(measurement_revision_rows().selected_columns.keys())}
-
-
-def _getter(names: Iterable[str]) -> Callable[[Row[Any]], tuple[Any, ...]]:
-    return itemgetter(*(_AT[name] for name in names))
-
-
-# Fields of Measurement by the name of their column.
+# Fields of every revision by the name of their column.
 _OUTER = {
     "id": "series_id",
-    **{name: name for name in ("revision", "revision_id", "survey_id", "vehicle_id", "recording_id")},
+    **{name: name for name in ("revision", "revision_id", "survey_id", "vehicle_id")},
     **{name: name for name in ("repeat_of", "created_at", "withdrawn")},
     **{name: name for name in ("computing_id", "verdict_of_revision", "judged_revision")},
 }
-_outer_of, _values_of = _getter(_OUTER.values()), _getter(_STORED)
-_clicks_of = _getter(("contact_x_px", "contact_y_px", "target_x_px", "target_y_px", "more_frames"))
-_maker_of = _getter(("created_by", "maker_name"))
-_review_of = _getter(
-    ("verdict", "review_reason", "reviewer_id", "reviewer_name", "reviewed_at", "verdict_lot_id")
-)
+_REVIEW = ("verdict", "review_reason", "reviewer_id", "reviewer_name", "reviewed_at", "verdict_lot_id")
+_Made = TypeVar("_Made", Measurement, ScanHeight)
 
 
-def measurement_of_row(row: Row[Any]) -> Measurement:
-    """The record of a row of `measurement_revision_rows()`; columns added behind those do not matter."""
-    contact_x, contact_y, target_x, target_y, more_frames = _clicks_of(row)
-    values = dict(zip(_STORED, _values_of(row), strict=True))
-    if values["reason"] is not None:
-        values["reason"] = Said.read(values["reason"])
-    if values["flags"]:
-        values["flags"] = [Said.read(flag) for flag in values["flags"]]
-    return Measurement(
-        values=MeasurementValues(
-            contact=(contact_x, contact_y),
-            target_point=(target_x, target_y),
-            more_frames=tuple([_further(document) for document in more_frames]) if more_frames else (),
-            **values,
-        ),
-        created_by=who(*_maker_of(row)),
-        review=_review(*_review_of(row)),
-        **dict(zip(_OUTER, _outer_of(row), strict=True)),
-    )
+class _Reader(Generic[_Made]):
+    """Makes records of rows. Where each name stands in a row is asked of the statement once: looked up row by
+    row, a survey's thousands of measurements would take half as long again.
+    """
+
+    def __init__(self, kind: type[_Made], values: type[Any], rows: Select[Any], *place: str) -> None:
+        at = {name: where for where, name in enumerate(rows.selected_columns.keys())}
+
+        def getter(names: Iterable[str]) -> Callable[[Row[Any]], tuple[Any, ...]]:
+            return itemgetter(*(at[name] for name in names))
+
+        self._kind: Callable[..., _Made] = kind
+        self._values = values
+        self._stored, self._outer = _stored(values), (*_OUTER, *place)
+        self._stored_of, self._points_of = getter(self._stored), getter(_POINTS)
+        self._outer_of = getter((*_OUTER.values(), *place))
+        self._maker_of, self._review_of = getter(("created_by", "maker_name")), getter(_REVIEW)
+
+    def read(self, row: Row[Any]) -> _Made:
+        """The record of a row; columns added behind those of the statement do not matter."""
+        contact_x, contact_y, target_x, target_y = self._points_of(row)
+        values = dict(zip(self._stored, self._stored_of(row), strict=True))
+        if values["reason"] is not None:
+            values["reason"] = Said.read(values["reason"])
+        if values["flags"]:
+            values["flags"] = [Said.read(flag) for flag in values["flags"]]
+        if "more_frames" in values:
+            more = values["more_frames"]
+            values["more_frames"] = tuple([_further(document) for document in more]) if more else ()
+        return self._kind(
+            values=self._values(contact=(contact_x, contact_y), target_point=(target_x, target_y), **values),
+            created_by=who(*self._maker_of(row)),
+            review=_review(*self._review_of(row)),
+            **dict(zip(self._outer, self._outer_of(row), strict=True)),
+        )
 
 
 def _further(document: JsonObject) -> FurtherFrame:
@@ -165,3 +208,8 @@ def _review(
 
 
 _NOT_YET = ReviewState("to_review")
+
+measurement_of_row = _Reader(Measurement, MeasurementValues, measurement_revision_rows(), "recording_id").read
+scan_height_of_row = _Reader(
+    ScanHeight, ScanHeightValues, scan_height_rows(null()), "scan_id", "category"
+).read

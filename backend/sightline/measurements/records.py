@@ -3,12 +3,13 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 from datetime import datetime
-from typing import Annotated
+from typing import Annotated, Generic
 
 from pydantic import Field
-from typing_extensions import TypedDict
+from typing_extensions import TypedDict, TypeVar
 
 from sightline.enums import (
+    Category,
     ComputingCause,
     DriverSide,
     InsetSource,
@@ -129,13 +130,10 @@ class BudgetPart(TypedDict):
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class HeightOfClicks:
+class FoundHeight:
     """One height with its uncertainty and budget, or why there is none (then every number is None).
 
-    `inset_m` is the inset assumed for one frame, None for an eye whose side is unknown; `solved_inset_m` the
-    one found from several. `uncorrected_height_m` is the first frame's with an inset of 0. `x_m`, `y_m`: the
-    contact on the road, along it and across. `u_clicks_m` and `u_by_inset_m`: the parts of `u_height_m`
-    that come from clicks and heading, and from the assumed inset; what is left is the road pose's.
+    `inset_m` is the inset assumed, None for an eye whose side is unknown. Metres.
     """
 
     status: MeasurementStatus
@@ -143,23 +141,66 @@ class HeightOfClicks:
     height_m: float | None
     u_height_m: float | None
     U95_height_m: float | None
-    uncorrected_height_m: float | None
     inset_m: float | None
     u_inset_m: float | None
     inset_from: Annotated[
         InsetSource, Field(description="The survey's usual one, or this measurement's own.")
     ]
     side: Annotated[DriverSide | None, Field(description="Of an eye: where the driver sits.")]
-    side_from: Annotated[SideBasis | None, Field(description="What `side` follows from.")]
-    x_m: Annotated[float | None, Field(description="Contact point along the road, from the pose's origin.")]
-    y_m: Annotated[float | None, Field(description="Contact point across the road, away from the camera.")]
     distance_m: float | None
     budget: list[BudgetPart]
     flags: list[Said]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class HeightOfClicks(FoundHeight):
+    """A height of clicks on frames.
+
+    `inset_m` is the inset assumed for one frame; `solved_inset_m` the one found from several.
+    `uncorrected_height_m` is the first frame's with an inset of 0. `x_m`, `y_m`: the contact on the road,
+    along it and across. `u_clicks_m` and `u_by_inset_m`: the parts of `u_height_m` that come from clicks and
+    heading, and from the assumed inset; what is left is the road pose's.
+    """
+
+    uncorrected_height_m: float | None
+    side_from: Annotated[SideBasis | None, Field(description="What `side` follows from.")]
+    x_m: Annotated[float | None, Field(description="Contact point along the road, from the pose's origin.")]
+    y_m: Annotated[float | None, Field(description="Contact point across the road, away from the camera.")]
     solved_inset_m: float | None = None
     u_solved_inset_m: float | None = None
     u_clicks_m: float | None = None
     u_by_inset_m: float | None = None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ScanHeightValues(FoundHeight):
+    """The content of one revision of a height in a line scan: two clicks in strip 1, what they give.
+
+    Points are (line, row); `u_distance_m` is the standard uncertainty of `distance_m`, from the camera.
+    """
+
+    target: Target
+    contact: Point
+    target_point: Point
+    sigma_px: float
+    line_pose_id: int
+    u_distance_m: float | None
+    code_version: str
+
+    @property
+    def pose_id(self) -> int:
+        """The calibration of the line camera that it was computed with."""
+        return self.line_pose_id
+
+    @property
+    def more_frames(self) -> tuple[()]:
+        """A line has no further frame."""
+        return ()
+
+    @property
+    def side_from(self) -> SideBasis | None:
+        """A strip does not tell where the driver sits: a person did."""
+        return None if self.side is None else "said"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -240,9 +281,12 @@ class ReviewState:
     )
 
 
+Content = TypeVar("Content", MeasurementValues, ScanHeightValues)
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Measurement:
-    """One revision of a measurement (`id` is the series); lists and lookups give the current one.
+class Revision(Generic[Content]):
+    """One revision of a measurement (`id` is the series), of a frame or of a line scan.
 
     `repeat_of`: the measurement that this one repeats, which then stands in no list and counts for no result.
     """
@@ -252,9 +296,8 @@ class Measurement:
     revision_id: int
     survey_id: int
     vehicle_id: int
-    recording_id: int
     repeat_of: int | None
-    values: MeasurementValues
+    values: Content
     created_by: Who | None
     created_at: datetime
     withdrawn: bool
@@ -265,18 +308,48 @@ class Measurement:
     verdict_of_revision: int | None = None
     #: The revision that the verdict was given to.
     judged_revision: int | None = None
+    #: Filled in for the package alone: the facts that it follows from and that hold no longer.
+    out_of_date: tuple[ComputingCause, ...] = ()
+
+    @property
+    def all_flags(self) -> list[Said]:
+        """What is said of its height."""
+        return self.values.flags
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Measurement(Revision[MeasurementValues]):
+    """One revision of a measurement on frames; lists and lookups give the current one."""
+
+    recording_id: int
     #: Derived when read, never stored: the camera had moved on this frame.
     drift_flag: Said | None = None
     #: Derived too: when its first frame was filmed, ISO 8601 with offset; None: the start is not confirmed.
     filmed_at: str | None = None
-    #: Filled in for the package alone: the facts that it follows from and that hold no longer.
-    out_of_date: tuple[ComputingCause, ...] = ()
+
+    @property
+    def place(self) -> dict[str, int]:
+        """Where its vehicle passed, as events tell it."""
+        return {"vehicle_id": self.vehicle_id, "recording_id": self.recording_id}
 
     @property
     def all_flags(self) -> list[Said]:
         """What was stored, and what was found out since about the camera."""
         flags = self.values.flags
         return flags if self.drift_flag is None else [*flags, self.drift_flag]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ScanHeight(Revision[ScanHeightValues]):
+    """One revision of a height in a line scan; its vehicle is one of the scan's. `category`: by now."""
+
+    scan_id: int
+    category: Category | None = None
+
+    @property
+    def place(self) -> dict[str, int]:
+        """Where its vehicle passed, as events tell it."""
+        return {"scan_vehicle_id": self.vehicle_id, "scan_id": self.scan_id}
 
 
 @dataclass(frozen=True, slots=True)

@@ -2,7 +2,6 @@
 
 from collections.abc import Callable, Sequence
 from dataclasses import asdict, replace
-from functools import partial
 from typing import Annotated
 
 from fastapi import APIRouter, Depends, Query
@@ -11,6 +10,7 @@ from fastapi.concurrency import run_in_threadpool
 from sightline.enums import Target
 from sightline.errors import Conflict
 from sightline.infra.database import Session
+from sightline.infra.database.engine import SurveyOf
 from sightline.infra.services import Services
 from sightline.infra.web.deps import Operator, PathId, Reading, SignedIn, Viewer, Wired, Writes
 from sightline.infra.web.person import Person
@@ -149,7 +149,7 @@ async def add_measurement(
             lambda: service.store_measurement(session, vehicle_id, key, clicks, repeat_of=again, actor=who.id)
         )
 
-    return await writes.to(partial(store.survey_of_vehicle, vehicle_id=vehicle_id), work)
+    return await writes.to(SurveyOf("vehicles", vehicle_id), work)
 
 
 @router.get("/measurements/{measurement_id}")
@@ -178,7 +178,7 @@ async def revise_measurement(
         clicks = replace(clicks, **asdict(origin), followed=followed)
         return _answered(lambda: service.store_revision(session, before, clicks, actor=who.id))
 
-    return await writes.to(_survey_of(measurement_id), work)
+    return await writes.to(SurveyOf("measurement_series", measurement_id), work)
 
 
 @router.delete("/measurements/{measurement_id}")
@@ -195,7 +195,7 @@ async def withdraw_measurement(
             store.withdraw_measurement(session, measurement_id, seen_revision=revision, actor=who.id)
         )
 
-    return await writes.to(_survey_of(measurement_id), work)
+    return await writes.to(SurveyOf("measurement_series", measurement_id), work)
 
 
 @router.post("/measurements/{measurement_id}/restore")
@@ -211,7 +211,7 @@ async def restore_measurement(
             )
         )
 
-    return await writes.to(_survey_of(measurement_id), work)
+    return await writes.to(SurveyOf("measurement_series", measurement_id), work)
 
 
 def _answered(work: Callable[[], Measurement]) -> MeasurementBody:
@@ -222,7 +222,3 @@ def _answered(work: Callable[[], Measurement]) -> MeasurementBody:
         if isinstance(error.current, Measurement):
             error.current = measurement_body(error.current)
         raise
-
-
-def _survey_of(measurement_id: int) -> Callable[[Session], int]:
-    return partial(store.survey_of_measurement, series_id=measurement_id)

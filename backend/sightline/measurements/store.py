@@ -1,15 +1,15 @@
 """Measurements: append-only revisions of a series. Nothing changes a row; the database refuses it too."""
 
 from collections import defaultdict
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, fields, replace
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field, fields, replace
 from datetime import datetime
-from functools import cache
-from operator import attrgetter
+from functools import cache, partial
 from typing import Any
 
-from sqlalchemy import Row, Select, and_, bindparam, exists, func, select
+from sqlalchemy import Row, Select, and_, bindparam, exists, func, insert, null, select
 from sqlalchemy.orm import Session
+from sqlalchemy.sql.dml import ReturningInsert
 
 from sightline.cameras.calibrations.tables import calibrations
 from sightline.enums import JsonObject
@@ -17,8 +17,9 @@ from sightline.errors import BadInput, Conflict
 from sightline.infra.audit import trail
 from sightline.infra.audit.hashing import content_hash, plain
 from sightline.infra.audit.records import name_or_somebody
-from sightline.infra.database.rows import add_row, add_rows, missing, name_of, row_content
-from sightline.infra.database.types import columns_of, now
+from sightline.infra.database.people import people
+from sightline.infra.database.rows import add_row, add_rows, missing, name_of, row_content, who
+from sightline.infra.database.types import now
 from sightline.measurements.again.differences import judged_alike, same_height
 from sightline.measurements.click_context_query import frames_by_number
 from sightline.measurements.derived_query import TELLING, derived_from
@@ -29,8 +30,17 @@ from sightline.measurements.query import (
     is_last,
     measurement_of_row,
     measurement_revision_rows,
+    scan_height_of_row,
+    scan_height_rows,
 )
-from sightline.measurements.records import FurtherFrame, Measurement, MeasurementValues, ReviewState
+from sightline.measurements.records import (
+    FurtherFrame,
+    Measurement,
+    MeasurementValues,
+    ReviewState,
+    ScanHeight,
+    ScanHeightValues,
+)
 from sightline.measurements.tables import measurement_series, measurements, reviews
 from sightline.poses.tables import road_poses
 from sightline.recordings.frames.store import missing_frame
@@ -70,7 +80,7 @@ def add_measurement(
     or a frame that is not the stored one, and for a target that stands measured, with that measurement, where
     this is no repeat: two heights of one target would be counted twice.
     """
-    ground = _ground_of(session, vehicle_id, values, client_key)
+    ground = _ground_of(session, vehicle_id, values, client_key, actor=actor)
     if ground.known_id is not None:
         if ground.known_vehicle_id != vehicle_id:
             raise Conflict("measurements-measurement-stored-another-vehicle-already-click")
@@ -83,7 +93,22 @@ def add_measurement(
     place: dict[str, Any] = {"survey_id": ground.survey_id, "recording_id": ground.recording_id}
     place |= {"vehicle_id": vehicle_id, "repeat_of": _repeated(session, vehicle_id, repeat_of, values.target)}
     series_id = add_row(session, measurement_series, {**place, "client_key": client_key})
-    return _append(session, series_id, 1, values, withdrawn=False, before=None, action="create", actor=actor)
+    to_come = Measurement(
+        id=series_id,
+        revision=1,
+        revision_id=0,
+        values=values,
+        created_by=None,
+        created_at=now(),
+        withdrawn=False,
+        review=ReviewState("to_review"),
+        **place,
+    )
+    known = partial(_known, to_come, ground, actor)
+    made: Measurement = append_revision(
+        session, series_id, 1, values, before=None, action="create", actor=actor, known=known
+    )
+    return made
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -216,18 +241,6 @@ def is_stored_key(session: Session, client_key: str) -> bool:
     return session.execute(found).first() is not None
 
 
-def survey_of_vehicle(session: Session, vehicle_id: int) -> int:
-    """The survey of a vehicle; 0 where there is no such vehicle."""
-    found = session.execute(select(vehicles.c.survey_id).where(vehicles.c.id == vehicle_id))
-    return found.scalar_one_or_none() or 0
-
-
-def survey_of_measurement(session: Session, series_id: int) -> int:
-    """The survey of a measurement; 0 where there is no such measurement."""
-    chosen = select(measurement_series.c.survey_id).where(measurement_series.c.id == series_id)
-    return session.execute(chosen).scalar_one_or_none() or 0
-
-
 def get_measurement(session: Session, series_id: int) -> Measurement:
     """The current revision, withdrawn or not. Raises NotFound."""
     return _measurement_of(_current_row(session, series_id))
@@ -257,6 +270,11 @@ def _current() -> Select[Any]:
 @cache
 def _revision() -> Select[Any]:
     return _with_place().where(measurements.c.id == bindparam("of_revision"))
+
+
+@cache
+def _line_revision() -> Select[Any]:
+    return scan_height_rows(null()).where(measurements.c.id == bindparam("of_revision"))
 
 
 def _current_row(session: Session, series_id: int) -> Row[Any]:
@@ -343,82 +361,134 @@ def append_measurement_revision(
     Points put back where they were, so that the height is what it was, bring the verdict back that stood on
     it: an undone change and a withdrawal undone leave a review as it was. A fix has a verdict of its own.
     """
-    ground = _ground_of(session, before.vehicle_id, values, series_id=before.id)
+    ground = _ground_of(session, before.vehicle_id, values, series_id=before.id, actor=actor)
     _check(ground, values)
     carried = None
     if ground.judged and not withdrawn and action != "fix":
-        carried = _verdict_that_stood(session, before.id, values)
-    then = {name: getattr(before.values, name) for name in _IN_EVENTS} | {"revision": before.revision}
-    return _append(
+        carried = verdict_that_stood(session, before.id, values)
+    to_come = replace(
+        before,
+        revision=before.revision + 1,
+        values=values,
+        withdrawn=withdrawn,
+        review=ReviewState("to_review"),
+        computing_id=None,
+        verdict_of_revision=None,
+        judged_revision=None,
+    )
+    made: Measurement = append_revision(
         session,
         before.id,
-        before.revision + 1,
+        to_come.revision,
         values,
         withdrawn=withdrawn,
-        before=then,
+        before=before,
         action=action,
         actor=actor,
         verdict_of_revision=carried,
+        # a verdict comes with it: read
+        known=None if carried is not None else partial(_known, to_come, ground, actor),
     )
+    return made
 
 
-def _verdict_that_stood(session: Session, series_id: int, values: MeasurementValues) -> int | None:
+def verdict_that_stood(
+    session: Session, series_id: int, values: MeasurementValues | ScanHeightValues
+) -> int | None:
     """The newest judged of the revisions with this very content: the one that its verdict was given to."""
     (contact_x, contact_y), (target_x, target_y) = values.contact, values.target_point
+    rows, record_of_row = _reading(values)
     query = (
-        measurement_revision_rows()
-        .where(measurements.c.series_id == series_id, measurements.c.frame == values.frame)
+        rows()
+        .where(measurements.c.series_id == series_id)
         .where(measurements.c.contact_x_px == contact_x, measurements.c.contact_y_px == contact_y)
         .where(measurements.c.target_x_px == target_x, measurements.c.target_y_px == target_y)
         .order_by(measurements.c.revision.desc())
     )
-    history = (measurement_of_row(row) for row in session.execute(query))
+    history = (record_of_row(row) for row in session.execute(query))
     return judged_alike(history, lambda one: same_height(one.values, values), lambda one: one.judged_revision)
 
 
-def _append(
+def _reading(
+    values: MeasurementValues | ScanHeightValues,
+) -> tuple[Callable[[], Select[Any]], Callable[[Row[Any]], Any]]:
+    """How revisions with such values are read."""
+    if isinstance(values, ScanHeightValues):
+        return partial(scan_height_rows, null()), scan_height_of_row
+    return measurement_revision_rows, measurement_of_row
+
+
+def append_revision(
     session: Session,
     series_id: int,
     revision: int,
-    values: MeasurementValues,
+    values: MeasurementValues | ScanHeightValues,
     *,
-    withdrawn: bool,
-    before: JsonObject | None,
+    withdrawn: bool = False,
+    before: Measurement | ScanHeight | None,
     action: str,
     actor: int | None,
     verdict_of_revision: int | None = None,
-) -> Measurement:
+    known: Callable[[Row[Any]], Any] | None = None,
+) -> Any:
+    """Write a revision whose content was checked, with its audit event, and give it back: a Measurement or a
+    ScanHeight, as its values are. `known` tells from the row as it was stored what else would be read.
+    """
     stamps: dict[str, Any] = {"series_id": series_id, "revision": revision, "withdrawn": withdrawn}
     stamps["verdict_of_revision"] = verdict_of_revision
     stamps |= {"created_at": now(), "created_by": actor}
-    row_id = add_row(session, measurements, {**_row_of(values), **stamps})
-    made, content = _as_stored(session, row_id)
-    after = _after(made, content)
-    trail.record(session, actor, action, "measurement", series_id, made.survey_id, before, after)
+    row = session.execute(_insert_revision(), {**_row_of(values), **stamps}).one()
+    made = known(row) if known else _as_stored(session, row.id, values)
+    then = None if before is None else _told(before)
+    after = _after(made, plain(row_content(row._mapping)))
+    trail.record(session, actor, action, "measurement", series_id, made.survey_id, then, after)
     return made
 
 
-_VALUES = tuple(field.name for field in fields(MeasurementValues))
-_values_of = attrgetter(*_VALUES)
+@cache
+def _insert_revision() -> ReturningInsert[Any]:
+    """Gives the row back as the database has it: what a verification hashes."""
+    return insert(measurements).returning(measurements)
 
 
-def _row_of(values: MeasurementValues) -> dict[str, Any]:
-    row: dict[str, Any] = dict(zip(_VALUES, _values_of(values), strict=True))
+def _known(to_come: Measurement, ground: "_Ground", actor: int | None, row: Row[Any]) -> Measurement:
+    """A revision with the number that it was given, and what the ground tells of it."""
+    named = who(actor, ground.actor_name)
+    made = replace(to_come, revision_id=row.id, created_at=row.created_at, created_by=named)
+    return derived_from(made, ground.telling)
+
+
+# Every column of a content: what is said of frames is said of no line, and the other way round.
+_EMPTY: dict[str, Any] = {
+    one.name: None
+    for kind in (MeasurementValues, ScanHeightValues)
+    for one in fields(kind)
+    if one.name not in ("contact", "target_point")
+}
+
+
+def _row_of(values: MeasurementValues | ScanHeightValues) -> dict[str, Any]:
+    row: dict[str, Any] = {one.name: getattr(values, one.name) for one in fields(values)}
     (row["contact_x_px"], row["contact_y_px"]) = row.pop("contact")
     (row["target_x_px"], row["target_y_px"]) = row.pop("target_point")
     row["more_frames"] = [plain(one) for one in values.more_frames]
-    return row
+    return {**_EMPTY, "made": "clicked", **row}
 
 
-def _after(made: Measurement, content: JsonObject) -> JsonObject:
+def _told(one: Measurement | ScanHeight) -> JsonObject:
+    """The few words of an event on a revision."""
+    words = {name: getattr(one.values, name) for name in _IN_EVENTS if hasattr(one.values, name)}
+    return {**words, "revision": one.revision}
+
+
+def _after(made: Measurement | ScanHeight, content: JsonObject) -> JsonObject:
     """What an event says of a revision: a few words, and the whole row, so that every input and every figure
     can be held against what the chain says.
     """
-    after: JsonObject = {name: getattr(made.values, name) for name in _IN_EVENTS} | {
-        "revision": made.revision,
+    after: JsonObject = {
+        **_told(made),
         "revision_id": made.revision_id,
-        "vehicle_id": made.vehicle_id,
-        "recording_id": made.recording_id,
+        **made.place,
         "withdrawn": made.withdrawn,
         "row": content,
         "content_sha256": content_hash(content),
@@ -434,8 +504,8 @@ class ComputedAgain:
     verdict holds for it too.
     """
 
-    before: Measurement
-    values: MeasurementValues
+    before: Measurement | ScanHeight
+    values: MeasurementValues | ScanHeightValues
     verdict_of_revision: int | None = None
 
 
@@ -458,7 +528,7 @@ def append_computed_again(
         ids = add_rows(session, measurements, [_row_again(one, computing_id, moment) for one in some])
         content_of = _contents(session, ids)
         events = [
-            (one.before.id, _before_again(one), _after(_made_again(one, row_id), content_of[row_id]))
+            (one.before.id, _told(one.before), _after(_made_again(one, row_id), content_of[row_id]))
             for one, row_id in zip(some, ids, strict=True)
         ]
         trail.record_many(session, actor, action, "measurement", survey_id, events)
@@ -477,22 +547,16 @@ def _row_again(one: ComputedAgain, computing_id: int, moment: datetime) -> dict[
     }
 
 
-def _before_again(one: ComputedAgain) -> JsonObject:
-    then = {name: getattr(one.before.values, name) for name in _IN_EVENTS}
-    return {**then, "revision": one.before.revision}
+def _made_again(one: ComputedAgain, row_id: int) -> Measurement | ScanHeight:
+    new: dict[str, Any] = {"revision": one.before.revision + 1, "values": one.values}
+    return replace(one.before, revision_id=row_id, withdrawn=False, **new)
 
 
-def _made_again(one: ComputedAgain, row_id: int) -> Measurement:
-    return replace(
-        one.before, revision=one.before.revision + 1, revision_id=row_id, values=one.values, withdrawn=False
-    )
-
-
-def _as_stored(session: Session, revision_id: int) -> tuple[Measurement, JsonObject]:
-    """A revision as the database gives it back, and the content of its row as a verification hashes it."""
-    row = session.execute(_revision(), {"of_revision": revision_id}).one()
-    content = {column.name: row._mapping[column.name] for column in columns_of(measurements, "id")}
-    return _measurement_of(row), plain(row_content(content))
+def _as_stored(session: Session, revision_id: int, values: MeasurementValues | ScanHeightValues) -> Any:
+    """A revision as the database gives it back."""
+    of_line = isinstance(values, ScanHeightValues)
+    row = session.execute(_line_revision() if of_line else _revision(), {"of_revision": revision_id}).one()
+    return scan_height_of_row(row) if of_line else _measurement_of(row)
 
 
 @cache
@@ -536,7 +600,8 @@ def _repeated(session: Session, vehicle_id: int, repeat_of: int | None, target: 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class _Ground:
     """What a revision is checked against. `known_*`: the measurement stored with the same client key;
-    `judged`: whether a verdict was ever given to the measurement that is revised.
+    `judged`: whether a verdict was ever given to the measurement that is revised. The name of who writes it
+    and what the recording tells are not of several at once.
     """
 
     survey_id: int
@@ -549,6 +614,8 @@ class _Ground:
     pose_survey_id: int | None
     has_calibration: bool
     frames: dict[int, tuple[int, int]]  # pts and crc32
+    actor_name: str | None = None
+    telling: Mapping[Any, Any] = field(default_factory=dict)  # of the recording: `TELLING`
 
 
 @cache
@@ -565,9 +632,12 @@ def _ground_query() -> Select[Any]:
             exists().where(reviews.c.series_id == bindparam("of_series")).label("judged"),
             road_poses.c.survey_id.label("pose_survey_id"),
             calibrations.c.id.label("calibration_id"),
+            *(people.c.name.label("actor_name"), *TELLING),
             *(frames.c.n, frames.c.pts, frames.c.crc32),
         )
         .select_from(vehicles)
+        .join(recordings, recordings.c.id == vehicles.c.recording_id)
+        .outerjoin(people, people.c.id == bindparam("of_actor"))
         .outerjoin(known, known.c.client_key == bindparam("of_key"))
         .outerjoin(road_poses, road_poses.c.id == bindparam("of_pose"))
         .outerjoin(calibrations, calibrations.c.id == bindparam("of_calibration"))
@@ -583,11 +653,13 @@ def _ground_of(
     client_key: str | None = None,
     *,
     series_id: int = 0,
+    actor: int | None,
 ) -> _Ground:
     """All of it in one query; `series_id`: what is revised. Raises NotFound for a vehicle that never was."""
     asked = {
         "of_vehicle": vehicle_id,
         "of_target": values.target,
+        "of_actor": actor,
         "of_key": client_key,
         "of_series": series_id,
         "of_pose": values.pose_id,
@@ -609,6 +681,8 @@ def _ground_of(
         pose_survey_id=row.pose_survey_id,
         has_calibration=row.calibration_id is not None,
         frames={of.n: (of.pts, of.crc32) for of in rows if of.n is not None},
+        actor_name=row.actor_name,
+        telling=row._mapping,
     )
 
 

@@ -45,12 +45,20 @@ measurement_series = Table(
     metadata,
     identity(),
     Column("survey_id", ForeignKey("surveys.id"), nullable=False, index=True),
-    Column("recording_id", ForeignKey("recordings.id"), nullable=False, index=True, info=HOLDS),
-    Column("vehicle_id", ForeignKey("vehicles.id"), nullable=False, index=True),
+    # of a frame: recording and vehicle; of a line scan: the scan and its vehicle
+    Column("recording_id", ForeignKey("recordings.id"), index=True, info=HOLDS),
+    Column("vehicle_id", ForeignKey("vehicles.id"), index=True),
+    Column("scan_id", ForeignKey("scans.id"), index=True),
+    Column("scan_vehicle_id", ForeignKey("scan_vehicles.id"), index=True),
     Column("client_key", String(36), nullable=False),
     # the measurement that this one repeats: shown and counted with the repeats only
     Column("repeat_of", ForeignKey("measurement_series.id"), index=True),
     UniqueConstraint("client_key"),
+    CheckConstraint(
+        "(recording_id IS NULL) = (vehicle_id IS NULL) AND (scan_id IS NULL) = (scan_vehicle_id IS NULL) "
+        "AND (vehicle_id IS NULL) <> (scan_vehicle_id IS NULL)",
+        name="of_one_vehicle",
+    ),
     info=vouched(WrittenOnceApart("series")),
 )
 
@@ -77,7 +85,8 @@ computings = Table(
 )
 
 
-# One row a revision; the one with the highest number is the current one.
+# One row a revision; the one with the highest number is the current one. Of a line scan, points are (line,
+# row) of strip 1, `line_pose_id` is the pose, and what tells a frame is empty.
 measurements = Table(
     "measurements",
     metadata,
@@ -85,10 +94,10 @@ measurements = Table(
     Column("series_id", ForeignKey("measurement_series.id"), nullable=False),
     Column("revision", Integer, nullable=False),
     Column("target", String(20), nullable=False),
-    Column("frame", Integer, nullable=False),
-    Column("pts", BigInteger, nullable=False),
-    Column("time_s", Float, nullable=False),
-    Column("frame_crc32", BigInteger, nullable=False),
+    Column("frame", Integer),
+    Column("pts", BigInteger),
+    Column("time_s", Float),
+    Column("frame_crc32", BigInteger),
     Column("contact_x_px", Float, nullable=False),
     Column("contact_y_px", Float, nullable=False),
     Column("target_x_px", Float, nullable=False),
@@ -105,8 +114,9 @@ measurements = Table(
     Column("proposed_contact_y_px", Float),
     Column("proposed_target_x_px", Float),
     Column("proposed_target_y_px", Float),
-    Column("pose_id", ForeignKey("road_poses.id"), nullable=False),
-    Column("calibration_id", ForeignKey("calibrations.id"), nullable=False),
+    Column("pose_id", ForeignKey("road_poses.id")),
+    Column("calibration_id", ForeignKey("calibrations.id")),
+    Column("line_pose_id", ForeignKey("line_poses.id")),
     # empty for an eye of which nobody knows on which side the driver sits
     Column("inset_m", Float),
     Column("u_inset_m", Float),
@@ -120,6 +130,7 @@ measurements = Table(
     Column("x_m", Float),
     Column("y_m", Float),
     Column("distance_m", Float),
+    Column("u_distance_m", Float),
     Column("status", String(20), nullable=False),
     Column("reason", CanonicalJson),
     Column("flags", CanonicalJson, nullable=False),
@@ -151,6 +162,12 @@ measurements = Table(
     CheckConstraint("revision >= 1", name="revision_counts"),
     CheckConstraint("sigma_px > 0", name="sigma_positive"),
     CheckConstraint(
+        "(pose_id IS NULL) <> (line_pose_id IS NULL) AND (pose_id IS NULL) = (calibration_id IS NULL) "
+        "AND (pose_id IS NULL) = (frame IS NULL) AND (pose_id IS NULL) = (pts IS NULL) "
+        "AND (pose_id IS NULL) = (time_s IS NULL) AND (pose_id IS NULL) = (frame_crc32 IS NULL)",
+        name="of_a_frame_or_a_line",
+    ),
+    CheckConstraint(
         "(proposal IS NULL AND proposed_contact_x_px IS NULL AND proposed_contact_y_px IS NULL "
         "AND proposed_target_x_px IS NULL AND proposed_target_y_px IS NULL) OR "
         "(proposal IS NOT NULL AND proposed_contact_x_px IS NOT NULL AND proposed_contact_y_px IS NOT NULL "
@@ -164,6 +181,10 @@ measurements = Table(
     ),
     CheckConstraint("verdict_of_revision < revision", name="verdict_of_an_earlier_one"),
     CheckConstraint("inset_m IS NOT NULL OR target = 'driver_eye'", name="inset_of_all_but_eyes"),
+    CheckConstraint(
+        "line_pose_id IS NULL OR target <> 'driver_eye' OR side IS NOT NULL OR inset_from = 'own'",
+        name="eye_of_a_line_has_side",
+    ),
     CheckConstraint(
         "(status = 'ok' AND height_m IS NOT NULL) OR (status <> 'ok' AND reason IS NOT NULL)",
         name="height_or_reason",

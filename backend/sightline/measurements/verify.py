@@ -19,8 +19,8 @@ from sightline.geometry.documents import pose_from_dict
 from sightline.geometry.road_pose import RoadPose
 from sightline.infra.audit.hashing import canonical_json, content_hash
 from sightline.infra.audit.records import Who
-from sightline.infra.csv_package.columns import CODE, said_in, words_of
-from sightline.infra.csv_package.files import Files, read_columns, read_rows, read_whole, unsafe
+from sightline.infra.csv_package.columns import CODE
+from sightline.infra.csv_package.files import Files, read_columns, read_rows, read_whole
 from sightline.infra.csv_package.files import number as figure_of
 from sightline.infra.csv_package.recomputing import Recomputing
 from sightline.infra.csv_package.schema import AnyTable, Table, cell_text
@@ -224,20 +224,14 @@ def check_measurements(
 
 
 class Recomputed:
-    """Heights computed again from the poses of a package, each read once. `same_words`: whether this program
-    has the words of the one that made the package.
-    """
+    """Heights computed again from the poses of a package, each read once."""
 
-    def __init__(self, files: Files, recomputing: Recomputing, *, same_words: bool) -> None:
-        self._files, self._recomputing, self._same_words = files, recomputing, same_words
+    def __init__(self, files: Files, recomputing: Recomputing) -> None:
+        self._files, self._recomputing = files, recomputing
         self._poses: dict[str, RoadPose] = {}
 
     def check(self, name: str, row: Row, by: str) -> None:
-        """The figures of a row, computed by this version, are those that its clicks give, and its words those
-        of their codes. Raises Damaged.
-        """
-        if self._same_words:
-            _same_words(name, row)
+        """The figures of a row, computed by this version, are those that its clicks give. Raises Damaged."""
         with self._recomputing.of(HEIGHTS, by):
             _same(name, row, self._answer(row))
 
@@ -246,14 +240,6 @@ class Recomputed:
         if path not in self._poses:
             self._poses[path] = _pose(self._files, path)
         return answer(self._poses[path], clicks_of_row(row))
-
-
-def _same_words(name: str, row: Row) -> None:
-    for column in row:
-        if column.endswith(CODE):
-            words = column.removesuffix(CODE)
-            if unsafe(row[words]) != (words_of(said_in(row[column])) or ""):
-                raise Damaged("measurements-words-not-of-code", name=name, column=words)
 
 
 def _pose(files: Files, path: str) -> RoadPose:

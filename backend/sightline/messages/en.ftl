@@ -2001,11 +2001,12 @@ review-plan = { $one_in ->
     [1] Blind check: every measurement is clicked before it is shown.
    *[other] Blind check: 1 measurement in { $one_in } is clicked before it is shown.
 }
+review-plan-name = Blind check
 review-plan-choose = Blind check, for all reviewers of this survey
 review-plan-choice = { $one_in ->
-    [0] Blind check: off
-    [1] Blind check: every measurement
-   *[other] Blind check: 1 in { $one_in }
+    [0] off
+    [1] every measurement
+   *[other] 1 in { $one_in }
 }
 review-blind-click = click it again
 review-blind-title = Blind check: click it yourself first
@@ -2185,8 +2186,8 @@ repeats-differences-label = { $count ->
     [one] Second minus first height in { $small } over their mean in { $unit }, { $count } repeat
    *[other] Second minus first height in { $small } over their mean in { $unit }, { $count } repeats
 }
-repeats-differences-x = mean of both heights ({ $unit })
-repeats-differences-y = difference ({ $unit })
+repeats-differences-x = Mean of both heights ({ $unit })
+repeats-differences-y = Difference ({ $unit })
 
 ## Click again: measurements once more, without their points
 
@@ -2782,15 +2783,15 @@ scan-profile-says = { $count ->
    *[other] Speed of { $count } blocks along vehicle { $vehicle } and the fitted motion
 }
 scan-profile-none = No speed profile: the vehicle has no measured motion.
-scan-profile-fitted = fitted motion
-scan-profile-used = block, used
-scan-profile-left-out = block, excluded
+scan-profile-fitted = Fitted motion
+scan-profile-used = Block, used
+scan-profile-left-out = Block, excluded
 scan-profile-note = Each block’s mean speed between the cameras.
 scan-profile-beyond = { $count ->
     [one] { $count } block lies outside this plot; the CSV contains all.
    *[other] { $count } blocks lie outside this plot; the CSV contains all.
 }
-scan-profile-x = time after the front reached camera 1 (s)
+scan-profile-x = Time after the front reached camera 1 (s)
 scan-match-title = Registration: strip 2 over strip 1
 scan-match-picture = Image of the registration
 scan-match-1 = 1
@@ -3011,6 +3012,12 @@ motion-none-accepted-title = No accepted vehicles yet
 motion-none-accepted = Review some in Line scans, or include unreviewed vehicles.
 motion-none-title = No measured vehicles yet
 motion-none = Add a line scan and detect its vehicles.
+motion-filter = Time of filming
+motion-without-time = { $count ->
+    [one] { NUMBER($count) } vehicle is excluded because the start of its line scan is not confirmed. <link>Confirm it in Line scans</link>
+   *[other] { NUMBER($count) } vehicles are excluded because the starts of their line scans are not confirmed. <link>Confirm them in Line scans</link>
+}
+motion-none-filmed = No vehicle was filmed at this time.
 motion-counted = { $vehicles ->
     [one] { $vehicles } vehicle
    *[other] { $vehicles } vehicles
@@ -3187,6 +3194,10 @@ statistics-counted = { $measurements ->
     [one] { $roofs } roof
    *[other] { $roofs } roofs
 } with a manufacturer’s height.
+statistics-without-time = { $count ->
+    [one] { NUMBER($count) } vehicle is excluded because the start of its recording is not confirmed. <link>Confirm it in Recordings</link>
+   *[other] { NUMBER($count) } vehicles are excluded because the starts of their recordings are not confirmed. <link>Confirm them in Recordings</link>
+}
 statistics-without-class = { $count ->
     [one] { NUMBER($count) } vehicle has no class and is excluded from results by class. <link>Choose it in Measure</link> (list: No class).
    *[other] { NUMBER($count) } vehicles have no class and are excluded from results by class. <link>Choose them in Measure</link> (list: No class).
@@ -3229,6 +3240,8 @@ statistics-filter-operator = Operator
 statistics-filter-anybody = any
 statistics-filter-filmed-from = Filmed from
 statistics-filter-filmed-to = Filmed to
+statistics-filter-hour-from = From hour
+statistics-filter-hour-to = To hour
 statistics-filter-first-day = Measured from (UTC)
 statistics-filter-last-day = Measured to (UTC)
 statistics-filter-correction = Correction
@@ -3313,8 +3326,8 @@ statistics-relative-note = Absolute error divided by the reference height. { $gr
 statistics-relative-x = Relative error (%)
 statistics-density-title = Signed error, density
 statistics-density-says = Density of the signed error; { $groups }
-statistics-density-note = Gaussian kernel, bandwidth { $bandwidths }; pointwise 95 % band. { $groups }.
-statistics-density-note-rounded = Gaussian kernel, bandwidth { $bandwidths }, at least half of the { $rounding } of rounding; pointwise 95 % band. { $groups }.
+statistics-density-note = Gaussian kernel, bandwidth { $bandwidths }; pointwise 95 % band for 30 vehicles or more. { $groups }.
+statistics-density-note-rounded = Gaussian kernel, bandwidth { $bandwidths }, at least half of the { $rounding } of rounding; pointwise 95 % band for 30 vehicles or more. { $groups }.
 statistics-signed-error = Signed error ({ $unit })
 statistics-density-y = Share of vehicles (% per { $unit })
 statistics-trend-title = Error against manufacturer’s height
@@ -3324,7 +3337,7 @@ statistics-trend-says = Signed error over the manufacturer’s height of { $coun
 }.
 statistics-trend-nothing = Nothing to draw: no vehicle has a reference height.
 statistics-trend-x = Manufacturer’s height ({ $unit })
-statistics-trend-legend = regression, 95 % band
+statistics-trend-legend = Regression, 95 % band
 statistics-trend = Slope { $slope } { $small } per { $unit } ({ $slope_interval }), r = { $correlation }.
 statistics-trend-absolute = Absolute error: r = { $correlation }.
 
@@ -3359,7 +3372,7 @@ statistics-target-nothing = Nothing to draw: no heights of this target match the
 statistics-height-x = Height above the road ({ $unit })
 statistics-target-density-title = { $target }, density
 statistics-target-density-says = Density of corrected { $target } heights
-statistics-target-density-note = Corrected heights, Gaussian kernel, pointwise 95 % band.
+statistics-target-density-note = Corrected heights, Gaussian kernel, pointwise 95 % band for 30 vehicles or more.
 statistics-share = { $standard }, { $height }: <strong>{ $share }</strong> of { $target ->
     [driver_eye] drivers’ eyes
     [taillight] taillights
@@ -3419,8 +3432,8 @@ statistics-lateral-x = Distance from the camera across the road ({ $unit })
 statistics-lateral-none = No vehicle has a direction yet, so there are no lanes. The pass search fills it in, or set it in the vehicle panel.
 statistics-lateral-vehicles = Vehicles
 statistics-lateral-all = all
-statistics-lane-right = to the right
-statistics-lane-left = to the left
+statistics-lane-right = To the right
+statistics-lane-left = To the left
 statistics-groups-title = Corrected heights by group
 statistics-groups-target = Target
 statistics-groups-by = Grouped by
@@ -4221,8 +4234,6 @@ audit-entity-scan_review = scan review
 audit-entity-scan_reference = reference value
 audit-entity-line_pose = line pose
 audit-entity-rig_calibration = rig calibration
-audit-entity-line_height = line height
-audit-entity-line_height_review = line height review
 audit-entity-export = export
 audit-entity-evidence = evidence file
 audit-entity-study = study
@@ -4260,6 +4271,7 @@ export-of-title = Vehicles in statistics and report
 export-of-lighting = Lighting
 export-of-filmed-from = filmed from { $day }
 export-of-filmed-to = filmed up to { $day }
+export-of-hours = filmed between { $begins } and { $ends }
 export-of-help = Statistics, figures and report cover these vehicles only, as the first page of the report states. The tables are complete, so that the audit trail covers them; exclusions.csv lists what is excluded.
 export-of = Vehicles
 export-of-all = all vehicles
@@ -4388,6 +4400,12 @@ height-target-no-crossing = The target's ray never meets the side plane in front
 height-target-below-road = The target lies on or below the road; were contact and target swapped?
 height-u-not-valid = A click uncertainty, inset or inset uncertainty is not a finite number, or an uncertainty is negative.
 height-side-unknown = The driver's side (near or far) is not set, and the height of the eye depends on it; set it.
+line-height-extrapolated = A click lies outside the rows covered by the marks, so the pose is extrapolated.
+line-height-click-no-number = A click is not a number.
+line-height-contact-above-horizon = The contact is at or above the horizon, where there is no road; click the tyre contact.
+line-height-target-below-contact = The target is not above the contact; click the contact first, then the target.
+line-height-target-behind-camera = The inset puts the target behind the camera.
+line-height-beside-vehicle = A click lies outside the vehicle's front and rear; it may belong to another vehicle.
 height-inset-implausible = The computed inset of { NUMBER($inset_m, minimumFractionDigits: 2, maximumFractionDigits: 2) } m is not plausible for a road vehicle ({ $low_m } to { $high_m } m): contact and target must be the same points in every frame.
 height-no-board-in-picture = The whole board does not fit in the image, so the camera pose cannot be computed.
 height-picture-too-narrow = The picture shows contact and target over { NUMBER($shown_m, minimumFractionDigits: 1, maximumFractionDigits: 1) } m of the wheel path only, so they cannot be clicked twice with { $travel_m } m between.
@@ -4419,7 +4437,7 @@ height-pass-most-excluded = { $dropped } of { $points } followed points were exc
 height-flag-plane-oblique = The side plane is seen at less than 10 degrees.
 height-flag-lens-edge = A click lies near the edge of what the lens model can invert.
 height-flag-far-from-board = The vehicle is at a very different distance than the board was.
-height-flag-u-large = The uncertainty is large, so the 95 % interval is approximate.
+height-flag-u-large = The 95 % interval is approximate: u is above 30 mm.
 height-flag-no-u-of-lens-and-pose = The uncertainty of lens and pose is unknown and not included.
 height-flag-no-u-of-lens = The uncertainty of the lens is unknown; only what the pose file states is included.
 height-flag-no-board = The board is unknown, so its tilt, height, square size and bow are not included in the uncertainty.
@@ -4508,7 +4526,6 @@ cameras-not-file-give-picture-files-clip = { $path } is not a file; give image f
 cameras-still-has-no-tracks = { $path } is an image, not a video with tracks; leave --stream out.
 cameras-choose-calibration-give-pictures-width-height = Choose a calibration, or give the image’s width and height in pixels and its horizontal field of view in degrees.
 cameras-calibration-belongs-another-survey-choose-one = Calibration { $calibration_id } belongs to another survey; choose one of this survey’s cameras.
-cameras-cameras-csv-not-what-audit = cameras.csv: camera { $id } differs from its audit events; the table was changed.
 cameras-calibration-of-another-camera = calibrations.csv: { $id } names another camera than the audit events; the table was changed.
 cameras-taken-without-calibration = Camera { $camera } has no calibration to copy; calibrate it in its own survey, or add it here as a new camera.
 cameras-taken-from-itself = Camera { $camera } belongs to this survey already; choose one of another survey.
@@ -4778,6 +4795,9 @@ csv_package-not-what-audit-event-says-changed = { $path } differs from its audit
 csv_package-not-one-audit-chain-vouches-changed = { $path_of } is not the one recorded in the audit chain; it was changed.
 csv_package-made-others-another-time-says = { $path }: { $kind_name } { $id } has another author or time than { $path_2 } states.
 csv_package-differs-one-changed = { $path }: { $kind_name } { $id } differs from { $path_2 }; one was changed.
+csv_package-row-of-no-event = { $path }: row { $key } has no audit event; it was added.
+csv_package-row-not-as-its-events = { $path }: { $name } of row { $key } differs from its audit events; it was changed.
+csv_package-row-missing = { $path }: row { $key } is missing, although it has an audit event.
 csv_package-not-csv-row-taken-out-changed = { $path }: { $mine } { $values } is not in { $table }.csv; a row was removed or changed.
 
 ## Errors: database
@@ -4862,8 +4882,6 @@ measurements-frame-not-part-vehicle-go-frame = Frame { $frame } cannot split veh
 measurements-only-two-passes-same-recording-joined = Only passes of the same recording can be joined; choose another one.
 measurements-vehicles-both-measurements-measurement-stays-vehicle = Vehicles { $number } and { $number_2 } both have measurements, and a measurement stays with its vehicle; discard one of the passes instead.
 measurements-vehicle-measured-before-after-frame-measurement = Vehicle { $number } was measured before and after frame { $frame }, and a measurement stays with its vehicle; split at another frame.
-measurements-vehicles-csv-missing-though-audit-event = vehicles.csv: { $missing } is missing, although it has an audit event.
-measurements-vehicles-csv-not-what-audit-events = vehicles.csv: { $id } differs from its audit events; it was changed.
 measurements-measurement-withdrawn-restore-before-you-change = This measurement is withdrawn; restore it before you change it.
 measurements-repeat-stands-clicked-withdraw-click-again = A repeat cannot be changed; withdraw it and click it again.
 measurements-measurement-withdrawn-already-restore-use-again = This measurement is already withdrawn; restore it to use it again.
@@ -4872,10 +4890,8 @@ adjusting-not-an-adjusted-pose-in-force = This is not a current adjusted pose, s
 computing-undo-cannot-be-undone = An undo cannot be undone; compute the heights again instead.
 computing-undone-already = This was already undone; compute the heights again to restore them.
 computing-undo-the-later-first = Heights were computed again at { $when }; undo that first.
-computing-computings-csv-not-what-event-says = computings.csv: { $id } differs from its audit event; get the complete export again.
 computing-computing-made-other-revisions = computings.csv: { $id } made a different number of revisions than it states; get the complete export again.
 computing-out-of-date-not-so = { $path }: the out-of-date mark of { $id } does not follow from its facts; get the complete export again.
-computing-computing-missing = computings.csv: { $id } is missing, although it has an audit event; get the complete export again.
 computing-verdict-went-over = revisions.csv: revision { $revision } of measurement { $name } has a verdict that was given to another height; get the complete export again.
 measurements-measurement-not-withdrawn-nothing-restore = This measurement is not withdrawn, so there is nothing to restore.
 measurements-deleted-vehicle-restore-first = { $name } deleted vehicle { $vehicle_number } at { $when }; restore it first.
@@ -5069,7 +5085,6 @@ poses-calibration-belongs-another-survey-choose-one = Calibration { $calibration
 quality-no-recording-uses-road-pose-any = No recording uses this camera pose any more; reload the page Checks.
 quality-traffics-direction-now-not-what-you = The travel direction is now { $turn_deg }°, not the value shown; reload the page.
 quality-frame-not-vehicle-which-passes-frames = Vehicle { $number } does not appear in frame { $frame }; it passes in frames { $first_frame } to { $last_frame }. Go to one of them.
-quality-wheel-pairs-csv-not-what-audit = wheel_pairs.csv: { $id } differs from its audit event; it was changed.
 quality-clicked-their-own-measurements-again-needed = { $name } has repeated { $pairs } of their own measurements; { $least_pairs } are needed for their own click uncertainty. Repeat more of them.
 quality-repeats-csv-repeat-missing-though-audit = repeats.csv: repeat { $left } is missing, although it has an audit event.
 quality-repeats-csv-not-what-audit-event = repeats.csv: { $number } differs from its audit event; it was changed.
@@ -5125,7 +5140,6 @@ recordings-upload-finished-already-look-recording-list = This upload is already 
 recordings-upload-became-recording-deleted-since-upload = This upload became a recording that was deleted since; upload it again.
 recordings-upload-finished-already-make-scan = This upload is already finished; create the line scan from it.
 recordings-upload-finished-delete-recording-instead = This upload is finished; delete its recording instead.
-recordings-recordings-csv-not-what-audit-events = recordings.csv: { $id } differs from its audit events; it was changed.
 
 ## Errors: results
 
@@ -5141,8 +5155,8 @@ results-standard-needs-name-such-aashto-usa = A standard needs a name, such as A
 results-height-must-lie-between-0-10 = The height of { $name } must lie between 0 and 10 m, such as 1.08.
 results-standard-percent = { $name }: a percentile lies above 0 and below 100; correct it, or leave it empty.
 results-last-day-lies-before-first-exchange = The last day is before the first; swap them.
+recordings-hours-are-none = The hours begin and end at the same time, so that nothing was filmed in them; choose another end.
 results-no-survey-may-been-removed = There is no survey { $survey_id }; it may have been removed.
-results-standards-csv-not-what-surveys-audit = standards.csv differs from the survey’s audit events; it was changed.
 
 ## Errors: reviews
 
@@ -5158,8 +5172,6 @@ reviews-click-it-again-before = The survey’s plan requires a blind repeat of t
 reviews-fix-changes-nothing-accept = Nothing was changed; move a point, or accept the measurement.
 reviews-waits-review-already = This is already waiting for a review.
 reviews-nobody-reviews-their-own-measurement-ask = You cannot review your own measurement; ask another reviewer.
-reviews-reviews-csv-not-what-audit-event = reviews.csv: { $id } differs from its audit event; it was changed.
-reviews-reviews-csv-missing-though-audit-event = reviews.csv: { $id } is missing, although it has an audit event.
 reviews-measurements-csv-verdict-not-newest-review = measurements.csv: the verdict on { $one } is not that of its newest review; one is wrong.
 
 ## Errors: scans
@@ -5229,7 +5241,6 @@ scans-vehicle-measured-again-meanwhile-look-newer = This vehicle was measured ag
 scans-nobody-reviews-boundaries-they-placed-themselves = You cannot review boundaries that you placed; ask another reviewer.
 scans-height-measured-again-meanwhile-look-newer = This height was measured again meanwhile; check the newer result.
 scans-height-without-figure-nothing-review = This height was withdrawn or has no value, so there is nothing to review.
-scans-nobody-reviews-height-they-clicked-themselves = You cannot review a height that you clicked or computed; ask another reviewer.
 scans-camera-2-needs-both-lines-front = Camera 2 needs both lines, front and rear, or none; send both or leave both out.
 scans-wheelbase-needs-both-wheels-send-both = A wheelbase needs both wheels; send both lines, or none to remove them.
 scans-vehicle-not-deleted-nothing-restore = This vehicle was not deleted, so there is nothing to restore.
@@ -5237,8 +5248,6 @@ scans-deleted-vehicle-restore-first = { $name } deleted vehicle { $number } at {
 scans-changed-vehicle-look-again-redo-yours = { $name } changed vehicle { $number } at { $when }; reload it and repeat your change.
 scans-scanned-vehicle-no-leave-out = A scanned vehicle has no { $unknown }; leave it out.
 scans-m-cannot-used-give-metres-4 = A { $name } of { $value } m is out of range; give it in metres, as in 4.447.
-scans-row-without-audit-event-missing = { $path }: row { $odd } has no audit event, or is missing.
-scans-row-not-what-audit-event-says = { $path }: { $name } of row { $id } differs from its audit event.
 scans-vehicle-not-newest-revision-changed = { $path }: vehicle { $number } is not its newest revision; it was changed.
 scans-verdict-went-over = { $path }: row { $id } has a verdict that was given to another measurement; get the complete export again.
 scans-verdict-row-not-one-given = { $path }: the verdict of row { $number } is not the one given.
@@ -5255,10 +5264,8 @@ surveys-survey-takes-photographs-take-one-out = A survey has at most { $most_pho
 surveys-photographs-added-taken-out-meanwhile-look = Photographs were added or removed meanwhile; reload and change the order again.
 surveys-changed-photograph-look-again-redo-yours = { $name } changed this photograph at { $when }; reload it and repeat your change.
 surveys-caption-most-characters-shorten = A caption has at most { $most_caption } characters; shorten it.
-surveys-not-photographs-audit-events-changed = { $path } does not have the photographs of the audit events; it was changed.
 surveys-no-row-put = { $strange } is in no row of { $path }; it was added.
 surveys-not-photograph-audit-event-names-exchanged = { $file } is not the photograph named by its audit event; it was replaced.
-surveys-not-what-audit-events-say-changed = { $path }: { $name } of { $id } differs from its audit events; it was changed.
 surveys-no-survey-named-check-name-home = There is no survey named “{ $name }”; check the name on the home page.
 surveys-changed-survey-look-again-redo = { $name } changed this survey at { $when }; reload it and repeat your change.
 surveys-place-half-coordinates = Coordinates are a latitude and a longitude; give both or neither.
@@ -5268,10 +5275,6 @@ surveys-place-speed-limit = A speed limit of { $kmh } km/h is out of range; give
 surveys-survey-needs-name-fill = A survey needs a name; fill it in.
 surveys-inset-cannot-used-give-known-target = The inset of “{ $target }” cannot be used; give a known target and an uncertainty of 0 or more.
 surveys-asks-nothing-choose-target = A survey needs at least one target by day and one in low light; choose them.
-surveys-survey-csv-not-what-audit = survey.csv differs from the survey’s audit events; it was changed.
-surveys-insets-csv-not-what-surveys-audit = insets.csv differs from the survey’s audit events; it was changed.
-surveys-classes-csv-not-what-surveys-audit = classes.csv differs from the survey’s audit events; it was changed.
-surveys-sampling-csv-not-what-audit = sampling.csv or quotas.csv differs from the survey’s audit events; it was changed.
 surveys-sampling-step = Every n-th pass: n must be from 1 to { $most_step }, the first number from 1 to n; correct them.
 surveys-sampling-share = A share of the passes must be above 0 and at most 100 %; correct it.
 surveys-sampling-headway = The headway of free-flowing vehicles must be above 0 and at most { $most_headway_s } s; correct it.
@@ -5468,8 +5471,6 @@ lots-not-accepted = Only an accepted lot can be undone; check the state of this 
 lots-decided-already = Lot { $number } was decided meanwhile; check it first.
 lots-event-another-row = audit.csv: event { $number } holds another lot than it hashed; get the complete export again.
 lots-verdict-of-no-lot = reviews.csv: a verdict by lot { $lot }, of which there is none; get the complete export again.
-lots-lots-csv-not-what-event-says = lots.csv: lot { $id } differs from its audit events; it was changed.
-lots-lot-missing = lots.csv: lot { $id } is missing, although it has an audit event.
 lots-seed-not-the-chains = lots.csv: the seed of lot { $id } does not follow from the audit chain; the draw was chosen.
 lots-not-drawn-by-its-seed = audit.csv: lot { $id } was not drawn in the order of its seed; the draw was changed.
 lots-plan-keeps-no-risk = lots.csv: the plan of lot { $id } does not keep the risks that it names; it was changed.
@@ -5479,7 +5480,6 @@ lots-counts-not-those-of-verdicts = audit.csv: the counts of lot { $id } are not
 lots-accepted-beyond-its-plan = audit.csv: lot { $id } was accepted with more nonconforming heights than its plan allows, or unjudged.
 lots-verdicts-not-those-of-its-rest = reviews.csv: the verdicts by lot { $id } are not those of its rest; some were added or removed.
 lots-verdict-before-the-decision = audit.csv: a verdict by lot { $id } came before its decision; one is wrong.
-lots-items-csv-not-what-events-say = lot_items.csv: place { $place } of lot { $id } differs from the audit events; it was changed.
 reviews-verdict-given-meanwhile = { $name } gave the verdict “{ $verdict }” meanwhile; check it first.
 
 ## Sight distance: the page
@@ -6189,27 +6189,128 @@ reference-line-replaces = Replaces the { $quantity } { $value } { $unit } (u { $
 reference-line-renames = Was a run of { $car }.
 reference-car-too-long = The car’s name is longer than 100 characters; shorten it.
 scans-reference-does-not-follow = { $path }: { $name } of row { $number } does not follow from the reference and the vehicle’s own value.
+## Said: motions, gaps and runs of line scans
+
+scan-motion-lane-unknown = The lane is not known ({ $why }): the uncertainties hold for every lane of its direction; choose its lane.
+scan-lane-no-wheel = no wheel was found that tells the lane
+scan-lane-not-this-way = no lane of the rig has this direction
+scan-lane-other-rows = its tyres meet the road at row { $row }, { $lanes ->
+    [0] in no lane's rows
+   *[other] in the rows of several lanes
+ }
+scan-gap-lane-unknown = Its lane is not known, so the vehicle in front of it is not known either.
+scan-gap-before-unknown = A vehicle of unknown lane passed in front of it, perhaps in this lane.
+scan-gap-none-before = No vehicle was detected in front of this one.
+scan-gap-overlap = The two vehicles overlap at camera 1, so there is no gap.
+scan-gap-leader-unmeasured = The vehicle in front has no measured motion.
+scan-gap-leader-stopped = At the measured deceleration, the vehicle in front would have stopped by then.
+scan-motion-too-coarse = The lines are too far apart for this vehicle: it moves about { $line_mm } mm from line to line, so neighbouring lines have too little in common. Raise the line rate to { $rate_hz } Hz or more for vehicles at this speed; a longer baseline does not help.
+scan-no-wheel = No wheel was found: the lower part of the image shows none, or is too dark.
+scan-no-scale = Without a motion the image has no scale in metres.
+scan-motion-implausible = The computed { $what ->
+    [speed] speed
+    [length] length
+   *[acceleration] acceleration
+ } of { NUMBER($value, minimumFractionDigits: 1, maximumFractionDigits: 1) } { $unit } is not plausible for a road vehicle ({ $low } to { $high } { $unit }): check the boundaries, the baseline and the line rate.
+scan-motion-no-uncertainty = Too little of the vehicle was matched to state the uncertainty of its motion.
+scan-motion-would-stop = By the computed motion the vehicle would have stopped in view; check the boundaries.
+scan-motion-u-large = The U95 of the { $what ->
+    [speed] speed
+   *[length] length
+ } is { $percent } %, too large to be useful: too little of the vehicle is clear, the boundaries are wrong, or two vehicles pass at once.
+scan-motion-u-acceleration-large = The U95 of the acceleration is { $U95_mps2 } m/s², more than any vehicle brakes: too little of the vehicle is clear, or the boundaries are wrong.
+scan-motion-no-order = The boundaries are not in order: the front must come before the rear at both cameras.
+scan-motion-no-texture = Too little of the vehicle is clear enough to be registered between the strips.
+scan-motion-no-match = The two images of the vehicle do not fit one motion: two vehicles side by side, a vehicle that stopped, or lost lines.
+scan-motion-few-lines = Only about { $lines } lines were recorded between the two cameras, too few for its speed or direction: raise the line rate, or set the cameras further apart.
+scan-motion-few-blocks = Too few blocks of { $lines } lines can be matched: the vehicle has too little detail, or too few lines; raise the line rate, or use the other method.
+scan-motion-not-converged = The registration did not converge completely.
+scan-motion-cameras-disagree = The cameras disagree by { $apart_cm } cm about the front or the rear: check the boundaries, and whether two vehicles pass side by side.
+scan-motion-saturated = Part of the image is saturated; reduce the exposure.
+scan-motion-stopped = The vehicle stopped or nearly stopped in view; mark another vehicle, or measure it by hand.
+scan-motion-too-long-in-view = Something stood in view for longer than a vehicle takes to pass; it stopped, or the light changed.
+scan-motion-cut = The vehicle is cut off by the beginning or the end of the recording.
+scan-motion-no-road = The empty road before the vehicle is too unsteady: snow, rain, or traffic from the first line on; start to record while the road is empty.
+scan-motion-too-long = Its estimated length is { $length_m } m, and the limit is { $most_m } m: a train, vehicles without a gap, or a wrong baseline or line rate.
+scan-motion-two-at-once = The cameras show it for different durations: two vehicles pass side by side, or it stopped.
+scan-motion-lines-lost = The recorder lost { $lost } while the vehicle passed.
+scan-lines-of-camera = { $count } lines of camera { $camera }
+scan-lines-of = { $count } lines of { $name }
+words-both = { $first } and { $second }
+scan-motion-no-wheelbase = No wheelbase: { $reason }
+scan-wheelbase-no-motion = The vehicle has no measured motion.
+scan-wheelbase-one-wheel = Click the hubs of two different wheels.
+scan-wheelbase-at-rest = By its fitted motion the vehicle was at rest at one of the clicks.
+scan-run-none-found = No vehicle was found; check the strips, and that time runs along the chosen axis.
+scan-run-swapped = { $reversed } of { $found } vehicles reached the second strip first; if traffic does not run that way here, the strips are swapped.
+scan-run-alone = { $alone } times something passed only one camera: check that both show the same lane, and check baseline and line rate.
+scan-run-light-changed = The brightness changed suddenly { $count ->
+    [one] once
+   *[other] { $count } times
+ }; vehicles that passed at that moment may be missing.
+scan-run-camera-moved = A camera moved { $count ->
+    [one] once
+   *[other] { $count } times
+ }: the road is some rows higher or lower since then; fix the camera firmly.
+scan-run-road-unsteady = The empty road of camera { $camera } varies by { $percent } % from line to line: snow, rain, or a vehicle at the start; record the empty road first.
+scan-run-short-objects = Camera { $camera } shows { $per_s } short objects a second: rain, snow or insects; check the boundaries.
+scan-run-flicker = The light at camera { $camera } flickers by { $percent } %, as mains lighting does; use other lighting, or expect larger uncertainties.
+scan-run-saturated = { $percent } % of the image of camera { $camera } is saturated; reduce the exposure.
+rig-misalignments-scatter = The misalignment differs between vehicles by { NUMBER($sd_px, minimumFractionDigits: 2, maximumFractionDigits: 2) } px (standard deviation); check whether a camera moved.
+rig-few-known = { $count } known vehicles are too few; { $least } are needed.
+rig-sizes-differ = Measured vehicles are { NUMBER($percent, minimumFractionDigits: 2, maximumFractionDigits: 2) } % { $than ->
+    [longer] longer
+   *[shorter] shorter
+ } than known. Check the baseline; shadows can also add length.
+rig-misalignment-given = The misalignment was entered, so the estimates of the vehicles depend on it; leave it empty and measure again to have it estimated.
+rig-baseline-off = { $count } { $of ->
+    [length] lengths
+   *[wheelbase] wheelbases
+ } of known vehicles measure { NUMBER($percent, minimumFractionDigits: 2, maximumFractionDigits: 2) } % { $than ->
+    [longer] longer
+   *[shorter] shorter
+ } than they are (u { NUMBER($u_percent, minimumFractionDigits: 2, maximumFractionDigits: 2) } %): a { $than ->
+    [longer] shorter
+   *[shorter] longer
+ } baseline would fit. Check the baseline.{ $of ->
+    [length] { " " }Shadows can also add length; wheelbases are free of them.
+   *[wheelbase] { "" }
+ }
+rig-baseline-agrees = { $count } { $of ->
+    [length] lengths
+   *[wheelbase] wheelbases
+ } of known vehicles agree with the baseline entered to { NUMBER($U95_percent, minimumFractionDigits: 2, maximumFractionDigits: 2) } % (U95).
+scan-flow-no-speed = No vehicle here has an accepted speed.
+scan-flow-no-u-occupancy = The uncertainty of the occupancy is not known: { $count } of the vehicles here have no motion.
+stream-lines-lost = { $count } lines of camera { $camera } were lost and replaced by copies; vehicles that passed meanwhile are not measured.
+stream-vehicles-wait = { $message } { $waiting } vehicles wait to be stored in the survey.
+stream-stopped = The previous run was stopped after { $lines } lines (segment { $number }, last contact { $last_at } UTC). Its vehicles are kept; missing are the { NUMBER($gap_s, minimumFractionDigits: 1, maximumFractionDigits: 1) } s (about { $gap_lines } lines) since then, and the vehicle that was in view.
+stream-resumed = The previous run was stopped; it is resumed at line { $begin } of { $name }, and nothing is missing.
+stream-clock-set = The computer's clock was set by { NUMBER($jump_s, minimumFractionDigits: 1, maximumFractionDigits: 1) } s at line { $lines }; speeds, lengths and gaps are not affected, and times of day continue from the start of this segment.
+stream-lines-not-stored = Later lines could not be stored ({ $strerror }); they were measured nevertheless.
+stream-journal-not-written = The journal could not be written ({ $strerror }).
+stream-lines-stored = { $kept } lines are stored in { $path }.
+rig-few-vehicles = { $count } vehicles give a { $of ->
+    [misalignment] misalignment
+   *[gain] gain
+ }; { $least } are needed.
+scan-motion-not-finite = The computed { $what ->
+    [speed] speed
+    [length] length
+   *[acceleration] acceleration
+ } is not a number: check the boundaries, the baseline and the line rate.
+
 ## What the server says in English, found again by its text (sightline/messages/recognised.py)
 
 told-geometry-several-cameras = { $file_name } contains several cameras: { $cameras }; { $key } was read (name another with --which).
 told-geometry-roi-whole = { $file_name }: the camera is that of the whole image, as requested, not of its roi.
 told-geometry-roi-part = { $file_name } describes part of the image (roi): { $width }x{ $height } px from ({ $left }, { $top }) of { $full_width }x{ $full_height } px; the camera is that of the part (--size { $full_width }x{ $full_height } for the whole).
 told-geometry-no-distortion = { $file_name } states a lens without any distortion, which is rare; check that this camera was calibrated.
-told-linescan-lane-unknown = The lane is not known ({ $why }): the uncertainties hold for every lane of its direction; choose its lane.
-told-linescan-lane-no-wheel = no wheel was found that tells the lane
-told-linescan-lane-not-this-way = no lane of the rig has this direction
-told-linescan-gap-lane-unknown = Its lane is not known, so the vehicle in front of it is not known either.
-told-linescan-gap-before-unknown = A vehicle of unknown lane passed in front of it, perhaps in this lane.
 told-linescan-mark-incomplete = Each mark needs a distance, a height and a row.
 told-linescan-marks-not-numbers = Distances, heights and rows of the marks must be numbers.
 told-linescan-marks-too-few = { $count } marks are too few; click at least { $least }.
 told-linescan-marks-above-zero = Distances of marks and the u of their rows must be above 0.
 told-linescan-rod-upside-down = Higher marks must have smaller rows; check which end of the rod is up.
-told-linescan-too-few-blocks = Too few blocks of { $lines } lines can be matched: the vehicle has too little detail, or too few lines; raise the line rate, or use the other method.
-told-linescan-rig-few-misalignment = { $count } vehicles give a misalignment; { $least } are needed.
-told-linescan-rig-few-gain = { $count } vehicles give a gain; { $least } are needed.
-told-linescan-no-wheel = No wheel was found: the lower part of the image shows none, or is too dark.
-told-linescan-no-scale = Without a motion the image has no scale in metres.
 told-media-not-decoded-at = This recording cannot be decoded at frame { $frame }: the decoder { $why } there; { $way_out }.
 told-media-filmed-at = Filmed at { $filmed_hz } frames per second, as entered; the file plays { $played_hz } per second. Times are those of filming.
 told-media-no-rate = The file states no frame rate: { $played_hz } frames per second are assumed. Its times are unreliable, so no motion is measured from them.
@@ -6389,38 +6490,6 @@ told-jobs-broke = An error in the program stopped this ({ $name }); try again, a
 told-infra-a-worker-stopped-in = The job was interrupted and is started again.
 told-infra-waits-for-what-is-away = The database or the storage does not answer; the job is tried again by itself.
 told-infra-waits-for-the-next = Waiting to be started again.
-told-linescan-too-little-of-the = Too little of the vehicle is clear enough to be registered between the strips.
-told-linescan-the-two-pictures-of = The two images of the vehicle do not fit one motion: two vehicles side by side, a vehicle that stopped, or lost lines.
-told-linescan-the-boundaries-are-not = The boundaries are not in order: the front must come before the rear at both cameras.
-told-linescan-the-registration-did-not = The registration did not converge completely.
-told-linescan-the-cameras-disagree-by = The cameras disagree by { $apart_m } cm about the front or the rear: check the boundaries, and whether two vehicles pass side by side.
-told-linescan-part-of-the-picture = Part of the image is saturated; reduce the exposure.
-told-linescan-no-vehicle-was-found = No vehicle was found; check the strips, and that time runs along the chosen axis.
-told-linescan-of-vehicles-reached-the = { $reversed } of { $found } vehicles reached the second strip first; if traffic does not run that way here, the strips are swapped.
-told-linescan-times-something-passed-one = { $alone } times something passed only one camera: check that both show the same lane, and check baseline and line rate.
-told-linescan-the-light-jumped-a = The brightness changed suddenly { $times }; vehicles that passed at that moment may be missing.
-told-linescan-a-camera-moved-the = A camera moved { $times }: the road is some rows higher or lower since then; fix the camera firmly.
-told-linescan-what-camera-took-for = The empty road of camera { $number } varies by { $unrest } % from line to line: snow, rain, or a vehicle at the start; record the empty road first.
-told-linescan-camera-saw-short-things = Camera { $number } shows { $rate } short objects a second: rain, snow or insects; check the boundaries.
-told-linescan-the-light-before-camera = The light at camera { $number } flickers by { $share } %, as mains lighting does; use other lighting, or expect larger uncertainties.
-told-linescan-of-the-picture-of = { $share } % of the image of camera { $number } is saturated; reduce the exposure.
-told-linescan-the-vehicle-stopped-or = The vehicle stopped or nearly stopped in view; mark another vehicle, or measure it by hand.
-told-linescan-something-stood-in-view = Something stood in view for longer than a vehicle takes to pass; it stopped, or the light changed.
-told-linescan-the-vehicle-is-cut = The vehicle is cut off by the beginning or the end of the recording.
-told-linescan-the-empty-road-was = The empty road before the vehicle is too unsteady: snow, rain, or traffic from the first line on; start to record while the road is empty.
-told-linescan-it-is-about-m = Its estimated length is { $length_m } m, and the limit is { $most_m } m: a train, vehicles without a gap, or a wrong baseline or line rate.
-told-linescan-only-about-lines-were = Only about { $lines } lines were recorded between the two cameras, too few for its speed or direction: raise the line rate, or set the cameras further apart.
-told-linescan-the-two-cameras-saw = The cameras show it for different durations: two vehicles pass side by side, or it stopped.
-told-linescan-the-lines-lie-too = The lines are too far apart for this vehicle: it moves about { $line_mm } mm from line to line, so neighbouring lines have too little in common. Raise the line rate to { $rate_hz } Hz or more for vehicles at this speed; a longer baseline does not help.
-told-linescan-braking-on-as-measured = At the measured deceleration, the vehicle in front would have stopped by then.
-told-linescan-the-two-vehicles-overlap = The two vehicles overlap at camera 1, so there is no gap.
-told-linescan-the-vehicle-before-has = The vehicle in front has no measured motion.
-told-linescan-no-vehicle-was-seen = No vehicle was detected in front of this one.
-told-linescan-a-click-lies-outside = A click lies outside the rows covered by the marks, so the pose is extrapolated.
-told-linescan-a-click-is-not = A click is not a number.
-told-linescan-the-contact-is-at = The contact is at or above the horizon, where there is no road; click the tyre contact.
-told-linescan-the-target-is-not = The target is not above the contact; click the contact first, then the target.
-told-linescan-the-inset-puts-the = The inset puts the target behind the camera.
 told-linescan-the-marks-do-not = The marks do not determine the camera height: hold the rod upright at two distances, such as the near and the far edge of the lane.
 told-linescan-the-marks-put-the = The marks put the camera below the road; check their distances, heights and rows.
 told-linescan-all-marks-are-at = All marks are at one distance, so the camera height cannot be determined; hold the rod upright at two.
@@ -6437,11 +6506,6 @@ told-linescan-rig-too-wide = The passes agree better than their stated uncertain
 told-linescan-rig-two-distances = Two distances cannot test whether the baseline changes linearly; add a third.
 told-linescan-rig-outside = { $distance_m } m is far outside the passes ({ $nearest_m } to { $farthest_m } m), so the baseline there is extrapolated; add a pass at this distance.
 told-rig-pass-twice = Another row has the same name; name each pass once.
-told-linescan-too-little-of-the-vehicle = Too little of the vehicle was matched to state the uncertainty of its motion.
-told-linescan-by-the-computed-motion = By the computed motion the vehicle would have stopped in view; check the boundaries.
-told-linescan-the-computed-is-no = The computed { $what } of { $value } { $unit } is not plausible for a road vehicle ({ $low } to { $high } { $unit2 }): check the boundaries, the baseline and the line rate.
-told-linescan-the-acceleration-is-unsure = The U95 of the acceleration is { $most } m/s², more than any vehicle brakes: too little of the vehicle is clear, or the boundaries are wrong.
-told-linescan-the-is-unsure-by = The U95 of the { $what } is { $value } %, too large to be useful: too little of the vehicle is clear, the boundaries are wrong, or two vehicles pass at once.
 told-linescan-expected-of-the-default = Expected of the default method, from simulated vehicles that fill the image; little texture, strong noise or rain make it worse, and each vehicle's own uncertainty states what was reached.
 told-linescan-only-lines-lie-between = Only { $lines } lines lie between the cameras; use a higher line rate or a longer baseline, otherwise this vehicle can hardly be measured.
 told-linescan-lines-too-far-apart = The vehicle moves { $line_mm } mm from line to line; beyond { $coarse_mm } mm most vehicles are refused. Use { $rate } Hz or more.
@@ -6450,14 +6514,6 @@ told-linescan-the-speeds-u95-is = The speed's U95 is { $percent }, more than the
 told-linescan-the-baseline-is-taken = The baseline is taken as exact; enter its uncertainty, which is part of every speed.
 told-linescan-the-baseline-limits-not = The baseline is the limit, not the line rate: its standard uncertainty is { $percent }, registering the strips adds { $percent2 }. Measure the baseline more accurately first.
 told-linescan-registering-limits-not = Registering the strips is the limit, not the baseline: it adds { $percent } (standard uncertainty), the baseline { $percent2 }. Use a longer baseline.
-told-linescan-vehicles-come-out-than = Measured vehicles are { $share } than known. Check the baseline; shadows can also add length.
-told-linescan-the-vehicles-misalignments-scatter = The misalignment differs between vehicles by { $spread } px (standard deviation); check whether a camera moved.
-told-linescan-known-vehicles-are-too = { $n } known vehicles are too few; { $least_vehicles } are needed.
-told-linescan-click-the-hubs-of = Click the hubs of two different wheels.
-told-linescan-by-its-fitted-motion = By its fitted motion the vehicle was at rest at one of the clicks.
-told-linescan-the-vehicle-has-no = The vehicle has no measured motion.
-told-linescan-no-vehicle-here-has = No vehicle here has an accepted speed.
-told-linescan-the-uncertainty-of-the = The uncertainty of the occupancy is not known: { $count } of the vehicles here have no motion.
 told-measurements-storing-the-heights-that = Saving the heights that changed.
 told-measurements-putting-the-old-heights = Restoring the previous heights.
 told-measurements-computing-the-heights = Computing the heights.
@@ -6560,25 +6616,12 @@ told-results-both-rounded-to-whole = both rounded to whole centimetres, as in Du
 told-results-against-manufacturers-heights-every = { $heights } against manufacturers' heights, { $rounded }; all values from the individual errors.
 told-scans-the-marks-miss-the = The marks fit the model to { $rms_px } px only, worse than clicks of { $sigma_px } px explain; check the distances and the mark with the largest residual.
 told-scans-the-camera-height-is = The camera's height is known to { $u_height } m only; hold the rod at two distances further apart, or measure them better.
-told-scans-a-click-lies-outside = A click lies outside the vehicle's front and rear; it may belong to another vehicle.
 told-scans-the-lines-of-this = The lines of this stream were not stored, so there is no image; its vehicles remain.
-told-scans-vehicles-wait-to-be = { $message } { $waiting } vehicles wait to be stored in the survey.
-told-scans-the-run-before-was = The previous run was stopped after { $lines } lines (segment { $number }, last contact { $last_at } UTC). Its vehicles are kept; missing are the { $gap_s } s (about { $gap_s2 } lines) since then, and the vehicle that was in view.
-told-scans-lines-of-camera-were = { $lost } lines of camera { $number } were lost and replaced by copies; vehicles that passed meanwhile are not measured.
-told-scans-the-computer-clock-was = The computer's clock was set by { $jump } s at line { $lines }; speeds, lengths and gaps are not affected, and times of day continue from the start of this segment.
-told-scans-the-run-before-was-killed = The previous run was stopped; it is resumed at line { $begin } of { $name }, and nothing is missing.
-told-scans-lines-after-these-could = Later lines could not be stored ({ $strerror }); they were measured nevertheless.
-told-scans-lines-are-kept-in = { $kept } lines are stored in { $path }.
-told-scans-the-journal-could-not = The journal could not be written ({ $strerror }).
 told-scans-the-reading-was-cancelled = The import was cancelled; start it again or delete the line-scan recording.
 told-scans-reading-the-strips = Reading the strips.
 told-scans-of-camera-pixels-are = { $saturated } of camera { $camera }'s pixels are saturated, so edges are lost there; reduce the light or the exposure.
 told-scans-the-recorder-of-lost = The recorder of { $name } lost { $lost } lines; they were replaced by copies.
 told-scans-cutting-the-strips = Cutting the strips.
-told-scans-the-misalignment-was-given = The misalignment was entered, so the estimates of the vehicles depend on it; leave it empty and measure again to have it estimated.
-told-scans-of-known-vehicles-come = { $which } of known vehicles measure { $off } % { $longer } than they are (u { $u } %): a { $longer2 } baseline would fit. Check the baseline.
-told-scans-of-known-vehicles-agree = { $which } of known vehicles agree with the baseline entered to { $expanded } % (U95).
-told-scans-a-shadow-lengthens-a = Shadows can also add length; wheelbases are free of them.
 told-progress-unread = { $count } line scans could not be imported; see the reason and try again.
 told-progress-unread-1 = 1 line scan could not be imported; see the reason and try again.
 told-progress-reading = { $count } line scans still being imported.
@@ -6597,8 +6640,6 @@ told-progress-height = { $count } of 1 height accepted.
 told-scans-being-searched-for-vehicles = being searched for vehicles
 told-scans-looking-for-vehicles = Searching for vehicles.
 told-scans-measuring-the-known-vehicles = Measuring the known vehicles again.
-told-scans-the-recorder-lost-while = The recorder lost { $join } while the vehicle passed.
-told-scans-lines-of-camera = { $count } lines of camera { $camera }
 told-statistics-a-trend-needs-at = A trend needs at least { $least } vehicles; { $there_are }.
 told-statistics-all-heights-are-the = All heights are the same, so there is no trend.
 told-statistics-limits-of-agreement-need = Limits of agreement need at least { $least } vehicles; { $there_are }.
@@ -6903,6 +6944,7 @@ report-check-target = check target
 report-out-of-sample-state = outside the sample
 report-filmed-since = filmed from { $day }
 report-filmed-until = filmed up to { $day }
+report-filmed-hours = filmed between { $begins } and { $ends }
 report-lacking = { $mark } replaces characters of a script that this report’s fonts lack; the CSV files contain them.
 report-check-title = How to check this report
 report-median = Median
@@ -6956,6 +6998,7 @@ report-count-not-visible = targets not visible
 report-count-used = counted in the results
 report-count-left-out = excluded
 report-count-out-of-date = out of date (out_of_date in the tables says why)
+report-count-without-time = vehicles excluded because their time of filming is not known
 report-count-scanned = scanned vehicles
 report-count-scanned-used = accepted of them
 report-span = { $day } { $first } to { $last } ({ $zone })

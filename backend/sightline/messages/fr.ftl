@@ -1996,15 +1996,16 @@ review-verdict-kept = La décision est gardée dans ce navigateur et sera envoy�
 ## Vérification : repointer avant de voir les points
 
 review-plan = { $one_in ->
-    [0] Contrôle en aveugle : désactivé.
-    [1] Contrôle en aveugle : chaque mesure est pointée avant d’être montrée.
-   *[other] Contrôle en aveugle : 1 mesure sur { $one_in } est pointée avant d’être montrée.
+    [0] désactivé
+    [1] chaque mesure
+   *[other] 1 sur { $one_in }
 }
+review-plan-name = Contrôle en aveugle
 review-plan-choose = Contrôle en aveugle, pour tous ceux qui vérifient ce relevé
 review-plan-choice = { $one_in ->
-    [0] Contrôle en aveugle : désactivé
-    [1] Contrôle en aveugle : chaque mesure
-   *[other] Contrôle en aveugle : 1 sur { $one_in }
+    [0] désactivé
+    [1] chaque mesure
+   *[other] 1 sur { $one_in }
 }
 review-blind-click = à repointer
 review-blind-title = Contrôle en aveugle : pointez d’abord vous-même
@@ -2184,8 +2185,8 @@ repeats-differences-label = { $count ->
     [one] Seconde hauteur moins la première en { $small } selon leur moyenne en { $unit }, { $count } répétition
    *[other] Seconde hauteur moins la première en { $small } selon leur moyenne en { $unit }, { $count } répétitions
 }
-repeats-differences-x = moyenne des deux hauteurs ({ $unit })
-repeats-differences-y = écart ({ $unit })
+repeats-differences-x = Moyenne des deux hauteurs ({ $unit })
+repeats-differences-y = Écart ({ $unit })
 
 ## Repointer : des mesures refaites, sans leurs points
 
@@ -2780,15 +2781,15 @@ scan-profile-says = { $count ->
    *[other] Vitesse de { $count } blocs le long du véhicule { $vehicle } et mouvement ajusté
 }
 scan-profile-none = Pas de profil de vitesse : le véhicule n’a pas de mouvement mesuré.
-scan-profile-fitted = mouvement ajusté
-scan-profile-used = bloc, utilisé
-scan-profile-left-out = bloc, exclu
+scan-profile-fitted = Mouvement ajusté
+scan-profile-used = Bloc, utilisé
+scan-profile-left-out = Bloc, exclu
 scan-profile-note = Vitesse moyenne de chaque bloc entre les caméras.
 scan-profile-beyond = { $count ->
     [one] { $count } bloc est hors de cette figure ; le CSV les contient tous.
    *[other] { $count } blocs sont hors de cette figure ; le CSV les contient tous.
 }
-scan-profile-x = temps depuis l’avant à la caméra 1 (s)
+scan-profile-x = Temps depuis l’avant à la caméra 1 (s)
 scan-match-title = Recalage : bande 2 sur bande 1
 scan-match-picture = Image du recalage
 scan-match-1 = 1
@@ -3009,6 +3010,12 @@ motion-none-accepted-title = Aucun véhicule n’est encore validé
 motion-none-accepted = Vérifiez-en sous Balayages, ou incluez les véhicules non vérifiés.
 motion-none-title = Aucun véhicule n’est encore mesuré
 motion-none = Ajoutez un balayage et détectez ses véhicules.
+motion-filter = Heure du tournage
+motion-without-time = { $count ->
+    [one] { NUMBER($count) } véhicule est exclu, car le début de son balayage n’est pas confirmé. <link>Confirmez-le dans Balayages</link>
+   *[other] { NUMBER($count) } véhicules sont exclus, car les débuts de leurs balayages ne sont pas confirmés. <link>Confirmez-les dans Balayages</link>
+}
+motion-none-filmed = Aucun véhicule n’a été filmé à cette heure.
 motion-counted = { $vehicles ->
     [one] { $vehicles } véhicule
    *[other] { $vehicles } véhicules
@@ -3183,6 +3190,10 @@ statistics-counted = { $measurements ->
     [one] { $roofs } toit
    *[other] { $roofs } toits
 } avec hauteur du constructeur.
+statistics-without-time = { $count ->
+    [one] { NUMBER($count) } véhicule est exclu, car le début de son enregistrement n’est pas confirmé. <link>Confirmez-le dans Enregistrements</link>
+   *[other] { NUMBER($count) } véhicules sont exclus, car les débuts de leurs enregistrements ne sont pas confirmés. <link>Confirmez-les dans Enregistrements</link>
+}
 statistics-without-class = { $count ->
     [one] { NUMBER($count) } véhicule n’a pas de classe et est exclu des résultats par classe. <link>Choisissez-la dans Mesure</link> (liste : Sans classe).
    *[other] { NUMBER($count) } véhicules n’ont pas de classe et sont exclus des résultats par classe. <link>Choisissez-la dans Mesure</link> (liste : Sans classe).
@@ -3225,6 +3236,8 @@ statistics-filter-operator = Opérateur
 statistics-filter-anybody = tous
 statistics-filter-filmed-from = Filmé du
 statistics-filter-filmed-to = Filmé jusqu’au
+statistics-filter-hour-from = De l’heure
+statistics-filter-hour-to = À l’heure
 statistics-filter-first-day = Mesuré du (UTC)
 statistics-filter-last-day = Mesuré jusqu’au (UTC)
 statistics-filter-correction = Correction
@@ -3309,8 +3322,8 @@ statistics-relative-note = Erreur absolue rapportée à la hauteur de référenc
 statistics-relative-x = Erreur relative (%)
 statistics-density-title = Erreur signée, densité
 statistics-density-says = Densité de l’erreur signée ; { $groups }
-statistics-density-note = Noyau gaussien, largeur de bande { $bandwidths } ; bande ponctuelle à 95 %. { $groups }.
-statistics-density-note-rounded = Noyau gaussien, largeur de bande { $bandwidths }, au moins la moitié de l’arrondi ({ $rounding }) ; bande ponctuelle à 95 %. { $groups }.
+statistics-density-note = Noyau gaussien, largeur de bande { $bandwidths } ; bande ponctuelle à 95 % à partir de 30 véhicules. { $groups }.
+statistics-density-note-rounded = Noyau gaussien, largeur de bande { $bandwidths }, au moins la moitié de l’arrondi ({ $rounding }) ; bande ponctuelle à 95 % à partir de 30 véhicules. { $groups }.
 statistics-signed-error = Erreur signée ({ $unit })
 statistics-density-y = Part des véhicules (% par { $unit })
 statistics-trend-title = Erreur selon la hauteur du constructeur
@@ -3320,7 +3333,7 @@ statistics-trend-says = Erreur signée en fonction de la hauteur du constructeur
 }.
 statistics-trend-nothing = Rien à tracer : aucun véhicule n’a de hauteur de référence.
 statistics-trend-x = Hauteur du constructeur ({ $unit })
-statistics-trend-legend = régression, bande à 95 %
+statistics-trend-legend = Régression, bande à 95 %
 statistics-trend = Pente { $slope } { $small } par { $unit } ({ $slope_interval }), r = { $correlation }.
 statistics-trend-absolute = Erreur absolue : r = { $correlation }.
 
@@ -3355,7 +3368,7 @@ statistics-target-nothing = Rien à tracer : le filtre ne laisse aucune hauteur
 statistics-height-x = Hauteur au-dessus de la chaussée ({ $unit })
 statistics-target-density-title = { $target }, densité
 statistics-target-density-says = Densité des hauteurs corrigées, { $target }
-statistics-target-density-note = Hauteurs corrigées, noyau gaussien, bande ponctuelle à 95 %.
+statistics-target-density-note = Hauteurs corrigées, noyau gaussien, bande ponctuelle à 95 % à partir de 30 véhicules.
 statistics-share = { $standard }, { $height } : <strong>{ $share }</strong> des { $target ->
     [driver_eye] yeux de conducteur
     [taillight] feux arrière
@@ -3415,8 +3428,8 @@ statistics-lateral-x = Distance à la caméra en travers de la route ({ $unit })
 statistics-lateral-none = Aucun véhicule n’a encore de sens, donc il n’y a pas de voies ; la recherche des passages le renseigne, ou le panneau du véhicule.
 statistics-lateral-vehicles = Véhicules
 statistics-lateral-all = Tous
-statistics-lane-right = vers la droite
-statistics-lane-left = vers la gauche
+statistics-lane-right = Vers la droite
+statistics-lane-left = Vers la gauche
 statistics-groups-title = Hauteurs corrigées par groupe
 statistics-groups-target = Cible
 statistics-groups-by = Grouper par
@@ -4217,8 +4230,6 @@ audit-entity-scan_review = vérification du balayage
 audit-entity-scan_reference = valeur de référence
 audit-entity-line_pose = pose de ligne
 audit-entity-rig_calibration = étalonnage du dispositif
-audit-entity-line_height = hauteur de ligne
-audit-entity-line_height_review = vérification d’une hauteur de ligne
 audit-entity-export = export
 audit-entity-evidence = dossier de preuve
 audit-entity-study = étude
@@ -4256,6 +4267,7 @@ export-of-title = Véhicules des statistiques et du rapport
 export-of-lighting = Luminosité
 export-of-filmed-from = filmés à partir du { $day }
 export-of-filmed-to = filmés jusqu’au { $day }
+export-of-hours = filmés entre { $begins } et { $ends }
 export-of-help = Les statistiques, les figures et le rapport portent sur ces véhicules, et la première page du rapport le dit. Les tableaux sont complets, pour que le journal d’audit les couvre ; exclusions.csv nomme ce qui est exclu.
 export-of = Véhicules
 export-of-all = tous les véhicules
@@ -4384,6 +4396,12 @@ height-target-no-crossing = Le rayon de la cible ne rencontre pas le plan latér
 height-target-below-road = La cible est sur la route ou dessous ; contact et cible sont-ils inversés ?
 height-u-not-valid = Une incertitude de pointé, un retrait ou son incertitude n’est pas un nombre fini, ou une incertitude est négative.
 height-side-unknown = Le côté du conducteur (proche ou éloigné) n’est pas indiqué, et la hauteur de l’œil en dépend ; indiquez-le.
+line-height-extrapolated = Un pointé est hors des rangées couvertes par les repères ; la pose est extrapolée.
+line-height-click-no-number = Un pointé n’est pas un nombre.
+line-height-contact-above-horizon = Le contact est sur l’horizon ou au-dessus, où il n’y a pas de chaussée ; pointez le contact du pneu.
+line-height-target-below-contact = La cible n’est pas au-dessus du contact ; cliquez d’abord sur le contact, puis sur la cible.
+line-height-target-behind-camera = Le retrait place la cible derrière la caméra.
+line-height-beside-vehicle = Un pointé est hors de l’avant et de l’arrière du véhicule ; il appartient peut-être à un autre.
 height-inset-implausible = Le retrait calculé de { NUMBER($inset_m, minimumFractionDigits: 2, maximumFractionDigits: 2) } m n’est pas plausible pour un véhicule routier ({ $low_m } à { $high_m } m) : le contact et la cible doivent être les mêmes points sur chaque image.
 height-no-board-in-picture = La mire entière n’entre pas dans l’image ; la pose de la caméra ne peut être calculée.
 height-picture-too-narrow = L’image ne montre contact et cible que sur { NUMBER($shown_m, minimumFractionDigits: 1, maximumFractionDigits: 1) } m de la trace de roues ; on ne peut les pointer deux fois à { $travel_m } m d’intervalle.
@@ -4417,7 +4435,7 @@ height-pass-most-excluded = { $dropped } points suivis sur { $points } ont été
 height-flag-plane-oblique = Le plan latéral est vu sous moins de 10 degrés.
 height-flag-lens-edge = Un pointé est près du bord de ce que le modèle d’objectif sait inverser.
 height-flag-far-from-board = Le véhicule est à une tout autre distance que ne l’était la mire.
-height-flag-u-large = L’incertitude est grande ; l’intervalle à 95 % est approché.
+height-flag-u-large = L’intervalle à 95 % est approché : u dépasse 30 mm.
 height-flag-no-u-of-lens-and-pose = L’incertitude de l’objectif et de la pose est inconnue et n’est pas comprise.
 height-flag-no-u-of-lens = L’incertitude de l’objectif est inconnue ; seul ce que dit le fichier de pose est compté.
 height-flag-no-board = La mire est inconnue ; son inclinaison, sa hauteur, le côté de ses cases et sa flèche ne sont pas compris dans l’incertitude.
@@ -4504,7 +4522,6 @@ cameras-not-file-give-picture-files-clip = { $path } n’est pas un fichier ; 
 cameras-still-has-no-tracks = { $path } est une photo, pas une vidéo à plusieurs pistes ; retirez --stream.
 cameras-choose-calibration-give-pictures-width-height = Choisissez un étalonnage, ou indiquez la largeur et la hauteur de l’image en pixels et son champ horizontal en degrés.
 cameras-calibration-belongs-another-survey-choose-one = L’étalonnage { $calibration_id } appartient à un autre relevé ; choisissez-en un des caméras de ce relevé.
-cameras-cameras-csv-not-what-audit = cameras.csv : la caméra { $id } n’est pas ce que ses événements d’audit en ont fait ; le tableau a été modifié.
 cameras-calibration-of-another-camera = calibrations.csv : { $id } nomme une autre caméra que les événements d’audit ; le tableau a été modifié.
 cameras-taken-without-calibration = La caméra { $camera } n’a pas encore d’étalonnage : il n’y a rien à reprendre ; étalonnez-la dans son propre relevé, ou ajoutez-la ici comme nouvelle caméra.
 cameras-taken-from-itself = La caméra { $camera } est celle de ce relevé ; choisissez-en une d’un autre relevé.
@@ -4777,6 +4794,9 @@ csv_package-not-what-audit-event-says-changed = { $path } diffère de son évén
 csv_package-not-one-audit-chain-vouches-changed = { $path_of } n’est pas celui que garantit la chaîne d’audit ; il a été modifié.
 csv_package-made-others-another-time-says = { $path } : { $kind_name } { $id } a un autre auteur ou une autre date que ne le dit { $path_2 }.
 csv_package-differs-one-changed = { $path } : { $kind_name } { $id } diffère de { $path_2 } ; l’un des deux a été modifié.
+csv_package-row-of-no-event = { $path } : la ligne { $key } n’a pas d’événement d’audit ; elle a été ajoutée.
+csv_package-row-not-as-its-events = { $path } : { $name } de la ligne { $key } diffère de ses événements d’audit ; la valeur a été modifiée.
+csv_package-row-missing = { $path } : la ligne { $key } manque, bien qu’un événement d’audit en parle.
 csv_package-not-csv-row-taken-out-changed = { $path } : { $mine } { $values } n’est pas dans { $table }.csv ; une ligne a été retirée ou modifiée.
 
 ## Erreurs : base de données
@@ -4899,8 +4919,6 @@ measurements-frame-not-part-vehicle-go-frame = L’image { $frame } ne coupe pas
 measurements-only-two-passes-same-recording-joined = Seuls deux passages du même enregistrement peuvent être joints ; choisissez-en un autre.
 measurements-vehicles-both-measurements-measurement-stays-vehicle = Les véhicules { $number } et { $number_2 } ont tous deux des mesures, et une mesure reste avec son véhicule ; écartez plutôt l’un des passages.
 measurements-vehicle-measured-before-after-frame-measurement = Le véhicule { $number } a été mesuré avant et après l’image { $frame }, et une mesure reste avec son véhicule ; coupez à une autre image.
-measurements-vehicles-csv-missing-though-audit-event = vehicles.csv : { $missing } manque, bien que son événement d’audit soit là.
-measurements-vehicles-csv-not-what-audit-events = vehicles.csv : { $id } diffère de ses événements d’audit ; il a été modifié.
 measurements-measurement-withdrawn-restore-before-you-change = Cette mesure est retirée ; restaurez-la avant de la modifier.
 measurements-repeat-stands-clicked-withdraw-click-again = Une répétition reste telle que pointée ; retirez-la et repointez.
 measurements-measurement-withdrawn-already-restore-use-again = Cette mesure est déjà retirée ; restaurez-la pour l’utiliser à nouveau.
@@ -4909,10 +4927,8 @@ adjusting-not-an-adjusted-pose-in-force = Ce n’est pas une pose ajustée en vi
 computing-undo-cannot-be-undone = Une annulation ne s’annule pas ; recalculez plutôt les hauteurs.
 computing-undone-already = Ceci a déjà été annulé ; recalculez les hauteurs pour les retrouver.
 computing-undo-the-later-first = Les hauteurs ont été recalculées le { $when } ; annulez d’abord ce calcul.
-computing-computings-csv-not-what-event-says = computings.csv : { $id } diffère de son événement d’audit ; reprenez l’export complet.
 computing-computing-made-other-revisions = computings.csv : { $id } a fait un autre nombre de révisions qu’il ne dit ; reprenez l’export complet.
 computing-out-of-date-not-so = { $path } : la marque « périmé » de { $id } ne découle pas de ses données ; reprenez l’export complet.
-computing-computing-missing = computings.csv : { $id } manque, bien que son événement d’audit soit là ; reprenez l’export complet.
 computing-verdict-went-over = revisions.csv : la révision { $revision } de la mesure { $name } a une décision rendue sur une autre hauteur ; reprenez l’export complet.
 measurements-measurement-not-withdrawn-nothing-restore = Cette mesure n’est pas retirée : il n’y a rien à restaurer.
 measurements-deleted-vehicle-restore-first = { $name } a supprimé le véhicule { $vehicle_number } le { $when } ; restaurez-le d’abord.
@@ -5112,7 +5128,6 @@ poses-calibration-belongs-another-survey-choose-one = L’étalonnage { $calibra
 quality-no-recording-uses-road-pose-any = Plus aucun enregistrement n’utilise cette pose de la caméra ; regardez à nouveau les contrôles.
 quality-traffics-direction-now-not-what-you = La direction de la circulation est maintenant de { $turn_deg }°, non celle que vous avez vue ; regardez à nouveau.
 quality-frame-not-vehicle-which-passes-frames = L’image { $frame } n’est pas du véhicule { $number }, qui passe dans les images { $first_frame } à { $last_frame } ; allez à l’une d’elles.
-quality-wheel-pairs-csv-not-what-audit = wheel_pairs.csv : { $id } diffère de son événement d’audit ; il a été modifié.
 quality-clicked-their-own-measurements-again-needed = { $name } a repointé { $pairs } de ses propres mesures ; il en faut { $least_pairs } pour un sigma propre. Repointez-en d’autres.
 quality-repeats-csv-repeat-missing-though-audit = repeats.csv : la répétition { $left } manque, bien que son événement d’audit soit là.
 quality-repeats-csv-not-what-audit-event = repeats.csv : { $number } diffère de son événement d’audit ; il a été modifié.
@@ -5173,7 +5188,6 @@ recordings-upload-finished-already-look-recording-list = Cet envoi est déjà te
 recordings-upload-became-recording-deleted-since-upload = Cet envoi est devenu un enregistrement supprimé depuis ; envoyez-le à nouveau.
 recordings-upload-finished-already-make-scan = Cet envoi est déjà terminé ; créez-en le balayage.
 recordings-upload-finished-delete-recording-instead = Cet envoi est terminé ; supprimez plutôt son enregistrement.
-recordings-recordings-csv-not-what-audit-events = recordings.csv : { $id } diffère de ses événements d’audit ; il a été modifié.
 
 ## Erreurs : résultats
 
@@ -5189,8 +5203,8 @@ results-standard-needs-name-such-aashto-usa = Une norme doit avoir un nom, par e
 results-height-must-lie-between-0-10 = La hauteur de { $name } doit être entre 0 et 10 m, par exemple 1,08.
 results-standard-percent = { $name } : un centile est supérieur à 0 et inférieur à 100 ; corrigez-le, ou laissez-le vide.
 results-last-day-lies-before-first-exchange = Le dernier jour précède le premier ; inversez-les.
+recordings-hours-are-none = Les heures commencent et finissent au même moment : rien n’y a été filmé ; choisissez une autre fin.
 results-no-survey-may-been-removed = Il n’y a pas de relevé { $survey_id } ; il a pu être supprimé.
-results-standards-csv-not-what-surveys-audit = standards.csv diffère des événements d’audit du relevé ; il a été modifié.
 
 ## Erreurs : vérifications
 
@@ -5206,8 +5220,6 @@ reviews-click-it-again-before = Le plan du relevé veut que celle-ci soit repoin
 reviews-fix-changes-nothing-accept = Cette correction ne change rien ; déplacez un point, ou validez la mesure.
 reviews-waits-review-already = Ceci attend déjà une vérification.
 reviews-nobody-reviews-their-own-measurement-ask = Personne ne vérifie sa propre mesure ; demandez à un autre vérificateur.
-reviews-reviews-csv-not-what-audit-event = reviews.csv : { $id } diffère de son événement d’audit ; il a été modifié.
-reviews-reviews-csv-missing-though-audit-event = reviews.csv : { $id } manque, bien que son événement d’audit soit là.
 reviews-measurements-csv-verdict-not-newest-review = measurements.csv : la décision sur { $one } n’est pas celle de sa dernière vérification ; l’une des deux est fausse.
 
 ## Erreurs : balayages
@@ -5283,7 +5295,6 @@ scans-vehicle-measured-again-meanwhile-look-newer = Ce véhicule a été remesur
 scans-nobody-reviews-boundaries-they-placed-themselves = Personne ne vérifie les bornes qu’il a placées ; demandez à un autre vérificateur.
 scans-height-measured-again-meanwhile-look-newer = Cette hauteur a été remesurée entre-temps ; regardez le nouveau résultat.
 scans-height-without-figure-nothing-review = Cette hauteur est retirée ou n’a pas de valeur : il n’y a rien à vérifier.
-scans-nobody-reviews-height-they-clicked-themselves = Personne ne vérifie une hauteur qu’il a pointée ou calculée ; demandez à un autre vérificateur.
 scans-camera-2-needs-both-lines-front = La caméra 2 demande les deux lignes, avant et arrière, ou aucune ; envoyez les deux ou omettez les deux.
 scans-wheelbase-needs-both-wheels-send-both = Un empattement demande les deux roues ; envoyez les deux lignes, ou aucune pour les retirer.
 scans-vehicle-not-deleted-nothing-restore = Ce véhicule n’a pas été supprimé : il n’y a rien à restaurer.
@@ -5291,8 +5302,6 @@ scans-deleted-vehicle-restore-first = { $name } a supprimé le véhicule { $numb
 scans-changed-vehicle-look-again-redo-yours = { $name } a modifié le véhicule { $number } le { $when } ; regardez à nouveau et refaites votre modification.
 scans-scanned-vehicle-no-leave-out = Un véhicule balayé n’a pas de { $unknown } ; omettez-le.
 scans-m-cannot-used-give-metres-4 = { $name } de { $value } m : inutilisable ; indiquez-le en mètres, par exemple 4,447.
-scans-row-without-audit-event-missing = { $path } : la ligne { $odd } est là sans événement d’audit, ou manque.
-scans-row-not-what-audit-event-says = { $path } : { $name } de la ligne { $id } diffère de son événement d’audit.
 scans-vehicle-not-newest-revision-changed = { $path } : le véhicule { $number } n’est pas sa dernière révision ; il a été modifié.
 scans-verdict-went-over = { $path } : la ligne { $id } porte une décision rendue sur une autre mesure ; reprenez l’export complet.
 scans-verdict-row-not-one-given = { $path } : la décision de la ligne { $number } n’est pas celle qui a été rendue.
@@ -5309,10 +5318,8 @@ surveys-survey-takes-photographs-take-one-out = Un relevé contient au plus { $m
 surveys-photographs-added-taken-out-meanwhile-look = Des photos ont été ajoutées ou retirées entre-temps ; regardez à nouveau et refaites l’ordre.
 surveys-changed-photograph-look-again-redo-yours = { $name } a modifié cette photo le { $when } ; regardez à nouveau et refaites votre modification.
 surveys-caption-most-characters-shorten = Une légende a au plus { $most_caption } caractères ; raccourcissez-la.
-surveys-not-photographs-audit-events-changed = { $path } n’a pas les photos des événements d’audit ; il a été modifié.
 surveys-no-row-put = { $strange } n’est dans aucune ligne de { $path } ; ajouté après coup.
 surveys-not-photograph-audit-event-names-exchanged = { $file } n’est pas la photo que nomme son événement d’audit ; elle a été échangée.
-surveys-not-what-audit-events-say-changed = { $path } : { $name } de { $id } diffère de ses événements d’audit ; il a été modifié.
 surveys-no-survey-named-check-name-home = Il n’y a pas de relevé nommé « { $name } » ; vérifiez le nom sur la page d’accueil.
 surveys-changed-survey-look-again-redo = { $name } a modifié ce relevé le { $when } ; regardez à nouveau et refaites votre modification.
 surveys-place-half-coordinates = Des coordonnées sont une latitude et une longitude ; indiquez les deux ou aucune.
@@ -5322,10 +5329,6 @@ surveys-place-speed-limit = Une vitesse limite est supérieure à 0 et d’au pl
 surveys-survey-needs-name-fill = Un relevé doit avoir un nom ; indiquez-le.
 surveys-inset-cannot-used-give-known-target = Le retrait de « { $target } » est inutilisable ; indiquez une cible connue et une incertitude >= 0.
 surveys-asks-nothing-choose-target = Un relevé demande au moins une cible de jour et une en faible luminosité ; choisissez-les.
-surveys-survey-csv-not-what-audit = survey.csv diffère des événements d’audit du relevé ; il a été modifié.
-surveys-insets-csv-not-what-surveys-audit = insets.csv diffère des événements d’audit du relevé ; il a été modifié.
-surveys-classes-csv-not-what-surveys-audit = classes.csv diffère des événements d’audit du relevé ; il a été modifié.
-surveys-sampling-csv-not-what-audit = sampling.csv ou quotas.csv diffère des événements d’audit du relevé ; il a été modifié.
 surveys-sampling-step = Un passage sur n : n est entre 1 et { $most_step }, le premier numéro entre 1 et n ; corrigez-les.
 surveys-sampling-share = Une part des passages est supérieure à 0 et d’au plus 100 % ; corrigez-la.
 surveys-sampling-headway = Le temps intervéhiculaire des véhicules libres doit être supérieur à 0 et d’au plus { $most_headway_s } s ; corrigez-le.
@@ -5522,8 +5525,6 @@ lots-not-accepted = Seul un lot accepté peut être annulé ; regardez ce qu�
 lots-decided-already = Le lot { $number } a reçu une décision entre-temps ; regardez-la d’abord.
 lots-event-another-row = audit.csv : l’événement { $number } contient un autre lot que celui qu’il a haché ; reprenez l’export complet.
 lots-verdict-of-no-lot = reviews.csv : une décision par le lot { $lot }, qui n’existe pas ; reprenez l’export complet.
-lots-lots-csv-not-what-event-says = lots.csv : le lot { $id } diffère de ses événements d’audit ; il a été modifié.
-lots-lot-missing = lots.csv : le lot { $id } manque, bien que son événement d’audit soit là.
 lots-seed-not-the-chains = lots.csv : la graine du lot { $id } ne découle pas de la chaîne d’audit ; le tirage a été choisi.
 lots-not-drawn-by-its-seed = audit.csv : le lot { $id } n’a pas été tiré dans l’ordre de sa graine ; le tirage a été modifié.
 lots-plan-keeps-no-risk = lots.csv : le plan du lot { $id } ne respecte pas les risques qu’il nomme ; il a été modifié.
@@ -5533,7 +5534,6 @@ lots-counts-not-those-of-verdicts = audit.csv : les nombres du lot { $id } ne s
 lots-accepted-beyond-its-plan = audit.csv : le lot { $id } a été accepté avec plus de hauteurs non conformes que son plan n’en admet, ou sans jugement.
 lots-verdicts-not-those-of-its-rest = reviews.csv : les décisions par le lot { $id } ne sont pas celles de son reste ; certaines ont été ajoutées ou retirées.
 lots-verdict-before-the-decision = audit.csv : une décision par le lot { $id } précède la décision sur le lot ; l’une des deux est fausse.
-lots-items-csv-not-what-events-say = lot_items.csv : la place { $place } du lot { $id } diffère des événements d’audit ; elle a été modifiée.
 reviews-verdict-given-meanwhile = { $name } a rendu entre-temps la décision « { $verdict } » ; regardez-la d’abord.
 
 ## Distance de visibilité : la page
@@ -6255,27 +6255,122 @@ reference-line-renames = Était un passage de { $car }.
 reference-car-too-long = Le nom du véhicule dépasse 100 caractères ; raccourcissez-le.
 scans-reference-does-not-follow = { $path } : { $name } de la ligne { $number } ne découle pas de la référence et de la valeur propre du véhicule.
 
+## Said: motions, gaps and runs of line scans
+
+scan-motion-lane-unknown = La voie n’est pas connue ({ $why }) : les incertitudes valent pour toutes les voies de son sens ; choisissez sa voie.
+scan-lane-no-wheel = aucune roue trouvée n’indique la voie
+scan-lane-not-this-way = aucune voie du dispositif n’a ce sens
+scan-lane-other-rows = ses pneus touchent la chaussée à la rangée { $row }, { $lanes ->
+    [0] hors des rangées de toute voie
+   *[other] dans les rangées de plusieurs voies
+ }
+scan-gap-lane-unknown = Sa voie n’est pas connue ; le véhicule qui le précède ne l’est donc pas non plus.
+scan-gap-before-unknown = Un véhicule dont la voie n’est pas connue l’a précédé, peut-être sur cette voie.
+scan-gap-none-before = Aucun véhicule n’a été détecté devant celui-ci.
+scan-gap-overlap = Les deux véhicules se recouvrent à la caméra 1 ; il n’y a pas d’intervalle.
+scan-gap-leader-unmeasured = Le véhicule précédent n’a pas de mouvement mesuré.
+scan-gap-leader-stopped = À la décélération mesurée, le véhicule précédent se serait déjà arrêté.
+scan-motion-too-coarse = Les lignes sont trop espacées pour ce véhicule : il avance d’environ { $line_mm } mm d’une ligne à la suivante, et des lignes voisines ont trop peu en commun. Portez la cadence à { $rate_hz } Hz ou plus pour des véhicules à cette vitesse ; une base plus longue n’y change rien.
+scan-no-wheel = Aucune roue n’a été trouvée : le bas de l’image n’en montre pas, ou est trop sombre.
+scan-no-scale = Sans mouvement mesuré, l’image n’a pas d’échelle en mètres.
+scan-motion-implausible = La { $what ->
+    [speed] vitesse
+    [length] longueur
+   *[acceleration] accélération
+ } calculée de { NUMBER($value, minimumFractionDigits: 1, maximumFractionDigits: 1) } { $unit } n’est pas plausible pour un véhicule routier ({ $low } à { $high } { $unit }) : contrôlez les bornes, la base et la cadence.
+scan-motion-no-uncertainty = Trop peu du véhicule a été apparié pour donner l’incertitude de son mouvement.
+scan-motion-would-stop = D’après le mouvement calculé, le véhicule se serait arrêté en vue ; contrôlez les bornes.
+scan-motion-u-large = L’U95 de la { $what ->
+    [speed] vitesse
+   *[length] longueur
+ } est de { $percent } %, trop pour être utile : trop peu du véhicule est net, les bornes sont fausses, ou deux véhicules passent à la fois.
+scan-motion-u-acceleration-large = L’U95 de l’accélération est de { $U95_mps2 } m/s², plus que ne freine aucun véhicule : trop peu du véhicule est net, ou les bornes sont fausses.
+scan-motion-no-order = Les bornes ne sont pas dans l’ordre : l’avant doit précéder l’arrière devant les deux caméras.
+scan-motion-no-texture = Trop peu du véhicule est assez net pour être recalé d’une bande à l’autre.
+scan-motion-no-match = Les deux images du véhicule ne suivent pas un même mouvement : deux véhicules côte à côte, un véhicule arrêté ou des lignes perdues.
+scan-motion-few-lines = Environ { $lines } lignes seulement ont été enregistrées entre les deux caméras, trop peu pour la vitesse ou le sens : augmentez la cadence, ou écartez les caméras.
+scan-motion-few-blocks = Trop peu de blocs de { $lines } lignes peuvent être appariés : le véhicule présente trop peu de détails, ou trop peu de lignes ; augmentez la fréquence de lignes, ou utilisez l’autre méthode.
+scan-motion-not-converged = Le recalage n’a pas entièrement convergé.
+scan-motion-cameras-disagree = Les caméras diffèrent de { $apart_cm } cm sur l’avant ou l’arrière : contrôlez les bornes, et si deux véhicules passent côte à côte.
+scan-motion-saturated = Une partie de l’image est saturée ; réduisez l’exposition.
+scan-motion-stopped = Le véhicule s’est arrêté ou presque devant les caméras ; marquez-en un autre, ou mesurez-le à la main.
+scan-motion-too-long-in-view = Quelque chose est resté en vue plus longtemps qu’un passage ; arrêt, ou changement de lumière.
+scan-motion-cut = Le véhicule est coupé par le début ou la fin de l’enregistrement.
+scan-motion-no-road = La chaussée vide avant le véhicule est trop instable : neige, pluie, ou trafic dès la première ligne ; commencez l’enregistrement quand la chaussée est vide.
+scan-motion-too-long = Sa longueur estimée est de { $length_m } m, et la limite de { $most_m } m : un train, des véhicules sans intervalle, ou une base ou une cadence fausse.
+scan-motion-two-at-once = Les caméras le montrent pendant des durées différentes : deux véhicules côte à côte, ou un arrêt.
+scan-motion-lines-lost = L’enregistreur a perdu { $lost } pendant le passage du véhicule.
+scan-lines-of-camera = { $count } lignes de la caméra { $camera }
+scan-lines-of = { $count } lignes de { $name }
+words-both = { $first } et { $second }
+scan-motion-no-wheelbase = Pas d’empattement : { $reason }
+scan-wheelbase-no-motion = Le véhicule n’a pas de mouvement mesuré.
+scan-wheelbase-one-wheel = Cliquez sur les moyeux de deux roues différentes.
+scan-wheelbase-at-rest = D’après son mouvement ajusté, le véhicule était arrêté à l’un des pointés.
+scan-run-none-found = Aucun véhicule n’a été trouvé ; contrôlez les bandes, et que le temps court selon l’axe choisi.
+scan-run-swapped = { $reversed } véhicules sur { $found } ont atteint d’abord la deuxième bande ; si le trafic ne va pas dans ce sens ici, les bandes sont inversées.
+scan-run-alone = { $alone } fois, quelque chose n’est passé que devant une caméra : vérifiez que les deux montrent la même voie, et contrôlez base et cadence de lignes.
+scan-run-light-changed = La luminosité a varié brusquement ({ $count } fois) ; les véhicules passés à ce moment peuvent manquer.
+scan-run-camera-moved = Une caméra a bougé ({ $count } fois) : depuis, la chaussée est quelques rangées plus haut ou plus bas ; fixez la caméra solidement.
+scan-run-road-unsteady = La chaussée vide de la caméra { $camera } varie de { $percent } % d’une ligne à l’autre : neige, pluie, ou véhicule au début ; enregistrez d’abord la chaussée vide.
+scan-run-short-objects = La caméra { $camera } montre { $per_s } objets courts par seconde : pluie, neige ou insectes ; contrôlez les bornes.
+scan-run-flicker = La lumière à la caméra { $camera } scintille de { $percent } %, comme un éclairage sur secteur ; changez d’éclairage, ou attendez-vous à des incertitudes plus grandes.
+scan-run-saturated = { $percent } % de l’image de la caméra { $camera } est saturée ; réduisez l’exposition.
+rig-misalignments-scatter = Le désalignement diffère d’un véhicule à l’autre de { NUMBER($sd_px, minimumFractionDigits: 2, maximumFractionDigits: 2) } px (écart-type) ; vérifiez si une caméra a bougé.
+rig-few-known = { $count } véhicules connus sont trop peu ; il en faut { $least }.
+rig-sizes-differ = Les véhicules mesurés sont de { NUMBER($percent, minimumFractionDigits: 2, maximumFractionDigits: 2) } % plus { $than ->
+    [longer] longs
+   *[shorter] courts
+ } que connus. Vérifiez la base ; une ombre allonge aussi.
+rig-misalignment-given = Le désalignement a été saisi : les estimations des véhicules en dépendent ; laissez-le vide et mesurez à nouveau pour l’estimer.
+rig-baseline-off = { $count } { $of ->
+    [length] longueurs
+   *[wheelbase] empattements
+ } de véhicules connus ressortent de { NUMBER($percent, minimumFractionDigits: 2, maximumFractionDigits: 2) } % plus { $than ->
+    [longer] longs
+   *[shorter] courts
+ } qu’ils ne sont (u { NUMBER($u_percent, minimumFractionDigits: 2, maximumFractionDigits: 2) } %) : une base plus { $than ->
+    [longer] courte
+   *[shorter] longue
+ } leur conviendrait. Mesurez-la de nouveau.{ $of ->
+    [length] { " " }Une ombre allonge aussi un véhicule ; les empattements n’en portent pas.
+   *[wheelbase] { "" }
+ }
+rig-baseline-agrees = { $count } { $of ->
+    [length] longueurs
+   *[wheelbase] empattements
+ } de véhicules connus s’accordent avec la base saisie à { NUMBER($U95_percent, minimumFractionDigits: 2, maximumFractionDigits: 2) } % (U95).
+scan-flow-no-speed = Aucun véhicule n’a ici de vitesse validée.
+scan-flow-no-u-occupancy = L’incertitude du taux d’occupation n’est pas connue : { $count } des véhicules n’ont pas de mouvement.
+stream-lines-lost = { $count } lignes de la caméra { $camera } ont été perdues et remplacées par des copies ; les véhicules passés pendant ce temps ne sont pas mesurés.
+stream-vehicles-wait = { $message } { $waiting } véhicules attendent d’être enregistrés dans le relevé.
+stream-stopped = L’exécution précédente a été interrompue après { $lines } lignes (segment { $number }, dernier contact { $last_at } UTC). Ses véhicules sont conservés ; manquent les { NUMBER($gap_s, minimumFractionDigits: 1, maximumFractionDigits: 1) } s (environ { $gap_lines } lignes) écoulées depuis, et le véhicule en vue.
+stream-resumed = L’exécution précédente a été interrompue ; elle reprend à la ligne { $begin } de { $name }, et rien ne manque.
+stream-clock-set = L’horloge de l’ordinateur a été réglée de { NUMBER($jump_s, minimumFractionDigits: 1, maximumFractionDigits: 1) } s à la ligne { $lines } ; vitesses, longueurs et intervalles n’en dépendent pas, et les heures continuent depuis le début de ce segment.
+stream-lines-not-stored = Les lignes suivantes n’ont pu être enregistrées ({ $strerror }) ; elles ont été mesurées tout de même.
+stream-journal-not-written = Le journal n’a pu être écrit ({ $strerror }).
+stream-lines-stored = { $kept } lignes sont enregistrées dans { $path }.
+rig-few-vehicles = { $count } véhicules donnent un { $of ->
+    [misalignment] désalignement
+   *[gain] gain
+ } ; il en faut { $least }.
+scan-motion-not-finite = La { $what ->
+    [speed] vitesse
+    [length] longueur
+   *[acceleration] accélération
+ } calculée n’est pas un nombre : contrôlez les bornes, la base et la cadence.
+
 ## What the server says in English, found again by its text (sightline/messages/recognised.py)
 
 told-geometry-several-cameras = { $file_name } contient plusieurs caméras : { $cameras } ; { $key } a été lue (nommez-en une autre avec --which).
 told-geometry-roi-whole = { $file_name } : la caméra est celle de l’image entière, comme demandé, et non de sa roi.
 told-geometry-roi-part = { $file_name } décrit une partie de l’image (roi) : { $width }x{ $height } px à partir de ({ $left } ; { $top }) sur { $full_width }x{ $full_height } px ; la caméra est celle de cette partie (--size { $full_width }x{ $full_height } pour l’image entière).
 told-geometry-no-distortion = { $file_name } indique un objectif sans aucune distorsion, ce qui est rare ; contrôlez que cette caméra a été étalonnée.
-told-linescan-lane-unknown = La voie n’est pas connue ({ $why }) : les incertitudes valent pour toutes les voies de son sens ; choisissez sa voie.
-told-linescan-lane-no-wheel = aucune roue trouvée n’indique la voie
-told-linescan-lane-not-this-way = aucune voie du dispositif n’a ce sens
-told-linescan-gap-lane-unknown = Sa voie n’est pas connue ; le véhicule qui le précède ne l’est donc pas non plus.
-told-linescan-gap-before-unknown = Un véhicule dont la voie n’est pas connue l’a précédé, peut-être sur cette voie.
 told-linescan-mark-incomplete = Chaque repère a besoin d’une distance, d’une hauteur et d’une ligne.
 told-linescan-marks-not-numbers = Les distances, hauteurs et lignes des repères doivent être des nombres.
 told-linescan-marks-too-few = { $count } repères ne suffisent pas ; pointez-en au moins { $least }.
 told-linescan-marks-above-zero = Les distances des repères et l’u de leurs lignes doivent être supérieures à 0.
 told-linescan-rod-upside-down = Les repères les plus hauts doivent avoir les lignes les plus petites ; contrôlez le sens du jalon.
-told-linescan-too-few-blocks = Trop peu de blocs de { $lines } lignes peuvent être appariés : le véhicule présente trop peu de détails, ou trop peu de lignes ; augmentez la fréquence de lignes, ou utilisez l’autre méthode.
-told-linescan-rig-few-misalignment = { $count } véhicules donnent un désalignement ; il en faut { $least }.
-told-linescan-rig-few-gain = { $count } véhicules donnent un gain ; il en faut { $least }.
-told-linescan-no-wheel = Aucune roue n’a été trouvée : le bas de l’image n’en montre pas, ou est trop sombre.
-told-linescan-no-scale = Sans mouvement mesuré, l’image n’a pas d’échelle en mètres.
 told-media-not-decoded-at = Cet enregistrement ne peut pas être décodé à l’image { $frame } : là, le décodeur { $why } ; { $way_out }.
 told-media-filmed-at = Filmé à { $filmed_hz } images par seconde, comme saisi ; le fichier en lit { $played_hz } par seconde. Les instants sont ceux du tournage.
 told-media-no-rate = Le fichier n’indique aucune cadence : { $played_hz } images par seconde sont supposées. Ses instants ne sont pas fiables ; aucun mouvement n’en est donc mesuré.
@@ -6461,38 +6556,6 @@ told-jobs-broke = Une erreur du programme a arrêté la tâche ({ $name }) ; r
 told-infra-a-worker-stopped-in = La tâche a été interrompue ; elle est relancée.
 told-infra-waits-for-what-is-away = La base de données ou le stockage ne répond pas ; la tâche est réessayée d’elle-même.
 told-infra-waits-for-the-next = En attente d’être relancée.
-told-linescan-too-little-of-the = Trop peu du véhicule est assez net pour être recalé d’une bande à l’autre.
-told-linescan-the-two-pictures-of = Les deux images du véhicule ne suivent pas un même mouvement : deux véhicules côte à côte, un véhicule arrêté ou des lignes perdues.
-told-linescan-the-boundaries-are-not = Les bornes ne sont pas dans l’ordre : l’avant doit précéder l’arrière devant les deux caméras.
-told-linescan-the-registration-did-not = Le recalage n’a pas entièrement convergé.
-told-linescan-the-cameras-disagree-by = Les caméras diffèrent de { $apart_m } cm sur l’avant ou l’arrière : contrôlez les bornes, et si deux véhicules passent côte à côte.
-told-linescan-part-of-the-picture = Une partie de l’image est saturée ; réduisez l’exposition.
-told-linescan-no-vehicle-was-found = Aucun véhicule n’a été trouvé ; contrôlez les bandes, et que le temps court selon l’axe choisi.
-told-linescan-of-vehicles-reached-the = { $reversed } véhicules sur { $found } ont atteint d’abord la deuxième bande ; si le trafic ne va pas dans ce sens ici, les bandes sont inversées.
-told-linescan-times-something-passed-one = { $alone } fois, quelque chose n’est passé que devant une caméra : vérifiez que les deux montrent la même voie, et contrôlez base et cadence de lignes.
-told-linescan-the-light-jumped-a = La luminosité a varié brusquement ({ $times }) ; les véhicules passés à ce moment peuvent manquer.
-told-linescan-a-camera-moved-the = Une caméra a bougé ({ $times }) : depuis, la chaussée est quelques rangées plus haut ou plus bas ; fixez la caméra solidement.
-told-linescan-what-camera-took-for = La chaussée vide de la caméra { $number } varie de { $unrest } % d’une ligne à l’autre : neige, pluie, ou véhicule au début ; enregistrez d’abord la chaussée vide.
-told-linescan-camera-saw-short-things = La caméra { $number } montre { $rate } objets courts par seconde : pluie, neige ou insectes ; contrôlez les bornes.
-told-linescan-the-light-before-camera = La lumière à la caméra { $number } scintille de { $share } %, comme un éclairage sur secteur ; changez d’éclairage, ou attendez-vous à des incertitudes plus grandes.
-told-linescan-of-the-picture-of = { $share } % de l’image de la caméra { $number } est saturée ; réduisez l’exposition.
-told-linescan-the-vehicle-stopped-or = Le véhicule s’est arrêté ou presque devant les caméras ; marquez-en un autre, ou mesurez-le à la main.
-told-linescan-something-stood-in-view = Quelque chose est resté en vue plus longtemps qu’un passage ; arrêt, ou changement de lumière.
-told-linescan-the-vehicle-is-cut = Le véhicule est coupé par le début ou la fin de l’enregistrement.
-told-linescan-the-empty-road-was = La chaussée vide avant le véhicule est trop instable : neige, pluie, ou trafic dès la première ligne ; commencez l’enregistrement quand la chaussée est vide.
-told-linescan-it-is-about-m = Sa longueur estimée est de { $length_m } m, et la limite de { $most_m } m : un train, des véhicules sans intervalle, ou une base ou une cadence fausse.
-told-linescan-only-about-lines-were = Environ { $lines } lignes seulement ont été enregistrées entre les deux caméras, trop peu pour la vitesse ou le sens : augmentez la cadence, ou écartez les caméras.
-told-linescan-the-two-cameras-saw = Les caméras le montrent pendant des durées différentes : deux véhicules côte à côte, ou un arrêt.
-told-linescan-the-lines-lie-too = Les lignes sont trop espacées pour ce véhicule : il avance d’environ { $line_mm } mm d’une ligne à la suivante, et des lignes voisines ont trop peu en commun. Portez la cadence à { $rate_hz } Hz ou plus pour des véhicules à cette vitesse ; une base plus longue n’y change rien.
-told-linescan-braking-on-as-measured = À la décélération mesurée, le véhicule précédent se serait déjà arrêté.
-told-linescan-the-two-vehicles-overlap = Les deux véhicules se recouvrent à la caméra 1 ; il n’y a pas d’intervalle.
-told-linescan-the-vehicle-before-has = Le véhicule précédent n’a pas de mouvement mesuré.
-told-linescan-no-vehicle-was-seen = Aucun véhicule n’a été détecté devant celui-ci.
-told-linescan-a-click-lies-outside = Un pointé est hors des rangées couvertes par les repères ; la pose est extrapolée.
-told-linescan-a-click-is-not = Un pointé n’est pas un nombre.
-told-linescan-the-contact-is-at = Le contact est sur l’horizon ou au-dessus, où il n’y a pas de chaussée ; pointez le contact du pneu.
-told-linescan-the-target-is-not = La cible n’est pas au-dessus du contact ; cliquez d’abord sur le contact, puis sur la cible.
-told-linescan-the-inset-puts-the = Le retrait place la cible derrière la caméra.
 told-linescan-the-marks-do-not = Les repères ne déterminent pas la hauteur de la caméra : tenez le jalon vertical à deux distances, par exemple aux bords proche et éloigné de la voie.
 told-linescan-the-marks-put-the = Les repères placent la caméra sous la route ; contrôlez leurs distances, hauteurs et rangées.
 told-linescan-all-marks-are-at = Tous les repères sont à une même distance : la hauteur de la caméra ne peut être déterminée ; tenez le jalon vertical à deux distances.
@@ -6509,18 +6572,6 @@ told-linescan-rig-too-wide = Les passages concordent mieux que leurs incertitude
 told-linescan-rig-two-distances = Deux distances ne permettent pas de vérifier que la base varie linéairement ; ajoutez-en une troisième.
 told-linescan-rig-outside = { $distance_m } m est loin des passages ({ $nearest_m } à { $farthest_m } m) : la base y est extrapolée ; ajoutez un passage à cette distance.
 told-rig-pass-twice = Une autre ligne a le même nom ; nommez chaque passage une fois.
-told-linescan-too-little-of-the-vehicle = Trop peu du véhicule a été apparié pour donner l’incertitude de son mouvement.
-told-linescan-by-the-computed-motion = D’après le mouvement calculé, le véhicule se serait arrêté en vue ; contrôlez les bornes.
-told-linescan-the-computed-is-no = La { $what ->
-       [speed] vitesse
-       [length] longueur
-       *[other] accélération
-    } calculée de { $value } { $unit } n’est pas plausible pour un véhicule routier ({ $low } à { $high } { $unit2 }) : contrôlez les bornes, la base et la cadence.
-told-linescan-the-acceleration-is-unsure = L’U95 de l’accélération est de { $most } m/s², plus que ne freine aucun véhicule : trop peu du véhicule est net, ou les bornes sont fausses.
-told-linescan-the-is-unsure-by = L’U95 de la { $what ->
-       [speed] vitesse
-       *[other] longueur
-    } est de { $value } %, trop pour être utile : trop peu du véhicule est net, les bornes sont fausses, ou deux véhicules passent à la fois.
 told-linescan-expected-of-the-default = Attendu de la méthode par défaut, d’après des véhicules simulés qui remplissent l’image ; peu de texture, un bruit fort ou la pluie l’aggravent, et l’incertitude de chaque véhicule dit ce qui est atteint.
 told-linescan-only-lines-lie-between = Seules { $lines } lignes séparent les caméras ; prenez une cadence plus élevée ou une base plus longue, sinon ce véhicule est à peine mesurable.
 told-linescan-lines-too-far-apart = Le véhicule avance de { $line_mm } mm d’une ligne à la suivante ; au-delà de { $coarse_mm } mm la plupart des véhicules sont refusés. Prenez { $rate } Hz ou plus.
@@ -6529,14 +6580,6 @@ told-linescan-the-speeds-u95-is = L’U95 de la vitesse est de { $percent }, plu
 told-linescan-the-baseline-is-taken = La base est tenue pour exacte ; saisissez son incertitude, car elle entre dans toute vitesse.
 told-linescan-the-baseline-limits-not = La base est la limite, non la cadence : elle est connue à { $percent } (incertitude-type), la superposition des bandes ajoute { $percent2 }. Mesurez d’abord mieux la base.
 told-linescan-registering-limits-not = La superposition des bandes est la limite, non la base : elle ajoute { $percent } (incertitude-type), la base { $percent2 }. Prenez une base plus longue.
-told-linescan-vehicles-come-out-than = Les longueurs mesurées ne sont pas celles connues ({ $share }). Vérifiez la base ; une ombre allonge aussi.
-told-linescan-the-vehicles-misalignments-scatter = Le désalignement diffère de { $spread } px (écart-type) entre les véhicules ; vérifiez si une caméra a bougé.
-told-linescan-known-vehicles-are-too = { $n } véhicules connus sont trop peu ; il en faut { $least_vehicles }.
-told-linescan-click-the-hubs-of = Cliquez sur les moyeux de deux roues différentes.
-told-linescan-by-its-fitted-motion = D’après son mouvement ajusté, le véhicule était arrêté à l’un des pointés.
-told-linescan-the-vehicle-has-no = Le véhicule n’a pas de mouvement mesuré.
-told-linescan-no-vehicle-here-has = Aucun véhicule n’a ici de vitesse validée.
-told-linescan-the-uncertainty-of-the = L’incertitude du taux d’occupation n’est pas connue : { $count } des véhicules n’ont pas de mouvement.
 told-measurements-storing-the-heights-that = Enregistrement des hauteurs modifiées.
 told-measurements-putting-the-old-heights = Rétablissement des anciennes hauteurs.
 told-measurements-computing-the-heights = Calcul des hauteurs.
@@ -6639,39 +6682,12 @@ told-results-both-rounded-to-whole = arrondies au centimètre comme dans Dupuis 
 told-results-against-manufacturers-heights-every = { $heights } par rapport aux hauteurs du constructeur, { $rounded } ; toutes les valeurs viennent des erreurs individuelles.
 told-scans-the-marks-miss-the = Les repères ne suivent le modèle qu’à { $rms_px } px près, moins bien que des pointés de { $sigma_px } px ne l’expliquent ; contrôlez les distances et le repère au plus grand résidu.
 told-scans-the-camera-height-is = La hauteur de la caméra n’est connue qu’à { $u_height } m ; tenez le jalon à deux distances plus éloignées, ou mesurez-les mieux.
-told-scans-a-click-lies-outside = Un pointé est hors de l’avant et de l’arrière du véhicule ; il appartient peut-être à un autre.
 told-scans-the-lines-of-this = Les lignes de ce flux n’ont pas été enregistrées : il n’y a pas d’image ; ses véhicules restent.
-told-scans-vehicles-wait-to-be = { $message } { $waiting } véhicules attendent d’être enregistrés dans le relevé.
-told-scans-the-run-before-was = L’exécution précédente a été interrompue après { $lines } lignes (segment { $number }, dernier contact { $last_at } UTC). Ses véhicules sont conservés ; manquent les { $gap_s } s (environ { $gap_s2 } lignes) écoulées depuis, et le véhicule en vue.
-told-scans-lines-of-camera-were = { $lost } lignes de la caméra { $number } ont été perdues et remplacées par des copies ; les véhicules passés pendant ce temps ne sont pas mesurés.
-told-scans-the-computer-clock-was = L’horloge de l’ordinateur a été réglée de { $jump } s à la ligne { $lines } ; vitesses, longueurs et intervalles n’en dépendent pas, et les heures continuent depuis le début de ce segment.
-told-scans-the-run-before-was-killed = L’exécution précédente a été interrompue ; elle reprend à la ligne { $begin } de { $name }, et rien ne manque.
-told-scans-lines-after-these-could = Les lignes suivantes n’ont pu être enregistrées ({ $strerror }) ; elles ont été mesurées tout de même.
-told-scans-lines-are-kept-in = { $kept } lignes sont enregistrées dans { $path }.
-told-scans-the-journal-could-not = Le journal n’a pu être écrit ({ $strerror }).
 told-scans-the-reading-was-cancelled = L’import a été annulé ; relancez-le ou supprimez le balayage.
 told-scans-reading-the-strips = Lecture des bandes.
 told-scans-of-camera-pixels-are = { $saturated } des pixels de la caméra { $camera } sont saturés ; des bords y sont perdus ; réduisez la lumière ou l’exposition.
 told-scans-the-recorder-of-lost = L’enregistreur de { $name } a perdu { $lost } lignes ; elles sont remplacées par des copies.
 told-scans-cutting-the-strips = Découpe des bandes.
-told-scans-the-misalignment-was-given = Le désalignement a été saisi : les estimations des véhicules en dépendent ; laissez-le vide et mesurez à nouveau pour l’estimer.
-told-scans-of-known-vehicles-come = Véhicules connus, { $which ->
-       [lengths] longueurs
-       [Lengths] longueurs
-       *[other] empattements
-    } : ils ressortent de { $off } % { $longer ->
-       [longer] plus longs
-       *[other] plus courts
-    } qu’ils ne sont (u { $u } %) : une base { $longer2 ->
-       [shorter] plus courte
-       *[other] plus longue
-    } leur conviendrait. Mesurez-la de nouveau.
-told-scans-of-known-vehicles-agree = Véhicules connus, { $which ->
-       [lengths] longueurs
-       [Lengths] longueurs
-       *[other] empattements
-    } : accord avec la base saisie à { $expanded } % (U95).
-told-scans-a-shadow-lengthens-a = Une ombre allonge aussi un véhicule ; les empattements n’en portent pas.
 told-progress-unread = { $count } balayages n’ont pu être lus ; voyez pourquoi et réessayez.
 told-progress-unread-1 = Un balayage n’a pu être lu ; voyez pourquoi et réessayez.
 told-progress-reading = Importation en cours : { $count } balayages.
@@ -6690,8 +6706,6 @@ told-progress-height = Hauteurs validées : { $count } sur 1.
 told-scans-being-searched-for-vehicles = recherche de véhicules en cours
 told-scans-looking-for-vehicles = Recherche de véhicules.
 told-scans-measuring-the-known-vehicles = Nouvelle mesure des véhicules connus.
-told-scans-the-recorder-lost-while = L’enregistreur a perdu { $join } pendant le passage du véhicule.
-told-scans-lines-of-camera = { $count } lignes de la caméra { $camera }
 told-statistics-a-trend-needs-at = Une tendance demande au moins { $least } véhicules ; { $there_are }.
 told-statistics-all-heights-are-the = Toutes les hauteurs sont égales ; il n’y a pas de tendance.
 told-statistics-limits-of-agreement-need = Des limites de concordance demandent au moins { $least } véhicules ; { $there_are }.
@@ -7005,6 +7019,7 @@ report-check-target = cible de contrôle
 report-out-of-sample-state = hors échantillon
 report-filmed-since = filmé à partir du { $day }
 report-filmed-until = filmé jusqu’au { $day }
+report-filmed-hours = filmé entre { $begins } et { $ends }
 report-lacking = { $mark } remplace les caractères d’une écriture que les polices de ce rapport n’ont pas ; les fichiers CSV les contiennent.
 report-check-title = Comment contrôler ce rapport
 report-median = Médiane
@@ -7058,6 +7073,7 @@ report-count-not-visible = cibles non visibles
 report-count-used = comptées dans les résultats
 report-count-left-out = écartées
 report-count-out-of-date = périmées (out_of_date dans les tables dit pourquoi)
+report-count-without-time = véhicules exclus, car l’heure du tournage n’est pas connue
 report-count-scanned = véhicules balayés
 report-count-scanned-used = dont validés
 report-span = { $day } de { $first } à { $last } ({ $zone })

@@ -6,12 +6,14 @@ from collections.abc import Mapping
 from typing import Any
 
 from sightline.infra.csv_package.files import Files
+from sightline.infra.csv_package.replay import Replay
 from sightline.infra.csv_package.verify import check_records
 from sightline.poses.csv import POSES, pose_path
 
 
-def check_poses(files: Files, contents: Mapping[int, str]) -> None:
-    """Poses are those whose content the chain vouches for (hash by number). Raises Damaged."""
+def check_poses(files: Files, replay: Replay) -> None:
+    """Poses are those whose content the chain vouches for. Raises Damaged."""
+    contents = {number: told["content_sha256"] for number, told in replay.of("pose").items()}
     check_records(files, "pose", POSES, pose_path, contents, _values)
 
 

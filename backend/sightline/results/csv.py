@@ -11,6 +11,7 @@ from sightline.infra.csv_package.columns import flag, integer, metres, number, t
 from sightline.infra.csv_package.files import Files, read_columns, unsafe, whole
 from sightline.infra.csv_package.files import number as cell_number
 from sightline.infra.csv_package.schema import Table
+from sightline.recordings.filming import FILMED
 from sightline.results.selection import Selection, selection_of
 from sightline.statistics.standards import Standard
 
@@ -78,15 +79,19 @@ _WORDS: dict[str, tuple[str, ...]] = {
     "class_set": get_args(ClassSet),
     "category": get_args(Category),
 }
-_DAYS = ("filmed_from", "filmed_to")
 SELECTION: Table[Chosen] = Table(
     "selection",
     "The vehicles that statistics, figures and report of this package are of: of the lighting named, of any "
-    "set or class named, and filmed on those days; what is not named is not limited. The other tables are of "
-    "the whole survey.",
+    "set or class named, and filmed on those days and at those hours; what is not named is not limited, and "
+    "where time is, what has no time of filming is left out. The other tables are of the whole survey.",
     (
-        text("by", "what is chosen by", lambda c: c[0], required=True, enum=(*_WORDS, *_DAYS)),
-        text("word", "the lighting, set of classes, class or day", lambda c: c[1], required=True),
+        text("by", "what is chosen by", lambda c: c[0], required=True, enum=(*_WORDS, *FILMED)),
+        text(
+            "word",
+            "the lighting, set of classes, class, day, or hour of the day by the clocks of the place",
+            lambda c: c[1],
+            required=True,
+        ),
     ),
     primary=("by", "word"),
 )
@@ -99,7 +104,7 @@ def selection_rows(selection: Selection) -> list[Chosen]:
         *(("lighting", one) for one in lighting),
         *(("class_set", one) for one in selection.class_sets),
         *(("category", one) for one in selection.categories),
-        *((name, day) for name in _DAYS if isinstance(day := selection.stored()[name], str)),
+        *((name, str(word)) for name in FILMED if (word := selection.stored()[name]) is not None),
     ]
 
 
@@ -107,14 +112,15 @@ def selection_in(files: Files) -> Selection:
     """What a package is of. Raises Damaged."""
     rows = [(by, word) for by, word in read_columns(files, SELECTION.path, ("by", "word"))]
     chosen: dict[str, list[str]] = {
-        name: [word for by, word in rows if by == name] for name in (*_WORDS, *_DAYS)
+        name: [word for by, word in rows if by == name] for name in (*_WORDS, *FILMED)
     }
     selection = selection_of(
         {
             "lighting": chosen["lighting"][0] if chosen["lighting"] else None,
             "class_sets": chosen["class_set"],
             "categories": chosen["category"],
-            **{name: chosen[name][0] for name in _DAYS if chosen[name]},
+            **{name: chosen[name][0] for name in FILMED[:2] if chosen[name]},
+            **{name: whole(chosen[name][0]) for name in FILMED[2:] if chosen[name]},
         }
     )
     if selection_rows(selection) != rows or any(word not in _WORDS[by] for by, word in rows if by in _WORDS):

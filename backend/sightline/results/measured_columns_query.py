@@ -66,13 +66,13 @@ class Measured:
     In the order of `measurement_id`. Words are indices into TARGETS, LIGHTING, LANES (the way that a vehicle
     goes in the picture), CATEGORIES, CLASS_SETS,
     VERDICTS, -1 for none; `class_set` is what the survey makes of the category; `day` counts days since
-    1970-01-01 (UTC) of the revision's making, 0 unless asked for; `filmed_day`: the day on which
-    its pass was filmed, by the clocks of the place, days since 1970-01-01, -1 where nobody has confirmed the
-    start of its recording; `known_m`: what was known of the target's height before it was measured, of a roof
-    the maker's; `by_size`: its vehicle's model was chosen by its sizes, so nothing of it is known for a
-    reference; `check_target`: of no vehicle of the traffic; `counts`: in results, by what its survey says of
-    heights out of its sample; `across_m`: the contact's distance from the
-    camera across the road; lengths in metres, NaN where unknown.
+    1970-01-01 (UTC) of the revision's making, 0 unless asked for; `filmed_hour`: the full hour in which its
+    pass was filmed, by the clocks of the place, hours since the beginning of 1970-01-01, -1 where nobody has
+    confirmed the start of its recording; `known_m`: what was known of the target's height before it was
+    measured, of a roof the maker's; `by_size`: its vehicle's model was chosen by its sizes, so nothing of it
+    is known for a reference; `check_target`: of no vehicle of the traffic; `counts`: in results, by what its
+    survey says of heights out of its sample; `across_m`: the contact's distance from the camera across the
+    road; lengths in metres, NaN where unknown.
     """
 
     measurement_id: Ints
@@ -80,7 +80,7 @@ class Measured:
     survey_id: Ints
     operator_id: Ints
     day: Ints
-    filmed_day: Ints
+    filmed_hour: Ints
     target: Ints
     lighting: Ints
     lane: Ints
@@ -217,7 +217,7 @@ def _chunk(session: Session, rows: Sequence[Any], outside: list[int]) -> Measure
         {
             **columns,
             "day": [0 if at is None else day_of(at) for at in columns["day"]],
-            "filmed_day": _filmed_days(session, columns["recording_id"], columns["first_frame"]),
+            "filmed_hour": _filmed_hours(session, columns["recording_id"], columns["first_frame"]),
             "class_set": [None] * len(rows),
             "counts": ~np.array(columns["check_target"], dtype=np.bool_)
             & ~np.isin(np.array(columns["vehicle_id"], dtype=np.int64), outside),
@@ -227,18 +227,18 @@ def _chunk(session: Session, rows: Sequence[Any], outside: list[int]) -> Measure
     return replace(found, class_set=_class_sets(session, survey, found.category))
 
 
-def _filmed_days(session: Session, recording_ids: Values, first_frames: Values) -> Ints:
-    """The day on which each pass (N,) was filmed, NONE where nobody has confirmed its recording's start."""
+def _filmed_hours(session: Session, recording_ids: Values, first_frames: Values) -> Ints:
+    """The hour in which each pass (N,) was filmed, NONE where nobody has confirmed its recording's start."""
     recording, frame = np.array(recording_ids, dtype=np.int64), np.array(first_frames, dtype=np.int64)
-    day = np.full(len(recording), NONE, dtype=np.int64)
+    hour = np.full(len(recording), NONE, dtype=np.int64)
     r = recordings.c
     query = select(r.id, r.started_at, r.time_zone, r.duration_s, r.frame_count)
     for row in session.execute(query.where(r.started_at.is_not(None))).mappings():
         of = np.flatnonzero(recording == row["id"])
         filming, each_s = filming_of(row), frame_s(row["duration_s"], row["frame_count"])
         if filming is not None:
-            day[of] = filming.days(frame[of].astype(np.float64) * each_s)
-    return day
+            hour[of] = filming.hours(frame[of].astype(np.float64) * each_s)
+    return hour
 
 
 def _cameras_across(session: Session, pose_id: Ints) -> Floats:

@@ -18,6 +18,7 @@ from sightline.errors import BadInput
 from sightline.infra.audit.records import Who
 from sightline.infra.web.bodies import Id
 from sightline.infra.web.deps import Operator, PathId, Reading, Viewer, Writing
+from sightline.recordings.bodies import FilmedAsked
 from sightline.results import standards_store
 from sightline.results.bodies import HeightsAsked, StandardsIn, StatisticsBody
 from sightline.results.standards_store import StandardsOfSurvey
@@ -48,11 +49,10 @@ def statistics_of_measurements(
     who: Viewer,
     session: Reading,
     heights: HeightsAsked,
+    filmed: FilmedAsked,
     operator: Annotated[Id | None, Query()] = None,
     first_day: date | None = None,
     last_day: date | None = None,
-    filmed_from: Annotated[date | None, Query(description="By the clocks of the place.")] = None,
-    filmed_to: Annotated[date | None, Query(description="The last day, included.")] = None,
     target: Annotated[
         StatisticsTarget | None,
         Query(description="Only this target is counted and shown; errors are of roofs anyway."),
@@ -74,8 +74,7 @@ def statistics_of_measurements(
         operator_id=operator,
         first_day=first_day,
         last_day=last_day,
-        filmed_from=filmed_from,
-        filmed_to=filmed_to,
+        **asdict(filmed),
         target=target,
     )
     choices = StatisticsOptions(rounding, correction, u_reference_m, own)

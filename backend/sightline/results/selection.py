@@ -1,4 +1,4 @@
-"""Which vehicles a package and its report are of: by lighting, sets of classes, classes, days of filming."""
+"""Which vehicles a package and its report are of: by lighting, sets of classes, classes, time of filming."""
 
 from __future__ import annotations
 
@@ -7,39 +7,30 @@ from datetime import date
 from typing import Any, get_args
 
 from sightline.enums import Category, ClassSet, Lighting
-from sightline.errors import BadInput
+from sightline.recordings.filming import FilmedWithin
 
 
 @dataclass(frozen=True, slots=True)
-class Selection:
+class Selection(FilmedWithin):
     """Vehicles of one lighting, None for any, of any of these sets or classes, none named for all, and filmed
-    on these days, the last included, by the clocks of the place.
+    within these days and hours.
     """
 
     lighting: Lighting | None = None
     class_sets: tuple[ClassSet, ...] = ()
     categories: tuple[Category, ...] = ()
-    filmed_from: date | None = None
-    filmed_to: date | None = None
 
     @property
     def is_all(self) -> bool:
-        limits = (self.lighting, self.class_sets, self.categories, self.filmed_from, self.filmed_to)
-        return not any(limits)
+        return not (self.lighting or self.class_sets or self.categories or self.limits_time)
 
-    def holds(self, lighting: str, category: str, class_set: str, filmed_at: str) -> bool:
-        """Whether a vehicle is of it; what is not known of it is empty."""
+    def is_of_kind(self, lighting: str, category: str, class_set: str) -> bool:
+        """Whether a vehicle is of it, whenever it was filmed; what is not known of it is empty."""
         if self.lighting is not None and lighting != self.lighting:
-            return False
-        if (self.filmed_from or self.filmed_to) and not self._filmed(filmed_at[:10]):
             return False
         if not self.class_sets and not self.categories:
             return True
         return class_set in self.class_sets or category in self.categories
-
-    def _filmed(self, day: str) -> bool:
-        first, last = (one and one.isoformat() for one in (self.filmed_from, self.filmed_to))
-        return bool(day) and (first or day) <= day <= (last or day)
 
     def stored(self) -> dict[str, Any]:
         """As a job, a row and the audit chain hold it."""
@@ -49,13 +40,9 @@ class Selection:
             "categories": list(self.categories),
             "filmed_from": _text(self.filmed_from),
             "filmed_to": _text(self.filmed_to),
+            "hour_from": self.hour_from,
+            "hour_to": self.hour_to,
         }
-
-
-def require_days(selection: Selection) -> None:
-    """Raise BadInput where its last day lies before its first: nothing would count, without a word."""
-    if selection.filmed_from and selection.filmed_to and selection.filmed_to < selection.filmed_from:
-        raise BadInput("results-last-day-lies-before-first-exchange")
 
 
 def _text(day: date | None) -> str | None:
@@ -69,9 +56,11 @@ def _day(stored: date | str | None) -> date | None:
 def selection_of(stored: dict[str, Any]) -> Selection:
     """From what `stored` gave; each word once, in the usual order."""
     return Selection(
-        stored.get("lighting"),
-        tuple(word for word in get_args(ClassSet) if word in stored.get("class_sets", ())),
-        tuple(word for word in get_args(Category) if word in stored.get("categories", ())),
-        _day(stored.get("filmed_from")),
-        _day(stored.get("filmed_to")),
+        lighting=stored.get("lighting"),
+        class_sets=tuple(word for word in get_args(ClassSet) if word in stored.get("class_sets", ())),
+        categories=tuple(word for word in get_args(Category) if word in stored.get("categories", ())),
+        filmed_from=_day(stored.get("filmed_from")),
+        filmed_to=_day(stored.get("filmed_to")),
+        hour_from=stored.get("hour_from"),
+        hour_to=stored.get("hour_to"),
     )

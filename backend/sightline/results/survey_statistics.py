@@ -1,8 +1,8 @@
 """Statistics of stored measurements: a filter, the columns that it leaves, and what is shown of them.
 
 `survey_statistics(session, Filter, StatisticsOptions)` is the one way in: page, report and package all show
-its answer. `Filter((survey_id,))` with the usual options gives a survey's accepted measurements, read against
-the survey's own table of standards (`results.standards_store`).
+its answer. `Filter(survey_ids=(survey_id,))` with the usual options gives a survey's accepted measurements,
+read against the survey's own table of standards (`results.standards_store`).
 `made_of` makes the same of columns that come from elsewhere, such as the rows of a package: what the database
 would tell is then given, `StatisticsOptions.standards` included.
 """
@@ -36,6 +36,7 @@ from sightline.infra.audit import trail
 from sightline.infra.database import Session
 from sightline.infra.web.person import Seen
 from sightline.people.store import list_people
+from sightline.recordings.filming import FilmedWithin
 from sightline.results.measured_columns_query import (
     CATEGORIES,
     CLASS_SETS,
@@ -86,9 +87,8 @@ _EPOCH = date(1970, 1, 1)
 
 
 @dataclass(frozen=True)
-class Filter:
-    """Which measurements count; None or empty: no limit. Days are of a measurement's making (UTC),
-    days of filming those of the clocks of the place.
+class Filter(FilmedWithin):
+    """Which measurements count; None or empty: no limit. Days are of a measurement's making (UTC).
 
     A vehicle counts if its class is one of `categories` or counts in one of `class_sets`.
 
@@ -103,8 +103,6 @@ class Filter:
     operator_id: int | None = None
     first_day: date | None = None
     last_day: date | None = None
-    filmed_from: date | None = None
-    filmed_to: date | None = None
     state: StatisticsState = "accepted"
     target: StatisticsTarget | None = None
     seen: Seen = None
@@ -141,6 +139,13 @@ class SampleCounts:
     ]
     without_class: Annotated[
         int, Field(description="Vehicles of which nobody said the class: no figure of a class counts them.")
+    ]
+    without_time: Annotated[
+        int,
+        Field(
+            description="Vehicles left out because days or hours of filming are asked for and nobody has "
+            "confirmed the start of their recording."
+        ),
     ]
 
 
@@ -223,16 +228,25 @@ def _wanted(chosen: Filter, places: Mapping[int, Any]) -> tuple[int, ...] | None
 def _refuse(chosen: Filter, places: Mapping[int, Any]) -> None:
     if chosen.first_day and chosen.last_day and chosen.last_day < chosen.first_day:
         raise BadInput("results-last-day-lies-before-first-exchange")
-    if chosen.filmed_from and chosen.filmed_to and chosen.filmed_to < chosen.filmed_from:
-        raise BadInput("results-last-day-lies-before-first-exchange")
+    chosen.require_sense()
     for survey_id in chosen.survey_ids:
         if survey_id not in places or (chosen.seen is not None and survey_id not in chosen.seen):
             raise NotFound("results-no-survey-may-been-removed", survey_id=survey_id)
 
 
-def filtered(found: Measured, chosen: Filter) -> tuple[Measured, dict[str, int]]:
-    """The measurements that a filter leaves, and how many it leaves out for their review state, or for being
-    out of their survey's sample. Those of check targets stay, for their errors.
+@dataclass(frozen=True)
+class LeftOut:
+    """How many measurements a filter leaves out by their review state alone, or for being out of their
+    survey's sample alone; and how many vehicles because nobody knows when they were filmed.
+    """
+
+    by_state: dict[str, int]
+    without_time: int = 0
+
+
+def filtered(found: Measured, chosen: Filter) -> tuple[Measured, LeftOut]:
+    """The measurements that a filter leaves, and what it leaves out. Those of check targets stay, for their
+    errors.
     """
     keep = np.ones(len(found), dtype=np.bool_)
     if chosen.lighting is not None:
@@ -245,19 +259,18 @@ def filtered(found: Measured, chosen: Filter) -> tuple[Measured, dict[str, int]]
         keep &= found.day >= (chosen.first_day - _EPOCH).days
     if chosen.last_day is not None:
         keep &= found.day <= (chosen.last_day - _EPOCH).days
-    if chosen.filmed_from is not None:
-        keep &= found.filmed_day >= (chosen.filmed_from - _EPOCH).days
-    if chosen.filmed_to is not None:
-        keep &= (found.filmed_day != NONE) & (found.filmed_day <= (chosen.filmed_to - _EPOCH).days)
     wanted = np.isin(found.verdict, [VERDICTS.index(word) for word in _STATES[chosen.state]])
     of_target = _of_target(found, chosen.target)
+    timeless = keep & wanted & of_target & found.counts & (found.filmed_hour == NONE)
+    without_time = len(_distinct(found.vehicle_id[timeless])) if chosen.limits_time else 0
+    keep &= chosen.holding(found.filmed_hour)
     others = found.verdict[keep & ~wanted & of_target & found.counts]
     counts = np.bincount(others, minlength=len(VERDICTS))
     left_out = {word: int(count) for word, count in zip(VERDICTS, counts, strict=True) if count}
     outside = keep & wanted & ~found.counts & ~found.check_target
     if count := int(np.count_nonzero(outside & of_target)):
         left_out[OUT_OF_SAMPLE] = count
-    return found.where(keep & wanted & ~outside), left_out
+    return found.where(keep & wanted & ~outside), LeftOut(left_out, without_time)
 
 
 def of_classes(
@@ -276,7 +289,7 @@ def _of_target(measured: Measured, target: StatisticsTarget | None) -> NDArray[n
 
 def made_of(
     measured: Measured,
-    left_out: dict[str, int],
+    left_out: LeftOut,
     choices: StatisticsOptions,
     groupings: Mapping[str, Grouping],
     named_surveys: dict[int, str],
@@ -314,7 +327,8 @@ def made_of(
         vehicles=len(_distinct(vehicles)),
         with_reference=len(roofs.reference_m),
         by_size=int(np.count_nonzero(measured.by_size & _of_target(measured, "roof"))),
-        left_out=left_out,
+        left_out=left_out.by_state,
+        without_time=left_out.without_time,
         without_class=len(_distinct(measured.vehicle_id[_of_target(measured, only) & unclassed])),
     )
     rules: tuple[RuleToday, ...] = ()

@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from typing import Any
 
-from sightline.errors import Damaged
 from sightline.infra.csv_package.files import Files
-from sightline.results.csv import standards_in
+from sightline.infra.csv_package.replay import hold_all, values_of
+from sightline.results.csv import STANDARDS as TABLE
 from sightline.statistics.standards import STANDARDS, Standard
 
 
-def check_standards(files: Files, chosen: Sequence[Mapping[str, Any]] | None) -> None:
-    """The standards are those that the survey's events chose; None: the usual ones. Raises Damaged."""
+def check_standards(files: Files, survey: Mapping[str, Any]) -> None:
+    """The standards are those that the survey's events chose, or the usual ones. Raises Damaged."""
+    chosen = survey.get("standards")
     expected = STANDARDS if chosen is None else tuple(Standard(**one) for one in chosen)
-    if standards_in(files) != tuple(expected):
-        raise Damaged("results-standards-csv-not-what-surveys-audit")
+    hold_all(files, TABLE, (values_of(TABLE, one) for one in expected), in_order=True)

@@ -6,12 +6,12 @@ from typing import Any
 
 import numpy as np
 from cachetools import LRUCache, cached
-from sqlalchemy import ColumnElement, FromClause, Row, and_, exists, or_
+from sqlalchemy import Row, and_
 from sqlalchemy.orm import Session
 
 from sightline.enums import ReviewSign, Verdict
 from sightline.infra.audit import trail
-from sightline.measurements.query import is_current, is_first, verdict, with_verdict
+from sightline.measurements.query import is_current, is_first, is_own, verdict, with_verdict
 from sightline.measurements.tables import measurement_series
 from sightline.measurements.tables import measurements as revision_rows
 from sightline.statistics.agreement import U_MANUFACTURER_M
@@ -50,16 +50,17 @@ def _size(order: dict[int, Standing]) -> int:
 def _standing_order(session: Session, survey_id: int, actor: int | None, _end: str) -> dict[int, Standing]:
     """`_end`: the hash in which the survey's audit chain ends: another one with each change."""
     r = revision_rows.c
-    mine = revision_rows.alias("mine")
-    own = exists().where(
-        mine.c.series_id == r.series_id,
-        mine.c.created_by == actor,
-        or_(mine.c.revision == r.revision, _same_points(mine)),
-    )
     maker = revision_rows.alias("maker")
     query = (
         with_verdict(
-            *(r.series_id, r.target, r.height_m, r.u_height_m, verdict.label("verdict"), own.label("mine")),
+            *(
+                r.series_id,
+                r.target,
+                r.height_m,
+                r.u_height_m,
+                verdict.label("verdict"),
+                is_own(actor).label("mine"),
+            ),
             *(maker.c.created_by.label("operator"), vehicles.c.number),
             *(vehicles.c.manufacturer_height_m, vehicles.c.u_manufacturer_height_m),
             vehicles.c.model_chosen_by,
@@ -107,8 +108,3 @@ def _error(row: Row[Any]) -> tuple[float, float]:
 
 def _known(value: float) -> float | None:
     return None if np.isnan(value) else float(value)
-
-
-def _same_points(other: FromClause) -> ColumnElement[bool]:
-    names = ("frame", "contact_x_px", "contact_y_px", "target_x_px", "target_y_px")
-    return and_(*(other.c[name] == revision_rows.c[name] for name in names))

@@ -16,14 +16,20 @@ from sightline.infra.database.types import now
 from sightline.measurements.query import (
     fetch_measurements,
     is_current,
+    is_own,
     measurement_revision_rows,
 )
-from sightline.measurements.records import Measurement, MeasurementValues, ReviewState, VehicleSheet
+from sightline.measurements.records import (
+    Measurement,
+    MeasurementValues,
+    ReviewState,
+    ScanHeight,
+    VehicleSheet,
+)
 from sightline.measurements.sheets.query import list_sheets_by_id
 from sightline.measurements.store import (
     append_measurement_revision,
     get_measurement,
-    measurement_revisions,
     require_measurement_revision,
 )
 from sightline.measurements.tables import measurement_series, reviews
@@ -52,26 +58,40 @@ def add_review(
     BadInput without the reason of a rejection or the points of a fix.
     """
     before = require_measurement_revision(session, series_id, seen_revision)
-    _not_own(session, before, actor)
-    _allowed(before, verdict, fixed)
+    if (verdict == "fixed") != (fixed is not None):
+        raise BadInput("reviews-fix-needs-new-points-only-fix")
+    give_verdict(session, before, verdict=verdict, reason=reason, seen=seen, fixed=fixed, actor=actor)
+    return get_measurement(session, series_id)
+
+
+def give_verdict(
+    session: Session,
+    before: Measurement | ScanHeight,
+    *,
+    verdict: ReviewVerdict,
+    reason: str | None,
+    seen: Verdict | None,
+    fixed: MeasurementValues | None = None,
+    actor: int,
+) -> None:
+    """`add_review` of a current revision, of a frame or of a line scan, read in the same transaction."""
+    not_own(session, before, actor)
+    if before.withdrawn:
+        raise Conflict("reviews-measurement-withdrawn-nothing-review")
+    if before.repeat_of is not None:
+        raise Conflict("reviews-repeat-not-reviewed-review-measurement-repeats")
     told = require_verdict(before.review, seen, verdict, reason)
-    result_revision = seen_revision
-    content: dict[str, Any] = {"series_id": series_id, "revision": seen_revision, "verdict": verdict}
-    content["reason"] = told
-    content["lot_id"] = None
-    if fixed is not None:
-        result_revision = append_measurement_revision(
+    content: dict[str, Any] = {"series_id": before.id, "revision": before.revision, "verdict": verdict}
+    content |= {"reason": told, "lot_id": None, "result_revision": before.revision}
+    if fixed is not None and isinstance(before, Measurement):
+        content["result_revision"] = append_measurement_revision(
             session, before, fixed, withdrawn=False, action="fix", actor=actor
         ).revision
-    moment = now()
-    stamps = {"result_revision": result_revision, "created_at": moment, "created_by": actor}
-    review_id = add_row(session, reviews, {**content, **stamps})
-    after = {**content, "result_revision": result_revision, "vehicle_id": before.vehicle_id}
-    after["created_at"] = moment
-    after["content_sha256"] = stored_hash(session, reviews, review_id)
+    content["created_at"] = now()
+    review_id = add_row(session, reviews, {**content, "created_by": actor})
+    after = {**content, **before.place, "content_sha256": stored_hash(session, reviews, review_id)}
     then = {"verdict": before.review.verdict}
     trail.record(session, actor, "review", "review", review_id, before.survey_id, then, after)
-    return get_measurement(session, series_id)
 
 
 def require_verdict(
@@ -170,7 +190,7 @@ def review_work(session: Session, survey_id: int, *, actor: int | None) -> Revie
 
 def require_clicked_again(session: Session, one: Measurement, actor: int) -> None:
     """Raises BadInput where the survey's plan wants it clicked again first, NotAllowed for one's own."""
-    _not_own(session, one, actor)
+    not_own(session, one, actor)
     if _drawn(session, one.survey_id, [one], actor):
         raise BadInput("reviews-click-it-again-before")
 
@@ -196,23 +216,11 @@ def _drawn(session: Session, survey_id: int, found: Sequence[Measurement], actor
     return waiting - set(session.execute(clicked).scalars())
 
 
-def _not_own(session: Session, before: Measurement, actor: int) -> None:
-    """Nobody reviews points of their own, nor does somebody else's withdrawing and restoring make them so."""
-    clicks = before.values.first_clicks
-    for one in measurement_revisions(session, before.id):
-        own = one.created_by is not None and one.created_by.id == actor
-        if own and (one.revision == before.revision or one.values.first_clicks == clicks):
-            raise NotAllowed("reviews-nobody-reviews-their-own-measurement-ask")
+def not_own(session: Session, before: Measurement | ScanHeight, actor: int) -> None:
+    """Nobody reviews points of their own, nor does somebody else's withdrawing and restoring make them so.
 
-
-def _allowed(
-    before: Measurement,
-    verdict: ReviewVerdict,
-    fixed: MeasurementValues | None,
-) -> None:
-    if before.withdrawn:
-        raise Conflict("reviews-measurement-withdrawn-nothing-review")
-    if before.repeat_of is not None:
-        raise Conflict("reviews-repeat-not-reviewed-review-measurement-repeats")
-    if (verdict == "fixed") != (fixed is not None):
-        raise BadInput("reviews-fix-needs-new-points-only-fix")
+    Raises NotAllowed.
+    """
+    query = select(is_own(actor)).where(revision_rows.c.id == before.revision_id)
+    if session.execute(query).scalar_one():
+        raise NotAllowed("reviews-nobody-reviews-their-own-measurement-ask")

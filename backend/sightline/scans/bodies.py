@@ -27,6 +27,7 @@ from sightline.linescan import rig
 from sightline.linescan.parts import USUAL_SHADOW_SHARE, Entry, Gap
 from sightline.linescan.rig import Limits
 from sightline.measurements.records import ReviewState
+from sightline.messages.said import Said
 from sightline.recordings.bodies import StartIn
 from sightline.scans.records import FoundMotion, ScanVehicleFacts, StripPair
 from sightline.scans.references.bodies import ReferenceBody
@@ -171,10 +172,10 @@ class ScanRunBody:
     method: ScanMethod
     found: int
     measured: int
-    warnings: list[str]
+    warnings: list[Said]
     misalignment_px: float | None
     u_misalignment_px: float | None
-    misalignment_words: str | None
+    misalignment_words: Said | None
     code_version: str
     created_by: Who | None
     created_at: datetime

@@ -31,12 +31,14 @@ from sightline.infra.csv_package.columns import (
     number,
     of_part,
     person,
+    said,
     text,
 )
 from sightline.infra.csv_package.files import Staging
 from sightline.infra.csv_package.schema import Cell, Column, Table
 from sightline.infra.database import Session
 from sightline.linescan.parts import Gap
+from sightline.messages.said import Said
 from sightline.recordings.csv import started_column
 from sightline.scans.clock import Passing
 from sightline.scans.heights.csv import TABLES as HEIGHT_TABLES
@@ -54,6 +56,18 @@ from sightline.scans.vehicles.store import list_scan_vehicles
 from sightline.surveys.store import get_survey
 
 Rig = Mapping[str, Cell]
+
+
+def _reason(one: ScanMeasurement) -> Said | None:
+    return one.values.reason
+
+
+def _warnings(one: ScanMeasurement) -> list[Said]:
+    return one.values.warnings
+
+
+def _gap_reason(one: Gap) -> Said | None:
+    return one.reason
 
 
 def axle_words(lines: list[float] | None) -> str | None:
@@ -207,12 +221,8 @@ _MOTION: tuple[Column[ScanMeasurement], ...] = (
         required=True,
         enum=get_args(MeasurementStatus),
     ),
-    text("reason", "why there is no motion", lambda m: m.values.reason),
-    text(
-        "warnings",
-        "warnings on this result, separated by semicolons",
-        lambda m: joined(m.values.warnings),
-    ),
+    *said("reason", "why there is no motion", _reason),
+    *said("warnings", "warnings on this result, separated by semicolons", _warnings),
     text(
         "method",
         "how the strips were matched",
@@ -301,7 +311,7 @@ _GAP: tuple[Column[Gap], ...] = (
         "the paper's D: time gap times the mean of both speeds",
         lambda g: g.paper_distance_gap_m,
     ),
-    text("gap_reason", "why a gap is missing", lambda g: g.reason),
+    *said("gap_reason", "why a gap is missing", _gap_reason),
 )
 _PEOPLE = ((("created_by_id",), "people", ("id",)), (("reviewer_id",), "people", ("id",)))
 
@@ -320,7 +330,7 @@ LINE_SCANS: Table[Scan] = Table(
         integer("recording_id", "video that the strips were cut from", lambda s: s.recording_id),
         integer("rows_px", "pixels a line", lambda s: s.rows_px, unit="px"),
         integer("lines", "lines of either strip", lambda s: s.lines),
-        integer("bits", "bits a pixel", lambda s: s.bits),
+        integer("bits", "bits of the cameras, as their brightest pixels tell", lambda s: s.bits),
         text("first_sha256", "SHA-256 of camera 1's stored strip", lambda s: s.first_sha256),
         text("second_sha256", "SHA-256 of camera 2's stored strip", lambda s: s.second_sha256),
         *of_part(_RIG, _rig_of_scan),
@@ -479,8 +489,8 @@ def scan_records(session: Session, survey_id: int) -> ScanRecords:
             found.measurements += scan_measurement_history(session, one.vehicle.id)
         found.name(found.rigs.add_scan(session, scan.id))
         found.name(found.heights.add_scan(session, scan.id, [one.vehicle.id for one in passed], insets))
-    found.heights.heights.sort(key=lambda one: one.height.id)
-    found.heights.reviews.sort(key=lambda one: one.id)
+    found.heights.heights.sort(key=lambda one: one.height.revision_id)
+    found.heights.reviews.sort(key=lambda one: one.review.id)
     found.measurements.sort(key=lambda one: one.id)
     found.references.sort(key=lambda one: one.reference.id)
     found.name(one.reference.created_by for one in found.references)

@@ -9,6 +9,7 @@ from sightline.infra.database.types import now
 from sightline.infra.web.bodies import JobBody
 from sightline.linescan.parts import Entry, Rig
 from sightline.media.strips.stored_writer import STEP, TILE_LINES, level_lines
+from sightline.messages.said import Said
 from sightline.recordings.csv import started_text
 from sightline.scans.bodies import (
     LevelBody,
@@ -51,8 +52,13 @@ def scan_body(scan: Scan) -> ScanBody:
 
 def run_body(run: ScanRun) -> ScanRunBody:
     """A run of the finder with what it says about the cameras."""
-    told = ("misalignment_px", "u_misalignment_px", "misalignment_words")
-    return filled_from(ScanRunBody, run, **{name: run.summary.get(name) for name in told})
+    told, words = ("misalignment_px", "u_misalignment_px"), run.summary.get("misalignment_words")
+    return filled_from(
+        ScanRunBody,
+        run,
+        **{name: run.summary.get(name) for name in told},
+        misalignment_words=words and Said.read(words),
+    )
 
 
 def motion_body(one: ScanMeasurement, rig: Rig, asker: int) -> ScanMotionBody:

@@ -6,7 +6,7 @@ from typing import Any
 from sqlalchemy import Select, func, select
 from sqlalchemy.orm import Session
 
-from sightline.scans.heights.store import line_height_states
+from sightline.scans.heights.store import scan_height_states
 from sightline.scans.query import scan_vehicle_states
 from sightline.scans.records import ScanProgress, state_of
 from sightline.scans.tables import scan_vehicles, scans
@@ -49,7 +49,7 @@ def no_scans() -> ScanProgress:
 
 def _heights(survey_ids: Sequence[int]) -> Select[Any]:
     """(survey, verdict, how many) of the standing heights."""
-    each = line_height_states(scan_vehicles.c.survey_id.in_(survey_ids)).subquery()
+    each = scan_height_states(scan_vehicles.c.survey_id.in_(survey_ids)).subquery()
     return (
         select(scans.c.survey_id, each.c.verdict, func.count())
         .join(scans, scans.c.id == each.c.scan_id)

@@ -112,7 +112,7 @@ def _stored(context: JobContext, services: Services, scan: Scan, folder: Path) -
         second_sha256=second.sha256,
         rows_px=first.rows,
         lines=first.lines,
-        bits=first.bits,
+        bits=max(first.bits, second.bits),
         notes=notes,
     )
 

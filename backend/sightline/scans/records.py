@@ -29,6 +29,7 @@ from sightline.infra.audit.records import Who
 from sightline.infra.jobs.records import Job
 from sightline.linescan.parts import Rig
 from sightline.measurements.records import ReviewState
+from sightline.messages.said import Said
 from sightline.scans.clock import CLOCK, ScanClock, clock_of
 
 
@@ -179,7 +180,7 @@ class ScanRunValues:
     found: int
     measured: int
     summary: JsonObject
-    warnings: list[str]
+    warnings: list[Said]
     code_version: str
 
 
@@ -230,8 +231,8 @@ class FoundMotion:
         Field(description="Row of strip 1 at which its tyres meet the road; null: not looked for."),
     ]
     status: MeasurementStatus
-    reason: str | None
-    warnings: list[str]
+    reason: Said | None
+    warnings: list[Said]
     code_version: str
 
 

@@ -234,4 +234,4 @@ def open_strip(services: Services, scan: Scan, camera: int) -> StripReader:
     key = scan.first_key if camera == 1 else scan.second_key
     assert key is not None
     path = services.media.local_path(key)
-    return _READERS.reader(path, f"camera {camera} of {scan.name}")
+    return _READERS.reader(path, f"camera {camera} of {scan.name}", scan.bits or 8)

@@ -18,11 +18,12 @@ from sightline.infra.database.types import now
 from sightline.infra.jobs.store import latest_jobs_of_scans
 from sightline.linescan.parts import Rig
 from sightline.linescan.rig import at_lane, require_rig, rig_from
+from sightline.measurements.tables import measurement_series
 from sightline.recordings.tables import recordings
 from sightline.recordings.uploads.tables import uploads
 from sightline.scans.clock import CLOCK
-from sightline.scans.heights.store import line_height_states
-from sightline.scans.heights.tables import line_heights, line_poses
+from sightline.scans.heights.store import scan_height_states
+from sightline.scans.heights.tables import line_poses
 from sightline.scans.live.tables import scan_live
 from sightline.scans.records import (
     CutSource,
@@ -255,7 +256,7 @@ def scan_worked_on(session: Session, scan_id: int) -> bool:
         scan_vehicles.c.scan_id == scan_id,
         (scan_vehicles.c.make.is_not(None)) | (scan_vehicles.c.true_length_m.is_not(None)),
     )
-    stored = (line_poses, line_heights, rig_calibrations)
+    stored = (line_poses, measurement_series, rig_calibrations)
     made = (select(one.c.id).where(one.c.scan_id == scan_id) for one in stored)
     found = (placed, judged, filled, *made)
     return any(session.execute(one.limit(1)).first() is not None for one in found)
@@ -301,7 +302,7 @@ def _begun(session: Session, recording_ids: Sequence[int | None]) -> dict[int | 
 def _height_counts(session: Session, scan_ids: Sequence[int]) -> dict[int, dict[str, int]]:
     """How many standing heights each scan has, and how many of them wait for a verdict."""
     counted = {scan_id: {"heights": 0, "heights_to_review": 0} for scan_id in scan_ids}
-    for scan_id, verdict in session.execute(line_height_states(line_heights.c.scan_id.in_(scan_ids))):
+    for scan_id, verdict in session.execute(scan_height_states(measurement_series.c.scan_id.in_(scan_ids))):
         counted[scan_id]["heights"] += 1
         counted[scan_id]["heights_to_review"] += state_of("ok", verdict) == "to_review"
     return counted

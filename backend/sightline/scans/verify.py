@@ -4,15 +4,16 @@ verdicts.
 
 from __future__ import annotations
 
-import json
 from collections import defaultdict
 from collections.abc import Callable, Mapping
 from typing import Any
 
 from sightline.errors import Damaged
-from sightline.infra.csv_package.chain import chain
-from sightline.infra.csv_package.files import Files, read_rows
+from sightline.infra.audit.hashing import canonical_json
+from sightline.infra.csv_package.columns import joined
+from sightline.infra.csv_package.files import Files
 from sightline.infra.csv_package.recomputing import Recomputing
+from sightline.infra.csv_package.replay import Cells, Replay, Replayed, Told
 from sightline.infra.csv_package.schema import AnyTable, cell_text
 from sightline.linescan.parts import Crossings
 from sightline.measurements.again.verify import verdict_gone_over
@@ -32,19 +33,42 @@ from sightline.scans.references.verify import check_references
 from sightline.scans.rig.csv import RIG_CALIBRATIONS
 from sightline.scans.rig.verify import check_rig_calibrations
 
-_ENTITIES: dict[str, AnyTable] = {
-    "scan": LINE_SCANS,
-    "scan_vehicle": SCAN_VEHICLES,
-    "scan_measurement": SCAN_MEASUREMENTS,
-    "scan_review": SCAN_REVIEWS,
-    "scan_reference": SCAN_REFERENCES,
-    "line_pose": LINE_POSES,
-    "line_height": LINE_HEIGHTS,
-    "line_height_review": LINE_HEIGHT_REVIEWS,
-    "rig_calibration": RIG_CALIBRATIONS,
-}
-# Verdicts, and how the row that is judged calls what they say.
-_REVIEWS = ("scan_review", "line_height_review")
+
+def _scan_cells(told: Told) -> Cells:
+    """A start is told in UTC and written by the clocks of its zone; lanes are one cell, notes another."""
+    clock = clock_of(told)
+    start = {} if clock is None else {"started_at": clock.filming.at()}
+    return {**told, "lanes": lanes_text(told.get("lanes")), "notes": joined(told["notes"]), **start}
+
+
+def _motion_cells(told: Told) -> Cells:
+    lines, reason = told["axle_lines"], told["reason"]
+    cells = {**told, "axle_lines": axle_words(lines), "axles": len(lines or ()) or None}
+    if not isinstance(reason, str):  # an event of an earlier program has words
+        del cells["reason"]
+        cells["reason_code"] = reason and canonical_json(reason)
+    return cells
+
+
+def _verdict_cells(told: Told) -> Cells:
+    return {**told, "reviewer_id": told["actor_id"]}
+
+
+_SCAN, _VEHICLE = ("scan_id", "scan"), ("vehicle_id", "scan_vehicle")
+_REPLAYED = (
+    Replayed(LINE_SCANS, "scan", cells=_scan_cells),
+    Replayed(SCAN_VEHICLES, "scan_vehicle", _SCAN),
+    Replayed(SCAN_MEASUREMENTS, "scan_measurement", _VEHICLE, _motion_cells),
+    Replayed(SCAN_REVIEWS, "scan_review", _VEHICLE, _verdict_cells),
+    Replayed(SCAN_REFERENCES, "scan_reference", _VEHICLE),
+    Replayed(LINE_POSES, "line_pose", _SCAN),
+    Replayed(LINE_HEIGHTS, "line_height", _VEHICLE),
+    Replayed(LINE_HEIGHT_REVIEWS, "line_height_review", _VEHICLE, _verdict_cells),
+    Replayed(RIG_CALIBRATIONS, "rig_calibration", _SCAN),
+)
+#: What is deleted with what it is part of, as `infra.csv_package.replay` asks.
+WITHIN = {one.entity: one.within for one in _REPLAYED if one.within is not None}
+# How the row that is judged calls what a verdict says.
 _SAID = {"verdict": "verdict", "review_reason": "reason", "reviewer_id": "reviewer_id", "reviewed_at": "at"}
 _LINES = ("front_line_1", "rear_line_1", "front_line_2", "rear_line_2")
 _RATES = ("line_rate_hz", "u_line_rate_ratio")
@@ -53,30 +77,16 @@ _OF_PUTTING_BACK = (
     *("id", "revision", "cause", "code_version", "created_by_id", "created_at", "verdict_of_id"),
     *_SAID,
 )
-# What an event says in other words than the table.
-_OTHER_WORDS = ("notes", "created_at")
 
 
-def check_scans(
-    files: Files, events_of_scans: int, computings: Mapping[str, str], recomputing: Recomputing
-) -> int:
+def check_scans(files: Files, replay: Replay, computings: Mapping[str, str], recomputing: Recomputing) -> int:
     """Every row is what its events say, none is missing and none too many; how many were held against them.
 
     The current revision of a vehicle is its newest. `computings`: the kind of each, by its number.
     Raises Damaged.
     """
-    if not events_of_scans and not any(_rows(files, table) for table in _ENTITIES.values()):
-        return 0
-    told = _told(files)
-    gone = _gone(told)
-    rows = {entity: _rows(files, table) for entity, table in _ENTITIES.items()}
-    for entity, table in _ENTITIES.items():
-        expected = {number for number in told[entity] if number not in gone[entity]}
-        if set(rows[entity]) != expected:
-            odd = min(set(rows[entity]) ^ expected)
-            raise Damaged("scans-row-without-audit-event-missing", path=table.path, odd=odd)
-        for number, row in rows[entity].items():
-            _same(table, row, _in_words_of_table(entity, told[entity][number]))
+    rows = {one.entity: {int(row["id"]): row for row in replay.hold(files, one)} for one in _REPLAYED}
+    told = {one.entity: replay.of(one.entity) for one in _REPLAYED}
     _directions(rows["scan_measurement"])
     _current(rows["scan_vehicle"], rows["scan_measurement"])
     _passings(rows["scan_vehicle"], rows["scan_measurement"], told)
@@ -102,77 +112,6 @@ def check_scans(
     check_line_heights(files, told["line_pose"], recomputing)
     check_rig_calibrations(files, told["rig_calibration"], recomputing)
     return sum(len(found) for found in rows.values())
-
-
-def _told(files: Files) -> dict[str, dict[int, dict[str, Any]]]:
-    told: dict[str, dict[int, dict[str, Any]]] = {entity: {} for entity in _ENTITIES}
-    for event in chain(files):
-        if event["entity"] in told and event["after"]:
-            known = told[event["entity"]].setdefault(int(event["entity_id"]), {"deleted": False})
-            known.update(json.loads(event["after"]))
-            if event["entity"] in _REVIEWS:
-                known["reviewer_id"] = event["actor_id"]
-    return told
-
-
-def _gone(told: Mapping[str, Mapping[int, Mapping[str, Any]]]) -> dict[str, set[int]]:
-    """What is in no table since its recording or its vehicle was deleted."""
-    scans = {number for number, one in told["scan"].items() if one["deleted"]}
-    vehicles = {
-        number
-        for number, one in told["scan_vehicle"].items()
-        if one["deleted"] or one.get("scan_id") in scans
-    }
-    measurements = {
-        number for number, one in told["scan_measurement"].items() if one["vehicle_id"] in vehicles
-    }
-    reviews = {number for number, one in told["scan_review"].items() if one["vehicle_id"] in vehicles}
-    return {
-        "scan": scans,
-        "scan_vehicle": vehicles,
-        "scan_measurement": measurements,
-        "scan_review": reviews,
-        **{
-            entity: {number for number, one in told[entity].items() if one["scan_id"] in scans}
-            for entity in ("line_pose", "rig_calibration")
-        },
-        **{
-            entity: {number for number, one in told[entity].items() if one["vehicle_id"] in vehicles}
-            for entity in ("scan_reference", "line_height", "line_height_review")
-        },
-    }
-
-
-def _rows(files: Files, table: AnyTable) -> dict[int, dict[str, str]]:
-    return {int(row["id"]): row for row in read_rows(files, table.path)}
-
-
-def _in_words_of_table(entity: str, told: Mapping[str, Any]) -> Mapping[str, Any]:
-    """A start is told in UTC and written by the clocks of its zone; wheels' lines and lanes are one cell."""
-    if entity == "scan_measurement":
-        return {
-            **told,
-            "axle_lines": axle_words(told["axle_lines"]),
-            "axles": len(told["axle_lines"] or ()) or None,
-        }
-    if entity != "scan":
-        return told
-    told = {**told, "lanes": lanes_text(told.get("lanes"))}
-    clock = clock_of(told)
-    return told if clock is None else {**told, "started_at": clock.filming.at()}
-
-
-def _same(table: AnyTable, row: Mapping[str, str], told: Mapping[str, Any]) -> None:
-    """Raises Damaged where a cell is not what the events say."""
-    for column in table.columns:
-        name = column.name
-        if name not in told or name in _OTHER_WORDS or name not in row:
-            continue
-        value = told[name]
-        if column.type == "number" and isinstance(value, int):
-            value = float(value)
-        if row[name] != cell_text(column, value):
-            raise Damaged("scans-row-not-what-audit-event-says", path=table.path, name=name, id=row["id"])
 
 
 def _directions(revisions: Mapping[int, Mapping[str, str]]) -> None:

@@ -19,6 +19,7 @@ from sightline.enums import ScanDirection
 from sightline.errors import BadInput
 from sightline.infra.given_csv import GivenTable, read_table
 from sightline.linescan.clock import u_passing_s
+from sightline.messages.said import Said
 from sightline.recordings.filming import Filming
 from sightline.scans.statistics.service import VehicleMotion
 from sightline.scans.statistics.traffic import Clock, ScanTraffic, Watched, traffic_of_seen
@@ -30,6 +31,8 @@ ENDINGS = (".csv", ".json", ".jsonl")
 #: A table that spans more is of several recordings, or has a wrong date.
 MOST_S = 366 * 86400.0
 _FIRST_YEAR, _LAST_YEAR = 1990, 2200
+#: In the beginning of a file that speaks of scanned vehicles.
+_OF_VEHICLES = b"front_line_1"
 _NEEDED = ("id", "front_line_1", "rear_line_1", "speed_mps", "length_m", "status")
 _NUMBERS = tuple(one.name for one in fields(Passing) if one.type == "float | None")
 
@@ -76,24 +79,23 @@ def results_in(place: Path) -> tuple[list[Results], list[str]]:
     Raises BadInput: nothing there, or a recording that cannot be read or has no start.
     """
     if not place.is_dir():
-        return [_of_file(place)], []
+        return [_of_data(place, bytes_of(place))], []
     if (place / WATCHED).is_dir():
         return list(_of_archive(place)), []
     paths = [one for one in sorted(place.iterdir()) if one.is_file() and one.suffix.lower() in ENDINGS]
-    ours = [one for one in paths if _has_vehicles(one)]
+    ours, others = list[Results](), list[str]()
+    for path in paths:
+        data = bytes_of(path, _OF_VEHICLES)
+        if data:
+            ours.append(_of_data(path, data))
+        else:
+            others.append(path.name)
     if not ours:
         raise BadInput("commands-flow-nothing-in-folder", place=place)
-    return [_of_file(one) for one in ours], [one.name for one in paths if one not in ours]
+    return ours, others
 
 
-def _has_vehicles(path: Path) -> bool:
-    """Whether a file of a folder speaks of scanned vehicles at all."""
-    with path.open("rb") as file:
-        return b"front_line_1" in file.read(100_000)
-
-
-def _of_file(path: Path) -> Results:
-    data = bytes_of(path)
+def _of_data(path: Path, data: bytes) -> Results:
     if path.suffix.lower() == ".csv":
         return _of_table(path, read_table(data, path))
     whole, rows = vehicles_in(path, data)
@@ -257,7 +259,7 @@ def _motions(
             lighting="unknown",
             values={name: getattr(one, name) for name in _NUMBERS},
             status=one.status,
-            reason=one.reason,
+            reason=Said.read(one.reason) if one.reason else None,
             since_s=one.front_s,
             occupied_s=one.rear_s - one.front_s,
             u_filmed_at_s=u_passing_s(one.front_s, u_start_s, u_rate, one.speed_mps, one.u_length_m),

@@ -5,6 +5,7 @@ from __future__ import annotations
 import hashlib
 import json
 import math
+import os
 from collections.abc import Sequence
 from dataclasses import fields
 from pathlib import Path
@@ -15,6 +16,7 @@ from sightline.errors import BadInput
 from sightline.traffic.records import Passing, Recorded
 
 _LARGEST_BYTES = 2_000_000_000
+_HEAD_BYTES = 100_000
 _NAMES = {"number": "id"}
 _WORDS = ("status", "reason", "lane", "direction")
 _CLOSED = {"direction": get_args(ScanDirection)}
@@ -67,12 +69,18 @@ def _lanes(path: Path, whole: dict[str, Any] | None, passings: tuple[Passing, ..
     return tuple(dict.fromkeys(names))
 
 
-def bytes_of(path: Path) -> bytes:
-    """A file's bytes. Raises BadInput where it cannot be read or is too large."""
+def bytes_of(path: Path, mark: bytes = b"") -> bytes:
+    """A file's bytes; none where its beginning lacks the mark. Raises BadInput where it cannot be read or is
+    too large.
+    """
     try:
-        if path.stat().st_size > _LARGEST_BYTES:
-            raise BadInput("traffic-file-too-large", path=path, most_gb=_LARGEST_BYTES // 10**9)
-        return path.read_bytes()
+        with path.open("rb") as file:
+            head = file.read(_HEAD_BYTES)
+            if mark not in head:
+                return b""
+            if os.fstat(file.fileno()).st_size > _LARGEST_BYTES:
+                raise BadInput("traffic-file-too-large", path=path, most_gb=_LARGEST_BYTES // 10**9)
+            return head + file.read()
     except OSError as error:
         raise BadInput("traffic-cannot-read", path=path, strerror=error.strerror) from None
 

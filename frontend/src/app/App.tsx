@@ -1,6 +1,6 @@
-import type { ComponentType } from "preact";
-import { useEffect, useState } from "preact/hooks";
+import { useEffect } from "preact/hooks";
 import { AskDialog, Loading, Problem } from "../components";
+import { late } from "../components/late";
 import { Toasts } from "../components/Toasts";
 import { current, navigate, pathname, surveyHere } from "../core/address";
 import { useCommands } from "../core/commands";
@@ -17,6 +17,9 @@ import { Rail } from "./Rail";
 import { NotFound, Screen } from "./Screen";
 import { TopBar } from "./TopBar";
 import { Unsaved } from "./Unsaved";
+
+const KeysDialog = late(async () => (await import("./KeysDialog")).default);
+const Tour = late(async () => (await import("./Tour")).default);
 
 export function App() {
   useEffect(() => {
@@ -35,8 +38,8 @@ export function App() {
       <Body />
       <Arrival />
       <AskDialog />
-      {keysShown.value && <Keys />}
-      {tour.value && me.value && <Touring />}
+      {keysShown.value && <KeysDialog />}
+      {tour.value && me.value && <Tour />}
       <Toasts />
     </>
   );
@@ -145,22 +148,4 @@ function SurveyProblem({ id }: { id: number }) {
       </p>
     </div>
   );
-}
-
-/** The key map's code comes when it is first asked for. */
-function Keys() {
-  const [Shown, setShown] = useState<ComponentType | null>(null);
-  useEffect(() => {
-    void import("./KeysDialog").then((module) => setShown(() => module.default));
-  }, []);
-  return Shown && <Shown />;
-}
-
-/** So does the tour's. */
-function Touring() {
-  const [Shown, setShown] = useState<ComponentType | null>(null);
-  useEffect(() => {
-    void import("./Tour").then((module) => setShown(() => module.default));
-  }, []);
-  return Shown && <Shown />;
 }

@@ -7,7 +7,9 @@ import english from "../../../backend/sightline/messages/en.ftl?raw";
 import { api, connection, PATIENCE_MS, tryAgainNow } from "../core/api";
 import { type Kind, outbox, type Wanted, type Wish } from "../core/outbox";
 import { imagePoint } from "../viewer/points";
-import "./kinds";
+import { loadKinds } from "./kinds";
+
+await loadKinds();
 
 // every code that the server may name stands in the catalogue
 const CODES = [...english.matchAll(/^([a-z][\w-]*) =/gm)].map(([, code]) => code);
@@ -31,10 +33,9 @@ const LINE_HEIGHT: Json = {
     vehicle_id: 9,
     target: "roof",
     withdrawn: false,
-    contact_line: 1,
-    contact_row_px: 2,
+    contact: [1, 2],
   },
-  ...{ target_line: 3, target_row_px: 4, inset_from: "own", inset_m: 0.1, u_inset_m: 0.1, side: null },
+  ...{ revision_id: 8, target_point: [3, 4], inset_from: "own", inset_m: 0.1, u_inset_m: 0.1, side: null },
   ...{ review: { verdict: "to_review", reviewer: null }, status: "ok", height_m: 1.5, U95_height_m: 0.02 },
 };
 const SCANNED: Json = { id: 9, version: 2, deleted: false, number: 1, make: null, measurement: null };
@@ -101,7 +102,11 @@ const SAMPLES: readonly (Sample & { theirs: Json })[] = [
     ...{ theirs: SCANNED },
   },
   {
-    ...{ kind: "height-verdict", about: { id: 5, vehicleId: 9, target: "roof", by: 1 }, saved: LINE_HEIGHT },
+    ...{
+      kind: "height-verdict",
+      about: { id: 5, revision: 3, vehicleId: 9, target: "roof", by: 1 },
+      saved: LINE_HEIGHT,
+    },
     ...{ want: VERDICT, theirs: LINE_HEIGHT },
   },
   {

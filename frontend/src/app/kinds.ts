@@ -1,7 +1,18 @@
-/** Every kind of thing that the outbox sends, so that what an earlier page left is sent whichever page is open. */
-import "../screens/measure/kinds";
-import "../screens/measure/passes/kinds";
-import "../screens/scans/kinds";
-import "../screens/checks/kinds";
-import "../screens/review/kinds";
-import "../viewer/repeats";
+/** Every kind of thing that the outbox sends. A page brings its own; of what an earlier page left, the others come then, so
+ *  that it is sent whichever page is open. */
+import { learn } from "../core/messages";
+import { outbox } from "../core/outbox";
+
+export function loadKinds(): Promise<unknown> {
+  return Promise.all([
+    ...["measure", "scans", "checks", "review", "repeats"].map(learn),
+    import("../screens/measure/kinds"),
+    import("../screens/measure/passes/kinds"),
+    import("../screens/scans/kinds"),
+    import("../screens/checks/kinds"),
+    import("../screens/review/kinds"),
+    import("../viewer/repeats"),
+  ]);
+}
+
+outbox.bringKinds = loadKinds;

@@ -6,13 +6,7 @@
 
 import words from "virtual:words";
 import english from "virtual:words/en/everywhere";
-import {
-  FluentBundle,
-  type FluentFunction,
-  FluentNumber,
-  FluentResource,
-  type FluentVariable,
-} from "@fluent/bundle";
+import { FluentBundle, type FluentFunction, FluentNumber, type FluentVariable } from "@fluent/bundle";
 import { computed, signal } from "@preact/signals";
 import type { Messages } from "#messages";
 import { stored } from "./stored";
@@ -161,8 +155,10 @@ export interface Said {
 }
 
 /** A reason or a flag of the server, in the language spoken and the unit shown. */
-export function sentenceOf(said: Said): string {
-  return sayCode(said) ?? said.message ?? said.code;
+export function sentenceOf(said: Said): string;
+export function sentenceOf(said: Said | null | undefined): string | null;
+export function sentenceOf(said: Said | null | undefined): string | null {
+  return said ? (sayCode(said) ?? said.message ?? said.code) : null;
 }
 
 const MOST_DIGITS = 15;
@@ -192,8 +188,8 @@ async function complete(bundle: FluentBundle): Promise<boolean> {
   const missing = [...rooms].filter((room) => !has.has(room));
   if (missing.length === 0) return false;
   const fetched = missing.map(async (room) => {
-    const text = await words[bundle.locales[0] ?? SOURCE]?.[room]?.();
-    if (text) addWords(bundle, text.default);
+    const own = await words[bundle.locales[0] ?? SOURCE]?.[room]?.();
+    if (own) addWords(bundle, own.default);
     has.add(room);
   });
   await Promise.all(fetched);
@@ -214,9 +210,9 @@ function numberOf(value: unknown): number {
   return Number(value instanceof FluentNumber ? value.value : value);
 }
 
-function addWords(bundle: FluentBundle, text: string): void {
-  const resource = new FluentResource(text);
-  if (bundle.locales[0] === SOURCE) for (const { id } of resource.body) KEYS.add(id);
-  const errors = bundle.addResource(resource, { allowOverrides: true });
+function addWords(bundle: FluentBundle, own: typeof english): void {
+  const body = Object.entries(own).map(([id, value]) => ({ id, value, attributes: {} }));
+  if (bundle.locales[0] === SOURCE) for (const { id } of body) KEYS.add(id);
+  const errors = bundle.addResource({ body }, { allowOverrides: true });
   if (errors.length > 0) console.error(...errors);
 }

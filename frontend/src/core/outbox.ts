@@ -11,79 +11,19 @@
  */
 import { computed, effect, signal } from "@preact/signals";
 import { ApiError, connection, explain, problemOf } from "./api";
+import { Keeping, type Kept } from "./keeping";
 import { say } from "./messages";
-import { newKey } from "./random";
 import { changeSave } from "./save";
+import type { Kind, Wanted, Wish } from "./wish";
 
-export interface Wish<S = unknown, W = unknown, A = unknown> {
-  /** The thing it is about; for a new one the key that the server knows it by. */
-  readonly key: string;
-  readonly kind: string;
-  readonly lane: string;
-  /** The numbers that the kind needs to address it. */
-  readonly about: A;
-  /** In words, for whoever is asked: "roof of vehicle 7", what it is to become, and the page where it was done. */
-  readonly what: string;
-  readonly mine: string;
-  readonly page: string;
-  /** What the server had when it was last seen; null: nothing. */
-  readonly saved: S | null;
-  readonly want: W;
-  /** "held": kept, and sent when its owner says so. */
-  readonly state: "held" | "saving" | "conflict" | "failed" | "saved" | "dropped";
-  /** Why it was not stored. */
-  readonly problem: string | null;
-  /** In a conflict: what is there instead. */
-  readonly theirs: S | null;
-}
-
-/** A wish as it is made. */
-export type Wanted<S, W, A> = Omit<Wish<S, W, A>, "state" | "problem" | "theirs">;
-
-/** How things of one kind are brought to the server. */
-export interface Kind<S, W, A> {
-  /** One step nearer to what is wanted; answers what the server has then. */
-  send(wish: Wish<S, W, A>, signal: AbortSignal): Promise<S | null>;
-  /** What the server has; `error` is the refusal that made it worth asking. */
-  read(wish: Wish<S, W, A>, error: ApiError, signal: AbortSignal): Promise<S | null>;
-  /** Whether an answer is such a thing, with all that is read of it here. */
-  isSaved(answer: unknown): answer is S;
-  done(wish: Wish<S, W, A>): boolean;
-  /** Another one means that somebody changed it. */
-  version(saved: S | null): string | number;
-  /** The value in words, for whoever has to choose. */
-  words(saved: S | null): string;
-  /** One write is all it takes; else writes go on until `done`. */
-  readonly once?: boolean;
-  /** Both changed it, but not the same of it: mine can be put on top of theirs. */
-  fits?(wish: Wish<S, W, A>, theirs: S): boolean;
-  /** What is still wanted once `sent` is stored. */
-  left?(sent: W, want: W): W;
-}
+export type { Kind, Wanted, Wish } from "./wish";
 
 // biome-ignore lint/suspicious/noExplicitAny: a registry holds kinds of all types; `register` and `listen` give them back
 type AnyKind = Kind<any, any, any>;
 type Listener = (wish: Wish) => void;
 
-interface Kept extends Wanted<unknown, unknown, unknown> {
-  readonly order: number;
-  readonly tab: string;
-  /** Milliseconds since 1970 at which its tab was last alive. */
-  readonly touched: number;
-}
-
-/** Where the browser keeps no locks (it does over https only): a tab that has not touched its items for so long is gone. */
-export const ORPHANED_AFTER_MS = 45_000;
-const TOUCH_EVERY_MS = 10_000;
 /** Nothing takes more steps than to restore, to revise, and one for a change that came between. */
 const MOST_STEPS = 4;
-
-type Store = Pick<Storage, "getItem" | "setItem" | "removeItem" | "key" | "length">;
-type Locks = Pick<LockManager, "request"> | undefined;
-
-const browserLocks = (): Locks => (typeof navigator === "undefined" ? undefined : navigator.locks);
-/** A page holds the lock of its name for as long as it is open. */
-const lockOf = (tab: string): string => `sightline.outbox.page.${tab}`;
 
 export class Outbox {
   readonly wishes = signal<ReadonlyMap<string, Wish>>(new Map());
@@ -94,6 +34,8 @@ export class Outbox {
     const lanes = new Set(all.filter(({ state }) => state === "saving").map(({ lane }) => lane));
     return { kept: all.length, queued: all.length - lanes.size, resting: every.length - all.length };
   });
+  /** Loads the kinds that no page has brought yet. */
+  bringKinds: () => Promise<unknown> = async () => undefined;
   private readonly kinds = new Map<string, AnyKind>();
   private readonly listeners = new Map<string, Set<Listener>>();
   private readonly lanes = new Map<string, Promise<void>>();
@@ -101,19 +43,11 @@ export class Outbox {
   private readonly refusals = new Map<string, ApiError>();
   /** What ends the sending of a wish that is taken back. */
   private readonly sending = new Map<string, AbortController>();
-  /** The tabs of whose end this page will hear. */
-  private readonly watched = new Set<string>();
-  private prefix = "";
   private ended = new AbortController();
-  private timer: ReturnType<typeof setInterval> | undefined;
+  private readonly keeping: Keeping;
 
-  constructor(
-    private readonly tab: string = browserLocks() ? newKey() : tabName(),
-    private readonly storage: () => Store = () => localStorage,
-    private readonly now: () => number = Date.now,
-    private readonly locks: Locks = browserLocks(),
-  ) {
-    locks?.request(lockOf(tab), () => new Promise(() => {})).catch(() => undefined);
+  constructor(...storage: ConstructorParameters<typeof Keeping>) {
+    this.keeping = new Keeping(...storage);
   }
 
   /** Tells how things of a kind are sent. */
@@ -133,63 +67,28 @@ export class Outbox {
   /** Another person, or the same one after a reload: what was left unsaved is sent, once. */
   open(person: number | string | null): void {
     this.close();
-    this.prefix = person === null ? "" : `sightline.outbox.${person}.`;
-    if (person === null) return;
-    const { signal } = this.ended;
-    const told = ({ key }: StorageEvent): void => {
-      if (key?.startsWith(this.prefix)) this.watch();
-    };
-    window.addEventListener("storage", told);
-    signal.addEventListener("abort", () => window.removeEventListener("storage", told));
-    this.adopt((one) => one.tab === this.tab);
-    this.watch();
-    if (this.locks) return;
-    this.adoptOld();
-    this.timer = setInterval(() => {
-      this.touch();
-      this.adoptOld();
-    }, TOUCH_EVERY_MS);
+    this.keeping.open(person, this.ended.signal, (left) => this.adopt(left));
   }
 
   /** Stops sending; what is kept stays kept. */
   close(): void {
     this.ended.abort();
     this.ended = new AbortController();
-    clearInterval(this.timer);
-    this.timer = undefined;
     this.lanes.clear();
     this.sending.clear();
-    this.watched.clear();
     this.wishes.value = new Map();
   }
 
-  /** What the other tabs have kept is this one's as soon as they are gone, closed or killed: then their lock is free. */
-  private watch(): void {
-    if (!this.locks) return;
-    const { signal } = this.ended;
-    for (const { tab } of this.kept()) {
-      if (tab === this.tab || this.watched.has(tab)) continue;
-      this.watched.add(tab);
-      const gone = (): void => {
-        if (signal.aborted) return;
-        this.watched.delete(tab);
-        this.adopt((one) => one.tab === tab);
-        this.watch();
-      };
-      this.locks.request(lockOf(tab), { signal }, gone).catch(() => undefined);
-    }
-  }
-
-  private adoptOld(): void {
-    this.adopt((one) => this.now() - one.touched > ORPHANED_AFTER_MS);
-  }
-
   /** Items that are this tab's from now on: left by it before a reload, or by a tab that is gone. */
-  private adopt(left: (one: Kept) => boolean): void {
-    const orphans = this.kept()
-      .filter((one) => left(one) && this.kinds.has(one.kind) && !this.wishes.value.has(one.key))
-      .sort((a, b) => a.order - b.order);
-    for (const { order, tab: _tab, touched: _touched, ...wanted } of orphans) {
+  private async adopt(left: (one: Kept) => boolean): Promise<void> {
+    const { signal } = this.ended;
+    const orphans = () => this.keeping.all().filter((one) => left(one) && !this.wishes.value.has(one.key));
+    if (orphans().some(({ kind }) => !this.kinds.has(kind))) await this.bringKinds().catch(() => undefined);
+    if (signal.aborted) return;
+    const known = orphans().filter(({ kind }) => this.kinds.has(kind));
+    for (const { order, tab: _tab, touched: _touched, ...wanted } of known.sort(
+      (a, b) => a.order - b.order,
+    )) {
       this.orders.set(wanted.key, order);
       // kept by another version of this page, it may be of another shape: then the server is asked what there is
       const saved = this.kinds.get(wanted.kind)?.isSaved(wanted.saved) ? wanted.saved : null;
@@ -369,11 +268,7 @@ export class Outbox {
     this.orders.delete(wish.key);
     this.refusals.delete(wish.key);
     this.wishes.value = left;
-    try {
-      this.storage().removeItem(this.prefix + wish.key);
-    } catch {
-      // nothing was kept, so nothing is to be removed
-    }
+    this.keeping.forget(wish.key);
     if (state === "dropped") this.sending.get(wish.key)?.abort();
     changeSave(() => ({ failed: false })); // of what was refused on the way, nothing is left
     this.tell({ ...wish, state });
@@ -406,35 +301,7 @@ export class Outbox {
   private keep(wish: Wish): void {
     const { state: _state, problem: _problem, theirs: _theirs, ...wanted } = wish;
     if (!this.orders.has(wish.key)) this.orders.set(wish.key, Math.max(0, ...this.orders.values()) + 1);
-    this.write({ ...wanted, order: this.orders.get(wish.key) ?? 0, tab: this.tab, touched: this.now() });
-  }
-
-  private touch(): void {
-    for (const one of this.kept()) if (one.tab === this.tab) this.write({ ...one, touched: this.now() });
-  }
-
-  private kept(): Kept[] {
-    const found: Kept[] = [];
-    if (!this.prefix) return found;
-    try {
-      const store = this.storage();
-      for (let i = 0; i < store.length; i += 1) {
-        const name = store.key(i);
-        const one = name?.startsWith(this.prefix) ? parse(store.getItem(name)) : null;
-        if (one) found.push(one);
-      }
-    } catch {
-      return found;
-    }
-    return found;
-  }
-
-  private write(one: Kept): void {
-    try {
-      this.storage().setItem(this.prefix + one.key, JSON.stringify(one));
-    } catch {
-      // a full or forbidden store: it still goes out from memory, and leaving the page warns
-    }
+    this.keeping.keep({ ...wanted, order: this.orders.get(wish.key) ?? 0 });
   }
 }
 
@@ -453,16 +320,6 @@ async function readInstead(
   }
 }
 
-function parse(text: string | null): Kept | null {
-  try {
-    const one = JSON.parse(text ?? "null") as Kept | null;
-    const named = one && [one.key, one.kind, one.lane, one.tab].every((name) => typeof name === "string");
-    return named ? one : null;
-  } catch {
-    return null;
-  }
-}
-
 function until(happens: () => boolean): { happened: Promise<undefined>; stop: () => void } {
   let stop = (): void => {};
   const happened = new Promise<undefined>((resolve) => {
@@ -471,17 +328,6 @@ function until(happens: () => boolean): { happened: Promise<undefined>; stop: ()
     });
   });
   return { happened, stop };
-}
-
-/** A name for this tab that survives a reload of it, where no lock tells that the page before is gone. */
-function tabName(): string {
-  try {
-    const kept = sessionStorage.getItem("sightline.tab") ?? newKey();
-    sessionStorage.setItem("sightline.tab", kept);
-    return kept;
-  } catch {
-    return newKey();
-  }
 }
 
 /** The one queue of this page. */

@@ -7,24 +7,24 @@ const files = vi.hoisted(() => ({
   failing: true,
 }));
 
-vi.mock("virtual:words/en/everywhere", () => ({ default: "app-name = Sightline\n" }));
+vi.mock("virtual:words/en/everywhere", () => ({ default: { "app-name": "Sightline" } }));
 vi.mock("virtual:words", () => ({
   default: {
     en: {
-      checks: async () => ({ default: "action-save = Save\n" }),
-      server: async () => ({ default: "not-enough = Too few\n" }),
+      checks: async () => ({ default: { "action-save": "Save" } }),
+      server: async () => ({ default: { "not-enough": "Too few" } }),
       review: async () => {
         if (files.failing) throw new TypeError("offline");
-        return { default: "action-print = Print\n" };
+        return { default: { "action-print": "Print" } };
       },
     },
     fr: {
-      everywhere: async () => ({ default: "app-name = Sightline\n" }),
+      everywhere: async () => ({ default: { "app-name": "Sightline" } }),
       checks: async () => {
         await new Promise<void>((done) => {
           files.french = done;
         });
-        return { default: "action-save = Enregistrer\n" };
+        return { default: { "action-save": "Enregistrer" } };
       },
     },
   },

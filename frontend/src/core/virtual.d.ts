@@ -1,4 +1,6 @@
-type WordsOfRooms = Readonly<Record<string, () => Promise<{ default: string }>>>;
+/** Each message's pattern by its key, as Fluent's bundle takes it. */
+type Words = Readonly<Record<string, import("@fluent/bundle").Message["value"]>>;
+type WordsOfRooms = Readonly<Record<string, () => Promise<{ default: Words }>>>;
 
 declare module "virtual:words" {
   /** For each language its rooms, and how the words that are said in them are fetched. */
@@ -7,7 +9,7 @@ declare module "virtual:words" {
 }
 
 declare module "virtual:words/en/everywhere" {
-  /** Fluent source of what the app around the screens says. */
-  const words: string;
+  /** What the app around the screens says. */
+  const words: Words;
   export default words;
 }

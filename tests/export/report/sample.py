@@ -70,7 +70,7 @@ def statistics(
     )
     assert eye is not None and thing is not None
     errors = errors_of(roofs, choices.correction, choices.rounding)
-    counted = SampleCounts(3 * n, n, n, 0, {"rejected": 7, "to_review": 21} if n else {}, 0)
+    counted = SampleCounts(3 * n, n, n, 0, {"rejected": 7, "to_review": 21} if n else {}, 0, 0)
     return Statistics(
         counted=counted,
         standards=standards,

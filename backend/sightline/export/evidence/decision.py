@@ -14,6 +14,7 @@ from typing import Any
 from sightline.enums import JsonObject, JudgedQuantity
 from sightline.export.evidence.records import SIDES, UNITS, Rule
 from sightline.messages import say
+from sightline.messages.said import Said, SaidDocument
 from sightline.statistics.conformity import decide, require_risk
 
 KMH_PER_MPS = 3.6
@@ -64,7 +65,7 @@ def _why_none(document: Document, rule: Rule, value: float | None, u: float | No
     """Why there is no decision; None where one can be made."""
     measured, before, gap = document["measurement"], document["before"], document["gap"]
     if measured["status"] != "ok":
-        return say("evidence-none-refused", {"reason": measured["reason"] or ""})
+        return say("evidence-none-refused", {"reason": _in_words(measured["reason"])})
     if measured["rig"] != document["rig_now"]:
         return say("evidence-none-rig", {})
     if document["review"]["verdict"] != "accepted":
@@ -78,8 +79,12 @@ def _why_none(document: Document, rule: Rule, value: float | None, u: float | No
             said = {"number": before["number"], "verdict": before["review"]["verdict"]}
             return say("evidence-none-before-review", said)
     if value is None or u is None or not u > 0:
-        return say("evidence-none-value", {"reason": (gap or {}).get("reason") or ""})
+        return say("evidence-none-value", {"reason": _in_words((gap or {}).get("reason"))})
     return None
+
+
+def _in_words(reason: SaidDocument | None) -> str:
+    return "" if reason is None else str(Said.read(reason))
 
 
 def _words(rule: Rule, value: float, u: float, found: Any) -> str:

@@ -18,6 +18,7 @@ from sightline.infra.version import code_version
 from sightline.linescan.clock import since_start_s
 from sightline.linescan.gaps import gaps
 from sightline.linescan.rig import baseline_of
+from sightline.messages.said import Said
 from sightline.scans.clock import clock_of, passing_of
 from sightline.scans.records import Scan, ScanMeasurement, ScanValues, ScanVehicle
 from sightline.scans.store import rig_for
@@ -74,7 +75,8 @@ def facts_of(
         "clock": None if scan.clock is None else scan.clock.columns(),
     }
     told: JsonObject = plain(stated)
-    return {**told, **derived(told)}
+    found = derived(told)
+    return {**told, **found, "words": _words(measured.values, found["gap"])}
 
 
 def audit_of(survey_id: int, head: AuditHead, events: Sequence[AuditEvent]) -> JsonObject:
@@ -94,7 +96,10 @@ def derived(document: Document) -> JsonObject:
 
 def values_of_document(told: Document) -> ScanValues:
     """A stored motion of a document as a revision's values again, without its profile."""
-    return ScanValues(profile=None, **{name: told[name] for name in _VALUES})
+    values = {name: told[name] for name in _VALUES}
+    values["reason"] = values["reason"] and Said.read(values["reason"])
+    values["warnings"] = [Said.read(one) for one in values["warnings"]]
+    return ScanValues(profile=None, **values)
 
 
 def _at_vehicle(document: Document) -> JsonObject:
@@ -109,6 +114,16 @@ def _gap(document: Document) -> JsonObject | None:
     found = gaps([(crossings_of(one), motion_of(one)) for one in pair], rig_of(document["rig_now"]))
     gap: JsonObject = plain(asdict(found[1]))
     return gap
+
+
+def _words(values: ScanValues, gap: JsonObject | None) -> JsonObject:
+    """What the codes of the motion and of the gap say; the page has no catalogue of them."""
+    why = gap and gap["reason"]
+    return {
+        "reason": values.reason and str(values.reason),
+        "warnings": [str(one) for one in values.warnings],
+        "gap": why and str(Said.read(why)),
+    }
 
 
 def _time(document: Document) -> JsonObject:

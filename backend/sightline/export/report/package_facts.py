@@ -81,6 +81,7 @@ def report_facts(files: Files, made: PackageStatistics, written: Mapping[str, Wr
             (said("report-count-not-visible"), hidden),
             (said("report-count-used"), found.counted.measurements),
             (said("report-count-left-out"), exclusions),
+            *_timeless(found.counted.without_time + made.scans.counted["without_time"]),
             *(((said("report-count-out-of-date"), stale),) if stale else ()),
             *_scanned(made),
         ),
@@ -124,6 +125,11 @@ def _out_of_date(files: Files) -> int:
     """Heights that follow from facts that hold no longer."""
     tables = ("measurements.csv", "line_heights.csv")
     return sum(bool(cell) for path in tables for (cell,) in read_columns(files, path, ("out_of_date",)))
+
+
+def _timeless(count: int) -> tuple[tuple[str, int], ...]:
+    """Vehicles left out because it is not known when they were filmed, where a package is of a time."""
+    return ((said("report-count-without-time"), count),) if count else ()
 
 
 def _scanned(made: PackageStatistics) -> tuple[tuple[str, int], ...]:

@@ -19,7 +19,7 @@ def scan_facts(files: Files, found: ScanStatistics) -> ScanFacts | None:
     rigs = tuple(one for row in read_rows(files, "line_scans.csv") for one in _lanes_of(_rig(row), row))
     if not rigs:
         return None
-    names, chosen = ("id", "method", "status", "verdict"), chosen_scanned(files)
+    names, chosen = ("id", "method", "status", "verdict"), chosen_scanned(files).of
     used = {
         id_: method
         for id_, method, status, verdict in read_columns(files, "scan_vehicles.csv", names)

@@ -157,4 +157,7 @@ def selection_words(selection: Selection) -> str | None:
     lighting = [] if selection.lighting is None else [LIGHTING[selection.lighting]]
     days = (("report-filmed-since", selection.filmed_from), ("report-filmed-until", selection.filmed_to))
     filmed = [said(key, day=date_words(day)) for key, day in days if day is not None]
+    if selection.hour_from is not None or selection.hour_to is not None:
+        begins, ends = (f"{hour:02d}:00" for hour in (selection.hour_from or 0, selection.hour_to or 24))
+        filmed.append(said("report-filmed-hours", begins=begins, ends=ends))
     return apart([*lighting, *([", ".join(classes)] if classes else []), *filmed])

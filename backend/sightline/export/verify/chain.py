@@ -8,48 +8,54 @@ from collections.abc import Collection, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
-from sightline.cameras.calibrations.verify import CalibrationEvents
 from sightline.errors import Damaged
 from sightline.export.seal import ENTITY, Seal
 from sightline.infra.csv_package.chain import Event, chain, stamp
 from sightline.infra.csv_package.files import Files
+from sightline.infra.csv_package.replay import Replay
 from sightline.measurements.again.verify import count_revisions
 from sightline.measurements.verify import MeasurementEvents
 from sightline.quality.repeats.csv import REPEATS
-from sightline.recordings.verify import RecordingEvents
+from sightline.recordings.verify import DriftEvents
 from sightline.reviews.lots.verify import LotEvents
+from sightline.scans.heights.verify import height_or_verdict
+from sightline.scans.verify import WITHIN as SCANS_WITHIN
+
+#: What is deleted with what it is part of: by which word of its events, and what that is.
+_WITHIN = {"review": ("vehicle_id", "vehicle"), **SCANS_WITHIN}
 
 
 @dataclass(eq=False)
 class ReplayedState:
-    """What the events of a chain say of the rows of a package, by number.
+    """What the events of a chain say of the rows of a package.
 
-    `poses`: the hash of each one's content.
+    `computed`: how many revisions each computing made, by its number.
     """
 
     measurements: MeasurementEvents
+    survey_id: int
+    replay: Replay = field(default_factory=lambda: Replay(_WITHIN))
+    drift: DriftEvents = field(default_factory=DriftEvents)
+    lots: LotEvents = field(default_factory=LotEvents)
+    computed: Counter[int] = field(default_factory=Counter)
     count: int = 0
     head: str = ""
     moment: str | None = None
     survey_head: str = ""
-    survey: dict[str, Any] = field(default_factory=dict)
-    standards: list[dict[str, Any]] | None = None
-    vehicles: dict[int, dict[str, Any]] = field(default_factory=dict)
-    recordings: RecordingEvents = field(default_factory=RecordingEvents)
-    reviews: dict[int, dict[str, Any]] = field(default_factory=dict)
-    lots: LotEvents = field(default_factory=LotEvents)
-    poses: dict[int, str] = field(default_factory=dict)
-    calibrations: CalibrationEvents = field(default_factory=CalibrationEvents)
-    computings: dict[int, dict[str, Any]] = field(default_factory=dict)
-    revisions_of_computings: Counter[int] = field(default_factory=Counter)
-    pairs: dict[int, dict[str, Any]] = field(default_factory=dict)
-    photographs: dict[int, dict[str, Any]] = field(default_factory=dict)
-    cameras: dict[int, dict[str, Any]] = field(default_factory=dict)
-    scans: int = 0
+
+    @property
+    def survey(self) -> Mapping[str, Any]:
+        """What is said of the survey itself."""
+        return self.replay.row("survey", self.survey_id)
 
     def is_gone(self, vehicle_id: int) -> bool:
         """Whether a vehicle was deleted in the end; its measurements are then in no table."""
-        return bool(self.vehicles.get(vehicle_id, {}).get("deleted", False))
+        return self.replay.is_gone("vehicle", vehicle_id)
+
+    def pose_in_force(self, recording_id: int) -> int | None:
+        """The road pose of a recording; None where it has none or was deleted."""
+        told = self.replay.of("recording").get(recording_id, {"deleted": True})
+        return None if told["deleted"] else told.get("pose_id")
 
 
 def walk(files: Files, seal: Seal, headers: Mapping[str, Collection[str]]) -> ReplayedState:
@@ -58,7 +64,7 @@ def walk(files: Files, seal: Seal, headers: Mapping[str, Collection[str]]) -> Re
     What came into the chain while the package was made, no table tells of. headers: the columns that the
     package has, by table.
     """
-    told = ReplayedState(MeasurementEvents(REPEATS, headers))
+    told = ReplayedState(MeasurementEvents(REPEATS, headers), seal.survey_id)
     for event in chain(files):
         told.count, told.head = int(event["number"]), event["hash"]
         first = told.count == 1
@@ -67,8 +73,17 @@ def walk(files: Files, seal: Seal, headers: Mapping[str, Collection[str]]) -> Re
         if told.count > seal.as_of or event["entity"] == ENTITY:
             continue
         told.moment, told.survey_head = stamp(event["at"]), event["hash"]
-        if event["after"]:
-            _gather(told, event, json.loads(event["after"]))
+        after = json.loads(event["after"] or "{}")
+        if event["entity"] in ("measurement", "line_height"):
+            count_revisions(told.computed, after.get("row", after))
+        if "scan_vehicle_id" in after:
+            line_heights = told.replay.of("line_height")
+            entity, number, after = height_or_verdict(
+                event["entity"], int(event["entity_id"]), after, line_heights
+            )
+            told.replay.add({**event, "entity": entity, "entity_id": str(number)}, after)
+        elif after:
+            _gather(told, event, after)
     return told
 
 
@@ -79,60 +94,27 @@ def _begins(event: Event, seal: Seal) -> bool:
 
 
 def _gather(told: ReplayedState, event: Event, after: dict[str, Any]) -> None:
-    entity, action, number = event["entity"], event["action"], int(event["entity_id"] or 0)
+    """What one event says; that of one row may tell of another: a pose comes into force, photographs are put
+    in order.
+    """
+    entity, number = event["entity"], int(event["entity_id"] or 0)
     if entity == "measurement":
         told.measurements.add(number, {**after, "by": event["actor_id"]})
-        count_revisions(told.revisions_of_computings, after["row"])
-    elif entity == "line_height":
-        count_revisions(told.revisions_of_computings, after)
-    elif entity == "survey":
-        told.survey |= after
-    elif entity == "vehicle":
-        told.vehicles.setdefault(number, {}).update(after)
-    elif entity == "recording":
-        told.recordings.add(action, number, after)
-    elif entity in ("review", "computing"):
-        rows = told.reviews if entity == "review" else told.computings
-        rows[number] = {**after, "at": event["at"], "actor_id": event["actor_id"], "event": told.count}
-    elif entity in ("lot", "lot_decision"):
-        told.lots.add(entity, number, event, after)
-    elif entity == "wheel_pair":
-        told.pairs[number] = {**after, "created_by_id": _number(event["actor_id"])}
-    elif entity == "photograph":
-        _photographed(told, event, after)
-    elif entity == "scan":
-        told.scans += 1
-    elif entity == "standards":
-        told.standards = after["standards"]
-    else:
-        _gather_set_up(told, entity, number, after)
-
-
-def _gather_set_up(told: ReplayedState, entity: str, number: int, after: dict[str, Any]) -> None:
-    if entity == "calibration":
-        told.calibrations.add(number, after)
-        if after.get("current"):
-            told.cameras[after["camera_id"]]["current_calibration_id"] = number
-    elif entity == "calibration_image":
-        told.calibrations.add_image(number, after)
-    elif entity == "camera":
-        told.cameras.setdefault(number, {}).update(after)
-    elif entity == "pose":
-        told.poses[number] = after["content_sha256"]
-        if after["attached"]:
-            told.recordings.attach(int(after["recording_id"]), number)
-
-
-def _number(text: str) -> int | None:
-    return int(text) if text else None
-
-
-def _photographed(told: ReplayedState, event: Event, after: dict[str, Any]) -> None:
-    if event["action"] == "order":
-        for position, one in enumerate(after["order"], start=1):
-            told.photographs[int(one)]["position"] = position
         return
-    known = told.photographs.setdefault(int(event["entity_id"]), {})
-    if event["action"] == "create":
-        known["created_by_id"] = _number(event["actor_id"])
-    known.update(after)
+    if entity in ("lot", "lot_decision"):
+        told.lots.add(entity, number, event, after)
+        return
+    if entity == "photograph" and event["action"] == "order":
+        for position, one in enumerate(after["order"], start=1):
+            told.replay.row(entity, int(one))["position"] = position
+        return
+    if entity == "recording" and told.drift.add(number, after):
+        return
+    if event["entity_id"]:
+        told.replay.add(event, after)
+    if entity == "standards":
+        told.replay.row("survey", told.survey_id)["standards"] = after["standards"]
+    elif entity == "calibration" and after.get("current"):
+        told.replay.row("camera", int(after["camera_id"]))["current_calibration_id"] = number
+    elif entity == "pose" and after["attached"]:
+        told.replay.row("recording", int(after["recording_id"]))["pose_id"] = number

@@ -24,7 +24,8 @@ from sightline.cameras.calibrations.verify import check_calibrations
 from sightline.cameras.verify import check_cameras
 from sightline.errors import BadInput, Damaged
 from sightline.export.contents import DRAWING, STATISTICS, WORDS
-from sightline.export.seal import CHECKPOINT, Seal, check_seal, read_seal
+from sightline.export.exclusions import EXCLUSIONS
+from sightline.export.seal import CHECKPOINT, check_seal, read_seal
 from sightline.export.verify.chain import ReplayedState, walk
 from sightline.export.verify.derived import (
     check_crops,
@@ -36,7 +37,7 @@ from sightline.export.verify.derived import (
 from sightline.export.verify.described import Described, check_description, read_description
 from sightline.infra.audit.checkpoints import checkpoint_problem
 from sightline.infra.audit.records import AuditHead, survey_chain
-from sightline.infra.csv_package.columns import CODE
+from sightline.infra.csv_package.columns import CODE, check_words
 from sightline.infra.csv_package.files import (
     Files,
     InFolder,
@@ -70,7 +71,7 @@ from sightline.reviews.lots.verify import check_lots
 from sightline.reviews.verify import check_verdicts
 from sightline.scans.verify import check_scans
 from sightline.surveys.photographs.verify import check_photographs
-from sightline.surveys.verify import check_classes, check_insets, check_sampling, check_survey
+from sightline.surveys.verify import check_survey
 
 _LEAST_OF_HEAD = 16
 
@@ -184,7 +185,7 @@ def _check(files: Files, head: str | None, key: str | None, found: _Found, tick:
     found.signed_at, found.key = _signed(files, told, seal.survey_id, key)
     found.notes += _of_key(found.key, key)
     tick(0.2)
-    _check_rows(described.read_in_its_format(files), described, seal, told, written, found)
+    _check_rows(described.read_in_its_format(files), described, told, written, found)
     tick(0.6)
     _tell(found, "description", check_description(files, described, told, written))
     read = described.read_in_its_format(files)
@@ -214,24 +215,26 @@ def _tell(found: _Found, part: str, notes: Sequence[str]) -> None:
 def _check_rows(
     files: Files,
     described: Described,
-    seal: Seal,
     told: ReplayedState,
     written: Mapping[str, Written],
     found: _Found,
 ) -> None:
     """Every row against its audit events, and every height from its clicks."""
-    check_poses(files, told.poses)
-    check_calibrations(files, told.calibrations)
-    check_cameras(files, told.cameras)
-    check_survey(files, seal.survey_id, told.survey)
-    check_insets(files, told.survey.get("insets", {}))
-    check_classes(files, told.survey["classes"])
-    check_sampling(files, told.survey)
-    check_standards(files, told.standards)
+    replay = told.replay
+    check_poses(files, replay)
+    check_calibrations(files, replay)
+    check_cameras(files, replay)
+    check_survey(files, told.survey)
+    check_standards(files, told.survey)
     recomputing = Recomputing(described.is_computed_alike)
     same_words = described.is_made_alike(WORDS)
-    heights = Recomputed(files, recomputing, same_words=same_words)
-    check_measurements(files, told.measurements, told.is_gone, told.recordings.drift_flag, heights)
+    if (
+        same_words
+    ):  # what is excluded has the words of people too; it is derived, and held against its sources
+        headers = {path: one for path, one in described.headers.items() if path != EXCLUSIONS.path}
+        check_words(files, headers)
+    heights = Recomputed(files, recomputing)
+    check_measurements(files, told.measurements, told.is_gone, told.drift.drift_flag, heights)
     check_repeats(files, told.measurements, told.is_gone, heights)
     found.heights = recomputing.equal
     for path in (MEASUREMENTS.path, REPEATS.path):
@@ -241,18 +244,18 @@ def _check_rows(
                 path,
                 told.measurements.follows_from,
                 told.survey,
-                told.vehicles,
-                told.recordings.pose_in_force,
+                replay.of("vehicle"),
+                told.pose_in_force,
             )
-    check_vehicles(files, told.vehicles, told.is_gone)
-    check_recordings(files, told.recordings)
-    check_wheel_pairs(files, told.pairs, told.is_gone)
-    computings = check_computings(files, told.computings, told.revisions_of_computings)
-    check_verdicts(files, told.reviews, told.is_gone)
-    check_lots(files, told.lots, told.reviews, told.measurements.of_vehicle, told.is_gone)
+    check_vehicles(files, replay)
+    check_recordings(files, replay, told.drift)
+    check_wheel_pairs(files, replay)
+    computings = check_computings(files, replay, told.computed)
+    check_verdicts(files, replay)
+    check_lots(files, told.lots, replay, told.measurements.of_vehicle)
     check_frames(files, told.measurements)
-    check_scans(files, told.scans, computings, recomputing)
-    check_photographs(files, told.photographs, written)
+    check_scans(files, replay, computings, recomputing)
+    check_photographs(files, replay, written)
     found.keys = check_keys(files, described.tables)
     if recomputing.differing:
         values: dict[str, str | int] = {"count": recomputing.differing, "first": recomputing.first}

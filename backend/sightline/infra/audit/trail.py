@@ -15,6 +15,7 @@ from typing import Any
 
 from sqlalchemy import ColumnElement, Row, Select, Update, and_, bindparam, insert, or_, select, update
 from sqlalchemy.orm import Session
+from sqlalchemy.sql.dml import ReturningInsert
 
 from sightline.enums import JsonObject
 from sightline.infra.audit.hashing import GENESIS, canonical_json, chain_hash, event_hash, plain
@@ -23,7 +24,7 @@ from sightline.infra.audit.records import AuditEvent, AuditHead, Who, survey_cha
 from sightline.infra.audit.tables import audit_chains, audit_events
 from sightline.infra.database.people import people
 from sightline.infra.database.rows import add_rows
-from sightline.infra.database.types import now
+from sightline.infra.database.types import columns_of, now
 
 #: The chains of what belongs to no survey, by kind; what is not named is a setting.
 SETTINGS = "settings"
@@ -85,9 +86,11 @@ def record_many(
         rows.append({**row, "hash": chain_hash(row)})
     if not rows:
         return 0
+    end = {"of_chain": chain, "end_count": rows[-1]["number"], "end_hash": rows[-1]["hash"]}
+    if len(rows) == 1 and session.get_bind().dialect.name == "postgresql":
+        return int(session.execute(_add_one(), {**rows[0], **end}).scalar_one())
     ids = add_rows(session, audit_events, rows)
-    end = {"count": rows[-1]["number"], "hash": rows[-1]["hash"]}
-    session.execute(_move_last(), {"of_chain": chain, **end})
+    session.execute(_move_last(), end)
     return ids[-1]
 
 
@@ -121,7 +124,15 @@ def _last_held() -> Select[int, str]:
 
 @cache
 def _move_last() -> Update:
-    return update(audit_chains).where(audit_chains.c.name == bindparam("of_chain"))
+    end = update(audit_chains).values(count=bindparam("end_count"), hash=bindparam("end_hash"))
+    return end.where(audit_chains.c.name == bindparam("of_chain"))
+
+
+@cache
+def _add_one() -> ReturningInsert[int]:
+    """An event and the new end of its chain in one statement, which SQLite does not know."""
+    values: dict[str, Any] = {one.name: bindparam(one.name) for one in columns_of(audit_events, "id")}
+    return insert(audit_events).values(values).add_cte(_move_last().cte("moved")).returning(audit_events.c.id)
 
 
 def heads(session: Session) -> dict[str, AuditHead]:

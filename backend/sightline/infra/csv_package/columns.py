@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from datetime import datetime
 
 from typing_extensions import TypeVar
@@ -11,6 +11,7 @@ from typing_extensions import TypeVar
 from sightline.errors import Damaged
 from sightline.infra.audit.hashing import canonical_json
 from sightline.infra.audit.records import Who
+from sightline.infra.csv_package.files import Files, read_columns, unsafe
 from sightline.infra.csv_package.schema import Cell, Column, Row, when
 from sightline.messages import SOURCE
 from sightline.messages.said import Said
@@ -141,6 +142,20 @@ def said_in(code: str) -> Said | list[Said] | None:
         return [Said.read(one) for one in found] if isinstance(found, list) else Said.read(found)
     except (ValueError, TypeError, LookupError, AttributeError) as error:
         raise Damaged("csv-package-no-code", cell=code) from error
+
+
+def check_words(files: Files, headers: Mapping[str, Collection[str]]) -> None:
+    """Every cell of words is what the codes beside it say in this program's words; `headers` by path.
+
+    Raises Damaged.
+    """
+    for path, header in headers.items():
+        for code in sorted(name for name in header if name.endswith(CODE)):
+            words = code.removesuffix(CODE)
+            cells = read_columns(files, path, (words, code)) if words in header else ()
+            for row, (told, by) in enumerate(cells, 2):
+                if unsafe(told) != (words_of(said_in(by)) or ""):
+                    raise Damaged("measurements-words-not-of-code", name=f"{path}:{row}", column=words)
 
 
 def of_part(

@@ -10,7 +10,8 @@ from sightline.errors import Damaged
 from sightline.infra.audit.hashing import content_hash
 from sightline.infra.csv_package.chain import stamp
 from sightline.infra.csv_package.files import Files, read_columns, read_rows, read_whole
-from sightline.infra.csv_package.schema import AnyTable, cell_text, record_path
+from sightline.infra.csv_package.replay import first_difference
+from sightline.infra.csv_package.schema import AnyTable, record_path
 
 _ELSEWHERE = ("id", "created_at", "document", "columns", "rows")
 
@@ -66,6 +67,7 @@ def check_records(
     `expected`: the hash of each record's content by number; `values_of`: its cells by column. Raises Damaged.
     """
     rows = {int(row["id"]): row for row in read_rows(files, table.path)}
+    columns = {column.name: column for column in table.columns}
     if set(rows) != set(expected):
         odd = min(set(rows) ^ set(expected))
         raise Damaged("csv_package-without-audit-event-missing", path=table.path, kind_name=kind, odd=odd)
@@ -86,29 +88,8 @@ def check_records(
                 path_2=path,
             )
         values = values_of(record)
-        names = [name for name in table.header if name in values and name not in _ELSEWHERE and row[name]]
-        if not says(table, row, {name: values[name] for name in names}):
+        told = {name: text for name, text in row.items() if text and name not in _ELSEWHERE}
+        if first_difference(columns, told, values) is not None:
             raise Damaged(
                 "csv_package-differs-one-changed", path=table.path, kind_name=kind, id=id_, path_2=path
             )
-
-
-def says(table: AnyTable, row: Mapping[str, str], values: Mapping[str, Any]) -> bool:
-    """Whether a row's cells hold these values, as they would be written; what a package of another version
-    has no column for, it does not say.
-    """
-    columns = {column.name: column for column in table.columns if column.name in row}
-    for name, value in values.items():
-        if name in columns and isinstance(value, str | int | float | bool | None):
-            expected = cell_text(columns[name], value)
-            if row[name] != expected and not _equal(row[name], expected):
-                return False
-    return True
-
-
-def _equal(told: str, expected: str) -> bool:
-    """3 and 3.0 are one number: JSON does not tell them apart, CSV does."""
-    try:
-        return float(told) == float(expected)
-    except ValueError:
-        return False

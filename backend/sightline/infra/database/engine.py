@@ -14,13 +14,15 @@ import re
 import sqlite3
 import sys
 import threading
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from contextlib import contextmanager, suppress
+from dataclasses import dataclass
+from functools import cache
 from pathlib import Path
 from types import ModuleType
 from typing import Any, Literal
 
-from sqlalchemy import Connection, Engine, create_engine, event, make_url, text
+from sqlalchemy import Connection, Engine, TextClause, create_engine, event, make_url, text
 from sqlalchemy.exc import ArgumentError, DatabaseError, OperationalError
 from sqlalchemy.orm import Session, sessionmaker
 
@@ -32,8 +34,12 @@ _EXCLUSIVE = text(f"SELECT {_TURN.format(kind='')}")
 _LATER = "set_config('synchronous_commit', 'off', true)"
 # A writer that does nothing for longer is taken for dead, and its turn goes on to the next.
 _IDLE = "set_config('idle_in_transaction_session_timeout', :idle_ms, true)"
-_SHARED_NOW = text(f"SELECT {_IDLE}, {_TURN.format(kind='_shared')}")
-_SHARED_LATER = text(f"SELECT {_IDLE}, {_TURN.format(kind='_shared')}, {_LATER}")
+# Beside the other surveys, and alone in this one: a lock on nobody's number where there is no such row.
+_IN_SURVEY = (
+    f"SELECT {_IDLE}, {_TURN.format(kind='_shared')}, "
+    "pg_advisory_xact_lock(hashtextextended(current_schema() || '/survey ' || {survey}, 7419))"
+)
+_ITS_SURVEY = "coalesce((SELECT survey_id FROM {table} WHERE id = :number), 0)"
 _ALONE_NOW = text(f"SELECT {_IDLE}, {_TURN.format(kind='')}")
 _ALONE_LATER = text(f"SELECT {_IDLE}, {_TURN.format(kind='')}, {_LATER}")
 # A migration takes the time that it takes.
@@ -230,8 +236,16 @@ def reading(factory: SessionFactory) -> Iterator[Session]:
         session.close()
 
 
-#: The number of a survey, or how to find it in the transaction that is about to write to it.
-InSurvey = int | Callable[[Session], int]
+@dataclass(frozen=True, slots=True)
+class SurveyOf:
+    """The survey that a row belongs to and never leaves: `survey_id` of row `id` of a table."""
+
+    table: str
+    id: int
+
+
+#: The number of a survey, or whose survey it is: then it is found by what waits for its turn.
+InSurvey = int | SurveyOf
 #: Who signs in is noted beside all chains, in a turn of its own: nobody is kept out by who writes a survey.
 SignIn = Literal["sign-in"]
 SIGN_IN: SignIn = "sign-in"
@@ -263,7 +277,7 @@ def sync(factory: SessionFactory) -> None:
     """
     engine = engine_of(factory)
     if engine.dialect.name == "postgresql":
-        with explained(), engine.begin() as connection:
+        with explained(), engine.execution_options(isolation_level="AUTOCOMMIT").begin() as connection:
             connection.execute(_FLUSH)
     else:
         _sync_log(Path(f"{engine.url.database}-wal"))
@@ -317,9 +331,15 @@ def _await_turn(session: Session, within: InSurvey | SignIn | None, unsynced: bo
     elif within == SIGN_IN:
         session.execute(_ALONE_NOW, {**everything, "turn": "/sign-in"})
     else:
-        session.execute(_SHARED_LATER if unsynced else _SHARED_NOW, everything)
-        number = within if isinstance(within, int) else within(session)
-        session.execute(_EXCLUSIVE, {"turn": f"/survey {number}"})
+        table, number = (within.table, within.id) if isinstance(within, SurveyOf) else (None, within)
+        session.execute(_turn_in_survey(table, unsynced), {**everything, "number": number})
+
+
+@cache
+def _turn_in_survey(table: str | None, unsynced: bool) -> TextClause:
+    """The statement that waits for the turn in survey `number`, or in that of row `number` of a table."""
+    survey = "CAST(:number AS integer)" if table is None else _ITS_SURVEY.format(table=table)
+    return text(_IN_SURVEY.format(survey=survey) + (f", {_LATER}" if unsynced else ""))
 
 
 def _limits() -> ModuleType:

@@ -16,6 +16,8 @@ from sqlalchemy import URL, Engine, create_engine, event
 #: seconds to connect; for an answer to "are you there"; to a statement that reads, or that writes in a short
 #: turn, or in the turn of all
 CONNECT_S, PING_S, READ_S, SHORT_WRITE_S, LONG_WRITE_S = 5, 4.0, 125.0, 10.0, 60.0
+#: who answered so short a time ago is not asked whether it is there
+HEARD_S = 0.25
 #: how long PostgreSQL lets a writer wait for its turn, and a statement run; the wait is shorter than the idle
 #: limit of who has the turn (engine.py), else the turn of a dead writer goes to one that died while it waited
 LOCK_S, STATEMENT_S = 7, 120
@@ -36,13 +38,17 @@ class LimitedConnection(psycopg.Connection[Any]):
     """Waits `answer_s` seconds for an answer, and is closed then: nothing is known of it any more."""
 
     answer_s: float | None = PING_S
+    #: when the server last answered, of `time.monotonic`
+    heard_at_s = -math.inf
 
     def wait(self, gen: PQGen[Any], interval: float = 0.1, timeout: float | None = None) -> Any:
         """What the server answers. Raises psycopg.OperationalError where it does not in time."""
         limit_s = self.answer_s if timeout is None else timeout
         until = math.inf if limit_s is None else time.monotonic() + limit_s
         try:
-            return super().wait(gen, interval, limit_s)
+            answer = super().wait(gen, interval, limit_s)
+            self.heard_at_s = time.monotonic()
+            return answer
         except psycopg.OperationalError:
             if time.monotonic() >= until:
                 self.pgconn.finish()
@@ -61,7 +67,14 @@ def connection_arguments(url: URL) -> dict[str, Any]:
 def limited_engine(url: URL, **pool: Any) -> Engine:
     """An engine whose connections have these limits."""
     arguments = connection_arguments(url)
-    engine = create_engine(url, pool_pre_ping=True, connect_args=arguments, **pool)
+    # The one that was given back last is lent first: the server has prepared its statements.
+    engine = create_engine(url, pool_pre_ping=True, pool_use_lifo=True, connect_args=arguments, **pool)
+    ping = engine.dialect.do_ping
+
+    def ping_the_silent(dbapi_connection: Any) -> bool:
+        return time.monotonic() - dbapi_connection.heard_at_s < HEARD_S or ping(dbapi_connection)
+
+    engine.dialect.do_ping = ping_the_silent  # type: ignore[method-assign]
 
     @event.listens_for(engine, "do_connect")
     def connect(_dialect: Any, _record: Any, given: Any, named: dict[str, Any]) -> LimitedConnection:

@@ -100,6 +100,16 @@ class CanonicalJson(TypeDecorator[Any]):
         return None if value is None else from_json(value)  # several times quicker than json.loads
 
 
+class Saying(CanonicalJson):
+    """A reason as its code and values, or a list of flags; read as `Said`."""
+
+    cache_ok = True
+
+    def process_result_value(self, value: str | None, dialect: Dialect) -> Any:
+        read = super().process_result_value(value, dialect)
+        return [Said.read(one) for one in read] if isinstance(read, list) else read and Said.read(read)
+
+
 def identity() -> Column[int]:
     """An integer primary key that counts up."""
     return Column("id", Integer, primary_key=True)

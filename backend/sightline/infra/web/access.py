@@ -42,7 +42,7 @@ THINGS: Mapping[str, str] = {
     "scans": "scans",
     "scan-vehicles": "scan_vehicles",
     "scan-measurements": "scan_measurements",
-    "line-heights": "line_heights",
+    "line-heights": "measurement_series",
     "exports": "exports",
     "jobs": "jobs",
     "studies": "studies",
@@ -158,6 +158,5 @@ _WORDS = {
     "scan_vehicles": "vehicle",
     "scan_measurements": "measurement",
     "road_poses": "pose",
-    "line_heights": "height",
     "studies": "study",
 }

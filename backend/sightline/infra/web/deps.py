@@ -24,6 +24,7 @@ from sqlalchemy.orm import Session
 
 from sightline.enums import ActingRole, Scope
 from sightline.errors import NotAllowed, NotSignedIn
+from sightline.infra.database.engine import SurveyOf
 from sightline.infra.services import Services
 from sightline.infra.web.access import RANK, Access
 from sightline.infra.web.bearer import Bearers, bearer_of
@@ -66,11 +67,11 @@ class ShortWrites:
     _gate: WriteGate
     _services: Services
 
-    async def to(self, survey_of: Callable[[Session], int], work: Callable[[Session], T]) -> T:
-        """What `work` returns, once it is stored for good; `survey_of` finds the only survey that it writes
-        to by what the path names, 0 where there is no such thing.
+    async def to(self, survey: SurveyOf, work: Callable[[Session], T]) -> T:
+        """What `work` returns, once it is stored for good; it writes to no other `survey`, found by what the
+        path names.
         """
-        return await self._gate.write(self._services, survey_of, work)
+        return await self._gate.write(self._services, survey, work)
 
 
 async def short_writes(request: Request, services: Wired) -> ShortWrites:

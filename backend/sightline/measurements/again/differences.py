@@ -11,16 +11,17 @@ from typing import Protocol, TypeVar
 from sightline.enums import Category, ComputingCause, DriverSide, InsetSource, SideBasis, Target, Verdict
 from sightline.geometry.sides import FoundSide
 from sightline.measurements.height_of_clicks import filled_in, on_side
-from sightline.measurements.records import Clicks, HeightOfClicks, MeasurementValues
+from sightline.measurements.records import Clicks, MeasurementValues, ScanHeightValues
 from sightline.surveys.records import Inset
 
 # Half of the last decimal that the package carries: less than that is the same number.
 _SAME_M = 0.5e-6
-_LENGTHS = tuple(one.name for one in fields(HeightOfClicks) if one.name.endswith("_m"))
 #: Lengths that one frame assumes; several frames solve for the inset, and these say nothing of the height.
 _ASSUMED = ("inset_m", "u_inset_m")
+#: What a person clicked; of a line scan there is no more than two points.
+_CLICKED = ("target", "frame", "contact", "target_point", "more_frames", "followed", "sigma_px")
 
-
+Values = MeasurementValues | ScanHeightValues
 _Revision = TypeVar("_Revision")
 
 
@@ -55,7 +56,7 @@ class Facts:
     solved: bool
 
 
-def facts_of(said: MeasurementValues | Clicks, pose_id: int) -> Facts:
+def facts_of(said: Values | Clicks, pose_id: int) -> Facts:
     """Those of a stored content, or of clicks with everything filled in."""
     return Facts(
         pose_id=pose_id,
@@ -109,21 +110,18 @@ def causes_now(
     return causes_of_facts(then, facts_of(now, in_force))
 
 
-def causes_of(then: MeasurementValues, now: MeasurementValues) -> tuple[ComputingCause, ...]:
+def causes_of(then: Values, now: Values) -> tuple[ComputingCause, ...]:
     """Why a height computed again is another one; none where it is the same."""
     found = causes_of_facts(facts_of(then, then.pose_id), facts_of(now, now.pose_id))
     if found:
         return found
     free = then.more_frames or then.inset_from == "own"
-    names = [name for name in _LENGTHS if not (free and name in _ASSUMED)]
-    return causes_of_numbers(then, now, names, (then.status, then.flags) == (now.status, now.flags))
-
-
-def causes_of_numbers(
-    then: object, now: object, lengths: Iterable[str], same_words: bool
-) -> tuple[ComputingCause, ...]:
-    """The program, where any of the named lengths or what is said of them is another by the same facts."""
-    alike = same_words and all(same_length(getattr(then, name), getattr(now, name)) for name in lengths)
+    lengths = [one.name for one in fields(then) if one.name.endswith("_m")]
+    alike = (then.status, then.flags) == (now.status, now.flags) and all(
+        same_length(getattr(then, name), getattr(now, name))
+        for name in lengths
+        if not (free and name in _ASSUMED)
+    )
     return () if alike else ("program",)
 
 
@@ -132,11 +130,9 @@ def same_inset(then: WithInset, now: WithInset) -> bool:
     return same_length(then.inset_m, now.inset_m) and same_length(then.u_inset_m, now.u_inset_m)
 
 
-def same_height(then: MeasurementValues, now: MeasurementValues) -> bool:
+def same_height(then: Values, now: Values) -> bool:
     """Whether a revision has the very clicks of another and, by the same facts, its numbers."""
-    clicked = [
-        (one.target, one.first_clicks, one.more_frames, one.followed, one.sigma_px) for one in (then, now)
-    ]
+    clicked = [tuple(getattr(one, name, None) for name in _CLICKED) for one in (then, now)]
     return clicked[0] == clicked[1] and not causes_of(then, now)
 
 

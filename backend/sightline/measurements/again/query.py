@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, fields, replace
 from typing import Any
 
-from sqlalchemy import Text, and_, cast, func, select, type_coerce
+from sqlalchemy import Select, Text, and_, cast, func, select, type_coerce
 from sqlalchemy.orm import Session
 
 from sightline.enums import Target
@@ -17,7 +17,7 @@ from sightline.measurements.again.differences import Facts, moved_beyond_u
 from sightline.measurements.again.records import ComputedHeight, Computing
 from sightline.measurements.click_context_query import ClickContext, said_not_visible
 from sightline.measurements.query import fetch_measurements, is_current, measurement_revision_rows
-from sightline.measurements.records import Measurement
+from sightline.measurements.records import Measurement, ScanHeight
 from sightline.measurements.tables import computings, measurement_series, measurements
 from sightline.messages.said import Said
 from sightline.poses.tables import road_poses
@@ -177,33 +177,43 @@ def _computings(session: Session, condition: Any) -> tuple[Computing, ...]:
     )
 
 
-def computed_heights(session: Session, computing_id: int) -> tuple[ComputedHeight, ...]:
-    """Every height of a computing beside what it was, as they were made."""
-    query = (
+def computed_rows(*place: Any) -> Select[Any]:
+    """Heights of computings beside what they were, for `computed_height`; `place` ends with id and number of
+    the vehicle. Add the join of the vehicles, the conditions and the order.
+    """
+    *more, vehicle_id, number = place
+    return (
         select(
-            *(_m.series_id, _m.revision, _m.target, _m.height_m, _m.u_height_m, _m.U95_height_m, _m.x_m),
-            *(
-                _m.y_m,
-                _m.status,
-                _m.reason,
-                measurement_series.c.repeat_of,
-                vehicles.c.id.label("vehicle_id"),
-            ),
-            *(vehicles.c.number.label("vehicle_number"), _then.c.status.label("status_before")),
-            *(_then.c.height_m.label("height_before_m"), _then.c.u_height_m.label("u_before_m")),
-            *(_then.c.U95_height_m.label("U95_before_m"), _m.verdict_of_revision, computings.c.kind),
+            *(_m.series_id, _m.revision, _m.target, _m.height_m, _m.u_height_m, _m.U95_height_m),
+            *(_m.status, _m.reason, measurement_series.c.repeat_of, *more),
+            *(vehicle_id.label("vehicle_id"), number.label("vehicle_number")),
+            *(_then.c.status.label("status_before"), _then.c.height_m.label("height_before_m")),
+            *(_then.c.u_height_m.label("u_before_m"), _then.c.U95_height_m.label("U95_before_m")),
+            *(_m.verdict_of_revision, computings.c.kind),
         )
+        .select_from(measurements)
         .join(computings, computings.c.id == _m.computing_id)
         .join(measurement_series, measurement_series.c.id == _m.series_id)
-        .join(vehicles, vehicles.c.id == measurement_series.c.vehicle_id)
         .join(_then, and_(_then.c.series_id == _m.series_id, _then.c.revision == _m.revision - 1))
+    )
+
+
+def computed_heights(session: Session, computing_id: int) -> tuple[ComputedHeight, ...]:
+    """Every height of recordings of a computing beside what it was, as they were made."""
+    query = (
+        computed_rows(_m.x_m, _m.y_m, vehicles.c.id, vehicles.c.number)
+        .join(vehicles, vehicles.c.id == measurement_series.c.vehicle_id)
         .where(_m.computing_id == computing_id)
         .order_by(_m.id)
     )
-    return tuple(_computed(row) for row in session.execute(query))
+    return tuple(computed_height(row, x_m=row.x_m, y_m=row.y_m) for row in session.execute(query))
 
 
-def _computed(row: Any) -> ComputedHeight:
+def computed_height(row: Any, **place: Any) -> ComputedHeight:
+    """The record of a row of `computed_rows`."""
+    then, now = row.height_before_m, row.height_m
+    change = None if now is None or then is None else now - then
+    moved = moved_beyond_u(then, row.u_before_m, now)
     return ComputedHeight(
         measurement_id=row.series_id,
         revision=row.revision,
@@ -213,38 +223,27 @@ def _computed(row: Any) -> ComputedHeight:
         repeat=row.repeat_of is not None,
         status_before=row.status_before,
         status=row.status,
+        height_before_m=then,
+        u_before_m=row.u_before_m,
         U95_before_m=row.U95_before_m,
+        height_m=now,
+        u_height_m=row.u_height_m,
         U95_height_m=row.U95_height_m,
-        x_m=row.x_m,
-        y_m=row.y_m,
+        change_m=change,
+        moved_by_u=abs(change) / row.u_before_m if change is not None and row.u_before_m else None,
+        to_review=moved and row.verdict_of_revision is None and row.kind != "undo",
         reason=None if row.reason is None else Said.read(row.reason),
-        **changed_height(row, verdict_goes_over=row.verdict_of_revision is not None),
+        **place,
     )
-
-
-def changed_height(row: Any, *, verdict_goes_over: bool) -> dict[str, Any]:
-    """What a row says of a height's change, by the names of ComputedHeight; `kind` is its computing's."""
-    then, u_then, now = row.height_before_m, row.u_before_m, row.height_m
-    change = None if now is None or then is None else now - then
-    moved = moved_beyond_u(then, u_then, now)
-    return {
-        "height_before_m": then,
-        "u_before_m": u_then,
-        "height_m": now,
-        "u_height_m": row.u_height_m,
-        "change_m": change,
-        "moved_by_u": abs(change) / u_then if change is not None and u_then else None,
-        "to_review": moved and not verdict_goes_over and row.kind != "undo",
-    }
 
 
 @dataclass(frozen=True, slots=True)
 class Made:
     """A revision that a computing made, the one before it, and what stands now."""
 
-    before: Measurement
-    made: Measurement
-    standing: Measurement
+    before: Measurement | ScanHeight
+    made: Measurement | ScanHeight
+    standing: Measurement | ScanHeight
 
 
 def made_by(session: Session, computing_id: int) -> tuple[Made, ...]:

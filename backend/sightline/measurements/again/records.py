@@ -55,10 +55,7 @@ class ComputedHeight:
     `moved_by_u`: the change by the u that it had.
     """
 
-    measurement_id: Annotated[int | None, Field(description="Null for a height in a line scan.")] = None
-    line_height_id: Annotated[
-        int | None, Field(description="Of a line scan: the revision that was made.")
-    ] = None
+    measurement_id: int
     scan_id: int | None = None
     revision: int
     vehicle_id: int

@@ -29,7 +29,6 @@ from sightline.measurements.again.query import (
     contexts_of_survey,
     get_computing,
     list_computings,
-    made_by,
 )
 from sightline.measurements.again.records import Computing, OutOfDate
 from sightline.measurements.again.store import Changed
@@ -163,12 +162,10 @@ def _content(
     )
 
 
-def measurement_changes_back(session: Session, computing_id: int) -> tuple[list[Changed], int]:
-    """The heights as they were before a computing, and how many were changed since and stay as they are.
-
-    What was rejected since stays rejected.
+def changes_back(made: Sequence[Made]) -> tuple[list[Changed], int]:
+    """The heights as they were before a computing made them, and how many were changed since and stay as
+    they are. What was rejected since stays rejected.
     """
-    made = made_by(session, computing_id)
     changed = [_back(this) for this in made if this.standing.values == this.made.values]
     return changed, len(made) - len(changed)
 

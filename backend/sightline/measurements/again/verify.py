@@ -12,11 +12,10 @@ from typing import Any
 from sightline.enums import Target
 from sightline.errors import Damaged
 from sightline.geometry.sides import TrafficFacts, driver_side
-from sightline.infra.csv_package.chain import stamp
 from sightline.infra.csv_package.columns import joined
 from sightline.infra.csv_package.files import Files, read_columns, read_rows
 from sightline.infra.csv_package.files import number as figure_of
-from sightline.infra.csv_package.verify import says
+from sightline.infra.csv_package.replay import Replay, Replayed
 from sightline.measurements.again.csv import COMPUTINGS
 from sightline.measurements.again.differences import Facts, causes_now
 from sightline.surveys.records import insets_of
@@ -28,25 +27,28 @@ _POINT = re.compile(r"(frame|contact|target)\d*(_[xy]_px)?")
 Row = Mapping[str, str]
 
 
-def check_computings(
-    files: Files, events: Mapping[int, Mapping[str, Any]], revisions: Mapping[int, int]
-) -> dict[str, str]:
-    """Computings are those of their events, by number, made as many `revisions` as they say, and a verdict
+REPLAYED = Replayed(
+    COMPUTINGS,
+    "computing",
+    cells=lambda told: {
+        **dict.fromkeys(("by_pose", "by_inset", "by_side", "by_program"), 0),
+        **told,
+        **{f"by_{cause}": count for cause, count in told["causes"].items()},
+    },
+)
+
+
+def check_computings(files: Files, replay: Replay, revisions: Mapping[int, int]) -> dict[str, str]:
+    """Computings are those of their events, made as many `revisions` as they say, and a verdict
     went over only to a measurement that hardly moved, to one put back, or was a rejection, and without a
     computing only to the height that it stood on; the kind of each by its number, for what else they
     computed. Raises Damaged.
     """
     kinds: dict[str, str] = {}
-    for row in read_rows(files, COMPUTINGS.path):
-        event = events.get(int(row["id"]))
-        if event is None or not says(COMPUTINGS, row, _of_event(event)):
-            raise Damaged("computing-computings-csv-not-what-event-says", id=row["id"])
+    for row in replay.hold(files, REPLAYED):
         if revisions.get(int(row["id"]), 0) != int(row["heights"]):
             raise Damaged("computing-computing-made-other-revisions", id=row["id"])
         kinds[row["id"]] = row["kind"]
-    missing = {str(id_) for id_ in events} - set(kinds)
-    if missing:
-        raise Damaged("computing-computing-missing", id=min(missing))
     rejected = _rejections(files)
     for name, group in groupby(read_rows(files, "revisions.csv"), key=lambda row: row["measurement_id"]):
         of_one = list(group)
@@ -86,14 +88,6 @@ def check_out_of_date(
         )
         if said != joined(found):
             raise Damaged("computing-out-of-date-not-so", path=path, id=id_)
-
-
-def _of_event(event: Mapping[str, Any]) -> dict[str, Any]:
-    causes = {f"by_{cause}": count for cause, count in event["causes"].items()}
-    by = event["actor_id"]
-    told = {"created_at": stamp(event["created_at"]), "created_by_id": int(by) if by else None}
-    plain = {name: value for name, value in event.items() if name != "causes"}
-    return {**dict.fromkeys(("by_pose", "by_inset", "by_side", "by_program"), 0), **plain, **causes, **told}
 
 
 def _rejections(files: Files) -> set[tuple[str, str]]:

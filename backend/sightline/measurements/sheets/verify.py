@@ -2,31 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
-from typing import Any
-
 from sightline.errors import Damaged
-from sightline.infra.csv_package.files import Files, read_columns, read_rows
-from sightline.infra.csv_package.verify import says
+from sightline.infra.csv_package.files import Files, read_columns
+from sightline.infra.csv_package.replay import Replay, Replayed
 from sightline.measurements.sheets.csv import VEHICLES
 from sightline.recordings.csv import filmed_in, frames_s
 from sightline.statistics.sampling import PassTime, counts_in_results, headways, is_in_sample
 from sightline.surveys.csv import sampling_in
 
+REPLAYED = Replayed(VEHICLES, "vehicle")
 
-def check_vehicles(
-    files: Files, vehicles: Mapping[int, Mapping[str, Any]], is_gone: Callable[[int], bool]
-) -> None:
-    """Vehicles are what their events made of them, by number, and in the sample where its rule says so;
-    deleted ones are gone. Raises Damaged.
+
+def check_vehicles(files: Files, replay: Replay) -> None:
+    """Vehicles are what their events made of them, and in the sample where its rule says so; deleted ones
+    are gone. Raises Damaged.
     """
     rule, behind, filmed = sampling_in(files), _headways(files), filmed_in(files)
-    missing = {id_ for id_ in vehicles if not is_gone(id_)}
-    for row in read_rows(files, VEHICLES.path):
+    for row in replay.hold(files, REPLAYED):
         id_ = int(row["id"])
-        made = vehicles.get(id_)
-        if made is None or is_gone(id_) or not says(VEHICLES, row, made):
-            raise Damaged("measurements-vehicles-csv-not-what-audit-events", id=id_)
         taken = is_in_sample(rule, int(row["number"]), behind.get(id_))
         counts = counts_in_results(rule, taken, row["check_target"] == "true")
         says_so = (row["in_sample"], row.get("counts", str(counts).lower()))
@@ -34,9 +27,6 @@ def check_vehicles(
             raise Damaged("measurements-vehicles-csv-not-in-sample", id=id_)
         if row["filmed_at"] != filmed(row["recording_id"], int(row["first_frame"])):
             raise Damaged("measurements-vehicles-csv-other-time", id=id_)
-        missing.discard(id_)
-    if missing:
-        raise Damaged("measurements-vehicles-csv-missing-though-audit-event", missing=min(missing))
 
 
 def _headways(files: Files) -> dict[int, float]:

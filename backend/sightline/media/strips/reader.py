@@ -19,6 +19,7 @@ import numpy as np
 
 from sightline.enums import TimeAxis
 from sightline.errors import BadInput
+from sightline.linescan.depth import brightest_of, depth_of
 from sightline.media.strips import png, tiff
 from sightline.media.strips.notes import Dropped, StripNotes, read_notes, with_gaps
 from sightline.media.strips.sheet import Pixels, Sheet, unpacked
@@ -76,6 +77,13 @@ def strip_of(sheet: Sheet, time_axis: TimeAxis, notes: StripNotes, work_dir: Pat
     _check_shape(sheet.name, lines, rows, time_axis)
     _check_gaps(sheet.name, lines, notes.dropped)
     return _SheetStrip(sheet, time_axis, notes, work_dir)
+
+
+def bits_of(strip: Strip) -> int:
+    """How many bits its camera has, as all its pixels tell; a strip of 8 bits is not read for it."""
+    if strip.dtype == np.uint8:
+        return 8
+    return depth_of(max(map(brightest_of, strip.chunks()), default=0))
 
 
 def check_pair(first: Strip, second: Strip) -> None:

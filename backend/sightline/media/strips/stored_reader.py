@@ -31,11 +31,12 @@ class StripReader:
     """One stored strip. Safe for threads: nothing is kept but where the tiles are.
 
     `lines`, `rows`, `dtype` describe the full level; `levels` holds the number of lines of every level, each
-    a quarter of the one before. Raises NotFound, and Damaged where the file is not a stored form.
+    a quarter of the one before; `bits`: of the camera, as whoever stored it says. Raises NotFound, and
+    Damaged where the file is not a stored form.
     """
 
-    def __init__(self, path: Path, name: str | None = None) -> None:
-        self.name = name or path.name
+    def __init__(self, path: Path, name: str | None = None, bits: int = 8) -> None:
+        self.name, self.bits = name or path.name, bits
         if not path.is_file():
             raise NotFound("strips-stored-strip-missing-restore-backup", name=self.name)
         self._handle = os.open(path, os.O_RDONLY)
@@ -145,12 +146,12 @@ class ReaderCache:
         self._readers: LRUCache[Path, StripReader] = LRUCache(_MOST_OPEN)
         self._lock = threading.Lock()
 
-    def reader(self, path: Path, name: str | None = None) -> StripReader:
+    def reader(self, path: Path, name: str | None = None, bits: int = 8) -> StripReader:
         """The reader of a stored strip. Raises like StripReader."""
         with self._lock:
             kept = self._readers.get(path)
         if kept is not None:
             return kept
-        fresh = StripReader(path, name)
+        fresh = StripReader(path, name, bits)
         with self._lock:
             return self._readers.setdefault(path, fresh)

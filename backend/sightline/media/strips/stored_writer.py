@@ -18,6 +18,7 @@ import imagecodecs
 import numpy as np
 import tifffile
 
+from sightline.linescan.depth import brightest_of, depth_of
 from sightline.media.atomic import atomic_file
 from sightline.media.cancelling import Cancelled, check_cancelled
 from sightline.media.store.local import check_room, no_room_told, sha256_of
@@ -37,8 +38,9 @@ Progress = Callable[[float], None]
 class StoredStrip:
     """A stored form, whole on disk: what is in it, and its SHA-256 (hex).
 
-    `saturated`: share of pixels at the largest value, from every 16th line; `notes`: what the recorder said,
-    the lost lines of which are filled in and counted in `lines`.
+    `bits`: of the camera, as its brightest pixel tells; `saturated`: share of pixels at the largest value,
+    from every 16th line; `notes`: what the recorder said, the lost lines of which are filled in and counted
+    in `lines`.
     """
 
     path: Path
@@ -80,7 +82,7 @@ def store_strip(
         sha256=sha256,
         lines=strip.lines,
         rows=strip.rows,
-        bits=8 * strip.dtype.itemsize,
+        bits=depth_of(pyramid.brightest),
         levels=len(pyramid.lines),
         saturated=pyramid.saturated / max(1, pyramid.looked_at),
         notes=strip.notes,
@@ -106,6 +108,7 @@ class _Pyramid:
     lines: list[int] = field(init=False)
     places: list[list[tuple[int, int]]] = field(init=False)
     saturated: int = 0
+    brightest: int = 0
     looked_at: int = 0
 
     def __post_init__(self) -> None:
@@ -123,6 +126,7 @@ class _Pyramid:
         if level + 1 < len(self.lines):
             self._offer(level + 1, quartered(tile))
         if level == 0:
+            self.brightest = max(self.brightest, brightest_of(tile))
             some = tile[::_LOOKED_AT]
             self.saturated += int(np.count_nonzero(some == np.iinfo(self.dtype).max))
             self.looked_at += some.size

@@ -121,7 +121,11 @@ def _subjects(session: Session, found: Sequence[AuditEvent]) -> dict[int, dict[s
         for id_, vehicle in vehicle_of.items()
         if vehicle in numbers
     }
-    scanned = {one.id: one.entity_id for one in found if one.entity == "scan_vehicle"}
+    scanned = {
+        one.id: one.entity_id if one.entity == "scan_vehicle" else _told(one, "scan_vehicle_id")
+        for one in found
+        if one.entity in ("scan_vehicle", "measurement", "review")
+    }
     of_scans = _numbers(session, scan_vehicles, (id_ for id_ in scanned.values() if id_ is not None))
     for id_, one in scanned.items():
         if one in of_scans:

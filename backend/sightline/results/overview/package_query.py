@@ -6,9 +6,8 @@ in them, however soon it came. No clock is asked.
 
 import json
 from collections.abc import Collection
-from typing import Any
 
-from sqlalchemy import ColumnElement, Integer, String, and_, case, cast, column, func, literal, select, values
+from sqlalchemy import Integer, String, and_, case, cast, column, func, literal, select, values
 from sqlalchemy.orm import Session
 
 from sightline.infra.audit.records import survey_chain
@@ -17,7 +16,6 @@ from sightline.measurements.query import is_first
 from sightline.measurements.tables import measurement_series
 from sightline.results.overview.records import ChangesSince
 from sightline.results.tables import exports
-from sightline.scans.heights.tables import line_heights
 
 #: Events of what no table of a package holds: what was asked of the program, and choices for work to come.
 #: Whatever is not named here counts as a change.
@@ -34,7 +32,7 @@ NOT_IN_PACKAGES = (
     "free_plan",
     "click_sigma",
 )
-_REVIEWS = ("review", "line_height_review", "scan_review")
+_REVIEWS = ("review", "scan_review")
 _e = audit_events.c
 
 
@@ -50,11 +48,9 @@ def changes_since_packages(session: Session, package_ids: Collection[int]) -> di
         .data(places)
         .cte("package")
     )
-    height = (_e.entity == "line_height") | and_(_e.entity == "measurement", is_first)
+    height = and_(_e.entity == "measurement", is_first)
     kind = case((height, "heights"), (_e.entity.in_(_REVIEWS), "reviews"), else_="other")
-    # a height of a line scan has an id for every revision: it is told by its vehicle and target
-    of_lines = _joined(cast(line_heights.c.vehicle_id, String), line_heights.c.target)
-    thing = _joined(_e.entity, func.coalesce(of_lines, cast(_e.entity_id, String), ""))
+    thing = _e.entity.concat(literal(" ")).concat(func.coalesce(cast(_e.entity_id, String), ""))
     each = (
         select(package.c.id, kind.label("kind"), thing.label("thing"))
         .select_from(package)
@@ -63,7 +59,6 @@ def changes_since_packages(session: Session, package_ids: Collection[int]) -> di
             measurement_series,
             and_(_e.entity == "measurement", measurement_series.c.id == _e.entity_id),
         )
-        .outerjoin(line_heights, and_(_e.entity == "line_height", line_heights.c.id == _e.entity_id))
         .where(_e.entity.not_in(NOT_IN_PACKAGES))
         .subquery()
     )
@@ -73,13 +68,6 @@ def changes_since_packages(session: Session, package_ids: Collection[int]) -> di
     for id_, of, number in session.execute(query):
         found[id_][of] = number
     return {id_: ChangesSince(**counts) for id_, counts in found.items()}
-
-
-def _joined(*parts: ColumnElement[Any]) -> ColumnElement[str]:
-    first, *rest = parts
-    for part in rest:
-        first = first.concat(literal(" ")).concat(part)
-    return first
 
 
 def _places(session: Session, package_ids: Collection[int]) -> list[tuple[int, int, int]]:

@@ -10,9 +10,9 @@ from typing import Any
 
 from sightline.errors import Damaged
 from sightline.infra.audit.hashing import content_hash
-from sightline.infra.csv_package.files import Files, read_columns, read_rows
+from sightline.infra.csv_package.files import Files, read_columns
 from sightline.infra.csv_package.files import number as figure_of
-from sightline.measurements.verify import cells_of
+from sightline.infra.csv_package.replay import Replay, hold_all, values_of
 from sightline.reviews.lots.csv import LOT_ITEMS, LOTS, ItemOfLot
 from sightline.reviews.lots.draw import drawn_order, seed_of
 from sightline.reviews.lots.judged import ItemNow, Judgement, items_of
@@ -48,24 +48,18 @@ class LotEvents:
             self.decisions[int(after["lot_id"])].append(told)
 
 
-def check_lots(
-    files: Files,
-    events: LotEvents,
-    reviews: Mapping[int, Event],
-    vehicle_of: Mapping[int, int],
-    is_gone: Callable[[int], bool],
-) -> None:
+def check_lots(files: Files, events: LotEvents, replay: Replay, vehicle_of: Mapping[int, int]) -> None:
     """Every lot is that of its event, drawn as its seed says, decided as its sample's verdicts say, and its
-    verdicts are those of its rest. `reviews`: by number, with their event's; `vehicle_of`: of a measurement.
+    verdicts are those of its rest. `vehicle_of`: of a measurement.
 
     Raises Damaged.
     """
     lots = {id_: _lot(draw, events.decisions.get(id_, ())) for id_, draw in events.draws.items()}
-    _check_rows(files, lots)
+    hold_all(files, LOTS, (values_of(LOTS, lot) for lot in lots.values()))
     heights = _heights(files, {int(number) for one in events.draws.values() for number, _ in one["items"]})
     by_lot: dict[int, list[Event]] = defaultdict(list)
     by_series: dict[int, list[Event]] = defaultdict(list)
-    for _, review in sorted(reviews.items()):
+    for _, review in sorted(replay.of("review").items()):
         if review.get("lot_id") is not None:
             by_lot[int(review["lot_id"])].append(review)
         else:
@@ -74,7 +68,7 @@ def check_lots(
         raise Damaged("lots-verdict-of-no-lot", lot=min(strange))
 
     def there(number: int) -> bool:
-        return not is_gone(vehicle_of[number])
+        return not replay.is_gone("vehicle", vehicle_of[number])
 
     items: dict[int, tuple[LotItem, ...]] = {}
     for id_, lot in lots.items():
@@ -84,21 +78,13 @@ def check_lots(
         items[id_] = decided_items(lot, now) if lot.decisions else items_of(now, lot.sample_size)
         _check_decisions(lot, draw, decisions, by_series, heights, there, items[id_])
         _check_verdicts(lot, decisions, by_lot.get(id_, ()), items[id_])
-    _check_items(files, lots, items, there)
+    listed = (ItemOfLot(lots[id_], one) for id_, found in items.items() for one in found)
+    standing = (values_of(LOT_ITEMS, one) for one in listed if there(one.item.measurement_id))
+    hold_all(files, LOT_ITEMS, standing)
 
 
 def _lot(draw: Event, decisions: Sequence[Event]) -> Lot:
     return lot_of(draw, "", {}, [decision_of(one, "") for one in decisions])
-
-
-def _check_rows(files: Files, lots: Mapping[int, Lot]) -> None:
-    left = dict(lots)
-    for row in read_rows(files, LOTS.path):
-        lot = left.pop(int(row["id"]), None)
-        if lot is None or cells_of(LOTS, lot) != {name: text for name, text in row.items() if text}:
-            raise Damaged("lots-lots-csv-not-what-event-says", id=row["id"])
-    if left:
-        raise Damaged("lots-lot-missing", id=min(left))
 
 
 def _heights(files: Files, wanted: set[int]) -> Heights:
@@ -218,24 +204,3 @@ def _check_verdicts(
     for verdicts, choice in ((accepted, "accepted"), (again, "taken_back")):
         if any(one["event"] < chosen[choice]["event"] for one in verdicts):
             raise Damaged("lots-verdict-before-the-decision", id=lot.id)
-
-
-def _check_items(
-    files: Files,
-    lots: Mapping[int, Lot],
-    items: Mapping[int, Sequence[LotItem]],
-    there: Callable[[int], bool],
-) -> None:
-    wanted = {
-        (str(id_), str(one.place)): cells_of(LOT_ITEMS, ItemOfLot(lots[id_], one))
-        for id_, found in items.items()
-        for one in found
-        if there(one.measurement_id)
-    }
-    for row in read_rows(files, LOT_ITEMS.path):
-        told = wanted.pop((row["lot_id"], row["place"]), None)
-        if told != {name: text for name, text in row.items() if text}:
-            raise Damaged("lots-items-csv-not-what-events-say", id=row["lot_id"], place=row["place"])
-    if wanted:
-        lot, place = min(wanted)
-        raise Damaged("lots-items-csv-not-what-events-say", id=lot, place=place)

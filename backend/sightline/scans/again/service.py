@@ -10,14 +10,16 @@ from dataclasses import dataclass, field
 
 from sightline.enums import ComputingKind
 from sightline.errors import Conflict, NotFound
+from sightline.geometry.sides import FoundSide
 from sightline.infra.database import Session
 from sightline.infra.version import code_version
-from sightline.measurements.again.query import computed_heights, get_computing
+from sightline.measurements.again.differences import causes_now
+from sightline.measurements.again.query import computed_heights, get_computing, made_by
 from sightline.measurements.again.records import ComputedHeights, Computing, OutOfDate
 from sightline.measurements.again.service import (
     Answers,
     Tell,
-    measurement_changes_back,
+    changes_back,
     measurement_changes_to_come,
     measurements_out_of_date,
     require_undoable,
@@ -25,10 +27,9 @@ from sightline.measurements.again.service import (
 )
 from sightline.measurements.again.store import Changed, add_computing
 from sightline.measurements.store import append_computed_again
-from sightline.scans.again.lines import LineAnswers, LineChanged, line_changes_back, line_changes_to_come
-from sightline.scans.again.query import alike_lines, computed_line_heights
-from sightline.scans.heights.service import causes_now_of_line
-from sightline.scans.heights.store import append_line_heights_again
+from sightline.scans.again.lines import LineAnswers, line_changes_to_come
+from sightline.scans.again.query import alike_lines, computed_scan_heights
+from sightline.scans.heights.store import scan_heights_made_by
 from sightline.surveys.store import get_survey
 
 _MOST_LISTED = 2000
@@ -42,17 +43,6 @@ class AllAnswers:
     lines: LineAnswers = field(default_factory=LineAnswers)
 
 
-@dataclass(frozen=True, slots=True)
-class Changes:
-    """The revisions to come, of measurements and of heights in line scans."""
-
-    frames: Sequence[Changed]
-    lines: Sequence[LineChanged]
-
-    def __len__(self) -> int:
-        return len(self.frames) + len(self.lines)
-
-
 def out_of_date(session: Session, survey_id: int) -> OutOfDate:
     """How many standing heights follow from other facts than hold now; from facts alone, nothing is computed.
 
@@ -63,8 +53,14 @@ def out_of_date(session: Session, survey_id: int) -> OutOfDate:
     causes = Counter(found.causes)
     stale = other_program = 0
     for group in alike_lines(session, survey_id):
-        of_group = causes_now_of_line(
-            group, superseded=group.superseded, insets=survey.insets, category=group.category
+        side = None if group.facts.side is None else FoundSide(group.facts.side, "said")
+        of_group = causes_now(
+            group.target,
+            group.facts,
+            pose_id=group.pose_id,
+            side=side,
+            category=group.category,
+            insets=survey.insets,
         )
         if of_group:
             stale += group.count
@@ -88,7 +84,7 @@ def changes_to_come(
     *,
     only_waiting: bool = False,
     tell: Tell = untold,
-) -> Changes:
+) -> list[Changed]:
     """The standing heights that come out as others with the facts that hold now.
 
     A recording without a road pose keeps its heights. `only_waiting`: those alone that have no height and get
@@ -98,9 +94,10 @@ def changes_to_come(
         session, survey_id, answers.frames, only_waiting=only_waiting, tell=lambda part: tell(part / 2)
     )
     if only_waiting:
-        return Changes(frames, ())
-    lines = line_changes_to_come(session, survey_id, answers.lines, tell=lambda part: tell((1 + part) / 2))
-    return Changes(frames, lines)
+        return frames
+    return frames + line_changes_to_come(
+        session, survey_id, answers.lines, tell=lambda part: tell((1 + part) / 2)
+    )
 
 
 def compute_again(
@@ -114,7 +111,7 @@ def compute_again(
 ) -> Computing | None:
     """Store every height that comes out as another one as a new revision; None where there is none."""
     changes = changes_to_come(session, survey_id, answers or AllAnswers(), only_waiting=only_waiting)
-    return _stored(session, survey_id, changes, kind=kind, actor=actor) if len(changes) else None
+    return _stored(session, survey_id, changes, kind=kind, actor=actor) if changes else None
 
 
 def undo_computing(session: Session, computing_id: int, *, actor: int | None) -> Computing:
@@ -124,16 +121,15 @@ def undo_computing(session: Session, computing_id: int, *, actor: int | None) ->
     Raises Conflict where a later computing stands, or this one cannot be undone.
     """
     one = require_undoable(session, computing_id)
-    frames, kept_frames = measurement_changes_back(session, computing_id)
-    lines, kept_lines = line_changes_back(session, computing_id)
-    changes, kept = Changes(frames, lines), kept_frames + kept_lines
+    made = (*made_by(session, computing_id), *scan_heights_made_by(session, computing_id))
+    changes, kept = changes_back(made)
     return _stored(session, one.survey_id, changes, kind="undo", undoes=computing_id, kept=kept, actor=actor)
 
 
 def _stored(
     session: Session,
     survey_id: int,
-    changes: Changes,
+    changes: Sequence[Changed],
     *,
     kind: ComputingKind,
     undoes: int | None = None,
@@ -141,18 +137,17 @@ def _stored(
     actor: int | None,
 ) -> Computing:
     """The record of the computing, and after it the revisions that it made."""
-    counted = [*(one.change for one in changes.frames), *(one.change for one in changes.lines)]
+    counted = [one.change for one in changes]
     made = add_computing(session, survey_id, counted, kind=kind, undoes=undoes, kept=kept, actor=actor)
     action = "undo" if kind == "undo" else "compute_again"
-    append_computed_again(session, survey_id, made.id, changes.frames, action=action, actor=actor)
-    append_line_heights_again(session, survey_id, made.id, changes.lines, action=action, actor=actor)
+    append_computed_again(session, survey_id, made.id, changes, action=action, actor=actor)
     return made
 
 
 def heights_of(session: Session, computing_id: int) -> ComputedHeights:
     """A computing with its heights, old beside new. Raises NotFound."""
     one = get_computing(session, computing_id)
-    found = (*computed_heights(session, computing_id), *computed_line_heights(session, computing_id))
+    found = (*computed_heights(session, computing_id), *computed_scan_heights(session, computing_id))
     changes = [row.change_m for row in found if row.change_m is not None and not row.repeat]
     try:
         require_undoable(session, computing_id)

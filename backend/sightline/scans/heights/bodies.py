@@ -1,24 +1,19 @@
 """Bodies of heights in line scans: rod marks and the line camera's pose, clicks and heights. Metres, rows."""
 
+from dataclasses import dataclass
 from datetime import datetime
 from typing import Annotated
 
 from pydantic import Field
 
-from sightline.enums import (
-    DriverSide,
-    InsetSource,
-    LineClicksStatus,
-    MeasurementStatus,
-    ScanPoseStatus,
-    Target,
-)
+from sightline.enums import DriverSide, LineClicksStatus, ScanPoseStatus, Target
 from sightline.infra.audit.records import Who
 from sightline.infra.web.bodies import Finite, In, Out
 from sightline.infra.web.named import ScanVehicleId
-from sightline.infra.web.quantities import BudgetEntryBody, InsetM, SigmaPx, UInsetM
-from sightline.measurements.records import ReviewState
-from sightline.scans.bodies import DistanceM, Line
+from sightline.infra.web.quantities import BudgetEntryBody, InsetM, Revision, SigmaPx, UInsetM
+from sightline.measurements.records import ReviewState, ScanHeightValues
+from sightline.messages.said import Said
+from sightline.scans.bodies import DistanceM, Line, NewScanReview
 from sightline.scans.heights.poses import Mark
 
 Row = Annotated[Finite, Field(ge=-1, le=1e6, description="Row of strip 1, fractional, from the top.")]
@@ -118,6 +113,12 @@ class NewLineHeight(LineClicks):
     revision: SeenRevision
 
 
+class ScanHeightReview(NewScanReview):
+    """A verdict on the revision that was seen."""
+
+    revision: Revision
+
+
 class LineRungBody(Out):
     """The row of a height above the contact, at the target's distance."""
 
@@ -129,7 +130,7 @@ class LineHeightAnswer(Out):
     """What these clicks give; `contact`: only the contact was clicked, and it stands on the road."""
 
     status: LineClicksStatus
-    reason: str | None
+    reason: Said | None
     distance_m: float | None
     U95_distance_m: float | None
     height_m: float | None
@@ -138,41 +139,25 @@ class LineHeightAnswer(Out):
     inset_m: float | None
     u_inset_m: float | None
     budget: list[BudgetEntryBody]
-    warnings: list[str]
+    flags: list[Said]
     ladder: list[LineRungBody]
 
 
-class LineHeightBody(Out):
-    """One revision of a target's height."""
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ScanHeightBody(ScanHeightValues):
+    """One revision of a target's height; points are (line, row) of strip 1."""
 
-    id: int
-    vehicle_id: int
-    target: Target
+    id: Annotated[int, Field(description="The height of this target (a series of revisions).")]
     revision: int
-    pose_id: int
-    older: bool = Field(description="Computed with a calibration or an inset that was changed since.")
-    contact_line: float
-    contact_row_px: float
-    target_line: float
-    target_row_px: float
-    sigma_px: float
-    inset_m: float
-    u_inset_m: float
-    inset_from: InsetSource
-    side: DriverSide | None
-    distance_m: float | None
-    u_distance_m: float | None
+    revision_id: int
+    vehicle_id: int
+    older: Annotated[bool, Field(description="Its calibration or inset was changed since.")]
     U95_distance_m: float | None
-    height_m: float | None
-    u_height_m: float | None
-    U95_height_m: float | None
-    status: MeasurementStatus
-    reason: str | None
-    budget: list[BudgetEntryBody]
-    warnings: list[str]
     withdrawn: bool
-    computing_id: int | None = Field(description="What computed it again, with the clicks of the one before.")
+    computing_id: Annotated[
+        int | None, Field(description="What computed it again, with the clicks of the one before.")
+    ]
     created_by: Who | None
     created_at: datetime
     review: ReviewState
-    mine: bool = Field(description="You clicked or computed it, so somebody else reviews it.")
+    mine: Annotated[bool, Field(description="You clicked or computed it, so somebody else reviews it.")]

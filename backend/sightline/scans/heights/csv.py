@@ -2,25 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
-from typing import Any, get_args
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from typing import Any, cast, get_args
 
-from sightline.coverage import expanded
-from sightline.enums import (
-    ComputingCause,
-    DriverSide,
-    InsetSource,
-    JsonObject,
-    MeasurementStatus,
-    ScanVerdict,
-    Target,
-)
+from sightline.enums import JsonObject, Point, ScanVerdict
 from sightline.infra.audit.records import Who
 from sightline.infra.csv_package.columns import (
     flag,
     integer,
-    joined,
     key,
     metres,
     moment,
@@ -33,19 +23,16 @@ from sightline.infra.csv_package.files import Staging
 from sightline.infra.csv_package.schema import Column, Table
 from sightline.infra.database import Session
 from sightline.measurements.again.csv import out_of_date
-from sightline.measurements.records import ReviewState
+from sightline.measurements.csv import MEASUREMENTS
+from sightline.measurements.records import ReviewState, ScanHeight, ScanHeightValues
+from sightline.measurements.tables import measurement_series
+from sightline.reviews.query import reviews_of_series
+from sightline.reviews.records import Review
 from sightline.scans.heights.pose_store import line_pose_history
 from sightline.scans.heights.poses import line_pose_result
-from sightline.scans.heights.records import (
-    LineHeightReview,
-    LineHeightValues,
-    LinePoseValues,
-    StoredLineHeight,
-    StoredLinePose,
-)
-from sightline.scans.heights.review_store import reviews_of_scan_heights
-from sightline.scans.heights.service import causes_now_of_line
-from sightline.scans.heights.store import line_height_history_of_scan
+from sightline.scans.heights.records import LinePoseValues, StoredLinePose
+from sightline.scans.heights.service import causes_now_of_scan
+from sightline.scans.heights.store import scan_height_history_of_scan
 from sightline.surveys.records import Inset
 
 _MADE = "version of the program that computed it"
@@ -68,13 +55,21 @@ class RodMark:
 
 @dataclass(frozen=True, slots=True)
 class ListedHeight:
-    """A revision of a height; `current`: it is the newest of its vehicle and target; `out_of_date`: the
-    facts that it follows from and that hold no longer.
+    """A revision of a height; `current`: it is the newest of its vehicle and target; `verdict_of_id`: the
+    revision whose verdict holds for it too.
     """
 
-    height: StoredLineHeight
+    height: ScanHeight
     current: bool
-    out_of_date: tuple[ComputingCause, ...] = ()
+    verdict_of_id: int | None
+
+
+@dataclass(frozen=True, slots=True)
+class JudgedHeight:
+    """A verdict, and the revision of a height that it holds for."""
+
+    review: Review
+    height_id: int
 
 
 @dataclass(frozen=True, slots=True)
@@ -163,85 +158,28 @@ LINE_MARKS: Table[RodMark] = Table(
     foreign=((("pose_id",), "line_poses", ("id",)),),
 )
 
-_TARGET: tuple[Column[LineHeightValues], ...] = (
-    text("target", "what the height is of", lambda v: v.target, required=True, enum=get_args(Target)),
-)
-_WITHDRAWN: tuple[Column[LineHeightValues], ...] = (
-    flag("withdrawn", "true if the height was withdrawn", lambda v: v.withdrawn, required=True),
-)
-_MEASURED: tuple[Column[LineHeightValues], ...] = (
-    key("pose_id", "calibration that it was computed with, in line_poses", lambda v: v.pose_id),
-    number(
-        "contact_line",
-        "line of strip 1 of the tyre's contact, as clicked",
-        "",
-        lambda v: v.contact_line,
-        required=True,
-    ),
-    number(
-        "contact_row_px",
-        "row of the tyre's contact, as clicked",
-        "px",
-        lambda v: v.contact_row_px,
-        required=True,
-    ),
-    number(
-        "target_line",
-        "line of strip 1 of the target, as clicked",
-        "",
-        lambda v: v.target_line,
-        required=True,
-    ),
-    number("target_row_px", "row of the target, as clicked", "px", lambda v: v.target_row_px, required=True),
-    number("sigma_px", "standard uncertainty of each clicked row", "px", lambda v: v.sigma_px, required=True),
-    metres(
-        "inset_m",
-        "assumed inset: distance from the vertical plane through the contact to the target",
-        lambda v: v.inset_m,
-        required=True,
-    ),
-    metres("u_inset_m", "standard uncertainty of the inset (k = 1)", lambda v: v.u_inset_m, required=True),
-    text(
-        "inset_from",
-        "the survey's usual inset, or one of its own",
-        lambda v: v.inset_from,
-        required=True,
-        enum=get_args(InsetSource),
-    ),
-    text(
-        "side",
-        "of a driver's eye: side of the driver as entered",
-        lambda v: v.side,
-        enum=get_args(DriverSide),
-    ),
-    metres("distance_m", "horizontal, from the camera to the contact", lambda v: v.distance_m),
-    metres("u_distance_m", "standard uncertainty of distance_m (k = 1)", lambda v: v.u_distance_m),
-    metres("height_m", "height of the target above the road", lambda v: v.height_m),
-    metres("u_height_m", "standard uncertainty of height_m (k = 1)", lambda v: v.u_height_m),
-    metres("U95_height_m", "half-width of the 95 % interval of height_m", lambda v: expanded(v.u_height_m)),
-    text(
-        "status",
-        "whether there is a height",
-        lambda v: v.status,
-        required=True,
-        enum=get_args(MeasurementStatus),
-    ),
-    text("reason", "why there is no height", lambda v: v.reason),
-    text(
-        "warnings",
-        "warnings on this height, separated by semicolons",
-        lambda v: joined(v.warnings),
-    ),
-    text("code_version", _MADE, lambda v: v.code_version, required=True),
-)
+
+Columns = tuple[Column[ListedHeight], ...]
 
 
-def _values(listed: ListedHeight) -> LineHeightValues:
-    return listed.height.values
-
-
-def _review(listed: ListedHeight) -> ReviewState:
-    return listed.height.review
+def _clicked(what: str, meaning: str, of: Callable[[ScanHeightValues], Point]) -> Columns:
+    """Line and row of a click."""
+    return (
+        number(
+            f"{what}_line",
+            f"line of strip 1 of the {meaning}, as clicked",
+            "",
+            lambda h: of(h.height.values)[0],
+            required=True,
+        ),
+        number(
+            f"{what}_row_px",
+            f"row of the {meaning}, as clicked",
+            "px",
+            lambda h: of(h.height.values)[1],
+            required=True,
+        ),
+    )
 
 
 #: Of the revision of a motion or height: what stands of its reviews.
@@ -258,36 +196,50 @@ VERDICT: tuple[Column[ReviewState], ...] = (
     moment("reviewed_at", "when it was reviewed", lambda r: r.at),
 )
 
+_COLUMNS = {one.name: one for one in MEASUREMENTS.columns}
+
+
+def _as_of_frames(*names: str) -> Columns:
+    """Columns of measurements.csv: what they are of is in a height of a line scan by the same names."""
+    of_revisions = cast(tuple[Column[ScanHeight], ...], tuple(_COLUMNS[name] for name in names))
+    return of_part(of_revisions, lambda listed: listed.height)
+
+
 LINE_HEIGHTS: Table[ListedHeight] = Table(
     "line_heights",
     "Every revision of every height measured in a line scan, by two clicks in strip 1. A vehicle's height of "
     "a target is its newest revision, unless that was withdrawn.",
     (
-        key("id", "revision of a height", lambda h: h.height.id),
+        key("id", "revision of a height", lambda h: h.height.revision_id),
+        key("measurement_id", "measurement that this is a revision of", lambda h: h.height.id),
         key("vehicle_id", "vehicle of a line-scan recording", lambda h: h.height.vehicle_id),
-        *of_part(_TARGET, _values),
-        key(
-            "revision",
-            "number of the revision of this vehicle and target, from 1",
-            lambda h: h.height.revision,
-        ),
+        *_as_of_frames("target", "revision"),
         flag("current", "true for the newest revision", lambda h: h.current, required=True),
-        *of_part(_WITHDRAWN, _values),
-        *of_part(_MEASURED, _values),
-        integer(
-            "computing_id",
-            "what computed it again, in computings; its clicks are those of the revision before",
-            lambda h: h.height.computing_id,
+        *_as_of_frames("withdrawn"),
+        key(
+            "pose_id",
+            "calibration that it was computed with, in line_poses",
+            lambda h: h.height.values.pose_id,
         ),
+        *_clicked("contact", "tyre's contact", lambda v: v.contact),
+        *_clicked("target", "target", lambda v: v.target_point),
+        *_as_of_frames("sigma_px", "inset_m", "u_inset_m", "inset_from"),
+        *_as_of_frames("side", "distance_m"),
+        metres(
+            "u_distance_m",
+            "standard uncertainty of distance_m (k = 1)",
+            lambda h: h.height.values.u_distance_m,
+        ),
+        *_as_of_frames("height_m", "u_height_m", "U95_height_m", "status", "reason", "reason_code"),
+        *_as_of_frames("flags", "flags_code", "code_version", "computing_id"),
         integer(
             "verdict_of_id",
             "of a height computed again: earlier revision whose verdict also applies to it",
-            lambda h: h.height.verdict_of_id,
+            lambda h: h.verdict_of_id,
         ),
-        person("created_by_id", "who clicked; empty for the program itself", lambda h: h.height.created_by),
-        moment("created_at", _MADE_AT, lambda h: h.height.created_at),
-        *of_part(VERDICT, _review),
-        out_of_date("line camera's calibration", lambda h: h.out_of_date),
+        *_as_of_frames("created_by_id", "created_at"),
+        *_as_of_frames("verdict", "review_reason", "reviewer_id", "reviewed_at"),
+        out_of_date("line camera's calibration", lambda h: h.height.out_of_date),
     ),
     primary=("id",),
     foreign=(
@@ -299,16 +251,16 @@ LINE_HEIGHTS: Table[ListedHeight] = Table(
         _REVIEWER_KEY,
     ),
 )
-LINE_HEIGHT_REVIEWS: Table[LineHeightReview] = Table(
+LINE_HEIGHT_REVIEWS: Table[JudgedHeight] = Table(
     "line_height_reviews",
     "Every verdict given on a revision of a height measured in a line scan, oldest first.",
     (
-        key("id", "verdict", lambda r: r.id),
-        key("height_id", "revision that was judged, in line_heights", lambda r: r.height_id),
-        text("verdict", "verdict", lambda r: r.verdict, required=True, enum=get_args(ScanVerdict)),
-        text("reason", _WHY, lambda r: r.reason),
-        person("reviewer_id", _REVIEWER, lambda r: r.reviewer),
-        moment("at", "when", lambda r: r.at),
+        key("id", "verdict", lambda j: j.review.id),
+        key("height_id", "revision that was judged, in line_heights", lambda j: j.height_id),
+        text("verdict", "verdict", lambda j: j.review.verdict, required=True, enum=get_args(ScanVerdict)),
+        text("reason", _WHY, lambda j: j.review.reason),
+        person("reviewer_id", _REVIEWER, lambda j: j.review.reviewer),
+        moment("at", "when", lambda j: j.review.at),
     ),
     primary=("id",),
     foreign=((("height_id",), "line_heights", ("id",)), _REVIEWER_KEY),
@@ -340,7 +292,7 @@ class HeightRecords:
     marks: list[RodMark] = field(default_factory=list)
     heights: list[ListedHeight] = field(default_factory=list)
     budget: list[HeightBudgetEntry] = field(default_factory=list)
-    reviews: list[LineHeightReview] = field(default_factory=list)
+    reviews: list[JudgedHeight] = field(default_factory=list)
 
     def add_scan(
         self, session: Session, scan_id: int, vehicle_ids: Sequence[int], insets: Mapping[str, Inset]
@@ -354,29 +306,29 @@ class HeightRecords:
             self.marks += _marks(pose)
         makers = [pose.created_by for pose in poses]
         in_force = poses[-1].id if poses else None
-        of_vehicle = line_height_history_of_scan(session, scan_id)
-        living = set(vehicle_ids)
-        judged = [one for one in reviews_of_scan_heights(session, scan_id) if one.vehicle_id in living]
-        self.reviews += judged
-        makers += [one.reviewer for one in judged]
+        of_vehicle = scan_height_history_of_scan(session, scan_id)
+        id_of: dict[tuple[int, int | None], int] = {}
         for vehicle_id in vehicle_ids:
             revisions = of_vehicle.get(vehicle_id, [])
-            newest = {one.values.target: one.id for one in revisions}
+            newest = {one.id: one.revision for one in revisions}
             for one in revisions:
                 makers.append(one.created_by)
-                current = newest[one.values.target] == one.id
-                stale = (
-                    causes_now_of_line(
-                        one.values,
-                        superseded=one.values.pose_id != in_force,
-                        insets=insets,
-                        category=one.category,
-                    )
-                    if current and not one.values.withdrawn
-                    else ()
-                )
-                self.heights.append(ListedHeight(one, current, stale))
-                self.budget += [HeightBudgetEntry(height_id=one.id, **entry) for entry in one.values.budget]
+                id_of[one.id, one.revision] = one.revision_id
+                current = newest[one.id] == one.revision
+                if current and not one.withdrawn:
+                    causes = causes_now_of_scan(one.values, in_force, insets, one.category)
+                    one = replace(one, out_of_date=causes)
+                judged = id_of.get((one.id, one.verdict_of_revision))
+                self.heights.append(ListedHeight(one, current, judged))
+                self.budget += [
+                    HeightBudgetEntry(one.revision_id, entry["source"], entry["u_m"])
+                    for entry in one.values.budget
+                ]
+        for review in reviews_of_series(session, measurement_series.c.scan_id == scan_id):
+            judged = id_of.get((review.measurement_id, review.result_revision))
+            if judged is not None:
+                self.reviews.append(JudgedHeight(review, judged))
+                makers.append(review.reviewer)
         return makers
 
     def fill(self, staging: Staging) -> None:

@@ -1,9 +1,8 @@
 """Heights of a survey's line scans that wait for a verdict, for the one queue of the reviewers."""
 
-from sightline.coverage import expanded
 from sightline.infra.database import Session
 from sightline.scans.heights.records import LineHeightQueue, WaitingLineHeight
-from sightline.scans.heights.store import heights_of_own_clicks, list_line_heights
+from sightline.scans.heights.store import list_scan_heights, revisions_of_own_clicks
 from sightline.scans.records import Scan
 from sightline.scans.store import list_scans
 from sightline.scans.vehicles.store import list_scan_vehicles
@@ -22,14 +21,12 @@ def line_height_queue(session: Session, survey_id: int, *, actor: int) -> LineHe
 def _waiting(session: Session, scan: Scan, actor: int) -> list[WaitingLineHeight]:
     heights = [
         one
-        for one in list_line_heights(session, scan.id)
-        if one.values.status == "ok"
-        and not one.values.withdrawn
-        and one.review.verdict in ("to_review", "reopened")
+        for one in list_scan_heights(session, scan.id)
+        if one.values.status == "ok" and not one.withdrawn and one.review.verdict in ("to_review", "reopened")
     ]
     if not heights:
         return []
-    own = heights_of_own_clicks(session, scan.id, actor)
+    own = revisions_of_own_clicks(session, scan.id, actor)
     numbers = {vehicle.id: vehicle.number for vehicle in list_scan_vehicles(session, scan.id)}
     waiting = [
         WaitingLineHeight(
@@ -40,8 +37,8 @@ def _waiting(session: Session, scan: Scan, actor: int) -> list[WaitingLineHeight
             number=numbers[one.vehicle_id],
             target=one.values.target,
             height_m=one.values.height_m,
-            U95_height_m=expanded(one.values.u_height_m),
-            mine=one.id in own,
+            U95_height_m=one.values.U95_height_m,
+            mine=one.revision_id in own,
         )
         for one in heights
     ]

@@ -6,14 +6,14 @@ from fastapi import APIRouter, Query
 
 from sightline.coverage import expanded
 from sightline.enums import Target
+from sightline.infra.by_name import filled_from
 from sightline.infra.database import Session
 from sightline.infra.web.deps import Operator, PathId, Reading, Reviewer, Viewer, Writing
-from sightline.scans.bodies import NewScanReview
-from sightline.scans.heights import pose_store, poses, review_store, service, store
+from sightline.measurements.records import Clicks, ScanHeight
+from sightline.scans.heights import pose_store, poses, service, store
 from sightline.scans.heights.bodies import (
     LineClicks,
     LineHeightAnswer,
-    LineHeightBody,
     LineHeightWanted,
     LinePoseBody,
     LinePosesBody,
@@ -21,12 +21,15 @@ from sightline.scans.heights.bodies import (
     NewLineHeight,
     NewLinePose,
     RodIn,
+    ScanHeightBody,
+    ScanHeightReview,
     SeenRevision,
     SolvedRodBody,
 )
 from sightline.scans.heights.poses import Mark, Rod, SolvedRod
 from sightline.scans.heights.queue import line_height_queue
-from sightline.scans.heights.records import LineHeightQueue, StoredLineHeight, StoredLinePose
+from sightline.scans.heights.records import LineHeightQueue, StoredLinePose
+from sightline.scans.heights.service import causes_now_of_scan
 from sightline.scans.store import get_scan
 from sightline.scans.vehicles.store import get_scan_vehicle
 from sightline.surveys.store import get_survey
@@ -61,17 +64,20 @@ def preview_line_height(
     scan_id: PathId, body: LineHeightWanted, who: Viewer, session: Reading
 ) -> LineHeightAnswer:
     """The height that these two clicks would be stored with, and the ladder above the contact."""
-    point = None
-    if body.target_line is not None and body.target_row_px is not None:
-        point = (body.target_line, body.target_row_px)
-    looked = service.preview_line_height(session, scan_id, _clicked(body, point), body.vehicle_id)
+    contact = (body.contact_line, body.contact_row_px)
+    whole = body.target_line is not None and body.target_row_px is not None
+    point = (body.target_line or 0.0, body.target_row_px or 0.0) if whole else contact
+    looked = service.preview_line_height(
+        session, scan_id, _clicked(body, point), body.vehicle_id, only_contact=not whole
+    )
     found = looked.found
-    only_contact = point is None and found.reason is None
+    only_contact = not whole and found.reason is None
     return LineHeightAnswer.model_validate(
         {
             **{name: getattr(found, name) for name in _OF_FOUND},
             "status": "contact" if only_contact else found.status,
             "budget": found.budget,
+            "flags": list(found.flags),
             "inset_m": looked.inset_m,
             "u_inset_m": looked.u_inset_m,
             "U95_distance_m": looked.U95_distance_m,
@@ -81,50 +87,56 @@ def preview_line_height(
 
 
 @router.get("/scans/{scan_id}/heights")
-def list_line_heights(scan_id: PathId, who: Viewer, session: Reading) -> list[LineHeightBody]:
+def list_scan_heights(scan_id: PathId, who: Viewer, session: Reading) -> list[ScanHeightBody]:
     """The newest revision of every target of every vehicle, withdrawn ones too."""
     get_scan(session, scan_id)
-    return _height_bodies(session, scan_id, store.list_line_heights(session, scan_id), who.id)
+    return _height_bodies(session, scan_id, store.list_scan_heights(session, scan_id), who.id)
 
 
 @router.get("/scan-vehicles/{vehicle_id}/heights")
-def history_of_line_heights(vehicle_id: PathId, who: Viewer, session: Reading) -> list[LineHeightBody]:
+def history_of_scan_heights(vehicle_id: PathId, who: Viewer, session: Reading) -> list[ScanHeightBody]:
     """Every revision of a vehicle's heights, oldest first."""
     vehicle = get_scan_vehicle(session, vehicle_id, deleted=True)
-    history = store.line_height_history(session, vehicle_id)
+    history = store.scan_height_history(session, vehicle_id)
     return _height_bodies(session, vehicle.scan_id, history, who.id)
 
 
 @router.post("/scan-vehicles/{vehicle_id}/heights", status_code=201)
-def store_line_height(
+def store_scan_height(
     vehicle_id: PathId, body: NewLineHeight, who: Operator, session: Writing
-) -> LineHeightBody:
+) -> ScanHeightBody:
     """Store a target's height with the newest calibration: a new revision."""
     clicked = _clicked(body, (body.target_line, body.target_row_px))
-    made = service.store_line_height(session, vehicle_id, clicked, seen_revision=body.revision, actor=who.id)
+    made = service.store_scan_height(session, vehicle_id, clicked, seen_revision=body.revision, actor=who.id)
     return _height_bodies(session, made.scan_id, (made,), who.id)[0]
 
 
 @router.delete("/scan-vehicles/{vehicle_id}/heights")
-def withdraw_line_height(
+def withdraw_scan_height(
     vehicle_id: PathId,
     who: Operator,
     session: Writing,
     target: Annotated[Target, Query()],
     revision: Annotated[SeenRevision, Query()],
-) -> LineHeightBody:
+) -> ScanHeightBody:
     """Take a height back; nothing of it is erased."""
-    made = store.withdraw_line_height(session, vehicle_id, target, seen_revision=revision, actor=who.id)
+    made = store.withdraw_scan_height(session, vehicle_id, target, seen_revision=revision, actor=who.id)
     return _height_bodies(session, made.scan_id, (made,), who.id)[0]
 
 
 @router.post("/line-heights/{height_id}/review", status_code=201)
-def review_line_height(
-    height_id: PathId, body: NewScanReview, who: Reviewer, session: Writing
-) -> LineHeightBody:
+def review_scan_height(
+    height_id: PathId, body: ScanHeightReview, who: Reviewer, session: Writing
+) -> ScanHeightBody:
     """Accept, reject (with a reason) or reopen a revision; never clicks of one's own."""
-    judged = review_store.add_line_height_review(
-        session, height_id, verdict=body.verdict, reason=body.reason, seen=body.seen, actor=who.id
+    judged = service.review_scan_height(
+        session,
+        height_id,
+        revision=body.revision,
+        verdict=body.verdict,
+        reason=body.reason,
+        seen=body.seen,
+        actor=who.id,
     )
     return _height_bodies(session, judged.scan_id, (judged,), who.id)[0]
 
@@ -136,9 +148,8 @@ def list_waiting_line_heights(survey_id: PathId, who: Viewer, session: Reading) 
     return line_height_queue(session, survey_id, actor=who.id)
 
 
-_OF_FOUND = ("reason", "distance_m", "height_m", "u_height_m", "U95_height_m", "warnings")
+_OF_FOUND = ("reason", "distance_m", "height_m", "u_height_m", "U95_height_m")
 _MADE = ("id", "revision", "created_by", "created_at")
-_OF_HEIGHT = (*_MADE, "vehicle_id", "computing_id", "review")
 
 
 def _rod(body: RodIn) -> Rod:
@@ -146,15 +157,15 @@ def _rod(body: RodIn) -> Rod:
     return Rod(marks, body.sigma_px, body.u_distance_m, body.u_lean_rad)
 
 
-def _clicked(body: LineClicks, point: tuple[float, float] | None) -> service.Clicked:
-    return service.Clicked(
+def _clicked(body: LineClicks, point: tuple[float, float]) -> Clicks:
+    return Clicks(
         target=body.target,
         contact=(body.contact_line, body.contact_row_px),
         target_point=point,
         sigma_px=body.sigma_px,
         inset_m=body.inset_m,
         u_inset_m=body.u_inset_m,
-        side=body.side,
+        side=body.side if body.target == "driver_eye" else None,
     )
 
 
@@ -173,34 +184,20 @@ def _pose_body(one: StoredLinePose) -> LinePoseBody:
 
 
 def _height_bodies(
-    session: Session, scan_id: int, found: tuple[StoredLineHeight, ...], asker: int
-) -> list[LineHeightBody]:
+    session: Session, scan_id: int, found: tuple[ScanHeight, ...], asker: int
+) -> list[ScanHeightBody]:
     pose = pose_store.current_line_poses(session, scan_id)
+    pose_id = None if pose is None else pose.id
     insets = get_survey(session, get_scan(session, scan_id).survey_id).insets
-    own = store.heights_of_own_clicks(session, scan_id, asker)
+    own = store.revisions_of_own_clicks(session, scan_id, asker)
     return [
-        _height_body(
+        filled_from(
+            ScanHeightBody,
             one,
-            older=bool(
-                service.causes_now_of_line(
-                    one.values,
-                    superseded=pose is None or one.values.pose_id != pose.id,
-                    insets=insets,
-                    category=one.category,
-                )
-            ),
-            mine=one.id in own,
+            one.values,
+            older=bool(causes_now_of_scan(one.values, pose_id, insets, one.category)),
+            U95_distance_m=expanded(one.values.u_distance_m),
+            mine=one.revision_id in own,
         )
         for one in found
     ]
-
-
-def _height_body(one: StoredLineHeight, *, older: bool, mine: bool) -> LineHeightBody:
-    values = one.values
-    derived = ("older", "mine", "U95_distance_m", "U95_height_m")
-    names = [name for name in LineHeightBody.model_fields if name not in (*_OF_HEIGHT, *derived)]
-    body = {name: getattr(values, name) for name in names}
-    body |= {name: getattr(one, name) for name in _OF_HEIGHT}
-    for name in ("distance_m", "height_m"):
-        body[f"U95_{name}"] = expanded(getattr(values, f"u_{name}"))
-    return LineHeightBody.model_validate({**body, "older": older, "mine": mine})

@@ -5,20 +5,25 @@ from __future__ import annotations
 import math
 from collections import defaultdict
 from collections.abc import Mapping
-from dataclasses import asdict, dataclass
+from dataclasses import asdict
 from typing import Any, cast
 
 from sightline.enums import Category, ComputingCause, DriverSide, InsetSource, Target
 from sightline.errors import Damaged
-from sightline.infra.csv_package.columns import joined
+from sightline.geometry.sides import FoundSide
+from sightline.infra.audit.hashing import content_hash
+from sightline.infra.csv_package.columns import code_of, joined
 from sightline.infra.csv_package.files import Files, read_columns, read_rows
 from sightline.infra.csv_package.recomputing import Recomputing
 from sightline.linescan.line_height import LineHeight
 from sightline.linescan.line_pose import LinePose, LinePoseError
+from sightline.measurements.again.differences import causes_now, facts_of
 from sightline.measurements.again.verify import same_figures
+from sightline.measurements.records import Clicks
+from sightline.messages.said import Said
 from sightline.scans.heights.csv import LINE_BUDGET, LINE_HEIGHTS, LINE_MARKS, LINE_POSES
 from sightline.scans.heights.poses import Mark, Rod, solve
-from sightline.scans.heights.service import RowClicks, answer, causes_now_of_line
+from sightline.scans.heights.service import answer
 from sightline.surveys.csv import insets_in
 
 #: The part of the program that computes what a line scan's points and passes give, by its name in
@@ -28,11 +33,14 @@ Row = Mapping[str, str]
 # Half of the last decimal that a CSV carries, and a hair for the rounding of the last binary digit.
 _TOLERANCE = 0.51e-6
 _CLICKED = ("contact_line", "contact_row_px", "target_line", "target_row_px", "sigma_px", "pose_id", "status")
+_STORED = ("contact_x_px", "contact_y_px", "target_x_px", "target_y_px")
 _FIGURES = ("distance_m", "u_distance_m", "height_m", "u_height_m", "U95_height_m")
 
 
 def check_line_heights(
-    files: Files, told_poses: Mapping[int, Mapping[str, Any]], recomputing: Recomputing
+    files: Files,
+    told_poses: Mapping[int, Mapping[str, Any]],
+    recomputing: Recomputing,
 ) -> None:
     """Solve every calibration and compute every height again. Raises Damaged.
 
@@ -56,40 +64,64 @@ def check_line_heights(
     _heights(files, poses, versions, recomputing)
 
 
-@dataclass(frozen=True, slots=True)
-class _Inset:
-    """What a row says of a height's inset."""
+def height_or_verdict(
+    entity: str, number: int, after: Mapping[str, Any], heights: Mapping[int, Mapping[str, Any]]
+) -> tuple[str, int, dict[str, Any]]:
+    """What an event of a measurement in a line scan, or of a review of one, says of a row of the tables of
+    heights: entity, id and cells, as the events of earlier versions told them. `heights`: those told before.
 
-    target: Target
-    side: DriverSide | None
-    inset_from: InsetSource
-    inset_m: float
-    u_inset_m: float
+    Raises Damaged for an event that does not hold its own row.
+    """
+    if entity == "review":
+        judged = _told_revision(heights, after["series_id"], after["result_revision"])
+        vehicle = {"vehicle_id": after["scan_vehicle_id"], "height_id": judged}
+        return "line_height_review", number, {**after, **vehicle}
+    row = after["row"]
+    if content_hash(row) != after["content_sha256"]:
+        raise Damaged("measurements-event-another-row", id=number)
+    points = {name: row[column] for name, column in zip(_CLICKED, _STORED, strict=False)}
+    told = {
+        "vehicle_id": after["scan_vehicle_id"],
+        "measurement_id": number,
+        "pose_id": row["line_pose_id"],
+        "reason_code": row["reason"] and code_of(Said.read(row["reason"])),
+        "flags_code": code_of([Said.read(one) for one in row["flags"]]),
+        "verdict_of_id": _told_revision(heights, number, row["verdict_of_revision"]),
+        "created_by_id": row["created_by"],
+    }
+    left_out = ("reason", "flags", "pose_id")
+    plain = {name: value for name, value in row.items() if name not in left_out}
+    return "line_height", after["revision_id"], {**plain, **points, **told}
+
+
+def _told_revision(heights: Mapping[int, Mapping[str, Any]], number: int, revision: int | None) -> int | None:
+    """The id of a revision of a measurement."""
+    if revision is None:
+        return None
+    mine = (id_ for id_, one in heights.items() if one.get("measurement_id") == number)
+    return next((id_ for id_ in mine if heights[id_]["revision"] == revision), 0)
 
 
 def _out_of_date(files: Files) -> None:
     """Standing heights are marked for another calibration or inset than the newest, and no other is."""
     insets = insets_in(files)
+    scans = dict(read_columns(files, "scan_vehicles.csv", ("id", "scan_id")))
     category = dict(read_columns(files, "scan_vehicles.csv", ("id", "category")))
-    newest: dict[str, tuple[int, str]] = {}
+    newest: dict[str, tuple[int, int]] = {}
     for row in read_rows(files, LINE_POSES.path):
-        newest[row["scan_id"]] = max(newest.get(row["scan_id"], (0, "")), (int(row["revision"]), row["id"]))
-    in_force = {pose_id for _, pose_id in newest.values()}
+        of_scan = newest.get(row["scan_id"], (0, 0))
+        newest[row["scan_id"]] = max(of_scan, (int(row["revision"]), int(row["id"])))
     for row in read_rows(files, LINE_HEIGHTS.path):
         found: tuple[ComputingCause, ...] = ()
         if row["current"] == "true" and row["withdrawn"] != "true":
-            stored = _Inset(
-                cast(Target, row["target"]),
-                cast(DriverSide | None, row["side"] or None),
-                cast(InsetSource, row["inset_from"]),
-                float(row["inset_m"]),
-                float(row["u_inset_m"]),
-            )
-            found = causes_now_of_line(
-                stored,
-                superseded=row["pose_id"] not in in_force,
+            clicks, of = _clicks(row), row["vehicle_id"]
+            found = causes_now(
+                clicks.target,
+                facts_of(clicks, int(row["pose_id"])),
+                pose_id=newest[scans[of]][1],
+                side=None if clicks.side is None else FoundSide(clicks.side, "said"),
+                category=cast(Category | None, category[of] or None),
                 insets=insets,
-                category=cast(Category | None, category.get(row["vehicle_id"]) or None),
             )
         if row["out_of_date"] != joined(found):
             raise Damaged("computing-out-of-date-not-so", path=LINE_HEIGHTS.path, id=row["id"])
@@ -166,15 +198,19 @@ def _height(row: Row, found: LineHeight, budget: list[Row]) -> None:
         _same(f"{LINE_BUDGET.path}: {entry.source} of height {row['id']}", told, "u_m", entry.u_m)
 
 
-def _clicks(row: Row) -> RowClicks:
+def _clicks(row: Row) -> Clicks:
     number = {name: float(row[name]) for name in row if name.endswith(("_line", "_px", "inset_m"))}
-    return RowClicks(
+    side = cast(DriverSide | None, row["side"] or None)
+    return Clicks(
         target=cast(Target, row["target"]),
         contact=(number["contact_line"], number["contact_row_px"]),
         target_point=(number["target_line"], number["target_row_px"]),
         sigma_px=number["sigma_px"],
         inset_m=number["inset_m"],
         u_inset_m=number["u_inset_m"],
+        inset_from=cast(InsetSource, row["inset_from"]),
+        side=side,
+        side_from=None if side is None else "said",
     )
 
 

@@ -4,6 +4,7 @@ from datetime import datetime
 
 from sightline.enums import LiveState, MeasurementStatus, ScanDirection
 from sightline.infra.web.bodies import Out
+from sightline.messages.said import Said
 from sightline.scans.live.records import FlowMinute, LiveHealth
 
 
@@ -22,7 +23,7 @@ class LiveVehicleBody(Out):
     U95_length_m: float | None
     time_gap_s: float | None
     status: MeasurementStatus | None
-    reason: str | None
+    reason: Said | None
 
 
 class LiveScanBody(Out):

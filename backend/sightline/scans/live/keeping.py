@@ -15,6 +15,7 @@ from sightline.infra.services import Services
 from sightline.infra.version import code_version
 from sightline.linescan.parts import Motion, Rig
 from sightline.media.store.local import key_of, sha256_of
+from sightline.messages.said import Said
 from sightline.scans.live.records import LiveHealth, LiveVehicle, SegmentFacts
 from sightline.scans.live.store import add_live_scan, end_live_scan, hear_live_scan
 from sightline.scans.records import LiveSource, ScanRunValues, StripSource
@@ -38,7 +39,7 @@ class SurveyKeeper:
     """
 
     def __init__(
-        self, services: Services, survey_id: int, rig: Rig, method: ScanMethod, say: Callable[[str], None]
+        self, services: Services, survey_id: int, rig: Rig, method: ScanMethod, say: Callable[[Said], None]
     ) -> None:
         self._services, self._survey_id, self._rig, self._method = services, survey_id, rig, method
         self._say = say
@@ -90,7 +91,7 @@ class SurveyKeeper:
 
         self._try(heard)
 
-    def end(self, paths: tuple[Path, Path] | None, notes: list[str]) -> None:
+    def end(self, paths: tuple[Path, Path] | None, notes: list[Said]) -> None:
         scan_id, self._scan_id = self._scan_id, None
         if scan_id is None:
             return
@@ -111,7 +112,7 @@ class SurveyKeeper:
         waiting: list[LiveVehicle],
         motions: list[Motion],
         paths: tuple[Path, Path] | None,
-        notes: list[str],
+        notes: list[Said],
     ) -> None:
         source = None if paths is None else (self._strip(paths[0]), self._strip(paths[1]))
         with self._writing() as session:
@@ -132,7 +133,7 @@ class SurveyKeeper:
         self._services.media.put_file(key, path, link=True)
         return StripSource(path.name, key, sha256)
 
-    def _add_run(self, session: Session, scan_id: int, motions: list[Motion], notes: list[str]) -> None:
+    def _add_run(self, session: Session, scan_id: int, motions: list[Motion], notes: list[Said]) -> None:
         values = ScanRunValues(
             method=self._method,
             rig=rig_columns(self._rig),
@@ -166,5 +167,5 @@ class SurveyKeeper:
             self._troubled = False
         except SightlineError as error:
             if not self._troubled:
-                self._say(f"{error.message} {len(self._waiting)} vehicles wait to be stored in the survey.")
+                self._say(Said("stream-vehicles-wait", message=error.said, waiting=len(self._waiting)))
             self._troubled = True

@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import Protocol
 
 from sightline.linescan.passing import Vehicle
+from sightline.messages.said import Said
 
 
 @dataclass(frozen=True, eq=False)
@@ -37,7 +38,7 @@ class LiveHealth:
     clock_offset_s: float
     memory_mib: float
     waiting_mib: float
-    words: tuple[str, ...]
+    words: tuple[Said, ...]
 
 
 @dataclass(frozen=True)
@@ -63,7 +64,7 @@ class Keeper(Protocol):
 
     def hear(self, health: LiveHealth) -> None: ...
 
-    def end(self, paths: tuple[Path, Path] | None, notes: list[str]) -> None:
+    def end(self, paths: tuple[Path, Path] | None, notes: list[Said]) -> None:
         """The segment has ended; its strips (None: not kept) and what is to be said of them."""
 
 

@@ -19,13 +19,14 @@ from sightline.linescan import faults
 from sightline.linescan.parts import Rig
 from sightline.linescan.rig import rig_from
 from sightline.media.lines.source import LineSource, Piece
+from sightline.messages.said import Said
 from sightline.scans.live.journal import Told, end_interrupted, interrupted, last_number, spool_paths
 from sightline.scans.live.records import Keeper, LiveHealth, LiveVehicle, SegmentFacts
 from sightline.scans.live.segment import LEAD_S, Remainder, Segment
 
 TICK_S = 1.0
 JUMP_S = 0.5
-Say = Callable[[str], None]
+Say = Callable[[Said | str], None]
 
 
 @dataclass(frozen=True)
@@ -66,7 +67,7 @@ class LiveRun:
         self.found = self.lines = 0
         self._keeper, self._say, self._clock, self._name = keeper, say, clock, name
         self._segment_s, self._go_back, self._open = segment_s, can_go_back, source
-        self._said: set[str] = set()
+        self._said: set[tuple[str, object]] = set()
         self._segment: Segment | None = None
         self._stream = secrets.token_hex(8)
         self._begin, self._skip, self._first_id = 0, -1.0, 1
@@ -177,8 +178,8 @@ class LiveRun:
         segment.note(self._clock.now())
         health = self._health(segment)
         for words in health.words:
-            # once each, whatever the figures in it
-            kind = "".join(sign for sign in words if not sign.isdigit())
+            # once each of a kind and a camera, whatever the figures in it
+            kind = words.code, words.values.get("camera")
             if kind not in self._said and segment.finder.found >= 3:
                 self._said.add(kind)
                 self._say(words)
@@ -188,11 +189,7 @@ class LiveRun:
         apart = self._clock.wall() - now
         jump = apart - self._apart
         if abs(jump) > JUMP_S:
-            self._say(
-                f"The computer's clock was set by {jump:+.1f} s at line {segment.lines}; speeds, "
-                "lengths and gaps are not affected, and times of day continue from the start of "
-                "this segment."
-            )
+            self._say(Said("stream-clock-set", jump_s=round(jump, 1), lines=segment.lines))
         self._apart = apart
 
     def _health(self, segment: Segment) -> LiveHealth:
@@ -213,10 +210,9 @@ class LiveRun:
         )
 
     @staticmethod
-    def _losses(segment: Segment) -> list[str]:
+    def _losses(segment: Segment) -> list[Said]:
         return [
-            f"{camera.lost} lines of camera {number} were lost and replaced by copies; vehicles "
-            "that passed meanwhile are not measured."
+            Said("stream-lines-lost", count=camera.lost, camera=number)
             for number, camera in enumerate(segment.cameras, 1)
             if camera.lost
         ]
@@ -232,10 +228,7 @@ class LiveRun:
         if self._go_back and left.source == self._name:
             lead = max(0, int(after - LEAD_S * self.rig.line_rate_hz))
             self._begin, self._skip = left.begin + lead, after - lead
-            self._say(
-                f"The previous run was stopped; it is resumed at line {left.begin + int(after)} of "
-                f"{self._name}, and nothing is missing."
-            )
+            self._say(Said("stream-resumed", begin=left.begin + int(after), name=self._name))
         else:
             facts = SegmentFacts(left.number, left.stream, left.source, left.began_at)
             rest = Remainder(paths, facts, self.rig, self.method, after, self._first_id, left.begin)
@@ -246,14 +239,16 @@ class LiveRun:
         self._keeper.end(paths if all(path.is_file() for path in paths) else None, [])
         end_interrupted(self.folder, left.number)
 
-    def _missing(self, left: Told, lines: int) -> str:
+    def _missing(self, left: Told, lines: int) -> Said:
         end = left.began_at.timestamp() + lines / self.rig.line_rate_hz
         gap_s = max(0.0, self._clock.wall() - max(end, left.last_at.timestamp()))
-        return (
-            f"The previous run was stopped after {lines} lines (segment {left.number:04}, last "
-            f"contact {left.last_at:%Y-%m-%d %H:%M:%S} UTC). Its vehicles are kept; missing are "
-            f"the {gap_s:.1f} s (about {gap_s * self.rig.line_rate_hz:.0f} lines) since then, and "
-            "the vehicle that was in view."
+        return Said(
+            "stream-stopped",
+            lines=lines,
+            number=f"{left.number:04}",
+            last_at=f"{left.last_at:%Y-%m-%d %H:%M:%S}",
+            gap_s=round(gap_s, 1),
+            gap_lines=round(gap_s * self.rig.line_rate_hz),
         )
 
 
@@ -281,5 +276,5 @@ class Nowhere:
     def hear(self, health: LiveHealth) -> None:
         """Nobody looks."""
 
-    def end(self, paths: tuple[Path, Path] | None, notes: list[str]) -> None:
+    def end(self, paths: tuple[Path, Path] | None, notes: list[Said]) -> None:
         """The files are where they are."""

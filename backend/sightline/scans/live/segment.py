@@ -17,6 +17,7 @@ from sightline.linescan.passing import Follower
 from sightline.media.lines.source import Lines, Lost, Piece
 from sightline.media.strips.notes import Dropped, column_of
 from sightline.media.strips.spool import Spool, SpooledLines
+from sightline.messages.said import Said
 from sightline.scans.live.journal import Journal, journal_path, spool_paths
 from sightline.scans.live.records import LiveVehicle, SegmentFacts
 from sightline.scans.vehicles.measure import without_losses
@@ -75,7 +76,7 @@ class Segment:
         first_id: int = 1,
     ) -> None:
         self.facts, self.rig, self.lines = facts, rig, 0
-        self.full: str | None = None
+        self.full: Said | None = None
         self.finder = Finder(rows, rig)
         self.vehicles = first_id - 1
         self.found = 0
@@ -118,7 +119,7 @@ class Segment:
     def belongs_to(self, scan_id: int | None) -> None:
         self._write({"scan_id": scan_id})
 
-    def close(self, stop: int | None = None) -> list[str]:
+    def close(self, stop: int | None = None) -> list[Said]:
         """Close the files, both with the same lines (`stop`: only so many); what is to be said of them."""
         said = []
         for camera in self.cameras:
@@ -128,7 +129,7 @@ class Segment:
             kept = trimmed(self.paths, stop)
             for path in self.paths:
                 if kept:
-                    said.append(f"{kept} lines are stored in {path}.")
+                    said.append(Said("stream-lines-stored", kept=kept, path=path))
                 else:
                     path.unlink(missing_ok=True)
             self.paths = self.paths if kept else None
@@ -173,7 +174,7 @@ class Segment:
         )
 
     def _stop_keeping(self, error: OSError) -> None:
-        self.full = f"Later lines could not be stored ({error.strerror}); they were measured nevertheless."
+        self.full = Said("stream-lines-not-stored", strerror=error.strerror)
         for camera in self.cameras:
             if camera.spool is not None:
                 camera.spool.close()
@@ -184,7 +185,7 @@ class Segment:
             try:
                 self.journal.write(said)
             except OSError as error:
-                self.full = self.full or f"The journal could not be written ({error.strerror})."
+                self.full = self.full or Said("stream-journal-not-written", strerror=error.strerror)
 
 
 class Remainder:

@@ -10,6 +10,7 @@ from sqlalchemy.orm import Session
 from sightline.enums import JsonObject
 from sightline.infra.database.rows import add_row
 from sightline.infra.database.types import now
+from sightline.messages.said import Said
 from sightline.scans.live.records import LiveHealth, LiveScan, SegmentFacts
 from sightline.scans.live.tables import scan_live
 from sightline.scans.tables import scan_measurements, scan_vehicles, scans
@@ -60,9 +61,10 @@ def fronts_of(session: Session, scan_ids: Sequence[int]) -> list[tuple[int, floa
 
 def _live_scan(row: JsonObject) -> LiveScan:
     health = row["health"]
-    pairs = ("lost_lines", "light_dn", "saturated", "words")
+    pairs = ("lost_lines", "light_dn", "saturated")
     if health is not None:
-        health = LiveHealth(**{**health, **{name: tuple(health[name]) for name in pairs}})
+        words = tuple(Said.read(one) for one in health["words"])
+        health = LiveHealth(**{**health, **{name: tuple(health[name]) for name in pairs}, "words": words})
     began_at: datetime = row["began_at"]
     return LiveScan(
         scan_id=row["scan_id"],

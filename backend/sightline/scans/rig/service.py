@@ -20,15 +20,13 @@ from sightline.linescan.rig import (
     gain,
     misalignment,
 )
+from sightline.messages.said import Said
 from sightline.scans.records import Scan, ScanValues, ScanVehicle
 from sightline.scans.store import get_scan
 from sightline.scans.vehicles.motion import rig_of
 from sightline.scans.vehicles.store import list_scan_vehicles
 
-_GIVEN = (
-    "The misalignment was entered, so the estimates of the vehicles depend on it; leave it empty "
-    "and measure again to have it estimated."
-)
+_GIVEN = Said("rig-misalignment-given")
 
 
 @dataclass(frozen=True)
@@ -45,7 +43,7 @@ class ImpliedBaseline:
     differs: Annotated[
         bool, Field(description="From the baseline in force by more than twice its uncertainty.")
     ]
-    words: str
+    words: Said | None
 
 
 @dataclass(frozen=True)
@@ -55,7 +53,7 @@ class RigOfTraffic:
     misalignment: RigEstimate
     gain: RigEstimate
     baselines: tuple[ImpliedBaseline, ...]
-    order: str | None
+    order: Said | None
 
 
 def rig_of_traffic(session: Session, scan_id: int) -> RigOfTraffic:
@@ -100,7 +98,7 @@ def _implied(scan: Scan, vehicles: Sequence[ScanVehicle], of: KnownLength) -> Im
     ratio = baseline_ratio(*([row[k] for row in rows] for k in range(4)))
     if ratio.value is None or ratio.u is None:
         return ImpliedBaseline(
-            of=of, ratio=ratio, baseline_m=None, u_baseline_m=None, differs=False, words=ratio.reason or ""
+            of=of, ratio=ratio, baseline_m=None, u_baseline_m=None, differs=False, words=ratio.reason
         )
     implied, opening = in_force / ratio.value, in_force - scan.rig.baseline_m
     u = implied * ratio.u / ratio.value
@@ -114,24 +112,23 @@ def _implied(scan: Scan, vehicles: Sequence[ScanVehicle], of: KnownLength) -> Im
     )
 
 
-def _words(of: str, ratio: RigEstimate) -> str:
+def _words(of: str, ratio: RigEstimate) -> Said:
     assert ratio.value is not None and ratio.u is not None
-    off, u = 100 * abs(ratio.value - 1), 100 * ratio.u
-    which = f"{ratio.n} {of}s"
+    u = 100 * ratio.u
     if ratio.warning is None:
-        return f"{which} of known vehicles agree with the baseline entered to {expanded(u):.2f} % (U95)."
-    longer = ratio.value > 1
-    said = (
-        f"{which} of known vehicles measure {off:.2f} % {'longer' if longer else 'shorter'} than they are "
-        f"(u {u:.2f} %): a {'shorter' if longer else 'longer'} baseline would fit. Check the baseline."
+        return Said("rig-baseline-agrees", count=ratio.n, of=of, U95_percent=round(expanded(u), 2))
+    return Said(
+        "rig-baseline-off",
+        count=ratio.n,
+        of=of,
+        percent=round(100 * abs(ratio.value - 1), 2),
+        than="longer" if ratio.value > 1 else "shorter",
+        u_percent=round(u, 2),
     )
-    if of == "length":
-        said += " Shadows can also add length; wheelbases are free of them."
-    return said
 
 
-def _order(scan: Scan) -> str | None:
+def _order(scan: Scan) -> Said | None:
     """Whether the strips are swapped, as the last search told it."""
     if scan.run is None:
         return None
-    return next((one for one in scan.run.warnings if "the strips are swapped" in one), None)
+    return next((one for one in scan.run.warnings if one.code == "scan-run-swapped"), None)

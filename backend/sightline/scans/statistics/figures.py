@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from sightline.coverage import expanded
 from sightline.infra.database import Session
 from sightline.linescan.clock import since_start_s
 from sightline.linescan.rig import baseline_of
-from sightline.scans.heights.store import list_line_heights
+from sightline.recordings.filming import FilmedWithin
+from sightline.scans.heights.store import list_scan_heights
 from sightline.scans.records import Scan, ScanValues
 from sightline.scans.statistics.heights import HeightSeen, ScannedHeights, scanned_heights
 from sightline.scans.statistics.service import GAPS, MOTION, ScanStatistics, VehicleMotion, statistics_of_seen
@@ -16,16 +16,23 @@ from sightline.scans.vehicles.listing import ShownVehicle, vehicles_of
 from sightline.scans.vehicles.motion import rig_of
 
 
-def scan_statistics(session: Session, survey_id: int, *, accepted_only: bool) -> ScanStatistics:
+def scan_statistics(
+    session: Session, survey_id: int, *, accepted_only: bool, filmed: FilmedWithin = FilmedWithin()
+) -> ScanStatistics:
     """Statistics of a survey's line scans; rejected vehicles never count, unreviewed ones where asked for."""
     found = [
         _seen(scan, one) for scan in list_scans(session, survey_id) for one in vehicles_of(session, scan.id)
     ]
-    return statistics_of_seen(found, accepted_only=accepted_only)
+    return statistics_of_seen(found, accepted_only=accepted_only, filmed=filmed)
 
 
 def scan_traffic(
-    session: Session, survey_id: int, minutes: int, *, accepted_only: bool
+    session: Session,
+    survey_id: int,
+    minutes: int,
+    *,
+    accepted_only: bool,
+    filmed: FilmedWithin = FilmedWithin(),
 ) -> tuple[ScanTraffic, ...]:
     """The traffic of a survey's line scans; speeds of unreviewed vehicles count where asked for."""
     found, watched = [], []
@@ -34,20 +41,26 @@ def scan_traffic(
         watched_s = scan.lines and scan.lines / scan.rig.line_rate_hz
         clock = None if scan.clock is None else scan.clock.filming
         watched.append(Watched(scan.id, scan.name, clock, watched_s))
-    return traffic_of_seen(watched, found, minutes, accepted_only=accepted_only)
+    return traffic_of_seen(watched, found, minutes, accepted_only=accepted_only, filmed=filmed)
 
 
 def scan_height_statistics(
-    session: Session, survey_id: int, *, accepted_only: bool
+    session: Session, survey_id: int, *, accepted_only: bool, filmed: FilmedWithin = FilmedWithin()
 ) -> tuple[ScannedHeights, ...]:
     """The heights of a survey's line scans, target by target; rejected ones never count."""
     seen = []
     for scan in list_scans(session, survey_id):
-        for one in list_line_heights(session, scan.id):
-            values, u95 = one.values, expanded(one.values.u_height_m)
-            if not values.withdrawn and values.height_m is not None and u95 is not None:
+        held = {one.vehicle.id for one in vehicles_of(session, scan.id) if filmed.holds(_filmed_at(one))}
+        for one in list_scan_heights(session, scan.id):
+            values, u95 = one.values, one.values.U95_height_m
+            stands = one.vehicle_id in held and not one.withdrawn
+            if stands and values.height_m is not None and u95 is not None:
                 seen.append(HeightSeen(values.target, one.review.verdict, values.height_m, u95))
     return scanned_heights(seen, accepted_only=accepted_only)
+
+
+def _filmed_at(one: ShownVehicle) -> str:
+    return "" if one.passing is None else one.passing.filmed_at
 
 
 def _seen(scan: Scan, one: ShownVehicle) -> VehicleMotion:
@@ -74,6 +87,7 @@ def _seen(scan: Scan, one: ShownVehicle) -> VehicleMotion:
         rig_u_baseline_m=u_baseline_m,
         status=values.status if values else "not_measurable",
         reason=values.reason if values else None,
+        filmed_at=_filmed_at(one),
         u_filmed_at_s=None if one.passing is None else one.passing.u_filmed_at_s,
         run_of=vehicle.run_of,
         references=tuple(given.values for given in one.references),

@@ -10,6 +10,7 @@ from sightline.infra.web.bodies import Out
 from sightline.infra.web.deps import PathId, Reading, Viewer
 from sightline.infra.web.figures import DensityBody, EcdfBody, FigureBody, ReasonBody
 from sightline.linescan.rig import RigEstimate
+from sightline.recordings.bodies import FilmedAsked
 from sightline.scans.statistics.figures import scan_height_statistics, scan_statistics
 from sightline.scans.statistics.heights import ScannedHeights
 from sightline.scans.statistics.paper import NOTE, TABLE_I
@@ -113,12 +114,14 @@ def get_scan_statistics(
     survey_id: PathId,
     who: Viewer,
     session: Reading,
+    filmed: FilmedAsked,
     accepted_only: Annotated[bool, Query(description="false: those that wait for a review too.")] = True,
 ) -> ScanStatisticsBody:
     """Errors of length and wheelbase, distributions of speed and gaps, the paper's Table I beside it."""
     get_survey(session, survey_id)
-    heights = scan_height_statistics(session, survey_id, accepted_only=accepted_only)
-    return _body(scan_statistics(session, survey_id, accepted_only=accepted_only), heights)
+    heights = scan_height_statistics(session, survey_id, accepted_only=accepted_only, filmed=filmed)
+    found = scan_statistics(session, survey_id, accepted_only=accepted_only, filmed=filmed)
+    return _body(found, heights)
 
 
 def _body(found: ScanStatistics, heights: tuple[ScannedHeights, ...]) -> ScanStatisticsBody:

@@ -20,6 +20,8 @@ from sightline.enums import (
     ScanVehicleState,
 )
 from sightline.linescan.rig import RigEstimate, alone, baseline_ratio
+from sightline.messages.said import Said
+from sightline.recordings.filming import FilmedWithin
 from sightline.scans.references.records import MEASURED, UNITS, ReferenceValues
 from sightline.scans.references.service import LOOKED_AT, beside
 from sightline.statistics.distributions import (
@@ -58,8 +60,9 @@ class VehicleMotion:
 
     `state`: to_review, accepted, rejected, not_measurable; `measured`: it has a motion. `rig_*`: the baseline
     that this motion was computed with. None where there is no value. `known`: the maker's sizes. `since_s`,
-    `occupied_s`: when it reached camera 1 after line 0, and how long it stood before it; `rig_ratio`: what
-    the rig gives to every speed alike, a share of it (k = 1). `run_of`: the car of which it is one run;
+    `occupied_s`: when it reached camera 1 after line 0, and how long it stood before it; `filmed_at`: the
+    first by the clocks of the place (ISO 8601), empty where its recording has none; `rig_ratio`: what the
+    rig gives to every speed alike, a share of it (k = 1). `run_of`: the car of which it is one run;
     `references`: what stands of what something else measured. `direction`: which camera it reached first.
     """
 
@@ -74,9 +77,10 @@ class VehicleMotion:
     rig_baseline_m: float = 1.0
     rig_u_baseline_m: float = 0.0
     status: str = "ok"
-    reason: str | None = None
+    reason: Said | None = None
     since_s: float | None = None
     occupied_s: float | None = None
+    filmed_at: str = ""
     u_filmed_at_s: float | None = None
     rig_ratio: float = 0.0
     run_of: str | None = None
@@ -138,13 +142,15 @@ class Row:
     true_length_m: float | None
     fit_error_percent: float | None
     status: str
-    reason: str | None
+    reason: Said | None
     references: tuple[ReferenceValues, ...] = ()
 
 
 @dataclass(frozen=True, eq=False)
 class ScanStatistics:
-    """Everything that is shown; `counted`: vehicles by what was done with them."""
+    """Everything that is shown; `counted`: vehicles by what was done with them, and those `without_time`,
+    which are left out where days or hours of filming are asked for.
+    """
 
     scans: int
     counted: dict[str, int]
@@ -158,16 +164,21 @@ class ScanStatistics:
     cars: tuple[CarRuns, ...]
 
 
-def statistics_of_seen(found: Sequence[VehicleMotion], *, accepted_only: bool) -> ScanStatistics:
-    """Statistics of these vehicles; rejected ones never count, unreviewed ones where asked for.
+def statistics_of_seen(
+    seen: Sequence[VehicleMotion], *, accepted_only: bool, filmed: FilmedWithin = FilmedWithin()
+) -> ScanStatistics:
+    """Statistics of these vehicles; rejected ones never count, unreviewed ones where asked for, none that was
+    not `filmed` within those days and hours.
 
     A gap counts where the vehicle behind it does.
     """
+    found = [one for one in seen if filmed.holds(one.filmed_at)]
     chosen = [one for one in found if counts(one, accepted_only)]
     states = [one.state for one in found]
     counted = {
         "vehicles": len(found),
         "used": len(chosen),
+        "without_time": sum(not one.filmed_at for one in seen) if filmed.limits_time else 0,
         **{name: states.count(name) for name in get_args(ScanVehicleState)},
     }
     return ScanStatistics(

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from datetime import datetime
 from math import hypot
 from typing import Protocol, TypedDict
@@ -13,8 +13,9 @@ import numpy as np
 from sightline.enums import ScanDirection
 from sightline.linescan.parts import Rig
 from sightline.linescan.rig import baseline_of
-from sightline.linescan.traffic import Interval, Passed, intervals
-from sightline.messages import say
+from sightline.linescan.traffic import Interval, Passed, Stream, intervals, streams_of
+from sightline.messages.said import Said
+from sightline.recordings.filming import FilmedWithin
 from sightline.scans.statistics.service import VehicleMotion, counts
 from sightline.statistics.distributions import Percentile, percentiles
 
@@ -63,7 +64,7 @@ class ScanTraffic:
     minutes: int
     intervals: tuple[ShownInterval, ...]
     unplaced: int
-    reason: str | None = None
+    reason: Said | None = None
     direction: ScanDirection = "camera_1_first"
     lane: str | None = None
 
@@ -84,42 +85,38 @@ def rig_ratio(rig: Rig) -> float:
 
 
 def traffic_of_seen(
-    watched: Sequence[Watched], found: Sequence[VehicleMotion], minutes: int, *, accepted_only: bool
+    watched: Sequence[Watched],
+    found: Sequence[VehicleMotion],
+    minutes: int,
+    *,
+    accepted_only: bool,
+    filmed: FilmedWithin = FilmedWithin(),
 ) -> tuple[ScanTraffic, ...]:
     """The traffic of each line scan, direction and lane, in the order given, in intervals of 1, 5, 15 or
     60 min.
 
     Directions and lanes that nobody was seen in have none; vehicles that were never measured are told with
     the first.
-    Every vehicle counts for flow and occupancy; its speed and length where its motion counts.
+    Every vehicle counts for flow and occupancy; its speed and length where its motion counts. Intervals are
+    those that begin within the days and hours `filmed`.
     """
     out = []
     for one in watched:
-        cars = [car for car in found if car.scan_id == one.scan_id]
-        by_stream: dict[tuple[ScanDirection, str | None], list[VehicleMotion]] = {}
-        for car in cars:
-            if car.direction is not None:
-                by_stream.setdefault((car.direction, car.lane), []).append(car)
-        streams = sorted(by_stream, key=lambda key: (key[0], key[1] is None, key[1] or ""))
-        streams = streams or [("camera_1_first", None)]
-        never = [car for car in cars if car.direction is None]
-        for stream in streams:
-            chosen = by_stream.get(stream, []) + (never if stream == streams[0] else [])
-            out.append(_traffic(one, chosen, stream, minutes, accepted_only))
+        for stream, cars in streams_of([car for car in found if car.scan_id == one.scan_id]).items():
+            whole = _traffic(one, cars, stream, minutes, accepted_only)
+            within = tuple(each for each in whole.intervals if filmed.holds(each.begins_at))
+            out.append(replace(whole, intervals=within))
     return tuple(out)
 
 
 def _traffic(
     scan: Watched,
     found: Sequence[VehicleMotion],
-    stream: tuple[ScanDirection, str | None],
+    stream: Stream,
     minutes: int,
     accepted_only: bool,
 ) -> ScanTraffic:
-    passed = sorted(
-        (_passed(one, accepted_only) for one in found if one.since_s is not None),
-        key=lambda one: one.since_s,
-    )
+    passed = [_passed(one, accepted_only) for one in found if one.since_s is not None]
     named: _Named = {
         "scan_id": scan.scan_id,
         "name": scan.name,
@@ -129,9 +126,8 @@ def _traffic(
         "lane": stream[1],
     }
     if scan.clock is None or scan.watched_s is None:
-        code = "scans-traffic-not-read" if scan.watched_s is None else "scans-traffic-no-start"
-        reason = say(code, {})
-        return ScanTraffic(**named, intervals=(), reason=reason)
+        unread, undated = Said("scans-traffic-not-read"), Said("scans-traffic-no-start")
+        return ScanTraffic(**named, intervals=(), reason=unread if scan.watched_s is None else undated)
     into_hour_s = _into_hour_s(scan.clock)
     told = intervals(passed, scan.watched_s, into_hour_s, minutes)
     shown = tuple(

@@ -10,6 +10,8 @@ from sightline.errors import BadInput
 from sightline.infra.web.bodies import Out
 from sightline.infra.web.deps import PathId, Reading, Viewer
 from sightline.linescan.traffic import LENGTH_LIMITS_M, MINUTES, Figure, LengthClass
+from sightline.messages.said import Said
+from sightline.recordings.bodies import FilmedAsked
 from sightline.scans.statistics.figures import scan_traffic
 from sightline.scans.statistics.traffic import ScanTraffic, ShownInterval
 from sightline.statistics.distributions import Percentile
@@ -45,7 +47,7 @@ class TrafficIntervalBody(Out):
     density_per_km: Figure
     classes: list[LengthClass]
     unclassed: int
-    reasons: list[str]
+    reasons: list[Said]
 
 
 class ScanTrafficBody(Out):
@@ -57,7 +59,7 @@ class ScanTrafficBody(Out):
     lane: str | None = Field(description="Of the rig's lanes; null: not known, or the rig has none.")
     intervals: list[TrafficIntervalBody]
     unplaced: int = Field(description="Never measured, so in no interval.")
-    reason: str | None
+    reason: Said | None
 
 
 class ScanFlows(Out):
@@ -73,6 +75,7 @@ def get_scan_traffic(
     survey_id: PathId,
     who: Viewer,
     session: Reading,
+    filmed: FilmedAsked,
     minutes: Annotated[int, Query(description="Of an interval: 1, 5, 15 or 60.")] = 15,
     accepted_only: Annotated[bool, Query(description="false: speeds that wait for a review too.")] = True,
 ) -> ScanFlows:
@@ -80,7 +83,7 @@ def get_scan_traffic(
     get_survey(session, survey_id)
     if minutes not in MINUTES:
         raise BadInput("scans-traffic-other-minutes", minutes=minutes)
-    found = scan_traffic(session, survey_id, minutes, accepted_only=accepted_only)
+    found = scan_traffic(session, survey_id, minutes, accepted_only=accepted_only, filmed=filmed)
     return ScanFlows(
         minutes=minutes, length_limits_m=list(LENGTH_LIMITS_M), scans=[_body(one) for one in found]
     )

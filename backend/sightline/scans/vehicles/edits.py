@@ -89,7 +89,7 @@ def place_wheels(
         raise BadInput("scans-vehicle-not-measured-yet-no-wheelbase")
     values = with_wheels(_own(before.values), lines)
     if lines is not None and values.wheelbase_m is None:
-        raise BadInput("said", sentence=values.warnings[-1].removeprefix("No wheelbase: "))
+        raise BadInput("scan-motion-no-wheelbase", reason=values.warnings[-1].values["reason"])
     if lines is not None and not all(0 <= line < (scan.lines or 0) for line in lines):
         raise BadInput("scans-wheel-lies-outside-strips-which-end", lines=(scan.lines or 1) - 1)
     made = replace(values, cause="wheels", placed_by=actor, run_id=None, code_version=code_version())
@@ -235,7 +235,7 @@ def _seen(services: Services, vehicle_id: int, version: int) -> tuple[ScanVehicl
 
 def _own(values: ScanValues) -> ScanValues:
     """The content without what an earlier wheelbase said."""
-    kept = [one for one in values.warnings if not one.startswith("No wheelbase: ")]
+    kept = [one for one in values.warnings if one.code != "scan-motion-no-wheelbase"]
     return replace(values, warnings=kept)
 
 

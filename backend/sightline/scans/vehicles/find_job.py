@@ -16,6 +16,7 @@ from sightline.linescan import faults
 from sightline.linescan.finding import Finder
 from sightline.linescan.parts import Crossings, Motion, Rig
 from sightline.linescan.rig import gain, misalignment
+from sightline.messages.said import Said
 from sightline.scans.records import Scan, ScanRunValues, ScanValues, ScanVehicle
 from sightline.scans.service import FIND, open_strips
 from sightline.scans.store import get_scan, rig_columns
@@ -42,7 +43,7 @@ class Search:
     """What was found: motions in the order of passing, and what is to be said of the recording."""
 
     motions: tuple[Motion, ...] = ()
-    notes: tuple[str, ...] = ()
+    notes: tuple[Said, ...] = ()
 
 
 @dataclass(frozen=True, eq=False)
@@ -80,7 +81,7 @@ def find_vehicles(context: JobContext) -> Finish:
 
 def search(report: Report, rig: Rig, method: ScanMethod, readers: Readers) -> Search:
     """Every vehicle of the strips, measured as soon as it has passed; memory is bounded."""
-    finder = Finder(readers[0].rows, rig)
+    finder = Finder(readers[0].rows, rig, readers[0].bits)
     motions: list[Motion] = []
     for done, passages in _passages(finder, readers):
         motions += [measured(one, rig, method, readers) for one in passages]

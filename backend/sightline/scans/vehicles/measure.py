@@ -7,11 +7,13 @@ from dataclasses import replace
 
 from sightline.enums import ScanMethod
 from sightline.linescan.by_hand import passage_at
+from sightline.linescan.faults import lines_lost
 from sightline.linescan.methods import MEASURE
 from sightline.linescan.parts import Crossings, Motion, Passage, Rig
 from sightline.linescan.rig import at_lane, lane_named
 from sightline.media.strips.notes import Dropped, lost_lines
 from sightline.media.strips.stored_reader import StripReader
+from sightline.messages.said import Said
 from sightline.scans.records import ScanMeasurement
 from sightline.scans.vehicles.motion import crossings_of, lane_by_person
 
@@ -37,7 +39,7 @@ def measured_at(
     boundaries that the machine found.
     """
     first, second = readers
-    passage = passage_at(crossings, rig, first.rows, (first.read, second.read))
+    passage = passage_at(crossings, rig, first.rows, (first.read, second.read), first.bits)
     passage = replace(passage, u_boundaries_m=u_boundaries_m)
     if lane_named(rig, lane) is None:
         return measured(passage, rig, method, readers)
@@ -58,7 +60,4 @@ def without_losses(passage: Passage, dropped: Sequence[Sequence[Dropped]]) -> Pa
         (camera, lost_lines(gaps, start, start + len(picture)))
         for camera, (gaps, (start, picture)) in enumerate(zip(dropped, windows, strict=True), 1)
     ]
-    said = [f"{count} lines of camera {camera}" for camera, count in lost if count]
-    if not said or passage.reason:
-        return passage
-    return replace(passage, reason=f"The recorder lost {' and '.join(said)} while the vehicle passed.")
+    return lines_lost(passage, [Said("scan-lines-of-camera", count=n, camera=one) for one, n in lost if n])

@@ -10,6 +10,7 @@ from sightline.infra.version import code_version
 from sightline.linescan.gaps import NONE_BEFORE, gaps
 from sightline.linescan.parts import Crossings, Entry, Gap, Motion, Rig
 from sightline.linescan.rig import rig_from, wheelbase
+from sightline.messages.said import Said
 from sightline.scans.records import ScanMeasurement, ScanValues, ScanVehicle
 from sightline.scans.store import rig_for
 
@@ -100,14 +101,14 @@ def with_wheels(values: ScanValues, lines: tuple[float, float] | None) -> ScanVa
         )
     front, rear = sorted(lines)
     found = wheelbase(motion_of(values), rig_of(values.rig), front, rear)
-    warnings = [*values.warnings, *([f"No wheelbase: {found.reason}"] if found.reason else [])]
+    why = [Said("scan-motion-no-wheelbase", reason=found.reason)] if found.reason else []
     return replace(
         values,
         front_wheel_line=front,
         rear_wheel_line=rear,
         wheelbase_m=found.wheelbase_m,
         u_wheelbase_m=found.u_wheelbase_m,
-        warnings=warnings,
+        warnings=[*values.warnings, *why],
     )
 
 

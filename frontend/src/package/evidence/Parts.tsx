@@ -56,12 +56,12 @@ export function Decision({ evidence }: { evidence: Evidence }) {
 
 export function Motion({ evidence }: { evidence: Evidence }) {
   const m = evidence.measurement;
-  const { gap, review } = evidence;
+  const { review, words } = evidence;
   const u = m.u_speed_mps;
   return (
     <Section id="motion" name={say("opened-evidence-motion")}>
-      {m.reason && <p>{m.reason}</p>}
-      {m.warnings.map((one) => (
+      {words.reason && <p>{words.reason}</p>}
+      {words.warnings.map((one) => (
         <p key={one}>{one}</p>
       ))}
       <div class="opened__scroll">
@@ -81,11 +81,8 @@ export function Motion({ evidence }: { evidence: Evidence }) {
             [say("opened-evidence-axles"), axleWords(m)],
             [say("opened-evidence-lines-1"), `${m.front_line_1.toFixed(2)}; ${m.rear_line_1.toFixed(2)}`],
             [say("opened-evidence-lines-2"), `${m.front_line_2.toFixed(2)}; ${m.rear_line_2.toFixed(2)}`],
-            [say("opened-evidence-time-gap"), gapWords(gap, gap?.time_gap_s, gap?.u_time_gap_s, "s")],
-            [
-              say("opened-evidence-distance-gap"),
-              gapWords(gap, gap?.distance_gap_m, gap?.u_distance_gap_m, "m"),
-            ],
+            [say("opened-evidence-time-gap"), gapWords(evidence, "time_gap_s", "s")],
+            [say("opened-evidence-distance-gap"), gapWords(evidence, "distance_gap_m", "m")],
             [say("opened-evidence-method"), methodWords(m)],
             [say("opened-evidence-review"), reviewWords(review)],
           ]}
@@ -106,14 +103,9 @@ function axleWords({ axle_lines, axles_by }: Measured): string {
   return say("opened-evidence-axles-of", { count: axle_lines.length, by: axles_by ?? "machine" });
 }
 
-function gapWords(
-  gap: Evidence["gap"],
-  value: number | null | undefined,
-  u: number | null | undefined,
-  unit: string,
-): string {
+function gapWords({ gap, words }: Evidence, name: "time_gap_s" | "distance_gap_m", unit: string): string {
   if (gap === null) return say("opened-evidence-gap-none");
-  return value == null ? (gap.reason ?? NONE) : withU(value, u ?? null, unit);
+  return gap[name] === null ? (words.gap ?? NONE) : withU(gap[name], gap[`u_${name}`], unit);
 }
 
 function methodWords(m: Measured): string {

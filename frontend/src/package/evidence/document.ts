@@ -58,8 +58,6 @@ export interface Measured extends Lines {
   readonly method: "direct" | "paper";
   readonly code_version: string;
   readonly status: string;
-  readonly reason: string | null;
-  readonly warnings: readonly string[];
   readonly speed_mps: number | null;
   readonly u_speed_mps: number | null;
   readonly acceleration_mps2: number | null;
@@ -121,7 +119,6 @@ export interface Evidence {
     readonly u_time_gap_s: number | null;
     readonly distance_gap_m: number | null;
     readonly u_distance_gap_m: number | null;
-    readonly reason: string | null;
   } | null;
   readonly clock: {
     readonly started_at: string;
@@ -134,6 +131,12 @@ export interface Evidence {
     readonly u_filmed_at_s: number | null;
   };
   readonly at_vehicle: { readonly baseline_m: number; readonly u_baseline_m: number };
+  /** What the codes of the motion and of the gap before it say. */
+  readonly words: {
+    readonly reason: string | null;
+    readonly warnings: readonly string[];
+    readonly gap: string | null;
+  };
   readonly pictures: readonly PictureFacts[];
   readonly decision: {
     readonly answer: "conforming" | "not_conforming" | "undecided" | null;

@@ -5,6 +5,7 @@ import { language, say } from "../../core/messages";
 import { theme } from "../../core/theme";
 import { type LengthUnit, lengthUnit } from "../../core/units";
 import { type Cell, csvOf, download } from "./csv";
+import { writeBeside } from "./direct";
 import "./figures.css";
 import { type Hue, hueOf } from "./hues";
 import { type Drawn, drawnOf, Reader } from "./Reader";
@@ -28,6 +29,7 @@ interface Props {
   /** What the picture shows, in words, for those who do not see it. */
   says: string;
   note?: ComponentChildren;
+  /** Names of the curves: written beside them where they have room, else above the figure; those of dots always above. */
   legend?: readonly LegendEntry[];
   /** Drawn again when it changes. */
   data: unknown;
@@ -44,7 +46,7 @@ export interface LegendEntry {
   dash?: string;
   faint?: boolean;
   hue?: Hue;
-  dot?: "circle" | "triangle" | "square";
+  dot?: Dot;
 }
 
 const HEIGHT = 320;
@@ -79,6 +81,7 @@ export function PlotFigure({ name, title, says, note, legend, data, options, tab
   const [problem, setProblem] = useState<unknown>(null);
   const [width, setWidth] = useState(0);
   const [read, setRead] = useState<Drawn | null>(null);
+  const [beside, setBeside] = useState<ReadonlySet<string>>(new Set());
   const box = useRef<HTMLDivElement>(null);
   const unit = lengthUnit.value;
   useEffect(() => {
@@ -96,7 +99,10 @@ export function PlotFigure({ name, title, says, note, legend, data, options, tab
     const drawn = figureOf(plot, { ...chosen, width: wide, ariaLabel: says }, height);
     box.current.replaceChildren(drawn);
     const labels = { x: chosen.x?.label, y: chosen.y?.label };
-    setRead(drawnOf(drawn, readablesOf(chosen.marks), labels));
+    const reads = drawnOf(drawn, readablesOf(chosen.marks), labels);
+    setRead(reads);
+    const words = new Set(legend?.map((one) => one.word));
+    setBeside(reads ? writeBeside(drawn, reads, words) : new Set());
   };
   useEffect(() => {
     if (inView(box.current)) return draw(width, HEIGHT);
@@ -134,7 +140,7 @@ export function PlotFigure({ name, title, says, note, legend, data, options, tab
         <p class="stat-reason">{reason}</p>
       ) : (
         <>
-          {legend && <Legend entries={legend} />}
+          {legend && <Legend entries={legend.filter((one) => !beside.has(one.word))} />}
           <Problem error={problem} />
           <div class="figure-read">
             <div ref={box} class="stat-figure__box" data-testid={`figure-${name}`} />
@@ -147,13 +153,19 @@ export function PlotFigure({ name, title, says, note, legend, data, options, tab
   );
 }
 
+export type Dot = keyof typeof DOTS;
+
+/** As Plot draws them. */
 const DOTS = {
+  cross: "M-4.5,-1.5H-1.5V-4.5H1.5V-1.5H4.5V1.5H1.5V4.5H-1.5V1.5H-4.5Z",
+  diamond: "M0,-5L3,0L0,5L-3,0Z",
   circle: "M4,0A4,4,0,1,1,-4,0A4,4,0,1,1,4,0Z",
   triangle: "M0,-5L4.4,2.6L-4.4,2.6Z",
   square: "M-3.5,-3.5H3.5V3.5H-3.5Z",
 };
 
 function Legend({ entries }: { entries: readonly LegendEntry[] }) {
+  if (entries.length === 0) return null;
   return (
     <ul class="stat-legend">
       {entries.map((one) => (

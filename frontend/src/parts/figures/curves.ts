@@ -4,7 +4,7 @@
 import { say } from "../../core/messages";
 import { fixed, type LengthUnit } from "../../core/units";
 import type { Cell } from "./csv";
-import { type Hue, hueOf } from "./hues";
+import { type Hue, hueOf, inkOf } from "./hues";
 import type { Plot } from "./PlotFigure";
 import { readable } from "./reading";
 import type { Density, Ecdf, Standard } from "./types";
@@ -67,6 +67,7 @@ export function ecdfMarks(plot: Plot, ecdf: Ecdf, curve: Curve, perX: number): M
   marks.push(
     readable(line, {
       word: curve.word,
+      ink: inkOf(curve),
       x: ecdf.value.map((one) => one * perX),
       y: percents(ecdf.share),
       ...banded,
@@ -98,14 +99,15 @@ export function densityMarks(
     high: (density.high[i] ?? 0) * perY,
   }));
   const marks: Mark[] = [];
-  if (curve.band) {
-    marks.push(plot.areaY(rows, { x: "x", y1: "low", y2: "high", fill: "var(--ink)", fillOpacity: 0.09 }));
+  if (curve.band && density.n >= LEAST_FOR_A_BAND) {
+    marks.push(plot.areaY(rows, { x: "x", y1: "low", y2: "high", fill: hueOf(curve), fillOpacity: 0.09 }));
   }
   const of = (what: "x" | "y" | "low" | "high") => rows.map((row) => row[what]);
   const banded = curve.band ? { low: of("low"), high: of("high") } : {};
   marks.push(
     readable(plot.line(rows, { x: "x", y: "y", ...lineStyle(curve) }), {
       word: curve.word,
+      ink: inkOf(curve),
       x: of("x"),
       y: of("y"),
       ...banded,

@@ -4,6 +4,8 @@ import { fixed } from "../../core/units";
 export interface Readable {
   /** As the legend names it; empty where there is one curve only. */
   word: string;
+  /** Of the word where it stands beside its curve; ink unless said. */
+  ink?: string;
   /** In the units of the axes, ascending in x unless these are points. */
   x: readonly number[];
   y: readonly (number | null)[];

@@ -1,7 +1,7 @@
-import { useEffect, useState } from "preact/hooks";
 import { Problem, StateMark } from "../../components";
 import { api } from "../../core/api";
 import { say } from "../../core/messages";
+import { useResource } from "../../core/resource";
 import { formatMoment } from "../../core/times";
 import type { History, Measurement } from "../../core/types";
 import { formatHeight } from "../../core/units";
@@ -20,17 +20,11 @@ function reviewWords({ reviewer, reason }: History["reviews"][number]): string {
 
 /** Every revision with its value and every verdict, newest first. */
 export function Revisions({ id, revision }: { id: number; revision: number }) {
-  const [history, setHistory] = useState<History | null>(null);
-  const [error, setError] = useState<unknown>(null);
-  useEffect(() => {
-    const stop = new AbortController();
-    api
-      .ask("GET /measurements/{measurement_id}/history", { measurement_id: id }, { signal: stop.signal })
-      .then(setHistory, (problem) => {
-        if (!stop.signal.aborted) setError(problem);
-      });
-    return () => stop.abort();
-  }, [id, revision]);
+  const { data: history, error } = useResource(
+    (signal) => api.ask("GET /measurements/{measurement_id}/history", { measurement_id: id }, { signal }),
+    [id, revision],
+    { keep: true },
+  );
   if (error) return <Problem error={error} />;
   if (!history) return null;
   return (

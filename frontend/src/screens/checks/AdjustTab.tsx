@@ -11,6 +11,7 @@ import {
   TableScroll,
   TextField,
 } from "../../components";
+import { useAction } from "../../core/action";
 import { api } from "../../core/api";
 import { cancelJob, useJob } from "../../core/jobs";
 import { allOf, say, wordsOf } from "../../core/messages";
@@ -58,27 +59,23 @@ export function AdjustTab({ surveyId }: { surveyId: number }) {
     { keep: true },
   );
   const [jobId, setJobId] = useState<number | null>(null);
-  const [problem, setProblem] = useState<unknown>(null);
-  const [busy, setBusy] = useState(false);
+  const { busy, problem, setProblem, run } = useAction();
   const again = () => Promise.all([read.reload(), refreshSurvey()]);
   const over = async () => {
     setJobId(null);
     await again();
   };
   const job = useJob(jobId, () => void over(), setProblem);
-  const run = async (ask: () => Promise<{ job: Job | null }>, done: string) => {
-    setBusy(true);
-    setProblem(null);
-    try {
-      const answer = await ask();
-      toast(done);
-      setJobId(answer.job?.id ?? null);
-    } catch (error) {
-      setProblem(error);
-    }
-    await again();
-    setBusy(false);
-  };
+  const decide = (ask: () => Promise<{ job: Job | null }>, done: string) =>
+    run(async () => {
+      try {
+        const answer = await ask();
+        toast(done);
+        setJobId(answer.job?.id ?? null);
+      } finally {
+        await again();
+      }
+    });
   if (!read.data)
     return read.error ? (
       <Problem error={read.error} again={read.reload} />
@@ -102,7 +99,7 @@ export function AdjustTab({ surveyId }: { surveyId: number }) {
           found={one}
           busy={busy || jobId !== null || read.loading}
           put={(change) =>
-            run(
+            decide(
               () =>
                 api.write(
                   "POST /poses/{pose_id}/adjustment",
@@ -113,7 +110,7 @@ export function AdjustTab({ surveyId }: { surveyId: number }) {
             )
           }
           takeBack={() =>
-            run(
+            decide(
               () => api.write("POST /poses/{pose_id}/adjustment/undo", { pose_id: one.pose_id }),
               say("adjust-taken-back"),
             )
@@ -167,8 +164,8 @@ interface PoseProps {
   surveyId: number;
   found: PoseAdjustment;
   busy: boolean;
-  put(change: number): Promise<void>;
-  takeBack(): Promise<void>;
+  put(change: number): Promise<unknown>;
+  takeBack(): Promise<unknown>;
 }
 
 function OfPose({ surveyId, found, busy, put, takeBack }: PoseProps) {

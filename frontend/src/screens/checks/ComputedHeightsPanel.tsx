@@ -176,7 +176,7 @@ function Heights({ surveyId, found }: { surveyId: number; found: ComputedHeights
         ]}
       >
         {found.listed.map((one) => (
-          <tr key={one.measurement_id ?? `line ${one.line_height_id}`}>
+          <tr key={one.measurement_id}>
             <td>
               <a href={addressOf(surveyId, one)}>#{one.vehicle_number}</a>
             </td>

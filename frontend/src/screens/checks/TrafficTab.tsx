@@ -42,7 +42,7 @@ export function TrafficTab({ surveyId }: { surveyId: number }) {
   }
   return (
     <div class="traffic">
-      <section class="traffic__frame" aria-label={say("stage-frame")}>
+      <section class="frame-place" aria-label={say("stage-frame")}>
         <FrameView
           key={player.recordingId}
           player={player}

@@ -1,7 +1,6 @@
 import { useEffect, useState } from "preact/hooks";
 import {
   Button,
-  DateField,
   Empty,
   JobProgress,
   Loaded,
@@ -28,11 +27,20 @@ import { formatBytes } from "../../core/units";
 import { LIGHTING_WORDS } from "../../core/words";
 import { Outdated } from "../../parts/again/Outdated";
 import { OutOfDateNotice } from "../../parts/again/OutOfDateNotice";
+import { clockHour, FilmedFields } from "../../parts/filming/FilmedFields";
 import { ClassChoice, classWords } from "../../parts/vehicles/ClassChoice";
 import "./export.css";
 
 type Wanted = ExportPackage["selection"];
-const ALL: Wanted = { lighting: null, class_sets: [], categories: [], filmed_from: null, filmed_to: null };
+const ALL: Wanted = {
+  lighting: null,
+  class_sets: [],
+  categories: [],
+  filmed_from: null,
+  filmed_to: null,
+  hour_from: null,
+  hour_to: null,
+};
 
 /** What a package holds, as the table says it. */
 const CONTENTS = [
@@ -186,28 +194,22 @@ function Choosing({ wanted, onChange }: { wanted: Wanted; onChange(wanted: Wante
           onClassSets={(chosen) => onChange({ ...wanted, class_sets: chosen as Wanted["class_sets"] })}
           onCategories={(chosen) => onChange({ ...wanted, categories: chosen as Wanted["categories"] })}
         />
-        <DateField
-          label={say("statistics-filter-filmed-from")}
-          value={wanted.filmed_from ?? ""}
-          onChange={(filmed_from) => onChange({ ...wanted, filmed_from })}
-        />
-        <DateField
-          label={say("statistics-filter-filmed-to")}
-          value={wanted.filmed_to ?? ""}
-          onChange={(filmed_to) => onChange({ ...wanted, filmed_to })}
-        />
+        <FilmedFields value={wanted} onChange={(change) => onChange({ ...wanted, ...change })} />
         <p class="field__hint">{say("export-of-help")}</p>
       </div>
     </section>
   );
 }
 
-function wantedWords({ lighting, class_sets, categories, filmed_from, filmed_to }: Wanted): string {
+function wantedWords({ lighting, class_sets, categories, ...filmed }: Wanted): string {
+  const { filmed_from, filmed_to, hour_from, hour_to } = filmed;
   const words = [
     lighting && LIGHTING_WORDS[lighting],
     classWords(class_sets, categories),
     filmed_from && say("export-of-filmed-from", { day: filmed_from }),
     filmed_to && say("export-of-filmed-to", { day: filmed_to }),
+    (hour_from !== null || hour_to !== null) &&
+      say("export-of-hours", { begins: clockHour(hour_from ?? 0), ends: clockHour(hour_to ?? 24) }),
   ];
   return apart(words.filter((one): one is string => Boolean(one)));
 }

@@ -1,7 +1,7 @@
 /** Line cameras at work: the last vehicles, the flow, and how the stream is; read again every second. */
 import { Button, Empty, Loaded, Notice, num, PageHead, StateMark, Table } from "../../components";
 import { api } from "../../core/api";
-import { say } from "../../core/messages";
+import { say, sentenceOf } from "../../core/messages";
 import type { ScreenProps } from "../../core/places";
 import { useEvery, useResource } from "../../core/resource";
 import { formatAgo, formatClock, formatMoment } from "../../core/times";
@@ -73,7 +73,7 @@ function Stream({ stream, surveyId }: { stream: LiveStream; surveyId: number }) 
       {stream.state === "stopped" && (
         <Notice kind="warning">{say("live-stopped", { time: formatMoment(stream.heard_at) })}</Notice>
       )}
-      {stream.health?.words.map((words) => (
+      {stream.health?.words.map(sentenceOf).map((words) => (
         <Notice key={words} kind="warning">
           {words}
         </Notice>
@@ -154,7 +154,7 @@ function Row({ vehicle, stream, surveyId, lanes }: RowProps) {
         </>
       ) : (
         <td colSpan={2} class="small muted live__reason">
-          {vehicle.reason}
+          {sentenceOf(vehicle.reason)}
         </td>
       )}
       <td class="num">{vehicle.time_gap_s === null ? "–" : fixed(vehicle.time_gap_s, 2)}</td>

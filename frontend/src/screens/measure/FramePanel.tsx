@@ -25,7 +25,7 @@ import { FollowedMarks } from "./WholePassParts";
 export function FramePanel({ model, player }: { model: MeasureModel; player: Player }) {
   const { stage, points, assist } = model;
   return (
-    <section class="measure__frame" aria-label={say("stage-frame")}>
+    <section class="frame-place" aria-label={say("stage-frame")}>
       <FrameView
         player={player}
         stage={stage}

@@ -1,22 +1,30 @@
 import { Button } from "../../components";
 import { CommitField } from "../../components/CommitField";
+import { hint } from "../../core/commands";
 import { say } from "../../core/messages";
 import { canWork } from "../../core/session";
 import { fixed, formatLength, lengthProblem, lengthText, lengthUnit, parseLength } from "../../core/units";
 import { Budget } from "../../parts/vehicles/Budget";
 import { Revisions } from "../../parts/vehicles/Revisions";
 import type { Inset } from "../../viewer/values";
+import { Frames } from "./FramesOf";
 import type { MeasureModel } from "./model";
 import type { Entry } from "./records";
-import { Frames } from "./SecondFrameParts";
-import { FollowButton } from "./WholePassParts";
 
 export function MeasurementDetail({ model, entry }: { model: MeasureModel; entry: Entry }) {
   const source = entry.preview ?? entry.saved;
   return (
     <div class="height-detail">
       <Frames model={model} entry={entry} />
-      {canWork.value && entry.state === "saved" && <FollowButton model={model} entryKey={entry.key} />}
+      {canWork.value && entry.state === "saved" && (
+        <Button
+          small
+          title={say("measure-whole-go") + hint("followPass")}
+          onClick={() => void model.whole.start(entry.key)}
+        >
+          {say("measure-whole-follow")}
+        </Button>
+      )}
       <InsetEditor model={model} entry={entry} />
       {source && source.budget.length > 0 && <Budget entries={source.budget} total_m={source.u_height_m} />}
       <dl class="facts small">

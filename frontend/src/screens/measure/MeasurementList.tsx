@@ -1,6 +1,7 @@
 /** What has been measured of a vehicle: one line per target, its value, its state; more on demand. */
 import { useSignal } from "@preact/signals";
 import { Button, Icon, StateMark } from "../../components";
+import { late } from "../../components/late";
 import { keyMap, showChord } from "../../core/commands";
 import { say, sentenceOf } from "../../core/messages";
 import { outbox } from "../../core/outbox";
@@ -9,15 +10,16 @@ import type { Target } from "../../core/types";
 import { formatLength } from "../../core/units";
 import { TARGET_NOUNS, TARGET_WORDS, TARGETS } from "../../core/words";
 import { StaleMarks } from "../../parts/again/StaleMarks";
-import { MeasurementConflict } from "./Conflicts";
 import { InsetChoice } from "./InsetChoice";
-import { MeasurementDetail } from "./MeasurementDetail";
 import type { MeasureModel } from "./model";
 import type { Entry } from "./records";
 import { FramesSaid } from "./SecondFrameParts";
 import { Unseen } from "./Unseen";
 import { PassSaid } from "./WholePassParts";
 import { heightWords } from "./words";
+
+const MeasurementDetail = late(async () => (await import("./MeasurementDetail")).MeasurementDetail);
+const MeasurementConflict = late(async () => (await import("./Conflicts")).MeasurementConflict);
 
 export function MeasurementList({ model }: { model: MeasureModel }) {
   const entries = model.entries.value.filter((entry) => !entry.values.withdrawn);

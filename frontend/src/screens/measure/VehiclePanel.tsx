@@ -2,6 +2,7 @@
 import { useMemo, useRef } from "preact/hooks";
 import { Button, SelectField, StateMark } from "../../components";
 import { CommitField } from "../../components/CommitField";
+import { late } from "../../components/late";
 import { TypingHold } from "../../components/typing";
 import { say } from "../../core/messages";
 import { canWork } from "../../core/session";
@@ -18,18 +19,19 @@ import { OutOfDateNotice } from "../../parts/again/OutOfDateNotice";
 import { CatalogueField } from "../../parts/vehicles/CatalogueField";
 import { ModelYears } from "../../parts/vehicles/ModelYears";
 import { lacksClass } from "../../parts/vehicles/passes";
-import { VehicleConflict } from "./Conflicts";
 import { FIELD_WORDS } from "./fields";
 import { fromCatalogue } from "./fromCatalogue";
 import { KnownHeights } from "./KnownHeights";
 import { MeasurementList } from "./MeasurementList";
 import type { MeasureModel } from "./model";
 import { readAgain } from "./passes/actions";
-import { ProposalPanel } from "./proposals/ProposalPanel";
 import { noteModel, RecentModels } from "./RecentModels";
 import { SpanEditor } from "./SpanEditor";
 import { CannotFit, ModelChosen, useModelFits, WhichModel } from "./WhichModel";
-import { WholePassPanel } from "./WholePassParts";
+
+const ProposalPanel = late(async () => (await import("./proposals/ProposalPanel")).ProposalPanel);
+const WholePassPanel = late(async () => (await import("./WholePassPanel")).WholePassPanel);
+const VehicleConflict = late(async () => (await import("./Conflicts")).VehicleConflict);
 
 /** What can be chosen, or nothing. */
 function choices<W extends string>(words: Readonly<Record<W, string>>): { value: W | ""; label: string }[] {
@@ -63,9 +65,11 @@ export function VehiclePanel({ model }: { model: MeasureModel }) {
           />
         )}
       </header>
-      <VehicleConflict model={model} id={vehicle.id} />
-      <ProposalPanel model={model} />
-      <WholePassPanel model={model} />
+      {model.vehicles.drafts.value.get(vehicle.id)?.state === "conflict" && (
+        <VehicleConflict model={model} id={vehicle.id} />
+      )}
+      {canWork.value && model.proposals.all.value.length > 0 && <ProposalPanel model={model} />}
+      {(model.whole.looking.value || model.whole.now.value) && <WholePassPanel model={model} />}
       <OutOfDateNotice surveyId={model.surveyId} computed={() => readAgain(model)} />
       <MeasurementList model={model} />
       <SpanEditor model={model} vehicle={vehicle} />

@@ -1,6 +1,7 @@
 import { beforeEach, describe, expect, it } from "vitest";
 import { ApiError } from "../../core/api";
-import { ORPHANED_AFTER_MS, Outbox } from "../../core/outbox";
+import { ORPHANED_AFTER_MS } from "../../core/keeping";
+import { Outbox } from "../../core/outbox";
 import type { Measurement, Vehicle } from "../../core/types";
 import { imagePoint } from "../../viewer/points";
 import type { Values } from "../../viewer/values";

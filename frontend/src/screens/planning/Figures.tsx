@@ -3,6 +3,7 @@ import { Problem } from "../../components";
 import { say } from "../../core/messages";
 import { theme } from "../../core/theme";
 import { lengthScale, lengthUnit, smallScale } from "../../core/units";
+import { writeBeside } from "../../parts/figures/direct";
 import { type Drawn, drawnOf, Reader } from "../../parts/figures/Reader";
 import { readable, readablesOf } from "../../parts/figures/reading";
 import { figureOf } from "../../parts/figures/style";
@@ -84,6 +85,7 @@ function Figure({ title, note, curves, words, marker, fromZero }: FigureProps) {
   const box = useRef<HTMLDivElement>(null);
   const [width, setWidth] = useState(0);
   const [read, setRead] = useState<Drawn | null>(null);
+  const [beside, setBeside] = useState<ReadonlySet<string>>(new Set());
   const unit = lengthUnit.value;
   useEffect(() => {
     import("../../parts/figures/plot").then(setPlot, setProblem);
@@ -148,12 +150,14 @@ function Figure({ title, note, curves, words, marker, fromZero }: FigureProps) {
       300,
     );
     box.current.replaceChildren(drawn);
-    setRead(drawnOf(drawn, readablesOf(marks), { x, y }));
+    const reads = drawnOf(drawn, readablesOf(marks), { x, y });
+    setRead(reads);
+    setBeside(reads ? writeBeside(drawn, reads, new Set(targets.map(wordOf))) : new Set());
   }, [plot, width, curves, marker, unit, theme.value]);
   return (
     <figure class="panel plan-figure">
       <h2>{title}</h2>
-      <Legend targets={curves.map((curve) => curve.target)} />
+      <Legend targets={curves.map((curve) => curve.target).filter((one) => !beside.has(wordOf(one)))} />
       <Problem error={problem} />
       <div class="figure-read">
         <div ref={box} class="plan-figure__box" data-testid="plan-figure" />
@@ -176,6 +180,7 @@ const MARKS: Record<string, string> = {
 };
 
 function Legend({ targets }: { targets: readonly string[] }) {
+  if (targets.length === 0) return null;
   return (
     <ul class="plan-legend">
       {targets.map((target) => (

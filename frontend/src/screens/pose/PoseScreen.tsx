@@ -73,7 +73,7 @@ export default function PoseScreen({ surveyId }: ScreenProps) {
   return (
     <div class="pose">
       <h1 class="visually-hidden">{say("page-pose")}</h1>
-      <section class="pose__frame" aria-label={say("stage-frame")}>
+      <section class="frame-place" aria-label={say("stage-frame")}>
         <FrameView
           key={player.recordingId}
           player={player}

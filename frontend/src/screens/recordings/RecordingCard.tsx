@@ -246,10 +246,10 @@ function Facts({ recording, passes }: Pick<Props, "recording" | "passes">) {
         {"  ·  "}
         {formatMoment(recording.created_at)}
         {recording.sha256 && (
-          <>
+          <span class="nowrap">
             {"  ·  "}
             <code>{recording.sha256.slice(0, 12)}</code>
-          </>
+          </span>
         )}
       </span>
     </p>

@@ -77,7 +77,7 @@ export default function ClickAgainScreen({ surveyId }: ScreenProps) {
       </header>
       {item && player ? (
         <>
-          <section class="again__frame" aria-label={say("stage-frame")}>
+          <section class="frame-place" aria-label={say("stage-frame")}>
             <BlindFrame
               key={player.recordingId}
               blind={session.blind}

@@ -9,7 +9,7 @@ import { pixelWords } from "./words";
 interface Props {
   people: readonly PersonRepeats[];
   busy: boolean;
-  choose: (person: PersonRepeats, own: boolean) => Promise<void>;
+  choose: (person: PersonRepeats, own: boolean) => Promise<unknown>;
 }
 
 /** Per person: clicks and heights of their own repeats, how they lean, and which sigma their clicks count with. */

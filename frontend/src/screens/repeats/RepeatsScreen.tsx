@@ -1,14 +1,13 @@
 /** What clicking again shows: per target and per person, beside what the budgets claim. */
-import { useState } from "preact/hooks";
-import { Button, Empty, Loading, PageHead, Problem } from "../../components";
+import { Button, Empty, Loaded, PageHead, Problem } from "../../components";
 import { PageTabs } from "../../components/PageTabs";
+import { useAction } from "../../core/action";
 import { api } from "../../core/api";
 import { say } from "../../core/messages";
 import type { ScreenProps } from "../../core/places";
 import { useResource } from "../../core/resource";
 import { canWork } from "../../core/session";
 import { checksTabs } from "../../core/tabs";
-import { toastProblem } from "../../core/toasts";
 import type { PersonRepeats } from "../../core/types";
 import { AnchoringPanel } from "./AnchoringPanel";
 import { DifferenceFigure } from "./DifferenceFigure";
@@ -25,22 +24,16 @@ export default function RepeatsScreen({ surveyId }: ScreenProps) {
     (signal) => api.ask("GET /surveys/{survey_id}/review-plan", { survey_id: surveyId }, { signal }),
     [surveyId],
   );
-  const [busy, setBusy] = useState(false);
-  const choose = async (person: PersonRepeats, own: boolean): Promise<void> => {
-    setBusy(true);
-    try {
+  const { busy, problem, run } = useAction();
+  const choose = (person: PersonRepeats, own: boolean) =>
+    run(async () => {
       await api.write(
         "PUT /surveys/{survey_id}/people/{person_id}/click-sigma",
         { survey_id: surveyId, person_id: person.person.id },
         { body: { own } },
       );
       await found.reload();
-    } catch (error) {
-      toastProblem(error);
-    } finally {
-      setBusy(false);
-    }
-  };
+    });
   const data = found.data;
   return (
     <div class="page">
@@ -48,9 +41,9 @@ export default function RepeatsScreen({ surveyId }: ScreenProps) {
         {canWork.value && data !== null && data.repeats > 0 && <Again surveyId={surveyId} />}
       </PageHead>
       <PageTabs label={say("page-checks")} tabs={checksTabs(surveyId, "repeats")} />
-      <Problem error={found.error} again={found.reload} />
+      <Problem error={problem} />
+      <Loaded of={found} what={say("repeats-loading")} />
       <Problem error={plan.error} again={plan.reload} />
-      {!data && found.loading && <Loading what={say("repeats-loading")} />}
       {data && data.repeats === 0 && plan.data && (
         <Nothing surveyId={surveyId} oneIn={plan.data.blind_one_in} />
       )}

@@ -190,20 +190,22 @@ function Plan({ model }: { model: ReviewModel }) {
     );
   }
   return (
-    <select
-      class="input"
-      aria-label={say("review-plan-choose")}
-      title={say("review-plan-choose")}
-      data-testid="blind-plan"
-      value={oneIn}
-      onChange={(event) => void model.choosePlan(Number(event.currentTarget.value))}
-    >
-      {plansWith(oneIn).map((one) => (
-        <option key={one} value={one}>
-          {say("review-plan-choice", { one_in: one })}
-        </option>
-      ))}
-    </select>
+    <label class="review__plan small" title={say("review-plan-choose")}>
+      {say("review-plan-name")}
+      <select
+        class="input"
+        aria-label={say("review-plan-choose")}
+        data-testid="blind-plan"
+        value={oneIn}
+        onChange={(event) => void model.choosePlan(Number(event.currentTarget.value))}
+      >
+        {plansWith(oneIn).map((one) => (
+          <option key={one} value={one}>
+            {say("review-plan-choice", { one_in: one })}
+          </option>
+        ))}
+      </select>
+    </label>
   );
 }
 

@@ -46,7 +46,7 @@ export default function ReviewScreen({ surveyId }: ScreenProps) {
         <Loading what={say("review-loading")} />
       ) : model.current.value && player ? (
         <>
-          <section class="review__frame" aria-label={say("stage-frame")}>
+          <section class="frame-place" aria-label={say("stage-frame")}>
             {model.hidden.value ? (
               <BlindFrame key={player.recordingId} blind={model.blind} player={player} stage={model.stage} />
             ) : (

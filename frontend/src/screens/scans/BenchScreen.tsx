@@ -6,7 +6,7 @@ import { historyCommands, useUndoTools } from "../../components/undoTools";
 import { query } from "../../core/address";
 import { type ActionId, useCommands } from "../../core/commands";
 import { cancelJob } from "../../core/jobs";
-import { say } from "../../core/messages";
+import { say, sentenceOf } from "../../core/messages";
 import type { ScreenProps } from "../../core/places";
 import { canWork, may } from "../../core/session";
 import { formatDuration, formatMoment, formatPlaceMoment } from "../../core/times";
@@ -128,7 +128,7 @@ function headWords({ lines, rows_px, duration_s, rig, run, started_local }: Scan
     formatDuration(duration_s ?? 0),
     say("scans-fact-baseline", { baseline: formatLength(rig.baseline_m) }),
     say("scans-fact-rate", { rate_hz: formatCount(rig.line_rate_hz) }),
-    run?.misalignment_words,
+    sentenceOf(run?.misalignment_words),
   ];
   return words.filter(Boolean).join("  ·  ");
 }
@@ -136,7 +136,7 @@ function headWords({ lines, rows_px, duration_s, rig, run, started_local }: Scan
 function RunWarnings({ scan }: { scan: Scan }) {
   return (
     <div class="scan__warnings">
-      {scan.run?.warnings.map((one) => (
+      {scan.run?.warnings.map(sentenceOf).map((one) => (
         <Notice key={one} kind="warning">
           {one}
         </Notice>

@@ -4,7 +4,7 @@ import { Button, Notice, Problem, Segments } from "../../components";
 import { Said } from "../../components/Said";
 import { api } from "../../core/api";
 import { keyMap, showChord } from "../../core/commands";
-import { say, wordsOf } from "../../core/messages";
+import { say, sentenceOf, wordsOf } from "../../core/messages";
 import { outbox } from "../../core/outbox";
 import { canWork } from "../../core/session";
 import { survey } from "../../core/survey";
@@ -158,9 +158,9 @@ function valueWords(one: LineHeight | null, live: LineHeightAnswer | null): stri
 function reasonOf(one: LineHeight | null, live: LineHeightAnswer | null): string | null {
   const shown = live ?? one;
   if (!shown) return null;
-  if (shown.reason) return shown.reason;
+  if (shown.reason) return sentenceOf(shown.reason);
   const older = live === null && one?.older ? [say("scan-height-older")] : [];
-  return [...shown.warnings, ...older].join(" ") || null;
+  return [...shown.flags.map(sentenceOf), ...older].join(" ") || null;
 }
 
 const ASKED: Readonly<Partial<Record<Target, string>>> = wordsOf("scan-height-inset-", "driver_eye", "roof");
@@ -215,8 +215,8 @@ function Detail({ model, one }: { model: ScanModel; one: LineHeight }) {
         <dt>{say("scan-height-rows")}</dt>
         <dd>
           {say("scan-height-rows-value", {
-            contact_px: fixed(one.contact_row_px, 1),
-            target_px: fixed(one.target_row_px, 1),
+            contact_px: fixed(one.contact[1], 1),
+            target_px: fixed(one.target_point[1], 1),
           })}
         </dd>
       </dl>
@@ -251,7 +251,7 @@ function Revisions({ one }: { one: LineHeight }) {
       if (!stop.signal.aborted) setError(problem);
     });
     return () => stop.abort();
-  }, [one.id]);
+  }, [one.revision_id]);
   if (error) return <Problem error={error} />;
   return (
     <ul class="scan__history small">
@@ -259,7 +259,7 @@ function Revisions({ one }: { one: LineHeight }) {
         .filter((revision) => revision.target === one.target)
         .reverse()
         .map((revision) => (
-          <li key={revision.id}>
+          <li key={revision.revision_id}>
             <Said
               what="scan-height-revision"
               values={{

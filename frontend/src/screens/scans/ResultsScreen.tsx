@@ -2,11 +2,14 @@
 import { useState } from "preact/hooks";
 import { Button, Empty, Loaded, Notice, PageHead, Segments } from "../../components";
 import { PageTabs } from "../../components/PageTabs";
+import { Said } from "../../components/Said";
+import { query, setQuery } from "../../core/address";
 import { api } from "../../core/api";
 import { say } from "../../core/messages";
 import type { ScreenProps } from "../../core/places";
 import { useResource } from "../../core/resource";
 import { resultsTabs } from "../../core/tabs";
+import { FilmedFields, filmedOf } from "../../parts/filming/FilmedFields";
 import { ReferenceErrors, RunsOfCars } from "./ReferenceErrors";
 import { ScannedHeights } from "./ScannedHeights";
 import { SizeErrors } from "./SizeErrors";
@@ -19,15 +22,18 @@ type Which = "accepted" | "all";
 
 export default function ResultsScreen({ surveyId }: ScreenProps) {
   const [which, setWhich] = useState<Which>("accepted");
+  const filmed = filmedOf(query.value);
+  const limits = Object.values(filmed);
   const found = useResource(
     (signal) =>
       api.ask(
         "GET /surveys/{survey_id}/scan-statistics",
-        { survey_id: surveyId, accepted_only: which === "accepted" },
+        { survey_id: surveyId, accepted_only: which === "accepted", ...filmed },
         { signal },
       ),
-    [surveyId, which],
+    [surveyId, which, ...limits],
   );
+  const limited = limits.some((one) => one !== null);
   const data = found.data;
   const vehicles = data?.table.length ?? 0;
   return (
@@ -47,8 +53,28 @@ export default function ResultsScreen({ surveyId }: ScreenProps) {
         </div>
       </PageHead>
       <PageTabs label={say("page-statistics")} tabs={resultsTabs("scan-results")} />
+      <details class="panel panel__body motion-filmed" open={limited}>
+        <summary>{say("motion-filter")}</summary>
+        <div class="motion-filmed__fields">
+          <FilmedFields value={filmed} onChange={setQuery} />
+        </div>
+      </details>
+      {data && (data.counted["without_time"] ?? 0) > 0 && (
+        <Notice kind="info">
+          <Said
+            what="motion-without-time"
+            values={{ count: data.counted["without_time"] ?? 0 }}
+            parts={{ link: (text) => <a href={`/surveys/${surveyId}/scans`}>{text}</a> }}
+          />
+        </Notice>
+      )}
       <Loaded of={found} what={say("motion-loading")} />
-      {data && vehicles === 0 && (
+      {data && vehicles === 0 && limited && (
+        <div class="panel">
+          <Empty title={say("motion-none-filmed")} />
+        </div>
+      )}
+      {data && vehicles === 0 && !limited && (
         <div class="panel">
           <Empty title={say(which === "accepted" ? "motion-none-accepted-title" : "motion-none-title")}>
             <p>{say(which === "accepted" ? "motion-none-accepted" : "motion-none")}</p>
@@ -85,7 +111,7 @@ export default function ResultsScreen({ surveyId }: ScreenProps) {
         </div>
       )}
       {data && data.counted["vehicles"] !== 0 && (
-        <Traffic surveyId={surveyId} acceptedOnly={which === "accepted"} />
+        <Traffic surveyId={surveyId} acceptedOnly={which === "accepted"} filmed={filmed} />
       )}
     </div>
   );

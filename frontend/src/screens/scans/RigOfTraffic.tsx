@@ -2,7 +2,7 @@
 
 import { Button, Loading, Notice, Problem, TableScroll } from "../../components";
 import { api } from "../../core/api";
-import { say } from "../../core/messages";
+import { say, sentenceOf } from "../../core/messages";
 import { useResource } from "../../core/resource";
 import { may } from "../../core/session";
 import { toast, toastProblem } from "../../core/toasts";
@@ -47,7 +47,9 @@ export function RigOfTraffic({ scan, use, narrow, changed }: Props) {
 function Told({ found, scan, use, narrow, changed }: Props & { found: Found }) {
   const { rig } = scan;
   const { misalignment, gain } = found;
-  const words = [misalignment.warning, ...found.baselines.map((one) => one.words)].filter(Boolean);
+  const words = [misalignment.warning, ...found.baselines.map((one) => one.words)].flatMap(
+    (one) => sentenceOf(one) ?? [],
+  );
   return (
     <div class="stack stack--tight" data-testid="rig-of-traffic">
       {found.order && (
@@ -61,7 +63,7 @@ function Told({ found, scan, use, narrow, changed }: Props & { found: Found }) {
             )
           }
         >
-          {found.order}
+          {sentenceOf(found.order)}
         </Notice>
       )}
       <TableScroll label={say("scans-traffic-table")}>
@@ -89,7 +91,7 @@ function Told({ found, scan, use, narrow, changed }: Props & { found: Found }) {
                     ? say("scans-rig-from-traffic")
                     : (pixels(rig.misalignment_px, rig.u_misalignment_px) ?? "–")
               }
-              reason={misalignment.reason}
+              reason={sentenceOf(misalignment.reason)}
               use={() =>
                 use({
                   misalignment: fixed(misalignment.value ?? 0, 4),
@@ -102,7 +104,7 @@ function Told({ found, scan, use, narrow, changed }: Props & { found: Found }) {
               value={withU(gain.value, gain.u)}
               n={gain.n}
               inForce={narrow ? null : say("scans-traffic-gain-own")}
-              reason={gain.reason}
+              reason={sentenceOf(gain.reason)}
             />
             {found.baselines.map((one) => (
               <Row
@@ -115,7 +117,7 @@ function Told({ found, scan, use, narrow, changed }: Props & { found: Found }) {
                 }
                 n={one.ratio.n}
                 inForce={narrow ? null : length(rig.baseline_m, rig.u_baseline_m)}
-                reason={one.ratio.reason}
+                reason={sentenceOf(one.ratio.reason)}
                 use={
                   one.differs
                     ? () =>

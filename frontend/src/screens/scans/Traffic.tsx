@@ -2,30 +2,32 @@
 import { useState } from "preact/hooks";
 import { Button, Empty, Loaded, Notice, num, Segments, Table } from "../../components";
 import { api } from "../../core/api";
-import { say } from "../../core/messages";
+import { say, sentenceOf } from "../../core/messages";
 import { useResource } from "../../core/resource";
 import { formatPlaceClock, formatPlaceDay } from "../../core/times";
 import type { ScanTraffic, TrafficFigure, TrafficInterval, TrafficOfScans } from "../../core/types";
 import { fixed, heads, plainLength, speedScale } from "../../core/units";
+import type { Filmed } from "../../parts/filming/FilmedFields";
 import { FlowFigure, FundamentalFigure, placeOf, SpeedFigure } from "./TrafficFigures";
 
 interface Props {
   surveyId: number;
   acceptedOnly: boolean;
+  filmed: Filmed;
 }
 
 const MINUTES = ["1", "5", "15", "60"] as const;
 
-export function Traffic({ surveyId, acceptedOnly }: Props) {
+export function Traffic({ surveyId, acceptedOnly, filmed }: Props) {
   const [minutes, setMinutes] = useState<(typeof MINUTES)[number]>("5");
   const found = useResource(
     (signal) =>
       api.ask(
         "GET /surveys/{survey_id}/scan-traffic",
-        { survey_id: surveyId, minutes: Number(minutes), accepted_only: acceptedOnly },
+        { survey_id: surveyId, minutes: Number(minutes), accepted_only: acceptedOnly, ...filmed },
         { signal },
       ),
-    [surveyId, minutes, acceptedOnly],
+    [surveyId, minutes, acceptedOnly, ...Object.values(filmed)],
   );
   const scans = found.data?.scans ?? [];
   return (
@@ -76,7 +78,7 @@ function OfScan({ scan, of, surveyId }: { scan: ScanTraffic; of: TrafficOfScans;
           title={scan.name}
           actions={<Button href={`/surveys/${surveyId}/scans`}>{say("scans-all")}</Button>}
         >
-          <p>{scan.reason}</p>
+          <p>{sentenceOf(scan.reason)}</p>
         </Empty>
       </div>
     );
@@ -143,7 +145,7 @@ function Row({ one }: { one: TrafficInterval }) {
   const [by] = speedScale();
   const p85 = one.percentiles.find((each) => each.percent === 85);
   return (
-    <tr title={one.reasons.join(" ") || undefined}>
+    <tr title={one.reasons.map(sentenceOf).join(" ") || undefined}>
       <td class="nowrap">
         {formatPlaceClock(one.begins_at)}
         {one.partial && <span class="muted"> {say("flows-partial")}</span>}

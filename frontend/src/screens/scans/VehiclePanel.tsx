@@ -2,7 +2,7 @@
 import { Button, Loading, Notice, SelectField, StateMark } from "../../components";
 import { Said } from "../../components/Said";
 import { hint } from "../../core/commands";
-import { say } from "../../core/messages";
+import { say, sentenceOf } from "../../core/messages";
 import { canWork } from "../../core/session";
 import { formatPlaceDay, formatPlaceTime } from "../../core/times";
 import type { ScanMotion, ScanVehicle } from "../../core/types";
@@ -82,10 +82,10 @@ function Numbers({ m, vehicle, lanes }: NumbersProps) {
         </p>
       ) : (
         <Notice kind="warning" title={say("scan-not-measurable")}>
-          {m.reason}
+          {sentenceOf(m.reason)}
         </Notice>
       )}
-      {m.warnings.map((one) => (
+      {m.warnings.map(sentenceOf).map((one) => (
         <Notice key={one} kind="warning">
           {one}
         </Notice>
@@ -136,7 +136,7 @@ function Numbers({ m, vehicle, lanes }: NumbersProps) {
         <dt>{say("scan-time-gap")}</dt>
         <dd>
           {gap?.time_gap_s == null
-            ? (gap?.reason ?? say("scan-time-gap-first"))
+            ? (sentenceOf(gap?.reason) ?? say("scan-time-gap-first"))
             : formatSeconds(gap.time_gap_s, 3)}
         </dd>
         {gap?.time_gap_s != null && (
@@ -201,7 +201,7 @@ function Passed({ vehicle }: { vehicle: ScanVehicle }) {
 }
 
 function DistanceGap({ gap }: { gap: NonNullable<ScanVehicle["gap"]> }) {
-  const words = gap.distance_gap_m === null ? gap.reason : formatLength(gap.distance_gap_m, 2);
+  const words = gap.distance_gap_m === null ? sentenceOf(gap.reason) : formatLength(gap.distance_gap_m, 2);
   if (gap.paper_distance_gap_m === null) return <>{words}</>;
   return (
     <Said

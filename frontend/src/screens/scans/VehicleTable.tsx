@@ -5,7 +5,7 @@ import { StateMark, TableScroll } from "../../components";
 import { bringInSight } from "../../components/inSight";
 import { useOneTabStop } from "../../components/oneTabStop";
 import { Said } from "../../components/Said";
-import { say } from "../../core/messages";
+import { say, sentenceOf } from "../../core/messages";
 import { formatPlaceClock, formatPlaceMoment } from "../../core/times";
 import type { ScanVehicle } from "../../core/types";
 import { fixed, heads, plainAcceleration, plainLength, plainSpeed } from "../../core/units";
@@ -101,10 +101,10 @@ function Row({ vehicle, model, lanes }: { vehicle: ScanVehicle; model: ScanModel
       </td>
       <td class="num">{plainAcceleration(m?.acceleration_mps2 ?? null)}</td>
       <td class="num">{plainLength(m?.length_m ?? null)}</td>
-      <td class="num" title={gap?.reason ?? undefined}>
+      <td class="num" title={sentenceOf(gap?.reason) ?? undefined}>
         {gap?.time_gap_s == null ? "–" : fixed(gap.time_gap_s, 2)}
       </td>
-      <td class="num" title={gap?.reason ?? undefined}>
+      <td class="num" title={sentenceOf(gap?.reason) ?? undefined}>
         {plainLength(gap?.distance_gap_m ?? null, 1)}
       </td>
       {lanes ? (

@@ -25,6 +25,7 @@ import {
   type Inset,
   insetSaid,
   LINE_HEIGHT,
+  placeOf,
   pointBody,
   type Verdict,
   verdictWords,
@@ -146,12 +147,12 @@ export class LineHeights {
     this.flush();
     this.bench.cancel();
     const newest = this.ofChosen.value.reduce<LineHeight | null>(
-      (best, one) => (best && best.id > one.id ? best : one),
+      (best, one) => (best && best.revision_id > one.revision_id ? best : one),
       null,
     );
     this.bench.mode.value = "height";
     this.target.value = wanted;
-    this.contact.value = newest && { line: newest.contact_line, row: newest.contact_row_px };
+    this.contact.value = newest && placeOf(newest.contact);
     this.point(null);
   }
 
@@ -243,7 +244,7 @@ export class LineHeights {
       return (
         one && {
           review: one.review,
-          kept: outbox.get<LineHeight, Verdict, HeightVerdictAbout>(verdictKey(one.id))?.want,
+          kept: outbox.get<LineHeight, Verdict, HeightVerdictAbout>(verdictKey(one.revision_id))?.want,
         }
       );
     },
@@ -255,13 +256,13 @@ export class LineHeights {
   );
 
   private async give(one: LineHeight, want: Verdict): Promise<void> {
-    const { id, vehicle_id, target } = one;
+    const { id, revision, revision_id, vehicle_id, target } = one;
     const vehicle = String(this.bench.numberOf(vehicle_id));
     const stored = await outbox.store<LineHeight, Verdict, HeightVerdictAbout>({
-      key: verdictKey(id),
+      key: verdictKey(revision_id),
       kind: HEIGHT_VERDICT,
       lane: `scan.${this.bench.id}`,
-      about: { id, vehicleId: vehicle_id, target, by: me.value?.person.id ?? 0 },
+      about: { id, revision, vehicleId: vehicle_id, target, by: me.value?.person.id ?? 0 },
       what: say("scan-step-height-verdict", { target, vehicle }),
       mine: verdictWords(want),
       page: this.bench.page(vehicle_id),
@@ -386,12 +387,12 @@ function isJudged({ review }: LineHeight): boolean {
 }
 
 /** A verdict on it is on its way. */
-function isKept({ id }: LineHeight): boolean {
-  return outbox.get(verdictKey(id)) !== undefined;
+function isKept({ revision_id }: LineHeight): boolean {
+  return outbox.get(verdictKey(revision_id)) !== undefined;
 }
 
-function verdictKey(heightId: number): string {
-  return `height-verdict.${heightId}`;
+function verdictKey(revisionId: number): string {
+  return `height-verdict.${revisionId}`;
 }
 
 type HeightWish = Wish<LineHeight, HeightWanted, HeightAbout>;
@@ -409,11 +410,11 @@ function expected({ about: { id, target, answer }, saved, want: { clicks } }: He
     vehicle_id: id,
     target,
     ...(clicks?.inset ?? {}),
-    ...(contact ? { contact_line: contact.line, contact_row_px: contact.row } : {}),
-    ...(point ? { target_line: point.line, target_row_px: point.row } : {}),
+    ...(contact ? { contact: [contact.line, contact.row] } : {}),
+    ...(point ? { target_point: [point.line, point.row] } : {}),
     ...(clicks ? { ...NO_FIGURES, ...(answer && answer.status !== "contact" ? figuresOf(answer) : {}) } : {}),
     // the newest of its vehicle
-    id: Number.MAX_SAFE_INTEGER,
+    revision_id: Number.MAX_SAFE_INTEGER,
     older: false,
     withdrawn: clicks === null,
     // a new revision waits for a verdict, of somebody else
@@ -439,7 +440,7 @@ const NO_FIGURES: Pick<LineHeight, Figure | "budget"> = {
   u_height_m: null,
   U95_height_m: null,
   budget: [],
-  warnings: [],
+  flags: [],
 };
 
 type Figure =
@@ -450,31 +451,31 @@ type Figure =
   | "height_m"
   | "u_height_m"
   | "U95_height_m"
-  | "warnings";
+  | "flags";
 
 const NOT_YET = {
   ...NO_FIGURES,
+  id: 0,
   revision: 0,
-  pose_id: 0,
+  line_pose_id: 0,
+  code_version: "",
   sigma_px: 1,
   inset_m: 0,
   u_inset_m: 0,
   inset_from: "usual" as const,
   side: null,
   computing_id: null,
-  contact_line: 0,
-  contact_row_px: 0,
-  target_line: 0,
-  target_row_px: 0,
+  contact: [0, 0] satisfies LineHeight["contact"],
+  target_point: [0, 0] satisfies LineHeight["contact"],
   u_distance_m: null,
   created_by: null,
   created_at: "",
 };
 
 function figuresOf(answer: LineHeightAnswer): Partial<LineHeight> {
-  const { status, reason, distance_m, U95_distance_m, height_m, u_height_m, U95_height_m, warnings } = answer;
+  const { status, reason, distance_m, U95_distance_m, height_m, u_height_m, U95_height_m, flags } = answer;
   if (status === "contact") return {};
-  return { status, reason, distance_m, U95_distance_m, height_m, u_height_m, U95_height_m, warnings };
+  return { status, reason, distance_m, U95_distance_m, height_m, u_height_m, U95_height_m, flags };
 }
 
 function withHeight(all: readonly LineHeight[], made: LineHeight): readonly LineHeight[] {

@@ -59,10 +59,8 @@ const isHeight = shapeOf<LineHeight>({
   revision: "number",
   vehicle_id: "number",
   target: "string",
-  contact_line: "number",
-  contact_row_px: "number",
-  target_line: "number",
-  target_row_px: "number",
+  contact: "list",
+  target_point: "list",
   withdrawn: "boolean",
 });
 
@@ -107,15 +105,19 @@ async function readHeight(
 
 export function clicksOf(one: LineHeight): Clicks {
   return {
-    contact: { line: one.contact_line, row: one.contact_row_px },
-    point: { line: one.target_line, row: one.target_row_px },
+    contact: placeOf(one.contact),
+    point: placeOf(one.target_point),
     inset: insetSaid(one),
   };
 }
 
+export function placeOf([line, row]: LineHeight["contact"]): Place {
+  return { line, row };
+}
+
 /** What was said of a height's inset; null: nothing, so it is the survey's, whatever that is by now. */
 export function insetSaid({ inset_from, inset_m, u_inset_m, side }: LineHeight): Inset | null {
-  if (inset_from === "own") return { inset_m, u_inset_m };
+  if (inset_from === "own" && inset_m !== null && u_inset_m !== null) return { inset_m, u_inset_m };
   return side && { side };
 }
 
@@ -401,8 +403,9 @@ export function verdictWords({ verdict, reason }: Verdict): string {
 }
 
 export interface HeightVerdictAbout {
-  /** The revision that is judged. */
   readonly id: number;
+  /** The one that is judged. */
+  readonly revision: number;
   readonly vehicleId: number;
   readonly target: Target;
   /** Who gives it. */
@@ -415,14 +418,23 @@ const heightVerdictKind: Kind<LineHeight, Verdict, HeightVerdictAbout> = {
     api.write(
       "POST /line-heights/{height_id}/review",
       { height_id: about.id },
-      { body: { verdict, seen: saved?.review.verdict, ...(reason ? { reason } : {}) }, retry: true, signal },
+      {
+        body: {
+          revision: about.revision,
+          verdict,
+          seen: saved?.review.verdict,
+          ...(reason ? { reason } : {}),
+        },
+        retry: true,
+        signal,
+      },
     ),
   read: ({ about: { vehicleId, target } }, _error, signal) => readHeight(vehicleId, target, signal),
   isSaved: isHeight,
   done({ about, saved, want }) {
-    return saved?.id === about.id && isGiven(saved.review, want, about.by);
+    return saved?.revision === about.revision && isGiven(saved.review, want, about.by);
   },
-  version: (saved) => (saved ? `${saved.id} ${saved.review.verdict} ${saved.review.at}` : ""),
+  version: (saved) => (saved ? `${saved.revision_id} ${saved.review.verdict} ${saved.review.at}` : ""),
   words: (saved) => (saved ? reviewWords(saved.review) : ""),
 };
 

@@ -193,8 +193,8 @@ describe("judging vehicles of a line scan", () => {
     const given: string[] = [];
     const height = (id: number, target: string, part: object = {}) => ({
       ...{ id, target, vehicle_id: 2, revision: 1, status: "ok", withdrawn: false, mine: false },
-      ...{ contact_line: 300, contact_row_px: 150, target_line: 310, target_row_px: 40 },
-      ...{ review: REVIEW, warnings: [], budget: [], ...part },
+      ...{ revision_id: id, contact: [300, 150], target_point: [310, 40] },
+      ...{ review: REVIEW, flags: [], budget: [], ...part },
     });
     let heights: Record<string, unknown>[] = [
       height(31, "driver_eye"),

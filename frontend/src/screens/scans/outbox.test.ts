@@ -61,8 +61,20 @@ beforeEach(async () => {
   server.on("POST", /^\/scan-vehicles\/9\/restore$/, () => change({ deleted: false }));
   server.on("POST", /^\/scan-vehicles\/9\/heights$/, (_match, { revision, ...clicks }) => {
     if (revision !== heights.length) throw 409;
-    const figures = { height_m: 1.5, U95_height_m: 0.02, status: "ok", warnings: [], budget: [] };
-    const made = { ...clicks, ...figures, id: heights.length + 1, vehicle_id: 9, withdrawn: false };
+    const figures = { height_m: 1.5, U95_height_m: 0.02, status: "ok", flags: [], budget: [] };
+    const points = {
+      contact: [clicks["contact_line"], clicks["contact_row_px"]],
+      target_point: [clicks["target_line"], clicks["target_row_px"]],
+    };
+    const made = {
+      ...clicks,
+      ...points,
+      ...figures,
+      revision_id: heights.length + 1,
+      id: 1,
+      vehicle_id: 9,
+      withdrawn: false,
+    };
     heights = [...heights, { ...made, revision: heights.length + 1 } as unknown as LineHeight];
     return heights.at(-1);
   });
@@ -95,7 +107,7 @@ describe("what is done on the strips without a connection", () => {
     await click();
     expect(model.chosen.value?.make).toBe("Fiat");
     expect(model.crossings.value?.front_line_1).toBe(210);
-    expect(model.heights.of("roof")?.contact_line).toBe(300);
+    expect(model.heights.of("roof")?.contact[0]).toBe(300);
     expect(written()).toEqual([]);
 
     model.close();
@@ -140,7 +152,7 @@ describe("what is done on the strips without a connection", () => {
   it("is asked about where somebody else clicked meanwhile, with both values", async () => {
     server.down = true;
     await click();
-    const theirs = { target: "roof", contact_line: 1, contact_row_px: 2, target_line: 3, target_row_px: 4 };
+    const theirs = { target: "roof", contact: [1, 2], target_point: [3, 4], revision_id: 8 };
     const figures = { height_m: 1.62, U95_height_m: 0.03, status: "ok", withdrawn: false };
     heights = [{ ...theirs, ...figures, id: 1, vehicle_id: 9, revision: 1 } as unknown as LineHeight];
     server.down = false;
@@ -156,6 +168,6 @@ describe("what is done on the strips without a connection", () => {
     expect(heights).toHaveLength(1);
     outbox.resolve("height.9.roof", "mine");
     await quiet();
-    expect(heights.at(-1)).toMatchObject({ revision: 2, contact_line: 300 });
+    expect(heights.at(-1)).toMatchObject({ revision: 2, contact: [300, 150] });
   });
 });

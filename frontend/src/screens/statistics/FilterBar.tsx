@@ -1,10 +1,11 @@
 import { useState } from "preact/hooks";
 import { Button, Checklist, DateField, SelectField, TextField } from "../../components";
-import { query } from "../../core/address";
+import { query, setQuery } from "../../core/address";
 import { say, wordsOf } from "../../core/messages";
 import { lengthUnit, parseSmall, smallScale, smallText } from "../../core/units";
 import { LIGHTING_WORDS, STATE_WORDS } from "../../core/words";
 import { fixedRange } from "../../parts/figures/numbers";
+import { FilmedFields, filmedOf } from "../../parts/filming/FilmedFields";
 import { ClassChoice } from "../../parts/vehicles/ClassChoice";
 import { CORRECTIONS, narrowed, type SingleName, setFilter, WIDE } from "./filters";
 import { type Statistics, TARGET_TITLES } from "./model";
@@ -17,6 +18,8 @@ const MORE: readonly SingleName[] = [
   "operator",
   "filmed_from",
   "filmed_to",
+  "hour_from",
+  "hour_to",
   "first_day",
   "last_day",
   "correction",
@@ -75,8 +78,7 @@ export function FilterBar({ found }: { found: Statistics | null }) {
             { value: "", label: say("statistics-filter-anybody") },
             ...operators,
           ])}
-          <Day name="filmed_from" label={say("statistics-filter-filmed-from")} />
-          <Day name="filmed_to" label={say("statistics-filter-filmed-to")} />
+          <FilmedFields value={filmedOf(at)} onChange={setQuery} />
           <Day name="first_day" label={say("statistics-filter-first-day")} />
           <Day name="last_day" label={say("statistics-filter-last-day")} />
           {choice("correction", say("statistics-filter-correction"), [
@@ -127,9 +129,7 @@ function Surveys({ found, chosen }: { found: Statistics | null; chosen: readonly
   );
 }
 
-type DayName = "first_day" | "last_day" | "filmed_from" | "filmed_to";
-
-function Day({ name, label }: { name: DayName; label: string }) {
+function Day({ name, label }: { name: "first_day" | "last_day"; label: string }) {
   return (
     <DateField
       label={label}

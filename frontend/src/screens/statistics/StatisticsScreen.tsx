@@ -67,6 +67,17 @@ export default function StatisticsScreen() {
       {query.value.getAll("survey").map((id) => (
         <OutOfDateNotice key={id} surveyId={Number(id)} computed={found.reload} />
       ))}
+      {data && data.counted.without_time > 0 && (
+        <Notice kind="info">
+          <Said
+            what="statistics-without-time"
+            values={{ count: data.counted.without_time }}
+            parts={{
+              link: (text) => (only ? <a href={`/surveys/${only}/recordings`}>{text}</a> : text),
+            }}
+          />
+        </Notice>
+      )}
       {data && data.counted.without_class > 0 && (
         <Notice kind="info">
           <Said

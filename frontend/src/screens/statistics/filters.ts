@@ -13,6 +13,8 @@ const SINGLE = [
   "last_day",
   "filmed_from",
   "filmed_to",
+  "hour_from",
+  "hour_to",
   "state",
   "rounding",
   "correction",
@@ -58,6 +60,8 @@ const NARROWING = [
   "last_day",
   "filmed_from",
   "filmed_to",
+  "hour_from",
+  "hour_to",
   "state",
 ] as const satisfies readonly (SingleName | RepeatedName)[];
 

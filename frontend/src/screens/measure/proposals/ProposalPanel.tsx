@@ -2,7 +2,6 @@
 import { Button } from "../../../components";
 import { hint, keyMap, showChord } from "../../../core/commands";
 import { say, sayCode } from "../../../core/messages";
-import { canWork } from "../../../core/session";
 import type { PointProposal } from "../../../core/types";
 import { fixed } from "../../../core/units";
 import { TARGET_WORDS, TARGETS } from "../../../core/words";
@@ -17,7 +16,6 @@ const KEYS = ["target1", "target2", "target3", "target4", "target5"] as const;
 
 export function ProposalPanel({ model }: { model: MeasureModel }) {
   const { proposals, points } = model;
-  if (!canWork.value || proposals.all.value.length === 0) return null;
   const missing = points.missing();
   if (missing.length === 0) return null;
   const frame = model.vehicle.value && proposals.frameOf(model.vehicle.value.id, missing);

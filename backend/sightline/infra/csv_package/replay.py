@@ -1,0 +1,135 @@
+"""A row of a package is what its events say: what they say together, and the one comparison with the row.
+
+A slice declares each of its tables of rows that events make (`Replayed`); what follows from other rows,
+and what is computed again, it checks by itself on the rows that were held.
+"""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import dataclass, field
+from typing import Any, cast
+
+from sightline.errors import Damaged
+from sightline.infra.csv_package.chain import Event, stamp
+from sightline.infra.csv_package.files import Files, read_rows
+from sightline.infra.csv_package.schema import AnyTable, Column, Table, cell_text
+
+#: What the events say of one row, by their own words, with `id`, `deleted`, `created_by_id` (who did the
+#: first), and of the last `actor_id` and `event`, its number.
+Told = dict[str, Any]
+Cells = Mapping[str, Any]
+Row = dict[str, str]
+
+
+def _as_told(told: Told) -> Cells:
+    return told
+
+
+@dataclass(frozen=True)
+class Replayed:
+    """A table whose rows are what the events of `entity` say, in other words where `cells` gives them.
+
+    `within`: the word that names what a row is part of, and the entity of that, with which it is deleted.
+    """
+
+    table: AnyTable
+    entity: str
+    within: tuple[str, str] | None = None
+    cells: Callable[[Told], Cells] = field(default=_as_told, compare=False)
+
+
+class Replay:
+    """What the events of a chain say of rows, by entity and number. `within`: as `Replayed` has it."""
+
+    def __init__(self, within: Mapping[str, tuple[str, str]]) -> None:
+        self._within = within
+        self._rows: dict[str, dict[int, Told]] = defaultdict(dict)
+
+    def add(self, event: Event, after: Mapping[str, Any]) -> None:
+        """An event of a row that it makes, changes or deletes."""
+        actor = int(event["actor_id"]) if event["actor_id"] else None
+        told = self.row(event["entity"], int(event["entity_id"]))
+        told.setdefault("created_by_id", actor)
+        told.update(after, actor_id=actor, event=int(event["number"]))
+
+    def row(self, entity: str, number: int) -> Told:
+        """What is said of one row; a new one where nothing was said yet."""
+        return self._rows[entity].setdefault(number, {"id": number, "deleted": False})
+
+    def of(self, entity: str) -> Mapping[int, Told]:
+        """What is said of every row of a kind, deleted ones too, by number."""
+        return self._rows[entity]
+
+    def is_gone(self, entity: str, number: int) -> bool:
+        """Whether a row was deleted in the end, or what it is part of; it is then in no table."""
+        told = self._rows[entity].get(number)
+        if told is None:
+            return False
+        part_of = self._within.get(entity)
+        return bool(told["deleted"]) or (
+            part_of is not None and self.is_gone(part_of[1], int(told[part_of[0]]))
+        )
+
+    def standing(self, entity: str) -> Iterator[Told]:
+        """What is said of the rows of a kind that are not gone."""
+        return (told for number, told in self._rows[entity].items() if not self.is_gone(entity, number))
+
+    def hold(self, files: Files, replayed: Replayed) -> Iterator[Row]:
+        """The rows of a table, each as its events say (`hold`). Raises Damaged."""
+        return hold(files, replayed.table, map(replayed.cells, self.standing(replayed.entity)))
+
+
+def hold(
+    files: Files, table: AnyTable, expected: Iterable[Cells], *, in_order: bool = False
+) -> Iterator[Row]:
+    """The rows of a table, each compared with what is expected of it by the table's key; none is missing at
+    the end and none too many. `in_order`: the rows come as expected, one after another.
+
+    What `expected` does not name, or tells in parts, is not compared, nor a column that a package of another
+    version lacks. Raises Damaged.
+    """
+    columns = {column.name: column for column in table.columns}
+    names = () if in_order else table.primary
+    wanted = {
+        tuple(cell_text(columns[name], one[name]) for name in names) or (str(at),): one
+        for at, one in enumerate(expected, start=1)
+    }
+    for at, row in enumerate(read_rows(files, table.path), start=1):
+        key = tuple(row[name] for name in names) or (str(at),)
+        told = wanted.pop(key, None)
+        if told is None:
+            raise Damaged("csv_package-row-of-no-event", path=table.path, key=" ".join(key))
+        name = first_difference(columns, row, told)
+        if name is not None:
+            said = " ".join(row[each] for each in table.primary) or str(at)
+            raise Damaged("csv_package-row-not-as-its-events", path=table.path, name=name, key=said)
+        yield row
+    if wanted:
+        raise Damaged("csv_package-row-missing", path=table.path, key=" ".join(min(wanted)))
+
+
+def hold_all(files: Files, table: AnyTable, expected: Iterable[Cells], *, in_order: bool = False) -> None:
+    """As `hold`, where nothing else follows from the rows. Raises Damaged."""
+    for _ in hold(files, table, expected, in_order=in_order):
+        pass
+
+
+def first_difference(columns: Mapping[str, Column[Any]], row: Mapping[str, str], told: Cells) -> str | None:
+    """The first column whose cell is not what is told of it, as it would be written."""
+    for name, value in told.items():
+        if name in columns and name in row and isinstance(value, str | int | float | None):
+            column = columns[name]
+            if column.type == "number" and isinstance(value, int):  # RFC 8785 writes 3.0 as 3
+                value = float(value)
+            text = cell_text(column, value)
+            if row[name] not in (text, stamp(text) if column.type == "datetime" else text):
+                return name
+    return None
+
+
+def values_of(table: AnyTable, record: object) -> dict[str, Any]:
+    """The values of a record's row by column."""
+    columns = cast(Table[object], table).columns
+    return {column.name: column.of(record) for column in columns if column.of is not None}

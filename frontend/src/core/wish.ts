@@ -1,0 +1,48 @@
+/** What a thing is to become, and how things of a kind are brought to the server. */
+import type { ApiError } from "./api";
+
+export interface Wish<S = unknown, W = unknown, A = unknown> {
+  /** The thing it is about; for a new one the key that the server knows it by. */
+  readonly key: string;
+  readonly kind: string;
+  readonly lane: string;
+  /** The numbers that the kind needs to address it. */
+  readonly about: A;
+  /** In words, for whoever is asked: "roof of vehicle 7", what it is to become, and the page where it was done. */
+  readonly what: string;
+  readonly mine: string;
+  readonly page: string;
+  /** What the server had when it was last seen; null: nothing. */
+  readonly saved: S | null;
+  readonly want: W;
+  /** "held": kept, and sent when its owner says so. */
+  readonly state: "held" | "saving" | "conflict" | "failed" | "saved" | "dropped";
+  /** Why it was not stored. */
+  readonly problem: string | null;
+  /** In a conflict: what is there instead. */
+  readonly theirs: S | null;
+}
+
+/** A wish as it is made. */
+export type Wanted<S, W, A> = Omit<Wish<S, W, A>, "state" | "problem" | "theirs">;
+
+/** How things of one kind are brought to the server. */
+export interface Kind<S, W, A> {
+  /** One step nearer to what is wanted; answers what the server has then. */
+  send(wish: Wish<S, W, A>, signal: AbortSignal): Promise<S | null>;
+  /** What the server has; `error` is the refusal that made it worth asking. */
+  read(wish: Wish<S, W, A>, error: ApiError, signal: AbortSignal): Promise<S | null>;
+  /** Whether an answer is such a thing, with all that is read of it here. */
+  isSaved(answer: unknown): answer is S;
+  done(wish: Wish<S, W, A>): boolean;
+  /** Another one means that somebody changed it. */
+  version(saved: S | null): string | number;
+  /** The value in words, for whoever has to choose. */
+  words(saved: S | null): string;
+  /** One write is all it takes; else writes go on until `done`. */
+  readonly once?: boolean;
+  /** Both changed it, but not the same of it: mine can be put on top of theirs. */
+  fits?(wish: Wish<S, W, A>, theirs: S): boolean;
+  /** What is still wanted once `sent` is stored. */
+  left?(sent: W, want: W): W;
+}

@@ -1,0 +1,72 @@
+/** Days and hours of filming, by the clocks of the place: one form for figures, packages and motions. */
+import { DateField, SelectField } from "../../components";
+import { say } from "../../core/messages";
+
+export interface Filmed {
+  filmed_from: string | null;
+  filmed_to: string | null;
+  hour_from: number | null;
+  hour_to: number | null;
+}
+
+const DAYS = ["filmed_from", "filmed_to"] as const;
+const HOURS = ["hour_from", "hour_to"] as const;
+const DAY_H = 24;
+
+/** What an address says of it. */
+export function filmedOf(query: URLSearchParams): Filmed {
+  const hour = (name: string) => (query.get(name) ? Number(query.get(name)) : null);
+  return {
+    filmed_from: query.get("filmed_from"),
+    filmed_to: query.get("filmed_to"),
+    hour_from: hour("hour_from"),
+    hour_to: hour("hour_to"),
+  };
+}
+
+export function FilmedFields({
+  value,
+  onChange,
+}: {
+  value: Filmed;
+  onChange(change: Partial<Filmed>): void;
+}) {
+  const labels = {
+    filmed_from: say("statistics-filter-filmed-from"),
+    filmed_to: say("statistics-filter-filmed-to"),
+    hour_from: say("statistics-filter-hour-from"),
+    hour_to: say("statistics-filter-hour-to"),
+  };
+  return (
+    <>
+      {DAYS.map((name) => (
+        <DateField
+          key={name}
+          label={labels[name]}
+          value={value[name] ?? ""}
+          onChange={(day) => onChange({ [name]: day || null })}
+        />
+      ))}
+      {HOURS.map((name, ends) => (
+        <SelectField
+          key={name}
+          label={labels[name]}
+          value={value[name] === null ? "" : String(value[name])}
+          options={[
+            { value: "", label: say("statistics-filter-any") },
+            ...Array.from({ length: DAY_H }, (_, hour) => ({
+              value: String(hour + ends),
+              label: clockHour(hour + ends),
+            })),
+          ]}
+          onChange={(hour) => onChange({ [name]: hour === "" ? null : Number(hour) })}
+        />
+      ))}
+    </>
+  );
+}
+
+/** What clocks show at a full hour: "07:00". */
+export function clockHour(hour: number): string {
+  return `${String(hour).padStart(2, "0")}:00`;
+}

@@ -1,0 +1,129 @@
+/** The frames of a measurement, and what a further one gains. */
+import { useEffect, useState } from "preact/hooks";
+import { Button } from "../../components";
+import { explain } from "../../core/api";
+import { hint } from "../../core/commands";
+import { say, sentenceOf } from "../../core/messages";
+import { canWork } from "../../core/session";
+import type { HeightAnswer, SecondFrameAnswer } from "../../core/types";
+import { formatHeight, formatSmall } from "../../core/units";
+import { askHeight, askSecondFrame, heightOrReason } from "../../viewer/geometry";
+import { framesOf } from "../../viewer/values";
+import type { MeasureModel } from "./model";
+import type { Entry } from "./records";
+
+/** To go to and to take away, and what one more would gain. */
+export function Frames({ model, entry }: { model: MeasureModel; entry: Entry }) {
+  const frames = framesOf(entry.values);
+  return (
+    <div class="frames-of" data-testid="frames-of">
+      {frames.length > 1 && (
+        <>
+          <ul class="frames-of__list">
+            {frames.map(({ frame }, i) => (
+              <li key={frame}>
+                <Button
+                  small
+                  kind="quiet"
+                  pressed={model.seenFrame.value === frame}
+                  onClick={() => {
+                    model.reel.player.value?.go(frame);
+                    model.points.select({ key: entry.key, role: "point" });
+                    model.stage.focus();
+                  }}
+                >
+                  {say("measure-frame", { frame: String(frame) })}
+                </Button>
+                <span class="grow muted small">{i === 0 ? say("measure-frame-first") : ""}</span>
+                {canWork.value && (
+                  <Button
+                    small
+                    kind="quiet"
+                    icon="trash"
+                    label={say("measure-frame-remove", { frame: String(frame) })}
+                    title={say("measure-frame-remove-this")}
+                    onClick={() => model.second.remove(entry.key, frame)}
+                  />
+                )}
+              </li>
+            ))}
+          </ul>
+          <AgainstOne model={model} entry={entry} />
+        </>
+      )}
+      {canWork.value && entry.state === "saved" && <GainButton model={model} entry={entry} />}
+    </div>
+  );
+}
+
+function recordingOf(model: MeasureModel): number | undefined {
+  return model.reel.player.value?.recordingId;
+}
+
+/** What the first frame alone would give, beside what all give together. */
+function AgainstOne({ model, entry }: { model: MeasureModel; entry: Entry }) {
+  const answer = useAnswer<HeightAnswer>(entry, () => {
+    const recordingId = recordingOf(model);
+    return recordingId === undefined
+      ? null
+      : askHeight({ recordingId, vehicleId: entry.vehicleId, ...entry.values });
+  }).answer;
+  if (!answer?.single) return null;
+  return (
+    <dl class="facts small">
+      <dt>{say("measure-one-frame")}</dt>
+      <dd>{formatHeight(answer.single.height_m, answer.single.U95_height_m)}</dd>
+      <dt>{say("measure-all-frames", { count: answer.frames })}</dt>
+      <dd>{heightOrReason(answer)}</dd>
+    </dl>
+  );
+}
+
+/** "Second frame gains: 18 → 7 mm", and the way there. */
+function GainButton({ model, entry }: { model: MeasureModel; entry: Entry }) {
+  const { answer, problem } = useAnswer<SecondFrameAnswer>(entry, () => {
+    const recordingId = recordingOf(model);
+    return recordingId === undefined ? null : askSecondFrame(recordingId, entry.vehicleId, entry.values);
+  });
+  const which = entry.values.more.length === 0 ? "second" : "another";
+  if (problem) return <p class="small muted">{problem}</p>;
+  if (!answer) return <p class="small muted">{say("measure-gain-looking", { which })}</p>;
+  if (!answer.ok) return <p class="small muted">{answer.reason && sentenceOf(answer.reason)}</p>;
+  return (
+    <div data-testid="second-frame-gain">
+      <Button
+        small
+        title={say("measure-gain-go", { frame: String(answer.frame) }) + hint("secondFrame")}
+        onClick={() => void model.second.start(entry.key)}
+      >
+        {say("measure-gain", {
+          which,
+          U95_now: formatSmall(answer.U95_now_m),
+          U95_then: formatSmall(answer.U95_then_m),
+        })}
+      </Button>
+    </div>
+  );
+}
+
+/** Asks again when the points are others; an answer that comes late is not for them. */
+function useAnswer<Answer>(
+  entry: Entry,
+  ask: () => Promise<Answer> | null,
+): { answer: Answer | null; problem: string | null } {
+  const [state, set] = useState<{ answer: Answer | null; problem: string | null }>(NOTHING);
+  useEffect(() => {
+    let stale = false;
+    set(NOTHING);
+    ask()?.then(
+      (answer) => !stale && set({ answer, problem: null }),
+      (error) => !stale && set({ answer: null, problem: explain(error) }),
+    );
+    return () => {
+      stale = true;
+    };
+  }, [entry.saved?.id, entry.saved?.revision]);
+  return state;
+}
+
+const NOTHING = { answer: null, problem: null };

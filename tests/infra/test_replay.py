@@ -1,0 +1,111 @@
+"""A row is what its events say: each way in which a table may differ from them is found and named."""
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from sightline.errors import Damaged
+from sightline.infra.csv_package.columns import flag, key, metres, number, text
+from sightline.infra.csv_package.files import FolderFiles
+from sightline.infra.csv_package.replay import Replay, Replayed, hold, hold_all, values_of
+from sightline.infra.csv_package.schema import Column, Table
+
+CARS: Table[Any] = Table(
+    "cars",
+    "Cars.",
+    (
+        key("id", "car"),
+        text("name", "its name"),
+        metres("height_m", "its height"),
+        number("speed_mps", "its speed", "m/s"),
+        flag("seen", "whether somebody saw it"),
+        Column("created_at", "datetime", "when"),
+    ),
+    primary=("id",),
+)
+FIRST = {
+    **{"id": 1, "name": "=A", "height_m": 3, "speed_mps": 2, "seen": True},
+    "created_at": "2026-01-01T00:00:00+00:00",
+}
+SECOND = {**FIRST, "id": 2, "name": None, "seen": False}
+ROWS = ("1,'=A,3.000000,2.0,true,2026-01-01T00:00:00Z", "2,,3.000000,2.0,false,2026-01-01T00:00:00Z")
+
+
+@pytest.fixture
+def files(tmp_path: Path) -> Callable[..., FolderFiles]:
+    def written(*rows: str, header: str = ",".join(CARS.header)) -> FolderFiles:
+        (tmp_path / CARS.path).write_text("\n".join([header, *rows, ""]))
+        return FolderFiles(tmp_path)
+
+    return written
+
+
+def test_rows_as_their_events_say_hold(files: Callable[..., FolderFiles]) -> None:
+    held = list(hold(files(*ROWS), CARS, [SECOND, FIRST]))
+    assert [row["id"] for row in held] == ["1", "2"]
+    hold_all(files(*ROWS), CARS, [FIRST, SECOND], in_order=True)
+
+
+@pytest.mark.parametrize(
+    ("rows", "said"),
+    [
+        ((ROWS[0].replace("=A", "=B"), ROWS[1]), "cars.csv: name of row 1 differs"),
+        ((ROWS[0].replace("3.0", "3.1"), ROWS[1]), "height_m of row 1 differs"),
+        ((ROWS[0].replace("2.0", "2.1"), ROWS[1]), "speed_mps of row 1 differs"),
+        ((ROWS[0], ROWS[1].replace("false", "true")), "seen of row 2 differs"),
+        ((ROWS[0], ROWS[1].replace("2026", "2025")), "created_at of row 2 differs"),
+        ((ROWS[0], ROWS[1].replace("2,,", "2,C,")), "name of row 2 differs"),
+        ((ROWS[0],), "row 2 is missing, although"),
+        ((*ROWS, ROWS[1].replace("2,,", "3,,")), "row 3 has no audit event"),
+        ((*ROWS, ROWS[1]), "row 2 has no audit event"),
+    ],
+)
+def test_what_was_changed_is_named(
+    files: Callable[..., FolderFiles], rows: tuple[str, ...], said: str
+) -> None:
+    with pytest.raises(Damaged, match=said):
+        hold_all(files(*rows), CARS, [FIRST, SECOND])
+
+
+def test_where_the_order_is_told_it_holds(files: Callable[..., FolderFiles]) -> None:
+    with pytest.raises(Damaged, match="of row 2 differs"):
+        hold_all(files(*reversed(ROWS)), CARS, [FIRST, SECOND], in_order=True)
+
+
+def test_a_column_that_a_package_lacks_is_not_compared(files: Callable[..., FolderFiles]) -> None:
+    hold_all(files("1,'=A", header="id,name"), CARS, [FIRST])
+
+
+def event(number: int, entity: str, entity_id: int, actor: str = "7") -> dict[str, str]:
+    return {"number": str(number), "entity": entity, "entity_id": str(entity_id), "actor_id": actor}
+
+
+def test_events_of_one_row_are_told_together_and_go_with_what_they_are_part_of() -> None:
+    replay = Replay({"wheel": ("car_id", "car")})
+    replay.add(event(1, "car", 1), {"name": "A"})
+    replay.add(event(2, "wheel", 5), {"car_id": 1})
+    replay.add(event(3, "car", 1, "8"), {"name": "B"})
+    (car,) = replay.standing("car")
+    assert (car["name"], car["created_by_id"], car["actor_id"], car["event"]) == ("B", 7, 8, 3)
+    assert [told["id"] for told in replay.standing("wheel")] == [5]
+    replay.add(event(4, "car", 1), {"deleted": True})
+    assert not list(replay.standing("car")) and not list(replay.standing("wheel"))
+    assert replay.is_gone("wheel", 5) and not replay.is_gone("wheel", 6)
+    replay.add(event(5, "car", 1), {"deleted": False})
+    assert len(list(replay.standing("wheel"))) == 1
+
+
+def test_a_table_says_how_its_rows_follow(files: Callable[..., FolderFiles]) -> None:
+    replay = Replay({})
+    replay.add(event(1, "car", 1, ""), {"called": "=A"})
+    told = Replayed(CARS, "car", cells=lambda told: {**told, "name": told["called"]})
+    assert [row["name"] for row in replay.hold(files("1,'=A,,,,"), told)] == ["'=A"]
+    with pytest.raises(Damaged, match="name of row 1"):
+        list(replay.hold(files("1,B,,,,"), told))
+
+
+def test_values_are_those_of_the_columns_getters() -> None:
+    table: Table[dict[str, Any]] = Table("t", "T.", (key("id", "car", lambda one: one["number"]),))
+    assert values_of(table, {"number": 3}) == {"id": 3}
