@@ -29,6 +29,8 @@ from .waits import wait_until
 SceneName = Literal["day", "low_light"]
 LIGHTING: dict[SceneName, str] = {"day": "daytime", "low_light": "low_light"}
 TARGETS = ("roof", "driver_eye", "taillight")
+#: Of each scene, the place of a car (no lorry, whose tyres and lamps are others) of which all is seen.
+USUAL: dict[SceneName, int] = {"day": 7, "low_light": 1}
 Pixel = tuple[float, float]
 
 
@@ -80,9 +82,9 @@ def whole_passes(scene: SceneName) -> list[dict[str, Any]]:
 
 
 def own_vehicle(page: Page, scene: SceneName = "low_light", over: dict[str, Any] | None = None) -> OwnVehicle:
-    """A new vehicle over a pass of the scene: over the last that can be seen whole, unless told which."""
+    """A new vehicle over a pass of the scene: over a usual car that can be seen whole, unless told which."""
     survey = wait_for_demonstration(page)
-    one = over or whole_passes(scene)[-1]
+    one = over or scene_truth(scene)["passes"][USUAL[scene]]
     made = page.request.post(
         f"/api/recordings/{recording_of(page, survey, scene)['id']}/vehicles",
         headers={"X-Sightline": "1"},
