@@ -33,7 +33,7 @@ NEED_NO_SOURCE = {
         "smooth_basis",
         "spacing_px",
     },
-    "linescan": {"median", "points_at"},
+    "linescan": {"brightest_of", "median", "points_at"},
     "proposals": set[str](),
     "sightdistance": set[str](),
     "statistics": {"sorted_values", "codes_of"},

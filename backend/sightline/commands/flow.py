@@ -238,6 +238,7 @@ def _vehicle_rows(of: Results) -> Iterator[dict[str, Any]]:
             "front_at": of.clock.at(since_s),
             "u_front_at_s": one.u_filmed_at_s,
             "headway_s": headway_s,
+            "reason": one.reason and str(one.reason),
             **{name: one.values.get(name) for name in VEHICLE_COLUMNS if name in one.values},
         }
         yield {name: held[name] if name in held else getattr(one, name) for name in VEHICLE_COLUMNS}

@@ -18,7 +18,10 @@ def depth_of(brightest: int) -> int:
 
 
 def brightest_of(picture: Pixels) -> int:
-    """The brightest pixel; 0 of a picture of 8 bits, where nobody asks for it."""
+    """The brightest pixel of a picture (lines, rows); 0 of one of 8 bits, where nobody asks for it.
+
+    Never fails.
+    """
     return 0 if picture.dtype == np.uint8 else int(picture.max(initial=0))
 
 
