@@ -264,7 +264,7 @@ def test_a_rod_and_two_clicks_give_a_height(page: Page, scan: dict[str, Any], sc
         page.keyboard.press("w")
     with page.expect_response(lambda answer: answer.url.endswith("/heights")) as nudged:
         page.keyboard.press("ArrowUp")
-    assert nudged.value.json()["target_row_px"] == pytest.approx(made["target_row_px"] - 1)
+    assert nudged.value.json()["target_point"][1] == pytest.approx(made["target_point"][1] - 1)
     expect(height).to_contain_text(f"{nudged.value.json()['height_m']:.3f}")
     undo = page.get_by_test_id("undo").get_by_role("button")
     undo.click()
