@@ -540,7 +540,8 @@ def test_a_write_leaves_one_event_in_its_transaction(name: str, factory: Session
     assert after.count - before.count == 1
     # the write, the event and the anchor; what is kept in the event itself has no other write
     in_event = ("choose_standards", "choose_review_plan", "choose_free_plan", "note_evidence")
-    assert changes["n"] > (1 if name in in_event else 2)
+    of_event = 1 if session.get_bind().dialect.name == "postgresql" else 2  # there one statement
+    assert changes["n"] > of_event - (name in in_event)
     with reading(factory) as session:
         assert trail.head(session) == after
         assert verify_records(session).ok
