@@ -2,22 +2,13 @@
 
 from dataclasses import dataclass
 
+from sightline.demo import made
+
 
 @dataclass(frozen=True)
-class Model:
-    """One catalogue row plus what the renderer must know; `category` is also the name of the body style."""
+class Model(made.Model):
+    """A catalogue row plus what the renderer must know; `category` is also the name of the body style."""
 
-    make: str
-    model: str
-    year_from: int
-    year_to: int
-    category: str
-    length_m: float
-    width_m: float
-    height_m: float
-    wheelbase_m: float
-    eye_height_m: float
-    tail_lamp_m: float
     head_lamp_m: float
 
     @property

@@ -1,28 +1,32 @@
 """Measurements: append-only revisions of a series. Nothing changes a row; the database refuses it too."""
 
-from collections import defaultdict
-from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field, fields, replace
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, fields, replace
 from datetime import datetime
 from functools import cache, partial
 from typing import Any
 
-from sqlalchemy import Row, Select, and_, bindparam, exists, func, insert, null, select
+from sqlalchemy import Row, Select, bindparam, insert, null, select
 from sqlalchemy.orm import Session
 from sqlalchemy.sql.dml import ReturningInsert
 
-from sightline.cameras.calibrations.tables import calibrations
 from sightline.enums import JsonObject
 from sightline.errors import BadInput, Conflict
 from sightline.infra.audit import trail
 from sightline.infra.audit.hashing import content_hash, plain
 from sightline.infra.audit.records import name_or_somebody
-from sightline.infra.database.people import people
 from sightline.infra.database.rows import add_row, add_rows, missing, name_of, row_content, who
 from sightline.infra.database.types import now
 from sightline.measurements.again.differences import judged_alike, same_height
-from sightline.measurements.click_context_query import frames_by_number
 from sightline.measurements.derived_query import TELLING, derived_from
+from sightline.measurements.ground_query import (
+    Ground,
+    NewMeasurement,
+    check_ground,
+    ground_of,
+    grounds_of,
+    standing_measurement,
+)
 from sightline.measurements.query import (
     fetch_measurements,
     is_current,
@@ -34,17 +38,13 @@ from sightline.measurements.query import (
     scan_height_rows,
 )
 from sightline.measurements.records import (
-    FurtherFrame,
     Measurement,
     MeasurementValues,
     ReviewState,
     ScanHeight,
     ScanHeightValues,
 )
-from sightline.measurements.tables import measurement_series, measurements, reviews
-from sightline.poses.tables import road_poses
-from sightline.recordings.frames.store import missing_frame
-from sightline.recordings.frames.tables import frames
+from sightline.measurements.tables import measurement_series, measurements
 from sightline.recordings.tables import recordings
 from sightline.vehicles.tables import vehicles
 
@@ -80,14 +80,14 @@ def add_measurement(
     or a frame that is not the stored one, and for a target that stands measured, with that measurement, where
     this is no repeat: two heights of one target would be counted twice.
     """
-    ground = _ground_of(session, vehicle_id, values, client_key, actor=actor)
+    ground = ground_of(session, vehicle_id, values, client_key, actor=actor)
     if ground.known_id is not None:
         if ground.known_vehicle_id != vehicle_id:
             raise Conflict("measurements-measurement-stored-another-vehicle-already-click")
         return get_measurement(session, ground.known_id)
     if ground.vehicle_deleted:
         raise missing("vehicle", vehicle_id)
-    _check(ground, values)
+    check_ground(ground, values)
     if repeat_of is None and ground.standing_id is not None:
         raise _already_measured(session, ground.standing_id)
     place: dict[str, Any] = {"survey_id": ground.survey_id, "recording_id": ground.recording_id}
@@ -111,15 +111,6 @@ def add_measurement(
     return made
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class NewMeasurement:
-    """The first revision of a measurement to come."""
-
-    vehicle_id: int
-    client_key: str
-    values: MeasurementValues
-
-
 def add_measurements(
     session: Session, survey_id: int, fresh: Sequence[NewMeasurement], *, actor: int | None
 ) -> list[int]:
@@ -138,11 +129,11 @@ def add_measurements(
 def _add_some(
     session: Session, survey_id: int, fresh: Sequence[NewMeasurement], actor: int | None
 ) -> list[int]:
-    grounds = _grounds_of(session, survey_id, fresh)
+    grounds = grounds_of(session, survey_id, fresh)
     for one, ground in zip(fresh, grounds, strict=True):
         if ground.known_id is not None:
             raise Conflict("measurements-measurement-stored-another-vehicle-already-click")
-        _check(ground, one.values)
+        check_ground(ground, one.values)
         if ground.standing_id is not None:
             raise _already_measured(session, ground.standing_id)
     places = [
@@ -361,8 +352,8 @@ def append_measurement_revision(
     Points put back where they were, so that the height is what it was, bring the verdict back that stood on
     it: an undone change and a withdrawal undone leave a review as it was. A fix has a verdict of its own.
     """
-    ground = _ground_of(session, before.vehicle_id, values, series_id=before.id, actor=actor)
-    _check(ground, values)
+    ground = ground_of(session, before.vehicle_id, values, series_id=before.id, actor=actor)
+    check_ground(ground, values)
     carried = None
     if ground.judged and not withdrawn and action != "fix":
         carried = verdict_that_stood(session, before.id, values)
@@ -451,7 +442,7 @@ def _insert_revision() -> ReturningInsert[Any]:
     return insert(measurements).returning(measurements)
 
 
-def _known(to_come: Measurement, ground: "_Ground", actor: int | None, row: Row[Any]) -> Measurement:
+def _known(to_come: Measurement, ground: Ground, actor: int | None, row: Row[Any]) -> Measurement:
     """A revision with the number that it was given, and what the ground tells of it."""
     named = who(actor, ground.actor_name)
     made = replace(to_come, revision_id=row.id, created_at=row.created_at, created_by=named)
@@ -559,24 +550,11 @@ def _as_stored(session: Session, revision_id: int, values: MeasurementValues | S
     return scan_height_of_row(row) if of_line else _measurement_of(row)
 
 
-@cache
-def _standing() -> Select[Any]:
-    """The measurement of `of_vehicle`'s `of_target` that counts (the oldest), `but` and repeats left out."""
-    series = measurement_series.c
-    return (
-        select(func.min(series.id))
-        .join(measurements, measurements.c.series_id == series.id)
-        .where(series.vehicle_id == bindparam("of_vehicle"), is_first, is_last)
-        .where(series.id != bindparam("but", 0))
-        .where(measurements.c.target == bindparam("of_target"), ~measurements.c.withdrawn)
-    )
-
-
 def _require_alone(session: Session, before: Measurement, target: str) -> None:
     """Raises Conflict where another measurement of the target stands on the vehicle."""
     if before.repeat_of is None:
         asked = {"of_vehicle": before.vehicle_id, "of_target": target, "but": before.id}
-        other = session.execute(_standing(), asked).scalar_one()
+        other = session.execute(standing_measurement(), asked).scalar_one()
         if other is not None:
             raise _already_measured(session, other)
 
@@ -595,171 +573,3 @@ def _repeated(session: Session, vehicle_id: int, repeat_of: int | None, target: 
     if (first.vehicle_id, first.values.target) != (vehicle_id, target):
         raise BadInput("measurements-repeat-needs-vehicle-target-measurement-repeats")
     return first.repeat_of or first.id
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class _Ground:
-    """What a revision is checked against. `known_*`: the measurement stored with the same client key;
-    `judged`: whether a verdict was ever given to the measurement that is revised. The name of who writes it
-    and what the recording tells are not of several at once.
-    """
-
-    survey_id: int
-    recording_id: int
-    vehicle_deleted: bool
-    known_id: int | None
-    known_vehicle_id: int | None
-    standing_id: int | None
-    judged: bool
-    pose_survey_id: int | None
-    has_calibration: bool
-    frames: dict[int, tuple[int, int]]  # pts and crc32
-    actor_name: str | None = None
-    telling: Mapping[Any, Any] = field(default_factory=dict)  # of the recording: `TELLING`
-
-
-@cache
-def _ground_query() -> Select[Any]:
-    known = measurement_series.alias("known")
-    clicked_on = and_(
-        frames.c.recording_id == vehicles.c.recording_id, frames.c.n.in_(bindparam("clicked", expanding=True))
-    )
-    return (
-        select(
-            *(vehicles.c.survey_id, vehicles.c.recording_id, vehicles.c.deleted_at),
-            *(known.c.id.label("known_id"), known.c.vehicle_id.label("known_vehicle_id")),
-            _standing().scalar_subquery().label("standing_id"),
-            exists().where(reviews.c.series_id == bindparam("of_series")).label("judged"),
-            road_poses.c.survey_id.label("pose_survey_id"),
-            calibrations.c.id.label("calibration_id"),
-            *(people.c.name.label("actor_name"), *TELLING),
-            *(frames.c.n, frames.c.pts, frames.c.crc32),
-        )
-        .select_from(vehicles)
-        .join(recordings, recordings.c.id == vehicles.c.recording_id)
-        .outerjoin(people, people.c.id == bindparam("of_actor"))
-        .outerjoin(known, known.c.client_key == bindparam("of_key"))
-        .outerjoin(road_poses, road_poses.c.id == bindparam("of_pose"))
-        .outerjoin(calibrations, calibrations.c.id == bindparam("of_calibration"))
-        .outerjoin(frames, clicked_on)
-        .where(vehicles.c.id == bindparam("of_vehicle"))
-    )
-
-
-def _ground_of(
-    session: Session,
-    vehicle_id: int,
-    values: MeasurementValues,
-    client_key: str | None = None,
-    *,
-    series_id: int = 0,
-    actor: int | None,
-) -> _Ground:
-    """All of it in one query; `series_id`: what is revised. Raises NotFound for a vehicle that never was."""
-    asked = {
-        "of_vehicle": vehicle_id,
-        "of_target": values.target,
-        "of_actor": actor,
-        "of_key": client_key,
-        "of_series": series_id,
-        "of_pose": values.pose_id,
-        "of_calibration": values.calibration_id,
-        "clicked": values.frames,
-    }
-    rows = session.execute(_ground_query(), asked).all()
-    if not rows:
-        raise missing("vehicle", vehicle_id)
-    row = rows[0]
-    return _Ground(
-        survey_id=row.survey_id,
-        recording_id=row.recording_id,
-        vehicle_deleted=row.deleted_at is not None,
-        known_id=row.known_id,
-        known_vehicle_id=row.known_vehicle_id,
-        standing_id=row.standing_id,
-        judged=row.judged,
-        pose_survey_id=row.pose_survey_id,
-        has_calibration=row.calibration_id is not None,
-        frames={of.n: (of.pts, of.crc32) for of in rows if of.n is not None},
-        actor_name=row.actor_name,
-        telling=row._mapping,
-    )
-
-
-def _grounds_of(session: Session, survey_id: int, fresh: Sequence[NewMeasurement]) -> list[_Ground]:
-    """`_ground_of` each of some hundred in a survey. Raises NotFound for a vehicle that is not in it."""
-    ids = {one.vehicle_id for one in fresh}
-    cars = select(vehicles.c.id, vehicles.c.recording_id).where(
-        vehicles.c.id.in_(ids), vehicles.c.survey_id == survey_id, vehicles.c.deleted_at.is_(None)
-    )
-    recording_of = {row.id: row.recording_id for row in session.execute(cars)}
-    if lost := ids - set(recording_of):
-        raise missing("vehicle", min(lost))
-    series = measurement_series.c
-    keys = select(series.client_key, series.id, series.vehicle_id).where(
-        series.client_key.in_({one.client_key for one in fresh})
-    )
-    known = {row.client_key: (row.id, row.vehicle_id) for row in session.execute(keys)}
-    standing = (
-        select(series.vehicle_id, measurements.c.target, func.min(series.id).label("id"))
-        .join(measurements, measurements.c.series_id == series.id)
-        .where(series.vehicle_id.in_(ids), is_first, is_current, ~measurements.c.withdrawn)
-        .group_by(series.vehicle_id, measurements.c.target)
-    )
-    stands = {(row.vehicle_id, row.target): row.id for row in session.execute(standing)}
-    of_poses = select(road_poses.c.id, road_poses.c.survey_id).where(
-        road_poses.c.id.in_({one.values.pose_id for one in fresh})
-    )
-    poses = {row.id: row.survey_id for row in session.execute(of_poses)}
-    of_lenses = select(calibrations.c.id).where(
-        calibrations.c.id.in_({one.values.calibration_id for one in fresh})
-    )
-    lenses = set(session.execute(of_lenses).scalars())
-    frames_of = _frames_of(session, fresh, recording_of)
-    return [
-        _Ground(
-            survey_id=survey_id,
-            recording_id=recording_of[one.vehicle_id],
-            vehicle_deleted=False,
-            known_id=known.get(one.client_key, (None, None))[0],
-            known_vehicle_id=known.get(one.client_key, (None, None))[1],
-            standing_id=stands.get((one.vehicle_id, one.values.target)),
-            judged=False,
-            pose_survey_id=poses.get(one.values.pose_id),
-            has_calibration=one.values.calibration_id in lenses,
-            frames=frames_of[recording_of[one.vehicle_id]],
-        )
-        for one in fresh
-    ]
-
-
-def _frames_of(
-    session: Session, fresh: Sequence[NewMeasurement], recording_of: Mapping[int, int]
-) -> dict[int, dict[int, tuple[int, int]]]:
-    """(pts, CRC-32) of the frames clicked on, by recording and number."""
-    numbers: dict[int, set[int]] = defaultdict(set)
-    for one in fresh:
-        numbers[recording_of[one.vehicle_id]] |= set(one.values.frames)
-    return {
-        id_: {n: (one.pts, one.crc32) for n, one in frames_by_number(session, id_, sorted(wanted)).items()}
-        for id_, wanted in numbers.items()
-    }
-
-
-def _check(ground: _Ground, values: MeasurementValues) -> None:
-    clicked_on: tuple[MeasurementValues | FurtherFrame, ...] = (values, *values.more_frames)
-    for clicked in clicked_on:
-        if clicked.frame not in ground.frames:
-            raise missing_frame(ground.recording_id, clicked.frame)
-        if ground.frames[clicked.frame] != (clicked.pts, clicked.frame_crc32):
-            raise Conflict("measurements-frame-not-picture-clicked-load-again", frame=clicked.frame)
-    if ground.pose_survey_id is None:
-        raise missing("camera pose", values.pose_id)
-    if ground.pose_survey_id != ground.survey_id:
-        raise BadInput("measurements-road-pose-belongs-another-survey-choose", pose_id=values.pose_id)
-    if not ground.has_calibration:
-        raise missing("calibration", values.calibration_id)
-    if values.status == "ok" and values.height_m is None:
-        raise BadInput("measurements-measurement-without-height-needs-reason-why")
-    if values.status != "ok" and not values.reason:
-        raise BadInput("measurements-measurement-no-height-needs-reason-why")

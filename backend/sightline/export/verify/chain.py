@@ -29,7 +29,8 @@ _WITHIN = {"review": ("vehicle_id", "vehicle"), **SCANS_WITHIN}
 class ReplayedState:
     """What the events of a chain say of the rows of a package.
 
-    `computed`: how many revisions each computing made, by its number.
+    `computed`: how many revisions each computing made, by its number. `line_revision_ids`: of heights of line
+    scans, by measurement and revision.
     """
 
     measurements: MeasurementEvents
@@ -38,6 +39,7 @@ class ReplayedState:
     drift: DriftEvents = field(default_factory=DriftEvents)
     lots: LotEvents = field(default_factory=LotEvents)
     computed: Counter[int] = field(default_factory=Counter)
+    line_revision_ids: dict[tuple[int, int], int] = field(default_factory=dict)
     count: int = 0
     head: str = ""
     moment: str | None = None
@@ -77,9 +79,8 @@ def walk(files: Files, seal: Seal, headers: Mapping[str, Collection[str]]) -> Re
         if event["entity"] in ("measurement", "line_height"):
             count_revisions(told.computed, after.get("row", after))
         if "scan_vehicle_id" in after:
-            line_heights = told.replay.of("line_height")
             entity, number, after = height_or_verdict(
-                event["entity"], int(event["entity_id"]), after, line_heights
+                event["entity"], int(event["entity_id"]), after, told.line_revision_ids
             )
             told.replay.add({**event, "entity": entity, "entity_id": str(number)}, after)
         elif after:

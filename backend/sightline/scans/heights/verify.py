@@ -65,41 +65,36 @@ def check_line_heights(
 
 
 def height_or_verdict(
-    entity: str, number: int, after: Mapping[str, Any], heights: Mapping[int, Mapping[str, Any]]
+    entity: str, number: int, after: Mapping[str, Any], revision_ids: dict[tuple[int, int], int]
 ) -> tuple[str, int, dict[str, Any]]:
     """What an event of a measurement in a line scan, or of a review of one, says of a row of the tables of
-    heights: entity, id and cells, as the events of earlier versions told them. `heights`: those told before.
+    heights: entity, id and cells, as the events of earlier versions told them. `revision_ids`: by measurement
+    and revision, of those told before; the one told now is added.
 
     Raises Damaged for an event that does not hold its own row.
     """
     if entity == "review":
-        judged = _told_revision(heights, after["series_id"], after["result_revision"])
+        judged = revision_ids.get((after["series_id"], after["result_revision"]), 0)
         vehicle = {"vehicle_id": after["scan_vehicle_id"], "height_id": judged}
         return "line_height_review", number, {**after, **vehicle}
     row = after["row"]
     if content_hash(row) != after["content_sha256"]:
         raise Damaged("measurements-event-another-row", id=number)
     points = {name: row[column] for name, column in zip(_CLICKED, _STORED, strict=False)}
+    judged = row["verdict_of_revision"]
     told = {
         "vehicle_id": after["scan_vehicle_id"],
         "measurement_id": number,
         "pose_id": row["line_pose_id"],
         "reason_code": row["reason"] and code_of(Said.read(row["reason"])),
         "flags_code": code_of([Said.read(one) for one in row["flags"]]),
-        "verdict_of_id": _told_revision(heights, number, row["verdict_of_revision"]),
+        "verdict_of_id": None if judged is None else revision_ids.get((number, judged), 0),
         "created_by_id": row["created_by"],
     }
+    revision_ids[number, row["revision"]] = after["revision_id"]
     left_out = ("reason", "flags", "pose_id")
     plain = {name: value for name, value in row.items() if name not in left_out}
     return "line_height", after["revision_id"], {**plain, **points, **told}
-
-
-def _told_revision(heights: Mapping[int, Mapping[str, Any]], number: int, revision: int | None) -> int | None:
-    """The id of a revision of a measurement."""
-    if revision is None:
-        return None
-    mine = (id_ for id_, one in heights.items() if one.get("measurement_id") == number)
-    return next((id_ for id_ in mine if heights[id_]["revision"] == revision), 0)
 
 
 def _out_of_date(files: Files) -> None:

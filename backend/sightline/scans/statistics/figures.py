@@ -50,10 +50,11 @@ def scan_height_statistics(
     """The heights of a survey's line scans, target by target; rejected ones never count."""
     seen = []
     for scan in list_scans(session, survey_id):
-        held = {one.vehicle.id for one in vehicles_of(session, scan.id) if filmed.holds(_filmed_at(one))}
+        passed = vehicles_of(session, scan.id) if filmed.limits_time else ()
+        within = {one.vehicle.id for one in passed if filmed.holds(_filmed_at(one))}
         for one in list_scan_heights(session, scan.id):
             values, u95 = one.values, one.values.U95_height_m
-            stands = one.vehicle_id in held and not one.withdrawn
+            stands = not one.withdrawn and (not filmed.limits_time or one.vehicle_id in within)
             if stands and values.height_m is not None and u95 is not None:
                 seen.append(HeightSeen(values.target, one.review.verdict, values.height_m, u95))
     return scanned_heights(seen, accepted_only=accepted_only)
