@@ -8,13 +8,11 @@ interface Alone {
   readonly file: string;
   readonly policy: string;
   readonly data: string;
-  /** The languages that it speaks. */
-  readonly languages: readonly string[];
 }
 
 const CATALOGUES = new URL("../backend/sightline/messages/", import.meta.url);
-/** The source first. */
-const ALL = ["en", ...readdirSync(CATALOGUES).flatMap((name) => /^(?!en\b)(\w+)\.ftl$/.exec(name)?.[1] ?? [])];
+/** The languages that a page speaks, the source first. */
+const LANGUAGES = ["en", ...readdirSync(CATALOGUES).flatMap((name) => /^(?!en\b)(\w+)\.ftl$/.exec(name)?.[1] ?? [])];
 
 const NOTHING = "default-src 'none'; style-src 'unsafe-inline';";
 /** The page that every package carries, into which an export puts the package's tables. It may load pictures and a script
@@ -24,22 +22,20 @@ const PACKAGE: Alone = {
   file: "package.html",
   policy: `${NOTHING} script-src 'unsafe-inline' 'self' file:; img-src 'self' file:`,
   data: '<!--package-->\n<script src="audit.js"></script>',
-  languages: ALL,
 };
-/** The evidence file of one vehicle, which holds all that it shows, its decision in English. */
+/** The evidence file of one vehicle, which holds all that it shows. */
 const EVIDENCE: Alone = {
   input: "src/package/evidence/main.tsx",
   file: "evidence.html",
   policy: `${NOTHING} script-src 'unsafe-inline'; img-src data:`,
   data: "<!--evidence-->",
-  languages: ["en"],
 };
 
 /** One page a build: `vite build --config package.vite.config.ts`, and again with `--mode evidence`. */
 export default defineConfig(({ mode }) => {
   const alone = mode === "evidence" ? EVIDENCE : PACKAGE;
   return {
-    plugins: [messages(alone), oneFile(alone)],
+    plugins: [messages(), oneFile(alone)],
     publicDir: false,
     build: {
       target: "es2022",
@@ -51,15 +47,15 @@ export default defineConfig(({ mode }) => {
   };
 });
 
-/** The sentences of this page alone, out of the catalogues. */
-function messages({ languages }: Alone): Plugin {
+/** The sentences of these pages alone, out of the catalogues. */
+function messages(): Plugin {
   const name = "virtual:opened-messages";
   return {
     name: "opened-messages",
     resolveId: (id) => (id === name ? `\0${name}` : null),
     load(id) {
       if (id !== `\0${name}`) return null;
-      return `export default ${JSON.stringify(Object.fromEntries(languages.map((one) => [one, own(one)])))}`;
+      return `export default ${JSON.stringify(Object.fromEntries(LANGUAGES.map((one) => [one, own(one)])))}`;
     },
   };
 }

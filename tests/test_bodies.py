@@ -20,6 +20,10 @@ from sightline.surveys.place import Place
 
 # With fewer fields two things may be alike by chance, as a recording's id and name are a person's.
 LEAST_FIELDS = 3
+# With fewer, a part of a record may be one by chance.
+LEAST_SHARED = 6
+# Answers whose documents are read as they go out, which a record's are not.
+WITH_DOCUMENTS = {"CalibrationBody", "PoseSummaryBody"}
 
 
 @cache
@@ -69,6 +73,27 @@ def copies(bodies: list[type], records: list[type]) -> Iterator[tuple[str, str]]
         )
 
 
+def fields_of(kind: type) -> dict[str, Any]:
+    """The type of each field by its name."""
+    try:
+        return dict(zip(sorted(names_of(kind)), types_of(kind), strict=True))
+    except (TypeError, NameError):  # of services or functions, which no answer has
+        return {}
+
+
+def parts(bodies: list[type], records: list[type]) -> Iterator[tuple[str, str]]:
+    """Each body that writes down once more what it could take over: a record whole, with more beside it, or
+    a part of one and nothing else. What is told extends the record, or what is stored extends what is told.
+    """
+    known = [(record, fields_of(record)) for record in records]
+    for body in bodies:
+        told = fields_of(body)
+        for record, stored in known:
+            same = sum(name in stored and stored[name] == kind for name, kind in told.items())
+            if same >= LEAST_SHARED and same in (len(told), len(stored)):
+                yield body.__name__, record.__name__
+
+
 def records() -> list[type]:
     return [one for one in classes() if dataclasses.is_dataclass(one)]
 
@@ -79,9 +104,18 @@ def test_no_answer_copies_a_record() -> None:
     assert list(copies(bodies, records())) == []
 
 
+def test_no_answer_writes_a_part_of_a_record_once_more() -> None:
+    bodies = [one for one in classes() if issubclass(one, Out)]
+    assert {body for body, _ in parts(bodies, records())} == WITH_DOCUMENTS
+
+
 def test_a_planted_copy_is_found() -> None:
     hints = get_type_hints(Place, include_extras=True)
     planted = create_model("PlaceBody", __base__=Out, **{name: (hint, ...) for name, hint in hints.items()})
     assert list(copies([planted], records())) == [("PlaceBody", "Place")]
     longer = create_model("LongerBody", __base__=planted, more=(int, ...))
     assert list(copies([longer], records())) == []
+    shorter = create_model(
+        "ShorterBody", __base__=Out, **{name: (hints[name], ...) for name in list(hints)[1:]}
+    )
+    assert list(parts([longer, shorter], [Place])) == [("LongerBody", "Place"), ("ShorterBody", "Place")]

@@ -8,7 +8,7 @@ import pytest
 
 from sightline.cli import COMMANDS
 from sightline.commands import clicks, linescan, passes_csv
-from sightline.export.contents import tables_of
+from sightline.export.package_tables import tables_of
 from sightline.settings import Settings
 from tests.browser.guide_pictures import HEIGHT_PX, MOST_BYTES, PICTURES, WIDTH_PX
 

@@ -4,13 +4,11 @@ import ast
 import re
 from collections.abc import Iterator
 from dataclasses import replace
-from datetime import UTC, date, datetime
+from datetime import date, datetime
 from functools import cache
 from pathlib import Path
-from types import SimpleNamespace
 from typing import Annotated, Literal
 
-import numpy as np
 import pytest
 from fluent.syntax import FluentParser
 from fluent.syntax import ast as ftl
@@ -19,12 +17,10 @@ from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
 import sightline
 from sightline import errors, messages
-from sightline.media.video import report as video
-from sightline.media.video.decode import Damage
+from sightline.export.package_tables import tables_of
+from sightline.export.page import explained
 from sightline.media.video.sniff import OTHERS
-from sightline.media.video.stated import Stated
-from sightline.messages.recognised import KEYS, translated
-from sightline.recordings import ingest_job
+from sightline.messages.recognised import COLUMNS, KEYS, translated, translated_meaning
 from sightline.results.overview import query
 from sightline.results.overview.records import SurveyCounts
 from sightline.scans import progress_query
@@ -187,10 +183,13 @@ def test_every_message_is_said_somewhere() -> None:
     made = [re.compile(f"{first}{_slot(first, last)}{last}") for first, last in set(begun)]
     for first, names in re.findall(r'wordsOf\(\s*"([\w-]+-)"((?:,\s*"[\w-]+")*)', text):
         made += [re.compile(f"{first}{name}") for name in re.findall(r'"([\w-]+)"', names) or [r"\w+"]]
+    found_again = ("told-", *COLUMNS)  # by its text
     unused = [
         key
         for key in known()
-        if key not in written and not any(one.fullmatch(key) for one in made) and not key.startswith("told-")
+        if key not in written
+        and not any(one.fullmatch(key) for one in made)
+        and not key.startswith(found_again)
     ]
     assert not unused, unused
 
@@ -370,29 +369,7 @@ def pieced_together() -> list[str]:
         done = {"vehicles": 3, "accepted": n, "not_measurable": n, "heights": n, "heights_accepted": n}
         said.append(progress_query._progress(done).summary)
         said.append(progress_query._progress({**done, "vehicles": 1}).summary)
-    said += [what.removesuffix(", not a video") for _, what in OTHERS]
-    return [*said, *of_recordings()]
-
-
-def of_recordings() -> list[str]:
-    """What is noted of a file when it is imported."""
-    even = np.arange(8) / 25
-    track = SimpleNamespace(words="h264, 640x480")
-    of_file = {"codec": "h264", "width_px": 640, "height_px": 480, "reported_frames": None, "stream": 1}
-    said = [ingest_job.IN_FUTURE.format(datetime(2240, 2, 6, tzinfo=UTC))]
-    for n in (1, 2):
-        shape = {"layout_note": None, "left_turned_deg": 0.0, "interlaced": False}
-        facts = SimpleNamespace(**of_file, **shape, pictures=[track] * (n + 1))
-        damage = Damage(packets=n, patched=[3] * n)
-        gaps = np.sort(np.concatenate([even, *(even + 5 * one for one in range(1, n + 1))]))
-        said += video._order_notes(n, n)
-        said += video._damage_notes(facts, 9, damage)  # type: ignore[arg-type]
-        said += video._shape_notes(facts)  # type: ignore[arg-type]
-        said += video._gap_notes(gaps)
-    for filmed_hz in (None, 240.0):
-        said += video._clock_notes("slow_motion", even, Stated(filmed_hz=filmed_hz))
-    said += video._clock_notes("impossible_rate", np.zeros(8), Stated())
-    return said
+    return [*said, *(what.removesuffix(", not a video") for _, what in OTHERS)]
 
 
 class _Asked(BaseModel):
@@ -466,7 +443,21 @@ def test_what_is_told_in_english_is_said_by_its_text() -> None:
     two = "Review 13 measurements. Remeasure 1 rejected measurement."
     assert translated(two, "en") == two
     assert translated(two, "fr") == "Vérifiez 13 mesures. Mesurez à nouveau une mesure rejetée."
-    assert translated("±15 mm at 3 m, ±30 mm at 5 m", "fr") == "±15 mm à 3 m, ±30 mm à 5 m"
+
+
+def test_every_column_that_a_package_s_page_explains_is_explained_in_every_language() -> None:
+    meanings = {one.meaning for table in explained(tables_of(12)) for one in table.columns}
+    lines = SOURCE.read_text("utf-8").splitlines()
+    known = [one.split(" = ", 1)[1] for one in lines if one.startswith(COLUMNS)]
+    patterns = [r"\d+".join(map(re.escape, re.split(r"\{ \$\w+ \}", one))) for one in known]
+    assert [one for one in meanings if not any(re.fullmatch(pattern, one) for pattern in patterns)] == []
+    assert [one for one in patterns if not any(re.fullmatch(one, meaning) for meaning in meanings)] == []
+    same = {"description", "verdict"}  # words that are the same in a language
+    told = {one: translated_meaning(one, "fr") for one in meanings}
+    assert {one for one, said in told.items() if one == said} <= same
+    frame = "the same tyre contact on frame 11 of the measurement, x"
+    assert told[frame] == "le même contact du pneu sur l’image 11 de la mesure, x"
+    assert translated("group", "fr") == "group"  # which somebody may have typed
 
 
 def test_no_french_sign_begins_a_line() -> None:

@@ -15,7 +15,7 @@ from sightline.infra.audit.hashing import canonical_json, content_hash
 from sightline.infra.csv_package.columns import code_of, said_in, words_of
 from sightline.infra.database.types import document_text
 from sightline.infra.web.spoken import spoken
-from sightline.messages.said import Said
+from sightline.messages.said import Said, listed, with_commas
 from sightline.quality.drift.drift_job import words_of as words_of_check
 from sightline.recordings.drift import DriftCheck, DriftSpan
 
@@ -131,3 +131,11 @@ def test_a_spoiled_cell_is_no_crash(cell: str) -> None:
 def test_a_cell_of_several_has_their_words() -> None:
     assert words_of([HORIZON, MOVED]) == f"{HORIZON}; {MOVED}"
     assert (words_of(None), words_of([]), code_of(None), code_of([]), said_in("")) == (None,) * 5
+
+
+def test_sayings_in_a_row_are_one_saying() -> None:
+    expected = [Said("pose-expected-at", U95_height_m=0.015, distance_m=3)]
+    expected.append(Said("pose-expected-at", U95_height_m=0.03, distance_m=5))
+    assert with_commas(expected).sentence("fr") == "±15 mm à 3 m, ±30 mm à 5 m"
+    assert str(listed([Said("said", sentence=one) for one in "abc"])) == "a, b and c"
+    assert listed(expected[:1]) == with_commas(expected[:1]) == expected[0]

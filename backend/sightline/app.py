@@ -77,6 +77,7 @@ from sightline.infra.web.bearer import Bearers
 from sightline.infra.web.bodies import ErrorBody
 from sightline.infra.web.cookie import SignIn
 from sightline.infra.web.guard import Guard
+from sightline.infra.web.idempotency import Idempotency
 from sightline.infra.web.metrics import InstallationMetrics
 from sightline.infra.web.nearest import Nearest
 from sightline.infra.web.openapi import DESCRIPTION, TITLE, VERSION, Api, operation_id
@@ -208,9 +209,8 @@ def create_app(settings: Settings | None = None, services: Services | None = Non
     app.state.write_gate = WriteGate()
     app.state.readers = Turns(READERS)
     app.state.asking = anyio.CapacityLimiter(sightline.infra.web.health.MOST_ASKING)
-    app.state.sign_in = SignIn(
-        signing_secret(settings), settings.secure_cookies, lambda id_: _person(services, id_)
-    )
+    secret = signing_secret(settings)
+    app.state.sign_in = SignIn(secret, settings.secure_cookies, lambda id_: _person(services, id_))
     app.state.access = Access(services, members)
     app.state.attempts = Attempts(services)
     app.state.bearers = Bearers(Tokens(services, app.state.attempts))
@@ -218,6 +218,7 @@ def create_app(settings: Settings | None = None, services: Services | None = Non
     error_handlers.install(app)
     ballast = Ballast(settings.data_dir)
     pages.install(app, settings)
+    app.add_middleware(Idempotency, services=services, secret=secret)
     app.add_middleware(Spoken)
     app.add_middleware(GZipMiddleware, minimum_size=1000, compresslevel=5)
     app.add_middleware(RoomForDeleting, ballast=ballast)

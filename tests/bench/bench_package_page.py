@@ -21,7 +21,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
 
 from playwright.sync_api import sync_playwright
 
-from sightline.export.contents import tables_of
+from sightline.export.package_tables import tables_of
 from sightline.export.page import write_audit_script, write_page
 from sightline.infra.csv_package.files import FolderFiles, Staging, read_rows, sum_of
 from tests.browser.conftest import chromium_path

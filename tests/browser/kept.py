@@ -101,7 +101,7 @@ def verdicts(api: APIRequestContext, survey_id: int) -> dict[str, tuple[str, Ans
     for scan in ask(api, f"/api/surveys/{survey_id}/scans"):
         for one in ask(api, f"/api/scans/{scan['id']}/heights"):
             if not one["mine"]:
-                address = f"/api/line-heights/{one['id']}/review"
+                address = f"/api/measurements/{one['id']}/reviews"
                 found[address] = one["review"]["verdict"], picked(one, ("revision",))
     return found
 

@@ -275,6 +275,6 @@ def test_a_click_outside_the_lens_models_valid_radius_gives_a_reason_and_no_numb
     on_screen(page, (0, 0))
     page.get_by_test_id("target-roof").click()
     click_at(page, (6, 474))
-    expect(page.locator("#measure-hint")).to_contain_text("outside the lens model's valid radius")
+    expect(page.locator("#measure-hint")).to_contain_text("outside the lens model’s valid radius")
     expect(page.get_by_test_id("axes")).to_have_count(0)
     assert stored(page, one.vehicle["id"]) == {}

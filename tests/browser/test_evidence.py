@@ -12,6 +12,8 @@ from sightline.export.evidence.page import read_page, written_page
 from sightline.export.evidence.pictures import StripPicture
 from sightline.export.evidence.verify import verify_evidence
 
+from .test_languages import SHOWN, Catalogues
+
 SIZES = [(1440, 900), (1024, 768)]
 
 
@@ -138,6 +140,26 @@ def test_a_stranger_lays_both_pictures_over_each_other_and_sets_boundaries(
 
 def grey(overlay: Locator) -> bytes:
     return overlay.screenshot()
+
+
+def test_in_french_no_english_is_left_on_it(made: Path, stranger: Page, screenshots: Path) -> None:
+    """Whoever made the file read English; its reader chooses."""
+    open_(stranger, made)
+    assert stranger.locator("html").get_attribute("lang") == "en"
+    stranger.get_by_role("button", name="français").click()
+    expect(stranger.locator("html")).to_have_attribute("lang", "fr")
+    expect(stranger.locator('[data-check="signature"]')).to_contain_text("La signature est valable")
+    document = read_page(made.read_bytes()).document
+    words = document["said"]["fr"][document["decision"]["words"]]
+    expect(stranger.locator("#decision")).to_contain_text(words)
+    known = Catalogues("fr")
+    stranger.locator("summary", has_text="Ce qui est contrôlé").click()
+    assert [one for one in stranger.evaluate(SHOWN) if known.is_english(one)] == []
+    for one in stranger.locator("#motion td, #budget td, #rig td").all_inner_texts():
+        assert not re.search(r"\d\.\d", re.sub(r"Sightline \S+", "", one)), one
+    width = stranger.viewport_size["width"] if stranger.viewport_size else 0
+    assert stranger.evaluate("document.documentElement.scrollWidth") <= width
+    stranger.screenshot(path=screenshots / f"evidence-fr-{width}.png", full_page=True)
 
 
 def test_what_was_changed_is_told_by_the_page_itself(made: Path, stranger: Page) -> None:

@@ -193,9 +193,10 @@ def test_calibrate_pose_measure_review_export(
     choose_plan(page, survey_id, 0)
     review.goto(f"/surveys/{survey_id}/review")
     accepted_before = review.request.get(f"/api/surveys/{survey_id}").json()["counts"]["accepted"]
+    judged_before = review.request.get(f"/api/surveys/{survey_id}/review-work").json()["accepted"]
     expect(review.get_by_test_id("review-accept")).to_be_visible()
     review.keyboard.press("a")
-    expect(review.get_by_test_id("review-counts")).to_contain_text(f"{accepted_before + 1} accepted")
+    expect(review.get_by_test_id("review-counts")).to_contain_text(f"{judged_before + 1} accepted")
     after = review.request.get(f"/api/surveys/{survey_id}").json()["counts"]["accepted"]
     assert after == accepted_before + 1
     other.close()

@@ -32,7 +32,8 @@ def is_whole(of: Locator) -> bool:
 def out_of_the_sample_and_at_work(page: Page, survey_id: int) -> None:
     """Every pass is out of the sample, and proposals are being made: as the server would say it."""
     job = {"id": 999, "survey_id": survey_id, "kind": "proposals", "state": "running", "progress": 0.3}
-    job |= {"message": "Searching for points to suggest.", "result": None, "error": None}
+    message = {"code": "proposals-looking", "values": {}, "message": "Searching for points to suggest."}
+    job |= {"message": message, "result": None, "error": None}
 
     def answer(route: Route, change: dict[str, Any]) -> None:
         given = route.fetch()

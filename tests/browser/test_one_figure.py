@@ -101,7 +101,8 @@ def of_rules(rows: Locator, today: int) -> dict[str, Printed]:
     found = {}
     for row in rows.all():
         name = row.locator("th").first.inner_text()
-        percent, _, _ = row.locator("td").first.inner_text().partition(" ")
+        rule = row.locator("td").first.inner_text()  # "Driver’s eye: P10 of passenger cars"
+        percent, _, _ = rule.partition(": ")[2].partition(" ")
         if (which := f"{name} {percent}") in RULES:
             found[which] = three(row.locator("td").nth(today).inner_text())
     return found

@@ -7,6 +7,7 @@ import re
 import shutil
 import zlib
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -66,11 +67,9 @@ def limited(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, str]:
 def another_roof_inset(session: Session) -> None:
     """The survey's inset of roofs is another one now; no height is computed again."""
     (survey,) = list_surveys(session)
-    kept = ("name", "site", "description", "traffic", "place", "asked", "classes", "sampling", "version")
     told = Inset(0.456, 0.1, "told in a test")
     insets = survey.insets | {name: told for name in survey.insets if name.startswith("roof")}
-    facts = {one: getattr(survey, one) for one in kept}
-    update_survey(session, survey.id, **facts, insets=insets, actor=None)
+    update_survey(session, replace(survey, insets=insets), actor=None)
 
 
 @pytest.fixture
@@ -143,10 +142,15 @@ def test_crops_figures_tables_and_sizes_are_shown(whole: Path, opened: Callable[
     assert page.locator("#measurements image").first.get_attribute("href") == crop["file"]
     expect(page.locator("#measurements circle").first).to_be_visible()
     page.get_by_text("statistics/total_uncertainty.csv").locator("..").click(position={"x": 4, "y": 8})
-    expect(page.get_by_role("columnheader", name="raw_m")).to_be_visible()
+    column = page.get_by_role("columnheader", name="raw_m")
+    expect(column).to_be_visible()
+    expect(column).to_have_attribute("title", "of a percentile: the plain one of the measured heights")
     beside = {"index.html", "datapackage.json", "audit.csv", "audit.js", "checkpoint.json", "SHA256SUMS"}
     files = [one for one in whole.rglob("*") if one.is_file() and one.name not in beside]
     expect(page.locator("#sizes")).to_contain_text(f"{len(files):,} files")
+    page.get_by_role("button", name="français").click()  # of a package in English
+    said = "d’un centile : celui des hauteurs mesurées, sans correction"
+    expect(column).to_have_attribute("title", said)
 
 
 def test_a_package_that_was_changed_shows_it(

@@ -149,49 +149,56 @@ def test_a_line_rate_is_planned_with_the_surveys_rig(page: Page, scan: dict[str,
 
 
 def test_heights_of_a_line_scan_are_reviewed(page: Page, scan: dict[str, Any], screenshots: Path) -> None:
-    """One after the other with the keys of the motion: accepted, rejected with a reason, taken back."""
+    """In the queue of the others, on their strips: accepted, rejected with a reason, taken back."""
     address = f"/api/scans/{scan['id']}/heights"
     waiting = [one for one in page.request.get(address).json() if one["review"]["verdict"] == "to_review"]
     of_one = [one for one in waiting if one["vehicle_id"] == waiting[0]["vehicle_id"]]
     assert len(of_one) >= 2 and scan["counts"]["heights_to_review"] == len(waiting)
     vehicles = page.request.get(f"/api/scans/{scan['id']}/vehicles").json()
     number = next(one["number"] for one in vehicles if one["id"] == waiting[0]["vehicle_id"])
-    page.goto(f"/surveys/{scan['survey_id']}/review")
-    expect(page.get_by_test_id("review-lines")).to_contain_text("of line scans to review")
-    queued = page.get_by_test_id(f"review-line-{of_one[0]['id']}")
-    queued.scroll_into_view_if_needed()
-    page.screenshot(path=screenshots / "review-lines.png")
-    queued.click()
+    bench = f"/surveys/{scan['survey_id']}/scan?scan={scan['id']}"
+    page.goto(bench)
     row = page.get_by_test_id(f"scan-vehicle-{number}")
     expect(row).to_contain_text(f"{len(of_one)} heights to review")
     row.get_by_role("button").click()
-    turn = page.locator(".line-heights__verdict--turn")
-    expect(turn).to_have_count(1)
-    turn.scroll_into_view_if_needed()
-    page.screenshot(path=screenshots / "scan-height-review.png")
+    page.locator(".line-heights").get_by_role("link", name="Review").first.click()
     strips = page.get_by_test_id("strips")
-    strips.focus()
+    expect(strips).to_be_visible()
+    panel = page.get_by_role("complementary", name="measurement")
+    expect(panel).to_contain_text("Line scan")
+    expect(page.get_by_test_id("review-fix")).to_have_count(0)
+    page.screenshot(path=screenshots / "review-line.png")
+
+    def judge(one: dict[str, Any]) -> None:
+        page.goto(f"/surveys/{scan['survey_id']}/review?measurement={one['id']}")
+        expect(page.get_by_test_id(f"review-{one['id']}")).to_have_attribute("aria-current", "true")
+        expect(page.get_by_test_id(f"review-{one['id']}")).to_contain_text("line scan")
 
     def is_verdict(answer: Any) -> bool:
-        return bool(re.search(r"/line-heights/\d+/review$", answer.url))
+        return bool(re.search(r"/measurements/\d+/reviews$", answer.url))
 
+    judge(of_one[0])
+    strips.focus()
     with page.expect_response(is_verdict) as accepted:
         page.keyboard.press("a")
-    assert accepted.value.json()["review"]["verdict"] == "accepted"
-    expect(row).to_contain_text(f"{len(of_one) - 1} height")
+    found = accepted.value.json()
+    assert (found["id"], found["review"]["verdict"]) == (of_one[0]["id"], "accepted")
+    undo = page.get_by_test_id("undo").get_by_role("button")
+    with page.expect_response(is_verdict) as back:
+        undo.click()
+    assert back.value.json()["review"]["verdict"] == "reopened"
+    judge(of_one[1])
     strips.focus()
     page.keyboard.press("x")
-    turn.get_by_role("button", name="The target point is off the feature.").click()
-    page.screenshot(path=screenshots / "scan-height-reject.png")
+    page.get_by_role("button", name="The target point is off the feature.").click()
     with page.expect_response(is_verdict) as rejected:
-        turn.get_by_role("button", name="Reject", exact=True).click()
+        page.get_by_test_id("review-send-rejection").get_by_role("button").click()
     refused = rejected.value.json()
-    assert (refused["review"]["verdict"], refused["target"]) != ("accepted", accepted.value.json()["target"])
-    undo = page.get_by_test_id("undo").get_by_role("button")
-    for _ in range(2):
-        with page.expect_response(is_verdict) as back:
-            undo.click()
-        assert back.value.json()["review"]["verdict"] == "reopened"
+    assert (refused["id"], refused["review"]["verdict"]) == (of_one[1]["id"], "rejected")
+    with page.expect_response(is_verdict) as back:
+        undo.click()
+    assert back.value.json()["review"]["verdict"] == "reopened"
+    page.goto(bench)
     expect(row).to_contain_text(f"{len(of_one)} heights to review")
     # the report of the survey counts what is accepted and says what waits
     page.goto(f"/surveys/{scan['survey_id']}/scans/results")

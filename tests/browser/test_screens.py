@@ -30,7 +30,7 @@ LOOKS: list[Literal["light", "dark"]] = ["light", "dark"]
 SCREENS = {
     "surveys": ("/", "main h1"),
     "survey": ("/surveys/{survey}", "main h1"),
-    "planning": ("/surveys/{survey}/planning", "[data-testid=plan-figure] svg"),
+    "planning": ("/surveys/{survey}/planning", "[data-testid=figure-plan-distance] svg"),
     "line-rate": ("/surveys/{survey}/planning?plan=lines", "[data-testid=line-plan]"),
     "camera": ("/surveys/{survey}/camera", ".shot img"),
     "recordings": ("/surveys/{survey}/recordings", "article.recording"),

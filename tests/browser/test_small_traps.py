@@ -53,6 +53,41 @@ def test_the_rigs_plan_says_what_the_rig_measures(page: Page, survey_id: int) ->
     expect(plan).not_to_contain_text("more than the 1 % allowed")
 
 
+def test_a_bench_without_a_recording_is_the_list_where_one_is_chosen(page: Page, survey_id: int) -> None:
+    page.goto(f"/surveys/{survey_id}/scan")
+    expect(page).to_have_url(re.compile(rf"/surveys/{survey_id}/scans$"))
+    expect(page.locator("article.scan-card")).to_have_count(1)
+    expect(page.locator("nav.rail")).to_be_visible()
+
+
+def test_a_recordings_card_names_its_file_as_the_file_is_named(page: Page, survey_id: int) -> None:
+    recording = page.request.get(f"/api/surveys/{survey_id}/recordings").json()[0]
+    assert recording["name"].endswith(".mp4") and recording["container"].startswith("mov,")
+    page.goto(f"/surveys/{survey_id}/recordings")
+    expect(page.locator(".recording__facts").first).to_contain_text(f"{recording['codec']} in mp4")
+
+
+def test_the_camera_of_a_plan_is_read_whole_in_a_narrow_window(page: Page, survey_id: int) -> None:
+    page.set_viewport_size({"width": 1024, "height": 768})
+    page.goto(f"/surveys/{survey_id}/planning")
+    choice = page.get_by_label("Camera", exact=True)
+    expect(choice.locator("option:checked")).to_have_text(re.compile(r", calibration \d+ of .+ \(current\)$"))
+    wide = """one => { const drawn = document.createElement("canvas").getContext("2d");
+        drawn.font = getComputedStyle(one).font;
+        return drawn.measureText(one.selectedOptions[0].text).width }"""
+    box = choice.bounding_box()
+    assert box and choice.evaluate(wide) < box["width"] - 40
+    expect(page.locator(".plan-form")).to_contain_text("views used")
+
+
+def test_in_a_narrow_window_the_tabs_of_review_stand_in_one_row(page: Page, survey_id: int) -> None:
+    page.set_viewport_size({"width": 1024, "height": 768})
+    page.goto(f"/surveys/{survey_id}/review")
+    tabs = page.locator(".review .page-tabs > *")
+    expect(tabs).to_have_count(3)
+    assert len({one.evaluate("one => one.offsetTop") for one in tabs.all()}) == 1
+
+
 def test_a_year_outside_the_models_moves_no_field(page: Page, survey_id: int) -> None:
     recording = page.request.get(f"/api/surveys/{survey_id}/recordings").json()[0]["id"]
     facts = {"first_frame": 0, "last_frame": 8, "make": "Corvane", "model": "Lindo"}

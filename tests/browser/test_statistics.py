@@ -3,9 +3,12 @@
 import csv
 import io
 import re
+from pathlib import Path
 
 import pytest
-from playwright.sync_api import Page, expect
+from playwright.sync_api import Browser, Page, StorageState, expect
+
+from .server import Server
 
 
 def saved(page: Page, title: str) -> tuple[str, str]:
@@ -117,3 +120,34 @@ def test_a_figure_is_read_by_pointer_and_by_keys(page: Page, survey_id: int) -> 
     expect(reader).to_have_attribute("aria-valuetext", "Arrow keys move along the axis.")
     reader.hover()
     expect(page.locator(".figure-reader__words")).to_contain_text("uncorrected:")
+
+
+@pytest.mark.parametrize("locale", ["en-GB", "fr-FR"])
+def test_the_first_screen_of_results_holds_the_whole_answer(
+    browser: Browser,
+    demonstration: Server,
+    admin_state: StorageState,
+    survey_id: int,
+    locale: str,
+    screenshots: Path,
+) -> None:
+    context = browser.new_context(
+        base_url=demonstration.url,
+        storage_state=admin_state,
+        locale=locale,
+        viewport={"width": 1440, "height": 900},
+    )
+    page = context.new_page()
+    page.goto(f"/statistics?survey={survey_id}")
+    asked = {"Accept-Language": locale}
+    told = page.request.get(f"/api/surveys/{survey_id}/conclusion", headers=asked).json()["sentences"]
+    answer = page.get_by_test_id("conclusion")
+    expect(answer.locator("li")).to_have_text(told[1:])
+    expect(page.get_by_test_id("same-rule")).to_be_visible()  # what comes after it moves it no more
+    page.screenshot(path=screenshots / f"results-first-screen-{locale}.png")
+    # so few vehicles give no verdict; the table says so before its rows do
+    none = "No verdict on any standard yet" if locale == "en-GB" else "Aucune conclusion pour l’instant"
+    expect(page.get_by_test_id("same-rule")).to_contain_text(none)
+    box = answer.bounding_box()
+    assert box and box["y"] >= 0 and box["y"] + box["height"] <= 900, box
+    context.close()

@@ -66,7 +66,6 @@ SHOWN = """(twice) => {
     && document.querySelector("#main h1, .page--bare h1") !== null
     && document.querySelector(".loading, .frame-loading--on, [data-testid=axes-awaited]") === null
     && [...document.querySelectorAll(".stat-figure__box:empty")].every(box => box.clientWidth < 200)
-    && document.querySelector(".plan-figure__box:empty") === null
     && ![...document.querySelectorAll(".spinner")].some(s => s.checkVisibility({opacityProperty: true}));
   if (!rests) window.drawn = 0;
   if (!rests || ++window.drawn < 3) return null;  // asked once a frame
@@ -140,7 +139,7 @@ def begin(page: Page) -> int:
 def shown(page: Page, *, twice: bool = False) -> Shown:
     """The page once it is at rest, less what tells the time; `twice` for a look that others are held to."""
     seen = Shown(**page.wait_for_function(SHOWN, arg=twice).json_value())
-    words = seen.words
+    words = seen.words.replace("\xa0", " ")  # the server writes "14 mm" with another space than the pages
     for pattern in TIMES:
         words = re.sub(pattern, "", words)
     return replace(seen, words=words)

@@ -127,7 +127,7 @@ def test_calibration_from_images(operator: Client, camera_id: int, work: Work) -
     known = [d for d in crossed["height_differences"] if d["difference_m"] is not None]
     assert known and all(d["expected_m"] > 0 for d in known)
     assert calibration["board_shape"]["solved"] is False and calibration["board_shape"]["bow_m"] < SQUARE_M
-    assert any("Images of several sizes" in warning for warning in calibration["warnings"])
+    assert any("Images of several sizes" in warning["message"] for warning in calibration["warnings"])
     assert document["name"] == "Left"
     assert document["fx_px"] == pytest.approx(FOCAL_PX, rel=0.01)
     assert document["rms_px"] < 0.15
@@ -136,14 +136,14 @@ def test_calibration_from_images(operator: Client, camera_id: int, work: Work) -
     views = {one["file"]: one for one in calibration["views"]}
     assert len(views) == 12
     assert not views["wall.png"]["used"] and views["wall.png"]["reason"]
-    assert not views["small.png"]["used"] and "320" in views["small.png"]["reason"]
+    assert not views["small.png"]["used"] and "320" in views["small.png"]["reason"]["message"]
     used = views["board.png (4)"]
     residuals = np.array(used["residuals_px"])
     assert residuals.shape == (ROWS * COLUMNS, 2) and used["image_id"]
     assert np.sqrt((residuals**2).sum(axis=1).mean()) == pytest.approx(used["rms_px"], rel=1e-6)
     camera = operator.seen(f"/cameras/{camera_id}")
     assert camera["current_calibration_id"] == calibration["id"]
-    assert "10 of 12 views" in camera["calibrations"][0]["summary"]
+    assert "10 of 12 views" in camera["calibrations"][0]["summary"]["message"]
 
 
 def test_calibration_from_a_clip(
@@ -196,7 +196,7 @@ def test_import_and_choice(operator: Client, camera_id: int, survey_id: int) -> 
     assert first["warnings"] and first["coverage"] == [] and first["views"] == []
     four = OPENCV.replace("rows: 5", "rows: 4").replace(", 0.238 ]", " ]")
     guessed = operator.post(path, files={"file": ("four.yml", four.encode())}).json()
-    assert any("does not name its distortion model" in warning for warning in guessed["warnings"])
+    assert any("does not name its distortion model" in warning["message"] for warning in guessed["warnings"])
     second = operator.post(path, files={"file": ("left.yml", OPENCV.replace("535.9", "540").encode())}).json()
     assert operator.seen(f"/cameras/{camera_id}")["current_calibration_id"] == second["id"]
     choice = f"/cameras/{camera_id}/current-calibration"

@@ -102,7 +102,7 @@ def test_calibration_and_pose_from_a_clip(
     assert found["found"] and found["ids"] is None and len(found["corners_px"]) == COLUMNS * ROWS
     part = operator.made(f"/recordings/{clip_id}/board", {**BOARD, "frame": last})
     assert part["found"] and len(part["ids"]) == len(part["corners_px"]) < COLUMNS * ROWS
-    assert "a camera pose needs all of them" in part["order_note"]
+    assert "a camera pose needs all of them" in part["order_notes"][0]["message"]
     assert part["outline_px"][0] == part["outline_px"][-1]
 
     camera = flat_camera(WIDTH, HEIGHT, FOCAL_PX)

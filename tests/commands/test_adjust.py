@@ -10,6 +10,7 @@ import pytest
 
 from sightline.cli import main
 from sightline.commands.passes_csv import NEEDED, OPTIONS
+from sightline.messages.said import Said
 from tests.adjustment.survey import (
     BoardBudget,
     Fleet,
@@ -93,7 +94,7 @@ def test_what_cannot_be_read_is_left_out_by_name(files, tmp_path, capsys) -> Non
     status, _, _ = run(capsys, "adjust", "--pose", pose, "--passes", table, "-o", output)
     told = json.loads(output.read_text())["adjustment"]
     assert status == 0 and told["used"] == 7
-    reasons = {one["pass"]: one["reason"] for one in told["left_out"]}
+    reasons = {one["pass"]: str(Said.read(one["reason"])) for one in told["left_out"]}
     assert list(reasons) == ["1", "2", "3", "4", "5"]
     for name, word in {"1": "x_px", "2": "point", "3": "wheelbase_m", "4": "u_roof_m", "5": "frame"}.items():
         assert word in reasons[name]

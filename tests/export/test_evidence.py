@@ -192,6 +192,22 @@ def test_the_command_writes_a_file_that_verify_takes(
         assert why in capsys.readouterr().err
 
 
+def test_what_it_says_is_signed_in_every_language_and_answered_in_that_of_the_request(
+    viewer: Client, reviewer: Client, scan: dict[str, Any]
+) -> None:
+    two = vehicles(viewer, scan)[1]
+    judge(reviewer, two)
+    address, french = f"/scan-vehicles/{two['id']}/evidence", {"Accept-Language": "fr"}
+    file = viewer.post(address, {"rule": SPEED}, headers=french).json()
+    document = document_of(file)
+    assert checked(file["html"]).ok and document["language"] == "fr"
+    words = document["decision"]["words"]
+    assert words.startswith("Not conforming") and file["decision"] == document["said"]["fr"][words]
+    assert file["decision"].startswith("Non conforme") and "." not in file["decision"].split(" km/h")[0]
+    sources = {one["source"] for one in document["measurement"]["budget"]}
+    assert {*sources, words} <= document["said"]["fr"].keys()
+
+
 def test_without_a_rule_or_an_accepted_measurement_nothing_is_decided(
     viewer: Client, operator: Client, reviewer: Client, scan: dict[str, Any]
 ) -> None:
@@ -298,7 +314,7 @@ def test_each_value_that_is_changed_is_found(
     # signed anew by who holds the key: what follows from the rest, or stands in an event, is found even so
     key = signing_key(services.settings)
     assert checked(signed_again(file, document, key)).ok
-    parts = ("pictures", "decision", "gap", "time", "at_vehicle", "audit")
+    parts = ("pictures", "decision", "gap", "time", "at_vehicle", "audit", "said")
     bound = {
         *((part, *rest) for part, *rest in places if part in parts),
         *(("measurement", name) for name in (*LINES, "speed_mps", "acceleration_mps2", "length_m")),

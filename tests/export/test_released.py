@@ -11,8 +11,9 @@ from typing import Any
 import pytest
 
 from sightline.cli import main
-from sightline.export import contents
+from sightline.export import contents, package_tables
 from sightline.export.contents import HEIGHTS, STATISTICS, WORDS
+from sightline.export.package_tables import PACKAGE, Part
 from sightline.export.verify import derived, described
 from sightline.export.verify.package import PackageCheck, verify_package
 from sightline.infra import source_hash
@@ -210,8 +211,8 @@ def test_later_tables_and_columns_break_no_package(
     column: Column[Any] = Column("later", "string", "a word", of=lambda _: "word")
     revisions = replace(measured.REVISIONS, columns=(*measured.REVISIONS.columns, column))
     monkeypatch.setattr(measured, "REVISIONS", revisions)
-    monkeypatch.setattr(contents, "REVISIONS", revisions)
-    monkeypatch.setattr(contents, "_OTHER_TABLES", (*contents._OTHER_TABLES, table))
+    monkeypatch.setattr(package_tables, "REVISIONS", revisions)
+    monkeypatch.setattr(package_tables, "PACKAGE", (*PACKAGE, Part((table,), lambda _: None)))
     assert check(released).ok, check(released).problem
     assert not check(package).ok
     later()

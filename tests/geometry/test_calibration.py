@@ -11,6 +11,7 @@ from sightline.geometry.arrays import frozen
 from sightline.geometry.board import Board
 from sightline.geometry.calibration import calibrate
 from sightline.geometry.corners import Corners, find_board, not_found
+from sightline.messages.said import Said
 from tests.geometry.scenes import shared
 from tests.geometry.simulate import Lens, Scene
 
@@ -85,7 +86,7 @@ def test_odd_views_are_left_out_by_name() -> None:
     blurred = Corners(True, given[0][1].points_px, BOARD, None, 40.0, "simulated")
     odd = [
         ("wide.png", given[0][1], (641, 481)),
-        ("none.png", not_found(BOARD, "Nothing there."), SIZE),
+        ("none.png", not_found(BOARD, Said("board-not-found")), SIZE),
         ("soft.png", blurred, SIZE),
     ]
     result = calibrate(given + odd, BOARD)
@@ -102,7 +103,7 @@ def test_fewer_than_three_views_are_bad_input() -> None:
     with pytest.raises(BadInput, match="at least 3"):
         calibrate(views(Lens(), 2, 5), BOARD)
     with pytest.raises(BadInput, match="at least 3"):
-        calibrate([("a.png", not_found(BOARD, "Nothing there."), SIZE)] * 5, BOARD)
+        calibrate([("a.png", not_found(BOARD, Said("board-not-found")), SIZE)] * 5, BOARD)
     with pytest.raises(BadInput):
         calibrate([], BOARD)
 
@@ -111,9 +112,9 @@ def test_good_set_is_trusted_and_poor_ones_say_why() -> None:
     good = calibrate(views(Lens(), 30, 6, tilt=45.0), BOARD)
     assert good.trusted, good.warnings
     few = calibrate(views(Lens(), 4, 7), BOARD)
-    assert not few.trusted and any("Only 4 views" in w for w in few.warnings)
+    assert not few.trusted and any("Only 4 views" in str(w) for w in few.warnings)
     parallel = calibrate(views(Lens(), 12, 8, tilt=3.0), BOARD)
-    assert not parallel.trusted and any("same orientation" in w for w in parallel.warnings)
+    assert not parallel.trusted and any("same orientation" in str(w) for w in parallel.warnings)
 
 
 def test_wrong_lens_model_is_named() -> None:
@@ -123,7 +124,7 @@ def test_wrong_lens_model_is_named() -> None:
     result = calibrate(near, Board(9, 6, 0.06), "brown")
     right = calibrate(near, Board(9, 6, 0.06), "fisheye")
     assert right.camera.rms_px is not None and right.camera.rms_px < 0.1
-    assert any("fisheye model fits better" in w for w in result.warnings)
+    assert any("fisheye model fits better" in str(w) for w in result.warnings)
     assert not result.trusted
 
 
@@ -132,7 +133,7 @@ def test_a_spoiled_view_is_named() -> None:
     rng = np.random.default_rng(11)
     bad = given[3][1].points_px + rng.normal(0, 1.5, (6, 9, 2))
     given[3] = ("bad.png", Corners(True, frozen(bad), BOARD, None, 2.0, "simulated"), SIZE)
-    assert any(w.startswith("bad.png fits much worse") for w in calibrate(given, BOARD).warnings)
+    assert any(str(w).startswith("bad.png fits much worse") for w in calibrate(given, BOARD).warnings)
 
 
 @pytest.mark.parametrize(

@@ -10,6 +10,7 @@ from sightline.errors import BadInput
 from sightline.geometry.camera import View
 from sightline.geometry.documents import camera_from_dict, camera_to_dict, pose_from_dict, pose_to_dict
 from sightline.geometry.road_pose import BoardOnRoad, RoadPose
+from sightline.messages.said import Said
 from tests.geometry.scenes import camera_of, pose_of
 from tests.geometry.simulate import Lens, Scene
 
@@ -20,7 +21,7 @@ def a_pose() -> RoadPose:
     camera = dataclasses.replace(
         camera_of(Lens(), (a @ a.T)[:9, :9]),
         rms_px=0.2,
-        views=(View("a.png", 0.2, True), View("b", None, False, "x")),
+        views=(View("a.png", 0.2, True), View("b", None, False, Said("board-not-found"))),
     )
     board = BoardOnRoad(6, 4, 0.1, "bottom", 0.6, 0.002, 0.004, 3.1)
     base = pose_of(Scene(yaw=10.0))

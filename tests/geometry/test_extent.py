@@ -40,8 +40,8 @@ def test_the_whole_board_ends_where_it_was_found(columns: int, rows: int) -> Non
 @pytest.mark.parametrize(
     ("cut", "side"),
     [
-        (np.s_[:, :-1], "to the right"),
-        (np.s_[:, 1:], "to the left"),
+        (np.s_[:, :-1], "right"),
+        (np.s_[:, 1:], "left"),
         (np.s_[:-1], "below"),
         (np.s_[1:], "above"),
     ],

@@ -204,8 +204,8 @@ def test_many_equal_one_by_one() -> None:
     ("contact", "target", "words"),
     [
         ((np.nan, 300), (300, 100), "not a finite"),
-        ((700, 300), (300, 100), "contact point lies outside the picture"),
-        ((300, 300), (300, -5), "target point lies outside the picture"),
+        ((700, 300), (300, 100), "contact point lies outside the frame"),
+        ((300, 300), (300, -5), "target point lies outside the frame"),
         ((320, 100), (300, 90), "horizon"),
         ((320, 300), (320, 400), "swapped"),
         ((320, 300), (320, 300), "on or below the road"),

@@ -14,6 +14,7 @@ from sightline.geometry.corners import Corners, not_found
 from sightline.geometry.height import measure_height
 from sightline.geometry.pose import expected_u, pose_from_corners
 from sightline.geometry.road_pose import Reference
+from sightline.messages.said import Said
 from tests.geometry.scenes import LENSES, camera_of, pose_of
 from tests.geometry.simulate import Lens, Scene
 
@@ -157,7 +158,7 @@ def test_reasons_in_words() -> None:
     with pytest.raises(BadInput, match="moves"):
         pose_from_corners(camera, moving, BOARD, REFERENCE)
     with pytest.raises(BadInput, match="none of the 2 frames"):
-        pose_from_corners(camera, [not_found(BOARD, "Too dark.")] * 2, BOARD, REFERENCE)
+        pose_from_corners(camera, [not_found(BOARD, Said("board-not-found"))] * 2, BOARD, REFERENCE)
     with pytest.raises(BadInput, match="none of the 0 frames"):
         pose_from_corners(camera, [], BOARD, REFERENCE)
     with pytest.raises(BadInput, match="below the road"):
@@ -205,7 +206,7 @@ def test_a_few_moving_frames_are_left_out() -> None:
     arriving = [corners(facing(20 + 2.0 * i)) for i in range(8, 0, -1)]
     pose = pose_from_corners(camera_of(Lens()), arriving + still, BOARD, REFERENCE)
     assert pose.frames_used == 30
-    assert any("moved" in warning for warning in pose.warnings)
+    assert Said("pose-frames-moved") in pose.warnings
 
 
 def test_expected_u() -> None:

@@ -4,6 +4,7 @@ import inspect
 import pkgutil
 import re
 from collections.abc import Callable
+from dataclasses import replace
 from importlib import import_module
 from typing import Any
 
@@ -24,7 +25,6 @@ from sightline.cameras.store import (
 from sightline.errors import SightlineError
 from sightline.export.evidence.store import note_evidence
 from sightline.export.store import add_export
-from sightline.geometry.sides import TrafficFacts
 from sightline.infra.audit import trail
 from sightline.infra.audit.tables import audit_events
 from sightline.infra.audit.verification import verify_records
@@ -70,7 +70,6 @@ from sightline.reviews.lots.query import get_lot
 from sightline.reviews.lots.store import add_decision, add_taking_back, add_verdicts_by_lot
 from sightline.reviews.plan_store import choose_review_plan
 from sightline.reviews.store import add_review
-from sightline.statistics.sampling import Sampling
 from sightline.studies.members_store import add_study_member, open_study_to_all, remove_study_member
 from sightline.studies.records import StudyFacts
 from sightline.studies.store import (
@@ -78,7 +77,6 @@ from sightline.studies.store import (
     remove_study,
     update_study,
 )
-from sightline.surveys.classes import USUAL_CLASSES
 from sightline.surveys.members.store import open_survey_to_all, put_member, remove_member
 from sightline.surveys.photographs.store import (
     change_photograph_caption,
@@ -86,8 +84,6 @@ from sightline.surveys.photographs.store import (
     remove_photograph,
     restore_photograph,
 )
-from sightline.surveys.place import Place
-from sightline.surveys.records import Asked
 from sightline.surveys.store import create_survey, update_survey
 from sightline.vehicles.catalogue.records import CatalogueRow
 from sightline.vehicles.catalogue.store import (
@@ -218,21 +214,7 @@ WRITES: dict[str, tuple[Write, Callable[[Session, Sample, Any], Any]]] = {
     "create_survey": (lambda s, o: None, lambda s, o, _: create_survey(s, name="B", actor=o.olga.id)),
     "update_survey": (
         lambda s, o: None,
-        lambda s, o, _: update_survey(
-            s,
-            o.survey.id,
-            name="C",
-            site="",
-            description="",
-            traffic=TrafficFacts(),
-            place=Place(),
-            asked=Asked(),
-            classes=USUAL_CLASSES,
-            sampling=Sampling(),
-            insets={},
-            version=1,
-            actor=o.olga.id,
-        ),
+        lambda s, o, _: update_survey(s, replace(o.survey, name="C"), actor=o.olga.id),
     ),
     "put_member": (
         lambda s, o: None,
@@ -427,7 +409,7 @@ WRITES: dict[str, tuple[Write, Callable[[Session, Sample, Any], Any]]] = {
             s, o.survey.id, o.olga.id, sigma_px=0.6, pairs=12, actor=o.rene.id
         ),
     ),
-    "give_verdict": (lambda s, o: samples.measure(s, o), _review),
+    "add_review": (lambda s, o: samples.measure(s, o), _review),
     "add_export": (
         lambda s, o: None,
         lambda s, o, _: add_export(
@@ -502,6 +484,9 @@ NO_EVENT = {
     "append_measurement_revision": "writes an event; part of revise, withdraw, restore and reviews.add",
     "append_computed_again": "writes an event of each, after the one of add_computing",
     "append_revision": "writes an event; part of adding, revising, withdrawing and restoring",
+    "note_key": "the key of the request that an event came by; part of record",
+    "keep_answers": "what a request was answered, for its repeats; gone within days",
+    "forget_old_keys": "requests that are not sent again any more",
     "record": "is the event",
     "held": "begins a chain; part of record",
     "record_many": "is the events",

@@ -1,6 +1,7 @@
 """The rules of the records: who may, what conflicts, what follows from what."""
 
 from collections.abc import Iterator
+from dataclasses import replace
 from datetime import UTC, datetime, timedelta
 from typing import Any, get_args
 
@@ -10,7 +11,6 @@ from sqlalchemy.orm import Session
 from sightline.cameras.store import choose_calibration, create_camera, get_camera
 from sightline.enums import InsetName
 from sightline.errors import BadInput, Conflict, NotAllowed, NotFound, NotSignedIn
-from sightline.geometry.sides import TrafficFacts
 from sightline.infra.jobs.store import create_job
 from sightline.measurements.sheets.query import get_sheet, list_sheets
 from sightline.measurements.store import (
@@ -51,10 +51,7 @@ from sightline.recordings.uploads.store import (
 from sightline.results.overview.query import survey_overview
 from sightline.reviews.query import measurement_history
 from sightline.reviews.store import add_review, review_queue
-from sightline.statistics.sampling import Sampling
-from sightline.surveys.classes import USUAL_CLASSES
-from sightline.surveys.place import Place
-from sightline.surveys.records import Asked, Inset
+from sightline.surveys.records import Inset
 from sightline.surveys.store import create_survey, get_survey, update_survey
 from sightline.vehicles.catalogue.records import CatalogueRow
 from sightline.vehicles.catalogue.store import add_catalogue_row, import_catalogue_rows, search_catalogue
@@ -181,20 +178,10 @@ def test_the_second_of_two_tabs_is_told(session: Session, one: Sample) -> None:
     assert get_vehicle(session, one.vehicle.id).make == "Renault"
     with pytest.raises(Conflict, match="René changed vehicle"):
         remove_vehicle(session, one.vehicle.id, version=1, actor=one.olga.id)
-    same = {
-        "name": "S",
-        "site": "",
-        "description": "",
-        "traffic": TrafficFacts(),
-        "place": Place(),
-        "asked": Asked(),
-        "classes": USUAL_CLASSES,
-        "sampling": Sampling(),
-        "insets": {},
-    }
-    update_survey(session, one.survey.id, **same, version=1, actor=one.rene.id)
+    renamed = replace(one.survey, name="S", version=1)
+    update_survey(session, renamed, actor=one.rene.id)
     with pytest.raises(Conflict, match=r"^René changed this survey at"):
-        update_survey(session, one.survey.id, **same, version=1, actor=one.olga.id)
+        update_survey(session, renamed, actor=one.olga.id)
     made = samples.measure(session, one)
     revise_measurement(session, made, values(one), actor=one.rene.id)
     with pytest.raises(Conflict, match=r"^René changed this measurement at"):
@@ -359,28 +346,12 @@ def test_an_upload_ends_once(session: Session, one: Sample) -> None:
 
 def test_insets_start_with_defaults_and_are_checked(session: Session, one: Sample) -> None:
     assert set(one.survey.insets) == set(get_args(InsetName))
-    change = {
-        "name": "S",
-        "site": "",
-        "description": "",
-        "version": 1,
-        "actor": None,
-        "traffic": TrafficFacts(),
-        "place": Place(),
-        "asked": Asked(),
-        "classes": USUAL_CLASSES,
-        "sampling": Sampling(),
-    }
-    changed = update_survey(session, one.survey.id, insets={"roof": Inset(0.4, 0.05, "seen")}, **change)  # type: ignore[arg-type]
+    seen = replace(one.survey, insets={"roof": Inset(0.4, 0.05, "seen")})
+    changed = update_survey(session, seen, actor=None)
     assert changed.insets["roof"] == Inset(0.4, 0.05, "seen")
     assert changed.insets["taillight"] == one.survey.insets["taillight"]
     with pytest.raises(BadInput, match="wheel"):
-        update_survey(
-            session,
-            one.survey.id,
-            insets={"wheel": Inset(0, 0)},
-            **(change | {"version": 2}),  # type: ignore[arg-type]
-        )
+        update_survey(session, replace(changed, insets={"wheel": Inset(0, 0)}), actor=None)
 
 
 def test_a_recording_shows_its_latest_job(session: Session, one: Sample) -> None:

@@ -44,7 +44,6 @@ from sightline.quality.checks.store import add_wheel_pair
 from sightline.recordings.store import remove_recording
 from sightline.reviews.lots.store import add_decision
 from sightline.reviews.store import add_review
-from sightline.scans.heights.service import review_scan_height
 from sightline.scans.vehicles.review_store import add_scan_review
 from sightline.settings import Settings
 from sightline.surveys.photographs.store import order_photographs
@@ -105,7 +104,7 @@ def _fill(url: str) -> None:
         scans_samples.calibrated_rig(session, one, scanned.scan_id)
         rod = scans_samples.rod(session, one, scanned.scan_id)
         height = scans_samples.tall(session, one, scanned.vehicle_id, rod)
-        review_scan_height(session, height.id, revision=1, verdict="accepted", actor=one.rene.id)
+        add_review(session, height.id, seen_revision=1, verdict="accepted", actor=one.rene.id)
         samples.study_result(session, one)
     engine.dispose()
 

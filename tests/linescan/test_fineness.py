@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from sightline.linescan.fineness import carried_on, too_coarse
+from sightline.linescan.fineness import GOOD_LINE_M, carried_on, too_coarse
 from sightline.linescan.methods import MEASURE
 from sightline.linescan.parts import Rig
 from tests.linescan.scenes import RIG, SITE, found, plain, plain_found, plain_truth
@@ -35,7 +35,24 @@ def test_lines_close_enough_are_measured_and_slow_ones_refused_with_what_to_do()
                 assert one.status == "not_measurable" and one.speed_mps is None and one.reason
                 assert "Raise the line rate" in str(one.reason)
                 told_mm = one.reason.values["line_mm"]
-                assert told_mm == pytest.approx(line_mm, rel=0.1)
+                assert told_mm == pytest.approx(line_mm, rel=0.05)
+
+
+def test_boundaries_that_are_a_line_off_change_neither_the_distance_of_lines_nor_the_rate_to_ask_for() -> (
+    None
+):
+    """One more of few lines from camera to camera is a third; the pictures tell how many there are."""
+    nth = 32
+    rig = Rig(RIG.baseline_m, RIG.line_rate_hz / nth)
+    for passage, true in zip(found(every(nth), rig)[0], plain_truth(), strict=True):
+        line_m, c = true.vehicle.speed_mps / rig.line_rate_hz, passage.crossings
+        for by in (-1.0, 0.0, 1.0):
+            moved = replace(c, front_line_2=c.front_line_2 + by, rear_line_2=c.rear_line_2 + by)
+            said = too_coarse(replace(passage, crossings=moved), rig)
+            lines = RIG.baseline_m / line_m
+            assert said and said.values["line_mm"] == pytest.approx(1000 * line_m, rel=0.2 / lines)
+            needed_hz = true.vehicle.speed_mps / GOOD_LINE_M
+            assert 0.98 * needed_hz < said.values["rate_hz"] < 1.15 * needed_hz
 
 
 def test_what_is_carried_on_does_not_mind_noise() -> None:

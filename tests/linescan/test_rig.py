@@ -46,11 +46,12 @@ def test_the_medians_uncertainty_holds() -> None:
 def test_known_lengths_check_the_baseline() -> None:
     rng = np.random.default_rng(6)
     truth = rng.uniform(2.4, 3.0, 12)
-    right = baseline_ratio(truth + rng.normal(0, 0.01, 12), [0.01] * 12, truth, [0.002] * 12)
-    assert right.warning is None and right.value == pytest.approx(1, abs=0.004)
-    long = baseline_ratio(1.01 * truth + rng.normal(0, 0.01, 12), [0.01] * 12, truth, [0.002] * 12)
+    right = baseline_ratio("wheelbase", truth + rng.normal(0, 0.01, 12), [0.01] * 12, truth, [0.002] * 12)
+    assert right.warning is None and "12 wheelbases of known vehicles agree" in str(right.agrees)
+    assert right.value == pytest.approx(1, abs=0.004)
+    long = baseline_ratio("length", 1.01 * truth + rng.normal(0, 0.01, 12), [0.01] * 12, truth, [0.002] * 12)
     assert "longer" in str(long.warning) and long.value == pytest.approx(1.01, abs=0.004)
-    assert "too few" in str(baseline_ratio([2.6], [0.01], [2.6], [0.01]).reason)
+    assert "too few" in str(baseline_ratio("wheelbase", [2.6], [0.01], [2.6], [0.01]).reason)
 
 
 def test_a_wheelbase_is_what_the_motion_covers_between_the_hubs() -> None:

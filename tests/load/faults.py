@@ -3,8 +3,8 @@
 Starts the real server on a copy of a small demonstration, with people who click, upload, look at frames and
 build packages, and sends SIGKILL to the server, the decoder, a worker, their supervisor or the database, in
 an order drawn from the seed. Everybody sends again what was not answered, as the pages do. In the end: no
-acknowledged click is lost or there twice, each job is over and each package there once, the audit chains
-hold, nothing that a killed process wrote halfway is left, and no log holds a traceback.
+acknowledged vehicle or click is lost or there twice, each job is over and each package there once, the audit
+chains hold, nothing that a killed process wrote halfway is left, and no log holds a traceback.
 
 `--postgresql` does the same on a PostgreSQL cluster of its own, whose postmaster is killed too.
 """
@@ -59,6 +59,8 @@ class World:
     over: threading.Event = field(default_factory=threading.Event)
     told: Counter[str] = field(default_factory=Counter)
     odd: Counter[str] = field(default_factory=Counter)
+    #: name of every acknowledged vehicle
+    marked: list[str] = field(default_factory=list)
     #: client key of every acknowledged measurement
     stored: list[str] = field(default_factory=list)
     #: series, revision and x of every acknowledged revision
@@ -76,7 +78,9 @@ class Person:
         )
 
     def ask(self, method: str, path: str, **given: Any) -> httpx2.Response:
-        """The first answer that is no connection lost and no 5xx."""
+        """The first answer that is no connection lost and no 5xx; a write bears a key, the same each time."""
+        if method not in ("GET", "HEAD"):
+            given["headers"] = {"Idempotency-Key": str(uuid4()), **given.get("headers", {})}
         until = time.monotonic() + 180
         while time.monotonic() < until:
             try:
@@ -93,7 +97,11 @@ class Person:
         raise AssertionError(f"{method} {path} had no answer for three minutes")
 
     def made(self, path: str, **body: Any) -> Any:
+        """What was stored; None where it was, and the answer is lost."""
         answer = self.ask("POST", path, json=body)
+        if is_done(answer):
+            self.world.told["done before"] += 1
+            return None
         assert answer.status_code in (200, 201, 202), answer.text
         return answer.json()
 
@@ -103,11 +111,22 @@ class Person:
         return answer.json()
 
 
+def is_done(answer: httpx2.Response) -> bool:
+    """Whether the server says that the request was stored before, and has lost its answer."""
+    return answer.status_code == 409 and answer.json()["error"]["kind"] == "done_before"
+
+
 def clicking(world: World) -> None:
     """A vehicle, its roof, and revisions of it; each click is at a place of its own."""
     me = Person(world)
     while not world.over.is_set():
-        vehicle = me.made(f"/api/recordings/{world.recording['id']}/vehicles", first_frame=1, last_frame=9)
+        name = str(uuid4())
+        passes = f"/api/recordings/{world.recording['id']}/vehicles"
+        vehicle = me.made(passes, first_frame=1, last_frame=9, notes=name)
+        world.marked.append(name)
+        if vehicle is None:
+            there = me.seen(f"/api/surveys/{world.survey}/vehicles?recording_id={world.recording['id']}")
+            (vehicle,) = [one for one in there if one["notes"] == name]
         body = {"frame": 5, "contact": [320.0, 400.0], "inset_m": 0.3, "u_inset_m": 0.1}
         key = str(uuid4())
         roof = {**body, "target_point": [320.0, 200.0], "target": "roof", "client_key": key}
@@ -118,7 +137,7 @@ def clicking(world: World) -> None:
             x = 320.0 + place / 10
             again = {**body, "target_point": [x, 200.0], "revision": revision}
             answer = me.ask("PUT", f"/api/measurements/{stored['id']}", json=again)
-            if answer.status_code == 409:  # it was stored, and the answer lost
+            if is_done(answer):
                 revision = me.seen(f"/api/measurements/{stored['id']}")["revision"]
                 continue
             assert answer.status_code == 200, answer.text
@@ -143,6 +162,8 @@ def exporting(world: World) -> None:
     me = Person(world)
     while not world.over.is_set():
         job = me.made(f"/api/surveys/{world.survey}/exports?crops=false")
+        if job is None:
+            continue
         _until_ended(me, world, job["id"])
 
 
@@ -234,15 +255,18 @@ def watched(world: World, work: Callable[[World], None]) -> threading.Thread:
 
 
 def lost_and_doubled(engine: Engine, world: World) -> tuple[int, int]:
-    """Acknowledged clicks that are not in the database, and clicks that are there twice."""
+    """Acknowledged vehicles and clicks that are not in the database, and those that are there twice."""
     with engine.connect() as connection:
         keys = Counter(connection.execute(text("SELECT client_key FROM measurement_series")).scalars())
+        vehicles = Counter(connection.execute(text("SELECT notes FROM vehicles")).scalars())
         rows = connection.execute(text("SELECT series_id, revision, target_x_px FROM measurements")).all()
     there = {(int(one[0]), int(one[1]), float(one[2])) for one in rows}
-    lost = sum(keys[key] != 1 for key in world.stored) + sum(one not in there for one in world.revised)
+    lost = sum(vehicles[name] == 0 for name in world.marked)
+    lost += sum(keys[key] != 1 for key in world.stored) + sum(one not in there for one in world.revised)
     mine = {series for series, _revision, _x in world.revised}
     places = Counter((one[0], one[2]) for one in rows if one[0] in mine)
-    return lost, sum(count - 1 for count in places.values())
+    again = sum(max(vehicles[name] - 1, 0) for name in world.marked)
+    return lost, again + sum(count - 1 for count in places.values())
 
 
 def unfinished(engine: Engine) -> Counter[str]:

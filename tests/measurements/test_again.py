@@ -14,6 +14,7 @@ from sightline.infra.csv_package.files import FolderFiles
 from sightline.infra.jobs.records import Job
 from sightline.infra.jobs.registry import Cancelled, JobContext
 from sightline.infra.services import Services
+from sightline.messages.said import Said
 from sightline.scans.again import again_job, service
 from tests.support.app import Client, error_of
 from tests.support.ground import (
@@ -268,9 +269,9 @@ def test_a_job_that_is_stopped_leaves_nothing(
     say_inset(operator, ground.survey_id, LARGE)
     told: list[float] = []
 
-    def stopped(context: JobContext, fraction: float, message: str = "") -> None:
+    def stopped(context: JobContext, fraction: float, message: Said | None = None) -> None:
         told.append(fraction)
-        if message.startswith("Saving"):
+        if str(message or "").startswith("Saving"):
             raise Cancelled("said", sentence="Stopped.")
 
     monkeypatch.setattr(again_job.JobContext, "progress", stopped)

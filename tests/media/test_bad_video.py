@@ -160,7 +160,7 @@ def test_a_cut_file_is_reported_in_words(tmp_path: Path, take_in: Ingest) -> Non
     path.write_bytes(whole[: len(whole) * 6 // 10])
     report = take_in(path).report
     assert report.damaged
-    assert any("90 frames" in note for note in report.notes), report.notes
+    assert any("90 frames" in note for note in map(str, report.notes)), report.notes
 
 
 def test_a_cut_matroska_file_is_told_by_its_duration(tmp_path: Path, take_in: Ingest) -> None:
@@ -171,14 +171,14 @@ def test_a_cut_matroska_file_is_told_by_its_duration(tmp_path: Path, take_in: In
     path.write_bytes(content[: len(content) * 5 // 10])
     report = take_in(path).report
     assert report.damaged
-    assert any("3.6 s" in note and "truncated" in note for note in report.notes), report.notes
+    assert any("3.6 s" in note and "truncated" in note for note in map(str, report.notes)), report.notes
 
 
 def test_a_late_first_stamp_is_no_cut(tmp_path: Path, take_in: Ingest) -> None:
     """Matroska's duration counts from 0, wherever the first picture stands."""
     spec = Spec("late.mkv", pts_of=lambda n: 900_000 + 3600 * n)
     report = take_in(write(tmp_path / "late.mkv", spec, 60)).report
-    assert not report.damaged and not any("cut off" in note for note in report.notes)
+    assert not report.damaged and not any("cut off" in note for note in map(str, report.notes))
 
 
 def test_flipped_bytes_are_skipped_and_the_rest_is_served(tmp_path: Path, take_in: Ingest) -> None:
@@ -192,7 +192,7 @@ def test_flipped_bytes_are_skipped_and_the_rest_is_served(tmp_path: Path, take_i
     result = take_in(path)
     media = media_of(result)
     assert len(media) >= 48
-    assert result.report.damaged and any("damaged" in note for note in result.report.notes)
+    assert result.report.damaged and any("damaged" in note for note in map(str, result.report.notes))
     server = FrameServer(tmp_path / "cache", 4_000_000, 1_000_000)
     last = len(media) - 1
     assert [read_number(server.gray(media, n)) for n in range(last, last - 20, -1)] == list(range(95, 75, -1))

@@ -147,7 +147,7 @@ def test_square_pixels_are_told_and_served(tmp_path: Path, take_in: Ingest, serv
     assert (facts.coded_width_px, facts.coded_height_px) == (320, 240)
     assert (facts.width_px, facts.height_px) == (427, 240)
     assert server.gray(media_of(result), 2).shape == (240, 427)
-    assert any("4/3" in note for note in result.report.notes)
+    assert any("4/3" in str(note) for note in result.report.notes)
 
 
 def test_full_range_is_not_stretched_twice(tmp_path: Path, take_in: Ingest, server: FrameServer) -> None:

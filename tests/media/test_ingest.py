@@ -72,13 +72,13 @@ def test_a_recorder_that_repeats_pictures_is_reported(tmp_path: Path, take_in: I
     write_mp4(path, (painted(n) for n in numbers), 25, crf=0)
     report = take_in(path).report
     assert report.duplicates == 2
-    assert any("same image" in note for note in report.notes)
+    assert any("same image" in note for note in map(str, report.notes))
 
 
 def test_raw_streams_say_that_the_rate_is_assumed(clip: Clip, take_in: Ingest) -> None:
     result = take_in(clip(Spec("plain.h264", container="h264")))
     assert result.is_working_copy and result.media_path.is_file()
-    assert any("25 frames per second are assumed" in note for note in result.report.notes)
+    assert any("25 frames per second are assumed" in note for note in map(str, result.report.notes))
 
 
 @pytest.mark.parametrize(("rate", "count"), [(25, 80), (2, 40), (1, 12), (25, 3)])

@@ -28,7 +28,7 @@ NOTED = {
     "front_cut.mp4": "truncated: 16027 bytes",
     "hours_missing.ts": "do not trust its times",
     "killed.mkv": "29 frames (1.12 s) were imported",
-    "million_a_second.avi": "1e+06 frames per second",
+    "million_a_second.avi": "1000000 frames per second",
     "million_frames.mp4": "2147483647 frames, 50 could be decoded",
     "mirrored.mp4": "mirrored",
     "no_rate.avi": "states no frame rate",
@@ -65,4 +65,4 @@ def test_a_malformed_video_is_refused_or_says_what_is_wrong(
     assert (status, said) == (0, "")
     found = ingest(made[name], lambda _: None, lambda: False, tmp_path / "thumbs", work_dir=tmp_path)
     notes = found.report.notes
-    assert any(NOTED[name] in note for note in notes) if name in NOTED else notes == (), notes
+    assert any(NOTED[name] in note for note in map(str, notes)) if name in NOTED else notes == (), notes

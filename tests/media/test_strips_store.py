@@ -109,6 +109,7 @@ def test_it_lies_in_the_media_store(tmp_path: Path) -> None:
     readers = ReaderCache()
     reader = readers.reader(media.local_path(key), "lane 1")
     assert readers.reader(media.local_path(key)) is reader
+    assert [readers.reader(media.local_path(key), bits=bits).bits for bits in (12, 8, 16)] == [12, 8, 16]
     np.testing.assert_array_equal(reader.read(10, 20), strip[10:20])
 
 

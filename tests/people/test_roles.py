@@ -206,8 +206,6 @@ MATRIX = {
     "POST /scans/{scan_id}/references/preview": "operator",
     "POST /scans/{scan_id}/references/import": "operator",
     "POST /scan-measurements/{measurement_id}/review": "reviewer",
-    "POST /line-heights/{height_id}/review": "reviewer",
-    "GET /surveys/{survey_id}/line-height-queue": "viewer",
     "GET /scans/{scan_id}/rig-calibrations": "viewer",
     "POST /scans/{scan_id}/rig-calibrations/preview": "operator",
     "POST /scans/{scan_id}/rig-calibrations": "operator",

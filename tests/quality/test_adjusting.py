@@ -60,7 +60,7 @@ def ground(services: Services, survey_id: int, recording_id: int) -> Ground:
             last_frame=3,
             rms_px=0.1,
             distance_m=3.0,
-            summary="for tests",
+            summary=[],
             document=pose_to_dict(told),
             warnings=[],
             expected=[],
@@ -176,7 +176,7 @@ def test_a_vehicle_said_to_be_another_model_is_named_and_what_lacks_is_said(
     tyres = {"first": pixel(-1.2, 0.0, 0.0), "second": pixel(1.2, 0.0, 0.0)}
     operator.made(f"/vehicles/{unnamed['id']}/wheel-pair", {"frame": 2, **tyres})
     found = asked(operator, ground)
-    out = {one["vehicle_id"]: one["reason"] for one in found["left_out"]}
+    out = {one["vehicle_id"]: one["reason"]["message"] for one in found["left_out"]}
     assert "check the model." in out[vehicles[3]["id"]]
     assert "make and model are not filled in" in out[unnamed["id"]]
     assert found["used"] == 11

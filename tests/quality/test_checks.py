@@ -44,7 +44,8 @@ def test_tyre_contacts_are_stored_undone_and_audited(
     one = shown["poses"][0]["vehicles"][0]
     assert one["source"] == "tyres" and one["heading_rad"] == pytest.approx(0.01, abs=1e-9)
     assert 0.001 < one["u_heading_rad"] < 0.05 and one["base_m"] == pytest.approx(2.0)
-    assert shown["poses"][0]["mean_rad"] is None and "at least 3 vehicles" in shown["poses"][0]["verdict"]
+    (pose,) = shown["poses"]
+    assert pose["mean_rad"] is None and "at least 3 vehicles" in pose["verdict"][0]["message"]
     gone = operator.delete(path)
     assert gone.status_code == 200 and gone.json()["withdrawn"]
     assert traffic(operator, ground.survey_id)["pairs"] == []
@@ -113,7 +114,8 @@ def test_traffic_turns_a_pose_and_choosing_the_old_one_undoes_it(
     check = traffic(operator, ground.survey_id)["poses"][0]
     assert check["proposed"] and check["used"] == 6
     assert check["mean_rad"] == pytest.approx(TURN_RAD, abs=0.002)
-    assert "rotated by 2.8" in check["verdict"] and "6 stored heights" in check["verdict"]
+    turned, changes = (one["message"] for one in check["verdict"])
+    assert "rotated by 2.8" in turned and "6 stored heights" in changes
     # h = Hc + (h - Hc)(...): the target is 0.4 m ahead, so the side plane there moves by 0.4 m x angle
     expected = (1.2 - 1.5) / 3.0 * 0.4 * np.tan(check["mean_rad"])
     changes = check["changes"]
@@ -122,7 +124,7 @@ def test_traffic_turns_a_pose_and_choosing_the_old_one_undoes_it(
     path = f"/poses/{ground.pose_id}/turn"
     preview = viewer.seen(path)
     assert preview["turn_rad"] == check["mean_rad"] and len(preview["overlay"]["grid"]) > 5
-    assert preview["summary"].startswith("Rotated by +2.8")
+    assert preview["summary"][0]["message"].startswith("Rotated by 2.8")
     wanted = {"turn_rad": check["mean_rad"]}
     assert viewer.post(path, wanted).status_code == 403
     stale = operator.post(path, {"turn_rad": check["mean_rad"] + 0.001})
@@ -195,7 +197,7 @@ def test_roofs_of_known_height_offer_the_inset_with_its_origin(
     assert not target["is_default"] and target["in_force"] == offer
     # it says what holds already, no better: nothing to press
     again = target["estimates"][0]
-    assert again["offer"] is None and again["caution"].startswith("Agrees with the current inset")
+    assert again["offer"] is None and again["caution"]["code"] == "inset-no-gain"
     assert target["measured"] == 12  # measured with the inset before: they still count
     with services.reading() as session:
         stored = list_measurements(session, ground.survey_id)

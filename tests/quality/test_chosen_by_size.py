@@ -70,9 +70,7 @@ def test_it_counts_nowhere_until_somebody_says_that_the_model_was_seen(
     assert counts(viewer, ground) == (3, 3, 3, 3, 3)
     assert viewer.seen(f"/statistics?survey={ground.survey_id}")["counted"]["by_size"] == 1
     (pose,) = viewer.seen(f"/surveys/{ground.survey_id}/checks/adjustment")
-    assert {one["reason"] for one in pose["left_out"]} == {
-        "Its model was chosen by its sizes, so what is known of the model is no reference."
-    }
+    assert {one["reason"]["code"] for one in pose["left_out"]} == {"adjustment-model-by-size"}
     # another height of the same model is no better
     changed = operator.put(f"/vehicles/{cars[3]['id']}", {"manufacturer_height_m": 1.18, "version": 1}).json()
     assert (changed["model_chosen_by"], changed["model_sizes"]) == ("size", "wheelbase height")
@@ -86,14 +84,16 @@ def test_it_counts_nowhere_until_somebody_says_that_the_model_was_seen(
 def test_a_height_chosen_by_size_is_neither_an_error_in_review_nor_a_doubt(
     operator: Client, reviewer: Client, ground: Ground
 ) -> None:
+    by_size: dict[int, bool] = {}
     for n, more in enumerate(({}, BY_SIZE)):
         car = add_vehicle(operator, ground.recording_id, manufacturer_height_m=1.4, **more)
+        by_size[car["id"]] = bool(more)
         measure(operator, car["id"])
         doubts = operator.seen(f"/vehicles/{car['id']}")["doubts"]
         assert [one["kind"] for one in doubts] == (["far_from_maker"] if n == 0 else [])
     queue = reviewer.seen(f"/surveys/{ground.survey_id}/review-queue")
-    errors = {one["vehicle"]["model_chosen_by"]: one["judged"]["error_m"] for one in queue}
-    assert errors[None] == pytest.approx(-0.2, abs=1e-3) and errors["size"] is None
+    errors = {by_size[one["vehicle"]["id"]]: one["judged"]["error_m"] for one in queue}
+    assert errors[False] == pytest.approx(-0.2, abs=1e-3) and errors[True] is None
 
 
 def test_the_package_says_it_and_computes_the_same_from_its_files(

@@ -24,13 +24,13 @@ def asked(client: Client, vehicle_id: int) -> Any:
 
 def test_reasons_come_before_anything_is_measured(operator: Client, ground: Ground) -> None:
     vehicle = add_vehicle(operator, ground.recording_id)["id"]
-    assert asked(operator, vehicle)["reason"] == "The catalogue is empty."
+    assert asked(operator, vehicle)["reason"]["code"] == "models-none-in-catalogue"
     add_model(operator, "Juna", wheelbase_m=2.0)
     said = asked(operator, vehicle)
-    assert said["fitting"] == [] and "has been measured on this vehicle yet" in said["reason"]
+    assert said["fitting"] == [] and said["reason"]["code"] == "models-nothing-measured"
     assert all(one["reason"] for one in said["measured"])
     measure(operator, vehicle, target="taillight", height_m=0.74)
-    assert "No model in the catalogue" in asked(operator, vehicle)["reason"]
+    assert asked(operator, vehicle)["reason"]["code"] == "models-no-such-size"
 
 
 def test_tyres_rank_the_models_and_the_wrong_one_is_flagged_and_not_listed(
@@ -81,4 +81,4 @@ def test_where_no_model_can_be_it_that_is_said(operator: Client, ground: Ground)
     measure(operator, vehicle, height_m=1.2)
     said = asked(operator, vehicle)
     assert said["fitting"] == [] and said["cannot_fit"] == 1
-    assert said["reason"] == "No model in the catalogue fits what was measured on this vehicle."
+    assert said["reason"]["code"] == "models-none-fits"

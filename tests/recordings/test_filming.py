@@ -165,7 +165,7 @@ def test_a_filming_rate_is_asked_for_and_gives_the_times(
     after = read(operator, services, path)
     assert (after["clock_doubt"], after["filmed_hz"]) == (None, 100)
     assert after["duration_s"] == pytest.approx(4 / 100)
-    assert "Filmed at 100 frames per second" in " ".join(after["notes"])
+    assert "Filmed at 100 frames per second" in " ".join(note["message"] for note in after["notes"])
     table = operator.seen(f"{path}/frames?first=0&count=4")
     assert table["time_s"] == pytest.approx([0, 0.01, 0.02, 0.03], abs=1e-6)
 

@@ -82,7 +82,8 @@ def test_a_lot_is_drawn_judged_accepted_and_taken_back_as_a_whole(
     # the rest waits for its sample: neither in the queue nor in another lot
     queue = reviewer.seen(f"{path}/review-queue")
     assert len(queue) == n and {item["judged"]["lot"]["number"] for item in queue} == {1}
-    assert reviewer.seen(f"{path}/review-work") == {"to_review": n, "own": 0, "in_lots": COUNT - n}
+    waits = {"to_review": n, "own": 0, "in_lots": COUNT - n}
+    assert reviewer.seen(f"{path}/review-work") == {**waits, "accepted": 0, "rejected": 0, "heights": COUNT}
     assert reviewer.seen(f"{path}/lots/plan?{wanted}") == []
     early = reviewer.post(f"/lots/{of['id']}/accept")
     assert early.status_code == 409 and f"{n} heights of the sample still wait" in error_of(early)

@@ -5,6 +5,8 @@ from typing import Any
 import pytest
 
 from sightline.infra.services import Services
+from tests.scans.test_scan_again import in_survey
+from tests.support import scans_samples
 from tests.support.app import Client, error_of
 from tests.support.ground import Ground, add_vehicle, clicks, lay_ground, measure, pixel
 
@@ -227,6 +229,55 @@ def test_what_is_most_likely_wrong_comes_first_and_ones_own_last(
     assert "far_from_maker" in first["signs"] and "new_operator" in first["signs"]
     assert first["error_m"] == pytest.approx(0.4, abs=1e-6) and first["U95_error_m"] > 0.0
     work = reviewer.seen(f"/surveys/{ground.survey_id}/review-work")
-    assert work == {"to_review": 3, "own": 1, "in_lots": 0}
+    assert work == {"to_review": 3, "own": 1, "in_lots": 0, "accepted": 0, "rejected": 0, "heights": 4}
     page = reviewer.seen(f"/surveys/{ground.survey_id}/review-queue?limit=2&after={ids[0]}")
     assert [item["measurement"]["id"] for item in page] == ids[1:3]
+
+
+def test_heights_of_line_scans_stand_in_the_reviewers_queue(
+    services: Services, reviewer: Client, operator: Client, admin: Client, survey_id: int, ground: Ground
+) -> None:
+    """Those of frames and of line scans are one queue, with one way to judge them and one history."""
+    with services.writing() as session:
+        made = in_survey(survey_id)
+        seen = scans_samples.measured(session, made)
+        rod = scans_samples.rod(session, made, seen.scan_id)
+        roof = scans_samples.tall(session, made, seen.vehicle_id, rod)
+        scans_samples.tall(session, made, seen.vehicle_id, rod, target="other")
+    filmed = measure(operator, add_vehicle(operator, ground.recording_id)["id"])
+    path, review = f"/surveys/{survey_id}/review-queue", f"/measurements/{roof.id}/reviews"
+    found = reviewer.seen(path)
+    assert {(one["measurement"]["target"], one["vehicle"]["scan_name"]) for one in found} == {
+        (filmed["target"], None),
+        ("roof", "Gate"),
+        ("other", "Gate"),
+    }
+    (item,) = reviewer.seen(f"{path}?measurement={roof.id}")
+    one = item["measurement"]
+    assert (one["scan_id"], one["vehicle_id"]) == (seen.scan_id, seen.vehicle_id)
+    assert one["height_m"] == pytest.approx(1.4) and one["U95_height_m"] > 0
+    assert not one["mine"] and not item["mine"]
+    assert reviewer.seen(f"/surveys/{survey_id}/review-work")["to_review"] == 3
+    # what is clicked again, or corrected, is of frames alone
+    plan = f"/surveys/{survey_id}/review-plan"
+    admin.put(plan, {**admin.seen(plan), "blind_one_in": 1})
+    drawn = {one["measurement"]["id"]: one["judged"]["blind"] for one in reviewer.seen(path)}
+    assert [number for number, blind in drawn.items() if blind] == [filmed["id"]]
+    points = {"contact": [1.0, 2.0], "target_point": [3.0, 4.0]}
+    fixed = reviewer.post(review, {"revision": 1, "verdict": "fixed", **points})
+    assert fixed.status_code == 422 and "measure it again under Line scans" in error_of(fixed)
+    answered = reviewer.made(review, {"revision": 1, "verdict": "accepted", "seen": "to_review"})
+    assert (answered["scan_id"], answered["review"]["verdict"]) == (seen.scan_id, "accepted")
+    work = reviewer.seen(f"/surveys/{survey_id}/review-work")
+    assert (work["to_review"], work["accepted"], work["rejected"], work["heights"]) == (2, 1, 0, 3)
+    left = [one["measurement"]["id"] for one in reviewer.seen(path)]
+    assert (
+        len(left) == 2 and reviewer.seen(f"{path}?after={left[0]}&limit=1")[0]["measurement"]["id"] == left[1]
+    )
+    (accepted,) = reviewer.seen(f"{path}?state=accepted")
+    assert accepted["measurement"]["id"] == roof.id
+    reviewer.made(review, {"revision": 1, "verdict": "reopened"})
+    assert len(reviewer.seen(path)) == 3
+    history = reviewer.seen(f"/measurements/{roof.id}/history")
+    assert [one["revision"] for one in history["revisions"]] == [1]
+    assert [one["verdict"] for one in history["reviews"]] == ["accepted", "reopened"]

@@ -70,7 +70,7 @@ def now(client: Client, one: dict[str, Any]) -> dict[str, Any]:
 
 def judge(client: Client, one: dict[str, Any], verdict: str, **more: Any) -> None:
     body = {"revision": one["revision"], "verdict": verdict, **more}
-    client.made(f"/line-heights/{one['id']}/review", body)
+    client.made(f"/measurements/{one['id']}/reviews", body)
 
 
 def say_inset(client: Client, survey_id: int, inset_m: float, name: str = "roof_unknown") -> None:
@@ -202,12 +202,12 @@ def test_only_what_moved_by_more_than_its_u_loses_its_verdict(
     # statistics and the queue read verdicts by ways of their own
     counted = {one["target"]: one for one in operator.seen(statistics_of(vehicle))["heights"]}
     assert (counted["roof"]["n"], counted["taillight"]["rejected"]) == (1, 1)
-    queue = f"/surveys/{vehicle.survey_id}/line-height-queue"
-    assert operator.seen(queue)["items"] == []
+    queue = f"/surveys/{vehicle.survey_id}/review-queue"
+    assert operator.seen(queue) == []
     say_inset(operator, vehicle.survey_id, LARGE)
     assert again(operator, vehicle.survey_id, work)["to_review"] == 1
-    (waiting,) = operator.seen(queue)["items"]
-    assert (waiting["id"], waiting["mine"]) == (now(operator, accepted)["id"], True)
+    (waiting,) = operator.seen(queue)
+    assert (waiting["measurement"]["id"], waiting["mine"]) == (now(operator, accepted)["id"], True)
     judge(reviewer, now(operator, accepted), "accepted")
     assert now(operator, accepted)["review"]["verdict"] == "accepted"
     with services.reading() as session:
@@ -226,7 +226,7 @@ def test_whoever_computes_again_may_review_what_others_clicked(
     operator.put(f"/scans/{vehicle.scan_id}/line-pose", rod(1, scale=1.05))
     again(reviewer, vehicle.survey_id, work)
     verdict = {"revision": now(reviewer, mine)["revision"], "verdict": "accepted"}
-    own = reviewer.post(f"/line-heights/{mine['id']}/review", verdict)
+    own = reviewer.post(f"/measurements/{mine['id']}/reviews", verdict)
     assert own.status_code == 403
     judge(reviewer, now(reviewer, theirs), "accepted")
 

@@ -38,7 +38,7 @@ def clicks(distance_m: float = 3.0, height_m: float = 1.45, **changed: Any) -> d
 def accept(client: Client, one: dict[str, Any]) -> Response:
     """The answer to accepting this revision."""
     seen = {"revision": one["revision"], "verdict": "accepted"}
-    return client.post(f"/line-heights/{one['id']}/review", seen)
+    return client.post(f"/measurements/{one['id']}/reviews", seen)
 
 
 @pytest.fixture
@@ -109,12 +109,12 @@ def test_a_height_is_reviewed_by_somebody_else(
     assert accept(reviewer, again).status_code == 403
 
     made = operator.made(heights, {**clicks(height_m=1.46), "revision": 2})
-    verdict = f"/line-heights/{made['id']}/review"
+    verdict = f"/measurements/{made['id']}/reviews"
     seen = {"revision": made["revision"]}
     counts = viewer.seen(scan)["counts"]
     assert (counts["heights"], counts["heights_to_review"]) == (1, 1)
     stale = accept(reviewer, again)
-    assert stale.status_code == 409 and "measured again meanwhile" in error_of(stale)
+    assert stale.status_code == 409 and "changed this measurement" in error_of(stale)
     why = reviewer.post(verdict, {**seen, "verdict": "rejected", "reason": " "})
     assert why.status_code == 422 and "needs a reason" in error_of(why)
     early = reviewer.post(verdict, {**seen, "verdict": "reopened"})
@@ -159,7 +159,7 @@ def test_undo_brings_the_verdict_back_with_the_height(
     operator.put(f"/scans/{vehicle.scan_id}/line-pose", rod())
     first = operator.made(heights, {**clicks(), "revision": 0})
     judged = reviewer.made(
-        f"/line-heights/{first['id']}/review",
+        f"/measurements/{first['id']}/reviews",
         {"revision": 1, "verdict": verdict, "reason": "The tyre is hidden."},
     )
     moved = operator.made(heights, {**clicks(height_m=1.5), "revision": 1})
@@ -238,24 +238,3 @@ def test_what_cannot_be_is_said_in_words(operator: Client, viewer: Client, vehic
         f"{scan}/line-pose/preview", {"marks": [{**rod()["marks"][0], "row_px": 300.0}, *rod()["marks"][1:]]}
     )
     assert "check the distances" in crooked["warnings"][0]
-
-
-def test_heights_of_line_scans_stand_in_the_reviewers_queue(services: Services, reviewer: Client) -> None:
-    """All that wait are counted, with their bench; a verdict takes one out, reopening brings it back."""
-    with services.writing() as session:
-        made = samples.sample(session)
-        seen = scans_samples.measured(session, made)
-        rod = scans_samples.rod(session, made, seen.scan_id)
-        roof = scans_samples.tall(session, made, seen.vehicle_id, rod)
-        scans_samples.tall(session, made, seen.vehicle_id, rod, target="other")
-    queue, review = f"/surveys/{made.survey.id}/line-height-queue", f"/line-heights/{roof.id}/review"
-    found = reviewer.seen(queue)
-    assert (found["to_review"], found["own"]) == (2, 0)
-    assert [one["target"] for one in found["items"]] == ["other", "roof"]
-    one = found["items"][1]
-    assert (one["id"], one["scan_id"], one["vehicle_id"]) == (roof.id, seen.scan_id, seen.vehicle_id)
-    assert one["height_m"] == pytest.approx(1.4) and one["U95_height_m"] > 0 and not one["mine"]
-    reviewer.made(review, {"revision": 1, "verdict": "accepted"})
-    assert [one["target"] for one in reviewer.seen(queue)["items"]] == ["other"]
-    reviewer.made(review, {"revision": 1, "verdict": "reopened"})
-    assert reviewer.seen(queue)["to_review"] == 2

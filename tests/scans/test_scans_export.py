@@ -23,8 +23,8 @@ from sightline.infra.csv_package.recomputing import Recomputing
 from sightline.infra.services import Services
 from sightline.recordings.filming import FILMED, Filming
 from sightline.results.selection import Selection
+from sightline.reviews.store import add_review
 from sightline.scans.clock import ScanClock
-from sightline.scans.heights.service import review_scan_height
 from sightline.scans.store import update_scan
 from sightline.scans.vehicles.measurement_store import append_scan_measurement
 from sightline.scans.vehicles.review_store import add_scan_review
@@ -58,9 +58,9 @@ def one(services: Services) -> Sample:
         rod = scans_samples.rod(session, made, first.scan_id)
         roof = scans_samples.tall(session, made, first.vehicle_id, rod)
         scans_samples.tall(session, made, first.vehicle_id, rod, target="other")
-        by: dict[str, Any] = {"revision": 1, "actor": made.rene.id}
-        review_scan_height(session, roof.id, verdict="rejected", reason="A rack.", **by)
-        review_scan_height(session, roof.id, verdict="accepted", **by)
+        by: dict[str, Any] = {"seen_revision": 1, "actor": made.rene.id}
+        add_review(session, roof.id, verdict="rejected", reason="A rack.", **by)
+        add_review(session, roof.id, verdict="accepted", **by)
         scans_samples.removed(session, made)
     return made
 

@@ -127,7 +127,7 @@ def test_slow_motion_is_no_line_scan(operator: Client, survey_id: int, tmp_path:
     work()
     said = operator.seen(f"/recordings/{recording}")
     assert said["state"] == "ready"
-    assert any("filmed at 120 frames per second; it plays 30" in note for note in said["notes"])
+    assert any("filmed at 120 frames per second; it plays 30" in note["message"] for note in said["notes"])
     body = {"recording_id": recording, "cut_1_px": 40, "cut_2_px": 100, "baseline_m": 1.5, "find": None}
     refused = operator.post(f"/surveys/{survey_id}/scans/from-video", body)
     assert refused.status_code == 422

@@ -12,6 +12,7 @@ from sightline.geometry.camera import Camera, project
 from sightline.geometry.documents import camera_to_dict, pose_to_dict
 from sightline.geometry.road_pose import BoardOnRoad, RoadPose
 from sightline.infra.services import Services
+from sightline.messages.said import Said
 from sightline.poses import store
 from sightline.reviews.plan_store import choose_review_plan
 from sightline.vehicles.proposing.plan_store import choose_free_plan
@@ -65,7 +66,7 @@ def store_calibration(services: Services, survey_id: int, camera: Camera) -> tup
             warnings=[],
             coverage=[],
             views=[],
-            summary="for tests",
+            summary=Said("said", sentence="for tests"),
             actor=None,
         )
     return body.id, made.id
@@ -91,7 +92,7 @@ def add_pose(
             last_frame=3,
             rms_px=0.1,
             distance_m=3.0,
-            summary="for tests",
+            summary=[],
             document=document,
             warnings=[],
             expected=[],

@@ -15,8 +15,8 @@ import pytest
 
 from sightline.enums import Point, ProposedPoint
 from sightline.export.build import build
-from sightline.export.contents import tables_of
 from sightline.export.derived import derive_tables, drawn
+from sightline.export.package_tables import tables_of
 from sightline.export.page import write_audit_script, write_page
 from sightline.export.seal import PAGE, sealed
 from sightline.infra.audit.hashing import canonical_json, event_hash, link_hash

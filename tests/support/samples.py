@@ -21,6 +21,7 @@ from sightline.measurements.store import add_measurement
 from sightline.measurements.tables import measurement_series
 from sightline.measurements.tables import measurements as revision_rows
 from sightline.measurements.tables import reviews as review_rows
+from sightline.messages.said import Said
 from sightline.people.store import create_person
 from sightline.poses.records import Pose
 from sightline.poses.store import add_pose
@@ -101,7 +102,7 @@ def calibration(session: Session, camera_id: int, actor: int | None) -> Calibrat
         warnings=[],
         coverage=[[0] * 16] * 12,
         views=[{"file": "a.png", "used": True}],
-        summary="12 views, 0.21 px.",
+        summary=Said("said", sentence="12 views, 0.21 px."),
         actor=actor,
     )
 
@@ -136,7 +137,7 @@ def road_pose(session: Session, recording_id: int, calibration_id: int, actor: i
         last_frame=9,
         rms_px=0.2,
         distance_m=6.5,
-        summary="Good to 12 mm at 2 m.",
+        summary=[Said("said", sentence="Good to 12 mm at 2 m.")],
         document={"format": "sightline-pose-1", "rms_px": 0.2},
         warnings=[],
         expected=[{"distance_m": 2, "u_height_m": 0.006}],

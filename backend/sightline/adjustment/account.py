@@ -11,7 +11,7 @@ def adjustment_to_dict(found: Adjustment, unread: Sequence[LeftOut] = ()) -> dic
     return {
         "passes": found.passes + len(unread),
         "used": found.used,
-        "left_out": [{"pass": one.name, "reason": one.reason} for one in (*unread, *found.left_out)],
+        "left_out": [{"pass": one.name, "reason": one.reason.document} for one in (*unread, *found.left_out)],
         "left_out_points": [
             {"pass": one.name, "frame": one.frame, "point": one.point} for one in found.dropped_points
         ],
@@ -24,5 +24,5 @@ def adjustment_to_dict(found: Adjustment, unread: Sequence[LeftOut] = ()) -> dic
         ],
         "heading_rad": found.heading_rad,
         "u_heading_rad": found.u_heading_rad,
-        "notes": list(found.notes),
+        "notes": [one.document for one in found.notes],
     }

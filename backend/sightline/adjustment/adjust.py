@@ -15,11 +15,12 @@ from sightline.adjustment.observed import (
     ObservedPass,
     unusable,
 )
-from sightline.adjustment.shared_errors import SharedErrors, covariance_at, moved_pose, shared_errors
+from sightline.adjustment.shared_errors import Part, SharedErrors, covariance_at, moved_pose, shared_errors
 from sightline.adjustment.traffic_model import HEADING, Traffic, arranged, on_road
 from sightline.errors import BadInput
 from sightline.geometry.arrays import Bools, Floats
 from sightline.geometry.road_pose import POSE_NAMES, RoadPose
+from sightline.messages.said import Said
 
 _GLOBAL_FAILED = 0.001  # probability below which the global test fails
 _FEW = 5
@@ -30,7 +31,7 @@ class LeftOut:
     """A pass that was not used, and why."""
 
     name: str
-    reason: str
+    reason: Said
 
 
 @dataclass(frozen=True)
@@ -72,7 +73,7 @@ class Adjustment:
     moved: tuple[Moved, ...]
     heading_rad: float | None = None
     u_heading_rad: float | None = None
-    notes: tuple[str, ...] = field(default=())
+    notes: tuple[Said, ...] = field(default=())
 
 
 def adjust(
@@ -165,13 +166,11 @@ def _usable(pose: RoadPose, passes: Sequence[ObservedPass]) -> tuple[list[Observ
     ends = np.cumsum([len(one) for one in points])
     for one, reason, end in zip(passes, reasons, ends, strict=True):
         if reason is None and not pose.camera.inside(one.points_px).all():
-            reason = "A point lies outside the picture."
+            reason = Said("adjustment-point-outside")
         if reason is None and not all(
             np.array(ground[end - len(one.point) : end], dtype=bool)[one.point != ROOF].tolist()
         ):
-            reason = (
-                "A tyre lies where there is no road: above the horizon, or outside the lens model's radius."
-            )
+            reason = Said("adjustment-tyre-off-road")
         if reason is None:
             usable.append(one)
         else:
@@ -179,15 +178,17 @@ def _usable(pose: RoadPose, passes: Sequence[ObservedPass]) -> tuple[list[Observ
     return usable, left_out
 
 
-def _reason(traffic: Traffic, found: Cleaned, row: int) -> str:
+def _reason(traffic: Traffic, found: Cleaned, row: int) -> Said:
     if found.crooked[row]:
-        return "Too many of its points are off a straight line."
+        return Said("adjustment-crooked")
     k = int(np.nanargmax(np.abs(found.wrong[row])))
     u = float(found.wrong[row, k])
-    return (
-        f"Its {LENGTHS[k]} of {traffic.known_m[row, k]:.3f} m is {abs(u):.1f} standard "
-        f"uncertainties too {'long' if u > 0 else 'short'} for the observed points; check the "
-        "model."
+    return Said(
+        "adjustment-length-off",
+        length=LENGTHS[k],
+        known_m=round(float(traffic.known_m[row, k]), 3),
+        deviate=round(abs(u), 1),
+        than="long" if u > 0 else "short",
     )
 
 
@@ -284,37 +285,31 @@ def _along(by: Floats, covariance: Floats) -> float:
 
 def _notes(
     shared: SharedErrors, found: Cleaned, used: int, freedom: int, limit: float | None
-) -> tuple[str, ...]:
+) -> tuple[Said, ...]:
     notes = []
     for index in found.released:
-        part = shared.parts[index]
-        notes.append(f"The traffic contradicts {part.name} with its stated u of {part.u:g}; it was excluded.")
+        part, (u, unit) = shared.parts[index], _stated(shared.parts[index])
+        notes.append(Said("adjustment-part-excluded", part=part.name, u=u, unit=unit))
     for index in (-2, -1):
         if abs(float(np.nan_to_num(found.tests.parts[index]))) > FAILED:
-            notes.append(
-                f"{shared.parts[index].name} is far from 0 for its stated u of "
-                f"{shared.parts[index].u:g}; check that the known lengths refer to the points that "
-                "were followed."
-            )
+            part, (u, unit) = shared.parts[index], _stated(shared.parts[index])
+            notes.append(Said("adjustment-common-far-off", part=part.name, u=u, unit=unit))
     if found.point_factor > 1.0:
-        notes.append(
-            f"The points scatter {found.point_factor:.1f} times as much as stated; their "
-            "uncertainties were multiplied by this factor."
-        )
+        notes.append(Said("adjustment-points-scatter", factor=round(found.point_factor, 1)))
     for name, factor in zip(LENGTHS, found.length_factors, strict=True):
         if factor > 1.0:
-            notes.append(
-                f"The known values of the {name} scatter {factor:.1f} times as much as stated; "
-                "their uncertainties were multiplied by this factor."
-            )
+            notes.append(Said("adjustment-lengths-scatter", length=name, factor=round(float(factor), 1)))
     if limit is not None and found.solution.chi2 > limit:
-        notes.append(
-            f"Global test failed: chi-square {found.solution.chi2:.0f} with {freedom} degrees of "
-            "freedom; the stated uncertainties are not consistent."
-        )
+        chi2 = round(found.solution.chi2)
+        notes.append(Said("adjustment-global-test-failed", chi2=chi2, freedom=freedom))
     if used < _FEW:
-        notes.append(f"With {used} vehicles, a wrong vehicle cannot be distinguished from a wrong pose.")
+        notes.append(Said("adjustment-few-vehicles", count=used))
     return tuple(notes)
+
+
+def _stated(part: Part) -> tuple[float, str]:
+    """What was stated of a part, and the unit that its name ends in."""
+    return float(f"{part.u:.3g}"), part.name.rpartition("_")[2]
 
 
 def _unchanged(shared: SharedErrors, passes: int, left_out: list[LeftOut]) -> Adjustment:
@@ -330,5 +325,5 @@ def _unchanged(shared: SharedErrors, passes: int, left_out: list[LeftOut]) -> Ad
         degrees_of_freedom=0,
         chi2_limit=None,
         moved=_moved_by(shared, np.zeros(shared.size), identity),
-        notes=("No pass with a known length could be used, so the pose is unchanged.",),
+        notes=(Said("adjustment-pose-unchanged"),),
     )

@@ -6,10 +6,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sightline.geometry.arrays import Floats, frozen
+from sightline.messages.said import Said
 
 POINTS = ("rear_tyre", "front_tyre", "roof")
 REAR, FRONT, ROOF = range(3)
-LENGTHS = ("wheelbase", "roof", "roof inset")
+LENGTHS = ("wheelbase", "roof", "roof_inset")
 DEFAULT_U_COMMON_M = 0.005  # all catalogue lengths, or all contacts against their axles, off alike (estimate)
 
 
@@ -48,31 +49,31 @@ class ObservedPass:
         return self.wheelbase, self.roof, self.roof_inset
 
 
-def unusable(observed: ObservedPass) -> str | None:
+def unusable(observed: ObservedPass) -> Said | None:
     """Why a pass can say nothing of the pose, or None. Without a known length that was seen, what is left
     is only how alike the frames are, which errors of following a point imitate.
     """
     if not (np.isfinite(observed.points_px).all() and np.isfinite(observed.sigma_px).all()):
-        return "A point or its uncertainty is not a finite number."
+        return Said("adjustment-point-not-finite")
     if (observed.sigma_px <= 0).any():
-        return "The uncertainty of a point is not positive."
+        return Said("adjustment-point-no-u")
     for name, known in zip(LENGTHS, observed.lengths, strict=True):
         problem = None if known is None else _unusable_length(name, known)
         if problem is not None:
             return problem
     seen = set(zip(observed.frame.tolist(), observed.point.tolist(), strict=True))
     if len(seen) < len(observed.frame):
-        return "A point is given twice on one frame."
+        return Said("adjustment-point-twice")
     if not any(point in (REAR, FRONT) for _, point in seen):
-        return "No tyre of this vehicle was measured, so it is not tied to the road."
-    return None if _shows_a_known_length(observed, seen) else "No known length of this vehicle was measured."
+        return Said("adjustment-no-tyre")
+    return None if _shows_a_known_length(observed, seen) else Said("adjustment-no-known-length")
 
 
-def _unusable_length(name: str, known: Known) -> str | None:
+def _unusable_length(name: str, known: Known) -> Said | None:
     if not (np.isfinite(known.value_m) and np.isfinite(known.u_m) and known.u_m >= 0):
-        return f"The {name} or its uncertainty is not a finite number, or the uncertainty is negative."
-    if known.value_m <= 0 and name != "roof inset":
-        return f"The {name} is not positive."
+        return Said("adjustment-length-not-finite", length=name)
+    if known.value_m <= 0 and name != "roof_inset":
+        return Said("adjustment-length-not-positive", length=name)
     return None
 
 

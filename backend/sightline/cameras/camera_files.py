@@ -17,6 +17,7 @@ from sightline.geometry.tracking import track
 from sightline.media.images import HEIF, read_image
 from sightline.media.video.decode import frames_of
 from sightline.media.video.endings import VIDEO_ENDINGS
+from sightline.messages.said import Said
 
 Frames = Callable[[Path, int | None], Iterator[tuple[str, Gray]]]
 
@@ -105,7 +106,7 @@ def pose_detections(
     for path in paths:
         for name, gray in pictures_of(path, early_frames, stream_number):
             require_size(camera, gray.shape[1], gray.shape[0], name)
-            corners = not_found(board, "The search was stopped.") if last is None else track(gray, last)
+            corners = not_found(board, Said("board-search-stopped")) if last is None else track(gray, last)
             if not corners.found and searched_s < SEARCH_S:
                 started = perf_counter()
                 corners = find_board(gray, board)

@@ -6,6 +6,7 @@ from typing import TypedDict
 
 from sightline.enums import CalibrationSource
 from sightline.infra.audit.records import Who
+from sightline.messages.said import Said
 
 
 @dataclass(frozen=True, slots=True)
@@ -16,7 +17,7 @@ class CalibrationSummary:
     created_by: Who | None
     source: CalibrationSource
     trusted: bool
-    summary: str
+    summary: Said
 
 
 @dataclass(frozen=True, slots=True)

@@ -19,6 +19,7 @@ from sightline.infra.web.deps import Operator, PathId, Reading, Viewer, Wired, W
 from sightline.infra.web.named import CalibrationId
 from sightline.infra.web.pictures import JPEG, jpeg_once
 from sightline.infra.web.uploaded import clean_name, whole_file
+from sightline.messages.said import Said
 from sightline.surveys.store import get_survey
 
 router = APIRouter()
@@ -33,7 +34,7 @@ class CalibrationImageBody(Out):
     width_px: int
     height_px: int
     found: bool
-    reason: str | None
+    reason: Said | None
     corners_px: list[Point] = Field(description="Row by row, from the top left as seen.")
     columns: int
     rows: int

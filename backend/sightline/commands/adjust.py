@@ -75,7 +75,7 @@ def _text(found: Adjustment, unread: list[LeftOut], output: Path) -> str:
     lines += [f"left out {one.name}: {one.reason}" for one in (*unread, *found.left_out)]
     lines += [f"left out of {one.name}: {one.point} on frame {one.frame}" for one in found.dropped_points]
     lines += [
-        f"{one.name}: {one.value:+.6f}, u {one.u_before:.6f} -> {one.u_after:.6f}" for one in found.moved
+        f"{one.name}: {one.value:+.6f}, u = {one.u_before:.6f} -> {one.u_after:.6f}" for one in found.moved
     ]
     lines += [
         f"expected at {distance:g} m: ± {1000 * expanded(u):.0f} mm (95 %)"

@@ -59,10 +59,10 @@ def import_(
 
     Lists every line that cannot be used, is a duplicate, or contradicts the catalogue.
     """
-    from sightline.vehicles.catalogue.import_csv import Choices, import_csv, plan_import
+    from sightline.vehicles.catalogue.import_csv import Choices, columns_chosen, import_csv, plan_import
 
     content = _content(file)
-    choices = Choices(_columns(columns), unit, on_conflict)
+    choices = Choices(columns_chosen(columns), unit, on_conflict)
     with opened_services(data_dir) as services:
         if dry_run:
             with services.reading() as session:
@@ -102,16 +102,6 @@ def _content(file: Path) -> bytes:
         raise BadInput(
             "commands-cannot-read-give", path=file, strerror=error.strerror, what="a CSV of models"
         ) from None
-
-
-def _columns(given: tuple[str, ...]) -> dict[str, str]:
-    found: dict[str, str] = {}
-    for one in given:
-        field, equals, header = one.partition("=")
-        if not equals:
-            raise BadInput("catalogue-column-choice", column=one[:100])
-        found[header] = field
-    return found
 
 
 def _tell(plan: ImportPlan, done: Imported | None, as_json: bool) -> None:

@@ -22,7 +22,7 @@ from sightline.geometry.board import Board, require_board
 from sightline.geometry.calibration_checks import CheckedCalibration, calibrate_and_check
 from sightline.geometry.camera import Camera
 from sightline.geometry.charuco import charuco_of
-from sightline.geometry.crossvalidation import in_words
+from sightline.geometry.crossvalidation import CrossValidation
 from sightline.geometry.documents import camera_from_dict, camera_to_dict, pose_from_dict, pose_to_dict
 from sightline.geometry.followed_tracks import Following
 from sightline.geometry.height import Height, measure_height, not_measurable
@@ -141,7 +141,7 @@ def calibrate(
             "trusted": result.trusted,
             "coverage": result.coverage.astype(int).tolist(),
         }
-        click.echo(json.dumps({**document, **extra}))
+        click.echo(json.dumps({**document, **extra}, default=str))
         return
     click.echo(_calibration_text(checked, output))
 
@@ -154,12 +154,27 @@ def _calibration_text(checked: CheckedCalibration, output: Path) -> str:
         f"fx {camera.fx_px:.2f}, fy {camera.fy_px:.2f}, cx {camera.cx_px:.2f}, cy {camera.cy_px:.2f} px"
     ]
     lines += [f"left out {view.file}: {view.reason}" for view in camera.views if not view.used]
-    lines.append(in_words(checked.cross_validation))
+    lines.append(_halves_text(checked.cross_validation))
     lines += [f"warning: {warning}" for warning in result.warnings]
     lines += [f"missing: {advice}" for advice in result.reshoot]
     if not result.trusted:
         lines.append("This calibration is unreliable.")
     return "\n".join(lines)
+
+
+def _halves_text(found: CrossValidation | Said) -> str:
+    if isinstance(found, Said):
+        return f"no cross-validation: {found}"
+    told = [
+        f"{1000 * abs(d.difference_m):.1f} mm at {d.distance_m:g} m"
+        for d in found.height_differences
+        if d.difference_m is not None
+    ]
+    heights = f"differ by {', '.join(told)} in a height" if told else "cannot be compared in a height"
+    return (
+        f"cross-validation, two halves calibrated separately, {heights}; "
+        f"held-out residual {found.all_held_out_rms_px:.3f} px"
+    )
 
 
 @click.command("import-camera")
@@ -180,7 +195,7 @@ def import_camera(
     document = camera_to_dict(imported.camera)
     write_json(output, document)
     for note in imported.notes:
-        click.echo(note, err=True)
+        click.echo(str(note), err=True)
     if as_json:
         click.echo(json.dumps(document))
     else:
@@ -285,7 +300,7 @@ def pose(
             "warnings": list(solved.warnings),
             "expected": [{"distance_m": d, "u_height_m": u} for d, u in expected],
         }
-        click.echo(json.dumps({**document, **extra}))
+        click.echo(json.dumps({**document, **extra}, default=str))
         return
     click.echo(
         f"{output}: {solved.frames_used} frames, residual {solved.rms_px or 0.0:.3f} px, camera "

@@ -107,18 +107,18 @@ def print_json(value: object) -> None:
     sys.stdout.write("\n")
 
 
-def progress_told() -> Callable[[float, str], None]:
+def progress_told() -> Callable[[float, object], None]:
     """Progress on standard error: one line that changes on a terminal, one line a step elsewhere."""
     last = ""
 
-    def tell(fraction: float, words: str) -> None:
+    def tell(fraction: float, words: object) -> None:
         nonlocal last
         said = f"{100 * fraction:3.0f} %  {words}"
         if sys.stderr.isatty():
             end = "\n" if fraction >= 1.0 else ""
             click.echo(f"\r{said:<70}{end}", err=True, nl=False)
-        elif words != last:
+        elif str(words) != last:
             click.echo(said, err=True)
-        last = words
+        last = str(words)
 
     return tell

@@ -7,13 +7,13 @@ from pathlib import Path
 import numpy as np
 
 from sightline.adjustment.adjust import LeftOut
-from sightline.adjustment.observed import POINTS, Known, ObservedPass
+from sightline.adjustment.observed import LENGTHS, POINTS, Known, ObservedPass
 from sightline.commands.files import read_csv
 from sightline.errors import BadInput
 from sightline.infra.given_csv import GivenTable
+from sightline.messages.said import Said
 
 NEEDED = ("pass", "frame", "point", "x_px", "y_px")
-LENGTHS = ("wheelbase", "roof", "roof_inset")
 OPTIONS = ("sigma_px", *(f"{u}{name}_m" for name in LENGTHS for u in ("", "u_")))
 _READ = {
     "sigma_px": GivenTable.uncertainty,
@@ -29,7 +29,7 @@ class _Pass:
 
     rows: list[tuple[float, ...]] = field(default_factory=list)
     lengths: dict[str, float] = field(default_factory=dict)
-    problem: str | None = None
+    problem: Said | None = None
 
 
 def read_passes(path: Path) -> tuple[list[ObservedPass], list[LeftOut]]:
@@ -48,7 +48,7 @@ def read_passes(path: Path) -> tuple[list[ObservedPass], list[LeftOut]]:
     return good, [LeftOut(name, one.problem) for name, one in found.items() if one.problem is not None]
 
 
-def _take(table: GivenTable, one: _Pass, cells: Mapping[str, str], number: int) -> str | None:
+def _take(table: GivenTable, one: _Pass, cells: Mapping[str, str], number: int) -> Said | None:
     """Add a row to its pass, or say what is wrong with it."""
     values: dict[str, float] = {"sigma_px": 1.0}
     for name in ("frame", "x_px", "y_px", *OPTIONS):
@@ -58,25 +58,25 @@ def _take(table: GivenTable, one: _Pass, cells: Mapping[str, str], number: int) 
         try:
             values[name] = _READ.get(name, GivenTable.number)(table, number, name, text)
         except BadInput as error:
-            return error.message
+            return error.said
     if values["frame"] != round(values["frame"]) or abs(values["frame"]) > 2**53:
-        return f"Row {number}: the cell frame is not a whole number."
+        return Said("adjustment-row-frame", row=number)
     if cells["point"] not in POINTS:
-        return f"Row {number}: the cell point is none of {', '.join(POINTS)}."
+        return Said("adjustment-row-point", row=number, points=", ".join(POINTS))
     for name in OPTIONS[1:]:
         if name in values and one.lengths.setdefault(name, values[name]) != values[name]:
-            return f"Row {number}: another {name} was given for the same pass."
+            return Said("adjustment-row-another", row=number, column=name)
     point = POINTS.index(cells["point"])
     one.rows.append((values["frame"], point, values["x_px"], values["y_px"], values["sigma_px"]))
     return None
 
 
-def _lone_length(one: _Pass) -> str | None:
+def _lone_length(one: _Pass) -> Said | None:
     for name in LENGTHS:
         value, u = f"{name}_m", f"u_{name}_m"
         if (value in one.lengths) != (u in one.lengths):
             given, lacking = (value, u) if value in one.lengths else (u, value)
-            return f"{given} is given without {lacking}."
+            return Said("adjustment-u-lacking", given=given, lacking=lacking)
     return None
 
 

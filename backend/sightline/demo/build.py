@@ -27,6 +27,7 @@ from sightline.infra.jobs import registry
 from sightline.infra.jobs.recovery import STOPPED
 from sightline.infra.web.person import Person
 from sightline.media.cancelling import IngestCancelled
+from sightline.messages.said import Said
 from sightline.people.store import create_person, person_by_email, update_person
 from sightline.poses.service import Solved
 from sightline.poses.store import add_pose
@@ -85,7 +86,7 @@ def make(context: registry.JobContext) -> registry.Outcome:
         parts = make_parts(services, context.progress)
     except IngestCancelled as stopped:  # its threads may be heard before the one that told them to stop
         raise registry.Cancelled("said", sentence=STOPPED) from stopped
-    context.progress(0.95, "Saving the demonstration survey.")
+    context.progress(0.95, Said("job-demo-saving"))
 
     def store(session: Session) -> Mapping[str, Any]:
         survey_id = build(session, parts)

@@ -35,6 +35,7 @@ from sightline.measurements.records import Clicks
 from sightline.media.store.local import key_of, sha256_of
 from sightline.media.video.ingest import Ingested, ingest
 from sightline.media.video.writer import write_mp4
+from sightline.messages.said import Said
 from sightline.poses.service import described
 from sightline.poses.store import add_pose
 from sightline.recordings.filming import Filming
@@ -163,7 +164,7 @@ def make(context: registry.JobContext) -> registry.Outcome:
     for n, site in enumerate(SITES):
         if BEGIN + site.name in there:
             continue
-        context.progress(n / len(SITES), "Simulating a site.")
+        context.progress(n / len(SITES), Said("job-demo-site"))
         make_site(services, site)
         made += 1
     with services.writing() as session:
@@ -226,7 +227,7 @@ def store_site(session: Session, site: Site, films: dict[Lighting, Film]) -> int
         warnings=[],
         coverage=[],
         views=[],
-        summary="simulated",
+        summary=Said("pose-simulated"),
         actor=None,
     )
     for lighting, film in films.items():
@@ -256,7 +257,7 @@ def store_site(session: Session, site: Site, films: dict[Lighting, Film]) -> int
             last_frame=0,
             rms_px=None,
             distance_m=site.distance_m,
-            summary=f"Simulated. {found.summary}",
+            summary=[Said("pose-simulated"), *found.summary],
             document=found.document,
             warnings=found.warnings,
             expected=found.expected,

@@ -23,10 +23,11 @@ from sightline.media.images import read_image
 from sightline.media.store.local import key_of, sha256_of
 from sightline.media.video.decode import frames_of
 from sightline.media.video.ingest import Ingested, ingest
+from sightline.messages.said import Said
 from sightline.poses.service import BoardSeen, Solved, frames_to_try, preview_board, solve
 from sightline.recordings.ingest_job import pack_thumbnails, thumbnails_key_of
 
-Progress = Callable[[float, str], None]
+Progress = Callable[[float, Said], None]
 Cancelled = Callable[[], bool]
 
 
@@ -79,13 +80,13 @@ def make_parts(services: Services, progress: Progress) -> Parts:
             waited: list[Future[Any]] = [*videos, lens, scan]
             for n, done in enumerate(as_completed(waited), 1):
                 done.result()
-                progress(0.9 * n / len(waited), "Reading the videos.")
+                progress(0.9 * n / len(waited), Said("job-demo-videos"))
         except BaseException:
             stop.set()
             raise
         lab, calibration = lens.result()
         read = tuple(one.result() for one in videos)
-        progress(0.9, "Computing the camera poses.")
+        progress(0.9, Said("job-demo-poses"))
         poses = tuple(_pose(video, calibration) for video in read)
         return Parts(videos=read, lab=lab, calibration=calibration, poses=poses, scan=scan.result())
 

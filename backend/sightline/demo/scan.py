@@ -24,6 +24,7 @@ from sightline.media.store.local import key_of
 from sightline.media.strips.notes import StripNotes
 from sightline.media.strips.stored_reader import StripReader
 from sightline.media.strips.stored_writer import SUFFIX, store_strip
+from sightline.messages.said import Said
 from sightline.recordings.filming import Filming
 from sightline.scans.clock import ScanClock
 from sightline.scans.records import ScanChanges, ScanVehicleChanges, StripFacts, StripSource
@@ -90,7 +91,7 @@ def make_scan(services: Services, is_cancelled: Cancelled) -> ScanParts:
     first_reader, second_reader = (StripReader(services.media.local_path(key)) for key in keys)
     readers = (first_reader, second_reader)
 
-    def report(_fraction: float, _message: str) -> None:
+    def report(_fraction: float, _message: Said) -> None:
         check_cancelled(is_cancelled, NAME)
 
     found = search(report, RIG, "direct", readers)
@@ -102,11 +103,7 @@ def make_scan(services: Services, is_cancelled: Cancelled) -> ScanParts:
         rows_px=stored[0].rows,
         lines=stored[0].lines,
         bits=8,
-        notes=[
-            "Simulated, so true values are known: invented makes, one camera 0.6 px lower than "
-            "the other, a rod held upright in the plane of camera 1 at 2.7 m and at 4.5 m before "
-            "the first vehicle."
-        ],
+        notes=[Said("scan-simulated")],
     )
     return ScanParts(facts, readers, found)
 

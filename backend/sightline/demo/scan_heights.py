@@ -10,9 +10,10 @@ from sightline.demo.made import HeldRod, truth
 from sightline.enums import DriverSide, Target
 from sightline.infra.database import Session
 from sightline.measurements.records import Clicks
+from sightline.reviews.store import add_review
 from sightline.scans.heights import poses
 from sightline.scans.heights.poses import Mark, Rod
-from sightline.scans.heights.service import review_scan_height, store_scan_height
+from sightline.scans.heights.service import store_scan_height
 from sightline.scans.heights.store import list_scan_heights
 from sightline.scans.vehicles.store import list_scan_vehicles
 
@@ -47,7 +48,7 @@ def review_heights(session: Session, scan_id: int, reviewer: int) -> None:
     clicked = list(dict.fromkeys(one.vehicle_id for one in heights))
     for one in heights:
         if one.vehicle_id in clicked[:-_WAITING]:
-            review_scan_height(session, one.id, revision=one.revision, verdict="accepted", actor=reviewer)
+            add_review(session, one.id, seen_revision=one.revision, verdict="accepted", actor=reviewer)
 
 
 def _side(name: Target) -> DriverSide | None:

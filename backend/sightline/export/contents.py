@@ -1,4 +1,4 @@
-"""What an export consists of: its tables in their order, its other files, and what it says of itself."""
+"""What an export says of itself: its tables, its other files, and what it was made with."""
 
 from __future__ import annotations
 
@@ -6,70 +6,16 @@ from collections.abc import Collection, Mapping, Sequence
 from importlib.metadata import version
 from typing import Any
 
-from sightline.cameras.calibrations.csv import CALIBRATIONS
-from sightline.cameras.csv import CAMERAS
-from sightline.export.crops import CROPS
-from sightline.export.exclusions import EXCLUSIONS
 from sightline.export.page import page_version
 from sightline.export.readme import README
-from sightline.export.response import RESPONSE
 from sightline.export.seal import AUDIT_SCRIPT, CHECKPOINT, FIGURES, PAGE, REPORT
-from sightline.export.statistics_csv import TABLES
 from sightline.infra.csv_package.audit import AUDIT
 from sightline.infra.csv_package.schema import PARQUET, About, AnyTable, Other, Written, description_of
 from sightline.infra.source_hash import source_hash
 from sightline.infra.version import code_version
-from sightline.measurements.again.csv import COMPUTINGS
-from sightline.measurements.csv import BUDGET, MEASUREMENTS, REVISIONS, clicks_with_frames, with_frames
-from sightline.measurements.sheets.csv import VEHICLES
 from sightline.measurements.verify import HEIGHTS
-from sightline.people.csv import PEOPLE
-from sightline.poses.csv import POSES
-from sightline.quality.checks.csv import WHEEL_PAIRS
-from sightline.quality.repeats.csv import REPEATS
-from sightline.recordings.csv import RECORDINGS
-from sightline.recordings.frames.csv import FRAMES
-from sightline.results.csv import SELECTION, STANDARDS
-from sightline.reviews.csv import REVIEWS
-from sightline.reviews.lots.csv import LOT_ITEMS, LOTS
-from sightline.scans.csv import TABLES as SCANS
 from sightline.scans.heights.verify import LINES
-from sightline.surveys.csv import CLASSES, INSETS, QUOTAS, SAMPLING, SURVEY
 from sightline.surveys.photographs.csv import FOLDER as PHOTOGRAPHS_FOLDER
-from sightline.surveys.photographs.csv import PHOTOGRAPHS
-from sightline.vehicles.catalogue.csv import CATALOGUE
-
-#: After those of measurements; the last ones are derived from the others.
-_OTHER_TABLES: tuple[AnyTable, ...] = (
-    SURVEY,
-    VEHICLES,
-    CATALOGUE,
-    RECORDINGS,
-    FRAMES,
-    POSES,
-    CAMERAS,
-    CALIBRATIONS,
-    REVIEWS,
-    LOTS,
-    LOT_ITEMS,
-    COMPUTINGS,
-    INSETS,
-    CLASSES,
-    SAMPLING,
-    QUOTAS,
-    STANDARDS,
-    SELECTION,
-    PHOTOGRAPHS,
-    WHEEL_PAIRS,
-    REPEATS,
-    *SCANS,
-    PEOPLE,
-    AUDIT,
-    CROPS,
-    EXCLUSIONS,
-    RESPONSE,
-    *TABLES,
-)
 
 _OTHERS = (
     (README, "text/plain", "What came out, what the package holds, and how to check it."),
@@ -112,16 +58,6 @@ def described(
         path: one for path, one in written.items() if path not in (AUDIT.path, AUDIT_SCRIPT, CHECKPOINT)
     }
     return {**description_of(about, tables, others_of(without), without), "language": language}
-
-
-def tables_of(most_frames: int) -> tuple[AnyTable, ...]:
-    """Every table, with columns for as many frames as a measurement has at most."""
-    return (
-        *(with_frames(table, most_frames) for table in (MEASUREMENTS, REVISIONS)),
-        BUDGET,
-        clicks_with_frames(most_frames),
-        *_OTHER_TABLES,
-    )
 
 
 def others_of(paths: Collection[str]) -> tuple[Other, ...]:

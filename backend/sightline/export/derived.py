@@ -14,7 +14,7 @@ from sightline.export.response import RESPONSE, response_rows
 from sightline.export.seal import AUDIT_SCRIPT, CHECKPOINT, FIGURES, PAGE, REPORT
 from sightline.export.statistics_csv import TABLES, statistics_rows
 from sightline.infra.csv_package.audit import AUDIT
-from sightline.infra.csv_package.files import Files, Staging, Tick
+from sightline.infra.csv_package.files import Files, Staging
 from sightline.infra.csv_package.schema import PARQUET, Written
 
 # What the report lists no sums of: itself, what comes after it, and what there may be thousands of.
@@ -22,14 +22,6 @@ _UNLISTED = (
     *("crops/", PARQUET, FIGURES, AUDIT.path, CHECKPOINT, "SHA256SUMS", "datapackage.json", REPORT, README),
     *(PAGE, AUDIT_SCRIPT),
 )
-
-
-def derive(staging: Staging, language: str, tick: Tick) -> None:
-    """Write everything that follows from the tables in the folder, figures and report in a language."""
-    found = derive_tables(staging)
-    tick(0.5)
-    for path, content in drawn(staging.files(), found, staging.written, language):
-        staging.add(path, content)
 
 
 def derive_tables(staging: Staging) -> PackageStatistics:

@@ -15,12 +15,14 @@ from sightline.infra.jobs import registry
 from sightline.infra.jobs.records import Job
 from sightline.media.store.local import check_room, key_of, sha256_of
 from sightline.messages import SOURCE, languages
+from sightline.messages.said import Said
 from sightline.results.selection import Selection, selection_of
 from sightline.surveys.records import Survey
 from sightline.surveys.store import get_survey, list_surveys, survey_by_name
 
 if TYPE_CHECKING:
-    from sightline.export.build import Built, Tell
+    from sightline.export.build import Built
+    from sightline.export.filling import Tell
 
 KIND = "export"
 _BUILT, _ZIPPED = 0.85, 0.97  # of the whole work, by progress
@@ -68,10 +70,10 @@ def export(context: registry.JobContext) -> registry.Outcome:
     crops = bool(context.payload.get("crops", True))
     selection = selection_of(context.payload.get("selection", {}))
     language = str(context.payload.get("language", SOURCE))
-    context.progress(0.0, "Reading the survey.")
+    context.progress(0.0, Said("job-export-reading"))
     with tempfile.TemporaryDirectory(prefix="export-", dir=services.scratch) as folder:
         built, package = _package(context, survey_id, crops, selection, language, Path(folder))
-        context.progress(_ZIPPED, "Storing the package.")
+        context.progress(_ZIPPED, Said("job-export-storing"))
         size, sha256 = package.stat().st_size, sha256_of(package)
         key = key_of(sha256, ".zip")
         services.media.put_file(key, package, link=True)
@@ -126,7 +128,7 @@ def _package(
     check_room(folder, 2 * sum(one.size for one in staging.written.values()), "this export")
     package = folder / "package.zip"
     zip_folder(
-        staging, package, lambda part: tell(1.0 + part * (_ZIPPED / _BUILT - 1.0), "Packing the files.")
+        staging, package, lambda part: tell(1.0 + part * (_ZIPPED / _BUILT - 1.0), Said("job-export-packing"))
     )
     return built, package
 

@@ -25,11 +25,11 @@ from sightline.export.report.words import selection_words
 from sightline.export.seal import AUDIT_SCRIPT, CHECKPOINT, PAGE
 from sightline.infra.csv_package.audit import AUDIT
 from sightline.infra.csv_package.columns import CODE, said_in, words_of
-from sightline.infra.csv_package.files import Files, Staging, read_columns, read_whole
+from sightline.infra.csv_package.files import Files, Staging, read_columns, read_header, read_whole
 from sightline.infra.csv_package.schema import CHECKSUMS, DESCRIPTION, AnyTable, Written, sha256_hex
 from sightline.infra.version import code_version
-from sightline.messages import SOURCE
-from sightline.messages.recognised import translated
+from sightline.messages import SOURCE, languages
+from sightline.messages.recognised import translated, translated_meaning
 from sightline.results.csv import selection_in
 from sightline.settings import default_frontend_dir
 
@@ -169,6 +169,12 @@ def _check_audit_script(files: Files) -> None:
         raise Damaged("export-page-carries-another", path=AUDIT_SCRIPT)
 
 
+def explained(tables: Sequence[AnyTable]) -> list[AnyTable]:
+    """Those that the page shows, each column with its meaning, in the page's order."""
+    known = {table.name: table for table in tables}
+    return [known[name] for name in _NAMES if name in known]
+
+
 def _blocks(rest: str, start: int) -> Iterator[re.Match[str]]:
     while found := _BLOCK.match(rest, start):
         yield found
@@ -177,9 +183,8 @@ def _blocks(rest: str, start: int) -> Iterator[re.Match[str]]:
 
 def _carried(tables: Sequence[AnyTable], written: Mapping[str, Written]) -> Iterator[str]:
     """The files that the page carries, in their order: its tables and the poses that are not too large."""
-    known = {table.name: table.path for table in tables}
     poses = sorted(path for path in written if _POSES.fullmatch(path))
-    for path in (README, *(known[name] for name in _NAMES if name in known), *poses):
+    for path in (README, *(table.path for table in explained(tables)), *poses):
         if path in written and written[path].size <= MOST_BYTES:
             yield path
 
@@ -193,7 +198,8 @@ def _about_block(
 ) -> str:
     with speaking(language):
         only = selection_words(selection_in(files))
-    said = {} if language == SOURCE else _said(files, tables, set(_carried(tables, written)), language)
+    carried = set(_carried(tables, written))
+    said = {one: _said(files, tables, carried, one) for one in languages() if one != SOURCE}
     told = {"language": language, "only": only, "said": said, **_about(tables, written, version)}
     text = json.dumps(told, ensure_ascii=False).replace("<", "\\u003c")
     return f'<script type="application/json" id="about">{text}</script>\n'
@@ -201,13 +207,16 @@ def _about_block(
 
 def _said(files: Files, tables: Sequence[AnyTable], carried: Set[str], language: str) -> dict[str, str]:
     """What the tables say in English that the page shows as sentences, in a language: by the code beside it,
-    else found again by its text.
+    else found again by its text; and what their columns mean.
     """
     said: dict[str, str] = {}
-    for table in tables:
-        for column in _SENTENCES.get(table.path, ()) if table.path in carried else ():
+    for table in explained(tables):
+        if table.path not in carried:
+            continue
+        said |= {one.meaning: translated_meaning(one.meaning, language) for one in table.columns}
+        for column in _SENTENCES.get(table.path, ()):
             code = f"{column}{CODE}"
-            names = (column, code) if code in table.header else (column,)
+            names = (column, code) if code in read_header(files, table.path) else (column,)
             for text, *codes in {tuple(cells) for cells in read_columns(files, table.path, names)}:
                 words = words_of(said_in(*codes), language) if codes else None
                 said[text] = words or translated(text, language)
@@ -224,23 +233,22 @@ def _about(
             size = folders[path.rpartition("/")[0].partition("/")[0] + "/" if "/" in path else ""]
             size[0], size[1] = size[0] + 1, size[1] + written[path].size
     carried = set(_carried(tables, written))
-    described = {table.name: table for table in tables}
-    there = [name for name in _NAMES if name in described]
+    there = explained(tables)
     return {
         "made_with": version or code_version(),
         "folders": [
             {"folder": name, "files": files, "bytes": size} for name, (files, size) in sorted(folders.items())
         ],
         "figures": sorted(path for path in written if path.startswith("figures/")),
-        "left_out": [described[name].path for name in there if described[name].path not in carried],
+        "left_out": [table.path for table in there if table.path not in carried],
         "tables": [
             {
-                "path": described[name].path,
-                "name": name,
-                "columns": {column.name: column.meaning for column in described[name].columns},
+                "path": table.path,
+                "name": table.name,
+                "columns": {column.name: column.meaning for column in table.columns},
             }
-            for name in there
-            if described[name].path in carried
+            for table in there
+            if table.path in carried
         ],
     }
 

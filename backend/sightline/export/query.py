@@ -16,15 +16,18 @@ from sightline.infra.database.people import people
 from sightline.infra.database.rows import row_content
 from sightline.measurements.csv import OfVehicle
 from sightline.measurements.derived_query import derived
-from sightline.measurements.query import is_first, measurement_of_row, measurement_revision_rows
-from sightline.measurements.records import Measurement, VehicleSheet
+from sightline.measurements.query import (
+    is_first,
+    measurement_of_row,
+    measurement_revision_rows,
+    reviews_of_series,
+)
+from sightline.measurements.records import Measurement, Review, VehicleSheet
 from sightline.measurements.sheets.query import list_sheets_by_id
 from sightline.measurements.tables import measurement_series, measurements
 from sightline.measurements.tables import reviews as review_rows
 from sightline.poses.tables import road_poses
 from sightline.recordings.tables import recordings
-from sightline.reviews.query import reviews_of_series
-from sightline.reviews.records import Review
 from sightline.vehicles.records import KNOWN
 from sightline.vehicles.store import vehicles_outside
 from sightline.vehicles.tables import vehicles as vehicle_rows

@@ -19,6 +19,7 @@ from sightline.geometry.corners import Corners, spacing_px
 from sightline.geometry.planar import PlanarPose, linearise, planar_roots
 from sightline.geometry.reshoot import reshoot_advice
 from sightline.geometry.verdict import Evidence, calibration_warnings
+from sightline.messages.said import Said
 
 COVERAGE_ROWS, COVERAGE_COLUMNS = 12, 16
 _BLURRED = 0.45  # edge width over square size from which a view is left out as blurred
@@ -45,16 +46,16 @@ class CalibrationResult:
 
     coverage: corners per cell of a 12 x 16 grid over the picture; corners, residuals_px: per used view (by
     file), (rows, columns, 2); residuals are seen minus modelled. `trusted` is False when a warning says not
-    to. `reshoot`: what pictures are missing, in words. `flatness` is None with too few views to tell.
+    to. `reshoot`: what pictures are missing. `flatness` is None with too few views to tell.
     """
 
     camera: Camera
     coverage: Floats
     corners: dict[str, Floats]
     residuals_px: dict[str, Floats]
-    warnings: tuple[str, ...]
+    warnings: tuple[Said, ...]
     trusted: bool
-    reshoot: tuple[str, ...] = ()
+    reshoot: tuple[Said, ...] = ()
     flatness: BoardFlatness | None = None
 
 
@@ -206,11 +207,17 @@ def usable_views(views: Sequence[NamedCorners]) -> tuple[list[NamedCorners], dic
     for name, corners, size in views:
         reason = None
         if size != usual:
-            reason = f"The image is {size[0]}x{size[1]} px, most of the others are {usual[0]}x{usual[1]} px."
+            reason = Said(
+                "calibration-image-other-size",
+                width_px=size[0],
+                height_px=size[1],
+                usual_width_px=usual[0],
+                usual_height_px=usual[1],
+            )
         elif not corners.found:
-            reason = corners.reason or "No board was found."
+            reason = corners.reason or Said("board-not-found")
         elif corners.sharpness > _BLURRED * spacing_px(corners.points_px):
-            reason = f"The image is blurred (edges {corners.sharpness:.1f} px wide)."
+            reason = Said("calibration-image-blurred", edge_px=round(corners.sharpness, 1))
         if reason is None:
             used.append((name, corners, size))
         else:
@@ -228,7 +235,7 @@ def _too_few(used: int, given: int, skipped: dict[str, View], least: int) -> Bad
         given=given,
         least=least,
         file=first.file,
-        reason=str(first.reason),
+        reason=first.reason,
     )
 
 

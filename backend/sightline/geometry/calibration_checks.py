@@ -9,6 +9,7 @@ from sightline.geometry.board import Board
 from sightline.geometry.calibration import BoardFlatness, CalibrationResult, NamedCorners, calibrate
 from sightline.geometry.crossvalidation import CrossValidation, cross_validate, cross_validation_warnings
 from sightline.geometry.height_effect import HeightDifference, height_differences
+from sightline.messages.said import Said
 
 _BENT_RATIO = 0.9  # a bent board is believed where its shape takes a tenth of the residual
 
@@ -21,11 +22,11 @@ class CheckedCalibration:
     """
 
     result: CalibrationResult
-    cross_validation: CrossValidation | str
+    cross_validation: CrossValidation | Said
     board_effect: tuple[HeightDifference, ...]
 
     def documents(self) -> dict[str, Any]:
-        """The checks as JSON: `cross_validation`, `board_shape` (or null) and `reshoot`."""
+        """The checks as they are stored: `cross_validation`, `board_shape` (or null) and `reshoot`."""
         flatness = self.result.flatness
         return {
             "cross_validation": cross_validation_to_dict(self.cross_validation),
@@ -44,27 +45,30 @@ def calibrate_and_check(
     effect = () if flatness is None else height_differences(flatness.bent, flatness.flat, flatness.bent)
     warnings = (
         *result.warnings,
-        *(() if isinstance(crossed, str) else cross_validation_warnings(crossed)),
+        *(() if isinstance(crossed, Said) else cross_validation_warnings(crossed)),
         *(() if flatness is None else _flatness_warnings(flatness, effect)),
     )
     return CheckedCalibration(replace(result, warnings=warnings), crossed, effect)
 
 
-def _flatness_warnings(flatness: BoardFlatness, effect: Sequence[HeightDifference]) -> tuple[str, ...]:
+def _flatness_warnings(flatness: BoardFlatness, effect: Sequence[HeightDifference]) -> tuple[Said, ...]:
     flat, bent = flatness.flat.rms_px or 0.0, flatness.bent.rms_px or 0.0
     if flatness.solved or bent >= _BENT_RATIO * flat:
         return ()
-    bow = 100.0 * flatness.shape.bow_m / flatness.shape.board.square_m
+    bow = round(100.0 * flatness.shape.bow_m / flatness.shape.board.square_m, 1)
+    flat_px, bent_px = round(flat, 2), round(bent, 2)
     worst = max((d for d in effect if d.difference_m is not None), key=_size, default=None)
-    makes = (
-        ""
-        if worst is None
-        else f" and a height at {worst.distance_m:g} m changes by {1000 * _size(worst):.1f} mm"
-    )
+    if worst is None:
+        return (Said("calibration-board-bent", bow_percent=bow, flat_px=flat_px, bent_px=bent_px),)
     return (
-        f"The board is not flat: it bends by about {bow:.1f} % of a square; modelling its shape "
-        f"lowers the residual from {flat:.2f} to {bent:.2f} px{makes}. Fix the board to a stiff, flat plate "
-        "and take the pictures again, or calibrate it as a board that may be bent.",
+        Said(
+            "calibration-board-bent-changes",
+            bow_percent=bow,
+            flat_px=flat_px,
+            bent_px=bent_px,
+            distance_m=worst.distance_m,
+            change_m=round(_size(worst), 4),
+        ),
     )
 
 
@@ -72,9 +76,9 @@ def _size(d: HeightDifference) -> float:
     return abs(d.difference_m or 0.0)
 
 
-def cross_validation_to_dict(found: CrossValidation | str) -> dict[str, Any]:
+def cross_validation_to_dict(found: CrossValidation | Said) -> dict[str, Any]:
     """All keys are always there; where it could not be done, the numbers are null and `reason` says why."""
-    if isinstance(found, str):
+    if isinstance(found, Said):
         nothing = {"views": None, "fit_rms_px": None, "held_out_rms_px": None}
         return {"reason": found, **nothing, "height_differences": []}
     return {

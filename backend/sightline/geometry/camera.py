@@ -11,6 +11,7 @@ from sightline.errors import BadInput
 from sightline.geometry import lens
 from sightline.geometry.arrays import Bools, Floats, frozen, points
 from sightline.geometry.lens_limit import LensLimit, lens_limit
+from sightline.messages.said import Said
 
 _SETTLED = 1e-7  # a last Newton step this short leaves an error of its square: 2e-11 px at f = 2000 px
 _MOST_STEPS = 30
@@ -23,7 +24,7 @@ class View:
     file: str
     rms_px: float | None
     used: bool
-    reason: str | None = None
+    reason: Said | None = None
 
 
 @dataclass(frozen=True, eq=False)

@@ -14,6 +14,7 @@ from sightline.geometry.board import Board, canonical_order, numbered_as_seen, r
 from sightline.geometry.charuco import Charuco, find_charuco
 from sightline.geometry.extent import goes_on
 from sightline.geometry.saddle import Saddles, refine_saddles, refine_saddles_at
+from sightline.messages.said import Said
 
 Gray = NDArray[np.uint8]
 
@@ -55,7 +56,7 @@ class Corners:
     found: bool
     points_px: Floats
     board_as_seen: Board
-    reason: str | None
+    reason: Said | None
     sharpness: float
     detector: str
     ids: NDArray[np.intp] | None = None
@@ -66,7 +67,7 @@ class Corners:
         return np.arange(self.board_as_seen.corners) if self.ids is None else self.ids
 
 
-def not_found(board: Board, reason: str) -> Corners:
+def not_found(board: Board, reason: Said) -> Corners:
     """A detection that did not succeed, and why."""
     return Corners(
         found=False,
@@ -176,11 +177,11 @@ def find_board(gray: Gray, board: Board, time_limit_s: float = 2.0) -> Corners:
     """
     require_board(board)
     if gray.ndim != 2 or min(gray.shape) < 32:
-        return not_found(board, "The image is too small to contain a board.")
+        return not_found(board, Said("board-picture-too-small"))
     if board.charuco is not None:
         return _numbered(gray, board, board.charuco)
     started = perf_counter()
-    doubt: str | None = None
+    doubt: Said | None = None
     skipped = False
     for index, attempt in enumerate(_attempts(board, gray.size)):
         if index and perf_counter() - started + attempt.cost_s > time_limit_s:
@@ -202,12 +203,16 @@ def _numbered(gray: Gray, board: Board, charuco: Charuco) -> Corners:
     if found is None:
         return not_found(
             board,
-            f"No ChArUco board of {board.columns}x{board.rows} inner corners with {charuco.dictionary} "
-            "markers was found, or too little of it; it must be sharp and of that dictionary.",
+            Said(
+                "board-none-with-markers",
+                columns=board.columns,
+                rows=board.rows,
+                dictionary=charuco.dictionary,
+            ),
         )
     ids, rough, as_seen = numbered_as_seen(*found, board)
     if spacing_px(rough) < 3.0:
-        return not_found(board, "The squares are smaller than 3 px; bring the board closer.")
+        return not_found(board, Said("board-markers-tiny"))
     right, down = neighbours(ids, rough, as_seen)
     points = refine_saddles_at(gray, rough, right, down, board.clear_share).points_px
     whole = len(ids) == board.corners
@@ -240,17 +245,10 @@ def neighbours(ids: NDArray[np.intp], points: Floats, board: Board) -> tuple[Flo
     return right, down
 
 
-def _advice(board: Board, skipped: bool) -> str:
+def _advice(board: Board, skipped: bool) -> Said:
     if skipped:
-        return (
-            f"No board of {board.columns}x{board.rows} inner corners was found before the time "
-            "limit of the search; show the whole board with its white margin, sharp and evenly "
-            "lit, and count the inner corners."
-        )
-    return (
-        f"No board of {board.columns}x{board.rows} inner corners was found; show the whole board "
-        "with its white margin, sharp and evenly lit, and count the inner corners."
-    )
+        return Said("board-none-in-time", columns=board.columns, rows=board.rows)
+    return Said("board-none", columns=board.columns, rows=board.rows)
 
 
 def _accepted(gray: Gray, points: Floats, board: Board, name: str) -> Corners:
@@ -264,11 +262,7 @@ def _accepted(gray: Gray, points: Floats, board: Board, name: str) -> Corners:
     ordered, as_seen = canonical_order(grid, board)
     side = goes_on(gray, ordered)
     if side is not None:
-        return not_found(
-            board,
-            f"The board continues {side} beyond {board.columns}x{board.rows} inner corners; count "
-            "its inner corners again.",
-        )
+        return not_found(board, Said("board-goes-on", side=side, columns=board.columns, rows=board.rows))
     return Corners(
         found=True,
         points_px=frozen(ordered),
@@ -371,7 +365,7 @@ def _is_clear(fitted: Saddles, f: int) -> bool:
     return bool(np.median(fitted.blur_px[fitted.ok]) <= _SOFT_PX * f)
 
 
-def flaw(gray: Gray, grid: Floats) -> str | None:
+def flaw(gray: Gray, grid: Floats) -> Said | None:
     """Why a detection is not believed, or None: its `grid` (rows, columns, 2), pixels, must be a smooth one
     of alternating squares in the picture, `gray` (H, W).
 
@@ -379,17 +373,17 @@ def flaw(gray: Gray, grid: Floats) -> str | None:
     squares in brightness as a checkerboard's do.
     """
     if _cut(gray, grid):
-        return "The board is cut off by the edge of the image; show the whole board."
+        return Said("board-cut-off")
     if spacing_px(grid) < 3.0:
-        return "The squares are smaller than 3 px; bring the board closer or use larger squares."
+        return Said("board-squares-tiny")
     for axis in (0, 1):
         step = np.diff(grid, axis=axis)
         bend = np.linalg.norm(np.diff(step, axis=axis), axis=2)
         length = np.linalg.norm(step, axis=2)
         shorter = np.minimum(np.take(length, range(length.shape[axis] - 1), axis), np.delete(length, 0, axis))
         if (bend > 0.5 * shorter + 1.0).any():
-            return "The corners found do not form an even grid; something covers the board or it is not flat."
-    return None if _alternates(gray, grid) else "The pattern found does not consist of alternating squares."
+            return Said("board-corners-uneven")
+    return None if _alternates(gray, grid) else Said("board-no-checkerboard")
 
 
 def _cut(gray: Gray, grid: Floats) -> bool:

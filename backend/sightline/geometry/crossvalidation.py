@@ -24,6 +24,7 @@ from sightline.geometry.calibration import (
 from sightline.geometry.camera import Camera
 from sightline.geometry.height_effect import HeightDifference, height_differences
 from sightline.geometry.planar import planar_roots, refine
+from sightline.messages.said import Said
 
 EXCEEDS = 2.5  # times the standard uncertainty that the covariances give it; noise alone: one set in 80
 LARGE_M = 0.003  # at the board's distance, where errors of the lens nearly vanish
@@ -52,7 +53,7 @@ class CrossValidation:
 
 def cross_validate(
     views: Sequence[NamedCorners], board: Board, model: LensModel = "brown", bent_board: bool = False
-) -> CrossValidation | str:
+) -> CrossValidation | Said:
     """Calibrate from every other usable view, twice, and compare; or the reason why that cannot be done.
 
     The arguments are those of `calibration.calibrate`; the set-up is that of `height_effect`.
@@ -60,10 +61,8 @@ def cross_validate(
     usable = usable_views(views)[0]
     least = 2 * (LEAST_BENT_VIEWS if bent_board else LEAST_VIEWS)
     if len(usable) < least:
-        return (
-            f"Two halves need at least {least} usable views{' of a bent board' if bent_board else ''}; there "
-            f"are {len(usable)}. Take more pictures."
-        )
+        board_is = "bent" if bent_board else "flat"
+        return Said("calibration-halves-few", least=least, usable=len(usable), board=board_is)
     halves = usable[::2], usable[1::2]
     try:
         whole, _ = fitted_lens(usable, board, model, bent_board)
@@ -71,13 +70,13 @@ def cross_validate(
             fitted_lens(half, board, model, bent_board, whole) for half in halves
         )
     except BadInput as error:
-        return f"The two halves could not be calibrated separately: {error.message}"
+        return Said("calibration-halves-failed", message=error.said)
     held_out = (
         _residual(whole, first, bow1, halves[1], board),
         _residual(whole, second, bow2, halves[0], board),
     )
     if not np.isfinite(held_out).all():
-        return "A board lies where the lens model has no inverse; add images that reach the corners."
+        return Said("calibration-halves-no-inverse")
     return CrossValidation(
         (len(halves[0]), len(halves[1])),
         whole.rms_px or 0.0,
@@ -106,23 +105,7 @@ def _residual(
     return float(np.sqrt(squares / count))
 
 
-def in_words(found: CrossValidation | str) -> str:
-    """The comparison in one line."""
-    if isinstance(found, str):
-        return f"no cross-validation: {found}"
-    told = [
-        f"{1000 * abs(d.difference_m):.1f} mm at {d.distance_m:g} m"
-        for d in found.height_differences
-        if d.difference_m is not None
-    ]
-    heights = f"differ by {', '.join(told)} in a height" if told else "cannot be compared in a height"
-    return (
-        f"cross-validation, two halves calibrated separately, {heights}; "
-        f"held-out residual {found.all_held_out_rms_px:.3f} px"
-    )
-
-
-def cross_validation_warnings(found: CrossValidation) -> tuple[str, ...]:
+def cross_validation_warnings(found: CrossValidation) -> tuple[Said, ...]:
     """What the comparison says against the calibration, with what to do; empty where nothing.
 
     A difference counts where it is more than 2.5 times its standard uncertainty and over 2 mm, or over 3 mm
@@ -131,20 +114,20 @@ def cross_validation_warnings(found: CrossValidation) -> tuple[str, ...]:
     out = []
     worst = _worst(found)
     if worst is not None and worst.difference_m is not None:
-        by = "" if worst.expected_m is None else f", {1000 * worst.expected_m:.1f} mm expected"
-        size = 1000 * abs(worst.difference_m)
+        difference_m, distance_m = round(abs(worst.difference_m), 4), worst.distance_m
         out.append(
-            f"Two halves of the pictures, calibrated separately, differ by {size:.1f} mm in a "
-            f"height at {worst.distance_m:g} m{by}: more than the corners' noise explains. The lens may "
-            "need the other model, the board may be bent, or zoom or focus changed between pictures."
+            Said("calibration-halves-differ", difference_m=difference_m, distance_m=distance_m)
+            if worst.expected_m is None
+            else Said(
+                "calibration-halves-differ-beyond",
+                difference_m=difference_m,
+                distance_m=distance_m,
+                expected_m=round(worst.expected_m, 4),
+            )
         )
     held_out, fit = found.all_held_out_rms_px, found.fit_rms_px
     if held_out > _HELD_OUT_RATIO * fit:
-        out.append(
-            f"Held-out images fit the lens much worse than fitted images ({held_out:.2f} px "
-            f"against {fit:.2f} px); add images with the board tilted and in every part of the "
-            "image."
-        )
+        out.append(Said("calibration-held-out-worse", held_out_px=round(held_out, 2), fit_px=round(fit, 2)))
     return tuple(out)
 
 

@@ -17,6 +17,7 @@ from sightline.geometry.road_pose import (
     BoardOnRoad,
     RoadPose,
 )
+from sightline.messages.said import Said
 
 CAMERA_FORMAT = "sightline-camera-1"
 POSE_FORMAT = "sightline-pose-1"
@@ -61,7 +62,13 @@ def camera_to_dict(camera: Camera) -> dict[str, Any]:
         "parameters": list(camera.parameters),
         "covariance": _rows(camera.covariance),
         "views": [
-            {"file": v.file, "rms_px": v.rms_px, "used": v.used, "reason": v.reason} for v in camera.views
+            {
+                "file": v.file,
+                "rms_px": v.rms_px,
+                "used": v.used,
+                "reason": None if v.reason is None else v.reason.document,
+            }
+            for v in camera.views
         ],
     }
 
@@ -212,16 +219,23 @@ def _views(read: _Reader) -> tuple[View, ...]:
     views = []
     for item in raw:
         one = _Reader(item, f"{read.what}, views")
-        reason = one.data.get("reason")
         views.append(
             View(
                 one.text("file"),
                 one.optional("rms_px"),
                 bool(one.data.get("used", False)),
-                None if reason is None else str(reason),
+                _reason(one),
             )
         )
     return tuple(views)
+
+
+def _reason(read: _Reader) -> Said | None:
+    stored = read.data.get("reason")
+    try:
+        return None if stored is None else Said.read(stored)
+    except (TypeError, LookupError, AttributeError) as error:
+        raise read.fail("reason", "a text, or a code with its values") from error
 
 
 def camera_from_dict(data: object, what: str = "camera.json") -> Camera:

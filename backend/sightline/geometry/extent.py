@@ -4,14 +4,17 @@ The detectors accept a part of a larger board: told 5x6 they find a 5x6 piece of
 wrong reference row. So each side is asked whether the pattern goes on beyond it.
 """
 
+from typing import get_args
+
 import numpy as np
 from numpy.typing import NDArray
 
+from sightline.enums import PatternSide
 from sightline.geometry.arrays import Floats
 
 _ANGLES = np.linspace(0.0, 2.0 * np.pi, 24, endpoint=False)
 _RADIUS = 0.32  # of the distance to the neighbours: inside the four squares that meet
-_SIDES = ("to the left", "to the right", "above", "below")
+_SIDES: tuple[PatternSide, ...] = get_args(PatternSide)
 
 
 def _crossing(gray: NDArray[np.uint8], at: Floats, across: Floats, down: Floats) -> Floats:
@@ -32,8 +35,8 @@ def _crossing(gray: NDArray[np.uint8], at: Floats, across: Floats, down: Floats)
     return np.where(inside, second - first, np.nan)
 
 
-def goes_on(gray: NDArray[np.uint8], grid: Floats) -> str | None:
-    """Where the pattern goes on beyond a `grid` of corners (rows, columns, 2), pixels, in words; None if it
+def goes_on(gray: NDArray[np.uint8], grid: Floats) -> PatternSide | None:
+    """Where the pattern goes on beyond a `grid` of corners (rows, columns, 2), pixels; None if it
     ends.
 
     gray (H, W). A side goes on when most of the places where its next corners would be are crossings as clear

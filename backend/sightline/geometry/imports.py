@@ -27,6 +27,7 @@ from sightline.geometry.documents import (
     single_keys,
 )
 from sightline.geometry.verdict import lens_warnings, require_plausible
+from sightline.messages.said import Said
 
 _MATRIX_KEYS = ("camera_matrix", "cameramatrix", "k", "intrinsic_matrix", "intrinsics", "mtx", "m")
 _LENS_KEYS = (
@@ -53,7 +54,7 @@ class Imported:
     """A camera, and what had to be decided on the way, in words."""
 
     camera: Camera
-    notes: tuple[str, ...] = ()
+    notes: tuple[Said, ...] = ()
 
 
 @dataclass(frozen=True, eq=False)
@@ -166,7 +167,7 @@ def read_camera(
     500.0
     """
     documents = _parsed(text, file_name)
-    notes: list[str] = []
+    notes: list[Said] = []
     cameras = _cameras(documents)
     data = _chosen(cameras, file_name, which, notes)
     if data.get("format") == CAMERA_FORMAT:
@@ -273,7 +274,7 @@ def _side_of(key: str) -> tuple[str, str]:
 
 
 def _chosen(
-    cameras: Mapping[str, dict[str, Any]], file_name: str, which: str | None, notes: list[str]
+    cameras: Mapping[str, dict[str, Any]], file_name: str, which: str | None, notes: list[Said]
 ) -> dict[str, Any]:
     """The camera that is asked for, or the first; of several, which one is said."""
     names = {name or "1": name for name in cameras}
@@ -285,9 +286,7 @@ def _chosen(
     if key is None:
         raise BadInput("geometry-holds-no-camera-holds", file_name=file_name, which=which, cameras=told)
     if which is None and len(names) > 1:
-        notes.append(
-            f"{file_name} contains several cameras: {told}; {key} was read (name another with --which)."
-        )
+        notes.append(Said("import-several-cameras", file_name=file_name, cameras=told, key=key))
     name = names[key]
     one = cameras[name]
     return one if not name or _first(one, _NAMES) else {**one, "camera_name": name}
@@ -362,7 +361,7 @@ def _model_word(word: Any, file_name: str) -> LensModel | None:
 
 
 def _opencv_or_ros(
-    data: Mapping[str, Any], file_name: str, wanted: tuple[int, int] | None, notes: list[str]
+    data: Mapping[str, Any], file_name: str, wanted: tuple[int, int] | None, notes: list[Said]
 ) -> _Found:
     raw, lens = _first(data, _MATRIX_KEYS), _first(data, _LENS_KEYS)
     if raw is None:
@@ -404,7 +403,7 @@ def _part_read(
     file_name: str,
     full: tuple[int, int] | None,
     wanted: tuple[int, int] | None,
-    notes: list[str],
+    notes: list[Said],
 ) -> tuple[int, int, int, int] | None:
     """Left, top, width and height of the part of the picture that the camera sent (ROS `roi`), pixels; None
     for the whole, which is also taken where its size is `wanted`.
@@ -426,11 +425,19 @@ def _part_read(
     if full is None or not inside or not whole_numbers or min(width, height) < 2 or min(left, top) < 0:
         raise BadInput("geometry-roi-contradicts-size", file_name=file_name)
     if wanted == full:
-        notes.append(f"{file_name}: the camera is that of the whole image, as requested, not of its roi.")
+        notes.append(Said("import-roi-whole", file_name=file_name))
         return None
     notes.append(
-        f"{file_name} describes part of the image (roi): {width}x{height} px from ({left}, {top}) of "
-        f"{full[0]}x{full[1]} px; the camera is that of the part (--size {full[0]}x{full[1]} for the whole)."
+        Said(
+            "import-roi-part",
+            file_name=file_name,
+            width=width,
+            height=height,
+            left=left,
+            top=top,
+            full_width=full[0],
+            full_height=full[1],
+        )
     )
     return left, top, width, height
 
@@ -478,7 +485,7 @@ def _mrcal(data: Mapping[str, Any], file_name: str) -> _Found:
 
 
 def _checked(
-    found: _Found, file_name: str, model: LensModel | None, size: tuple[int, int] | None, notes: list[str]
+    found: _Found, file_name: str, model: LensModel | None, size: tuple[int, int] | None, notes: list[Said]
 ) -> Camera:
     fx, fy, cx, cy = (float(v) for v in found.matrix)
     size = found.size or size
@@ -502,24 +509,18 @@ def _checked(
         rms_px=found.rms_px,
     )
     if not lens.any():
-        notes.append(
-            f"{file_name} states a lens without any distortion, which is rare; check that this camera was "
-            "calibrated."
-        )
+        notes.append(Said("import-no-distortion", file_name=file_name))
     require_plausible(camera, file_name)
     return camera
 
 
-def _guess(lens: Floats, file_name: str, notes: list[str]) -> LensModel:
+def _guess(lens: Floats, file_name: str, notes: list[Said]) -> LensModel:
     """Four coefficients may be k1 k2 p1 p2 or a fisheye's k1..k4; more are Brown's."""
     if len(lens) != 4 or not lens.any():
         return "brown"
     fisheye = float(np.abs(lens[2:]).max()) > _LARGEST_TANGENTIAL
     taken = "fisheye k1 k2 k3 k4" if fisheye else "k1 k2 p1 p2"
-    notes.append(
-        f"{file_name} does not name its distortion model; its four coefficients were read as {taken} (choose "
-        "with --model)."
-    )
+    notes.append(Said("import-model-guessed", file_name=file_name, taken=taken))
     return "fisheye" if fisheye else "brown"
 
 

@@ -18,6 +18,7 @@ from sightline.geometry.height import systematic_covariance
 from sightline.geometry.ray_intersection import OK, intersect_rays
 from sightline.geometry.road_pose import RoadPose
 from sightline.geometry.spread import mean_and_spread, outliers
+from sightline.messages.said import Said
 
 LEAST_KNOWN = 3
 LEAST_TREND = 10
@@ -67,7 +68,7 @@ class InsetEstimate:
     u_inset_m: float
     vehicles: int
     spread_m: float | None = None
-    caution: str | None = None
+    caution: Said | None = None
     left_out: tuple[int, ...] = ()
     height_m: float | None = None
 
@@ -112,7 +113,7 @@ def together(parts: Sequence[Sightings]) -> Sightings:
 
 def inset_from_known_heights(
     rows: Sightings, known_m: ArrayLike, u_known_m: ArrayLike
-) -> InsetEstimate | str:
+) -> InsetEstimate | Said:
     """Inset of a target whose heights are known (roofs, from the manufacturer), or the reason why there is
     none: known_m (N,), u_known_m a number or (N,), metres.
 
@@ -125,7 +126,7 @@ def inset_from_known_heights(
     known = np.asarray(known_m, dtype=np.float64).ravel()
     u_known = np.broadcast_to(np.asarray(u_known_m, dtype=np.float64), known.shape)
     if len(rows) < LEAST_KNOWN:
-        return f"At least {LEAST_KNOWN} vehicles of known height are needed; {len(rows)} can be used."
+        return Said("inset-few-known", least=LEAST_KNOWN, usable=len(rows))
     used = ~_do_not_fit(rows, known, u_known)
     left_out = tuple(int(i) for i in np.flatnonzero(~used))
     rows, known, u_known = rows.only(used), known[used], u_known[used]
@@ -140,15 +141,15 @@ def inset_from_known_heights(
     weight, slope = _weight(rows, u_known, inset), _slope(rows, known - rows.camera_height_m, inset)
     power = float(weight @ slope**2)
     if power < 1.0:  # one standard uncertainty would be a metre
-        return "Not conclusive: the vehicles are at about camera height, where the inset has little effect."
+        return Said("inset-known-at-camera-height")
     if not _LEAST_INSET_M + 1e-3 < inset < _MOST_INSET_M - 1e-3:
-        return "No inset fits the manufacturers' heights; check them, the camera's height and the clicks."
+        return Said("inset-none-fits")
     answer = weight * slope / power
     scatter = max(1.0, cost(inset) / (len(rows) - 1))
     u = float(np.sqrt(scatter / power + max(float(answer @ rows.shared_m2 @ answer), 0.0)))
     caution = None
     if u > _WIDE_U_M:
-        caution = "Not conclusive: too few vehicles, or heights too near the camera's or too uncertain."
+        caution = Said("inset-known-vague")
     return InsetEstimate(
         inset_m=inset, u_inset_m=u, vehicles=len(rows), spread_m=None, caution=caution, left_out=left_out
     )
@@ -180,17 +181,17 @@ def _do_not_fit(rows: Sightings, known: Floats, u_known: Floats) -> Bools:
     return outliers(misfit, least=1.0)
 
 
-def inset_from_trend(rows: Sightings) -> InsetEstimate | str:
+def inset_from_trend(rows: Sightings) -> InsetEstimate | Said:
     """Inset and mean height from how uncorrected heights trend with distance, or why there are none.
 
     Fits m = Hc + (h - Hc) k; vehicles differ in h, and that scatter, found from the residuals, is in the
     weights. It holds only if height and lane are unrelated, which nothing here can tell.
     """
     if len(rows) < LEAST_TREND:
-        return f"At least {LEAST_TREND} vehicles are needed; {len(rows)} can be used."
+        return Said("inset-few-trend", least=LEAST_TREND, usable=len(rows))
     solved = _fit_trend(rows)
     if solved is None:
-        return "The inset cannot be estimated: too few vehicles, or all at about the same distance."
+        return Said("inset-no-trend")
     height, inset, covariance = solved
     u = float(np.sqrt(covariance[1, 1]))
     caution = _why_silent(rows, height) if u > _WIDE_U_M else None
@@ -232,16 +233,17 @@ def _fit_trend(rows: Sightings) -> tuple[float, float, Floats] | None:
     return height, inset, np.asarray(covariance, dtype=np.float64)
 
 
-def _why_silent(rows: Sightings, height_m: float) -> str:
+def _why_silent(rows: Sightings, height_m: float) -> Said:
     d = rows.distance_m
     if abs(height_m - float(rows.camera_height_m.mean())) < 0.10:
-        return "Not conclusive: this target is at about camera height, where the inset has little effect."
+        return Said("inset-trend-at-camera-height")
     if float(d.max()) < 1.4 * float(d.min()):
-        return f"Not conclusive: all passed at about the same distance, {d.min():.1f} to {d.max():.1f} m."
-    return "Not enough data: a few hundred vehicles are needed for u = 0.15 m."
+        nearest_m, farthest_m = round(float(d.min()), 1), round(float(d.max()), 1)
+        return Said("inset-trend-one-distance", nearest_m=nearest_m, farthest_m=farthest_m)
+    return Said("inset-trend-few")
 
 
-def inset_from_solved(solved_m: ArrayLike, u_solved_m: ArrayLike) -> InsetEstimate | str:
+def inset_from_solved(solved_m: ArrayLike, u_solved_m: ArrayLike) -> InsetEstimate | Said:
     """Mean of insets solved for on two frames, `solved_m`, `u_solved_m` (N,), metres, and the spread between
     vehicles, or the reason why there is none.
 
@@ -250,12 +252,12 @@ def inset_from_solved(solved_m: ArrayLike, u_solved_m: ArrayLike) -> InsetEstima
     values = np.asarray(solved_m, dtype=np.float64).ravel()
     u = np.asarray(u_solved_m, dtype=np.float64).ravel()
     if len(values) < LEAST_KNOWN:
-        return f"At least {LEAST_KNOWN} vehicles measured on two frames are needed; there are {len(values)}."
+        return Said("inset-few-solved", least=LEAST_KNOWN, count=len(values))
     gone = outliers(values, u)
     found = mean_and_spread(values[~gone], u[~gone])
     spread = found.between if found.count >= LEAST_FOR_SPREAD else None
     left_out = tuple(int(i) for i in np.flatnonzero(gone))
-    caution = "Not conclusive: the frames were close together." if found.u_mean > _WIDE_U_M else None
+    caution = Said("inset-solved-close-frames") if found.u_mean > _WIDE_U_M else None
     return InsetEstimate(
         inset_m=found.mean,
         u_inset_m=found.u_mean,

@@ -14,7 +14,7 @@ from sightline.geometry.arrays import Floats
 from sightline.messages.said import Said
 
 USUAL_INSETS: dict[InsetName, tuple[float, float, str]] = {
-    "roof": (0.30, 0.10, "near edge of the roof; 0.85 m (u 0.10 m) for its crown (estimate)"),
+    "roof": (0.30, 0.10, "near edge of the roof; 0.85 m (u = 0.10 m) for its crown (estimate)"),
     "roof_van": (0.20, 0.10, "near edge of the roof (estimate)"),
     "roof_box": (0.03, 0.05, "a body with upright sides (estimate)"),
     "roof_unknown": (0.30, 0.15, "as of a car, less certain (estimate)"),

@@ -16,6 +16,7 @@ from sightline.geometry.planar import PlanarPose, linearise, planar_roots
 from sightline.geometry.road_pose import DEFAULT_U_SQUARE, BoardOnRoad, Reference, RoadPose
 from sightline.geometry.saddle import refine_saddles
 from sightline.geometry.stillness import STILL_PX, Still, displacements_px, find_still, mean_sigma_px
+from sightline.messages.said import Said
 
 # board frame (x right, y down, z away) from road frame (X right, Y away, Z up), but for the origin's shift
 _BOARD_FROM_ROAD = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]])
@@ -98,14 +99,14 @@ def pose_from_corners(
     return _on_road(camera, best, seen_board, reference, still, warnings)
 
 
-def _why_none(frames: Sequence[Corners]) -> str:
+def _why_none(frames: Sequence[Corners]) -> Said:
     if not frames:
-        return "No frame was given."
+        return Said("board-no-frame")
     parts = [len(c.ids) for c in frames if c.ids is not None]
     if parts:
         whole = frames[0].board_as_seen.corners
-        return f"At most {max(parts)} of its {whole} corners were found; show the whole board."
-    return frames[0].reason or "No board was found."
+        return Said("board-corners-few", parts=max(parts), whole=whole)
+    return frames[0].reason or Said("board-not-found")
 
 
 def _require_reference(reference: Reference) -> None:
@@ -140,8 +141,8 @@ def _on_mean(mean_picture: Floats, still: Still, board: Board) -> Still:
 
 def _checked(
     best: PlanarPose, roots: list[PlanarPose], still: Still, board: Board, missed: int
-) -> tuple[str, ...]:
-    """Refuse what cannot be a pose of this board, and say in words what is doubtful."""
+) -> tuple[Said, ...]:
+    """Refuse what cannot be a pose of this board, and say what is doubtful."""
     rms = float(np.sqrt(best.cost / len(best.residuals_px)))
     if rms > _HIGHEST_RMS_PX:
         raise BadInput("geometry-corners-not-fit-camera-model-residual", rms=rms)
@@ -150,27 +151,20 @@ def _checked(
         raise BadInput("geometry-board-seen-edge-turn-towards-camera")
     warnings = []
     if missed:
-        warnings.append(f"The board was not found in {missed} of the frames; these are not used.")
+        warnings.append(Said("pose-frames-without-board", missed=missed))
     if still.moved_px > 0.3 and len(still.kept) > 1:
-        warnings.append("Board or camera moved in some of the frames; only frames at rest are used.")
+        warnings.append(Said("pose-frames-moved"))
     if rms > 0.5:
-        warnings.append(
-            f"The corners fit the model to {rms:.2f} px only; the board may be bent or the lens "
-            "calibration poor."
-        )
+        warnings.append(Said("pose-corners-miss-model", rms_px=round(rms, 2)))
     if len(roots) > 1 and roots[1].cost < _AMBIGUOUS * best.cost + 1e-12:
-        warnings.append(
-            "Two poses fit the board almost equally well; turn it by some 30 degrees or bring it closer."
-        )
+        warnings.append(Said("pose-two-fit"))
     if spacing_px(still.mean_px.reshape(board.rows, board.columns, 2)) < 8:
-        warnings.append("The squares are small in the image; bring the board closer.")
+        warnings.append(Said("pose-squares-small"))
     roll = float(np.rad2deg(np.arctan2(abs(best.rotation[0, 1]), best.rotation[1, 1])))
     if roll > 28.0:
-        warnings.append(
-            f"The board appears rolled by {roll:.0f} degrees; check that columns and rows were not exchanged."
-        )
+        warnings.append(Said("pose-board-rolled", roll_deg=round(roll)))
     if len(still.kept) == 1:
-        warnings.append("Only one frame is used, so it is not checked that the board was at rest.")
+        warnings.append(Said("pose-one-frame"))
     return tuple(warnings)
 
 
@@ -184,7 +178,7 @@ def _on_road(
     board: Board,
     reference: Reference,
     still: Still,
-    warnings: tuple[str, ...],
+    warnings: tuple[Said, ...],
 ) -> RoadPose:
     """Express the board pose in the road frame, with the joint covariance of lens and pose."""
     points = road_points(board, reference.side, reference.height_m)

@@ -1,11 +1,10 @@
-"""What pictures a calibration still lacks, in words: where in the picture, which tilt, how near."""
-
-from collections.abc import Sequence
+"""What pictures a calibration still lacks: where in the picture, which tilt, how near."""
 
 import numpy as np
 
 from sightline.geometry.arrays import Floats
 from sightline.geometry.verdict import Evidence
+from sightline.messages.said import Said, listed
 
 _TILT_RAD = np.deg2rad(15.0)
 _THIN = 36  # a ninth of the picture with less than a quarter of an even share is thin
@@ -14,20 +13,20 @@ _ROWS, _COLUMNS = ("top", "middle", "bottom"), ("left", "centre", "right")
 _EDGES = (("right", 0, 1.0), ("left", 0, -1.0), ("bottom", 1, 1.0), ("top", 1, -1.0))
 
 
-def reshoot_advice(evidence: Evidence) -> tuple[str, ...]:
-    """One sentence per kind of picture that is missing; empty where nothing is."""
+def reshoot_advice(evidence: Evidence) -> tuple[Said, ...]:
+    """A saying per kind of picture that is missing; empty where nothing is."""
     return (*places_missing(evidence.coverage), *_tilts(evidence.normals), *_nearness(evidence))
 
 
 def thin_parts(coverage: Floats) -> tuple[str, ...]:
-    """Names of the ninths of the picture that hold few of the corners; coverage (12, 16): corners per cell.
+    """Names (`top-left`) of the ninths of the picture that hold few corners; coverage (12, 16): of each cell.
 
     Own method: few is less than a quarter of an even share.
     """
     ninths = coverage_ninths(coverage)
     total = float(coverage.sum())
     return tuple(
-        "centre" if (row, column) == ("middle", "centre") else f"{row} {column}"
+        f"{row}-{column}"
         for row, counts in zip(_ROWS, ninths, strict=True)
         for column, count in zip(_COLUMNS, counts, strict=True)
         if count < total / _THIN
@@ -43,34 +42,29 @@ def coverage_ninths(coverage: Floats) -> Floats:
     return out
 
 
-def places_missing(coverage: Floats) -> tuple[str, ...]:
-    """Where in the picture the board should be held more, in words; coverage (12, 16). As `thin_parts`."""
+def places_missing(coverage: Floats) -> tuple[Said, ...]:
+    """Where in the picture the board should be held more; coverage (12, 16). As `thin_parts`."""
     parts = thin_parts(coverage)
-    return (f"Hold the board in the {listed(parts)} of the image.",) if parts else ()
+    named = [Said("image-part", place=one) for one in parts]
+    return (Said("calibration-hold-in", parts=listed(named)),) if named else ()
 
 
-def _tilts(normals: tuple[Floats, ...]) -> tuple[str, ...]:
+def _tilts(normals: tuple[Floats, ...]) -> tuple[Said, ...]:
     """The normal points away from the camera: where it leans to the right, the right edge is the nearer."""
     n = np.array(normals)
     angles = np.arctan2(n[:, :2], n[:, 2:])
     missing = [edge for edge, axis, sign in _EDGES if not (sign * angles[:, axis] > _TILT_RAD).any()]
     if not missing:
         return ()
-    edge = f"{missing[0]} edge" if len(missing) == 1 else f"{listed(missing)} edge in turn"
-    return (f"Tilt the board by about 30 degrees, its {edge} nearer the camera.",)
+    named = [Said("board-edge", edge=edge) for edge in missing]
+    if len(named) == 1:
+        return (Said("calibration-tilt-edge", edge=named[0]),)
+    return (Said("calibration-tilt-edges", edges=listed(named)),)
 
 
-def _nearness(evidence: Evidence) -> tuple[str, ...]:
+def _nearness(evidence: Evidence) -> tuple[Said, ...]:
     spans = [np.ptp(points, axis=0) for points in evidence.corners_px]
     share = max(float(w * h) for w, h in spans) / (evidence.camera.width_px * evidence.camera.height_px)
     if share >= _NEAR_SHARE:
         return ()
-    return (
-        f"Bring the board nearer: it never fills more than {100 * share:.0f} % of the image; a "
-        "third or more is good.",
-    )
-
-
-def listed(words: Sequence[str]) -> str:
-    """`a, b and c`."""
-    return words[0] if len(words) == 1 else f"{', '.join(words[:-1])} and {words[-1]}"
+    return (Said("calibration-bring-nearer", percent=round(100 * share)),)

@@ -13,6 +13,7 @@ import numpy as np
 from sightline.enums import BoardSide
 from sightline.geometry.arrays import Floats, frozen
 from sightline.geometry.camera import Camera
+from sightline.messages.said import Said
 
 POSE_NAMES = ("rx", "ry", "rz", "tx", "ty", "tz")
 
@@ -71,7 +72,7 @@ class RoadPose:
     board: BoardOnRoad | None = None
     frames_used: int = 0
     rms_px: float | None = None
-    warnings: tuple[str, ...] = field(default=())
+    warnings: tuple[Said, ...] = field(default=())
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "rotation", frozen(self.rotation))

@@ -5,6 +5,7 @@ import numpy as np
 
 from sightline.geometry.arrays import frozen
 from sightline.geometry.corners import Corners, Gray, find_board, flaw, not_found, refine_subpixel, spacing_px
+from sightline.messages.said import Said
 
 _STOP = (cv2.TERM_CRITERIA_EPS + cv2.TERM_CRITERIA_MAX_ITER, 20, 0.01)
 _LOOK_AGAIN_PX = 1.0  # a board that moved less is not checked again
@@ -21,7 +22,7 @@ def track(gray: Gray, last: Corners) -> Corners:
     shift = grid - last.points_px
     moved = float(np.sqrt((shift * shift).sum(axis=-1).max()))
     if moved > 0.3 * spacing_px(last.points_px):
-        return not_found(last.board_as_seen, "The board moved too far between two frames.")
+        return not_found(last.board_as_seen, Said("board-moved-far"))
     if board.charuco is not None and moved > _LOOK_AGAIN_PX:
         return find_board(gray, board)  # its numbers tell more than a look at the grid
     reason = flaw(gray, grid) if moved > _LOOK_AGAIN_PX else None

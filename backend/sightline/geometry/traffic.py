@@ -115,7 +115,7 @@ def _why_none(pose: RoadPose, pair: Floats, base_m: float, u_rad: float) -> Said
     return None
 
 
-def summary_of_headings(heading_rad: ArrayLike, u_rad: ArrayLike) -> Headings | str:
+def summary_of_headings(heading_rad: ArrayLike, u_rad: ArrayLike) -> Headings | Said:
     """Mean of headings, `heading_rad` (N,), with their own uncertainties, `u_rad` (N,), NaN where there is
     none; or the reason why there is none.
 
@@ -128,9 +128,7 @@ def summary_of_headings(heading_rad: ArrayLike, u_rad: ArrayLike) -> Headings | 
     if used.any():
         used[used] = ~outliers(values[used], u[used], least=_LEAST_SCALE_RAD)
     if used.sum() < LEAST_VEHICLES:
-        return (
-            f"Both tyre contacts of at least {LEAST_VEHICLES} vehicles are needed; {used.sum()} can be used."
-        )
+        return Said("traffic-few-vehicles", least=LEAST_VEHICLES, usable=int(used.sum()))
     found = mean_and_spread(values[used], u[used])
     away = abs(found.mean) / found.u_mean
     proposed = bool(away > scipy.stats.t.ppf(0.975, found.count - 1))
@@ -161,5 +159,5 @@ def turned(pose: RoadPose, heading_rad: float, u_heading_rad: float = 0.0) -> Ro
         turn = u_heading_rad * np.concatenate([up, -np.cross(up, pose.translation_m)])
         covariance = np.array(covariance)
         covariance[-6:, -6:] += np.outer(turn, turn)
-    told = f"Rotated by {np.rad2deg(heading_rad):+.2f} degrees to the travel direction."
+    told = Said("pose-road-turned", heading_deg=round(float(np.rad2deg(heading_rad)), 2))
     return replace(pose, rotation=rotation, covariance=covariance, warnings=(*pose.warnings, told))

@@ -1,4 +1,4 @@
-"""When a calibration is not to be trusted, in words.
+"""When a calibration is not to be trusted.
 
 A low residual proves little: one view of a board gives a small residual and a focal length that is wrong by
 a third.
@@ -11,6 +11,7 @@ import numpy as np
 from sightline.errors import BadInput
 from sightline.geometry.arrays import Floats
 from sightline.geometry.camera import Camera
+from sightline.messages.said import Said
 
 _FEW_VIEWS = 8
 _LITTLE_COVERAGE = 0.45  # share of the picture's cells within the hull of the corners seen
@@ -43,7 +44,7 @@ class Evidence:
     spacings_px: tuple[float, ...]
 
 
-def calibration_warnings(evidence: Evidence) -> tuple[tuple[str, ...], bool]:
+def calibration_warnings(evidence: Evidence) -> tuple[tuple[Said, ...], bool]:
     """Warnings, and whether the calibration can be trusted in spite of them."""
     serious = [
         *_views(evidence),
@@ -60,20 +61,14 @@ def calibration_warnings(evidence: Evidence) -> tuple[tuple[str, ...], bool]:
     return (*serious, *mild), not serious
 
 
-def _views(evidence: Evidence) -> list[str]:
+def _views(evidence: Evidence) -> list[Said]:
     """Few views, or few that differ: a board that did not move between two pictures is one view."""
     count = len(evidence.files)
     if count < _FEW_VIEWS:
-        return [
-            f"Only {count} views were used; with fewer than {_FEW_VIEWS} a small residual proves little; "
-            "take 15 to 25."
-        ]
+        return [Said("calibration-few-views", count=count, few=_FEW_VIEWS)]
     different = different_views(evidence)
     if different < _FEW_VIEWS:
-        return [
-            f"Only {different} of the {count} views differ because the board hardly moved between "
-            "the others; move and tilt it between images, or use frames further apart."
-        ]
+        return [Said("calibration-views-alike", different=different, count=count)]
     return []
 
 
@@ -91,22 +86,16 @@ def different_views(evidence: Evidence) -> int:
     return len(kept)
 
 
-def _spread(evidence: Evidence) -> list[str]:
+def _spread(evidence: Evidence) -> list[Said]:
     """Coverage of the picture and variety of the board's directions."""
     out = []
     share = covered_share(evidence.coverage)
     if share < _LITTLE_COVERAGE:
-        out.append(
-            f"The boards cover {share:.0%} of the image; add views that reach its edges and "
-            "corners, where the distortion is largest."
-        )
+        out.append(Said("calibration-little-covered", percent=round(100 * share)))
     normals = np.array(evidence.normals)
     cosines = np.clip(normals @ normals.T, -1.0, 1.0)
     if float(np.arccos(cosines.min())) < _PARALLEL_RAD:
-        out.append(
-            "All board views have the same orientation, so focal length and distance cannot be separated; "
-            "tilt the board by 30 to 45 degrees in several directions."
-        )
+        out.append(Said("calibration-boards-parallel"))
     return out
 
 
@@ -122,33 +111,31 @@ def covered_share(coverage: Floats) -> float:
     return inside / coverage.size
 
 
-def _model(evidence: Evidence) -> list[str]:
+def _model(evidence: Evidence) -> list[Said]:
     camera, rms = evidence.camera, evidence.camera.rms_px or 0.0
     out = []
     limit = max(0.5, _HIGH_RMS * camera.width_px / 1000.0)
     if rms > limit:
-        out.append(
-            f"The residual of {rms:.2f} px is high; the board may not be flat, its size may be wrong, or the "
-            "lens needs another model."
-        )
+        out.append(Said("calibration-residual-high", rms_px=round(rms, 2)))
     other = evidence.other_rms_px
     if other is not None and other < _BETTER * rms:
         better = "fisheye" if camera.model == "brown" else "brown"
         out.append(
-            f"The {better} model fits better ({other:.2f} px against {rms:.2f} px); "
-            "calibrate with that model."
+            Said(
+                "calibration-other-model-better", model=better, other_px=round(other, 2), rms_px=round(rms, 2)
+            )
         )
     return out
 
 
-def _precision(camera: Camera) -> list[str]:
+def _precision(camera: Camera) -> list[Said]:
     if camera.covariance is None:
-        return ["The views do not determine the lens; its uncertainty cannot be stated."]
+        return [Said("calibration-lens-undetermined")]
     sigma = np.sqrt(np.diag(camera.covariance))
     out = []
     relative = float(max(sigma[0] / camera.fx_px, sigma[1] / camera.fy_px))
     if relative > 0.01:
-        out.append(f"The focal length is known to {relative:.1%} only; take more views, tilted and near.")
+        out.append(Said("calibration-focal-vague", percent=round(100 * relative, 1)))
     return [*out, *_axis(camera)]
 
 
@@ -170,34 +157,31 @@ def require_plausible(camera: Camera, file_name: str) -> None:
         raise BadInput("geometry-lens-turns-back-early", file_name=file_name)
 
 
-def lens_warnings(camera: Camera) -> tuple[str, ...]:
+def lens_warnings(camera: Camera) -> tuple[Said, ...]:
     """What is to be said of a lens alone, calibrated here or imported: where its axis lies, whether its
     pixels are square, and whether it turns back inside the picture.
     """
     return (*_axis(camera), *_corners(camera))
 
 
-def _axis(camera: Camera) -> list[str]:
+def _axis(camera: Camera) -> list[Said]:
     out = []
     off = max(
         abs(camera.cx_px - (camera.width_px - 1) / 2) / camera.width_px,
         abs(camera.cy_px - (camera.height_px - 1) / 2) / camera.height_px,
     )
     if off > 0.15:
-        out.append("The optical axis lies far from the middle of the image; was the image cropped?")
+        out.append(Said("lens-axis-off-middle"))
     if not 0.9 < camera.fx_px / camera.fy_px < 1.1:
-        out.append("The two focal lengths differ by more than 10 %; are the pixels square?")
+        out.append(Said("lens-pixels-not-square"))
     return out
 
 
-def _corners(camera: Camera) -> list[str]:
+def _corners(camera: Camera) -> list[Said]:
     """Not a reason for distrust: clicks out there are refused, those elsewhere are as good as ever."""
     if reach(camera) >= 0.999:
         return []
-    return [
-        "The lens model cannot be inverted in the corners of the image, so nothing is measured "
-        "there; add images that reach the corners."
-    ]
+    return [Said("lens-no-inverse-in-corners")]
 
 
 def reach(camera: Camera) -> float:
@@ -209,40 +193,39 @@ def reach(camera: Camera) -> float:
     return camera.limit.table_step * (len(camera.limit.table_gain) - 1) / float(np.hypot(x, y))
 
 
-def _small_squares(evidence: Evidence) -> list[str]:
+def _small_squares(evidence: Evidence) -> list[Said]:
     """Below some ten pixels a corner is fitted from a handful of pixels."""
     small = sum(spacing < _SMALL_SQUARE_PX for spacing in evidence.spacings_px)
     if 2 * small <= len(evidence.spacings_px):
         return []
-    return [
-        f"In {small} of {len(evidence.spacings_px)} views the squares are smaller than "
-        f"{_SMALL_SQUARE_PX:.0f} px and their corners inexact; bring the board nearer or use larger squares."
-    ]
+    views = len(evidence.spacings_px)
+    return [Said("calibration-squares-small", small=small, views=views, least_px=round(_SMALL_SQUARE_PX))]
 
 
-def _left_out(evidence: Evidence) -> list[str]:
+def _left_out(evidence: Evidence) -> list[Said]:
     """Pictures of several sizes, and boards that were mostly not found."""
     out = []
     camera, used = evidence.camera, len(evidence.files)
     if evidence.other_size:
         out.append(
-            f"Images of several sizes: {len(evidence.other_size)} skipped that are not "
-            f"{camera.width_px}x{camera.height_px} px ({evidence.other_size[0]} first); a "
-            "calibration holds for one size only, so use images of the recordings' size."
+            Said(
+                "calibration-several-sizes",
+                count=len(evidence.other_size),
+                width_px=camera.width_px,
+                height_px=camera.height_px,
+                file=evidence.other_size[0],
+            )
         )
     if evidence.missed > used:
-        out.append(
-            f"The board was used in only {used} of {used + evidence.missed} images; count its "
-            "inner corners again, and show the whole board, sharp and evenly lit."
-        )
+        out.append(Said("calibration-board-seldom", used=used, given=used + evidence.missed))
     return out
 
 
-def _outliers(evidence: Evidence) -> list[str]:
+def _outliers(evidence: Evidence) -> list[Said]:
     rms = np.array(evidence.rms_px)
     usual = float(np.median(rms))
     return [
-        f"{file} fits much worse than the others ({value:.2f} px against {usual:.2f} px); check its corners."
+        Said("calibration-image-outlier", file=file, rms_px=round(float(value), 2), usual_px=round(usual, 2))
         for file, value in zip(evidence.files, rms, strict=True)
         if value > _OUTLIER * usual and value > 0.3
     ]

@@ -15,9 +15,9 @@ from sqlalchemy.orm import Session
 
 from sightline.infra.database.engine import (
     SHORT_IDLE_S,
+    Beside,
     InSurvey,
     SessionFactory,
-    SignIn,
     make_engine,
     reading,
     session_factory,
@@ -66,11 +66,12 @@ class Services:
         return reading(self.sessions)
 
     def writing(
-        self, within: InSurvey | SignIn | None = None, *, unsynced: bool = False
+        self, within: InSurvey | Beside | None = None, *, unsynced: bool = False
     ) -> AbstractContextManager[Session]:
         """The write transaction of this thread; committed when the block ends, rolled back on any error.
 
-        `within`: the only survey that it writes to, so that other surveys need not wait (`SIGN_IN`: none).
+        `within`: the only survey that it writes to, so that other surveys need not wait (`SIGN_IN` and
+        `ANSWERS`: none).
         `unsynced`: on the disk for good only once `sync` has returned.
         """
         return writing(self.sessions, within, unsynced=unsynced)

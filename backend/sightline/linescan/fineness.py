@@ -18,6 +18,13 @@ LEAST_CARRIED = 0.15
 GOOD_LINE_M = 0.010
 FEWEST_LINES, MOST_LINES = 12, 4096
 _SIGMAS = 5.0
+# boundaries may be two lines off, so pictures are looked for as far away, and one beside them
+_REACH_LINES = 3
+# pictures no more alike than so do not tell how far apart they lie
+_LEAST_ALIKE = 0.3
+# to so much of a line is known how many lie from camera to camera: by pictures that share little between two
+# lines, and by boundaries
+_SURE_BY_PICTURES, _SURE_BY_BOUNDARIES = 0.2, 1.0
 
 
 def too_coarse(passage: Passage, rig: Rig) -> Said | None:
@@ -37,9 +44,11 @@ def too_coarse(passage: Passage, rig: Rig) -> Said | None:
     told = [one for one in carried if one is not None]
     if delay <= 0 or not told or sum(told) / len(told) >= LEAST_CARRIED:
         return None
-    line_m = rig.baseline_m / delay
-    # crossings of so few lines are known to a line in all: the rate does for the fastest that they allow
-    most_m = rig.baseline_m / max(delay - 1.0, 1.0)
+    apart = lines_apart(passage, delay, 1.0 - rig.shadow_share)
+    lines, sure = (delay, _SURE_BY_BOUNDARIES) if apart is None else (apart, _SURE_BY_PICTURES)
+    line_m = rig.baseline_m / lines
+    # the rate does for the fastest that so many lines allow
+    most_m = rig.baseline_m / max(lines - sure, 1.0)
     rate_hz = rig.line_rate_hz * max(most_m / GOOD_LINE_M, 2.0)
     return Said(
         "scan-motion-too-coarse", line_mm=round(1000 * line_m), rate_hz=round(float(f"{rate_hz:.2g}"))
@@ -63,6 +72,45 @@ def carried_on(picture: Pixels, noise_dn: float) -> float | None:
         return None
     down, up = change[1:, 1:] * change[:-1, :-1], change[1:, :-1] * change[:-1, 1:]
     return float(np.mean(down) + np.mean(up)) / 2 / here
+
+
+def lines_apart(passage: Passage, delay: float, upper_part: float) -> float | None:
+    """How many lines after the first picture the second shows the same; None where they do not tell.
+
+    `delay`: lines, what the boundaries say; `upper_part`: of the rows, looked at. Own method: the correlation
+    of both pictures, each less its rows' means, at whole lines near `delay`; between them it rises and falls
+    in straight lines, as that of lines that share nothing does.
+    """
+    c, least, most = passage.crossings, round(delay) - _REACH_LINES, round(delay) + _REACH_LINES
+    start = max(int(np.ceil(c.front_line_1)), passage.start_1, passage.start_2 - least)
+    stop = min(
+        int(c.rear_line_1) + 1,
+        passage.start_1 + len(passage.first),
+        passage.start_2 + len(passage.second) - most,
+    )
+    first = _between(passage.first, start - passage.start_1, stop - 1 - passage.start_1, upper_part)
+    start += max(stop - start - MOST_LINES, 0) // 2
+    if len(first) < FEWEST_LINES:
+        return None
+    alike = np.array(
+        [
+            _correlation(first, passage.second[start + lag - passage.start_2 :][: len(first)])
+            for lag in range(least, most + 1)
+        ]
+    )
+    best = int(alike.argmax())
+    if not 0 < best < len(alike) - 1 or alike[best] < _LEAST_ALIKE:
+        return None
+    before, here, after = alike[best - 1 : best + 2]
+    return float(least + best + (after - before) / 2 / max(here - min(before, after), 1e-9))
+
+
+def _correlation(first: Pixels, second: Pixels) -> float:
+    """Of two pictures (lines, rows), rows that the first lacks left out; 0 where either shows nothing."""
+    a, b = (one[:, : first.shape[1]].astype(np.float32) for one in (first, second))
+    a, b = a - a.mean(axis=0), b - b.mean(axis=0)
+    size = float(np.sqrt(np.vdot(a, a) * np.vdot(b, b)))
+    return float(np.vdot(a, b)) / size if size > 0 else 0.0
 
 
 def _between(picture: Pixels, front: float, rear: float, upper_part: float) -> Pixels:

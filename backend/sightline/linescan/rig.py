@@ -14,8 +14,8 @@ import numpy as np
 import scipy
 from numpy.typing import ArrayLike, NDArray
 
-from sightline.coverage import COVERAGE_95
-from sightline.enums import ScanDirection
+from sightline.coverage import COVERAGE_95, expanded
+from sightline.enums import KnownLength, ScanDirection
 from sightline.errors import BadInput
 from sightline.linescan.equations import travelled_m
 from sightline.linescan.parts import Lane, Motion, Rig
@@ -162,7 +162,10 @@ def baseline_of(rig: Rig) -> tuple[float, float]:
 
 @dataclass(frozen=True)
 class RigEstimate:
-    """A rig's constant from n vehicles: value, standard uncertainty, spread of one vehicle; or a reason."""
+    """A rig's constant from n vehicles: value, standard uncertainty, spread of one vehicle; or a reason.
+
+    `agrees`: what is said where there is something to agree with, and no warning.
+    """
 
     value: float | None
     u: float | None
@@ -170,6 +173,7 @@ class RigEstimate:
     n: int
     reason: Said | None = None
     warning: Said | None = None
+    agrees: Said | None = None
 
 
 class Registered(Protocol):
@@ -229,9 +233,13 @@ def alone(size_m: float, u_m: float | None, baseline_m: float, u_baseline_m: flo
 
 
 def baseline_ratio(
-    measured_m: ArrayLike, u_measured_m: ArrayLike, true_m: ArrayLike, u_true_m: ArrayLike
+    of: KnownLength,
+    measured_m: ArrayLike,
+    u_measured_m: ArrayLike,
+    true_m: ArrayLike,
+    u_true_m: ArrayLike,
 ) -> RigEstimate:
-    """Measured over true lengths or wheelbases, by weighted mean: 1.01 says the baseline is 1 % long.
+    """Measured over true lengths or wheelbases (`of`), by weighted mean: 1.01 says the baseline is 1 % long.
     `measured_m`, `u_measured_m`, `true_m`, `u_true_m` (n,), metres.
 
     The uncertainties are those of single vehicles (boundaries, fit), without the baseline's. Weights 1 / u^2
@@ -256,9 +264,16 @@ def baseline_ratio(
     u = sqrt(excess / float(np.sum(weights)))
     spread = float(np.std(ratios, ddof=1))
     if abs(mean - 1) <= 2 * u:
-        return RigEstimate(mean, u, spread, n)
-    than = "longer" if mean > 1 else "shorter"
-    warning = Said("rig-sizes-differ", percent=round(abs(mean - 1) * 100, 2), than=than)
+        agrees = Said("rig-baseline-agrees", count=n, of=of, U95_percent=round(100 * expanded(u), 2))
+        return RigEstimate(mean, u, spread, n, agrees=agrees)
+    warning = Said(
+        "rig-baseline-off",
+        count=n,
+        of=of,
+        percent=round(100 * abs(mean - 1), 2),
+        than="longer" if mean > 1 else "shorter",
+        u_percent=round(100 * u, 2),
+    )
     return RigEstimate(mean, u, spread, n, warning=warning)
 
 

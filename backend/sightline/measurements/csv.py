@@ -6,6 +6,7 @@ import re
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import partial
+from operator import attrgetter
 from typing import get_args
 
 from typing_extensions import TypeVar
@@ -40,13 +41,14 @@ from sightline.infra.csv_package.columns import (
 from sightline.infra.csv_package.schema import Cell, Column, Table
 from sightline.measurements.again.csv import out_of_date
 from sightline.measurements.followed_text import frames_of_text
-from sightline.measurements.records import FurtherFrame, Measurement
+from sightline.measurements.records import FurtherFrame, Measurement, ReviewState
 from sightline.messages.said import Said
 from sightline.poses.csv import pose_path
 from sightline.vehicles.records import is_reference
 
 TARGETS: tuple[str, ...] = get_args(Target)
 Record = TypeVar("Record")
+REVIEWER, REASON_GIVEN = "who reviewed", "the reviewer's reason"
 CLICKS_FOLDER = "clicks/"
 Columns = tuple[Column[Measurement], ...]
 
@@ -394,6 +396,36 @@ def verdict_basis(verdict: str, lot_id: int | None) -> str | None:
     return "individual" if lot_id is None else "lot"
 
 
+def given_verdict(verdicts: tuple[str, ...]) -> tuple[Column[object], ...]:
+    """One verdict, of a record that has its `verdict`, `reason`, `reviewer` and `at`."""
+    return (
+        text("verdict", "the verdict", attrgetter("verdict"), required=True, enum=verdicts),
+        text("reason", REASON_GIVEN, attrgetter("reason")),
+        person("reviewer_id", REVIEWER, attrgetter("reviewer")),
+        moment("at", "when", attrgetter("at")),
+    )
+
+
+def standing_verdict(verdicts: tuple[str, ...]) -> tuple[Column[ReviewState], ...]:
+    """Of a revision: what stands of its reviews."""
+    return (
+        text(
+            "verdict",
+            "state of the review of this revision",
+            lambda r: r.verdict,
+            required=True,
+            enum=verdicts,
+        ),
+        text("review_reason", REASON_GIVEN, lambda r: r.reason),
+        person("reviewer_id", REVIEWER, lambda r: r.reviewer),
+        moment("reviewed_at", "when it was reviewed", lambda r: r.at),
+    )
+
+
+def _review(measurement: Measurement) -> ReviewState:
+    return measurement.review
+
+
 MEASUREMENTS: Table[Measurement] = Table(
     "measurements",
     "The current revision of every measurement, with the verdict on it. Withdrawn ones are kept and marked.",
@@ -402,16 +434,7 @@ MEASUREMENTS: Table[Measurement] = Table(
         key("revision", "number of the current revision, from 1", lambda m: m.revision),
         *_MEASURED,
         *_FILMED,
-        text(
-            "verdict",
-            "state of the review of this revision",
-            lambda m: m.review.verdict,
-            required=True,
-            enum=get_args(Verdict),
-        ),
-        text("review_reason", "the reviewer's reason", lambda m: m.review.reason),
-        person("reviewer_id", "who reviewed", lambda m: m.review.reviewer),
-        moment("reviewed_at", "when it was reviewed", lambda m: m.review.at),
+        *of_part(standing_verdict(get_args(Verdict)), _review),
         text(
             "verdict_by",
             "whether a reviewer judged this measurement itself, or its lot by a sample",

@@ -17,6 +17,7 @@ from sightline.measurements.records import (
     FurtherFrame,
     Measurement,
     MeasurementValues,
+    Review,
     ReviewState,
     ScanHeight,
     ScanHeightValues,
@@ -134,6 +135,31 @@ def fetch_measurements(session: Session, query: Select[Any]) -> tuple[Measuremen
     return derived(session, tuple([measurement_of_row(row) for row in session.execute(query).all()]))
 
 
+def reviews_of_series(session: Session, condition: ColumnElement[bool]) -> tuple[Review, ...]:
+    """The reviews of the series that meet a condition, oldest first."""
+    query = (
+        select(reviews, _reviewer.c.name.label("reviewer_name"))
+        .join(measurement_series, measurement_series.c.id == reviews.c.series_id)
+        .outerjoin(_reviewer, _reviewer.c.id == reviews.c.created_by)
+        .where(condition)
+        .order_by(reviews.c.id)
+    )
+    return tuple(
+        Review(
+            id=row.id,
+            measurement_id=row.series_id,
+            revision=row.revision,
+            result_revision=row.result_revision,
+            verdict=row.verdict,
+            reason=row.reason,
+            reviewer=who(row.created_by, row.reviewer_name),
+            at=row.created_at,
+            lot_id=row.lot_id,
+        )
+        for row in session.execute(query)
+    )
+
+
 def measurements_of_vehicles(
     session: Session, conditions: Iterable[ColumnElement[bool]]
 ) -> dict[int, list[Measurement]]:
@@ -156,12 +182,14 @@ _REVIEW = ("verdict", "review_reason", "reviewer_id", "reviewer_name", "reviewed
 _Made = TypeVar("_Made", Measurement, ScanHeight)
 
 
-class _Reader(Generic[_Made]):
-    """Makes records of rows. Where each name stands in a row is asked of the statement once: looked up row by
-    row, a survey's thousands of measurements would take half as long again.
+class Reader(Generic[_Made]):
+    """Reads revisions of one kind. Where each name stands in a row is asked of the statement once: looked up
+    row by row, a survey's thousands of measurements would take half as long again.
     """
 
     def __init__(self, kind: type[_Made], values: type[Any], rows: Select[Any], *place: str) -> None:
+        #: Add the conditions and the order.
+        self.rows = rows
         at = {name: where for where, name in enumerate(rows.selected_columns.keys())}
 
         def getter(names: Iterable[str]) -> Callable[[Row[Any]], tuple[Any, ...]]:
@@ -209,7 +237,8 @@ def _review(
 
 _NOT_YET = ReviewState("to_review")
 
-measurement_of_row = _Reader(Measurement, MeasurementValues, measurement_revision_rows(), "recording_id").read
-scan_height_of_row = _Reader(
-    ScanHeight, ScanHeightValues, scan_height_rows(null()), "scan_id", "category"
-).read
+#: Both kinds: of a frame, and of a line of a line scan.
+OF_FRAMES = Reader(Measurement, MeasurementValues, measurement_revision_rows(), "recording_id")
+OF_LINES = Reader(ScanHeight, ScanHeightValues, scan_height_rows(null()), "scan_id", "category")
+measurement_of_row = OF_FRAMES.read
+scan_height_of_row = OF_LINES.read

@@ -17,6 +17,7 @@ from sightline.enums import (
     MeasurementStatus,
     Point,
     ProposalKept,
+    ReviewVerdict,
     SideBasis,
     Target,
     VehicleState,
@@ -279,6 +280,21 @@ class ReviewState:
     lot_id: Annotated[int | None, Field(description="The lot whose sample it rests on; null: its own.")] = (
         None
     )
+
+
+@dataclass(frozen=True, slots=True)
+class Review:
+    """One verdict given; `revision` is the one that was looked at."""
+
+    id: int
+    measurement_id: int
+    revision: int
+    result_revision: int
+    verdict: ReviewVerdict
+    reason: str | None
+    reviewer: Who | None
+    at: datetime
+    lot_id: int | None = None
 
 
 Content = TypeVar("Content", MeasurementValues, ScanHeightValues)

@@ -4,9 +4,9 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, fields, replace
 from datetime import datetime
 from functools import cache, partial
-from typing import Any
+from typing import Any, TypeVar
 
-from sqlalchemy import Row, Select, bindparam, insert, null, select
+from sqlalchemy import Row, Select, bindparam, insert, select
 from sqlalchemy.orm import Session
 from sqlalchemy.sql.dml import ReturningInsert
 
@@ -28,14 +28,14 @@ from sightline.measurements.ground_query import (
     standing_measurement,
 )
 from sightline.measurements.query import (
+    OF_FRAMES,
+    Reader,
     fetch_measurements,
     is_current,
     is_first,
     is_last,
     measurement_of_row,
     measurement_revision_rows,
-    scan_height_of_row,
-    scan_height_rows,
 )
 from sightline.measurements.records import (
     Measurement,
@@ -48,6 +48,7 @@ from sightline.measurements.tables import measurement_series, measurements
 from sightline.recordings.tables import recordings
 from sightline.vehicles.tables import vehicles
 
+_Made = TypeVar("_Made", Measurement, ScanHeight)
 _SOME = 500  # revisions written with one statement
 _IN_EVENTS = (
     "target",
@@ -105,10 +106,9 @@ def add_measurement(
         **place,
     )
     known = partial(_known, to_come, ground, actor)
-    made: Measurement = append_revision(
-        session, series_id, 1, values, before=None, action="create", actor=actor, known=known
+    return append_revision(
+        session, series_id, 1, values, before=None, action="create", actor=actor, made_of=known
     )
-    return made
 
 
 def add_measurements(
@@ -263,11 +263,6 @@ def _revision() -> Select[Any]:
     return _with_place().where(measurements.c.id == bindparam("of_revision"))
 
 
-@cache
-def _line_revision() -> Select[Any]:
-    return scan_height_rows(null()).where(measurements.c.id == bindparam("of_revision"))
-
-
 def _current_row(session: Session, series_id: int) -> Row[Any]:
     row = session.execute(_current(), {"of_series": series_id}).one_or_none()
     if row is None:
@@ -328,6 +323,12 @@ def require_measurement_revision(session: Session, series_id: int, revision: int
             when=when,
         )
     current = _measurement_of(row)
+    require_seen(current, revision)
+    return current
+
+
+def require_seen(current: Measurement | ScanHeight, revision: int) -> None:
+    """Raises Conflict, naming who and when, where the current revision is not the one that the caller saw."""
     if current.revision != revision:
         name = current.created_by.name if current.created_by else "The system"
         raise Conflict(
@@ -335,7 +336,6 @@ def require_measurement_revision(session: Session, series_id: int, revision: int
             name=name,
             created_at=format(current.created_at, "%Y-%m-%d %H:%M:%S"),
         )
-    return current
 
 
 def append_measurement_revision(
@@ -356,7 +356,7 @@ def append_measurement_revision(
     check_ground(ground, values)
     carried = None
     if ground.judged and not withdrawn and action != "fix":
-        carried = verdict_that_stood(session, before.id, values)
+        carried = verdict_that_stood(session, OF_FRAMES, before.id, values)
     to_come = replace(
         before,
         revision=before.revision + 1,
@@ -367,7 +367,7 @@ def append_measurement_revision(
         verdict_of_revision=None,
         judged_revision=None,
     )
-    made: Measurement = append_revision(
+    return append_revision(
         session,
         before.id,
         to_come.revision,
@@ -377,36 +377,24 @@ def append_measurement_revision(
         action=action,
         actor=actor,
         verdict_of_revision=carried,
-        # a verdict comes with it: read
-        known=None if carried is not None else partial(_known, to_come, ground, actor),
+        # a verdict that comes with it is read
+        made_of=partial(_known, to_come, ground, actor) if carried is None else partial(_as_stored, session),
     )
-    return made
 
 
 def verdict_that_stood(
-    session: Session, series_id: int, values: MeasurementValues | ScanHeightValues
+    session: Session, kind: Reader[Any], series_id: int, values: MeasurementValues | ScanHeightValues
 ) -> int | None:
     """The newest judged of the revisions with this very content: the one that its verdict was given to."""
     (contact_x, contact_y), (target_x, target_y) = values.contact, values.target_point
-    rows, record_of_row = _reading(values)
     query = (
-        rows()
-        .where(measurements.c.series_id == series_id)
+        kind.rows.where(measurements.c.series_id == series_id)
         .where(measurements.c.contact_x_px == contact_x, measurements.c.contact_y_px == contact_y)
         .where(measurements.c.target_x_px == target_x, measurements.c.target_y_px == target_y)
         .order_by(measurements.c.revision.desc())
     )
-    history = (record_of_row(row) for row in session.execute(query))
+    history = (kind.read(row) for row in session.execute(query))
     return judged_alike(history, lambda one: same_height(one.values, values), lambda one: one.judged_revision)
-
-
-def _reading(
-    values: MeasurementValues | ScanHeightValues,
-) -> tuple[Callable[[], Select[Any]], Callable[[Row[Any]], Any]]:
-    """How revisions with such values are read."""
-    if isinstance(values, ScanHeightValues):
-        return partial(scan_height_rows, null()), scan_height_of_row
-    return measurement_revision_rows, measurement_of_row
 
 
 def append_revision(
@@ -416,20 +404,20 @@ def append_revision(
     values: MeasurementValues | ScanHeightValues,
     *,
     withdrawn: bool = False,
-    before: Measurement | ScanHeight | None,
+    before: _Made | None,
     action: str,
     actor: int | None,
     verdict_of_revision: int | None = None,
-    known: Callable[[Row[Any]], Any] | None = None,
-) -> Any:
-    """Write a revision whose content was checked, with its audit event, and give it back: a Measurement or a
-    ScanHeight, as its values are. `known` tells from the row as it was stored what else would be read.
+    made_of: Callable[[Row[Any]], _Made],
+) -> _Made:
+    """Write a revision whose content was checked, with its audit event, and give it back: `made_of` its row
+    as it was stored.
     """
     stamps: dict[str, Any] = {"series_id": series_id, "revision": revision, "withdrawn": withdrawn}
     stamps["verdict_of_revision"] = verdict_of_revision
     stamps |= {"created_at": now(), "created_by": actor}
     row = session.execute(_insert_revision(), {**_row_of(values), **stamps}).one()
-    made = known(row) if known else _as_stored(session, row.id, values)
+    made = made_of(row)
     then = None if before is None else _told(before)
     after = _after(made, plain(row_content(row._mapping)))
     trail.record(session, actor, action, "measurement", series_id, made.survey_id, then, after)
@@ -543,11 +531,9 @@ def _made_again(one: ComputedAgain, row_id: int) -> Measurement | ScanHeight:
     return replace(one.before, revision_id=row_id, withdrawn=False, **new)
 
 
-def _as_stored(session: Session, revision_id: int, values: MeasurementValues | ScanHeightValues) -> Any:
+def _as_stored(session: Session, row: Row[Any]) -> Measurement:
     """A revision as the database gives it back."""
-    of_line = isinstance(values, ScanHeightValues)
-    row = session.execute(_line_revision() if of_line else _revision(), {"of_revision": revision_id}).one()
-    return scan_height_of_row(row) if of_line else _measurement_of(row)
+    return _measurement_of(session.execute(_revision(), {"of_revision": row.id}).one())
 
 
 def _require_alone(session: Session, before: Measurement, target: str) -> None:

@@ -49,6 +49,14 @@ def languages() -> tuple[str, ...]:
     return (SOURCE, *(name for name in others if name != SOURCE))
 
 
+@cache
+def decimal_sign(language: str) -> str:
+    """The sign between the units and the tenths of a number."""
+    from babel.numbers import get_decimal_symbol
+
+    return str(get_decimal_symbol(language))
+
+
 def entries(text: str) -> dict[str, str]:
     """Each message of a file by its key, as it is written there."""
     return {found[1]: found[0] for found in _ENTRY.finditer(text)}

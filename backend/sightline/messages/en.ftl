@@ -1981,13 +1981,6 @@ review-state-all = All
 review-counts = { NUMBER($accepted) } accepted, { NUMBER($rejected) } rejected of { NUMBER($count) }
 review-mine = mine
 review-line = line scan
-review-lines = { $count ->
-    [one] { $count } height of a line scan to review.
-   *[other] { NUMBER($count) } heights of line scans to review.
-}
-review-lines-left-title = Heights in line scans to review
-review-lines-left = Review them under Line scans, one after the other.
-review-lines-open = Open the next one
 review-verdict-of = verdict on { $target } of vehicle { $vehicle }
 review-verdict-reason = { $verdict }: { $reason }
 review-verdict-by = { $verdict } by { $person }
@@ -2509,7 +2502,6 @@ scan-nothing-yet-title = No vehicles yet
 scan-nothing-found = Check the strips. Add a missed vehicle with two clicks: its front and its rear.
 scan-nothing-yet = Detect vehicles to measure front, rear, speed, length and gaps automatically.
 scan-find-now = Find the vehicles
-scan-none-title = No line scan is chosen
 scan-none-choose = Choose one
 scan-on = Forward along the strips
 scan-back = Back along the strips
@@ -2750,7 +2742,7 @@ scan-references-by-time = { $number } (by time)
 scan-references-tolerance = Time tolerance
 scan-references-tolerance-hint = A line without a number is matched to the one vehicle that passed within this time.
 scan-references-tolerance-problem = Enter a number of seconds above 0, up to 60.
-scan-references-one = { $quantity } { $value }, u { $u }
+scan-references-one = { $quantity } { $value }, u = { $u }
 scan-budget-note = standard uncertainties
 scan-budget = Uncertainty budget
 scan-budget-source = Source
@@ -2771,7 +2763,6 @@ scan-revision-verdict-why = { $verdict ->
    *[reopened] { $person }, { $time }; reopened by { $reviewer }: { $reason }
 }
 scan-by-search = Sightline
-scan-by-program = Sightline
 scan-by-somebody = another user
 scan-by-nobody = nobody
 
@@ -2868,17 +2859,6 @@ scan-height-measure-again = { $target ->
     [headlight] Measure again: headlight
    *[other] Measure again: other
 }
-scan-height-verdict-mine = You clicked or computed this height, so another person reviews it.
-scan-height-verdict-done = Vehicle { $vehicle }, { $target ->
-    [roof] roof
-    [driver_eye] driver’s eye
-    [taillight] taillight
-    [headlight] headlight
-   *[other] other
-}: { $verdict ->
-    [accepted] accepted.
-   *[rejected] rejected.
-}
 scan-heights-waiting = { $count ->
     [one] { $count } height to review
    *[other] { $count } heights to review
@@ -2895,7 +2875,6 @@ scan-height-inset = Inset
 scan-height-inset-value = { $inset } (u = { $u_inset }), estimate
 scan-height-rows = Rows
 scan-height-rows-value = contact { $contact_px }, target { $target_px }
-scan-height-revision = { $height } <muted>{ $person }, { $time }</muted>
 
 ## Line scan: the rod, which calibrates the height
 
@@ -2949,13 +2928,6 @@ scan-step-height = { $target ->
     [taillight] taillight of vehicle { $vehicle }
     [headlight] headlight of vehicle { $vehicle }
    *[other] other target of vehicle { $vehicle }
-}
-scan-step-height-verdict = { $target ->
-    [roof] verdict on the roof of vehicle { $vehicle }
-    [driver_eye] verdict on the driver’s eye of vehicle { $vehicle }
-    [taillight] verdict on the taillight of vehicle { $vehicle }
-    [headlight] verdict on the headlight of vehicle { $vehicle }
-   *[other] verdict on the other height of vehicle { $vehicle }
 }
 scan-step-withdraw = { $target ->
     [roof] withdrawing the roof of vehicle { $vehicle }
@@ -3043,6 +3015,7 @@ motion-by-wheelbases = By wheelbases
 
 motion-errors-title = Error against manufacturers’ lengths and wheelbases
 motion-errors-note = with 95 % intervals
+motion-errors-scatter = The intervals show the scatter of these errors only. Wheels are clicked, and with few vehicles the errors of the clicks do not average out: they can shift a bias out of its interval.
 motion-errors-table = Errors of lengths and wheelbases
 motion-errors-of = Quantity
 motion-errors-n = n
@@ -3153,7 +3126,7 @@ flows-speed-none = No interval contains an accepted speed.
 flows-flow-by-density-of = Flow against density, { $scan }
 flows-speed-by-flow-of = Speed against flow, { $scan }
 flows-fundamental-says = Fundamental diagram: { $count } intervals with a speed.
-flows-fundamental-note = A point is an interval; open: observed only in part. Density is flow over space mean speed.
+flows-fundamental-note = Each point is an interval; open points were observed only in part. Density is flow over space mean speed.
 unit-per-hour = 1/h
 unit-per-km = 1/km
 motion-paper-title = Layout of Table I, Douxchamps et al.
@@ -3395,7 +3368,7 @@ statistics-compared-note = Differences of true heights, later survey minus earli
 statistics-rule-title = Standards: the same percentile today
 statistics-rule-standard = Standard
 statistics-rule-rule = Rule
-statistics-rule-of = P{ $percent } of { $class }
+statistics-rule-of = { $what }: P{ $percent } of { $class }
 statistics-rule-all = all vehicles (no class is known)
 statistics-rule-height = Standard ({ $unit })
 statistics-rule-today = Today ({ $unit })
@@ -3407,6 +3380,7 @@ statistics-rule-higher = higher (risk of error { $risk })
 statistics-rule-least = less than { $risk }
 statistics-rule-alike = undecided; lower with a probability of { $lower }
 statistics-rule-unknown = no verdict: { $reason }
+statistics-rule-none = No verdict on any standard yet: a percentile has an interval only with enough accepted heights. The last column states how many vehicles each one needs.
 statistics-rule-note = The percentile on which a standard is based, for today’s true heights, with its total 95 % interval. “Lower” or “higher” is stated if the risk of error is at most 2.5 % (JCGM 106).
 statistics-percentiles = Percentiles, { $target }
 statistics-percentiles-save = Percentiles as CSV
@@ -3565,8 +3539,8 @@ planning-direction = Yaw from perpendicular
 planning-sigma = Click uncertainty (u)
 planning-travel = Travel between frames
 planning-camera = Camera
-planning-calibration = { $camera }: { $calibration }
-planning-calibration-in-use = { $camera }: { $calibration } (current)
+planning-calibration = { $camera }, calibration { $id } of { $day }
+planning-calibration-in-use = { $camera }, calibration { $id } of { $day } (current)
 planning-calibration-unknown = calibration { $id }
 planning-camera-plain = A camera without a calibration
 planning-number-problem = Enter a number.
@@ -4388,27 +4362,27 @@ measurements-proposals-not-these = These points are out of date: the suggestions
 ## Heights: why there is none, and what to know of one; what is followed and suggested (kept by code)
 
 height-click-not-finite = A click coordinate is not a finite number.
-height-contact-outside-picture = The contact point lies outside the picture.
-height-target-outside-picture = The target point lies outside the picture.
-height-contact-outside-lens = The contact point lies outside the lens model's valid radius, so its direction is unknown.
-height-target-outside-lens = The target point lies outside the lens model's valid radius, so its direction is unknown.
+height-contact-outside-picture = The contact point lies outside the frame.
+height-target-outside-picture = The target point lies outside the frame.
+height-contact-outside-lens = The contact point lies outside the lens model’s valid radius, so its direction is unknown.
+height-target-outside-lens = The target point lies outside the lens model’s valid radius, so its direction is unknown.
 height-camera-below-road = The pose puts the camera on or below the road; compute the camera pose again.
 height-contact-above-horizon = The contact point lies at or above the horizon, where there is no road.
 height-contact-behind-camera = The contact point lies behind the plane of the camera, as seen across the road.
 height-plane-edge-on = The side plane through the contact point is seen nearly edge-on.
-height-target-no-crossing = The target's ray never meets the side plane in front of the camera.
+height-target-no-crossing = The line of sight to the target does not meet the side plane in front of the camera.
 height-target-below-road = The target lies on or below the road; were contact and target swapped?
 height-u-not-valid = A click uncertainty, inset or inset uncertainty is not a finite number, or an uncertainty is negative.
-height-side-unknown = The driver's side (near or far) is not set, and the height of the eye depends on it; set it.
+height-side-unknown = The driver’s side (near or far) is not set, and the height of the eye depends on it; set it.
 line-height-extrapolated = A click lies outside the rows covered by the marks, so the pose is extrapolated.
 line-height-click-no-number = A click is not a number.
 line-height-contact-above-horizon = The contact is at or above the horizon, where there is no road; click the tyre contact.
 line-height-target-below-contact = The target is not above the contact; click the contact first, then the target.
 line-height-target-behind-camera = The inset puts the target behind the camera.
-line-height-beside-vehicle = A click lies outside the vehicle's front and rear; it may belong to another vehicle.
+line-height-beside-vehicle = A click lies outside the vehicle’s front and rear; it may belong to another vehicle.
 height-inset-implausible = The computed inset of { NUMBER($inset_m, minimumFractionDigits: 2, maximumFractionDigits: 2) } m is not plausible for a road vehicle ({ $low_m } to { $high_m } m): contact and target must be the same points in every frame.
 height-no-board-in-picture = The whole board does not fit in the image, so the camera pose cannot be computed.
-height-picture-too-narrow = The picture shows contact and target over { NUMBER($shown_m, minimumFractionDigits: 1, maximumFractionDigits: 1) } m of the wheel path only, so they cannot be clicked twice with { $travel_m } m between.
+height-picture-too-narrow = The frame shows contact and target over { NUMBER($shown_m, minimumFractionDigits: 1, maximumFractionDigits: 1) } m of the wheel path only, so they cannot be clicked twice with { $travel_m } m between.
 height-frames-too-few = Contact and target are needed in at least two frames.
 height-of-frame = Frame { $frame } of { $frames }: { $reason }
 height-travel-short = The vehicle moved only { NUMBER($travel_m, minimumFractionDigits: 2, maximumFractionDigits: 2) } m between the frames; choose frames further apart.
@@ -4418,7 +4392,7 @@ height-no-clicks = Contact and target give no height.
 height-pass-empty = No point was followed; confirm contact and target on one frame first.
 height-pass-not-finite = A followed point, its time or its uncertainty is not a finite number.
 height-pass-u-not-positive = The uncertainty of a followed point is not positive; state it in pixels.
-height-pass-statement-not-valid = A number that describes the following is negative or not finite.
+height-pass-statement-not-valid = An exposure, a row time or an uncertainty of the following is negative or not finite.
 height-pass-point-twice = A point is given twice on one frame; give each once.
 height-pass-few-frames = The { $point ->
         [contact] contact
@@ -4435,19 +4409,19 @@ height-pass-disagrees = The followed points do not fit one moving vehicle; follo
 height-pass-inset-undetermined = The frames do not determine the inset; follow the points over a longer distance.
 height-pass-most-excluded = { $dropped } of { $points } followed points were excluded; follow them again from a clearer frame.
 height-flag-plane-oblique = The side plane is seen at less than 10 degrees.
-height-flag-lens-edge = A click lies near the edge of what the lens model can invert.
-height-flag-far-from-board = The vehicle is at a very different distance than the board was.
+height-flag-lens-edge = A click is near the edge of the lens model’s valid radius.
+height-flag-far-from-board = The vehicle’s distance differs strongly from the board’s.
 height-flag-u-large = The 95 % interval is approximate: u is above 30 mm.
 height-flag-no-u-of-lens-and-pose = The uncertainty of lens and pose is unknown and not included.
 height-flag-no-u-of-lens = The uncertainty of the lens is unknown; only what the pose file states is included.
 height-flag-no-board = The board is unknown, so its tilt, height, square size and bow are not included in the uncertainty.
-height-flag-no-square-size = The pose does not state the board's square size; not included in the uncertainty.
-height-flag-no-bow = The pose does not state the board's bow; not included in the uncertainty.
-height-flag-no-square-size-and-bow = The pose does not state the board's square size and bow; not included in the uncertainty.
+height-flag-no-square-size = The pose does not state the board’s square size; not included in the uncertainty.
+height-flag-no-bow = The pose does not state the board’s bow; not included in the uncertainty.
+height-flag-no-square-size-and-bow = The pose does not state the board’s square size and bow; not included in the uncertainty.
 height-flag-clicks-misfit = The clicks do not fit straight, level travel; check that the same points were clicked in every frame.
 height-flag-inset-weak = The frames are too close together to determine the inset well.
 height-flag-pass-misfit = The followed points deviate from straight, level travel by more than their uncertainty.
-height-flag-side-from-place = The pass has no direction; the driver's side follows from the camera's place in the median, past which all traffic runs one way.
+height-flag-side-from-place = The pass has no direction; the driver’s side follows from the camera’s place in the median, past which all traffic runs one way.
 height-flag-camera-moved = The camera moved { NUMBER($moved_px, minimumFractionDigits: 1, maximumFractionDigits: 1) } px after the pose was computed; compute a new pose for this part, or decide to keep the old one.
 height-flag-camera-moved-by = The camera moved { NUMBER($moved_px, minimumFractionDigits: 1, maximumFractionDigits: 1) } px after the pose was computed (height error up to { SMALL($error_m, digits: 0) }); compute a new pose for this part, or decide to keep the old one.
 height-flag-inset-zero = inset taken as 0
@@ -4462,7 +4436,7 @@ second-frame-not-shown = No other frame of the pass shows both points; use a sin
 second-frame-no-gain = A second frame does not help: { SMALL($now_m, digits: 0) } now, { SMALL($then_m, digits: 0) } with it.
 followed-off = It is { NUMBER($off_px, minimumFractionDigits: 1, maximumFractionDigits: 1) } px from the position given by the other frames, { NUMBER($times, minimumFractionDigits: 1, maximumFractionDigits: 1) } times its uncertainty.
 followed-outside-picture = It lies outside the frame.
-followed-outside-lens = It lies outside the lens model's valid radius.
+followed-outside-lens = It lies outside the lens model’s valid radius.
 followed-above-horizon = It lies at or above the horizon, where there is no road.
 followed-left-picture = It has left the frame.
 followed-lost = It was lost: nothing is found where speed and camera pose place it.
@@ -4507,7 +4481,10 @@ drift-moved-height = { $how ->
     [before] The camera had already moved
    *[drifted] The camera drifted
  } at { $clock } (frame { $frame }) by { NUMBER($moved_px, minimumFractionDigits: 1, maximumFractionDigits: 1) } px (height error up to { SMALL($error_m, digits: 0) }), frames { $first } to { $last }.
-drift-more = { $count } more movements.
+drift-more = { $count ->
+    [one] { $count } more movement.
+   *[other] { $count } more movements.
+  }
 drift-few-points = Only { $count } background points were found again, or all of them in one part of the frame; it is too dark, covered, or another view.
 drift-no-frame = No frame was checked.
 drift-no-such-frame = The recording has no such frame.
@@ -5161,6 +5138,7 @@ results-no-survey-may-been-removed = There is no survey { $survey_id }; it may h
 ## Errors: reviews
 
 reviews-fix-needs-both-points-contact-target = A correction needs both points, contact and target; click them and send them along.
+reviews-line-scan-not-fixed = A height of a line scan is not corrected in the review; reject it, or measure it again under Line scans.
 reviews-only-fix-carries-points-leave-them = Only a correction carries points; leave them out or choose the verdict fixed.
 reviews-measurement-withdrawn-nothing-review = This measurement is withdrawn; there is nothing to review.
 reviews-repeat-not-reviewed-review-measurement-repeats = A repeat is not reviewed; review the measurement that it repeats.
@@ -5239,8 +5217,6 @@ scans-nothing-camera-2s-strip-looks-like = Nothing in the strip of camera 2 look
 scans-vehicle-no-speed-needs-reason-why = A vehicle without a speed needs a reason; measure it again.
 scans-vehicle-measured-again-meanwhile-look-newer = This vehicle was measured again meanwhile; check the newer result.
 scans-nobody-reviews-boundaries-they-placed-themselves = You cannot review boundaries that you placed; ask another reviewer.
-scans-height-measured-again-meanwhile-look-newer = This height was measured again meanwhile; check the newer result.
-scans-height-without-figure-nothing-review = This height was withdrawn or has no value, so there is nothing to review.
 scans-camera-2-needs-both-lines-front = Camera 2 needs both lines, front and rear, or none; send both or leave both out.
 scans-wheelbase-needs-both-wheels-send-both = A wheelbase needs both wheels; send both lines, or none to remove them.
 scans-vehicle-not-deleted-nothing-restore = This vehicle was not deleted, so there is nothing to restore.
@@ -5337,6 +5313,9 @@ request-value-cannot-be-used = The value "{ $name }" of the { $place } cannot be
 request-nothing-there = There is nothing at { $path }; check the address.
 request-bad-method = { $method } is not possible at { $path }; see /docs for the methods there.
 request-refused = { $detail }; correct it and try again.
+request-done-before = This request was stored when it was first sent, and its answer is not kept; read what there is now.
+request-key-malformed = An Idempotency-Key has 1 to 100 letters, digits, dots, colons or hyphens; send a new UUID for each write.
+request-key-of-another = The Idempotency-Key { $key } was sent before with another request; make a new key for each write.
 request-value-not-storable = A value in the request cannot be stored; correct it and send it again.
 server-something-went-wrong = Something went wrong on the server and nothing was saved; see the server’s log.
 
@@ -5938,6 +5917,253 @@ opened-pair-frame = Recording and frame
 opened-pair-pose = Camera pose
 opened-pair-u = u from { $source }, m
 
+## What the columns mean that a package's page explains, as the tables say it
+
+column-measurements-id = measurement (a series of revisions)
+column-measurements-revision = number of the current revision, from 1
+column-measurements-vehicle-id = vehicle that was measured
+column-measurements-recording-id = recording in which the points were clicked
+column-measurements-target = what was measured
+column-measurements-frame = frame number: the n-th decoded frame, from 0
+column-measurements-pts = presentation time stamp of that frame, in the stream's own time base
+column-measurements-time-s = time of that frame from the start of the stream
+column-measurements-frame-crc32 = CRC-32 of the decoded luma of that frame: proof of what was clicked on
+column-measurements-contact-x-px = where the tyre meets the road, x to the right; (0, 0) is the centre of the top-left pixel
+column-measurements-contact-y-px = where the tyre meets the road, y down; (0, 0) is the centre of the top-left pixel
+column-measurements-target-x-px = the target point, x to the right; (0, 0) is the centre of the top-left pixel
+column-measurements-target-y-px = the target point, y down; (0, 0) is the centre of the top-left pixel
+column-measurements-sigma-px = standard uncertainty of each coordinate of each click
+column-measurements-made = how the points on `frame` were set: clicked: by hand (the contact may be a proposed one where no target was proposed); snapped: the contact moved from a click to the tyre found there; confirmed: as proposed; moved: from proposed or found points (contact or target), at least one of which a person placed
+column-measurements-snapped-from-x-px = where a person clicked before the contact went to the tyre found there, x to the right; (0, 0) is the centre of the top-left pixel
+column-measurements-snapped-from-y-px = where a person clicked before the contact went to the tyre found there, y down; (0, 0) is the centre of the top-left pixel
+column-measurements-proposal = whether contact and target were proposed on `frame` when it was measured: shown, or withheld: the vehicle was drawn to be measured free; empty where one of them was not proposed
+column-measurements-proposed-contact-x-px = where the contact was proposed, x to the right; it counts for no height; (0, 0) is the centre of the top-left pixel
+column-measurements-proposed-contact-y-px = where the contact was proposed, y down; it counts for no height; (0, 0) is the centre of the top-left pixel
+column-measurements-proposed-target-x-px = where the target was proposed, x to the right; it counts for no height; (0, 0) is the centre of the top-left pixel
+column-measurements-proposed-target-y-px = where the target was proposed, y down; it counts for no height; (0, 0) is the centre of the top-left pixel
+column-measurements-pose-id = camera pose used
+column-measurements-calibration-id = calibration behind that pose
+column-measurements-inset-m = inset: distance from the vertical plane through the contact point to the target, along road Y
+column-measurements-u-inset-m = standard uncertainty of the inset (k = 1)
+column-measurements-side = of an eye: on which side of the vehicle, as the camera sees it, the driver sits
+column-measurements-side-from = source of the side: entered for this vehicle, its direction, or the lane next to the camera
+column-measurements-inset-from = whether the inset is the survey's usual one or this measurement's own
+column-measurements-frames = on how many frames the points were clicked, or followed through a whole pass
+column-measurements-frame-n = number of frame { $frame } that the points were clicked on
+column-measurements-contact-n-x-px = the same tyre contact on frame { $frame } of the measurement, x
+column-measurements-contact-n-y-px = the same tyre contact on frame { $frame } of the measurement, y
+column-measurements-target-n-x-px = the same target point on frame { $frame } of the measurement, x
+column-measurements-target-n-y-px = the same target point on frame { $frame } of the measurement, y
+column-measurements-followed = of a whole pass: JSON of the points followed from those on `frame` (docs/formats.md); height_m is then that of all of them
+column-measurements-solved-inset-m = the inset found from several frames or a whole pass; inset_m is then not used for height_m, of a whole pass only as what is known beforehand
+column-measurements-u-solved-inset-m = standard uncertainty of the inset found (k = 1)
+column-measurements-height-m = height of the target above the road along its normal, corrected for the inset
+column-measurements-uncorrected-height-m = the first frame's height with an inset of 0 (the paper's assumption)
+column-measurements-u-height-m = standard uncertainty of height_m (k = 1)
+column-measurements-u95-height-m = half-width of the 95 % interval of height_m
+column-measurements-x-m = contact point along the road, from the pose's origin (X)
+column-measurements-y-m = contact point across the road, away from the camera (Y)
+column-measurements-u-clicks-m = component of u_height_m from the clicks, which no other height shares
+column-measurements-u-by-inset-m = component of u_height_m from the assumed inset; the remaining component is that of the camera pose
+column-measurements-distance-m = from the camera's centre to the contact point
+column-measurements-status = whether there is a height
+column-measurements-reason = why there is no height
+column-measurements-reason-code = reason by code and values (JSON)
+column-measurements-flags = warnings on this height, separated by semicolons
+column-measurements-flags-code = flags by code and values (JSON)
+column-measurements-code-version = version of the program that computed the height
+column-measurements-created-by-id = who clicked the points
+column-measurements-created-at = when the revision was stored (ISO 8601, UTC)
+column-measurements-withdrawn = true if the measurement was withdrawn
+column-measurements-computing-id = what computed the revision again, with the clicks of the revision before
+column-measurements-verdict-of-revision = the revision before it whose verdict holds for this one too: computed again, it moved by no more than its u, or its points were put back where they were
+column-measurements-filmed-at = when that frame was filmed, by the clocks of the place (ISO 8601 with offset): started_at of its recording and time_s; empty while nobody has confirmed that start
+column-measurements-verdict = state of the review of this revision
+column-measurements-review-reason = the reviewer's reason
+column-measurements-reviewer-id = who reviewed
+column-measurements-reviewed-at = when it was reviewed (ISO 8601, UTC)
+column-measurements-verdict-by = whether a reviewer judged this measurement itself, or its lot by a sample
+column-measurements-lot-id = of a verdict by lot: the lot
+column-measurements-out-of-date = why the height is out of date, separated by semicolons: pose, inset or side where it follows from another recording's road pose, another usual inset or another side of the driver than holds now in this package; empty: it is not. Compute the heights again in the survey and export it anew
+column-budget-measurement-id = measurement
+column-budget-source = source of uncertainty
+column-budget-u-m = its contribution to the standard uncertainty of the height
+column-survey-id = survey, in the database that it comes from
+column-survey-name = name of the survey
+column-survey-site = where it was filmed; a study takes surveys of one site as one cluster
+column-survey-description = description of the survey
+column-survey-simulated = true: invented; no value of it describes real roads
+column-survey-latitude-deg = latitude (WGS84), north positive
+column-survey-longitude-deg = longitude (WGS84), east positive
+column-survey-road-class = class of the road, in words
+column-survey-lane = measured lane, in words
+column-survey-travel-direction = travel direction, in words
+column-survey-speed-limit-mps = speed limit
+column-survey-street-lamps = whether the road has street lamps
+column-survey-time-zone = time zone of the site (IANA)
+column-vehicles-id = vehicle
+column-vehicles-number = its number within the survey
+column-vehicles-recording-id = recording it passes in
+column-vehicles-first-frame = first frame of the pass
+column-vehicles-last-frame = last frame of the pass
+column-vehicles-best-frame = frame proposed for measuring
+column-vehicles-make = manufacturer
+column-vehicles-model = model
+column-vehicles-year = model year
+column-vehicles-model-chosen-by = size: the model was chosen because it fits what was measured, so no height known of the vehicle is a reference; seen: it was then recognised on the vehicle; empty: neither
+column-vehicles-model-sizes = of a model chosen by size: by which sizes, a space between them
+column-vehicles-category = kind of body
+column-vehicles-manufacturer-height-m = manufacturer's overall height
+column-vehicles-u-manufacturer-height-m = standard uncertainty of that height (k = 1)
+column-vehicles-height-source = where that height comes from
+column-vehicles-known-driver-eye-m = height of its driver eye that was known before it was measured
+column-vehicles-known-taillight-m = height of its taillight that was known before it was measured
+column-vehicles-known-headlight-m = height of its headlight that was known before it was measured
+column-vehicles-known-other-m = height of its mark that was known before it was measured
+column-vehicles-check-target = there to check the measuring: own rows in errors_by_target.csv, no vehicle of the traffic
+column-vehicles-lighting = light at the time of the pass
+column-vehicles-direction = travel direction in the image
+column-vehicles-driver-side = side of the driver as entered, seen from the camera; empty: it follows from the direction
+column-vehicles-roof-not-visible = why the roof cannot be measured of this vehicle; empty where it can
+column-vehicles-driver-eye-not-visible = why the driver eye cannot be measured of this vehicle; empty where it can
+column-vehicles-taillight-not-visible = why the taillight cannot be measured of this vehicle; empty where it can
+column-vehicles-headlight-not-visible = why the headlight cannot be measured of this vehicle; empty where it can
+column-vehicles-filmed-at = when its first frame was filmed, by the clocks of the place (ISO 8601 with offset): started_at of its recording and first_frame, frames as long as on average; empty while nobody has confirmed that start
+column-vehicles-in-sample = whether the rule of sampling.csv takes it
+column-vehicles-counts = whether its heights count in results: no check target, and in the sample, unless sampling.csv counts others too
+column-vehicles-discarded = why it is no pass of a vehicle to be measured; empty where it is one
+column-vehicles-notes = remarks
+column-vehicles-state = how far the work on it is, by what the survey asks for
+column-recordings-id = recording
+column-recordings-name = name of the file
+column-recordings-sha256 = SHA-256 of the file
+column-recordings-size-bytes = size of the file
+column-recordings-width-px = width of a frame
+column-recordings-height-px = height of a frame
+column-recordings-frame-count = number of decoded frames
+column-recordings-duration-s = time from the first frame to the end of the last
+column-recordings-codec = codec of the video stream
+column-recordings-container = container of the file
+column-recordings-variable-rate = true where the time between frames varies
+column-recordings-stream-number = which of the file's pictures was read, where it has several
+column-recordings-filmed-hz = frames per second when it was filmed, where a person had to state it
+column-recordings-lighting = light in the recording
+column-recordings-started-at = when its first frame was filmed, as a person confirmed, by the clocks of the place (ISO 8601 with offset)
+column-recordings-time-zone = time zone of these times (IANA)
+column-recordings-weather = weather, in words
+column-recordings-street-lighting = whether street lamps were lit
+column-recordings-camera-id = camera that made it
+column-recordings-pose-id = current camera pose
+column-recordings-drift-state = whether the camera moved since that pose
+column-recordings-drift-floor-px = detection limit of camera movement
+column-recordings-drift-moved-px = largest motion found, where it moved
+column-recordings-drift-height-m = by how much heights are off at most for it
+column-recordings-drift-checked-at = when that was looked at (ISO 8601, UTC)
+column-recordings-drift-decision = reason for keeping the pose although the camera moved
+column-recordings-drift-decided-by-id = who decided that
+column-recordings-drift-decided-at = when that was decided (ISO 8601, UTC)
+column-poses-id = camera pose
+column-poses-recording-id = recording in which the board stood on the road
+column-poses-calibration-id = calibration it was solved with
+column-poses-first-frame = first frame of the board's segment
+column-poses-last-frame = last frame of the board's segment
+column-poses-frames-used = frames that entered the solution
+column-poses-rms-px = root of the mean squared distance of the corners
+column-poses-board-distance-m = from the camera's centre to the board
+column-poses-board-columns = inner corners in a row of the board
+column-poses-board-rows = rows of inner corners
+column-poses-square-m = side of a square
+column-poses-reference = row of inner corners whose height was measured
+column-poses-reference-height-m = height of that row above the road
+column-poses-u-lean-rad = standard uncertainty of the board's lean (k = 1)
+column-poses-u-square-m = standard uncertainty of the side of a square (k = 1)
+column-poses-u-bow-m = standard uncertainty of the board's middle out of plane (k = 1)
+column-poses-turned-from = the pose that this one was, before it was turned to the traffic
+column-poses-turned-by-rad = by how much it was turned about the road's normal
+column-poses-adjusted-from = the pose that this one was, before it was adjusted by its traffic (account: its document)
+column-poses-document = the pose as a file of this package (sightline-pose-1)
+column-poses-created-by-id = who made it
+column-poses-created-at = when it was made (ISO 8601, UTC)
+column-insets-target = what is measured; of a driver's eye for the driver on the near or on the far side
+column-insets-note = where the figure comes from
+column-selection-by = what is chosen by
+column-selection-word = the lighting, set of classes, class, day, or hour of the day by the clocks of the place
+column-people-id = person
+column-people-name = name
+column-crops-k = which of the measurement's frames, from 1
+column-crops-file = the crop in this package
+column-crops-overlay = the same with its points, as SVG
+column-crops-sha256 = SHA-256 of the crop
+column-crops-x-px = column of the frame in which the crop begins
+column-crops-y-px = row of the frame in which the crop begins
+column-crops-width-px = width of the crop
+column-crops-height-px = height of the crop
+column-crops-contact-x-px = where the tyre meets the road, in the crop, x to the right; (0, 0) is the centre of the crop's top-left pixel
+column-crops-contact-y-px = where the tyre meets the road, in the crop, y down; (0, 0) is the centre of the crop's top-left pixel
+column-crops-target-x-px = the target point, in the crop, x to the right; (0, 0) is the centre of the crop's top-left pixel
+column-crops-target-y-px = the target point, in the crop, y down; (0, 0) is the centre of the crop's top-left pixel
+column-crops-reason = why there is no crop
+column-exclusions-measurement-id = excluded measurement
+column-exclusions-state = state for which it is excluded
+column-exclusions-reason = the reason in words
+column-exclusions-reason-code = of a height that is missing: why, by code and values (JSON)
+column-response-lighting = all, daytime, low_light, or unknown
+column-response-class-set = all, a set of classes (classes.csv), or none
+column-response-target = what is asked for; empty: the vehicle as a whole
+column-response-passes = passes found
+column-response-discarded = of them discarded (vehicles.csv says why)
+column-response-out-of-sample = of them out of the sample
+column-response-in-sample = of them in the sample
+column-response-measured = of the sample measured
+column-response-not-visible = of the sample not visible
+column-response-open = of the sample open
+column-response-outside = measured though out of the sample
+column-response-rate = response rate: measured over in_sample
+column-response-low = lower end of its exact 95 % interval
+column-response-high = upper end of its exact 95 % interval
+column-error-table-heights = inset: heights corrected by each measurement's inset; as_in_the_paper: with an inset of 0, both heights of an error to whole centimetres
+column-error-table-rounding = cm: both heights to whole centimetres as the paper does; none: not rounded
+column-error-table-group = group
+column-error-table-figure = name of the value
+column-error-table-n = number of measurements
+column-error-table-value = value
+column-error-table-low = lower end of its 95 % interval
+column-error-table-high = upper end of its 95 % interval
+column-error-table-holds = components of its interval, separated by spaces
+column-error-table-reason = why a value or its interval is missing
+column-agreement-figure = which figure; _m: metres
+column-corrections-correction = which correction of the heights (corrections.csv says what was done)
+column-corrections-mean-m = mean of the corrected heights
+column-corrections-sd-m = standard deviation of the corrected heights (n - 1)
+column-corrections-words = description of the correction
+column-corrections-warning = warning
+column-percentiles-grouping = what divides the measurements; all: nothing
+column-percentiles-percent = which percentile
+column-percentiles-height-m = the percentile
+column-total-uncertainty-percent = of a percentile: which
+column-total-uncertainty-limit-m = of a share: below which height
+column-total-uncertainty-value = the figure: a height or SD in metres, a share from 0 to 1
+column-total-uncertainty-raw-m = of a percentile: the plain one of the measured heights
+column-total-uncertainty-holds = components of the interval, separated by spaces
+column-same-rule-what = what the standard's height is of
+column-same-rule-standard = name of the standard
+column-same-rule-standard-m = the standard's height
+column-same-rule-percent = the percentile of its rule
+column-same-rule-class = of which vehicles, as the standard says
+column-same-rule-by-class = false: no class is known, all vehicles count
+column-same-rule-height-m = the same percentile today, of true heights
+column-same-rule-low-m = lower end of its total 95 % interval
+column-same-rule-high-m = upper end of its total 95 % interval
+column-same-rule-difference-m = today's percentile minus the standard's height
+column-same-rule-lower = probability that today's percentile is below the standard's height
+column-same-rule-verdict = verdict
+column-same-rule-risk = probability that the verdict is wrong
+column-shares-source = where the standard's value is from
+column-shares-below = number of heights below it
+column-shares-share = share of the heights below: below divided by n
+column-lateral-positions-lane = travel direction in the image; empty: all
+column-lateral-positions-class = body of the vehicles; empty: all
+
 ## The page of an evidence file: opened without a server, by somebody who has nothing else
 
 opened-evidence-unreadable = This page cannot read its data: the file was truncated or changed.
@@ -6035,6 +6261,21 @@ opened-evidence-strips-size = { $name }: { NUMBER($lines) } lines of { $rows } r
 opened-evidence-strip = SHA-256 of the stored strip of camera { $camera }
 opened-evidence-audit = Audit trail
 opened-evidence-audit-end = Chain { $chain } had { NUMBER($count) } events when this file was made. Its last hash was
+opened-evidence-event = { $entity ->
+    [scan_measurement] Motion { $number }
+    [scan_review] Verdict { $number }
+   *[scan] Recording { $number }
+  }: { $action ->
+    [create] created
+    [read] read
+    [recorded] recorded
+    [reading_failed] could not be read
+    [restart_reading] read again
+    [review] reviewed
+    [swap_cameras] cameras swapped
+   *[update] changed
+  }
+opened-evidence-pair = { $first }; { $second }
 opened-evidence-event-number = No.
 opened-evidence-event-at = At (UTC)
 opened-evidence-event-what = Event
@@ -6185,7 +6426,7 @@ reference-times-need-start = { $name } has times, but the start of this line sca
 reference-times-later = The times of { $count } lines are { $off_s } s later (median) than those of their vehicles.
 reference-times-earlier = The times of { $count } lines are { $off_s } s earlier (median) than those of their vehicles.
 reference-times-start = The start of this line scan is known to ± { $U95_s } s only, more than the tolerance of { $tolerance_s } s: a line may fit a neighbour. Check the pairs.
-reference-line-replaces = Replaces the { $quantity } { $value } { $unit } (u { $u } { $unit }).
+reference-line-replaces = Replaces the { $quantity } { $value } { $unit } (u = { $u } { $unit }).
 reference-line-renames = Was a run of { $car }.
 reference-car-too-long = The car’s name is longer than 100 characters; shorten it.
 scans-reference-does-not-follow = { $path }: { $name } of row { $number } does not follow from the reference and the vehicle’s own value.
@@ -6195,7 +6436,7 @@ scan-motion-lane-unknown = The lane is not known ({ $why }): the uncertainties h
 scan-lane-no-wheel = no wheel was found that tells the lane
 scan-lane-not-this-way = no lane of the rig has this direction
 scan-lane-other-rows = its tyres meet the road at row { $row }, { $lanes ->
-    [0] in no lane's rows
+    [0] in no lane’s rows
    *[other] in the rows of several lanes
  }
 scan-gap-lane-unknown = Its lane is not known, so the vehicle in front of it is not known either.
@@ -6243,7 +6484,7 @@ scan-wheelbase-one-wheel = Click the hubs of two different wheels.
 scan-wheelbase-at-rest = By its fitted motion the vehicle was at rest at one of the clicks.
 scan-run-none-found = No vehicle was found; check the strips, and that time runs along the chosen axis.
 scan-run-swapped = { $reversed } of { $found } vehicles reached the second strip first; if traffic does not run that way here, the strips are swapped.
-scan-run-alone = { $alone } times something passed only one camera: check that both show the same lane, and check baseline and line rate.
+scan-run-alone = { $alone } objects passed only one camera: check that both show the same lane, and check baseline and line rate.
 scan-run-light-changed = The brightness changed suddenly { $count ->
     [one] once
    *[other] { $count } times
@@ -6258,10 +6499,6 @@ scan-run-flicker = The light at camera { $camera } flickers by { $percent } %, a
 scan-run-saturated = { $percent } % of the image of camera { $camera } is saturated; reduce the exposure.
 rig-misalignments-scatter = The misalignment differs between vehicles by { NUMBER($sd_px, minimumFractionDigits: 2, maximumFractionDigits: 2) } px (standard deviation); check whether a camera moved.
 rig-few-known = { $count } known vehicles are too few; { $least } are needed.
-rig-sizes-differ = Measured vehicles are { NUMBER($percent, minimumFractionDigits: 2, maximumFractionDigits: 2) } % { $than ->
-    [longer] longer
-   *[shorter] shorter
- } than known. Check the baseline; shadows can also add length.
 rig-misalignment-given = The misalignment was entered, so the estimates of the vehicles depend on it; leave it empty and measure again to have it estimated.
 rig-baseline-off = { $count } { $of ->
     [length] lengths
@@ -6269,7 +6506,7 @@ rig-baseline-off = { $count } { $of ->
  } of known vehicles measure { NUMBER($percent, minimumFractionDigits: 2, maximumFractionDigits: 2) } % { $than ->
     [longer] longer
    *[shorter] shorter
- } than they are (u { NUMBER($u_percent, minimumFractionDigits: 2, maximumFractionDigits: 2) } %): a { $than ->
+ } than they are (u = { NUMBER($u_percent, minimumFractionDigits: 2, maximumFractionDigits: 2) } %): a { $than ->
     [longer] shorter
    *[shorter] longer
  } baseline would fit. Check the baseline.{ $of ->
@@ -6286,7 +6523,7 @@ stream-lines-lost = { $count } lines of camera { $camera } were lost and replace
 stream-vehicles-wait = { $message } { $waiting } vehicles wait to be stored in the survey.
 stream-stopped = The previous run was stopped after { $lines } lines (segment { $number }, last contact { $last_at } UTC). Its vehicles are kept; missing are the { NUMBER($gap_s, minimumFractionDigits: 1, maximumFractionDigits: 1) } s (about { $gap_lines } lines) since then, and the vehicle that was in view.
 stream-resumed = The previous run was stopped; it is resumed at line { $begin } of { $name }, and nothing is missing.
-stream-clock-set = The computer's clock was set by { NUMBER($jump_s, minimumFractionDigits: 1, maximumFractionDigits: 1) } s at line { $lines }; speeds, lengths and gaps are not affected, and times of day continue from the start of this segment.
+stream-clock-set = The computer’s clock was set by { NUMBER($jump_s, minimumFractionDigits: 1, maximumFractionDigits: 1) } s at line { $lines }; speeds, lengths and gaps are not affected, and times of day continue from the start of this segment.
 stream-lines-not-stored = Later lines could not be stored ({ $strerror }); they were measured nevertheless.
 stream-journal-not-written = The journal could not be written ({ $strerror }).
 stream-lines-stored = { $kept } lines are stored in { $path }.
@@ -6300,42 +6537,321 @@ scan-motion-not-finite = The computed { $what ->
    *[acceleration] acceleration
  } is not a number: check the boundaries, the baseline and the line rate.
 
+## Said: boards, calibrations, camera poses and the traffic's say on them
+
+board-not-found = No board was found.
+board-search-stopped = The search was stopped.
+board-none = No board of { $columns }x{ $rows } inner corners was found; show the whole board with its white margin, sharp and evenly lit, and count the inner corners.
+board-none-in-time = No board of { $columns }x{ $rows } inner corners was found before the time limit of the search; show the whole board with its white margin, sharp and evenly lit, and count the inner corners.
+board-cut-off = The board is cut off by the edge of the image; show the whole board.
+board-squares-tiny = The squares are smaller than 3 px; bring the board closer or use larger squares.
+board-markers-tiny = The squares are smaller than 3 px; bring the board closer.
+board-no-checkerboard = The pattern found does not consist of alternating squares.
+board-picture-too-small = The image is too small to contain a board.
+board-none-with-markers = No ChArUco board of { $columns }x{ $rows } inner corners with { $dictionary } markers was found, or too little of it; it must be sharp and of that dictionary.
+board-goes-on = The board continues { $side ->
+    [left] to the left
+    [right] to the right
+    [above] above
+   *[below] below
+ } beyond { $columns }x{ $rows } inner corners; count its inner corners again.
+board-corners-uneven = The corners found do not form an even grid; something covers the board or it is not flat.
+board-moved-far = The board moved too far between two frames.
+board-no-frame = No frame was given.
+board-corners-few = At most { $parts } of its { $whole } corners were found; show the whole board.
+board-order = Corners are numbered from the top left as seen, along the rows to the right and then down.
+board-order-part = { $seen } of its { $all } corners are visible: enough for a calibration; a camera pose needs all of them.
+board-order-turned = The board is rotated: { $columns } columns by { $rows } rows as seen, not as entered.
+pose-frames-without-board = The board was not found in { $missed } of the frames; these are not used.
+pose-frames-moved = Board or camera moved in some of the frames; only frames at rest are used.
+pose-corners-miss-model = The corners fit the model to { NUMBER($rms_px, minimumFractionDigits: 2, maximumFractionDigits: 2) } px only; the board may be bent or the lens calibration poor.
+pose-two-fit = Two poses fit the board almost equally well; turn it by some 30 degrees or bring it closer.
+pose-squares-small = The squares are small in the image; bring the board closer.
+pose-board-rolled = The board appears rolled by { $roll_deg } degrees; check that columns and rows were not exchanged.
+pose-one-frame = Only one frame is used, so it is not checked that the board was at rest.
+pose-road-turned = Rotated by { NUMBER($heading_deg, minimumFractionDigits: 2, maximumFractionDigits: 2) } degrees to the travel direction.
+pose-turned-by-vehicles = Rotated by { NUMBER($turn_deg, minimumFractionDigits: 2, maximumFractionDigits: 2) }° to the direction of { $vehicles } vehicles.
+pose-adjusted-by-passes = Adjusted by { $passes } passes of known wheelbase or height.
+pose-before = The previous pose is number { $pose }.
+pose-simulated = Simulated.
+pose-board-distance = The board was { NUMBER($distance_m, minimumFractionDigits: 2, maximumFractionDigits: 2) } m from the camera.
+pose-camera-height = The camera is { NUMBER($height_m, minimumFractionDigits: 2, maximumFractionDigits: 2) } m above the road.
+pose-expected-heights = Expected U95 of a height of 1.2 m, clicked with u = 1 px: { $figures }.
+pose-expected-at = ±{ SMALL($U95_height_m) } at { $distance_m } m
+pose-no-road-at-distance = The image does not show the road at this distance.
+words-comma = { $first }, { $second }
+calibration-image-other-size = The image is { $width_px }x{ $height_px } px, most of the others are { $usual_width_px }x{ $usual_height_px } px.
+calibration-image-blurred = The image is blurred (edges { NUMBER($edge_px, minimumFractionDigits: 1, maximumFractionDigits: 1) } px wide).
+calibration-no-covariance = The file states no uncertainty of the lens, so that component is missing from the uncertainty of every height.
+calibration-made = { $used } of { $given } views used, residual { NUMBER($rms_px, minimumFractionDigits: 2, maximumFractionDigits: 2) } px, focal length { NUMBER($focal_px, minimumFractionDigits: 1, maximumFractionDigits: 1) } px.
+calibration-made-u = { $used } of { $given } views used, residual { NUMBER($rms_px, minimumFractionDigits: 2, maximumFractionDigits: 2) } px, focal length { NUMBER($focal_px, minimumFractionDigits: 1, maximumFractionDigits: 1) } px (standard uncertainty { NUMBER($u_focal_px, minimumFractionDigits: 1, maximumFractionDigits: 1) } px).
+calibration-imported = Imported from { $file_name }: { $model } model, focal length { NUMBER($focal_px, minimumFractionDigits: 1, maximumFractionDigits: 1) } px.
+calibration-board-bent = The board is not flat: it bends by about { NUMBER($bow_percent, minimumFractionDigits: 1, maximumFractionDigits: 1) } % of a square; modelling its shape lowers the residual from { NUMBER($flat_px, minimumFractionDigits: 2, maximumFractionDigits: 2) } to { NUMBER($bent_px, minimumFractionDigits: 2, maximumFractionDigits: 2) } px. Fix the board to a stiff, flat plate and take the pictures again, or calibrate it as a board that may be bent.
+calibration-board-bent-changes = The board is not flat: it bends by about { NUMBER($bow_percent, minimumFractionDigits: 1, maximumFractionDigits: 1) } % of a square; modelling its shape lowers the residual from { NUMBER($flat_px, minimumFractionDigits: 2, maximumFractionDigits: 2) } to { NUMBER($bent_px, minimumFractionDigits: 2, maximumFractionDigits: 2) } px and a height at { $distance_m } m changes by { SMALL($change_m) }. Fix the board to a stiff, flat plate and take the pictures again, or calibrate it as a board that may be bent.
+calibration-halves-few = Two halves need at least { $least } usable views{ $board ->
+    [bent] { " " }of a bent board
+   *[flat] { "" }
+ }; there are { $usable }. Take more pictures.
+calibration-halves-failed = The two halves could not be calibrated separately: { $message }
+calibration-halves-no-inverse = A board lies where the lens model has no inverse; add images that reach the corners.
+calibration-halves-differ = Two halves of the pictures, calibrated separately, differ by { SMALL($difference_m) } in a height at { $distance_m } m: more than the corners' noise explains. The lens may need the other model, the board may be bent, or zoom or focus changed between pictures.
+calibration-halves-differ-beyond = Two halves of the pictures, calibrated separately, differ by { SMALL($difference_m) } in a height at { $distance_m } m, { SMALL($expected_m) } expected: more than the corners' noise explains. The lens may need the other model, the board may be bent, or zoom or focus changed between pictures.
+calibration-held-out-worse = Held-out images fit the lens much worse than fitted images ({ NUMBER($held_out_px, minimumFractionDigits: 2, maximumFractionDigits: 2) } px against { NUMBER($fit_px, minimumFractionDigits: 2, maximumFractionDigits: 2) } px); add images with the board tilted and in every part of the image.
+calibration-few-views = Only { $count } views were used; with fewer than { $few } a small residual proves little; take 15 to 25.
+calibration-views-alike = Only { $different } of the { $count } views differ because the board hardly moved between the others; move and tilt it between images, or use frames further apart.
+calibration-little-covered = The boards cover { $percent } % of the image; add views that reach its edges and corners, where the distortion is largest.
+calibration-boards-parallel = All board views have the same orientation, so focal length and distance cannot be separated; tilt the board by 30 to 45 degrees in several directions.
+calibration-residual-high = The residual of { NUMBER($rms_px, minimumFractionDigits: 2, maximumFractionDigits: 2) } px is high; the board may not be flat, its size may be wrong, or the lens needs another model.
+calibration-other-model-better = The { $model } model fits better ({ NUMBER($other_px, minimumFractionDigits: 2, maximumFractionDigits: 2) } px against { NUMBER($rms_px, minimumFractionDigits: 2, maximumFractionDigits: 2) } px); calibrate with that model.
+calibration-lens-undetermined = The views do not determine the lens; its uncertainty cannot be stated.
+calibration-focal-vague = The focal length is known to { NUMBER($percent, minimumFractionDigits: 1, maximumFractionDigits: 1) } % only; take more views, tilted and near.
+lens-axis-off-middle = The optical axis lies far from the middle of the image; was the image cropped?
+lens-pixels-not-square = The two focal lengths differ by more than 10 %; are the pixels square?
+lens-no-inverse-in-corners = The lens model cannot be inverted in the corners of the image, so nothing is measured there; add images that reach the corners.
+calibration-squares-small = In { $small } of { $views } views the squares are smaller than { $least_px } px and their corners inexact; bring the board nearer or use larger squares.
+calibration-several-sizes = Images of several sizes: { $count } skipped that are not { $width_px }x{ $height_px } px ({ $file } first); a calibration holds for one size only, so use images of the recordings' size.
+calibration-board-seldom = The board was used in only { $used } of { $given } images; count its inner corners again, and show the whole board, sharp and evenly lit.
+calibration-image-outlier = { $file } fits much worse than the others ({ NUMBER($rms_px, minimumFractionDigits: 2, maximumFractionDigits: 2) } px against { NUMBER($usual_px, minimumFractionDigits: 2, maximumFractionDigits: 2) } px); check its corners.
+calibration-tilt-edge = Tilt the board by about 30 degrees, its { $edge } edge nearer the camera.
+calibration-tilt-edges = Tilt the board by about 30 degrees, its { $edges } edge in turn nearer the camera.
+board-edge = { $edge ->
+    [left] left
+    [right] right
+    [top] top
+   *[bottom] bottom
+ }
+image-part = { $place ->
+    [top-left] top left
+    [top-centre] top centre
+    [top-right] top right
+    [middle-left] middle left
+    [middle-right] middle right
+    [bottom-left] bottom left
+    [bottom-centre] bottom centre
+    [bottom-right] bottom right
+   *[middle-centre] centre
+ }
+calibration-bring-nearer = Bring the board nearer: it never fills more than { $percent } % of the image; a third or more is good.
+calibration-hold-in = Hold the board in the { $parts } of the image.
+import-several-cameras = { $file_name } contains several cameras: { $cameras }; { $key } was read (name another with --which).
+import-roi-whole = { $file_name }: the camera is that of the whole image, as requested, not of its roi.
+import-roi-part = { $file_name } describes part of the image (roi): { $width }x{ $height } px from ({ $left }, { $top }) of { $full_width }x{ $full_height } px; the camera is that of the part (--size { $full_width }x{ $full_height } for the whole).
+import-no-distortion = { $file_name } states a lens without any distortion, which is rare; check that this camera was calibrated.
+import-model-guessed = { $file_name } does not name its distortion model; its four coefficients were read as { $taken } (choose with --model).
+adjustment-length-not-finite = The { $length ->
+    [wheelbase] wheelbase
+    [roof] roof
+   *[roof_inset] roof inset
+ } or its uncertainty is not a finite number, or the uncertainty is negative.
+adjustment-length-not-positive = The { $length ->
+    [wheelbase] wheelbase
+    [roof] roof
+   *[roof_inset] roof inset
+ } is not positive.
+adjustment-length-off = Its { $length ->
+    [wheelbase] wheelbase
+    [roof] roof
+   *[roof_inset] roof inset
+ } of { NUMBER($known_m, minimumFractionDigits: 3, maximumFractionDigits: 3) } m is { NUMBER($deviate, minimumFractionDigits: 1, maximumFractionDigits: 1) } standard uncertainties too { $than ->
+    [long] long
+   *[short] short
+ } for the observed points; check the model.
+adjustment-crooked = Too many of its points are off a straight line.
+adjustment-point-outside = A point lies outside the picture.
+adjustment-tyre-off-road = A tyre lies where there is no road: above the horizon, or outside the lens model's radius.
+adjustment-part-excluded = The traffic contradicts the { $part ->
+    [board_lean_rad] { adjust-board_lean_rad }
+    [board_roll_rad] { adjust-board_roll_rad }
+    [board_height_m] { adjust-board_height_m }
+    [square_m] { adjust-square_m }
+    [bow_along_rows_m] { adjust-bow_along_rows_m }
+    [bow_down_columns_m] { adjust-bow_down_columns_m }
+    [wheelbase_common_m] { adjust-wheelbase_common_m }
+   *[roof_common_m] { adjust-roof_common_m }
+ } with its stated u of { $u } { $unit }; it was excluded.
+adjustment-common-far-off = One value is far from 0 for its stated u of { $u } { $unit }: the { $part ->
+    [board_lean_rad] { adjust-board_lean_rad }
+    [board_roll_rad] { adjust-board_roll_rad }
+    [board_height_m] { adjust-board_height_m }
+    [square_m] { adjust-square_m }
+    [bow_along_rows_m] { adjust-bow_along_rows_m }
+    [bow_down_columns_m] { adjust-bow_down_columns_m }
+    [wheelbase_common_m] { adjust-wheelbase_common_m }
+   *[roof_common_m] { adjust-roof_common_m }
+ }. Check that the known lengths refer to the points that were followed.
+adjustment-points-scatter = The points scatter { NUMBER($factor, minimumFractionDigits: 1, maximumFractionDigits: 1) } times as much as stated; their uncertainties were multiplied by this factor.
+adjustment-lengths-scatter = The known values of the { $length ->
+    [wheelbase] wheelbase
+    [roof] roof
+   *[roof_inset] roof inset
+ } scatter { NUMBER($factor, minimumFractionDigits: 1, maximumFractionDigits: 1) } times as much as stated; their uncertainties were multiplied by this factor.
+adjustment-global-test-failed = Global test failed: chi-square { $chi2 } with { $freedom } degrees of freedom; the stated uncertainties are not consistent.
+adjustment-few-vehicles = With { $count } vehicles, a wrong vehicle cannot be distinguished from a wrong pose.
+adjustment-pose-unchanged = No pass with a known length could be used, so the pose is unchanged.
+adjustment-point-not-finite = A point or its uncertainty is not a finite number.
+adjustment-point-no-u = The uncertainty of a point is not positive.
+adjustment-point-twice = A point is given twice on one frame.
+adjustment-no-tyre = No tyre of this vehicle was measured, so it is not tied to the road.
+adjustment-no-known-length = No known length of this vehicle was measured.
+adjustment-no-model = Its make and model are not filled in, so its wheelbase is unknown.
+adjustment-no-wheelbase = The catalogue has no wheelbase of this model and year.
+adjustment-several-wheelbases = The catalogue has several wheelbases of this model; fill in the year.
+adjustment-no-height = The manufacturer's height is not filled in.
+adjustment-model-by-size = Its model was chosen by its sizes, so what is known of the model is no reference.
+adjustment-roof-not-near-edge = The roof was not clicked at its near edge.
+adjustment-no-lengths-yet = No lengths are known yet: click both tyres of vehicles of a known model, or measure their roofs.
+adjustment-done-before = This pose is already adjusted to the traffic.
+adjustment-no-pass = No pass with a known length could be used.
+traffic-turned = The road's X axis is rotated by { NUMBER($mean_deg, minimumFractionDigits: 2, maximumFractionDigits: 2) }° (u = { NUMBER($u_deg, minimumFractionDigits: 2, maximumFractionDigits: 2) }°, { $count } vehicles) against the traffic.
+traffic-agrees = The road's X axis agrees with the traffic: rotated by { NUMBER($mean_deg, minimumFractionDigits: 2, maximumFractionDigits: 2) }° (u = { NUMBER($u_deg, minimumFractionDigits: 2, maximumFractionDigits: 2) }°, { $count } vehicles), not significant.
+traffic-turn-changes = This changes { $count } stored heights by up to { SMALL($largest_m) }.
+traffic-turn-would-change = Rotating it would change stored heights by up to { SMALL($largest_m) }.
+traffic-few-vehicles = Both tyre contacts of at least { $least } vehicles are needed; { $usable } can be used.
+adjustment-row-frame = Row { $row }: the cell frame is not a whole number.
+adjustment-row-point = Row { $row }: the cell point is none of { $points }.
+adjustment-row-another = Row { $row }: another { $column } was given for the same pass.
+adjustment-u-lacking = { $given } is given without { $lacking }.
+
+## Said: insets, repeats and models that fit
+
+inset-few-known = At least { $least } vehicles of known height are needed; { $usable } can be used.
+inset-known-at-camera-height = Not conclusive: the vehicles are at about camera height, where the inset has little effect.
+inset-none-fits = No inset fits the manufacturers' heights; check them, the camera's height and the clicks.
+inset-known-vague = Not conclusive: too few vehicles, or heights too near the camera's or too uncertain.
+inset-few-trend = At least { $least } vehicles are needed; { $usable } can be used.
+inset-no-trend = The inset cannot be estimated: too few vehicles, or all at about the same distance.
+inset-trend-at-camera-height = Not conclusive: this target is at about camera height, where the inset has little effect.
+inset-trend-one-distance = Not conclusive: all passed at about the same distance, { NUMBER($nearest_m, minimumFractionDigits: 1, maximumFractionDigits: 1) } to { NUMBER($farthest_m, minimumFractionDigits: 1, maximumFractionDigits: 1) } m.
+inset-trend-few = Not enough data: a few hundred vehicles are needed for u = 0.15 m.
+inset-few-solved = At least { $least } vehicles measured on two frames are needed; there are { $count }.
+inset-solved-close-frames = Not conclusive: the frames were close together.
+inset-no-gain = Agrees with the current inset; using it would make no height more certain.
+inset-no-known-roof = No vehicle with a manufacturer's height has a measured roof.
+inset-nothing-measured = No measurements of this target.
+repeat-first-no-height = The first clicks give no height: { $reason }
+repeat-second-no-height = The second clicks give no height: { $reason }
+repeat-other-frame = They were clicked on different frames, so not only the clicks differ.
+repeat-other-pose = The camera pose changed since, so not only the clicks differ.
+repeat-other-inset = The insets differ, so not only the clicks differ.
+repeat-no-uncertainty = A height has no uncertainty.
+repeats-few-own = { $name } has { $pairs } own repeats; { $least } are needed.
+repeats-few-other-frame = { $count } repeated on another frame by one operator; { $least } are needed.
+repeats-nothing-yet = No repeat measurements yet.
+repeats-few = Too few repeats: { $freedom } degrees of freedom, at least { $least } are needed.
+repeats-few-to-compare = Too few repeats to compare: { $freedom }, at least { $least } are needed.
+repeats-one-operator = No target was repeated by a second operator; ask another operator to repeat some.
+repeats-no-difference = No difference between operators can be detected; add repeats to narrow the estimate.
+models-none-in-catalogue = The catalogue is empty.
+models-none-fits = No model in the catalogue fits what was measured on this vehicle.
+models-nothing-measured = No size in the catalogue has been measured on this vehicle yet.
+models-no-such-size = No model in the catalogue has a size that was measured on this vehicle.
+
+## Said: what an import notes of a video or of strips
+
+video-filmed-at = Filmed at { $filmed_hz } frames per second, as entered; the file plays { $played_hz } per second. Times are those of filming.
+video-no-rate = The file states no frame rate: { $played_hz } frames per second are assumed. Its times are unreliable, so no motion is measured from them.
+video-impossible-rate-endless = The time stamps give infinitely many frames per second, which no camera films. Its times are unreliable, so no motion is measured from them.
+video-impossible-rate = The time stamps give { $played_hz } frames per second, which no camera films. Its times are unreliable, so no motion is measured from them.
+video-slow-motion = The file is marked as slow motion; it plays { $played_hz } frames per second. Heights from single frames are valid, but no motion is measured until you enter the filming rate.
+video-slow-motion-at = The file states that it was filmed at { $filmed_hz } frames per second; it plays { $played_hz } frames per second. Heights from single frames are valid, but no motion is measured until you enter the filming rate.
+video-gaps = Frames are missing: { $count ->
+    [one] one gap
+   *[other] { $count } gaps
+ }, the longest { NUMBER($gap_s, minimumFractionDigits: 2, maximumFractionDigits: 2) } s after frame { $frame }.
+video-truncated = The file is truncated: { $missing } bytes are missing at its end. { $count } frames ({ NUMBER($span_s, minimumFractionDigits: 2, maximumFractionDigits: 2) } s) were imported; copy it again for the rest.
+video-another-recording-after = The file contains another recording after this one, which is not imported. Split the file and add each part.
+video-other-tracks = The file contains { $count ->
+    [one] another video track
+   *[other] { $count } other video tracks
+ }: { $others }; track { $stream } ({ $codec }, { $width_px }x{ $height_px }) was imported.
+video-track = { $number } ({ $codec }, { $width_px }x{ $height_px }{ $kind ->
+    [still] , a still picture
+    [off] , switched off
+    [still_off] , a still picture, switched off
+   *[moving] { "" }
+ })
+video-track-unknown = { $number } (unknown codec)
+video-not-turned = The header asks for a further rotation by { $degrees } degrees, which is not applied: only quarter turns keep the pixels as filmed.
+video-same-image = { $count } { $count ->
+    [one] frame has
+   *[other] frames have
+ } the same image as the one before.
+video-not-later = { $count } { $count ->
+    [one] frame has
+   *[other] frames have
+ } a time stamp not later than the one before; the times were sorted.
+video-packets-damaged = { $count } damaged { $count ->
+    [one] packet was
+   *[other] packets were
+ } skipped; frames are missing there.
+video-frames-patched = { $count } { $count ->
+    [one] frame is
+   *[other] frames are
+ } damaged and completed by the decoder, the first one at { $first }; do not measure there.
+video-start-in-future = The file states a start of { $start } UTC, which is in the future: the camera's clock is wrong, so no start is suggested.
+video-ends-early = The header states { NUMBER($duration_s, minimumFractionDigits: 1, maximumFractionDigits: 1) } s, the frames end after { NUMBER($end_s, minimumFractionDigits: 1, maximumFractionDigits: 1) } s; the file may be truncated.
+video-other-rate = The header states { $stated_hz } frames per second, the time stamps give { $rate_hz }; the time stamps are used.
+video-other-count = The header states { $claimed } frames, { $count } could be decoded; frame numbers refer to these.
+video-shown-upright = The frames were { $done }, as their header states.
+video-stretched = stretched for pixels of { $aspect }
+video-turned = turned by { $degrees } degrees clockwise
+video-mirrored = mirrored
+video-interlaced = The recording is interlaced: moving edges are combed, prefer a progressive recording.
+video-working-copy = Frames are served from a working copy with an index; they are identical to the original's.
+video-other-size-skipped = { $count } frames of another size were skipped.
+video-rate-varies = The frame rate varies: { NUMBER($least_s, minimumFractionDigits: 4, maximumFractionDigits: 4) } to { NUMBER($most_s, minimumFractionDigits: 4, maximumFractionDigits: 4) } s between frames; times come from the time stamps.
+video-unreadable-end = The file could not be read to its end; { $count } frames were found before that.
+video-no-time-stamps = The stream holds no usable time stamps: { $rate_hz } frames per second are assumed, so do not trust its times.
+scan-pixels-saturated = { $percent } % of camera { $camera }'s pixels are saturated, so edges are lost there; reduce the light or the exposure.
+scan-recorder-lost = The recorder of { $name } lost { $count } lines; they were replaced by copies.
+scan-recorder-other-rate = { $name } states a line rate of { $told_hz } Hz, but { $line_rate_hz } Hz was given and is used; check which one is right.
+
+## Said: how far a job is
+
+job-begun-again = The job was interrupted and is started again.
+job-tried-again = The database or the storage does not answer; the job is tried again by itself.
+job-waits-to-begin-again = Waiting to be started again.
+job-video-reading = Reading the video.
+job-drift-searching = Searching for camera movement.
+job-drift-background = Searching for the background in frame { $frame }.
+job-board-searching = Searching for the board.
+job-board-searching-frame = Searching for the board in frame { $frame }.
+job-board-searching-in = Searching for the board in { $name }.
+job-pose-computing = Computing the camera pose.
+job-lens-fitting = Fitting the lens, and the two halves separately.
+job-export-vehicles = Writing vehicles, reviews and the audit chain.
+job-export-measurements = Writing the measurements.
+job-export-crops = Cutting out the pictures of each click.
+job-export-figures = Computing statistics, drawing figures and the report.
+job-export-reading = Reading the survey.
+job-export-storing = Storing the package.
+job-export-packing = Packing the files.
+job-heights-saving = Saving the heights that changed.
+job-heights-restoring = Restoring the previous heights.
+job-heights-computing = Computing the heights.
+job-strips-reading = Reading the strips.
+job-strips-cutting = Cutting the strips.
+job-vehicles-searching = Searching for vehicles.
+job-vehicles-found = Searching for vehicles. { $count } so far.
+job-vehicles-again = Measuring the known vehicles again.
+job-study-package = Writing the package.
+job-study-report = Writing the report.
+job-study-figures = Computing the figures.
+job-passes-searching = Searching for passes.
+job-demo-videos = Reading the videos.
+job-demo-poses = Computing the camera poses.
+job-demo-site = Simulating a site.
+job-demo-saving = Saving the demonstration survey.
+
 ## What the server says in English, found again by its text (sightline/messages/recognised.py)
 
-told-geometry-several-cameras = { $file_name } contains several cameras: { $cameras }; { $key } was read (name another with --which).
-told-geometry-roi-whole = { $file_name }: the camera is that of the whole image, as requested, not of its roi.
-told-geometry-roi-part = { $file_name } describes part of the image (roi): { $width }x{ $height } px from ({ $left }, { $top }) of { $full_width }x{ $full_height } px; the camera is that of the part (--size { $full_width }x{ $full_height } for the whole).
-told-geometry-no-distortion = { $file_name } states a lens without any distortion, which is rare; check that this camera was calibrated.
 told-linescan-mark-incomplete = Each mark needs a distance, a height and a row.
 told-linescan-marks-not-numbers = Distances, heights and rows of the marks must be numbers.
 told-linescan-marks-too-few = { $count } marks are too few; click at least { $least }.
 told-linescan-marks-above-zero = Distances of marks and the u of their rows must be above 0.
 told-linescan-rod-upside-down = Higher marks must have smaller rows; check which end of the rod is up.
 told-media-not-decoded-at = This recording cannot be decoded at frame { $frame }: the decoder { $why } there; { $way_out }.
-told-media-filmed-at = Filmed at { $filmed_hz } frames per second, as entered; the file plays { $played_hz } per second. Times are those of filming.
-told-media-no-rate = The file states no frame rate: { $played_hz } frames per second are assumed. Its times are unreliable, so no motion is measured from them.
-told-media-impossible-rate-endless = The time stamps give infinitely many frames per second, which no camera films. Its times are unreliable, so no motion is measured from them.
-told-media-impossible-rate = The time stamps give { $rate } frames per second, which no camera films. Its times are unreliable, so no motion is measured from them.
-told-media-slow-motion = The file is marked as slow motion; it plays { $played_hz } frames per second. Heights from single frames are valid, but no motion is measured until you enter the filming rate.
-told-media-slow-motion-at = The file states that it was filmed at { $filmed_hz } frames per second; it plays { $played_hz } frames per second. Heights from single frames are valid, but no motion is measured until you enter the filming rate.
-told-media-one-gap = Frames are missing: one gap, the longest { $gap_s } s after frame { $frame }.
-told-media-gaps = Frames are missing: { $count } gaps, the longest { $gap_s } s after frame { $frame }.
-told-media-truncated = The file is truncated: { $missing } bytes are missing at its end. { $count } frames ({ $span_s } s) were imported; copy it again for the rest.
-told-media-two-in-one = The file contains another recording after this one, which is not imported. Split the file and add each part.
-told-media-another-track = The file contains another video track: { $others }; track { $stream } ({ $codec }, { $width_px }x{ $height_px }) was imported.
-told-media-other-tracks = The file contains { $count } other video tracks: { $others }; track { $stream } ({ $codec }, { $width_px }x{ $height_px }) was imported.
-told-media-not-turned = The header asks for a further rotation by { $degrees } degrees, which is not applied: only quarter turns keep the pixels as filmed.
-told-media-same-image-one = { $count } frame has the same image as the one before.
-told-media-not-later-one = { $count } frame has a time stamp not later than the one before; the times were sorted.
-told-media-same-image-many = { $count } frames have the same image as the one before.
-told-media-not-later-many = { $count } frames have a time stamp not later than the one before; the times were sorted.
-told-media-packets-one = { $count } damaged packet was skipped; frames are missing there.
-told-media-packets-many = { $count } damaged packets were skipped; frames are missing there.
-told-media-patched-one = { $count } frame is damaged and completed by the decoder, the first one at { $first }; do not measure there.
-told-media-patched-many = { $count } frames are damaged and completed by the decoder, the first one at { $first }; do not measure there.
-told-recordings-start-in-future = The file states a start of { $start } UTC, which is in the future: the camera's clock is wrong, so no start is suggested.
 told-scans-none-here = None here. Two line cameras at a known baseline give speed, length and gaps.
-told-scans-so-far = { $count } so far.
 told-audit-event-missing = Audit event { $number } of { $chain } is missing; restore a backup.
 told-audit-event-changed = Audit event { $number } of { $chain } was changed after it was written; restore a backup.
 told-audit-chain-ends-elsewhere = The audit chain of { $chain } ends at event { $count }, which is not where it ended; restore a backup.
@@ -6343,24 +6859,7 @@ told-audit-chain-not-in = The audit chain is not the one in { $what } { $id }; r
 told-audit-chains-not-signed = The audit chains are not those signed on { $at }; restore a backup.
 told-audit-row-not-events = The { $what } { $id } is not what its events say; restore a backup.
 told-audit-row-not-first = The { $what } { $id } is not what was written at first; restore a backup.
-told-audit-row-removed = The { $what } { $id } was removed behind the program's back; restore a backup.
-told-adjustment-length-not-finite = The { $what } or its uncertainty is not a finite number, or the uncertainty is negative.
-told-adjustment-its-of-m-is = Its { $lengths } of { $known_m } m is { $u } standard uncertainties too { $u2 } for the observed points; check the model.
-told-adjustment-too-many-of-its = Too many of its points are off a straight line.
-told-adjustment-a-point-lies-outside = A point lies outside the picture.
-told-adjustment-a-tyre-lies-where = A tyre lies where there is no road: above the horizon, or outside the lens model's radius.
-told-adjustment-the-traffic-contradicts-with = The traffic contradicts { $name } with its stated u of { $u }; it was excluded.
-told-adjustment-the-points-scatter-times = The points scatter { $point_factor } times as much as stated; their uncertainties were multiplied by this factor.
-told-adjustment-the-global-test-fails = Global test failed: chi-square { $chi2 } with { $freedom } degrees of freedom; the stated uncertainties are not consistent.
-told-adjustment-with-vehicles-a-wrong = With { $used } vehicles, a wrong vehicle cannot be distinguished from a wrong pose.
-told-adjustment-is-far-from-0 = { $name } is far from 0 for its stated u of { $u }; check that the known lengths refer to the points that were followed.
-told-adjustment-the-known-values-of = The known values of the { $name } scatter { $factor } times as much as stated; their uncertainties were multiplied by this factor.
-told-adjustment-no-pass-with-a = No pass with a known length could be used, so the pose is unchanged.
-told-adjustment-a-point-or-its = A point or its uncertainty is not a finite number.
-told-adjustment-the-uncertainty-of-a = The uncertainty of a point is not positive.
-told-adjustment-a-point-is-given = A point is given twice on one frame.
-told-adjustment-no-tyre-of-it = No tyre of this vehicle was measured, so it is not tied to the road.
-told-adjustment-no-known-length-of = No known length of this vehicle was measured.
+told-audit-row-removed = The { $what } { $id } was removed without an audit event; restore a backup.
 told-budget-click-target = click, target
 told-budget-click-contact = click, contact
 told-budget-clicks = clicks
@@ -6387,61 +6886,16 @@ told-budget-depth-of-what-is-followed = depth of what is followed
 told-budget-seen-from-another-side = seen from another side
 told-budget-front-and-rear = front and rear
 told-budget-pose-of-the-line-camera = pose of the line camera
-told-cameras-the-file-states-no = The file states no uncertainty of the lens, so that component is missing from the uncertainty of every height.
-told-cameras-focal-length-px = focal length { $fx_px } px
-told-cameras-of-views-used-residual = { $used } of { $given } views used, residual { $rms_px } px, { $focal }.
-told-cameras-imported-from-model-focal = Imported from { $file_name }: { $model } model, focal length { $fx_px } px.
-told-cameras-no-board-was-found = No board was found.
-told-cameras-the-search-was-given = The search was stopped.
-told-export-writing-vehicles-reviews-and = Writing vehicles, reviews and the audit chain.
-told-export-cutting-out-the-pictures = Cutting out the pictures of each click.
-told-export-writing-the-measurements = Writing the measurements.
-told-export-computing-statistics-drawing-figures = Computing statistics, drawing figures and the report.
 told-export-the-measurement-was-taken = The measurement was withdrawn.
 told-export-nobody-has-reviewed-it = It has not been reviewed yet.
 told-export-this-package-is-of = It is not among the vehicles of this package.
 told-export-there-is-no-height = There is no height.
 told-export-a-reviewer-rejected-it = It was rejected by a reviewer.
 told-export-it-was-reopened-and = It was reopened and is waiting for another review.
-told-export-reading-the-survey = Reading the survey.
-told-export-storing-the-package = Storing the package.
-told-export-packing-the-files = Packing the files.
-told-geometry-the-picture-is-x = The image is { $size }x{ $size2 } px, most of the others are { $usual }x{ $usual2 } px.
-told-geometry-the-picture-is-blurred = The image is blurred (edges { $sharpness } px wide).
-told-geometry-and-a-height-at = and a height at { $distance_m } m changes by { $size } mm
-told-geometry-the-board-is-not = The board is not flat: it bends by about { $bow } % of a square; modelling its shape lowers the residual from { $flat } to { $bent } px{ $makes }. Fix the board to a stiff, flat plate and take the pictures again, or calibrate it as a board that may be bent.
-told-geometry-no-board-of-x = No board of { $columns }x{ $rows } inner corners was found; show the whole board with its white margin, sharp and evenly lit, and count the inner corners.
-told-geometry-no-board-before-limit = No board of { $columns }x{ $rows } inner corners was found before the time limit of the search; show the whole board with its white margin, sharp and evenly lit, and count the inner corners.
-told-geometry-the-board-is-cut = The board is cut off by the edge of the image; show the whole board.
-told-geometry-the-squares-are-smaller = The squares are smaller than 3 px; bring the board closer or use larger squares.
-told-geometry-what-was-found-is = The pattern found does not consist of alternating squares.
-told-geometry-the-picture-is-too = The image is too small to contain a board.
-told-geometry-no-charuco-board-of = No ChArUco board of { $columns }x{ $rows } inner corners with { $dictionary } markers was found, or too little of it; it must be sharp and of that dictionary.
-told-geometry-the-squares-are-smaller-than = The squares are smaller than 3 px; bring the board closer.
-told-geometry-the-board-goes-on = The board continues { $side } beyond { $columns }x{ $rows } inner corners; count its inner corners again.
-told-geometry-the-corners-found-do = The corners found do not form an even grid; something covers the board or it is not flat.
-told-geometry-two-halves-need-at = Two halves need at least { $least } usable views{ $bent_board }; there are { $usable }. Take more pictures.
-told-geometry-a-board-lies-where = A board lies where the lens model has no inverse; add images that reach the corners.
-told-geometry-the-halves-could-not = The two halves could not be calibrated separately: { $message }
-told-geometry-two-halves-of-the = Two halves of the pictures, calibrated separately, differ by { $size } mm in a height at { $distance_m } m{ $by }: more than the corners' noise explains. The lens may need the other model, the board may be bent, or zoom or focus changed between pictures.
-told-geometry-pictures-that-did-not = Held-out images fit the lens much worse than fitted images ({ $held_out } px against { $fit } px); add images with the board tilted and in every part of the image.
-told-geometry-does-not-name-its = { $file_name } does not name its distortion model; its four coefficients were read as { $taken } (choose with --model).
-told-geometry-not-enough-data-a = Not enough data: a few hundred vehicles are needed for u = 0.15 m.
-told-geometry-at-least-vehicles-of = At least { $least_known } vehicles of known height are needed; { $rows } can be used.
-told-geometry-the-vehicles-are-about = Not conclusive: the vehicles are at about camera height, where the inset has little effect.
-told-geometry-no-inset-fits-the = No inset fits the manufacturers' heights; check them, the camera's height and the clicks.
-told-quality-inset-no-gain = Agrees with the current inset; using it would make no height more certain.
-told-geometry-it-says-next-to = Not conclusive: too few vehicles, or heights too near the camera's or too uncertain.
-told-geometry-at-least-vehicles-are = At least { $least_trend } vehicles are needed; { $rows } can be used.
-told-geometry-the-heights-do-not = The inset cannot be estimated: too few vehicles, or all at about the same distance.
-told-geometry-it-says-nothing-this = Not conclusive: this target is at about camera height, where the inset has little effect.
-told-geometry-it-says-nothing-all = Not conclusive: all passed at about the same distance, { $d } to { $d2 } m.
-told-geometry-at-least-vehicles-measured = At least { $least_known } vehicles measured on two frames are needed; there are { $values }.
-told-geometry-it-says-next-to-nothing = Not conclusive: the frames were close together.
 told-inset-roof-edge = near edge of the roof (estimate)
 told-inset-upright-sides = a body with upright sides (estimate)
 told-inset-less-certain = as of a car, less certain (estimate)
-told-geometry-near-edge-of-the = near edge of the roof; 0.85 m (u 0.10 m) for its crown (estimate)
+told-geometry-near-edge-of-the = near edge of the roof; 0.85 m (u = 0.10 m) for its crown (estimate)
 told-geometry-driver-on-the-side = driver on the side of the camera (estimate)
 told-geometry-driver-on-the-side-away = driver on the side away from the camera (estimate)
 told-geometry-not-known = not known
@@ -6455,41 +6909,8 @@ told-geometry-the-lane-is-very = The lane is very close; step back to at least 2
 told-geometry-the-picture-would-not = The picture would not show a board at { $board_m } m with its top row { $board_top_m } m above the road; put it at the wheel path, step back, or use a wider lens.
 told-geometry-the-camera-stands-at = The camera is at about the height of a driver's eye ({ $height_m } m), where the inset has little effect; for roofs or lamps, place it at their height.
 told-geometry-a-second-frame-m = A second frame { $travel_m } m on does not reduce the uncertainty here (±{ $U95_mm } mm for an eye); use frames further apart.
-told-geometry-no-frame-was-given = No frame was given.
-told-geometry-at-most-of-its = At most { $parts } of its { $whole } corners were found; show the whole board.
-told-geometry-the-board-was-not = The board was not found in { $missed } of the frames; these are not used.
-told-geometry-board-or-camera-moved = Board or camera moved in some of the frames; only frames at rest are used.
-told-geometry-the-corners-miss-the = The corners fit the model to { $rms } px only; the board may be bent or the lens calibration poor.
-told-geometry-two-poses-fit-the = Two poses fit the board almost equally well; turn it by some 30 degrees or bring it closer.
-told-geometry-the-squares-are-small = The squares are small in the image; bring the board closer.
-told-geometry-the-board-appears-rolled = The board appears rolled by { $roll } degrees; check that columns and rows were not exchanged.
-told-geometry-only-one-frame-is = Only one frame is used, so it is not checked that the board was at rest.
-told-geometry-tilt-the-board-by = Tilt the board by about 30 degrees, its { $edge } nearer the camera.
-told-geometry-bring-the-board-nearer = Bring the board nearer: it never fills more than { $share } % of the image; a third or more is good.
-told-geometry-hold-the-board-in = Hold the board in the { $listed } of the image.
-told-geometry-the-board-moved-too = The board moved too far between two frames.
-told-geometry-turned-by-degrees-to = Rotated by { $heading_rad } degrees to the travel direction.
-told-geometry-both-tyre-contacts-of = Both tyre contacts of at least { $least_vehicles } vehicles are needed; { $sum } can be used.
-told-geometry-the-lens-model-cannot = The lens model cannot be inverted in the corners of the image, so nothing is measured there; add images that reach the corners.
-told-geometry-in-of-views-the = In { $small } of { $spacings_px } views the squares are smaller than { $small_square_px } px and their corners inexact; bring the board nearer or use larger squares.
-told-geometry-fits-much-worse-than = { $file } fits much worse than the others ({ $value } px against { $usual } px); check its corners.
-told-geometry-only-views-were-used = Only { $count } views were used; with fewer than { $few_views } a small residual proves little; take 15 to 25.
-told-geometry-only-of-the-views = Only { $different } of the { $count } views differ because the board hardly moved between the others; move and tilt it between images, or use frames further apart.
-told-geometry-the-boards-cover-of = The boards cover { $share } of the image; add views that reach its edges and corners, where the distortion is largest.
-told-geometry-all-boards-face-the = All board views have the same orientation, so focal length and distance cannot be separated; tilt the board by 30 to 45 degrees in several directions.
-told-geometry-the-residual-of-px = The residual of { $rms } px is high; the board may not be flat, its size may be wrong, or the lens needs another model.
-told-geometry-the-model-fits-better = The { $better } model fits better ({ $other } px against { $rms } px); calibrate with that model.
-told-geometry-the-views-do-not = The views do not determine the lens; its uncertainty cannot be stated.
-told-geometry-the-focal-length-is = The focal length is known to { $relative } only; take more views, tilted and near.
-told-geometry-the-optical-axis-lies = The optical axis lies far from the middle of the image; was the image cropped?
-told-geometry-the-two-focal-lengths = The two focal lengths differ by more than 10 %; are the pixels square?
-told-geometry-pictures-of-several-sizes = Images of several sizes: { $other_size } skipped that are not { $width_px }x{ $height_px } px ({ $other_size2 } first); a calibration holds for one size only, so use images of the recordings' size.
-told-geometry-the-board-was-used = The board was used in only { $used } of { $used2 } images; count its inner corners again, and show the whole board, sharp and evenly lit.
 told-jobs-gave-up = The job stopped { $attempts } times; check the input and the available memory.
 told-jobs-broke = An error in the program stopped this ({ $name }); try again, and report it if it comes back.
-told-infra-a-worker-stopped-in = The job was interrupted and is started again.
-told-infra-waits-for-what-is-away = The database or the storage does not answer; the job is tried again by itself.
-told-infra-waits-for-the-next = Waiting to be started again.
 told-linescan-the-marks-do-not = The marks do not determine the camera height: hold the rod upright at two distances, such as the near and the far edge of the lane.
 told-linescan-the-marks-put-the = The marks put the camera below the road; check their distances, heights and rows.
 told-linescan-all-marks-are-at = All marks are at one distance, so the camera height cannot be determined; hold the rod upright at two.
@@ -6514,9 +6935,6 @@ told-linescan-the-speeds-u95-is = The speed's U95 is { $percent }, more than the
 told-linescan-the-baseline-is-taken = The baseline is taken as exact; enter its uncertainty, which is part of every speed.
 told-linescan-the-baseline-limits-not = The baseline is the limit, not the line rate: its standard uncertainty is { $percent }, registering the strips adds { $percent2 }. Measure the baseline more accurately first.
 told-linescan-registering-limits-not = Registering the strips is the limit, not the baseline: it adds { $percent } (standard uncertainty), the baseline { $percent2 }. Use a longer baseline.
-told-measurements-storing-the-heights-that = Saving the heights that changed.
-told-measurements-putting-the-old-heights = Restoring the previous heights.
-told-measurements-computing-the-heights = Computing the heights.
 told-measurements-the-vehicle-was-followed = The vehicle was followed through its pass.
 told-measurements-its-speed-is-that = Its speed is that of the points clicked on two frames.
 told-measurements-the-vehicle-could-not = The vehicle could not be followed; its speed is assumed, so look for the points around the marks.
@@ -6530,19 +6948,8 @@ told-media-save-it-as-8 = save it as 8-bit or 16-bit greyscale and try again
 told-media-copy-it-again-from = copy it again from the recorder
 told-media-choose-a-video-file = choose a video file
 told-media-copy-it-again-from-the = copy it again from the recorder, or repair it there
-told-media-stretched-for-pixels-of = stretched for pixels of { $sample_aspect }
-told-media-turned-by-degrees-clockwise = turned by { $rotation_deg } degrees clockwise
 told-media-the-camera-moves-by = The camera moves by up to { $far }; the search compensates for it. A camera pose is valid only while the camera is at rest.
 told-media-the-camera-moves-by-and = The camera moves (by { $far } and more), so road and vehicles cannot be separated; mark the passes by hand.
-told-media-the-header-speaks-of = The header states { $duration_s } s, the frames end after { $end_s } s; the file may be truncated.
-told-media-the-picture-was-as = The frames were { $layout_note }, as their header states.
-told-media-the-recording-is-interlaced = The recording is interlaced: moving edges are combed, prefer a progressive recording.
-told-media-frames-are-served-from = Frames are served from a working copy with an index; they are identical to the original's.
-told-media-the-frame-rate-varies = The frame rate varies: { $steps } to { $steps2 } s between frames; times come from the time stamps.
-told-media-the-header-says-frames = The header states { $rate_hz } frames per second, the time stamps give { $rate }; the time stamps are used.
-told-media-the-file-could-not = The file could not be read to its end; { $count } frames were found before that.
-told-media-frames-of-another-picture = { $other_size } frames of another size were skipped.
-told-media-the-header-speaks-of-frames = The header states { $claimed } frames, { $count } could be decoded; frame numbers refer to these.
 told-media-is-cut-off-before = is cut off before its index (moov) was written
 told-media-is-a-playlist-that = is a playlist that points to other files, not a video
 told-media-is-a-webp-picture = is a WebP picture, not a video
@@ -6568,46 +6975,7 @@ told-media-is-a-heif-or = is a HEIF or AVIF picture, not a video
 told-media-is-an-audio-file = is an audio file, not a video
 told-media-is-a-text-file = is a text file, not a video
 told-media-is-cut-off-in = is cut off in the middle of its index (moov)
-told-poses-solving-for-the-camera = Computing the camera pose.
-told-poses-corners-are-numbered-from = Corners are numbered from the top left as seen, along the rows to the right and then down.
-told-poses-of-its-corners-are = { $seen } of its { $all } corners are visible: enough for a calibration; a camera pose needs all of them.
-told-poses-the-board-stands-the = The board is rotated: { $columns } columns by { $rows } rows as seen, not as entered.
-told-poses-the-picture-does-not = The image does not show the road at this distance.
-told-poses-the-board-stood-m = The board was { $distance_m } m from the camera.
-told-poses-a-height-of-1 = Expected U95 of a height of 1.2 m, clicked with u = 1 px: { $figures }.
-told-poses-looking-for-the-board = Searching for the board in frame { $n }.
-told-quality-its-make-and-model = Its make and model are not filled in, so its wheelbase is unknown.
-told-quality-the-catalogue-has-no = The catalogue has no wheelbase of this model and year.
-told-quality-the-catalogue-has-several = The catalogue has several wheelbases of this model; fill in the year.
-told-quality-the-manufacturer-height-is = The manufacturer's height is not filled in.
-told-quality-its-model-by-size = Its model was chosen by its sizes, so what is known of the model is no reference.
-told-quality-no-model-fits = No model in the catalogue fits what was measured on this vehicle.
-told-quality-the-roof-was-not = The roof was not clicked at its near edge.
-told-quality-adjusted-by-passes-of = Adjusted by { $used } passes of known wheelbase or height.
-told-quality-nothing-is-known-yet = No lengths are known yet: click both tyres of vehicles of a known model, or measure their roofs.
-told-quality-this-pose-was-adjusted = This pose is already adjusted to the traffic.
-told-quality-no-pass-with-a = No pass with a known length could be used.
-told-quality-no-roof-is-measured = No vehicle with a manufacturer's height has a measured roof.
-told-quality-nothing-is-measured-of = No measurements of this target.
-told-quality-the-road-x-axis = The road's X axis is rotated by { $figures } against the traffic.
-told-quality-the-road-x-axis-agrees = The road's X axis agrees with the traffic: rotated by { $figures }, not significant.
-told-quality-turned-by-to-the = Rotated by { $turn_rad }° to the direction of { $vehicles } vehicles.
-told-quality-looking-for-the-frames = Searching for camera movement.
-told-quality-looking-for-the-background = Searching for the background in frame { $n }.
-told-quality-clicked-of-their-own = { $name } has { $pairs } own repeats; { $least_freedom } are needed.
-told-quality-were-clicked-by-one = { $sums } repeated on another frame by one operator; { $least_freedom } are needed.
-told-quality-the-first-clicks-give = The first clicks give no height: { $reason }
-told-quality-the-second-clicks-give = The second clicks give no height: { $reason }
-told-quality-they-were-clicked-on = They were clicked on different frames, so not only the clicks differ.
-told-quality-the-camera-pose-is = The camera pose changed since, so not only the clicks differ.
-told-quality-the-inset-is-another = The insets differ, so not only the clicks differ.
-told-quality-a-height-has-no = A height has no uncertainty.
-told-quality-the-catalogue-is-empty = The catalogue is empty.
-told-recordings-looking-for-the-board = Searching for the board.
-told-recordings-fitting-the-lens-and = Fitting the lens, and the two halves separately.
-told-recordings-looking-for-the-board-in = Searching for the board in { $name }.
 told-recordings-the-ingest-was-cancelled = The import was cancelled; start it again or delete the recording.
-told-recordings-reading-the-video = Reading the video.
 told-results-too-few-different-errors = too few different errors for a bootstrap interval
 told-results-no-vehicle-in-this = no vehicle in this group
 told-results-heights-corrected-by-each = Heights corrected by each measurement's inset
@@ -6618,10 +6986,6 @@ told-scans-the-marks-miss-the = The marks fit the model to { $rms_px } px only, 
 told-scans-the-camera-height-is = The camera's height is known to { $u_height } m only; hold the rod at two distances further apart, or measure them better.
 told-scans-the-lines-of-this = The lines of this stream were not stored, so there is no image; its vehicles remain.
 told-scans-the-reading-was-cancelled = The import was cancelled; start it again or delete the line-scan recording.
-told-scans-reading-the-strips = Reading the strips.
-told-scans-of-camera-pixels-are = { $saturated } of camera { $camera }'s pixels are saturated, so edges are lost there; reduce the light or the exposure.
-told-scans-the-recorder-of-lost = The recorder of { $name } lost { $lost } lines; they were replaced by copies.
-told-scans-cutting-the-strips = Cutting the strips.
 told-progress-unread = { $count } line scans could not be imported; see the reason and try again.
 told-progress-unread-1 = 1 line scan could not be imported; see the reason and try again.
 told-progress-reading = { $count } line scans still being imported.
@@ -6638,8 +7002,6 @@ told-progress-unmeasured = { $count } cannot be measured; see their reasons.
 told-progress-heights = { $count } of { $all } heights accepted.
 told-progress-height = { $count } of 1 height accepted.
 told-scans-being-searched-for-vehicles = being searched for vehicles
-told-scans-looking-for-vehicles = Searching for vehicles.
-told-scans-measuring-the-known-vehicles = Measuring the known vehicles again.
 told-statistics-a-trend-needs-at = A trend needs at least { $least } vehicles; { $there_are }.
 told-statistics-all-heights-are-the = All heights are the same, so there is no trend.
 told-statistics-limits-of-agreement-need = Limits of agreement need at least { $least } vehicles; { $there_are }.
@@ -6661,11 +7023,6 @@ told-statistics-percentile-needs-alike = P{ $percent } needs { $needed }; { $the
 told-statistics-a-density-needs-at = A density needs at least { $least_for_density } vehicles; { $there_are }.
 told-statistics-all-values-are-the = All values are the same; a density needs values that differ.
 told-statistics-no-vehicle-in-this = no counted height of this group has a reference height
-told-statistics-too-few-repeats-degrees = Too few repeats: { $freedom } degrees of freedom, at least { $least_freedom } are needed.
-told-statistics-too-few-repeats-to = Too few repeats to compare: { $freedom }, at least { $least_freedom } are needed.
-told-statistics-nothing-was-clicked-again = No repeat measurements yet.
-told-statistics-no-two-persons-clicked = No target was repeated by a second operator; ask another operator to repeat some.
-told-statistics-people-differ-less-than = No difference between operators can be detected; add repeats to narrow the estimate.
 told-statistics-no-height-of-its = no accepted heights of its class
 told-statistics-vehicles-give-percentile-an = { $large } vehicles give percentile { $percent } a 95 % interval about { $width_m } mm wide, for normally distributed heights with a standard deviation of { $sd_m } mm.
 told-statistics-nobody-whose-text-was = no text consulted; check before use
@@ -6712,8 +7069,6 @@ told-statistics-errors-of-known-heights = errors of the known heights (both left
 told-statistics-roads-like-these-sites = roads like those of these sites
 told-statistics-the-place-of-the = the site of the survey only
 told-statistics-the-heights-are-all = the heights are all the same
-told-statistics-nothing-that-the-catalogue = No size in the catalogue has been measured on this vehicle yet.
-told-statistics-no-model-in-the = No model in the catalogue has a size that was measured on this vehicle.
 told-statistics-there-is-none = there is none
 told-studies-has-no-accepted-height = { $name } has no accepted height that counts; it does not contribute.
 told-studies-packages-come-from-versions = Packages come from { $made_with } versions with identical tables: { $join }.
@@ -6722,41 +7077,23 @@ told-studies-accepted-heights-are-of = { $sum } accepted heights are of vehicles
 told-studies-heights-of-have-no = { $left_out } heights of { $target } have no class of the fleet; they do not count.
 told-studies-simulated-no-figure-of = Simulated: no value describes real roads.
 told-studies-of-surveys-are-simulated = { $invented } of { $surveys } surveys are simulated: no figure of it says anything of real roads.
-told-studies-writing-the-package = Writing the package.
-told-studies-writing-the-report = Writing the report.
-told-studies-computing-the-figures = Computing the figures.
 told-studies-its-figures-need-at = its figures need at least { $least } heights
 told-studies-no-weights-meet-all = no weights meet all shares of the fleet at once
 told-studies-has-one-site-join = { $stratum } has one site: join it with another stratum, so that sites can differ
 told-studies-no-height-of-counts = no height of { $variable } { $words } counts, which the fleet has
 told-studies-a-stratum-has-its = a stratum has its class at one site only, so that sites cannot differ
 told-vehicles-new-known-or-discarded = { $passes }: { $new } new, { $found } known or discarded before.
-told-vehicles-looking-for-passes = Searching for passes.
 told-vehicles-no-passes-were-found = No passes were found; mark them by hand.
 told-vehicles-1-pass-was-found = 1 pass was found
 told-vehicles-passes-were-found = { $found } passes were found
 told-geometry-put-the-camera-at = Put the camera at the height to be measured, where the inset has no effect: { $height_m } m for a driver's eye. At { $camera_height_m } m, ignoring the inset biases the height by { $mm } mm for a driver on the near side and { $mm2 } mm on the far side.
-told-geometry-two-halves-calibrated-apart = cross-validation, two halves calibrated separately, { $heights }; held-out residual { $all_held_out_rms_px } px
-told-media-the-stream-holds-no = The stream holds no usable time stamps: { $assumed_rate_hz } frames per second are assumed, so do not trust its times.
-told-scans-says-that-its-line = { $name } states a line rate of { $told } Hz, but { $line_rate_hz } Hz was given and is used; check which one is right.
 told-statistics-after-the-shift-by = After the shift by { $mean } mm, the measurement's own standard deviation of { $camera_sd_m } mm was removed: every height moved towards the mean by { $keep } %.
 told-paper-sd-is-that-of = SD is that of the signed error and differs from the RMSE, so there was a bias of 7 to 13 mm that is not printed. The text's “less than 10 % below 2 cm” is possible here: MAE and MSE allow as little as 0 to 3 % where errors reach 7 cm.
 told-paper-a-perfect-clicker-within = A perfect clicker (within 1 px, reference heights within 3 cm) scores MAE 0.016 m, RMSE 0.019 m: this column bounds the reference, not the method. The printed SD of 0.059 ft should be 0.062 ft. “Less than 10 % below 2 cm” is impossible here: MAE and MSE allow no less than 26.5 %.
 told-paper-not-the-pool-of = Not the pool of 400 and 250 vehicles: their MAE pools to 0.0198 m, their RMSE to 0.0249 m. The abstract's “MAE < 1.8 cm” is not in the table; the MSE in feet has a wrong factor and exponent. “Less than 10 % below 2 cm” needs an error of more than 10 cm here.
 told-paper-printed-sizes-are-3 = Printed sizes are 3.1 to 9.1 % longer than the true lengths (5.6 % in the mean), which the text blames on shadow, while it claims less than 1 %; braking “within 1 %” is off by up to 1.5 % against the other runs of the same car. Speed was never held against truth, only against the car's own counter.
-told-demo-simulated-so-that-the = Simulated, so true values are known: invented makes, one camera 0.6 px lower than the other, a rod held upright in the plane of camera 1 at 2.7 m and at 4.5 m before the first vehicle.
-told-demo-reading-the-videos = Reading the videos.
-told-demo-computing-the-camera-poses = Computing the camera poses.
-told-demo-simulating-a-site = Simulating a site.
-told-demo-saving-the-demonstration-survey = Saving the demonstration survey.
+scan-simulated = Simulated, so true values are known: invented makes, one camera 0.6 px lower than the other, a rod held upright in the plane of camera 1 at 2.7 m and at 4.5 m before the first vehicle.
 told-results-not-rounded = not rounded
-told-checks-u-vehicles = { $deg }° (u { $u }°, { $count } vehicles)
-told-checks-that-moves-stored-heights = This changes { $count } stored heights by up to { $largest } mm.
-told-checks-turning-it-would-move = Rotating it would change stored heights by up to { $largest } mm.
-told-poses-mm-at-m = ±{ $U95_height } mm at { $distance } m
-told-poses-the-camera-is-m = The camera is { $height } m above the road.
-told-poses-the-pose-before-it = The previous pose is number { $id }.
-told-cameras-standard-uncertainty-px = { $focal } (standard uncertainty { $u } px)
 told-statistics-vehicle-is-too-few = { $there } vehicle is too few for an interval; { $needed } are needed
 told-statistics-vehicle-is-too-few-but = { $there } vehicle is too few for an interval of MAE, RMSE and SD; { $needed } are needed
 told-statistics-vehicles-are-too-few-but = { $there } vehicles are too few for an interval of MAE, RMSE and SD; { $needed } are needed
@@ -6767,9 +7104,6 @@ told-statistics-sampling = sampling
 told-statistics-alone = { $part } alone
 told-statistics-passenger-cars = passenger cars
 told-statistics-the-reference-heights-own-uncertainty = The reference heights' own uncertainty explains { $share } % of the errors' variance; { $left } mm remain for the measurement.
-told-geometry-to-the-left = to the left
-told-geometry-edge = { $side } edge
-told-geometry-to-the-right = to the right
 told-words-and = { $first } and { $last }
 told-thing-camera-pose = camera pose
 told-thing-line-scan = line-scan recording
@@ -7200,7 +7534,6 @@ report-rules = Standards: the same percentile today. The percentile on which a s
 report-rule-column = Rule
 report-today = Today
 report-difference = Difference
-report-rule-of = P{ $percent } of { $of }
 report-all-vehicles = all vehicles (no class is known)
 report-no-verdict = no verdict: { $reason }
 report-alike = undecided; lower with a probability of { $percent }

@@ -1980,13 +1980,6 @@ review-state-all = Toutes
 review-counts = validées : { NUMBER($accepted) }, rejetées : { NUMBER($rejected) }, sur { NUMBER($count) }
 review-mine = la mienne
 review-line = balayage
-review-lines = { $count ->
-    [one] { $count } hauteur d’un balayage à vérifier.
-   *[other] { NUMBER($count) } hauteurs de balayages à vérifier.
-}
-review-lines-left-title = Des hauteurs de balayages attendent
-review-lines-left = Vérifiez-les sous Balayages, qui passe de l’une à la suivante.
-review-lines-open = Ouvrir la suivante
 review-verdict-of = décision ({ $target }, véhicule { $vehicle })
 review-verdict-reason = { $verdict } : { $reason }
 review-verdict-by = { $verdict } par { $person }
@@ -2508,7 +2501,6 @@ scan-nothing-yet-title = Pas encore de véhicules
 scan-nothing-found = Regardez les bandes. Là où vous voyez un véhicule, ajoutez-le en deux clics : son avant et son arrière.
 scan-nothing-yet = Détectez les véhicules pour mesurer automatiquement avant, arrière, vitesse, longueur et intervalles.
 scan-find-now = Détecter les véhicules
-scan-none-title = Aucun balayage choisi
 scan-none-choose = En choisir un
 scan-on = Avancer le long des bandes
 scan-back = Reculer le long des bandes
@@ -2748,7 +2740,7 @@ scan-references-by-time = { $number } (par l’heure)
 scan-references-tolerance = Tolérance des heures
 scan-references-tolerance-hint = Une ligne sans numéro est du seul véhicule passé à moins de cette durée.
 scan-references-tolerance-problem = Saisissez un nombre de secondes supérieur à 0, jusqu’à 60.
-scan-references-one = { $quantity } { $value }, u { $u }
+scan-references-one = { $quantity } { $value }, u = { $u }
 scan-budget-note = incertitudes-types
 scan-budget = Bilan d’incertitude
 scan-budget-source = Source
@@ -2769,7 +2761,6 @@ scan-revision-verdict-why = { $verdict ->
    *[reopened] { $person }, { $time } ; rouvert par { $reviewer } : { $reason }
 }
 scan-by-search = Sightline
-scan-by-program = Sightline
 scan-by-somebody = un autre utilisateur
 scan-by-nobody = personne
 
@@ -2866,17 +2857,6 @@ scan-height-measure-again = { $target ->
     [headlight] Mesurer à nouveau : projecteur
    *[other] Mesurer à nouveau : autre
 }
-scan-height-verdict-mine = Vous avez pointé ou calculé cette hauteur : quelqu’un d’autre la vérifie.
-scan-height-verdict-done = Véhicule { $vehicle }, { $target ->
-    [roof] toit
-    [driver_eye] œil du conducteur
-    [taillight] feu arrière
-    [headlight] projecteur
-   *[other] autre
-} : { $verdict ->
-    [accepted] validé.
-   *[rejected] rejeté.
-}
 scan-heights-waiting = { $count ->
     [one] { $count } hauteur à vérifier
    *[other] { $count } hauteurs à vérifier
@@ -2893,7 +2873,6 @@ scan-height-inset = Retrait
 scan-height-inset-value = { $inset } (u = { $u_inset }), estimation
 scan-height-rows = Rangées
 scan-height-rows-value = contact { $contact_px }, cible { $target_px }
-scan-height-revision = { $height } <muted>{ $person }, { $time }</muted>
 
 ## Balayage : le jalon, qui étalonne la hauteur
 
@@ -2947,13 +2926,6 @@ scan-step-height = { $target ->
     [taillight] feu arrière du véhicule { $vehicle }
     [headlight] projecteur du véhicule { $vehicle }
    *[other] autre cible du véhicule { $vehicle }
-}
-scan-step-height-verdict = { $target ->
-    [roof] décision sur le toit du véhicule { $vehicle }
-    [driver_eye] décision sur l’œil du conducteur du véhicule { $vehicle }
-    [taillight] décision sur le feu arrière du véhicule { $vehicle }
-    [headlight] décision sur le projecteur du véhicule { $vehicle }
-   *[other] décision sur l’autre hauteur du véhicule { $vehicle }
 }
 scan-step-withdraw = { $target ->
     [roof] toit retiré, véhicule { $vehicle }
@@ -3041,6 +3013,7 @@ motion-by-wheelbases = D’après les empattements
 
 motion-errors-title = Erreur par rapport aux longueurs et empattements du constructeur
 motion-errors-note = avec intervalles à 95 %
+motion-errors-scatter = Les intervalles ne disent que la dispersion de ces erreurs. Les roues sont pointées, et sur peu de véhicules les erreurs de pointé ne se compensent pas : elles peuvent décaler un biais hors de son intervalle.
 motion-errors-table = Erreurs des longueurs et des empattements
 motion-errors-of = Grandeur
 motion-errors-n = n
@@ -3149,7 +3122,7 @@ flows-speed-none = Aucune tranche n’a de vitesse validée.
 flows-flow-by-density-of = Débit selon la concentration, { $scan }
 flows-speed-by-flow-of = Vitesse selon le débit, { $scan }
 flows-fundamental-says = Diagramme fondamental : tranches avec une vitesse : { $count }.
-flows-fundamental-note = Un point est une tranche ; vide : observée en partie seulement. La concentration est le débit divisé par la vitesse moyenne spatiale.
+flows-fundamental-note = Chaque point est une tranche ; point vide : tranche observée en partie seulement. La concentration est le débit divisé par la vitesse moyenne spatiale.
 unit-per-hour = 1/h
 unit-per-km = 1/km
 motion-paper-title = Présentation du tableau I, Douxchamps et al.
@@ -3391,7 +3364,7 @@ statistics-compared-note = Différences des hauteurs vraies, relevé le plus ré
 statistics-rule-title = Normes : le même centile aujourd’hui
 statistics-rule-standard = Norme
 statistics-rule-rule = Règle
-statistics-rule-of = P{ $percent } de { $class }
+statistics-rule-of = { $what } : P{ $percent }, { $class }
 statistics-rule-all = tous les véhicules (classe inconnue)
 statistics-rule-height = Norme ({ $unit })
 statistics-rule-today = Aujourd’hui ({ $unit })
@@ -3403,6 +3376,7 @@ statistics-rule-higher = plus haut (risque d’erreur { $risk })
 statistics-rule-least = moins de { $risk }
 statistics-rule-alike = indécis ; plus bas avec une probabilité de { $lower }
 statistics-rule-unknown = pas de conclusion : { $reason }
+statistics-rule-none = Aucune conclusion pour l’instant sur les normes : un centile n’a d’intervalle qu’avec assez de hauteurs validées. La dernière colonne dit combien de véhicules chacun exige.
 statistics-rule-note = Le centile qui fonde la norme, pour les hauteurs vraies d’aujourd’hui, avec son intervalle total à 95 %. « Plus bas » ou « plus haut » est indiqué si le risque d’erreur est d’au plus 2,5 % (JCGM 106).
 statistics-percentiles = Centiles, { $target }
 statistics-percentiles-save = Centiles en CSV
@@ -3561,8 +3535,8 @@ planning-direction = Écart à la perpendiculaire
 planning-sigma = Incertitude du pointé (u)
 planning-travel = Parcours entre images
 planning-camera = Caméra
-planning-calibration = { $camera } : { $calibration }
-planning-calibration-in-use = { $camera } : { $calibration } (en vigueur)
+planning-calibration = { $camera }, étalonnage { $id } du { $day }
+planning-calibration-in-use = { $camera }, étalonnage { $id } du { $day } (en vigueur)
 planning-calibration-unknown = étalonnage { $id }
 planning-camera-plain = Une caméra sans étalonnage
 planning-number-problem = Indiquez un nombre.
@@ -4392,7 +4366,7 @@ height-camera-below-road = La pose place la caméra sur la chaussée ou dessous�
 height-contact-above-horizon = Le contact est sur l’horizon ou au-dessus, où il n’y a pas de route.
 height-contact-behind-camera = Le contact est derrière le plan de la caméra, vu en travers de la route.
 height-plane-edge-on = Le plan latéral passant par le contact est vu presque par la tranche.
-height-target-no-crossing = Le rayon de la cible ne rencontre pas le plan latéral devant la caméra.
+height-target-no-crossing = La ligne de visée de la cible ne rencontre pas le plan latéral devant la caméra.
 height-target-below-road = La cible est sur la route ou dessous ; contact et cible sont-ils inversés ?
 height-u-not-valid = Une incertitude de pointé, un retrait ou son incertitude n’est pas un nombre fini, ou une incertitude est négative.
 height-side-unknown = Le côté du conducteur (proche ou éloigné) n’est pas indiqué, et la hauteur de l’œil en dépend ; indiquez-le.
@@ -4414,27 +4388,25 @@ height-no-clicks = Contact et cible ne donnent pas de hauteur.
 height-pass-empty = Aucun point n’a été suivi ; confirmez d’abord contact et cible sur une image.
 height-pass-not-finite = Un point suivi, son instant ou son incertitude n’est pas un nombre fini.
 height-pass-u-not-positive = L’incertitude d’un point suivi n’est pas positive ; indiquez-la en pixels.
-height-pass-statement-not-valid = Un nombre qui décrit le suivi est négatif ou n’est pas fini.
+height-pass-statement-not-valid = Un temps de pose, une durée de ligne ou une incertitude du suivi est négatif ou n’est pas fini.
 height-pass-point-twice = Un point est donné deux fois sur une image ; donnez chacun une seule fois.
-height-pass-few-frames =
-    { $point ->
-        [contact] Le contact
-        [second_contact] Le second contact
-       *[target] La cible
-    } n’a été suivi que sur { $count } images utilisables ; il en faut { $needed }.
-height-pass-short =
-    { $point ->
-        [contact] Le contact
-        [second_contact] Le second contact
-       *[target] La cible
-    } n’a été suivi que sur { NUMBER($travel_m, minimumFractionDigits: 2, maximumFractionDigits: 2) } m ; suivez-le sur plus d’images.
+height-pass-few-frames = Suivi { $point ->
+        [contact] du contact
+        [second_contact] du second contact
+       *[target] de la cible
+    } sur { $count } images utilisables seulement ; il en faut { $needed }.
+height-pass-short = Suivi { $point ->
+        [contact] du contact
+        [second_contact] du second contact
+       *[target] de la cible
+    } sur { NUMBER($travel_m, minimumFractionDigits: 2, maximumFractionDigits: 2) } m seulement ; prolongez-le sur plus d’images.
 height-pass-no-path = Les points suivis ne donnent pas de trajectoire sur la chaussée ; suivez-les à nouveau.
 height-pass-disagrees = Les points suivis ne correspondent pas à un même véhicule en mouvement ; suivez-les à nouveau.
 height-pass-inset-undetermined = Les images ne déterminent pas le retrait ; suivez les points sur une plus longue distance.
 height-pass-most-excluded = { $dropped } points suivis sur { $points } ont été exclus ; suivez-les à nouveau à partir d’une image plus nette.
 height-flag-plane-oblique = Le plan latéral est vu sous moins de 10 degrés.
-height-flag-lens-edge = Un pointé est près du bord de ce que le modèle d’objectif sait inverser.
-height-flag-far-from-board = Le véhicule est à une tout autre distance que ne l’était la mire.
+height-flag-lens-edge = Un pointé est près du bord du rayon valable du modèle d’objectif.
+height-flag-far-from-board = La distance du véhicule est très différente de celle de la mire.
 height-flag-u-large = L’intervalle à 95 % est approché : u dépasse 30 mm.
 height-flag-no-u-of-lens-and-pose = L’incertitude de l’objectif et de la pose est inconnue et n’est pas comprise.
 height-flag-no-u-of-lens = L’incertitude de l’objectif est inconnue ; seul ce que dit le fichier de pose est compté.
@@ -4505,7 +4477,10 @@ drift-moved-height = { $how ->
     [before] La caméra avait déjà bougé
    *[drifted] La caméra a glissé
  } à { $clock } (image { $frame }) de { NUMBER($moved_px, minimumFractionDigits: 1, maximumFractionDigits: 1) } px (erreur de hauteur jusqu’à { SMALL($error_m, digits: 0) }), images { $first } à { $last }.
-drift-more = { $count } autres mouvements.
+drift-more = { $count ->
+    [one] { $count } autre mouvement.
+   *[other] { $count } autres mouvements.
+  }
 drift-few-points = Seuls { $count } points du fond sont retrouvés, ou tous dans une même partie de l’image ; elle est trop sombre, masquée, ou montre une autre vue.
 drift-no-frame = Aucune image n’a été examinée.
 drift-no-such-frame = L’enregistrement n’a pas cette image.
@@ -4572,11 +4547,11 @@ commands-time-no-offset = { $option } { $text } n’a pas de décalage par rappo
 commands-time-cannot-read = { $option } { $text } n’est pas une heure utilisable ; écrivez-la 2026-05-04T06:00:00.000+02:00.
 commands-u-start-needs-start = --u-start demande --start.
 commands-flow-other-minutes = --interval { $text } est inutilisable ; indiquez une ou plusieurs valeurs parmi 1, 5, 15 et 60, comme 5,60.
-commands-flow-not-there = { $place } n’existe pas ; indiquez un export, des résultats de sightline linescan ou un dossier qui en contient.
-commands-flow-nothing-in-folder = { $place } ne contient aucun véhicule scanné ; indiquez un export, des résultats de sightline linescan ou un dossier qui en contient.
+commands-flow-not-there = { $place } n’existe pas ; indiquez une archive, des résultats de sightline linescan ou un dossier qui en contient.
+commands-flow-nothing-in-folder = { $place } ne contient aucun véhicule scanné ; indiquez une archive, des résultats de sightline linescan ou un dossier qui en contient.
 commands-flow-no-start = { $path } n’indique pas quand ses véhicules sont passés (front_at ou start avec un décalage par rapport à UTC) ; refaites-le avec sightline linescan --start.
 commands-flow-no-vehicles = { $path } ne contient aucun véhicule ; indiquez le JSON de sightline linescan, qui donne la durée enregistrée.
-commands-flow-no-rate = { $path } contient un seul véhicule sans mouvement, dont la fréquence de lignes ne se déduit pas ; indiquez le JSON de sightline linescan.
+commands-flow-no-rate = { $path } contient un seul véhicule sans mouvement, dont la cadence de lignes ne se déduit pas ; indiquez le JSON de sightline linescan.
 commands-u-start-cannot-be = --u-start { $u_s } n’est pas une incertitude-type d’un début ; donnez des secondes entre 0 et 3600.
 commands-given-twice-give-strips-both-cameras = { $first } est indiqué deux fois ; indiquez les bandes des deux caméras.
 backup-none-here = { $folder } ne contient pas de sauvegarde complète (pas de manifest.json) ; relancez sightline backup vers ce dossier, ou nommez-en un autre.
@@ -5209,6 +5184,7 @@ results-no-survey-may-been-removed = Il n’y a pas de relevé { $survey_id } 
 ## Erreurs : vérifications
 
 reviews-fix-needs-both-points-contact-target = Une correction demande les deux points, contact et cible ; pointez-les et joignez-les.
+reviews-line-scan-not-fixed = Une hauteur de balayage ne se corrige pas à la vérification ; rejetez-la, ou remesurez-la sous Balayages.
 reviews-only-fix-carries-points-leave-them = Seule une correction porte des points ; omettez-les ou choisissez la décision « corrigé ».
 reviews-measurement-withdrawn-nothing-review = Cette mesure est retirée ; il n’y a rien à vérifier.
 reviews-repeat-not-reviewed-review-measurement-repeats = Une répétition ne se vérifie pas ; vérifiez la mesure qu’elle répète.
@@ -5293,8 +5269,6 @@ scans-nothing-camera-2s-strip-looks-like = Rien dans la bande de la caméra 2 ne
 scans-vehicle-no-speed-needs-reason-why = Un véhicule qui n’a pas de vitesse demande un motif ; remesurez-le.
 scans-vehicle-measured-again-meanwhile-look-newer = Ce véhicule a été remesuré entre-temps ; regardez le nouveau résultat.
 scans-nobody-reviews-boundaries-they-placed-themselves = Personne ne vérifie les bornes qu’il a placées ; demandez à un autre vérificateur.
-scans-height-measured-again-meanwhile-look-newer = Cette hauteur a été remesurée entre-temps ; regardez le nouveau résultat.
-scans-height-without-figure-nothing-review = Cette hauteur est retirée ou n’a pas de valeur : il n’y a rien à vérifier.
 scans-camera-2-needs-both-lines-front = La caméra 2 demande les deux lignes, avant et arrière, ou aucune ; envoyez les deux ou omettez les deux.
 scans-wheelbase-needs-both-wheels-send-both = Un empattement demande les deux roues ; envoyez les deux lignes, ou aucune pour les retirer.
 scans-vehicle-not-deleted-nothing-restore = Ce véhicule n’a pas été supprimé : il n’y a rien à restaurer.
@@ -5391,6 +5365,9 @@ request-value-cannot-be-used = La valeur « { $name } » de la partie { $place
 request-nothing-there = Il n’y a rien à { $path } ; vérifiez l’adresse.
 request-bad-method = { $method } n’est pas possible à { $path } ; voyez /docs pour ce qui l’est.
 request-refused = { $detail } ; corrigez et réessayez.
+request-done-before = Cette requête a été enregistrée à son premier envoi, et sa réponse n’est pas gardée ; lisez ce qu’il y a maintenant.
+request-key-malformed = Une Idempotency-Key a de 1 à 100 lettres, chiffres, points, deux-points ou tirets ; envoyez un nouvel UUID pour chaque écriture.
+request-key-of-another = L’Idempotency-Key { $key } a déjà été envoyée avec une autre requête ; faites une nouvelle clé pour chaque écriture.
 request-value-not-storable = Une valeur de la requête ne peut pas être stockée ; corrigez-la et renvoyez.
 server-something-went-wrong = Un problème est survenu sur le serveur et rien n’a été enregistré ; le journal du serveur dit quoi.
 
@@ -5996,6 +5973,253 @@ opened-pair-frame = Enregistrement et image
 opened-pair-pose = Pose de la caméra
 opened-pair-u = u de { $source }, m
 
+## Ce que signifient les colonnes qu’explique la page d’une archive
+
+column-measurements-id = mesure (une suite de révisions)
+column-measurements-revision = numéro de la révision actuelle, à partir de 1
+column-measurements-vehicle-id = véhicule mesuré
+column-measurements-recording-id = enregistrement sur lequel les points ont été cliqués
+column-measurements-target = ce qui a été mesuré
+column-measurements-frame = numéro de l’image : la n-ième image décodée, à partir de 0
+column-measurements-pts = horodatage de présentation de cette image, dans la base de temps du flux
+column-measurements-time-s = instant de cette image depuis le début du flux
+column-measurements-frame-crc32 = CRC-32 de la luminance décodée de cette image : la preuve de ce qui a été cliqué
+column-measurements-contact-x-px = contact du pneu avec la chaussée, x vers la droite ; (0, 0) est le centre du pixel en haut à gauche
+column-measurements-contact-y-px = contact du pneu avec la chaussée, y vers le bas ; (0, 0) est le centre du pixel en haut à gauche
+column-measurements-target-x-px = la cible, x vers la droite ; (0, 0) est le centre du pixel en haut à gauche
+column-measurements-target-y-px = la cible, y vers le bas ; (0, 0) est le centre du pixel en haut à gauche
+column-measurements-sigma-px = incertitude-type de chaque coordonnée de chaque pointé
+column-measurements-made = comment les points ont été placés sur `frame` : clicked : à la main (le contact peut être proposé là où aucune cible ne l’était) ; snapped : le contact est passé d’un pointé au pneu trouvé à cet endroit ; confirmed : tels que proposés ; moved : à partir de points proposés ou trouvés (contact ou cible), dont une personne a placé au moins un
+column-measurements-snapped-from-x-px = où une personne a cliqué avant que le contact ne passe au pneu trouvé là, x vers la droite ; (0, 0) est le centre du pixel en haut à gauche
+column-measurements-snapped-from-y-px = où une personne a cliqué avant que le contact ne passe au pneu trouvé là, y vers le bas ; (0, 0) est le centre du pixel en haut à gauche
+column-measurements-proposal = si le contact et la cible étaient proposés sur `frame` lors de la mesure : shown : affichés ; withheld : non montrés, le véhicule ayant été tiré au sort pour une mesure libre ; vide : l’un des deux n’était pas proposé
+column-measurements-proposed-contact-x-px = où le contact était proposé, x vers la droite ; ne compte pour aucune hauteur ; (0, 0) est le centre du pixel en haut à gauche
+column-measurements-proposed-contact-y-px = où le contact était proposé, y vers le bas ; ne compte pour aucune hauteur ; (0, 0) est le centre du pixel en haut à gauche
+column-measurements-proposed-target-x-px = où la cible était proposée, x vers la droite ; ne compte pour aucune hauteur ; (0, 0) est le centre du pixel en haut à gauche
+column-measurements-proposed-target-y-px = où la cible était proposée, y vers le bas ; ne compte pour aucune hauteur ; (0, 0) est le centre du pixel en haut à gauche
+column-measurements-pose-id = pose de la caméra utilisée
+column-measurements-calibration-id = étalonnage dont vient cette pose
+column-measurements-inset-m = retrait : distance du plan vertical passant par le contact à la cible, selon l’axe Y de la route
+column-measurements-u-inset-m = incertitude-type du retrait (k = 1)
+column-measurements-side = d’un œil : côté du véhicule, vu de la caméra, où est assis le conducteur
+column-measurements-side-from = origine du côté : indiqué pour ce véhicule, son sens, ou la voie la plus proche de la caméra
+column-measurements-inset-from = si le retrait est celui du relevé ou propre à cette mesure
+column-measurements-frames = nombre d’images sur lesquelles les points ont été cliqués, ou suivis tout au long d’un passage
+column-measurements-frame-n = numéro de l’image { $frame } sur laquelle les points ont été cliqués
+column-measurements-contact-n-x-px = le même contact du pneu sur l’image { $frame } de la mesure, x
+column-measurements-contact-n-y-px = le même contact du pneu sur l’image { $frame } de la mesure, y
+column-measurements-target-n-x-px = la même cible sur l’image { $frame } de la mesure, x
+column-measurements-target-n-y-px = la même cible sur l’image { $frame } de la mesure, y
+column-measurements-followed = d’un passage entier : JSON des points suivis à partir de ceux de `frame` (docs/formats.md) ; height_m est alors la hauteur qui résulte de tous
+column-measurements-solved-inset-m = retrait trouvé d’après plusieurs images ou un passage entier ; inset_m ne sert alors pas à height_m, sauf, d’un passage entier, comme connaissance préalable
+column-measurements-u-solved-inset-m = incertitude-type du retrait trouvé (k = 1)
+column-measurements-height-m = hauteur de la cible au-dessus de la chaussée selon sa normale, corrigée du retrait
+column-measurements-uncorrected-height-m = hauteur d’après la première image avec un retrait de 0 (hypothèse de l’article)
+column-measurements-u-height-m = incertitude-type de height_m (k = 1)
+column-measurements-u95-height-m = demi-largeur de l’intervalle à 95 % de height_m
+column-measurements-x-m = contact le long de la route, depuis l’origine de la pose (X)
+column-measurements-y-m = contact en travers de la route, en s’éloignant de la caméra (Y)
+column-measurements-u-clicks-m = composante de u_height_m due aux pointés, qu’aucune autre hauteur ne partage
+column-measurements-u-by-inset-m = composante de u_height_m due au retrait supposé ; la composante restante est celle de la pose de la caméra
+column-measurements-distance-m = distance du centre de la caméra au contact
+column-measurements-status = s’il y a une hauteur
+column-measurements-reason = pourquoi il n’y a pas de hauteur
+column-measurements-reason-code = le motif par code et valeurs (JSON)
+column-measurements-flags = avertissements sur cette hauteur, séparés par des points-virgules
+column-measurements-flags-code = flags par code et valeurs (JSON)
+column-measurements-code-version = version du programme qui a calculé la hauteur
+column-measurements-created-by-id = qui a cliqué les points
+column-measurements-created-at = quand la révision a été enregistrée (ISO 8601, UTC)
+column-measurements-withdrawn = true si la mesure a été retirée
+column-measurements-computing-id = le recalcul dont vient cette révision, avec les pointés de la précédente
+column-measurements-verdict-of-revision = révision antérieure dont la décision vaut aussi pour celle-ci : recalculée, elle n’a pas bougé de plus que son u, ou ses points ont été remis où ils étaient
+column-measurements-filmed-at = quand cette image a été filmée, à l’heure du lieu (ISO 8601 avec décalage) : started_at de son enregistrement et time_s ; vide tant que personne n’a confirmé ce début
+column-measurements-verdict = état de la vérification de cette révision
+column-measurements-review-reason = le motif du vérificateur
+column-measurements-reviewer-id = qui a vérifié
+column-measurements-reviewed-at = quand la vérification a eu lieu (ISO 8601, UTC)
+column-measurements-verdict-by = si un vérificateur a jugé cette mesure elle-même, ou son lot d’après un échantillon
+column-measurements-lot-id = d’une décision par lot : le lot
+column-measurements-out-of-date = pourquoi la hauteur est périmée, séparés par des points-virgules : pose, inset ou side si elle résulte d’une pose d’un autre enregistrement, d’un autre retrait usuel ou d’un autre côté du conducteur que ceux de cette archive ; vide : elle ne l’est pas. Recalculez les hauteurs dans le relevé et exportez-le à nouveau
+column-budget-measurement-id = mesure
+column-budget-source = source d’incertitude
+column-budget-u-m = sa contribution à l’incertitude-type de la hauteur
+column-survey-id = relevé, dans la base de données dont il vient
+column-survey-name = nom du relevé
+column-survey-site = lieu où il a été filmé ; une étude prend les relevés d’un même site comme une grappe
+column-survey-description = description du relevé
+column-survey-simulated = true : inventé ; aucune de ses valeurs ne décrit de vraies routes
+column-survey-latitude-deg = latitude (WGS84), nord positif
+column-survey-longitude-deg = longitude (WGS84), est positif
+column-survey-road-class = classe de la route, en toutes lettres
+column-survey-lane = voie mesurée, en toutes lettres
+column-survey-travel-direction = sens de circulation, en toutes lettres
+column-survey-speed-limit-mps = limitation de vitesse
+column-survey-street-lamps = si la route a un éclairage public
+column-survey-time-zone = fuseau horaire du site (IANA)
+column-vehicles-id = véhicule
+column-vehicles-number = son numéro dans le relevé
+column-vehicles-recording-id = enregistrement dans lequel il passe
+column-vehicles-first-frame = première image du passage
+column-vehicles-last-frame = dernière image du passage
+column-vehicles-best-frame = image proposée pour la mesure
+column-vehicles-make = constructeur
+column-vehicles-model = modèle
+column-vehicles-year = millésime
+column-vehicles-model-chosen-by = size : le modèle a été choisi parce qu’il correspond à ce qui a été mesuré, aucune hauteur connue du véhicule n’est donc une référence ; seen : il a ensuite été reconnu sur le véhicule ; vide : ni l’un ni l’autre
+column-vehicles-model-sizes = d’un modèle choisi par ses dimensions : lesquelles, séparées par des espaces
+column-vehicles-category = type de carrosserie
+column-vehicles-manufacturer-height-m = hauteur hors tout du constructeur
+column-vehicles-u-manufacturer-height-m = incertitude-type de cette hauteur (k = 1)
+column-vehicles-height-source = d’où vient cette hauteur
+column-vehicles-known-driver-eye-m = hauteur de l’œil de son conducteur connue avant la mesure
+column-vehicles-known-taillight-m = hauteur de son feu arrière connue avant la mesure
+column-vehicles-known-headlight-m = hauteur de son feu avant connue avant la mesure
+column-vehicles-known-other-m = hauteur de sa marque connue avant la mesure
+column-vehicles-check-target = présent pour contrôler la mesure : lignes propres dans errors_by_target.csv, aucun véhicule du trafic
+column-vehicles-lighting = luminosité lors du passage
+column-vehicles-direction = sens de circulation sur l’image
+column-vehicles-driver-side = côté du conducteur tel qu’indiqué, vu de la caméra ; vide : il résulte du sens
+column-vehicles-roof-not-visible = pourquoi le toit de ce véhicule ne peut pas être mesuré ; vide s’il peut l’être
+column-vehicles-driver-eye-not-visible = pourquoi l’œil du conducteur de ce véhicule ne peut pas être mesuré ; vide s’il peut l’être
+column-vehicles-taillight-not-visible = pourquoi le feu arrière de ce véhicule ne peut pas être mesuré ; vide s’il peut l’être
+column-vehicles-headlight-not-visible = pourquoi le feu avant de ce véhicule ne peut pas être mesuré ; vide s’il peut l’être
+column-vehicles-filmed-at = quand sa première image a été filmée, à l’heure du lieu (ISO 8601 avec décalage) : started_at de son enregistrement et first_frame, à la durée moyenne d’une image ; vide tant que personne n’a confirmé ce début
+column-vehicles-in-sample = si la règle de sampling.csv le retient
+column-vehicles-counts = si ses hauteurs comptent dans les résultats : pas une cible de contrôle, et dans l’échantillon, sauf si sampling.csv en compte aussi d’autres
+column-vehicles-discarded = pourquoi ce n’est pas le passage d’un véhicule à mesurer ; vide si c’en est un
+column-vehicles-notes = remarques
+column-vehicles-state = où en est le travail sur ce véhicule, d’après ce que demande le relevé
+column-recordings-id = enregistrement
+column-recordings-name = nom du fichier
+column-recordings-sha256 = SHA-256 du fichier
+column-recordings-size-bytes = taille du fichier
+column-recordings-width-px = largeur d’une image
+column-recordings-height-px = hauteur d’une image
+column-recordings-frame-count = nombre d’images décodées
+column-recordings-duration-s = durée de la première image à la fin de la dernière
+column-recordings-codec = codec du flux vidéo
+column-recordings-container = conteneur du fichier
+column-recordings-variable-rate = true si le temps entre les images varie
+column-recordings-stream-number = lequel des flux vidéo du fichier a été lu, s’il en a plusieurs
+column-recordings-filmed-hz = images par seconde au tournage, si une personne a dû l’indiquer
+column-recordings-lighting = luminosité de l’enregistrement
+column-recordings-started-at = quand sa première image a été filmée, comme une personne l’a confirmé, à l’heure du lieu (ISO 8601 avec décalage)
+column-recordings-time-zone = fuseau horaire de ces heures (IANA)
+column-recordings-weather = météo, en toutes lettres
+column-recordings-street-lighting = si l’éclairage public était allumé
+column-recordings-camera-id = caméra qui l’a filmé
+column-recordings-pose-id = pose actuelle de la caméra
+column-recordings-drift-state = si la caméra a bougé depuis cette pose
+column-recordings-drift-floor-px = limite de détection du mouvement de la caméra
+column-recordings-drift-moved-px = plus grand mouvement trouvé, si elle a bougé
+column-recordings-drift-height-m = erreur maximale qui en résulte sur les hauteurs
+column-recordings-drift-checked-at = quand cela a été contrôlé (ISO 8601, UTC)
+column-recordings-drift-decision = pourquoi la pose a été gardée bien que la caméra ait bougé
+column-recordings-drift-decided-by-id = qui en a décidé
+column-recordings-drift-decided-at = quand cela a été décidé (ISO 8601, UTC)
+column-poses-id = pose de la caméra
+column-poses-recording-id = enregistrement où la mire se tenait sur la chaussée
+column-poses-calibration-id = étalonnage avec lequel elle a été calculée
+column-poses-first-frame = première image du segment où la mire est visible
+column-poses-last-frame = dernière image du segment où la mire est visible
+column-poses-frames-used = nombre d’images entrées dans le calcul
+column-poses-rms-px = moyenne quadratique des écarts des coins
+column-poses-board-distance-m = distance du centre de la caméra à la mire
+column-poses-board-columns = coins intérieurs par rangée de la mire
+column-poses-board-rows = rangées de coins intérieurs
+column-poses-square-m = côté d’une case
+column-poses-reference = rangée de coins intérieurs dont la hauteur a été mesurée
+column-poses-reference-height-m = hauteur de cette rangée au-dessus de la chaussée
+column-poses-u-lean-rad = incertitude-type de l’inclinaison de la mire (k = 1)
+column-poses-u-square-m = incertitude-type du côté d’une case (k = 1)
+column-poses-u-bow-m = incertitude-type de la flèche de la mire en son milieu (k = 1)
+column-poses-turned-from = pose dont celle-ci vient, avant d’être tournée selon le trafic
+column-poses-turned-by-rad = angle dont elle a été tournée autour de la normale à la chaussée
+column-poses-adjusted-from = pose dont celle-ci vient, avant d’être ajustée d’après son trafic (account : son document)
+column-poses-document = la pose comme fichier de cette archive (sightline-pose-1)
+column-poses-created-by-id = qui l’a faite
+column-poses-created-at = quand elle a été faite (ISO 8601, UTC)
+column-insets-target = ce qui est mesuré ; d’un œil de conducteur, pour le conducteur du côté proche ou du côté éloigné
+column-insets-note = d’où vient la valeur
+column-selection-by = ce d’après quoi on choisit
+column-selection-word = la luminosité, le groupe de classes, la classe, le jour, ou l’heure du jour à l’heure du lieu
+column-people-id = personne
+column-people-name = nom
+column-crops-k = laquelle des images de la mesure, à partir de 1
+column-crops-file = la vue dans cette archive
+column-crops-overlay = la même avec ses points, en SVG
+column-crops-sha256 = SHA-256 de la vue
+column-crops-x-px = colonne de l’image où commence la vue
+column-crops-y-px = rangée de l’image où commence la vue
+column-crops-width-px = largeur de la vue
+column-crops-height-px = hauteur de la vue
+column-crops-contact-x-px = contact du pneu avec la chaussée, dans la vue, x vers la droite ; (0, 0) est le centre du pixel en haut à gauche de la vue
+column-crops-contact-y-px = contact du pneu avec la chaussée, dans la vue, y vers le bas ; (0, 0) est le centre du pixel en haut à gauche de la vue
+column-crops-target-x-px = la cible, dans la vue, x vers la droite ; (0, 0) est le centre du pixel en haut à gauche de la vue
+column-crops-target-y-px = la cible, dans la vue, y vers le bas ; (0, 0) est le centre du pixel en haut à gauche de la vue
+column-crops-reason = pourquoi il n’y a pas de vue
+column-exclusions-measurement-id = mesure exclue
+column-exclusions-state = état pour lequel elle est exclue
+column-exclusions-reason = le motif en toutes lettres
+column-exclusions-reason-code = d’une hauteur manquante : le motif, par code et valeurs (JSON)
+column-response-lighting = all : toutes, daytime : jour, low_light : faible luminosité, ou unknown : inconnue
+column-response-class-set = all : tout, un groupe de classes (classes.csv), ou none : aucun
+column-response-target = ce qui est demandé ; vide : le véhicule dans son ensemble
+column-response-passes = passages trouvés
+column-response-discarded = dont écartés (vehicles.csv dit pourquoi)
+column-response-out-of-sample = dont hors échantillon
+column-response-in-sample = dont dans l’échantillon
+column-response-measured = de l’échantillon, mesurés
+column-response-not-visible = de l’échantillon, non visibles
+column-response-open = de l’échantillon, encore à faire
+column-response-outside = mesurés bien que hors échantillon
+column-response-rate = taux de réponse : measured sur in_sample
+column-response-low = borne inférieure de son intervalle exact à 95 %
+column-response-high = borne supérieure de son intervalle exact à 95 %
+column-error-table-heights = inset : hauteurs corrigées du retrait de chaque mesure ; as_in_the_paper : avec un retrait de 0, les deux hauteurs d’une erreur au centimètre
+column-error-table-rounding = cm : les deux hauteurs arrondies au centimètre, comme dans l’article ; none : non arrondies
+column-error-table-group = groupe
+column-error-table-figure = nom de la valeur
+column-error-table-n = nombre de mesures
+column-error-table-value = valeur
+column-error-table-low = borne inférieure de son intervalle à 95 %
+column-error-table-high = borne supérieure de son intervalle à 95 %
+column-error-table-holds = composantes de son intervalle, séparées par des espaces
+column-error-table-reason = pourquoi une valeur ou son intervalle manque
+column-agreement-figure = quelle valeur ; _m : en mètres
+column-corrections-correction = laquelle des corrections des hauteurs (corrections.csv dit ce qui a été fait)
+column-corrections-mean-m = moyenne des hauteurs corrigées
+column-corrections-sd-m = écart-type des hauteurs corrigées (n - 1)
+column-corrections-words = description de la correction
+column-corrections-warning = avertissement
+column-percentiles-grouping = ce qui divise les mesures ; all : rien
+column-percentiles-percent = quel centile
+column-percentiles-height-m = le centile
+column-total-uncertainty-percent = d’un centile : lequel
+column-total-uncertainty-limit-m = d’une part : sous quelle hauteur
+column-total-uncertainty-value = la valeur : une hauteur ou un écart-type en mètres, une part de 0 à 1
+column-total-uncertainty-raw-m = d’un centile : celui des hauteurs mesurées, sans correction
+column-total-uncertainty-holds = composantes de l’intervalle, séparées par des espaces
+column-same-rule-what = ce que concerne la hauteur de la norme
+column-same-rule-standard = nom de la norme
+column-same-rule-standard-m = hauteur de la norme
+column-same-rule-percent = centile de sa règle
+column-same-rule-class = de quels véhicules, d’après la norme
+column-same-rule-by-class = false : aucune classe n’est connue, tous les véhicules comptent
+column-same-rule-height-m = le même centile aujourd’hui, des hauteurs vraies
+column-same-rule-low-m = borne inférieure de son intervalle total à 95 %
+column-same-rule-high-m = borne supérieure de son intervalle total à 95 %
+column-same-rule-difference-m = centile d’aujourd’hui moins la hauteur de la norme
+column-same-rule-lower = probabilité que le centile d’aujourd’hui soit inférieur à la hauteur de la norme
+column-same-rule-verdict = conclusion
+column-same-rule-risk = probabilité que la conclusion soit fausse
+column-shares-source = d’où vient la valeur de la norme
+column-shares-below = nombre de hauteurs inférieures
+column-shares-share = part des hauteurs inférieures : below divisé par n
+column-lateral-positions-lane = sens de circulation sur l’image ; vide : tous
+column-lateral-positions-class = carrosserie des véhicules ; vide : toutes
+
 ## La page d'un dossier de preuve : ouverte sans serveur, par quelqu'un qui n'a rien d'autre
 
 opened-evidence-unreadable = Cette page ne peut pas lire ce qu’elle porte : le fichier a été tronqué ou modifié.
@@ -6093,6 +6317,21 @@ opened-evidence-strips-size = { $name } : { NUMBER($lines) } lignes de { $rows 
 opened-evidence-strip = SHA-256 de la bande stockée de la caméra { $camera }
 opened-evidence-audit = Journal d’audit
 opened-evidence-audit-end = La chaîne { $chain } avait { NUMBER($count) } événements quand ce fichier a été fait ; sa dernière empreinte était
+opened-evidence-event = { $entity ->
+    [scan_measurement] Mouvement { $number }
+    [scan_review] Décision { $number }
+   *[scan] Enregistrement { $number }
+  } : { $action ->
+    [create] création
+    [read] lecture
+    [recorded] enregistrement
+    [reading_failed] échec de la lecture
+    [restart_reading] nouvelle lecture
+    [review] vérification
+    [swap_cameras] échange des caméras
+   *[update] modification
+  }
+opened-evidence-pair = { $first } ; { $second }
 opened-evidence-event-number = N°
 opened-evidence-event-at = Le (UTC)
 opened-evidence-event-what = Événement
@@ -6250,7 +6489,7 @@ reference-times-need-start = { $name } contient des heures, mais le début de ce
 reference-times-later = Les heures de { $count } lignes sont en retard de { $off_s } s (médiane) sur celles de leurs véhicules.
 reference-times-earlier = Les heures de { $count } lignes sont en avance de { $off_s } s (médiane) sur celles de leurs véhicules.
 reference-times-start = Le début de ce balayage n’est connu qu’à ± { $U95_s } s près, plus que la tolérance de { $tolerance_s } s : une ligne peut convenir à un voisin. Contrôlez les paires.
-reference-line-replaces = Remplace { $quantity } { $value } { $unit } (u { $u } { $unit }).
+reference-line-replaces = Remplace { $quantity } { $value } { $unit } (u = { $u } { $unit }).
 reference-line-renames = Était un passage de { $car }.
 reference-car-too-long = Le nom du véhicule dépasse 100 caractères ; raccourcissez-le.
 scans-reference-does-not-follow = { $path } : { $name } de la ligne { $number } ne découle pas de la référence et de la valeur propre du véhicule.
@@ -6289,7 +6528,7 @@ scan-motion-no-order = Les bornes ne sont pas dans l’ordre : l’avant doit p
 scan-motion-no-texture = Trop peu du véhicule est assez net pour être recalé d’une bande à l’autre.
 scan-motion-no-match = Les deux images du véhicule ne suivent pas un même mouvement : deux véhicules côte à côte, un véhicule arrêté ou des lignes perdues.
 scan-motion-few-lines = Environ { $lines } lignes seulement ont été enregistrées entre les deux caméras, trop peu pour la vitesse ou le sens : augmentez la cadence, ou écartez les caméras.
-scan-motion-few-blocks = Trop peu de blocs de { $lines } lignes peuvent être appariés : le véhicule présente trop peu de détails, ou trop peu de lignes ; augmentez la fréquence de lignes, ou utilisez l’autre méthode.
+scan-motion-few-blocks = Trop peu de blocs de { $lines } lignes peuvent être appariés : le véhicule présente trop peu de détails, ou trop peu de lignes ; augmentez la cadence de lignes, ou utilisez l’autre méthode.
 scan-motion-not-converged = Le recalage n’a pas entièrement convergé.
 scan-motion-cameras-disagree = Les caméras diffèrent de { $apart_cm } cm sur l’avant ou l’arrière : contrôlez les bornes, et si deux véhicules passent côte à côte.
 scan-motion-saturated = Une partie de l’image est saturée ; réduisez l’exposition.
@@ -6309,7 +6548,7 @@ scan-wheelbase-one-wheel = Cliquez sur les moyeux de deux roues différentes.
 scan-wheelbase-at-rest = D’après son mouvement ajusté, le véhicule était arrêté à l’un des pointés.
 scan-run-none-found = Aucun véhicule n’a été trouvé ; contrôlez les bandes, et que le temps court selon l’axe choisi.
 scan-run-swapped = { $reversed } véhicules sur { $found } ont atteint d’abord la deuxième bande ; si le trafic ne va pas dans ce sens ici, les bandes sont inversées.
-scan-run-alone = { $alone } fois, quelque chose n’est passé que devant une caméra : vérifiez que les deux montrent la même voie, et contrôlez base et cadence de lignes.
+scan-run-alone = { $alone } objets ne sont passés que devant une caméra : vérifiez que les deux montrent la même voie, et contrôlez base et cadence de lignes.
 scan-run-light-changed = La luminosité a varié brusquement ({ $count } fois) ; les véhicules passés à ce moment peuvent manquer.
 scan-run-camera-moved = Une caméra a bougé ({ $count } fois) : depuis, la chaussée est quelques rangées plus haut ou plus bas ; fixez la caméra solidement.
 scan-run-road-unsteady = La chaussée vide de la caméra { $camera } varie de { $percent } % d’une ligne à l’autre : neige, pluie, ou véhicule au début ; enregistrez d’abord la chaussée vide.
@@ -6318,10 +6557,6 @@ scan-run-flicker = La lumière à la caméra { $camera } scintille de { $percent
 scan-run-saturated = { $percent } % de l’image de la caméra { $camera } est saturée ; réduisez l’exposition.
 rig-misalignments-scatter = Le désalignement diffère d’un véhicule à l’autre de { NUMBER($sd_px, minimumFractionDigits: 2, maximumFractionDigits: 2) } px (écart-type) ; vérifiez si une caméra a bougé.
 rig-few-known = { $count } véhicules connus sont trop peu ; il en faut { $least }.
-rig-sizes-differ = Les véhicules mesurés sont de { NUMBER($percent, minimumFractionDigits: 2, maximumFractionDigits: 2) } % plus { $than ->
-    [longer] longs
-   *[shorter] courts
- } que connus. Vérifiez la base ; une ombre allonge aussi.
 rig-misalignment-given = Le désalignement a été saisi : les estimations des véhicules en dépendent ; laissez-le vide et mesurez à nouveau pour l’estimer.
 rig-baseline-off = { $count } { $of ->
     [length] longueurs
@@ -6329,7 +6564,7 @@ rig-baseline-off = { $count } { $of ->
  } de véhicules connus ressortent de { NUMBER($percent, minimumFractionDigits: 2, maximumFractionDigits: 2) } % plus { $than ->
     [longer] longs
    *[shorter] courts
- } qu’ils ne sont (u { NUMBER($u_percent, minimumFractionDigits: 2, maximumFractionDigits: 2) } %) : une base plus { $than ->
+ } qu’ils ne sont (u = { NUMBER($u_percent, minimumFractionDigits: 2, maximumFractionDigits: 2) } %) : une base plus { $than ->
     [longer] courte
    *[shorter] longue
  } leur conviendrait. Mesurez-la de nouveau.{ $of ->
@@ -6360,42 +6595,321 @@ scan-motion-not-finite = La { $what ->
    *[acceleration] accélération
  } calculée n’est pas un nombre : contrôlez les bornes, la base et la cadence.
 
+## Said: boards, calibrations, camera poses and the traffic's say on them
+
+board-not-found = Aucune mire n’a été trouvée.
+board-search-stopped = La recherche a été arrêtée.
+board-none = Aucune mire de { $columns }x{ $rows } coins intérieurs n’a été trouvée ; montrez la mire entière avec sa marge blanche, nette et éclairée uniformément, et comptez les coins intérieurs.
+board-none-in-time = Aucune mire de { $columns }x{ $rows } coins intérieurs n’a été trouvée dans le temps imparti à la recherche ; montrez la mire entière avec sa marge blanche, nette et éclairée uniformément, et comptez les coins intérieurs.
+board-cut-off = La mire est coupée par le bord de l’image ; montrez-la en entier.
+board-squares-tiny = Les cases font moins de 3 px ; approchez la mire ou prenez des cases plus grandes.
+board-markers-tiny = Les cases font moins de 3 px ; approchez la mire.
+board-no-checkerboard = Le motif trouvé n’est pas un damier.
+board-picture-too-small = L’image est trop petite pour contenir une mire.
+board-none-with-markers = Aucune mire ChArUco de { $columns }x{ $rows } coins intérieurs avec des marqueurs { $dictionary } n’a été trouvée, ou trop peu ; elle doit être nette et de ce dictionnaire.
+board-goes-on = La mire continue { $side ->
+    [left] à gauche
+    [right] à droite
+    [above] en haut
+   *[below] en bas
+ } au-delà de { $columns }x{ $rows } coins intérieurs ; recomptez-les.
+board-corners-uneven = Les coins trouvés ne forment pas une grille régulière ; quelque chose couvre la mire ou elle n’est pas plane.
+board-moved-far = La mire a trop bougé entre deux images.
+board-no-frame = Aucune image n’a été donnée.
+board-corners-few = Au plus { $parts } de ses { $whole } coins ont été trouvés ; montrez la mire entière.
+board-order = Les coins sont numérotés depuis le haut à gauche tel que vu, le long des rangées vers la droite puis vers le bas.
+board-order-part = { $seen } de ses { $all } coins sont visibles ; cela suffit à un étalonnage, mais une pose de la caméra les demande tous.
+board-order-turned = La mire est posée dans l’autre sens qu’indiqué : { $columns } colonnes sur { $rows } rangées telle que vue.
+pose-frames-without-board = La mire n’a pas été trouvée dans { $missed } des images ; celles-ci ne servent pas.
+pose-frames-moved = La mire ou la caméra a bougé dans certaines images ; seules servent les images au repos.
+pose-corners-miss-model = Les coins ne suivent le modèle qu’à { NUMBER($rms_px, minimumFractionDigits: 2, maximumFractionDigits: 2) } px près ; la mire est peut-être courbée ou l’étalonnage mauvais.
+pose-two-fit = Deux poses s’accordent presque aussi bien à la mire ; tournez-la d’une trentaine de degrés ou approchez-la.
+pose-squares-small = Les cases sont petites dans l’image ; approchez la mire.
+pose-board-rolled = La mire paraît tournée de { $roll_deg } degrés ; contrôlez que colonnes et rangées ne sont pas inversées.
+pose-one-frame = Une seule image est utilisée ; l’immobilité de la mire n’est pas contrôlée.
+pose-road-turned = Pivotée de { NUMBER($heading_deg, minimumFractionDigits: 2, maximumFractionDigits: 2) } degrés vers le sens de circulation.
+pose-turned-by-vehicles = Pivotée de { NUMBER($turn_deg, minimumFractionDigits: 2, maximumFractionDigits: 2) }° vers le sens de { $vehicles } véhicules.
+pose-adjusted-by-passes = Ajustée par { $passes } passages d’empattement ou de hauteur connus.
+pose-before = La pose précédente est le numéro { $pose }.
+pose-simulated = Simulée.
+pose-board-distance = La mire était à { NUMBER($distance_m, minimumFractionDigits: 2, maximumFractionDigits: 2) } m de la caméra.
+pose-camera-height = La caméra est à { NUMBER($height_m, minimumFractionDigits: 2, maximumFractionDigits: 2) } m au-dessus de la route.
+pose-expected-heights = U95 attendue d’une hauteur de 1,2 m, pointée avec u = 1 px : { $figures }.
+pose-expected-at = ±{ SMALL($U95_height_m) } à { $distance_m } m
+pose-no-road-at-distance = L’image ne montre pas la route à cette distance.
+words-comma = { $first }, { $second }
+calibration-image-other-size = La photo fait { $width_px }x{ $height_px } px, la plupart des autres { $usual_width_px }x{ $usual_height_px } px.
+calibration-image-blurred = La photo est floue (bords larges de { NUMBER($edge_px, minimumFractionDigits: 1, maximumFractionDigits: 1) } px).
+calibration-no-covariance = Le fichier n’indique pas d’incertitude de l’objectif ; cette composante manque dans l’incertitude de chaque hauteur.
+calibration-made = { $used } vues utilisées sur { $given }, résidu { NUMBER($rms_px, minimumFractionDigits: 2, maximumFractionDigits: 2) } px, focale { NUMBER($focal_px, minimumFractionDigits: 1, maximumFractionDigits: 1) } px.
+calibration-made-u = { $used } vues utilisées sur { $given }, résidu { NUMBER($rms_px, minimumFractionDigits: 2, maximumFractionDigits: 2) } px, focale { NUMBER($focal_px, minimumFractionDigits: 1, maximumFractionDigits: 1) } px (incertitude-type { NUMBER($u_focal_px, minimumFractionDigits: 1, maximumFractionDigits: 1) } px).
+calibration-imported = Importé de { $file_name } : modèle { $model }, focale { NUMBER($focal_px, minimumFractionDigits: 1, maximumFractionDigits: 1) } px.
+calibration-board-bent = La mire n’est pas plane : elle fléchit d’environ { NUMBER($bow_percent, minimumFractionDigits: 1, maximumFractionDigits: 1) } % d’une case ; avec sa forme estimée, le résidu passe de { NUMBER($flat_px, minimumFractionDigits: 2, maximumFractionDigits: 2) } à { NUMBER($bent_px, minimumFractionDigits: 2, maximumFractionDigits: 2) } px. Fixez la mire sur une plaque rigide et plane et reprenez les photos, ou étalonnez en tenant compte de la flèche.
+calibration-board-bent-changes = La mire n’est pas plane : elle fléchit d’environ { NUMBER($bow_percent, minimumFractionDigits: 1, maximumFractionDigits: 1) } % d’une case ; avec sa forme estimée, le résidu passe de { NUMBER($flat_px, minimumFractionDigits: 2, maximumFractionDigits: 2) } à { NUMBER($bent_px, minimumFractionDigits: 2, maximumFractionDigits: 2) } px et une hauteur à { $distance_m } m change de { SMALL($change_m) }. Fixez la mire sur une plaque rigide et plane et reprenez les photos, ou étalonnez en tenant compte de la flèche.
+calibration-halves-few = Deux moitiés demandent au moins { $least } vues utilisables{ $board ->
+    [bent] { " " }d’une mire gauchie
+   *[flat] { "" }
+ } ; il y en a { $usable }. Prenez d’autres photos.
+calibration-halves-failed = Les deux moitiés n’ont pas pu être étalonnées séparément : { $message }
+calibration-halves-no-inverse = Une mire est là où le modèle d’objectif n’a pas d’inverse ; ajoutez des photos qui atteignent les coins.
+calibration-halves-differ = Deux moitiés des photos, étalonnées séparément, diffèrent de { SMALL($difference_m) } pour une hauteur à { $distance_m } m : plus que le bruit des coins ne l’explique. L’objectif demande peut-être l’autre modèle, la mire est peut-être gauchie, ou le zoom ou la mise au point a changé entre les photos.
+calibration-halves-differ-beyond = Deux moitiés des photos, étalonnées séparément, diffèrent de { SMALL($difference_m) } pour une hauteur à { $distance_m } m ({ SMALL($expected_m) } attendus) : plus que le bruit des coins ne l’explique. L’objectif demande peut-être l’autre modèle, la mire est peut-être gauchie, ou le zoom ou la mise au point a changé entre les photos.
+calibration-held-out-worse = Les photos hors ajustement s’accordent bien moins que les photos ajustées ({ NUMBER($held_out_px, minimumFractionDigits: 2, maximumFractionDigits: 2) } px contre { NUMBER($fit_px, minimumFractionDigits: 2, maximumFractionDigits: 2) } px) ; ajoutez des photos où la mire est inclinée, partout dans l’image.
+calibration-few-views = Seules { $count } vues ont servi ; sous { $few }, un petit résidu prouve peu ; prenez-en 15 à 25.
+calibration-views-alike = Seules { $different } des { $count } vues diffèrent, car la mire n’a guère bougé entre les autres ; déplacez-la et inclinez-la entre les photos, ou prenez des images plus éloignées.
+calibration-little-covered = Les mires couvrent { $percent } % de l’image ; ajoutez des vues qui atteignent ses bords et ses coins, où la distorsion est la plus forte.
+calibration-boards-parallel = Toutes les mires sont orientées de même ; focale et distance ne se distinguent pas ; inclinez la mire de 30 à 45 degrés dans plusieurs directions.
+calibration-residual-high = Le résidu de { NUMBER($rms_px, minimumFractionDigits: 2, maximumFractionDigits: 2) } px est élevé ; la mire n’est peut-être pas plane, sa taille est peut-être fausse, ou l’objectif demande un autre modèle.
+calibration-other-model-better = Le modèle { $model } convient mieux ({ NUMBER($other_px, minimumFractionDigits: 2, maximumFractionDigits: 2) } px contre { NUMBER($rms_px, minimumFractionDigits: 2, maximumFractionDigits: 2) } px) ; étalonnez avec lui.
+calibration-lens-undetermined = Les vues ne déterminent pas l’objectif ; son incertitude ne peut être indiquée.
+calibration-focal-vague = La focale n’est connue qu’à { NUMBER($percent, minimumFractionDigits: 1, maximumFractionDigits: 1) } % ; prenez d’autres vues, inclinées et proches.
+lens-axis-off-middle = L’axe optique est loin du milieu de l’image ; la photo a-t-elle été recadrée ?
+lens-pixels-not-square = Les deux focales diffèrent de plus de 10 % ; les pixels sont-ils carrés ?
+lens-no-inverse-in-corners = Le modèle d’objectif ne s’inverse pas dans les coins de l’image : rien n’y est mesuré ; ajoutez des photos qui atteignent les coins.
+calibration-squares-small = Dans { $small } vues sur { $views }, les cases font moins de { $least_px } px et leurs coins sont inexacts ; approchez la mire ou prenez des cases plus grandes.
+calibration-several-sizes = Photos de plusieurs tailles : { $count } ignorées qui ne font pas { $width_px }x{ $height_px } px (d’abord { $file }) ; un étalonnage ne vaut que pour une taille, prenez des photos à la taille des enregistrements.
+calibration-board-seldom = La mire n’a servi que dans { $used } photos sur { $given } ; recomptez ses coins intérieurs et montrez-la entière, nette et éclairée uniformément.
+calibration-image-outlier = { $file } s’accorde bien moins que les autres ({ NUMBER($rms_px, minimumFractionDigits: 2, maximumFractionDigits: 2) } px contre { NUMBER($usual_px, minimumFractionDigits: 2, maximumFractionDigits: 2) } px) ; contrôlez ses coins.
+calibration-tilt-edge = Inclinez la mire d’environ 30 degrés, son bord { $edge } plus près de la caméra.
+calibration-tilt-edges = Inclinez la mire d’environ 30 degrés, tour à tour son bord { $edges } plus près de la caméra.
+board-edge = { $edge ->
+    [left] gauche
+    [right] droit
+    [top] supérieur
+   *[bottom] inférieur
+ }
+image-part = { $place ->
+    [top-left] en haut à gauche
+    [top-centre] en haut au centre
+    [top-right] en haut à droite
+    [middle-left] au milieu à gauche
+    [middle-right] au milieu à droite
+    [bottom-left] en bas à gauche
+    [bottom-centre] en bas au centre
+    [bottom-right] en bas à droite
+   *[middle-centre] centre
+ }
+calibration-bring-nearer = Approchez la mire : elle ne remplit jamais plus de { $percent } % de l’image ; un tiers ou plus convient.
+calibration-hold-in = Tenez la mire dans cette partie de l’image : { $parts }.
+import-several-cameras = { $file_name } contient plusieurs caméras : { $cameras } ; { $key } a été lue (nommez-en une autre avec --which).
+import-roi-whole = { $file_name } : la caméra est celle de l’image entière, comme demandé, et non de sa roi.
+import-roi-part = { $file_name } décrit une partie de l’image (roi) : { $width }x{ $height } px à partir de ({ $left } ; { $top }) sur { $full_width }x{ $full_height } px ; la caméra est celle de cette partie (--size { $full_width }x{ $full_height } pour l’image entière).
+import-no-distortion = { $file_name } indique un objectif sans aucune distorsion, ce qui est rare ; contrôlez que cette caméra a été étalonnée.
+import-model-guessed = { $file_name } ne nomme pas son modèle de distorsion ; ses quatre coefficients ont été lus comme { $taken } (à choisir par --model).
+adjustment-length-not-finite = La valeur ({ $length ->
+    [wheelbase] empattement
+    [roof] hauteur du toit
+   *[roof_inset] retrait du toit
+ }) ou son incertitude n’est pas un nombre fini, ou l’incertitude est négative.
+adjustment-length-not-positive = La valeur ({ $length ->
+    [wheelbase] empattement
+    [roof] hauteur du toit
+   *[roof_inset] retrait du toit
+ }) n’est pas positive.
+adjustment-length-off = Sa longueur connue ({ $length ->
+    [wheelbase] empattement
+    [roof] hauteur du toit
+   *[roof_inset] retrait du toit
+ }) de { NUMBER($known_m, minimumFractionDigits: 3, maximumFractionDigits: 3) } m est de { NUMBER($deviate, minimumFractionDigits: 1, maximumFractionDigits: 1) } incertitudes-types trop { $than ->
+    [long] grande
+   *[short] petite
+ } pour les points observés ; vérifiez le modèle.
+adjustment-crooked = Trop de ses points ne sont pas sur une même ligne droite.
+adjustment-point-outside = Un point est hors de l’image.
+adjustment-tyre-off-road = Un pneu est là où il n’y a pas de route : au-dessus de l’horizon, ou hors du rayon du modèle d’objectif.
+adjustment-part-excluded = Le trafic contredit ce terme : { $part ->
+    [board_lean_rad] { adjust-board_lean_rad }
+    [board_roll_rad] { adjust-board_roll_rad }
+    [board_height_m] { adjust-board_height_m }
+    [square_m] { adjust-square_m }
+    [bow_along_rows_m] { adjust-bow_along_rows_m }
+    [bow_down_columns_m] { adjust-bow_down_columns_m }
+    [wheelbase_common_m] { adjust-wheelbase_common_m }
+   *[roof_common_m] { adjust-roof_common_m }
+ }, avec son u indiquée de { $u } { $unit } ; il a été exclu.
+adjustment-common-far-off = Une valeur est loin de 0 pour son u indiquée de { $u } { $unit } : { $part ->
+    [board_lean_rad] { adjust-board_lean_rad }
+    [board_roll_rad] { adjust-board_roll_rad }
+    [board_height_m] { adjust-board_height_m }
+    [square_m] { adjust-square_m }
+    [bow_along_rows_m] { adjust-bow_along_rows_m }
+    [bow_down_columns_m] { adjust-bow_down_columns_m }
+    [wheelbase_common_m] { adjust-wheelbase_common_m }
+   *[roof_common_m] { adjust-roof_common_m }
+ }. Vérifiez que les longueurs connues se rapportent aux points suivis.
+adjustment-points-scatter = Les points se dispersent { NUMBER($factor, minimumFractionDigits: 1, maximumFractionDigits: 1) } fois plus qu’indiqué ; leurs incertitudes ont été multipliées par ce facteur.
+adjustment-lengths-scatter = Les valeurs connues ({ $length ->
+    [wheelbase] empattement
+    [roof] hauteur du toit
+   *[roof_inset] retrait du toit
+ }) se dispersent { NUMBER($factor, minimumFractionDigits: 1, maximumFractionDigits: 1) } fois plus qu’indiqué ; leurs incertitudes ont été multipliées par ce facteur.
+adjustment-global-test-failed = Le test global échoue : khi-deux { $chi2 } pour { $freedom } degrés de liberté ; les incertitudes indiquées ne sont pas compatibles entre elles.
+adjustment-few-vehicles = Avec { $count } véhicules, un véhicule erroné ne se distingue pas d’une pose erronée.
+adjustment-pose-unchanged = Aucun passage de longueur connue n’a pu servir ; la pose est inchangée.
+adjustment-point-not-finite = Un point ou son incertitude n’est pas un nombre fini.
+adjustment-point-no-u = L’incertitude d’un point n’est pas positive.
+adjustment-point-twice = Un point est donné deux fois sur une image.
+adjustment-no-tyre = Aucun pneu de ce véhicule n’est mesuré ; rien ne le rattache à la chaussée.
+adjustment-no-known-length = Aucune longueur connue de ce véhicule n’est mesurée.
+adjustment-no-model = Sa marque et son modèle ne sont pas renseignés ; son empattement est inconnu.
+adjustment-no-wheelbase = Le catalogue n’a pas d’empattement pour ce modèle et cette année.
+adjustment-several-wheelbases = Le catalogue a plusieurs empattements pour ce modèle ; indiquez l’année.
+adjustment-no-height = La hauteur du constructeur n’est pas renseignée.
+adjustment-model-by-size = Son modèle a été choisi d’après ses dimensions : ce qui est connu du modèle n’est pas une référence.
+adjustment-roof-not-near-edge = Le toit n’a pas été pointé à son bord proche.
+adjustment-no-lengths-yet = Aucune longueur n’est encore connue : pointez les deux pneus de véhicules d’un modèle connu, ou mesurez leur toit.
+adjustment-done-before = Cette pose est déjà ajustée sur le trafic.
+adjustment-no-pass = Aucun passage de longueur connue n’a pu servir.
+traffic-turned = L’axe X de la route est pivoté de { NUMBER($mean_deg, minimumFractionDigits: 2, maximumFractionDigits: 2) }° (u = { NUMBER($u_deg, minimumFractionDigits: 2, maximumFractionDigits: 2) }°, { $count } véhicules) par rapport au trafic.
+traffic-agrees = L’axe X de la route s’accorde avec le trafic : rotation de { NUMBER($mean_deg, minimumFractionDigits: 2, maximumFractionDigits: 2) }° (u = { NUMBER($u_deg, minimumFractionDigits: 2, maximumFractionDigits: 2) }°, { $count } véhicules), non significative.
+traffic-turn-changes = Cela change { $count } hauteurs enregistrées de { SMALL($largest_m) } au plus.
+traffic-turn-would-change = La pivoter changerait les hauteurs enregistrées de { SMALL($largest_m) } au plus.
+traffic-few-vehicles = Il faut les deux contacts de pneu d’au moins { $least } véhicules ; utilisables : { $usable }.
+adjustment-row-frame = Ligne { $row } : la cellule frame n’est pas un nombre entier.
+adjustment-row-point = Ligne { $row } : la cellule point n’est aucun de { $points }.
+adjustment-row-another = Ligne { $row } : une autre valeur de { $column } est donnée pour le même passage.
+adjustment-u-lacking = { $given } est donné sans { $lacking }.
+
+## Said: insets, repeats and models that fit
+
+inset-few-known = Il faut au moins { $least } véhicules de hauteur connue ; utilisables : { $usable }.
+inset-known-at-camera-height = Non concluant : les véhicules sont à peu près à la hauteur de la caméra, où le retrait a peu d’effet.
+inset-none-fits = Aucun retrait ne s’accorde aux hauteurs du constructeur ; contrôlez-les, ainsi que la hauteur de la caméra et les pointés.
+inset-known-vague = Cela ne dit presque rien : trop peu de véhicules pour des hauteurs si proches de la caméra ou si incertaines.
+inset-few-trend = Il faut au moins { $least } véhicules ; utilisables : { $usable }.
+inset-no-trend = Les hauteurs ne donnent pas de retrait : trop peu de véhicules, ou tous à peu près à la même distance.
+inset-trend-at-camera-height = Cela ne dit rien : cette cible est à peu près à la hauteur de la caméra, où le retrait ne compte guère.
+inset-trend-one-distance = Cela ne dit rien : tous sont passés à peu près à la même distance, { NUMBER($nearest_m, minimumFractionDigits: 1, maximumFractionDigits: 1) } à { NUMBER($farthest_m, minimumFractionDigits: 1, maximumFractionDigits: 1) } m.
+inset-trend-few = Pas assez de données : il faut quelques centaines de véhicules pour u = 0,15 m.
+inset-few-solved = Il faut au moins { $least } véhicules mesurés sur deux images ; il y en a { $count }.
+inset-solved-close-frames = Cela ne dit presque rien : les images étaient trop rapprochées.
+inset-no-gain = S’accorde avec le retrait en vigueur ; l’adopter ne rendrait aucune hauteur plus sûre.
+inset-no-known-roof = Aucun véhicule dont la hauteur du constructeur est connue n’a de toit mesuré.
+inset-nothing-measured = Aucune mesure de cette cible.
+repeat-first-no-height = Les premiers pointés ne donnent pas de hauteur : { $reason }
+repeat-second-no-height = Les seconds pointés ne donnent pas de hauteur : { $reason }
+repeat-other-frame = Pointées sur des images différentes : les pointés ne sont pas seuls à différer.
+repeat-other-pose = La pose de la caméra a changé depuis : les pointés ne sont pas seuls à différer.
+repeat-other-inset = Les retraits diffèrent : les pointés ne sont pas seuls à différer.
+repeat-no-uncertainty = Une hauteur est sans incertitude.
+repeats-few-own = Répétitions propres de { $name } : { $pairs } ; il en faut { $least }.
+repeats-few-other-frame = Répétées sur une autre image par un même opérateur : { $count } ; il en faut { $least }.
+repeats-nothing-yet = Rien n’a encore été repointé.
+repeats-few = Trop peu de répétitions : { $freedom } degrés de liberté, il en faut au moins { $least }.
+repeats-few-to-compare = Trop peu de répétitions à comparer : { $freedom }, il en faut au moins { $least }.
+repeats-one-operator = Aucune cible n’a été répétée par un second opérateur ; demandez à un autre opérateur d’en répéter.
+repeats-no-difference = Les personnes diffèrent moins que leurs pointés ne se dispersent ; davantage de répétitions trancheraient.
+models-none-in-catalogue = Le catalogue est vide.
+models-none-fits = Aucun modèle du catalogue ne convient à ce qui a été mesuré sur ce véhicule.
+models-nothing-measured = Aucune dimension du catalogue n’a encore été mesurée sur ce véhicule.
+models-no-such-size = Aucun modèle du catalogue n’a de dimension mesurée sur ce véhicule.
+
+## Said: what an import notes of a video or of strips
+
+video-filmed-at = Filmé à { $filmed_hz } images par seconde, comme saisi ; le fichier en lit { $played_hz } par seconde. Les instants sont ceux du tournage.
+video-no-rate = Le fichier n’indique aucune cadence : { $played_hz } images par seconde sont supposées. Ses instants ne sont pas fiables ; aucun mouvement n’en est donc mesuré.
+video-impossible-rate-endless = Les horodatages donnent une infinité d’images par seconde, ce qu’aucune caméra ne filme. Ses instants ne sont pas fiables ; aucun mouvement n’en est donc mesuré.
+video-impossible-rate = Les horodatages donnent { $played_hz } images par seconde, ce qu’aucune caméra ne filme. Ses instants ne sont pas fiables ; aucun mouvement n’en est donc mesuré.
+video-slow-motion = Le fichier est marqué comme ralenti ; il lit { $played_hz } images par seconde. Les hauteurs d’une seule image sont valables, mais aucun mouvement n’est mesuré tant que vous n’avez pas saisi la cadence de tournage.
+video-slow-motion-at = Le fichier indique qu’il a été filmé à { $filmed_hz } images par seconde ; il lit { $played_hz } images par seconde. Les hauteurs d’une seule image sont valables, mais aucun mouvement n’est mesuré tant que vous n’avez pas saisi la cadence de tournage.
+video-gaps = Des images manquent : { $count ->
+    [one] une lacune
+   *[other] { $count } lacunes
+ }, la plus longue de { NUMBER($gap_s, minimumFractionDigits: 2, maximumFractionDigits: 2) } s après l’image { $frame }.
+video-truncated = Le fichier est tronqué : il manque { $missing } octets à la fin. { $count } images ({ NUMBER($span_s, minimumFractionDigits: 2, maximumFractionDigits: 2) } s) ont été importées ; recopiez-le pour le reste.
+video-another-recording-after = Le fichier contient après celui-ci un autre enregistrement, qui n’est pas importé. Scindez le fichier et ajoutez chaque partie.
+video-other-tracks = Le fichier contient { $count ->
+    [one] une autre piste vidéo
+   *[other] { $count } autres pistes vidéo
+ } : { $others } ; la piste { $stream } ({ $codec }, { $width_px }x{ $height_px }) a été importée.
+video-track = { $number } ({ $codec }, { $width_px }x{ $height_px }{ $kind ->
+    [still] , une image fixe
+    [off] , désactivée
+    [still_off] , une image fixe, désactivée
+   *[moving] { "" }
+ })
+video-track-unknown = { $number } (codec inconnu)
+video-not-turned = L’en-tête demande une rotation supplémentaire de { $degrees } degrés, qui n’est pas appliquée : seuls les quarts de tour conservent les pixels tels que filmés.
+video-same-image = { $count } { $count ->
+    [one] image est identique
+   *[other] images sont identiques
+ } à la précédente.
+video-not-later = { $count } { $count ->
+    [one] image a un horodatage qui ne suit pas
+   *[other] images ont un horodatage qui ne suit pas
+ } celui de la précédente ; les temps ont été triés.
+video-packets-damaged = { $count } { $count ->
+    [one] paquet endommagé a été ignoré
+   *[other] paquets endommagés ont été ignorés
+ } ; des images manquent là.
+video-frames-patched = { $count } { $count ->
+    [one] image est endommagée et complétée
+   *[other] images sont endommagées et complétées
+ } par le décodeur, la première à { $first } ; n’y mesurez pas.
+video-start-in-future = Le fichier indique un début à { $start } UTC, qui est dans le futur : l’horloge de la caméra est fausse ; aucun début n’est donc proposé.
+video-ends-early = L’en-tête annonce { NUMBER($duration_s, minimumFractionDigits: 1, maximumFractionDigits: 1) } s, les images s’arrêtent à { NUMBER($end_s, minimumFractionDigits: 1, maximumFractionDigits: 1) } s ; le fichier est peut-être tronqué.
+video-other-rate = L’en-tête annonce { $stated_hz } images par seconde, les horodatages { $rate_hz } ; les horodatages font foi.
+video-other-count = L’en-tête annonce { $claimed } images, { $count } ont pu être décodées ; leur numérotation suit celles-ci.
+video-shown-upright = Les images ont été { $done }, comme l’indique leur en-tête.
+video-stretched = étirée pour des pixels de { $aspect }
+video-turned = tournée de { $degrees } degrés dans le sens horaire
+video-mirrored = retournées en miroir
+video-interlaced = L’enregistrement est entrelacé : les bords mobiles sont dentelés, préférez un enregistrement progressif.
+video-working-copy = Les images viennent d’une copie de travail indexée ; elles sont identiques à celles de l’original.
+video-other-size-skipped = { $count } images d’une autre taille ont été ignorées.
+video-rate-varies = La cadence d’images varie : { NUMBER($least_s, minimumFractionDigits: 4, maximumFractionDigits: 4) } à { NUMBER($most_s, minimumFractionDigits: 4, maximumFractionDigits: 4) } s entre images ; les temps viennent des horodatages.
+video-unreadable-end = Le fichier n’a pu être lu jusqu’au bout ; { $count } images ont été trouvées avant.
+video-no-time-stamps = Le flux n’a pas d’horodatage utilisable : { $rate_hz } images par seconde sont supposées, ne vous fiez donc pas à ses temps.
+scan-pixels-saturated = { $percent } % des pixels de la caméra { $camera } sont saturés ; des bords y sont perdus ; réduisez la lumière ou l’exposition.
+scan-recorder-lost = L’enregistreur de { $name } a perdu { $count } lignes ; elles sont remplacées par des copies.
+scan-recorder-other-rate = { $name } annonce une cadence de { $told_hz } Hz, mais { $line_rate_hz } Hz ont été donnés et sont utilisés ; vérifiez laquelle est juste.
+
+## Said: how far a job is
+
+job-begun-again = La tâche a été interrompue ; elle est relancée.
+job-tried-again = La base de données ou le stockage ne répond pas ; la tâche est réessayée d’elle-même.
+job-waits-to-begin-again = En attente d’être relancée.
+job-video-reading = Lecture de la vidéo.
+job-drift-searching = Recherche de mouvements de la caméra.
+job-drift-background = Recherche du fond dans l’image { $frame }.
+job-board-searching = Recherche de la mire.
+job-board-searching-frame = Recherche de la mire dans l’image { $frame }.
+job-board-searching-in = Recherche de la mire dans { $name }.
+job-pose-computing = Calcul de la position de la caméra.
+job-lens-fitting = Ajustement de l’objectif, et de ses deux moitiés séparément.
+job-export-vehicles = Écriture des véhicules, des vérifications et de la chaîne d’audit.
+job-export-measurements = Écriture des mesures.
+job-export-crops = Découpe des vues de chaque pointé.
+job-export-figures = Calcul des statistiques, tracé des figures et du rapport.
+job-export-reading = Lecture du relevé.
+job-export-storing = Enregistrement de l’archive.
+job-export-packing = Archivage des fichiers.
+job-heights-saving = Enregistrement des hauteurs modifiées.
+job-heights-restoring = Rétablissement des anciennes hauteurs.
+job-heights-computing = Calcul des hauteurs.
+job-strips-reading = Lecture des bandes.
+job-strips-cutting = Découpe des bandes.
+job-vehicles-searching = Recherche de véhicules.
+job-vehicles-found = Recherche de véhicules. { $count } jusqu’ici.
+job-vehicles-again = Nouvelle mesure des véhicules connus.
+job-study-package = Écriture de l’archive.
+job-study-report = Écriture du rapport.
+job-study-figures = Calcul des chiffres.
+job-passes-searching = Recherche des passages.
+job-demo-videos = Lecture des vidéos.
+job-demo-poses = Calcul des poses des caméras.
+job-demo-site = Simulation d’un site.
+job-demo-saving = Enregistrement du relevé de démonstration.
+
 ## What the server says in English, found again by its text (sightline/messages/recognised.py)
 
-told-geometry-several-cameras = { $file_name } contient plusieurs caméras : { $cameras } ; { $key } a été lue (nommez-en une autre avec --which).
-told-geometry-roi-whole = { $file_name } : la caméra est celle de l’image entière, comme demandé, et non de sa roi.
-told-geometry-roi-part = { $file_name } décrit une partie de l’image (roi) : { $width }x{ $height } px à partir de ({ $left } ; { $top }) sur { $full_width }x{ $full_height } px ; la caméra est celle de cette partie (--size { $full_width }x{ $full_height } pour l’image entière).
-told-geometry-no-distortion = { $file_name } indique un objectif sans aucune distorsion, ce qui est rare ; contrôlez que cette caméra a été étalonnée.
-told-linescan-mark-incomplete = Chaque repère a besoin d’une distance, d’une hauteur et d’une ligne.
-told-linescan-marks-not-numbers = Les distances, hauteurs et lignes des repères doivent être des nombres.
+told-linescan-mark-incomplete = Chaque repère a besoin d’une distance, d’une hauteur et d’une rangée.
+told-linescan-marks-not-numbers = Les distances, hauteurs et rangées des repères doivent être des nombres.
 told-linescan-marks-too-few = { $count } repères ne suffisent pas ; pointez-en au moins { $least }.
-told-linescan-marks-above-zero = Les distances des repères et l’u de leurs lignes doivent être supérieures à 0.
-told-linescan-rod-upside-down = Les repères les plus hauts doivent avoir les lignes les plus petites ; contrôlez le sens du jalon.
+told-linescan-marks-above-zero = Les distances des repères et l’u de leurs rangées doivent être supérieures à 0.
+told-linescan-rod-upside-down = Les repères les plus hauts doivent avoir les rangées les plus petites ; contrôlez le sens du jalon.
 told-media-not-decoded-at = Cet enregistrement ne peut pas être décodé à l’image { $frame } : là, le décodeur { $why } ; { $way_out }.
-told-media-filmed-at = Filmé à { $filmed_hz } images par seconde, comme saisi ; le fichier en lit { $played_hz } par seconde. Les instants sont ceux du tournage.
-told-media-no-rate = Le fichier n’indique aucune cadence : { $played_hz } images par seconde sont supposées. Ses instants ne sont pas fiables ; aucun mouvement n’en est donc mesuré.
-told-media-impossible-rate-endless = Les horodatages donnent une infinité d’images par seconde, ce qu’aucune caméra ne filme. Ses instants ne sont pas fiables ; aucun mouvement n’en est donc mesuré.
-told-media-impossible-rate = Les horodatages donnent { $rate } images par seconde, ce qu’aucune caméra ne filme. Ses instants ne sont pas fiables ; aucun mouvement n’en est donc mesuré.
-told-media-slow-motion = Le fichier est marqué comme ralenti ; il lit { $played_hz } images par seconde. Les hauteurs d’une seule image sont valables, mais aucun mouvement n’est mesuré tant que vous n’avez pas saisi la cadence de tournage.
-told-media-slow-motion-at = Le fichier indique qu’il a été filmé à { $filmed_hz } images par seconde ; il lit { $played_hz } images par seconde. Les hauteurs d’une seule image sont valables, mais aucun mouvement n’est mesuré tant que vous n’avez pas saisi la cadence de tournage.
-told-media-one-gap = Des images manquent : une lacune, de { $gap_s } s après l’image { $frame }.
-told-media-gaps = Des images manquent : { $count } lacunes, la plus longue de { $gap_s } s après l’image { $frame }.
-told-media-truncated = Le fichier est tronqué : il manque { $missing } octets à la fin. { $count } images ({ $span_s } s) ont été importées ; recopiez-le pour le reste.
-told-media-two-in-one = Le fichier contient après celui-ci un autre enregistrement, qui n’est pas importé. Scindez le fichier et ajoutez chaque partie.
-told-media-another-track = Le fichier contient une autre piste vidéo : { $others } ; la piste { $stream } ({ $codec }, { $width_px }x{ $height_px }) a été importée.
-told-media-other-tracks = Le fichier contient { $count } autres pistes vidéo : { $others } ; la piste { $stream } ({ $codec }, { $width_px }x{ $height_px }) a été importée.
-told-media-not-turned = L’en-tête demande une rotation supplémentaire de { $degrees } degrés, qui n’est pas appliquée : seuls les quarts de tour conservent les pixels tels que filmés.
-told-media-same-image-one = { $count } image identique à la précédente.
-told-media-not-later-one = { $count } image à l’horodatage non postérieur au précédent ; les instants ont été triés.
-told-media-same-image-many = { $count } images identiques à la précédente.
-told-media-not-later-many = { $count } images à l’horodatage non postérieur au précédent ; les instants ont été triés.
-told-media-packets-one = { $count } paquet endommagé ignoré ; des images y manquent.
-told-media-packets-many = { $count } paquets endommagés ignorés ; des images y manquent.
-told-media-patched-one = { $count } image endommagée et complétée par le décodeur, la première à { $first } ; n’y mesurez pas.
-told-media-patched-many = { $count } images endommagées et complétées par le décodeur, la première à { $first } ; n’y mesurez pas.
-told-recordings-start-in-future = Le fichier indique un début à { $start } UTC, qui est dans le futur : l’horloge de la caméra est fausse ; aucun début n’est donc proposé.
 told-scans-none-here = Aucun ici. Deux caméras linéaires à une base connue donnent la vitesse, la longueur et les intervalles.
-told-scans-so-far = { $count } jusqu’ici.
 told-audit-event-missing = L’événement d’audit { $number } de { $chain } manque ; restaurez une sauvegarde.
 told-audit-event-changed = L’événement d’audit { $number } de { $chain } a été modifié après son écriture ; restaurez une sauvegarde.
 told-audit-chain-ends-elsewhere = La chaîne d’audit de { $chain } se termine à l’événement { $count }, ce qui n’est pas sa vraie fin ; restaurez une sauvegarde.
@@ -6404,29 +6918,6 @@ told-audit-chains-not-signed = Les chaînes d’audit ne sont pas celles signée
 told-audit-row-not-events = La ligne { $id } ({ $what }) diffère de ses événements ; restaurez une sauvegarde.
 told-audit-row-not-first = La ligne { $id } ({ $what }) diffère de ce qui a été écrit à l’origine ; restaurez une sauvegarde.
 told-audit-row-removed = La ligne { $id } ({ $what }) a été supprimée sans événement ; restaurez une sauvegarde.
-told-adjustment-length-not-finite = La valeur ({ $what }) ou son incertitude n’est pas un nombre fini, ou l’incertitude est négative.
-told-adjustment-its-of-m-is = Son { $lengths ->
-       [wheelbase] empattement
-       *[other] hauteur connue
-    } de { $known_m } m est de { $u } incertitudes-types trop { $u2 ->
-       [long] grande
-       *[other] petite
-    } pour les points observés ; vérifiez le modèle.
-told-adjustment-too-many-of-its = Trop de ses points ne sont pas sur une même ligne droite.
-told-adjustment-a-point-lies-outside = Un point est hors de l’image.
-told-adjustment-a-tyre-lies-where = Un pneu est là où il n’y a pas de route : au-dessus de l’horizon, ou hors du rayon du modèle d’objectif.
-told-adjustment-the-traffic-contradicts-with = Le trafic contredit { $name } avec son u indiquée de { $u } ; ce terme a été exclu.
-told-adjustment-the-points-scatter-times = Les points se dispersent { $point_factor } fois plus qu’indiqué ; leurs incertitudes ont été multipliées par ce facteur.
-told-adjustment-the-global-test-fails = Le test global échoue : khi-deux { $chi2 } pour { $freedom } degrés de liberté ; les incertitudes indiquées ne sont pas compatibles entre elles.
-told-adjustment-with-vehicles-a-wrong = Avec { $used } véhicules, un véhicule erroné ne se distingue pas d’une pose erronée.
-told-adjustment-is-far-from-0 = { $name } est loin de 0 pour son u indiquée de { $u } ; vérifiez que les longueurs connues se rapportent aux points suivis.
-told-adjustment-the-known-values-of = Les valeurs connues ({ $name }) se dispersent { $factor } fois plus qu’indiqué ; leurs incertitudes ont été multipliées par ce facteur.
-told-adjustment-no-pass-with-a = Aucun passage de longueur connue n’a pu servir ; la pose est inchangée.
-told-adjustment-a-point-or-its = Un point ou son incertitude n’est pas un nombre fini.
-told-adjustment-the-uncertainty-of-a = L’incertitude d’un point n’est pas positive.
-told-adjustment-a-point-is-given = Un point est donné deux fois sur une image.
-told-adjustment-no-tyre-of-it = Aucun pneu de ce véhicule n’est mesuré ; rien ne le rattache à la chaussée.
-told-adjustment-no-known-length-of = Aucune longueur connue de ce véhicule n’est mesurée.
 told-budget-click-target = pointé, cible
 told-budget-click-contact = pointé, contact
 told-budget-clicks = pointés
@@ -6453,61 +6944,16 @@ told-budget-depth-of-what-is-followed = profondeur du point suivi
 told-budget-seen-from-another-side = vu sous un autre angle
 told-budget-front-and-rear = avant et arrière
 told-budget-pose-of-the-line-camera = pose de la caméra linéaire
-told-cameras-the-file-states-no = Le fichier n’indique pas d’incertitude de l’objectif ; cette composante manque dans l’incertitude de chaque hauteur.
-told-cameras-focal-length-px = focale { $fx_px } px
-told-cameras-of-views-used-residual = { $used } vues utilisées sur { $given }, résidu { $rms_px } px, { $focal }.
-told-cameras-imported-from-model-focal = Importé de { $file_name } : modèle { $model }, focale { $fx_px } px.
-told-cameras-no-board-was-found = Aucune mire n’a été trouvée.
-told-cameras-the-search-was-given = La recherche a été arrêtée.
-told-export-writing-vehicles-reviews-and = Écriture des véhicules, des vérifications et de la chaîne d’audit.
-told-export-cutting-out-the-pictures = Découpe des vues de chaque pointé.
-told-export-writing-the-measurements = Écriture des mesures.
-told-export-computing-statistics-drawing-figures = Calcul des statistiques, tracé des figures et du rapport.
 told-export-the-measurement-was-taken = La mesure a été retirée.
 told-export-nobody-has-reviewed-it = Elle n’est pas encore vérifiée.
 told-export-this-package-is-of = Elle n’est pas des véhicules de cette archive.
 told-export-there-is-no-height = Il n’y a pas de hauteur.
 told-export-a-reviewer-rejected-it = Elle a été rejetée par un vérificateur.
 told-export-it-was-reopened-and = Elle a été rouverte et attend une nouvelle vérification.
-told-export-reading-the-survey = Lecture du relevé.
-told-export-storing-the-package = Enregistrement de l’archive.
-told-export-packing-the-files = Archivage des fichiers.
-told-geometry-the-picture-is-x = La photo fait { $size }x{ $size2 } px, la plupart des autres { $usual }x{ $usual2 } px.
-told-geometry-the-picture-is-blurred = La photo est floue (bords larges de { $sharpness } px).
-told-geometry-and-a-height-at = et une hauteur à { $distance_m } m change de { $size } mm
-told-geometry-the-board-is-not = La mire n’est pas plane : elle fléchit d’environ { $bow } % d’une case ; avec sa forme estimée, le résidu passe de { $flat } à { $bent } px{ $makes }. Fixez la mire sur une plaque rigide et plane et reprenez les photos, ou étalonnez en tenant compte de la flèche.
-told-geometry-no-board-of-x = Aucune mire de { $columns }x{ $rows } coins intérieurs n’a été trouvée ; montrez la mire entière avec sa marge blanche, nette et éclairée uniformément, et comptez les coins intérieurs.
-told-geometry-no-board-before-limit = Aucune mire de { $columns }x{ $rows } coins intérieurs n’a été trouvée dans le temps imparti à la recherche ; montrez la mire entière avec sa marge blanche, nette et éclairée uniformément, et comptez les coins intérieurs.
-told-geometry-the-board-is-cut = La mire est coupée par le bord de l’image ; montrez-la en entier.
-told-geometry-the-squares-are-smaller = Les cases font moins de 3 px ; approchez la mire ou prenez des cases plus grandes.
-told-geometry-what-was-found-is = Le motif trouvé n’est pas un damier.
-told-geometry-the-picture-is-too = L’image est trop petite pour contenir une mire.
-told-geometry-no-charuco-board-of = Aucune mire ChArUco de { $columns }x{ $rows } coins intérieurs avec des marqueurs { $dictionary } n’a été trouvée, ou trop peu ; elle doit être nette et de ce dictionnaire.
-told-geometry-the-squares-are-smaller-than = Les cases font moins de 3 px ; approchez la mire.
-told-geometry-the-board-goes-on = La mire continue { $side } au-delà de { $columns }x{ $rows } coins intérieurs ; recomptez-les.
-told-geometry-the-corners-found-do = Les coins trouvés ne forment pas une grille régulière ; quelque chose couvre la mire ou elle n’est pas plane.
-told-geometry-two-halves-need-at = Deux moitiés demandent au moins { $least } vues utilisables{ $bent_board } ; il y en a { $usable }. Prenez d’autres photos.
-told-geometry-a-board-lies-where = Une mire est là où le modèle d’objectif n’a pas d’inverse ; ajoutez des photos qui atteignent les coins.
-told-geometry-the-halves-could-not = Les deux moitiés n’ont pas pu être étalonnées séparément : { $message }
-told-geometry-two-halves-of-the = Deux moitiés des photos, étalonnées séparément, diffèrent de { $size } mm pour une hauteur à { $distance_m } m{ $by } : plus que le bruit des coins ne l’explique. L’objectif demande peut-être l’autre modèle, la mire est peut-être gauchie, ou le zoom ou la mise au point a changé entre les photos.
-told-geometry-pictures-that-did-not = Les photos hors ajustement s’accordent bien moins que les photos ajustées ({ $held_out } px contre { $fit } px) ; ajoutez des photos où la mire est inclinée, partout dans l’image.
-told-geometry-does-not-name-its = { $file_name } ne nomme pas son modèle de distorsion ; ses quatre coefficients ont été lus comme { $taken } (à choisir par --model).
-told-geometry-not-enough-data-a = Pas assez de données : il faut quelques centaines de véhicules pour u = 0,15 m.
-told-geometry-at-least-vehicles-of = Il faut au moins { $least_known } véhicules de hauteur connue ; utilisables : { $rows }.
-told-geometry-the-vehicles-are-about = Non concluant : les véhicules sont à peu près à la hauteur de la caméra, où le retrait a peu d’effet.
-told-geometry-no-inset-fits-the = Aucun retrait ne s’accorde aux hauteurs du constructeur ; contrôlez-les, ainsi que la hauteur de la caméra et les pointés.
-told-quality-inset-no-gain = S’accorde avec le retrait en vigueur ; l’adopter ne rendrait aucune hauteur plus sûre.
-told-geometry-it-says-next-to = Cela ne dit presque rien : trop peu de véhicules pour des hauteurs si proches de la caméra ou si incertaines.
-told-geometry-at-least-vehicles-are = Il faut au moins { $least_trend } véhicules ; utilisables : { $rows }.
-told-geometry-the-heights-do-not = Les hauteurs ne donnent pas de retrait : trop peu de véhicules, ou tous à peu près à la même distance.
-told-geometry-it-says-nothing-this = Cela ne dit rien : cette cible est à peu près à la hauteur de la caméra, où le retrait ne compte guère.
-told-geometry-it-says-nothing-all = Cela ne dit rien : tous sont passés à peu près à la même distance, { $d } à { $d2 } m.
-told-geometry-at-least-vehicles-measured = Il faut au moins { $least_known } véhicules mesurés sur deux images ; il y en a { $values }.
-told-geometry-it-says-next-to-nothing = Cela ne dit presque rien : les images étaient trop rapprochées.
 told-inset-roof-edge = bord proche du toit (estimation)
 told-inset-upright-sides = caisse à parois verticales (estimation)
 told-inset-less-certain = comme une voiture, moins certain (estimation)
-told-geometry-near-edge-of-the = bord proche du toit ; 0,85 m (u 0,10 m) pour son sommet (estimation)
+told-geometry-near-edge-of-the = bord proche du toit ; 0,85 m (u = 0,10 m) pour son sommet (estimation)
 told-geometry-driver-on-the-side = conducteur du côté de la caméra (estimation)
 told-geometry-driver-on-the-side-away = conducteur du côté opposé à la caméra (estimation)
 told-geometry-not-known = retrait inconnu
@@ -6521,41 +6967,8 @@ told-geometry-the-lane-is-very = La voie est très proche ; reculez à 2 m au 
 told-geometry-the-picture-would-not = L’image ne montrerait pas une mire à { $board_m } m dont la rangée du haut est à { $board_top_m } m au-dessus de la route ; placez-la à la trace de roues, reculez ou prenez un objectif plus large.
 told-geometry-the-camera-stands-at = La caméra est à peu près à la hauteur de l’œil du conducteur ({ $height_m } m), où le retrait ne compte guère ; pour les toits ou les feux, placez-la à leur hauteur.
 told-geometry-a-second-frame-m = Une deuxième image { $travel_m } m plus loin ne réduit pas l’incertitude ici (±{ $U95_mm } mm pour un œil) ; prenez des images plus éloignées.
-told-geometry-no-frame-was-given = Aucune image n’a été donnée.
-told-geometry-at-most-of-its = Au plus { $parts } de ses { $whole } coins ont été trouvés ; montrez la mire entière.
-told-geometry-the-board-was-not = La mire n’a pas été trouvée dans { $missed } des images ; celles-ci ne servent pas.
-told-geometry-board-or-camera-moved = La mire ou la caméra a bougé dans certaines images ; seules servent les images au repos.
-told-geometry-the-corners-miss-the = Les coins ne suivent le modèle qu’à { $rms } px près ; la mire est peut-être courbée ou l’étalonnage mauvais.
-told-geometry-two-poses-fit-the = Deux poses s’accordent presque aussi bien à la mire ; tournez-la d’une trentaine de degrés ou approchez-la.
-told-geometry-the-squares-are-small = Les cases sont petites dans l’image ; approchez la mire.
-told-geometry-the-board-appears-rolled = La mire paraît tournée de { $roll } degrés ; contrôlez que colonnes et rangées ne sont pas inversées.
-told-geometry-only-one-frame-is = Une seule image est utilisée ; l’immobilité de la mire n’est pas contrôlée.
-told-geometry-tilt-the-board-by = Inclinez la mire d’environ 30 degrés, { $edge } plus près de la caméra.
-told-geometry-bring-the-board-nearer = Approchez la mire : elle ne remplit jamais plus de { $share } % de l’image ; un tiers ou plus convient.
-told-geometry-hold-the-board-in = Tenez la mire dans cette partie de l’image : { $listed }.
-told-geometry-the-board-moved-too = La mire a trop bougé entre deux images.
-told-geometry-turned-by-degrees-to = Pivotée de { $heading_rad } degrés vers le sens de circulation.
-told-geometry-both-tyre-contacts-of = Il faut les deux contacts de pneu d’au moins { $least_vehicles } véhicules ; utilisables : { $sum }.
-told-geometry-the-lens-model-cannot = Le modèle d’objectif ne s’inverse pas dans les coins de l’image : rien n’y est mesuré ; ajoutez des photos qui atteignent les coins.
-told-geometry-in-of-views-the = Dans { $small } vues sur { $spacings_px }, les cases font moins de { $small_square_px } px et leurs coins sont inexacts ; approchez la mire ou prenez des cases plus grandes.
-told-geometry-fits-much-worse-than = { $file } s’accorde bien moins que les autres ({ $value } px contre { $usual } px) ; contrôlez ses coins.
-told-geometry-only-views-were-used = Seules { $count } vues ont servi ; sous { $few_views }, un petit résidu prouve peu ; prenez-en 15 à 25.
-told-geometry-only-of-the-views = Seules { $different } des { $count } vues diffèrent, car la mire n’a guère bougé entre les autres ; déplacez-la et inclinez-la entre les photos, ou prenez des images plus éloignées.
-told-geometry-the-boards-cover-of = Les mires couvrent { $share } de l’image ; ajoutez des vues qui atteignent ses bords et ses coins, où la distorsion est la plus forte.
-told-geometry-all-boards-face-the = Toutes les mires sont orientées de même ; focale et distance ne se distinguent pas ; inclinez la mire de 30 à 45 degrés dans plusieurs directions.
-told-geometry-the-residual-of-px = Le résidu de { $rms } px est élevé ; la mire n’est peut-être pas plane, sa taille est peut-être fausse, ou l’objectif demande un autre modèle.
-told-geometry-the-model-fits-better = Le modèle { $better } convient mieux ({ $other } px contre { $rms } px) ; étalonnez avec lui.
-told-geometry-the-views-do-not = Les vues ne déterminent pas l’objectif ; son incertitude ne peut être indiquée.
-told-geometry-the-focal-length-is = La focale n’est connue qu’à { $relative } ; prenez d’autres vues, inclinées et proches.
-told-geometry-the-optical-axis-lies = L’axe optique est loin du milieu de l’image ; la photo a-t-elle été recadrée ?
-told-geometry-the-two-focal-lengths = Les deux focales diffèrent de plus de 10 % ; les pixels sont-ils carrés ?
-told-geometry-pictures-of-several-sizes = Photos de plusieurs tailles : { $other_size } ignorées qui ne font pas { $width_px }x{ $height_px } px (d’abord { $other_size2 }) ; un étalonnage ne vaut que pour une taille, prenez des photos à la taille des enregistrements.
-told-geometry-the-board-was-used = La mire n’a servi que dans { $used } photos sur { $used2 } ; recomptez ses coins intérieurs et montrez-la entière, nette et éclairée uniformément.
 told-jobs-gave-up = Le processus s’est arrêté { $attempts } fois au milieu de la tâche ; contrôlez le fichier et la mémoire.
 told-jobs-broke = Une erreur du programme a arrêté la tâche ({ $name }) ; réessayez, et signalez-la si elle revient.
-told-infra-a-worker-stopped-in = La tâche a été interrompue ; elle est relancée.
-told-infra-waits-for-what-is-away = La base de données ou le stockage ne répond pas ; la tâche est réessayée d’elle-même.
-told-infra-waits-for-the-next = En attente d’être relancée.
 told-linescan-the-marks-do-not = Les repères ne déterminent pas la hauteur de la caméra : tenez le jalon vertical à deux distances, par exemple aux bords proche et éloigné de la voie.
 told-linescan-the-marks-put-the = Les repères placent la caméra sous la route ; contrôlez leurs distances, hauteurs et rangées.
 told-linescan-all-marks-are-at = Tous les repères sont à une même distance : la hauteur de la caméra ne peut être déterminée ; tenez le jalon vertical à deux distances.
@@ -6580,9 +6993,6 @@ told-linescan-the-speeds-u95-is = L’U95 de la vitesse est de { $percent }, plu
 told-linescan-the-baseline-is-taken = La base est tenue pour exacte ; saisissez son incertitude, car elle entre dans toute vitesse.
 told-linescan-the-baseline-limits-not = La base est la limite, non la cadence : elle est connue à { $percent } (incertitude-type), la superposition des bandes ajoute { $percent2 }. Mesurez d’abord mieux la base.
 told-linescan-registering-limits-not = La superposition des bandes est la limite, non la base : elle ajoute { $percent } (incertitude-type), la base { $percent2 }. Prenez une base plus longue.
-told-measurements-storing-the-heights-that = Enregistrement des hauteurs modifiées.
-told-measurements-putting-the-old-heights = Rétablissement des anciennes hauteurs.
-told-measurements-computing-the-heights = Calcul des hauteurs.
 told-measurements-the-vehicle-was-followed = Le véhicule a été suivi pendant son passage.
 told-measurements-its-speed-is-that = Sa vitesse est celle des points cliqués sur deux images.
 told-measurements-the-vehicle-could-not = Le véhicule n’a pu être suivi ; sa vitesse est supposée : cherchez les points autour des repères.
@@ -6596,19 +7006,8 @@ told-media-save-it-as-8 = enregistrez-la en niveaux de gris 8 ou 16 bits et rée
 told-media-copy-it-again-from = copiez de nouveau le fichier depuis l’enregistreur
 told-media-choose-a-video-file = choisissez un fichier vidéo
 told-media-copy-it-again-from-the = copiez de nouveau le fichier depuis l’enregistreur, ou réparez-le sur place
-told-media-stretched-for-pixels-of = étirée pour des pixels de { $sample_aspect }
-told-media-turned-by-degrees-clockwise = tournée de { $rotation_deg } degrés dans le sens horaire
 told-media-the-camera-moves-by = La caméra bouge de { $far } au plus ; la recherche en tient compte. Une pose de la caméra ne vaut que tant que la caméra est immobile.
 told-media-the-camera-moves-by-and = La caméra bouge (de { $far } et plus) ; la chaussée et les véhicules ne peuvent être séparés ; marquez les passages à la main.
-told-media-the-header-speaks-of = L’en-tête annonce { $duration_s } s, les images s’arrêtent à { $end_s } s ; le fichier est peut-être tronqué.
-told-media-the-picture-was-as = Les images ont été { $layout_note }, comme l’indique leur en-tête.
-told-media-the-recording-is-interlaced = L’enregistrement est entrelacé : les bords mobiles sont dentelés, préférez un enregistrement progressif.
-told-media-frames-are-served-from = Les images viennent d’une copie de travail indexée ; elles sont identiques à celles de l’original.
-told-media-the-frame-rate-varies = La cadence d’images varie : { $steps } à { $steps2 } s entre images ; les temps viennent des horodatages.
-told-media-the-header-says-frames = L’en-tête annonce { $rate_hz } images par seconde, les horodatages { $rate } ; les horodatages font foi.
-told-media-the-file-could-not = Le fichier n’a pu être lu jusqu’au bout ; { $count } images ont été trouvées avant.
-told-media-frames-of-another-picture = { $other_size } images d’une autre taille ont été ignorées.
-told-media-the-header-speaks-of-frames = L’en-tête annonce { $claimed } images, { $count } ont pu être décodées ; leur numérotation suit celles-ci.
 told-media-is-cut-off-before = est coupé avant que son index (moov) soit écrit
 told-media-is-a-playlist-that = est une liste de lecture qui renvoie à d’autres fichiers, non une vidéo
 told-media-is-a-webp-picture = est une image WebP, non une vidéo
@@ -6634,46 +7033,7 @@ told-media-is-a-heif-or = est une image HEIF ou AVIF, non une vidéo
 told-media-is-an-audio-file = est un fichier audio, non une vidéo
 told-media-is-a-text-file = est un fichier texte, non une vidéo
 told-media-is-cut-off-in = est coupé au milieu de son index (moov)
-told-poses-solving-for-the-camera = Calcul de la position de la caméra.
-told-poses-corners-are-numbered-from = Les coins sont numérotés depuis le haut à gauche tel que vu, le long des rangées vers la droite puis vers le bas.
-told-poses-of-its-corners-are = { $seen } de ses { $all } coins sont visibles ; cela suffit à un étalonnage, mais une pose de la caméra les demande tous.
-told-poses-the-board-stands-the = La mire est posée dans l’autre sens qu’indiqué : { $columns } colonnes sur { $rows } rangées telle que vue.
-told-poses-the-picture-does-not = L’image ne montre pas la route à cette distance.
-told-poses-the-board-stood-m = La mire était à { $distance_m } m de la caméra.
-told-poses-a-height-of-1 = U95 attendue d’une hauteur de 1,2 m, pointée avec u = 1 px : { $figures }.
-told-poses-looking-for-the-board = Recherche de la mire dans l’image { $n }.
-told-quality-its-make-and-model = Sa marque et son modèle ne sont pas renseignés ; son empattement est inconnu.
-told-quality-the-catalogue-has-no = Le catalogue n’a pas d’empattement pour ce modèle et cette année.
-told-quality-the-catalogue-has-several = Le catalogue a plusieurs empattements pour ce modèle ; indiquez l’année.
-told-quality-the-manufacturer-height-is = La hauteur du constructeur n’est pas renseignée.
-told-quality-its-model-by-size = Son modèle a été choisi d’après ses dimensions : ce qui est connu du modèle n’est pas une référence.
-told-quality-no-model-fits = Aucun modèle du catalogue ne convient à ce qui a été mesuré sur ce véhicule.
-told-quality-the-roof-was-not = Le toit n’a pas été pointé à son bord proche.
-told-quality-adjusted-by-passes-of = Ajustée par { $used } passages d’empattement ou de hauteur connus.
-told-quality-nothing-is-known-yet = Aucune longueur n’est encore connue : pointez les deux pneus de véhicules d’un modèle connu, ou mesurez leur toit.
-told-quality-this-pose-was-adjusted = Cette pose est déjà ajustée sur le trafic.
-told-quality-no-pass-with-a = Aucun passage de longueur connue n’a pu servir.
-told-quality-no-roof-is-measured = Aucun véhicule dont la hauteur du constructeur est connue n’a de toit mesuré.
-told-quality-nothing-is-measured-of = Aucune mesure de cette cible.
-told-quality-the-road-x-axis = L’axe X de la route est pivoté de { $figures } par rapport au trafic.
-told-quality-the-road-x-axis-agrees = L’axe X de la route s’accorde avec le trafic : rotation de { $figures }, non significative.
-told-quality-turned-by-to-the = Pivotée de { $turn_rad }° vers le sens de { $vehicles } véhicules.
-told-quality-looking-for-the-frames = Recherche de mouvements de la caméra.
-told-quality-looking-for-the-background = Recherche du fond dans l’image { $n }.
-told-quality-clicked-of-their-own = Répétitions propres de { $name } : { $pairs } ; il en faut { $least_freedom }.
-told-quality-were-clicked-by-one = Répétées sur une autre image par un même opérateur : { $sums } ; il en faut { $least_freedom }.
-told-quality-the-first-clicks-give = Les premiers pointés ne donnent pas de hauteur : { $reason }
-told-quality-the-second-clicks-give = Les seconds pointés ne donnent pas de hauteur : { $reason }
-told-quality-they-were-clicked-on = Pointées sur des images différentes : les pointés ne sont pas seuls à différer.
-told-quality-the-camera-pose-is = La pose de la caméra a changé depuis : les pointés ne sont pas seuls à différer.
-told-quality-the-inset-is-another = Les retraits diffèrent : les pointés ne sont pas seuls à différer.
-told-quality-a-height-has-no = Une hauteur est sans incertitude.
-told-quality-the-catalogue-is-empty = Le catalogue est vide.
-told-recordings-looking-for-the-board = Recherche de la mire.
-told-recordings-fitting-the-lens-and = Ajustement de l’objectif, et de ses deux moitiés séparément.
-told-recordings-looking-for-the-board-in = Recherche de la mire dans { $name }.
 told-recordings-the-ingest-was-cancelled = La lecture de la vidéo a été annulée ; relancez-la ou supprimez l’enregistrement.
-told-recordings-reading-the-video = Lecture de la vidéo.
 told-results-too-few-different-errors = trop peu d’erreurs différentes pour un intervalle par bootstrap
 told-results-no-vehicle-in-this = aucun véhicule dans ce groupe
 told-results-heights-corrected-by-each = Hauteurs corrigées du retrait de chaque mesure
@@ -6684,10 +7044,6 @@ told-scans-the-marks-miss-the = Les repères ne suivent le modèle qu’à { $rm
 told-scans-the-camera-height-is = La hauteur de la caméra n’est connue qu’à { $u_height } m ; tenez le jalon à deux distances plus éloignées, ou mesurez-les mieux.
 told-scans-the-lines-of-this = Les lignes de ce flux n’ont pas été enregistrées : il n’y a pas d’image ; ses véhicules restent.
 told-scans-the-reading-was-cancelled = L’import a été annulé ; relancez-le ou supprimez le balayage.
-told-scans-reading-the-strips = Lecture des bandes.
-told-scans-of-camera-pixels-are = { $saturated } des pixels de la caméra { $camera } sont saturés ; des bords y sont perdus ; réduisez la lumière ou l’exposition.
-told-scans-the-recorder-of-lost = L’enregistreur de { $name } a perdu { $lost } lignes ; elles sont remplacées par des copies.
-told-scans-cutting-the-strips = Découpe des bandes.
 told-progress-unread = { $count } balayages n’ont pu être lus ; voyez pourquoi et réessayez.
 told-progress-unread-1 = Un balayage n’a pu être lu ; voyez pourquoi et réessayez.
 told-progress-reading = Importation en cours : { $count } balayages.
@@ -6704,8 +7060,6 @@ told-progress-unmeasured = Non mesurables : { $count } ; chacun dit pourquoi.
 told-progress-heights = Hauteurs validées : { $count } sur { $all }.
 told-progress-height = Hauteurs validées : { $count } sur 1.
 told-scans-being-searched-for-vehicles = recherche de véhicules en cours
-told-scans-looking-for-vehicles = Recherche de véhicules.
-told-scans-measuring-the-known-vehicles = Nouvelle mesure des véhicules connus.
 told-statistics-a-trend-needs-at = Une tendance demande au moins { $least } véhicules ; { $there_are }.
 told-statistics-all-heights-are-the = Toutes les hauteurs sont égales ; il n’y a pas de tendance.
 told-statistics-limits-of-agreement-need = Des limites de concordance demandent au moins { $least } véhicules ; { $there_are }.
@@ -6727,11 +7081,6 @@ told-statistics-percentile-needs-alike = P{ $percent } exige { $needed } véhicu
 told-statistics-a-density-needs-at = Une densité demande au moins { $least_for_density } véhicules ; { $there_are }.
 told-statistics-all-values-are-the = Toutes les valeurs sont égales ; une densité en demande de différentes.
 told-statistics-no-vehicle-in-this = aucune hauteur comptée de ce groupe n’a de référence
-told-statistics-too-few-repeats-degrees = Trop peu de répétitions : { $freedom } degrés de liberté, il en faut au moins { $least_freedom }.
-told-statistics-too-few-repeats-to = Trop peu de répétitions à comparer : { $freedom }, il en faut au moins { $least_freedom }.
-told-statistics-nothing-was-clicked-again = Rien n’a encore été repointé.
-told-statistics-no-two-persons-clicked = Aucune cible n’a été répétée par un second opérateur ; demandez à un autre opérateur d’en répéter.
-told-statistics-people-differ-less-than = Les personnes diffèrent moins que leurs pointés ne se dispersent ; davantage de répétitions trancheraient.
 told-statistics-no-height-of-its = aucune hauteur validée de sa classe
 told-statistics-vehicles-give-percentile-an = { $large } véhicules donnent au centile { $percent } un intervalle à 95 % d’environ { $width_m } mm, pour des hauteurs de loi normale et d’écart-type { $sd_m } mm.
 told-statistics-nobody-whose-text-was = aucun texte consulté ; à contrôler avant usage
@@ -6778,8 +7127,6 @@ told-statistics-errors-of-known-heights = les erreurs des hauteurs connues (les 
 told-statistics-roads-like-these-sites = des routes comme celles de ces sites
 told-statistics-the-place-of-the = le seul site du relevé
 told-statistics-the-heights-are-all = les hauteurs sont toutes égales
-told-statistics-nothing-that-the-catalogue = Aucune dimension du catalogue n’a encore été mesurée sur ce véhicule.
-told-statistics-no-model-in-the = Aucun modèle du catalogue n’a de dimension mesurée sur ce véhicule.
 told-statistics-there-is-none = il n’y en a aucun
 told-studies-has-no-accepted-height = { $name } n’a pas de hauteur validée qui compte ; il ne contribue pas.
 told-studies-packages-come-from-versions = Les archives viennent de { $made_with } versions aux tables identiques : { $join }.
@@ -6788,9 +7135,6 @@ told-studies-accepted-heights-are-of = { $sum } hauteurs validées sont de véhi
 told-studies-heights-of-have-no = { $left_out } hauteurs ({ $target }) n’ont pas de classe du parc ; elles ne comptent pas.
 told-studies-simulated-no-figure-of = Simulé : aucune valeur ne décrit des routes réelles.
 told-studies-of-surveys-are-simulated = { $invented } relevés sur { $surveys } sont simulés : aucun de ses chiffres ne dit rien de routes réelles.
-told-studies-writing-the-package = Écriture de l’archive.
-told-studies-writing-the-report = Écriture du rapport.
-told-studies-computing-the-figures = Calcul des chiffres.
 told-studies-its-figures-need-at = ses chiffres demandent au moins { $least } hauteurs
 told-studies-no-weights-meet-all = aucun poids ne satisfait à la fois toutes les parts du parc
 told-studies-has-one-site-join = { $stratum } n’a qu’un site : réunissez-la à une autre strate, pour que des sites puissent différer
@@ -6800,32 +7144,17 @@ told-vehicles-new-known-or-discarded = { $passes } : { $new ->
        [none] aucun nouveau
        *[other] nouveaux : { $new }
     }, connus ou écartés avant : { $found }.
-told-vehicles-looking-for-passes = Recherche des passages.
 told-vehicles-no-passes-were-found = Aucun passage n’a été trouvé ; marquez-les à la main.
 told-vehicles-1-pass-was-found = un passage trouvé
 told-vehicles-passes-were-found = passages trouvés : { $found }
 told-geometry-put-the-camera-at = Placez la caméra à la hauteur à mesurer, où le retrait ne compte pas : { $height_m } m pour l’œil du conducteur. À { $camera_height_m } m, ignorer le retrait fausse la hauteur de { $mm } mm pour un conducteur côté proche et { $mm2 } mm côté éloigné.
-told-geometry-two-halves-calibrated-apart = deux moitiés, étalonnées séparément, { $heights } ; résidu hors ajustement { $all_held_out_rms_px } px
-told-media-the-stream-holds-no = Le flux n’a pas d’horodatage utilisable : { $assumed_rate_hz } images par seconde sont supposées, ne vous fiez donc pas à ses temps.
-told-scans-says-that-its-line = { $name } annonce une cadence de { $told } Hz, mais { $line_rate_hz } Hz ont été donnés et sont utilisés ; vérifiez laquelle est juste.
 told-statistics-after-the-shift-by = Après le décalage de { $mean } mm, l’écart-type propre de la mesure, { $camera_sd_m } mm, a été retiré : chaque hauteur s’est rapprochée de la moyenne de { $keep } %.
 told-paper-sd-is-that-of = Le SD est celui de l’erreur signée et diffère du RMSE ; il y avait donc un biais de 7 à 13 mm, qui n’est pas imprimé. Le « moins de 10 % sous 2 cm » du texte est possible ici : MAE et MSE permettent 0 à 3 % si des erreurs atteignent 7 cm.
 told-paper-a-perfect-clicker-within = Un opérateur parfait (à 1 px près, hauteurs de référence à 3 cm près) obtient MAE 0,016 m, RMSE 0,019 m : cette colonne borne la référence, non la méthode. Le SD imprimé de 0,059 ft devrait être 0,062 ft. « Moins de 10 % sous 2 cm » est impossible ici : MAE et MSE imposent au moins 26,5 %.
 told-paper-not-the-pool-of = Ce n’est pas la réunion des 400 et 250 véhicules : leur MAE réunie vaut 0,0198 m, leur RMSE 0,0249 m. Le « MAE < 1,8 cm » du résumé n’est pas dans le tableau ; le MSE en pieds a un facteur et un exposant faux. « Moins de 10 % sous 2 cm » demande ici une erreur de plus de 10 cm.
 told-paper-printed-sizes-are-3 = Les tailles imprimées dépassent de 3,1 à 9,1 % les longueurs vraies (5,6 % en moyenne), ce que le texte attribue à l’ombre, alors qu’il annonce moins de 1 % ; le freinage « à 1 % près » s’écarte jusqu’à 1,5 % des autres passages de la même voiture. La vitesse n’a jamais été comparée à la vérité, seulement au compteur de la voiture.
-told-demo-simulated-so-that-the = Simulé, pour que les valeurs vraies soient connues : marques inventées, une caméra 0,6 px plus bas que l’autre, un jalon tenu vertical dans le plan de la caméra 1 à 2,7 m et à 4,5 m avant le premier véhicule.
-told-demo-reading-the-videos = Lecture des vidéos.
-told-demo-computing-the-camera-poses = Calcul des poses des caméras.
-told-demo-simulating-a-site = Simulation d’un site.
-told-demo-saving-the-demonstration-survey = Enregistrement du relevé de démonstration.
+scan-simulated = Simulé, pour que les valeurs vraies soient connues : marques inventées, une caméra 0,6 px plus bas que l’autre, un jalon tenu vertical dans le plan de la caméra 1 à 2,7 m et à 4,5 m avant le premier véhicule.
 told-results-not-rounded = non arrondies
-told-checks-u-vehicles = { $deg }° (u { $u }°, { $count } véhicules)
-told-checks-that-moves-stored-heights = Cela change { $count } hauteurs enregistrées de { $largest } mm au plus.
-told-checks-turning-it-would-move = La pivoter changerait les hauteurs enregistrées de { $largest } mm au plus.
-told-poses-mm-at-m = ±{ $U95_height } mm à { $distance } m
-told-poses-the-camera-is-m = La caméra est à { $height } m au-dessus de la route.
-told-poses-the-pose-before-it = La pose précédente est le numéro { $id }.
-told-cameras-standard-uncertainty-px = { $focal } (incertitude-type { $u } px)
 told-statistics-vehicle-is-too-few = { $there } véhicule est trop peu pour un intervalle ; il en faut { $needed }
 told-statistics-vehicle-is-too-few-but = { $there } véhicule est trop peu pour un intervalle de MAE, RMSE et SD ; il en faut { $needed }
 told-statistics-vehicles-are-too-few-but = { $there } véhicules sont trop peu pour un intervalle de MAE, RMSE et SD ; il en faut { $needed }
@@ -6836,15 +7165,6 @@ told-statistics-sampling = l’échantillonnage
 told-statistics-alone = { $part } seulement
 told-statistics-passenger-cars = voitures particulières
 told-statistics-the-reference-heights-own-uncertainty = L’incertitude des hauteurs de référence explique { $share } % de la variance des erreurs ; { $left } mm restent pour la mesure.
-told-geometry-to-the-left = à gauche
-told-geometry-edge = bord { $side ->
-       [left] gauche
-       [right] droit
-       [upper] supérieur
-       [top] supérieur
-       *[lower] inférieur
-    }
-told-geometry-to-the-right = à droite
 told-words-and = { $first } et { $last }
 told-thing-camera-pose = pose de la caméra
 told-thing-line-scan = balayage
@@ -7275,7 +7595,6 @@ report-rules = La même règle aujourd’hui : le centile sur lequel repose une
 report-rule-column = Règle
 report-today = Aujourd’hui
 report-difference = Différence
-report-rule-of = P{ $percent }, { $of }
 report-all-vehicles = tous les véhicules (aucune classe n’est connue)
 report-no-verdict = pas de verdict : { $reason }
 report-alike = pas de différence significative ; plus bas avec une probabilité de { $percent }

@@ -3,7 +3,8 @@
 Answers, packages and the audit chain hold sentences of the program as they were written, in English, and what
 is stored stays so. Their patterns stand in the catalogue under KEYS, most of which begin with "told-"; a
 sentence that one of them makes, sign for sign, is said by that key in the language asked for. What none makes
-stays.
+stays. What the columns of a package mean stands apart, under COLUMNS: much of it are words that a person
+may have typed.
 """
 
 from __future__ import annotations
@@ -24,6 +25,8 @@ KEYS = (
     "told-", "proposals-looking", "proposals-made", "recordings-misfit-", "reference-line-",
     "csv-", "snap-measured-free", "height-side-unknown",
 )  # fmt: skip
+#: Meanings of the columns that a package's page explains.
+COLUMNS = ("column-",)
 _JOINING = len(" and ")
 _NUMBER = re.compile(r"-?\d+(?:\.(\d+))?")
 _QUANTITY = re.compile(r"[-+±]?\d+\.\d+\W{0,2}[A-Za-z°%]{0,3}")
@@ -44,6 +47,11 @@ def translated(text: str, language: str) -> str:
     return _said(text, language) or text
 
 
+def translated_meaning(meaning: str, language: str) -> str:
+    """What a column means, in a language; as it is where no page explains that column."""
+    return meaning if language == messages.SOURCE else _whole(meaning, language, COLUMNS) or meaning
+
+
 @lru_cache(maxsize=4096)
 def _said(text: str, language: str) -> str | None:
     inner = text.strip()
@@ -54,8 +62,8 @@ def _said(text: str, language: str) -> str | None:
     return None if found is None else f"{before}{found}{after}"
 
 
-def _whole(text: str, language: str) -> str | None:
-    for known in _catalogue():
+def _whole(text: str, language: str, keys: tuple[str, ...] = KEYS) -> str | None:
+    for known in _catalogue(keys):
         made = known.pattern.fullmatch(text)
         if made and (said := _by(known, made.groupdict(), language)):
             return said
@@ -86,7 +94,7 @@ def _given(value: str, language: str) -> Any:
             maximumFractionDigits=digits,
         )
     if _QUANTITY.fullmatch(value):
-        return value.replace(".", _decimal_sign(language))
+        return value.replace(".", messages.decimal_sign(language))
     return translated(value, language)
 
 
@@ -110,20 +118,13 @@ def _is_known(text: str, language: str) -> bool:
 
 
 @cache
-def _decimal_sign(language: str) -> str:
-    from babel.numbers import get_decimal_symbol
-
-    return str(get_decimal_symbol(language))
-
-
-@cache
-def _catalogue() -> tuple[_Known, ...]:
-    """What is told in English, that with most text of its own first."""
+def _catalogue(keys: tuple[str, ...]) -> tuple[_Known, ...]:
+    """What is told in English under keys that begin so, that with most text of its own first."""
     from fluent.syntax import FluentParser
     from fluent.syntax import ast as ftl
 
     source = (files(messages) / f"{messages.SOURCE}.ftl").read_text("utf-8")
-    lines = "\n".join(line for line in source.splitlines() if line.startswith(KEYS))
+    lines = "\n".join(line for line in source.splitlines() if line.startswith(keys))
     found = [
         _known(one.id.name, one.value)
         for one in FluentParser().parse(lines).body

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from functools import lru_cache
 from numbers import Integral, Real
 from typing import TYPE_CHECKING, Any
@@ -134,6 +134,18 @@ def _sentence(said: Said, language: str) -> str:
         return say(said.code, values, language)
     except (KeyError, ValueError):
         return said.code
+
+
+def listed(each: Sequence[Said]) -> Said:
+    """`a, b and c`, of one or more."""
+    *before, last = each
+    return Said("words-both", first=with_commas(before), second=last) if before else last
+
+
+def with_commas(each: Sequence[Said]) -> Said:
+    """`a, b, c`, of one or more."""
+    *before, last = each
+    return Said("words-comma", first=with_commas(before), second=last) if before else last
 
 
 def plain_value(value: object) -> Value:

@@ -1,6 +1,5 @@
 """Accounts, for admins."""
 
-from datetime import datetime
 from typing import Annotated
 
 from fastapi import APIRouter, Request
@@ -9,21 +8,12 @@ from pydantic import Field
 from sightline.enums import Role
 from sightline.infra.web.bodies import In, Name, Out
 from sightline.infra.web.deps import Admin, PathId, Reading, Wired
+from sightline.infra.web.idempotency import TOLD_ONCE
+from sightline.infra.web.person import PersonFacts
 from sightline.people import store
 from sightline.people.service import link_path
 
 router = APIRouter()
-
-
-class PersonBody(Out):
-    id: int
-    name: str
-    email: str
-    role: Role
-    active: bool
-    created_at: datetime
-    last_seen_at: datetime | None
-    has_password: bool
 
 
 class NewPerson(In):
@@ -43,28 +33,28 @@ class Link(Out):
 
 
 class Invited(Link):
-    person: PersonBody
+    person: PersonFacts
 
 
 @router.get("/people")
-def list_people(who: Admin, session: Reading) -> list[PersonBody]:
+def list_people(who: Admin, session: Reading) -> list[PersonFacts]:
     """Everybody who has an account."""
-    return [PersonBody.model_validate(one) for one in store.list_people(session)]
+    return list(store.list_people(session))
 
 
-@router.post("/people", status_code=201)
+@router.post("/people", status_code=201, dependencies=[TOLD_ONCE])
 def add_person(body: NewPerson, who: Admin, services: Wired) -> Invited:
     """A new account, and the one-time link with which the person signs in first."""
     with services.writing() as session:
         person = store.create_person(session, name=body.name, email=body.email, role=body.role, actor=who.id)
         token = store.create_sign_in_link(session, person.id, actor=who.id)
-    return Invited(person=PersonBody.model_validate(person), link=link_path(token))
+    return Invited(person=person, link=link_path(token))
 
 
 @router.put("/people/{person_id}")
 def change_person(
     person_id: PathId, body: PersonChange, who: Admin, request: Request, services: Wired
-) -> PersonBody:
+) -> PersonFacts:
     """Change name, role or access; the last admin stays one."""
     with services.writing() as session:
         person = store.update_person(
@@ -72,10 +62,10 @@ def change_person(
         )
     request.app.state.sign_in.forget()
     request.app.state.access.forget()
-    return PersonBody.model_validate(person)
+    return person
 
 
-@router.post("/people/{person_id}/link", status_code=201)
+@router.post("/people/{person_id}/link", status_code=201, dependencies=[TOLD_ONCE])
 def new_link(person_id: PathId, who: Admin, services: Wired) -> Link:
     """A fresh one-time link for somebody who lost the first or the password; older ones end."""
     with services.writing() as session:

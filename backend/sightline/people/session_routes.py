@@ -12,9 +12,8 @@ from sightline.infra.version import code_version
 from sightline.infra.web.bodies import In, Name, Out, example
 from sightline.infra.web.cookie import SignIn
 from sightline.infra.web.deps import OPEN, InPerson, Viewer, Wired, address_of
-from sightline.infra.web.person import Person
+from sightline.infra.web.person import Person, PersonFacts
 from sightline.people import service, store
-from sightline.people.routes import PersonBody
 
 router = APIRouter()
 
@@ -38,7 +37,7 @@ class NewPassword(In):
 
 
 class Me(Out):
-    person: PersonBody
+    person: PersonFacts
     version: str
     needs_password: bool = Field(
         description="No password yet, or here by a one-time link: the current one is not asked."
@@ -124,7 +123,7 @@ def _me(request: Request, services: Services, person: Person, by_link: bool) -> 
     with services.reading() as session:
         demonstration = demo_survey_id(session)
     return Me(
-        person=PersonBody.model_validate(person),
+        person=person,
         version=code_version(),
         needs_password=by_link or not person.has_password,
         needs_name=(person.name, person.email) == service.FIRST_ADMIN,

@@ -1,26 +1,18 @@
 """Tokens of one's own, for programs; only a person who signed in can make, see and revoke them."""
 
-from datetime import datetime
 from typing import Annotated
 
 from fastapi import APIRouter, Request
 from pydantic import Field
 
 from sightline.enums import Scope
+from sightline.infra.web.bearer import ApiTokenFacts
 from sightline.infra.web.bodies import In, Name, Out, example
 from sightline.infra.web.deps import InPerson, PathId, Reading, Wired
+from sightline.infra.web.idempotency import TOLD_ONCE
 from sightline.people import token_store
 
 router = APIRouter()
-
-
-class TokenBody(Out):
-    id: int
-    name: str
-    scopes: tuple[Scope, ...]
-    created_at: datetime
-    expires_at: datetime
-    last_used_at: datetime | None = Field(description="To the minute or so: not each request is noted.")
 
 
 class NewToken(In):
@@ -32,24 +24,24 @@ class NewToken(In):
 
 
 class MadeToken(Out):
-    token: TokenBody
+    token: ApiTokenFacts
     text: str = Field(description="Sent as `Authorization: Bearer TEXT`; shown only now.")
 
 
 @router.get("/session/tokens")
-def list_tokens(who: InPerson, session: Reading) -> list[TokenBody]:
+def list_tokens(who: InPerson, session: Reading) -> list[ApiTokenFacts]:
     """One's own tokens that were not revoked, newest first; their text is told once, when made."""
-    return [TokenBody.model_validate(one) for one in token_store.list_api_tokens(session, who.id)]
+    return list(token_store.list_api_tokens(session, who.id))
 
 
-@router.post("/session/tokens", status_code=201)
+@router.post("/session/tokens", status_code=201, dependencies=[TOLD_ONCE])
 def make_token(body: NewToken, who: InPerson, services: Wired) -> MadeToken:
     """A token that may do what its scopes say, as far as one may oneself, until it ends or is revoked."""
     with services.writing() as session:
         token, text = token_store.create_api_token(
             session, who.id, name=body.name, scopes=body.scopes, days=body.days
         )
-    return MadeToken(token=TokenBody.model_validate(token), text=text)
+    return MadeToken(token=token, text=text)
 
 
 @router.delete("/session/tokens/{token_id}", status_code=204)

@@ -12,6 +12,7 @@ from sightline.geometry.road_pose import BoardOnRoad
 from sightline.geometry.ruler import Polyline
 from sightline.infra.web.bodies import Finite, FrameNumber, Out
 from sightline.infra.web.named import CalibrationId
+from sightline.messages.said import Said
 from sightline.poses.records import ExpectedHeight, PoseOverlay
 
 Corners = Annotated[int, Field(ge=2, le=60, description="Inner corners: where four squares meet.")]
@@ -32,7 +33,7 @@ class BoardBody(Out):
     """The board on one frame; where it was not found, why."""
 
     found: bool
-    reason: str | None
+    reason: Said | None
     columns: int
     rows: int
     corners_px: Polyline
@@ -40,7 +41,7 @@ class BoardBody(Out):
     ids: list[int] | None = Field(
         description="Which corners were seen, counted row by row; null for all of them."
     )
-    order_note: str
+    order_notes: list[Said]
 
 
 class PoseWanted(Markers):
@@ -69,7 +70,7 @@ class PoseSummaryBody(Out):
     last_frame: int
     rms_px: float | None
     distance_m: float | None
-    summary: str
+    summary: list[Said]
 
 
 class CamFromRoad(Out):
@@ -92,6 +93,6 @@ class PoseDocument(Out):
 
 class PoseBody(PoseSummaryBody):
     document: PoseDocument = Field(description="The pose as pose.json.")
-    warnings: list[str]
+    warnings: list[Said]
     expected: list[ExpectedHeight]
     overlay: PoseOverlay

@@ -19,6 +19,7 @@ from sightline.infra.database import Session
 from sightline.infra.jobs import registry
 from sightline.infra.jobs.records import Job
 from sightline.infra.services import Services
+from sightline.messages.said import Said
 from sightline.poses.service import (
     BoardView,
     Solved,
@@ -153,7 +154,7 @@ def solve_pose(context: registry.JobContext) -> registry.Outcome:
         wanted.board,
         context.progress,
     )
-    context.progress(0.85, "Computing the camera pose.")
+    context.progress(0.85, Said("job-pose-computing"))
     solved = solve(camera, seen, wanted.board, wanted.tape)
     return storing(wanted, solved, context.actor)
 

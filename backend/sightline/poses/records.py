@@ -8,6 +8,7 @@ from typing_extensions import TypedDict
 from sightline.enums import JsonObject
 from sightline.geometry.ruler import DrawnAxes, Polyline
 from sightline.infra.audit.records import Who
+from sightline.messages.said import Said
 
 
 class ExpectedHeight(TypedDict):
@@ -16,7 +17,7 @@ class ExpectedHeight(TypedDict):
     distance_m: float
     u_height_m: float | None
     U95_height_m: float | None
-    reason: str | None
+    reason: Said | None
 
 
 class IsoHeight(TypedDict):
@@ -51,7 +52,7 @@ class PoseSummary:
     last_frame: int
     rms_px: float | None
     distance_m: float | None
-    summary: str
+    summary: list[Said]
     turned_from: int | None
     turned_by_rad: float | None
     adjusted_from: int | None
@@ -62,6 +63,6 @@ class Pose(PoseSummary):
     """A road pose with its pose.json `document`; never changed once written."""
 
     document: JsonObject
-    warnings: list[str]
+    warnings: list[Said]
     expected: list[ExpectedHeight]
     overlay: PoseOverlay

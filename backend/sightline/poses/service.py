@@ -22,7 +22,7 @@ from sightline.geometry.pose import expected_u, pose_from_corners
 from sightline.geometry.road import axes_at_contact, iso_heights, road_grid
 from sightline.geometry.road_pose import Reference, RoadPose
 from sightline.geometry.ruler import DrawnAxes, drawn_axes, polyline
-from sightline.messages.said import Said
+from sightline.messages.said import Said, with_commas
 from sightline.poses.records import ExpectedHeight, IsoHeight, PoseOverlay
 
 # Corner errors of neighbouring frames are correlated: more frames add time, not accuracy.
@@ -30,11 +30,9 @@ MOST_FRAMES = 15
 #: A corner that moved less has not moved: beyond the scatter of its detection, below any push of the board.
 STILL_PX = 1.0
 EXPECTED_AT_M = (2.0, 3.0, 5.0)
-_ORDER_NOTE = "Corners are numbered from the top left as seen, along the rows to the right and then down."
-_PART = "{seen} of its {all} corners are visible: enough for a calibration; a camera pose needs all of them. "
-_TRANSPOSED = " The board is rotated: {columns} columns by {rows} rows as seen, not as entered."
+_ORDER = Said("board-order")
 
-Progress = Callable[[float, str], None]
+Progress = Callable[[float, Said], None]
 
 
 @dataclass(frozen=True)
@@ -42,13 +40,13 @@ class BoardView:
     """What one frame shows of the board, in plain lists."""
 
     found: bool
-    reason: str | None
+    reason: Said | None
     columns: int
     rows: int
     corners_px: list[list[float]]
     outline_px: list[list[float]]
     ids: list[int] | None
-    order_note: str
+    order_notes: list[Said]
 
 
 @dataclass(frozen=True, eq=False)
@@ -76,11 +74,11 @@ class Solved:
 
     pose: RoadPose
     document: dict[str, Any]
-    warnings: list[str]
+    warnings: list[Said]
     expected: list[ExpectedHeight]
     overlay: PoseOverlay
     distance_m: float | None
-    summary: str
+    summary: list[Said]
 
 
 def board_view(gray: Gray, board: Board) -> BoardView:
@@ -95,15 +93,17 @@ def board_view(gray: Gray, board: Board) -> BoardView:
             corners_px=[],
             outline_px=[],
             ids=None,
-            order_note=_ORDER_NOTE,
+            order_notes=[_ORDER],
         )
     seen = corners.board_as_seen
     turned = (seen.columns, seen.rows) != (board.columns, board.rows)
-    note = _ORDER_NOTE + (_TRANSPOSED.format(columns=seen.columns, rows=seen.rows) if turned else "")
+    notes = [_ORDER]
+    if turned:
+        notes.append(Said("board-order-turned", columns=seen.columns, rows=seen.rows))
     ids: list[int] | None = None
     if corners.ids is not None:
         ids = corners.ids.tolist()
-        note = _PART.format(seen=len(corners.ids), all=seen.corners) + note
+        notes.insert(0, Said("board-order-part", seen=len(corners.ids), all=seen.corners))
     flat = corners.points_px.reshape(-1, 2).tolist()
     return BoardView(
         found=True,
@@ -113,7 +113,7 @@ def board_view(gray: Gray, board: Board) -> BoardView:
         corners_px=flat,
         outline_px=outline(corners),
         ids=ids,
-        order_note=note,
+        order_notes=notes,
     )
 
 
@@ -186,12 +186,12 @@ def board_in_span(
 
     def pictures() -> Iterator[Gray]:
         for index, n in enumerate(wanted):
-            progress(0.05 + 0.75 * index / len(wanted), f"Searching for the board in frame {n}.")
+            progress(0.05 + 0.75 * index / len(wanted), Said("job-board-searching-frame", frame=n))
             yield gray_of(n)
 
     seen = preview_board(pictures(), board)
     if not any(corners.found for corners in seen.corners):
-        reasons = Counter(corners.reason or "No board was found." for corners in seen.corners)
+        reasons = Counter(corners.reason or Said("board-not-found") for corners in seen.corners)
         reason, _ = reasons.most_common(1)[0]
         raise BadInput("poses-no-frame-shows-board", first=first, last=last, reason=reason)
     return seen
@@ -223,18 +223,24 @@ def described(pose: RoadPose, corners_px: Floats) -> Solved:
 
 
 def _expected(distance_m: float, u_m: float | None) -> ExpectedHeight:
-    reason = None if u_m is not None else "The image does not show the road at this distance."
+    reason = None if u_m is not None else Said("pose-no-road-at-distance")
     u95_m = None if u_m is None else COVERAGE_95 * u_m
     return ExpectedHeight(distance_m=distance_m, u_height_m=u_m, U95_height_m=u95_m, reason=reason)
 
 
-def verdict(expected: Sequence[ExpectedHeight], distance_m: float | None, camera_height_m: float) -> str:
-    """In plain words: where the board stood, how high the camera is, how well heights will be known."""
-    board = "" if distance_m is None else f"The board was {distance_m:.2f} m from the camera. "
-    known = [(one["distance_m"], u95_m) for one in expected if (u95_m := one["U95_height_m"]) is not None]
-    figures = ", ".join(f"±{1000 * u95_m:.0f} mm at {at_m:.0f} m" for at_m, u95_m in known)
-    heights = f" Expected U95 of a height of 1.2 m, clicked with u = 1 px: {figures}." if known else ""
-    return f"{board}The camera is {camera_height_m:.2f} m above the road.{heights}"
+def verdict(
+    expected: Sequence[ExpectedHeight], distance_m: float | None, camera_height_m: float
+) -> list[Said]:
+    """Where the board stood, how high the camera is, how well heights will be known."""
+    board = [] if distance_m is None else [Said("pose-board-distance", distance_m=round(distance_m, 2))]
+    camera = Said("pose-camera-height", height_m=round(camera_height_m, 2))
+    known = [
+        Said("pose-expected-at", U95_height_m=round(u95_m, 4), distance_m=round(one["distance_m"]))
+        for one in expected
+        if (u95_m := one["U95_height_m"]) is not None
+    ]
+    heights = [Said("pose-expected-heights", figures=with_commas(known))] if known else []
+    return [*board, camera, *heights]
 
 
 def overlay(pose: RoadPose, corners_px: Floats) -> PoseOverlay:

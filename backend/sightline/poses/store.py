@@ -14,6 +14,7 @@ from sightline.infra.audit import trail
 from sightline.infra.database.people import people
 from sightline.infra.database.rows import add_row, change_row, get_row, missing, stored_hash, who
 from sightline.infra.database.types import columns_of, now
+from sightline.messages.said import Said
 from sightline.poses.records import ExpectedHeight, Pose, PoseOverlay, PoseSummary
 from sightline.poses.tables import road_poses
 from sightline.recordings.tables import recordings
@@ -30,9 +31,9 @@ def add_pose(
     last_frame: int,
     rms_px: float | None,
     distance_m: float | None,
-    summary: str,
+    summary: Sequence[Said],
     document: JsonObject,
-    warnings: Sequence[str],
+    warnings: Sequence[Said],
     expected: Sequence[ExpectedHeight],
     overlay: PoseOverlay,
     attach: bool = True,
@@ -56,7 +57,7 @@ def add_pose(
         "last_frame": last_frame,
         "rms_px": rms_px,
         "distance_m": distance_m,
-        "summary": summary,
+        "summary": list(summary),
         "document": document,
         "warnings": list(warnings),
         "expected": list(expected),

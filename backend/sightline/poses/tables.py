@@ -7,11 +7,10 @@ from sqlalchemy import (
     ForeignKey,
     Integer,
     Table,
-    Text,
 )
 
 from sightline.infra.audit.vouched import WrittenOnce, vouched
-from sightline.infra.database.types import CanonicalJson, identity, made_columns, metadata
+from sightline.infra.database.types import CanonicalJson, Saying, identity, made_columns, metadata
 
 road_poses = Table(
     "road_poses",
@@ -24,9 +23,9 @@ road_poses = Table(
     Column("last_frame", Integer, nullable=False),
     Column("rms_px", Float),
     Column("distance_m", Float),
-    Column("summary", Text, nullable=False),
+    Column("summary", Saying, nullable=False),
     Column("document", CanonicalJson, nullable=False),
-    Column("warnings", CanonicalJson, nullable=False),
+    Column("warnings", Saying, nullable=False),
     Column("expected", CanonicalJson, nullable=False),
     Column("overlay", CanonicalJson, nullable=False),
     # a pose turned about the road's normal after the traffic's own direction

@@ -20,6 +20,7 @@ from sightline.infra.services import Services
 from sightline.media.cancelling import IngestCancelled
 from sightline.media.store.local import MediaStore, key_of
 from sightline.media.video.ingest import Ingested, ingest
+from sightline.messages.said import Said
 from sightline.recordings import store as recordings
 from sightline.recordings.frames.records import FrameTable
 from sightline.recordings.frames.stills import stills_of
@@ -30,10 +31,6 @@ PASSES = "passes"
 STOPPED = "The import was cancelled; start it again or delete the recording."
 # Mean luminance (0-255) below which low light is proposed; people decide.
 LOW_LIGHT_BELOW = 60.0
-IN_FUTURE = (
-    "The file states a start of {:%Y-%m-%d %H:%M} UTC, which is in the future: the camera's clock is wrong, "
-    "so no start is suggested."
-)
 
 
 def queue_ingest(session: Session, recording: Recording, actor: int | None) -> Job:
@@ -139,11 +136,11 @@ def run_ingest(context: JobContext) -> Finish:
 
 
 def _read(context: JobContext, path: Path, recording: Recording, folder: Path) -> Ingested:
-    context.progress(0.0, "Reading the video.")
+    context.progress(0.0, Said("job-video-reading"))
     try:
         return ingest(
             path,
-            lambda fraction: context.progress(0.97 * fraction, "Reading the video."),
+            lambda fraction: context.progress(0.97 * fraction, Said("job-video-reading")),
             context.is_cancelled,
             folder / "thumbs",
             work_dir=folder,
@@ -212,9 +209,10 @@ def facts_of(found: Ingested, working_copy: str | None) -> Facts:
     """What is stored of an ingest beside the frame table."""
     facts, report = found.facts, found.report
     times = found.frames.time_s
-    begun, ahead = found.stated.begun_at, False
+    begun, ahead = found.stated.begun_at, list[Said]()
     if begun is not None and begun > now():
-        begun, ahead = None, True
+        ahead = [Said("video-start-in-future", start=f"{begun:%Y-%m-%d %H:%M}")]
+        begun = None
     duration_s = float(times.max() - times.min()) + (1.0 / report.rate_hz if report.rate_hz else 0.0)
     kept: dict[str, Any] = {
         "duplicates": report.duplicates,
@@ -240,7 +238,7 @@ def facts_of(found: Ingested, working_copy: str | None) -> Facts:
         codec=facts.codec,
         container=facts.container,
         vfr=report.vfr,
-        notes=[*report.notes, *([IN_FUTURE.format(found.stated.begun_at)] if ahead else [])],
+        notes=[*report.notes, *ahead],
         report=kept,
         thumbs=[thumb.n for thumb in found.thumbnails],
         lighting_proposed=_lighting(found),

@@ -11,6 +11,7 @@ from sightline.enums import (
     StreetLighting,
 )
 from sightline.infra.jobs.records import Job
+from sightline.messages.said import Said
 from sightline.recordings.drift import DriftChecks, DriftDecision
 from sightline.recordings.filming import Filming
 
@@ -25,7 +26,7 @@ class Facts:
     codec: str
     container: str
     vfr: bool
-    notes: list[str] = field(default_factory=list)
+    notes: list[Said] = field(default_factory=list)
     report: JsonObject = field(default_factory=dict)
     thumbs: list[int] = field(default_factory=list)
     lighting_proposed: Lighting | None = None
@@ -58,7 +59,7 @@ class Recording:
     codec: str | None
     container: str | None
     vfr: bool
-    notes: list[str]
+    notes: list[Said]
     report: JsonObject
     thumbs: list[int]
     camera_id: int | None

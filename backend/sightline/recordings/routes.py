@@ -16,6 +16,7 @@ from sightline.infra.web.bodies import In, JobBody, Name, Out, example
 from sightline.infra.web.deps import Exporter, Operator, PathId, Reading, Uploader, Viewer, Wired, Writing
 from sightline.infra.web.named import CameraId, PoseId
 from sightline.media.video.decode import Picture
+from sightline.messages.said import Said
 from sightline.recordings import ingest_job, store
 from sightline.recordings.bodies import StartIn
 from sightline.recordings.csv import started_text
@@ -55,7 +56,7 @@ class RecordingBody(Out):
     codec: str | None
     container: str | None
     vfr: bool
-    notes: list[str]
+    notes: list[Said]
     camera_id: int | None
     pose_id: int | None
     lighting: Lighting | None

@@ -17,6 +17,7 @@ from sightline.enums import Lighting, RecordingState, StreetLighting
 from sightline.infra.database.types import (
     NEEDS_MEDIA,
     CanonicalJson,
+    Saying,
     UtcDateTime,
     enum_check,
     identity,
@@ -42,7 +43,7 @@ recordings = Table(
     Column("codec", String(60)),
     Column("container", String(60)),
     Column("vfr", Boolean, nullable=False),
-    Column("notes", CanonicalJson, nullable=False),
+    Column("notes", Saying, nullable=False),
     Column("report", CanonicalJson, nullable=False),
     Column("thumbs", CanonicalJson, nullable=False),
     Column("camera_id", ForeignKey("cameras.id")),

@@ -9,15 +9,18 @@ from sightline.enums import ReviewVerdict, Verdict
 from sightline.infra.web.bodies import FrameNumber, In, Point, Text, example
 from sightline.infra.web.quantities import Revision
 from sightline.measurements.bodies import MeasurementBody
-from sightline.measurements.records import VehicleInState
-from sightline.reviews.records import Judged, Review
+from sightline.measurements.records import Review
+from sightline.reviews.records import Judged, VehicleFacts
+from sightline.scans.heights.bodies import ScanHeightBody
+
+HeightBody = MeasurementBody | ScanHeightBody
 
 
 @dataclass(frozen=True, slots=True)
 class HistoryBody:
-    """Everything ever stored about a measurement, oldest first."""
+    """Everything ever stored about a height, oldest first."""
 
-    revisions: list[MeasurementBody]
+    revisions: list[HeightBody]
     reviews: tuple[Review, ...]
 
 
@@ -37,10 +40,10 @@ class NewReview(In):
 
 @dataclass(frozen=True, slots=True)
 class QueueItemBody:
-    """A measurement and its vehicle, for a reviewer."""
+    """A height, of a frame or of a line scan, and its vehicle, for a reviewer."""
 
-    measurement: MeasurementBody
-    vehicle: VehicleInState
+    measurement: HeightBody
+    vehicle: VehicleFacts
     mine: Annotated[
         bool, Field(description="Whether you made this revision: then somebody else has to review it.")
     ]

@@ -5,10 +5,12 @@ from __future__ import annotations
 from typing import get_args
 
 from sightline.enums import ReviewVerdict
-from sightline.infra.csv_package.columns import integer, key, moment, person, text
+from sightline.infra.csv_package.columns import integer, key
 from sightline.infra.csv_package.schema import Table
-from sightline.reviews.records import Review
+from sightline.measurements.csv import given_verdict
+from sightline.measurements.records import Review
 
+_GIVEN = given_verdict(get_args(ReviewVerdict))
 REVIEWS: Table[Review] = Table(
     "reviews",
     "Every verdict, in the order in which they were given.",
@@ -21,11 +23,9 @@ REVIEWS: Table[Review] = Table(
             "revision to which the verdict applies (a fix creates a new one)",
             lambda r: r.result_revision,
         ),
-        text("verdict", "the verdict", lambda r: r.verdict, required=True, enum=get_args(ReviewVerdict)),
-        text("reason", "the reviewer's reason", lambda r: r.reason),
+        *_GIVEN[:2],
         integer("lot_id", "of a verdict by lot: the lot; else the verdict is individual", lambda r: r.lot_id),
-        person("reviewer_id", "who reviewed", lambda r: r.reviewer),
-        moment("at", "when", lambda r: r.at),
+        *_GIVEN[2:],
     ),
     primary=("id",),
     foreign=(

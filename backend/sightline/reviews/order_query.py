@@ -1,4 +1,4 @@
-"""A survey's standing measurements in the order in which they are reviewed."""
+"""A survey's standing heights, of frames and of line scans, in the order in which they are reviewed."""
 
 from dataclasses import dataclass
 from threading import Lock
@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 from cachetools import LRUCache, cached
-from sqlalchemy import Row, and_
+from sqlalchemy import Row, and_, func
 from sqlalchemy.orm import Session
 
 from sightline.enums import ReviewSign, Verdict
@@ -14,6 +14,7 @@ from sightline.infra.audit import trail
 from sightline.measurements.query import is_current, is_first, is_own, verdict, with_verdict
 from sightline.measurements.tables import measurement_series
 from sightline.measurements.tables import measurements as revision_rows
+from sightline.scans.tables import scan_vehicles, scans
 from sightline.statistics.agreement import U_MANUFACTURER_M
 from sightline.statistics.review_order import SIGNS, review_order
 from sightline.vehicles.records import is_reference
@@ -25,8 +26,9 @@ MOST_KEPT = 400_000
 
 @dataclass(frozen=True, slots=True)
 class Standing:
-    """A measurement that stands: its verdict, whose it is, and what speaks against it."""
+    """A height that stands: its verdict, whose it is, what speaks against it; `scanned`: of a line scan."""
 
+    scanned: bool
     verdict: Verdict
     mine: bool
     signs: tuple[ReviewSign, ...]
@@ -35,7 +37,8 @@ class Standing:
 
 
 def standing_order(session: Session, survey_id: int, actor: int | None) -> dict[int, Standing]:
-    """By number of the measurement: others' before the actor's own, those most likely wrong first.
+    """By number of the measurement: others' before the actor's own, frames before line scans, those most
+    likely wrong first.
 
     What is usual takes a look at all of them, so it is kept until anything of the survey changes.
     """
@@ -49,7 +52,8 @@ def _size(order: dict[int, Standing]) -> int:
 @cached(LRUCache(MOST_KEPT, _size), key=lambda _session, *rest: rest, lock=Lock())
 def _standing_order(session: Session, survey_id: int, actor: int | None, _end: str) -> dict[int, Standing]:
     """`_end`: the hash in which the survey's audit chain ends: another one with each change."""
-    r = revision_rows.c
+    r, of = revision_rows.c, measurement_series.c
+    number = func.coalesce(vehicles.c.number, scan_vehicles.c.number)
     maker = revision_rows.alias("maker")
     query = (
         with_verdict(
@@ -61,30 +65,40 @@ def _standing_order(session: Session, survey_id: int, actor: int | None, _end: s
                 verdict.label("verdict"),
                 is_own(actor).label("mine"),
             ),
-            *(maker.c.created_by.label("operator"), vehicles.c.number),
+            *(maker.c.created_by.label("operator"), of.scan_id),
             *(vehicles.c.manufacturer_height_m, vehicles.c.u_manufacturer_height_m),
             vehicles.c.model_chosen_by,
         )
-        .join(vehicles, vehicles.c.id == measurement_series.c.vehicle_id)
+        .outerjoin(vehicles, vehicles.c.id == of.vehicle_id)
+        .outerjoin(scan_vehicles, scan_vehicles.c.id == of.scan_vehicle_id)
+        .outerjoin(scans, scans.c.id == of.scan_id)
         .join(maker, and_(maker.c.series_id == r.series_id, maker.c.revision == 1))
-        .where(measurement_series.c.survey_id == survey_id, vehicles.c.deleted_at.is_(None))
+        .where(
+            of.survey_id == survey_id,
+            *(one.c.deleted_at.is_(None) for one in (vehicles, scan_vehicles, scans)),
+        )
         .where(is_current, ~r.withdrawn, is_first)
-        .order_by(vehicles.c.number, r.series_id)
+        .order_by(of.scan_id.is_not(None), of.scan_id, number, r.series_id)
     )
     rows = session.execute(query).all()
     errors = np.array([_error(row) for row in rows], dtype=float).reshape(-1, 2)
     found = review_order(
         np.array([row.height_m for row in rows], dtype=float),
         np.array([row.u_height_m for row in rows], dtype=float),
-        np.unique([row.target for row in rows], return_inverse=True)[1],
+        # what is usual of a target is another uncertainty on frames than in line scans
+        np.unique([f"{row.target} {row.scan_id is None}" for row in rows], return_inverse=True)[1],
         np.array([row.operator or 0 for row in rows], dtype=np.int64),
         errors[:, 0],
         errors[:, 1],
     )
-    # own ones last, the riskiest first, else as they stand
-    order = np.lexsort((np.arange(len(rows)), -found.risk, np.array([row.mine for row in rows], dtype=bool)))
+    # own ones last, those of frames before those of strips, which are judged by other pictures; then the
+    # riskiest first, else as they stand
+    of_strips = np.array([row.scan_id is not None for row in rows], dtype=bool)
+    mine = np.array([row.mine for row in rows], dtype=bool)
+    order = np.lexsort((np.arange(len(rows)), -found.risk, of_strips, mine))
     return {
         rows[at].series_id: Standing(
+            scanned=rows[at].scan_id is not None,
             verdict="to_review" if rows[at].verdict == "reopened" else rows[at].verdict,
             mine=bool(rows[at].mine),
             signs=tuple(sign for sign, there in zip(SIGNS, found.signs[at], strict=True) if there),

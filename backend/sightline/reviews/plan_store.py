@@ -1,5 +1,7 @@
-"""How a survey is reviewed: which measurements a reviewer clicks again before seeing them.
+"""How a survey is reviewed: which heights a reviewer clicks again before seeing them.
 
+They are drawn from those on frames alone: a height in a line scan has no repeats, and its strips are clicked
+on the bench of their recording, where the first clicks are seen.
 The plan has no table of its own (`infra/audit/choice`).
 """
 

@@ -1,40 +1,20 @@
 """Reviews, a measurement's history and the queue."""
 
 from dataclasses import dataclass
-from datetime import datetime
 from typing import Annotated
 
 from pydantic import Field
 
-from sightline.enums import (
-    ReviewSign,
-    ReviewVerdict,
-)
-from sightline.infra.audit.records import Who
-from sightline.measurements.records import Measurement, VehicleSheet
+from sightline.enums import Lighting, ReviewSign
+from sightline.measurements.records import Measurement, Review, ScanHeight
 from sightline.reviews.lots.records import LotPlace
-
-
-@dataclass(frozen=True, slots=True)
-class Review:
-    """One verdict given; `revision` is the one that was looked at."""
-
-    id: int
-    measurement_id: int
-    revision: int
-    result_revision: int
-    verdict: ReviewVerdict
-    reason: str | None
-    reviewer: Who | None
-    at: datetime
-    lot_id: int | None = None
 
 
 @dataclass(frozen=True, slots=True)
 class MeasurementHistory:
     """Everything ever said about one measurement, oldest first."""
 
-    revisions: tuple[Measurement, ...]
+    revisions: tuple[Measurement | ScanHeight, ...]
     reviews: tuple[Review, ...]
 
 
@@ -48,11 +28,14 @@ class ReviewPlan:
 
 @dataclass(frozen=True, slots=True)
 class ReviewWork:
-    """What waits for a verdict in a survey."""
+    """The standing heights of a survey, by what was said of them."""
 
     to_review: Annotated[int, Field(description="By somebody else than the asker, who may judge them.")]
     own: Annotated[int, Field(description="The asker's own, which somebody else has to review.")]
-    in_lots: Annotated[int, Field(description="Held by open lots, whose samples decide on them.")] = 0
+    in_lots: Annotated[int, Field(description="Held by open lots, whose samples decide on them.")]
+    accepted: Annotated[int, Field(description="Corrected ones too.")]
+    rejected: int
+    heights: Annotated[int, Field(description="All of them.")]
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,10 +50,24 @@ class Judged:
 
 
 @dataclass(frozen=True, slots=True)
-class QueueItem:
-    """A measurement waiting for a reviewer; `mine` when the asker made this revision."""
+class VehicleFacts:
+    """What is told of a vehicle, filmed or scanned, to judge its heights by; `scan_name`: of a scanned."""
 
-    measurement: Measurement
-    vehicle: VehicleSheet
+    id: int
+    number: int
+    make: str | None
+    model: str | None
+    year: int | None
+    lighting: Lighting | None
+    manufacturer_height_m: float | None = None
+    scan_name: str | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class QueueItem:
+    """A height waiting for a reviewer, of either kind; `mine` when the asker made this revision."""
+
+    measurement: Measurement | ScanHeight
+    vehicle: VehicleFacts
     mine: bool
     judged: Judged

@@ -1,18 +1,22 @@
 """Reviews: the queue, and a verdict on a measurement."""
 
+from collections.abc import Sequence
 from typing import Annotated
 
 from fastapi import APIRouter, Query
 
 from sightline.enums import QueueState
 from sightline.infra.by_name import filled_from
+from sightline.infra.database import Session
 from sightline.infra.web.deps import Manager, PathId, Reading, Reviewer, Viewer, Writing
 from sightline.infra.web.named import LotId, MeasurementId
-from sightline.measurements.bodies import MeasurementBody, measurement_body
+from sightline.measurements.bodies import measurement_body
+from sightline.measurements.records import Measurement, ScanHeight
 from sightline.reviews import plan_store, query, store
-from sightline.reviews.bodies import HistoryBody, NewReview, PlanIn, QueueItemBody
+from sightline.reviews.bodies import HeightBody, HistoryBody, NewReview, PlanIn, QueueItemBody
 from sightline.reviews.records import ReviewPlan, ReviewWork
 from sightline.reviews.service import require_seen_by_plan, review
+from sightline.scans.heights.presenters import scan_height_bodies
 from sightline.surveys.store import get_survey
 
 router = APIRouter()
@@ -29,7 +33,8 @@ def review_queue(
     lot: Annotated[LotId | None, Query(description="The sample of this open lot alone.")] = None,
     limit: Annotated[int, Query(ge=1, le=1000)] = 200,
 ) -> list[QueueItemBody]:
-    """The survey's standing measurements by verdict, a page at a time, those most likely wrong first.
+    """The survey's standing heights, of frames and of line scans, by verdict, a page at a time, those most
+    likely wrong first.
 
     Others have to review `mine`, which come last.
     """
@@ -37,14 +42,16 @@ def review_queue(
     found = store.review_queue(
         session, survey_id, state=state, after=after, only=measurement, lot=lot, limit=limit, actor=who.id
     )
+    heights = _bodies(session, [item.measurement for item in found], who.id)
     return [
-        filled_from(QueueItemBody, item, measurement=measurement_body(item.measurement)) for item in found
+        filled_from(QueueItemBody, item, measurement=height)
+        for item, height in zip(found, heights, strict=True)
     ]
 
 
 @router.get("/surveys/{survey_id}/review-work")
 def review_work(survey_id: PathId, who: Viewer, session: Reading) -> ReviewWork:
-    """How much waits for a verdict, and how much of it is one's own."""
+    """How much waits for a verdict, how much of it is one's own, and how much has one."""
     get_survey(session, survey_id)
     return store.review_work(session, survey_id, actor=who.id)
 
@@ -66,8 +73,8 @@ def choose_review_plan(survey_id: PathId, body: PlanIn, who: Manager, session: W
 @router.post("/measurements/{measurement_id}/reviews", status_code=201)
 def review_measurement(
     measurement_id: PathId, body: NewReview, who: Reviewer, session: Writing
-) -> MeasurementBody:
-    """Accept, reject (with a reason), fix (with points: a new revision) or reopen; never one's own work."""
+) -> HeightBody:
+    """Accept, reject (with a reason), fix (on frames: with points), reopen; never one's own."""
     require_seen_by_plan(session, measurement_id, body.revision, body.verdict, who.id)
     judged = review(
         session,
@@ -81,11 +88,20 @@ def review_measurement(
         target_point=body.target_point,
         actor=who.id,
     )
-    return measurement_body(judged)
+    return _bodies(session, [judged], who.id)[0]
 
 
 @router.get("/measurements/{measurement_id}/history")
 def measurement_history(measurement_id: PathId, who: Viewer, session: Reading) -> HistoryBody:
     """Every revision and every verdict, oldest first."""
     found = query.measurement_history(session, measurement_id)
-    return HistoryBody([measurement_body(one) for one in found.revisions], found.reviews)
+    return HistoryBody(_bodies(session, found.revisions, who.id), found.reviews)
+
+
+def _bodies(session: Session, found: Sequence[Measurement | ScanHeight], asker: int) -> list[HeightBody]:
+    of_lines = scan_height_bodies(session, [one for one in found if isinstance(one, ScanHeight)], asker)
+    by_revision = {one.revision_id: one for one in of_lines}
+    return [
+        measurement_body(one) if isinstance(one, Measurement) else by_revision[one.revision_id]
+        for one in found
+    ]

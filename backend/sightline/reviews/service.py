@@ -1,25 +1,27 @@
-"""Reviews: a verdict on a measurement; a fix measures again with the reviewer's points."""
+"""Reviews: a verdict on a height; a fix, on frames alone, measures again with the reviewer's points."""
 
 from __future__ import annotations
 
 from sightline.enums import Point, ReviewVerdict, Verdict
 from sightline.errors import BadInput
 from sightline.infra.database import Session
-from sightline.measurements.records import Measurement, MeasurementValues
+from sightline.measurements.records import Measurement, MeasurementValues, ScanHeight
 from sightline.measurements.service import clicked_again, values_of_vehicle
-from sightline.measurements.store import require_measurement_revision
-from sightline.reviews.store import add_review, require_clicked_again
+from sightline.reviews.store import add_review, require_clicked_again, require_revision
 
 
 def require_seen_by_plan(
     session: Session, series_id: int, revision: int, verdict: ReviewVerdict, actor: int
 ) -> None:
-    """A person accepts or fixes what the survey's plan draws once they have clicked it themselves.
+    """A person accepts or fixes what the survey's plan draws once they have clicked it themselves; it draws
+    from heights on frames alone (`plan_store`).
 
     Raises BadInput where they have not, NotAllowed for one's own work, Conflict for another revision.
     """
     if verdict in ("accepted", "fixed"):
-        require_clicked_again(session, require_measurement_revision(session, series_id, revision), actor)
+        one = require_revision(session, series_id, revision)
+        if isinstance(one, Measurement):
+            require_clicked_again(session, one, actor)
 
 
 def review(
@@ -34,16 +36,18 @@ def review(
     contact: Point | None,
     target_point: Point | None,
     actor: int,
-) -> Measurement:
+) -> Measurement | ScanHeight:
     """Give a verdict on the revision, and in place of the verdict, that was seen.
 
     A fix keeps target, sigma and inset of that revision and takes the reviewer's points. Raises NotAllowed
     for one's own work, Conflict for a revision that is not current, BadInput for a rejection without a
-    reason, and a fix without points or that changes nothing.
+    reason, a fix without points or that changes nothing, and a fix in a line scan.
     """
-    before = require_measurement_revision(session, series_id, revision)
     fixed = None
     if verdict == "fixed":
+        before = require_revision(session, series_id, revision)
+        if isinstance(before, ScanHeight):
+            raise BadInput("reviews-line-scan-not-fixed")
         fixed = _fixed(session, before, frame, contact, target_point, actor)
     elif contact is not None or target_point is not None or frame is not None:
         raise BadInput("reviews-only-fix-carries-points-leave-them")

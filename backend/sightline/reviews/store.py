@@ -1,6 +1,7 @@
-"""Reviews: append-only verdicts on measurements. Nobody reviews a revision of their own."""
+"""Reviews: append-only verdicts on heights, of frames and of line scans. Nobody reviews their own."""
 
-from collections.abc import Sequence
+from collections import Counter
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 from sqlalchemy import select
@@ -10,7 +11,6 @@ from sightline.coverage import COVERAGE_95
 from sightline.enums import QueueState, ReviewVerdict, Verdict
 from sightline.errors import BadInput, Conflict, NotAllowed
 from sightline.infra.audit import trail
-from sightline.infra.audit.records import name_or_somebody
 from sightline.infra.database.rows import add_row, missing, stored_hash
 from sightline.infra.database.types import now
 from sightline.measurements.query import (
@@ -19,14 +19,7 @@ from sightline.measurements.query import (
     is_own,
     measurement_revision_rows,
 )
-from sightline.measurements.records import (
-    Measurement,
-    MeasurementValues,
-    ReviewState,
-    ScanHeight,
-    VehicleSheet,
-)
-from sightline.measurements.sheets.query import list_sheets_by_id
+from sightline.measurements.records import Measurement, MeasurementValues, ScanHeight
 from sightline.measurements.store import (
     append_measurement_revision,
     get_measurement,
@@ -34,11 +27,14 @@ from sightline.measurements.store import (
 )
 from sightline.measurements.tables import measurement_series, reviews
 from sightline.measurements.tables import measurements as revision_rows
+from sightline.measurements.verdicts import require_verdict
 from sightline.reviews.lots.records import LotPlace
 from sightline.reviews.lots.service import places_in_open_lots
 from sightline.reviews.order_query import Standing, standing_order
 from sightline.reviews.plan_store import get_review_plan, is_drawn
-from sightline.reviews.records import Judged, QueueItem, ReviewWork
+from sightline.reviews.query import facts_of_scanned, facts_of_vehicles
+from sightline.reviews.records import Judged, QueueItem, ReviewWork, VehicleFacts
+from sightline.scans.heights.store import is_of_line_scan, require_scan_height_revision, scan_heights_of
 
 
 def add_review(
@@ -51,30 +47,15 @@ def add_review(
     seen: Verdict | None = None,
     fixed: MeasurementValues | None = None,
     actor: int,
-) -> Measurement:
+) -> Measurement | ScanHeight:
     """Give a verdict on the revision that was seen; "fixed" also writes a new revision with `fixed`.
 
     Raises Conflict if there is a newer revision or another verdict than `seen`, NotAllowed for one's own,
     BadInput without the reason of a rejection or the points of a fix.
     """
-    before = require_measurement_revision(session, series_id, seen_revision)
+    before = require_revision(session, series_id, seen_revision)
     if (verdict == "fixed") != (fixed is not None):
         raise BadInput("reviews-fix-needs-new-points-only-fix")
-    give_verdict(session, before, verdict=verdict, reason=reason, seen=seen, fixed=fixed, actor=actor)
-    return get_measurement(session, series_id)
-
-
-def give_verdict(
-    session: Session,
-    before: Measurement | ScanHeight,
-    *,
-    verdict: ReviewVerdict,
-    reason: str | None,
-    seen: Verdict | None,
-    fixed: MeasurementValues | None = None,
-    actor: int,
-) -> None:
-    """`add_review` of a current revision, of a frame or of a line scan, read in the same transaction."""
     not_own(session, before, actor)
     if before.withdrawn:
         raise Conflict("reviews-measurement-withdrawn-nothing-review")
@@ -92,25 +73,16 @@ def give_verdict(
     after = {**content, **before.place, "content_sha256": stored_hash(session, reviews, review_id)}
     then = {"verdict": before.review.verdict}
     trail.record(session, actor, "review", "review", review_id, before.survey_id, then, after)
+    if isinstance(before, ScanHeight):
+        return scan_heights_of(session, (series_id,))[0]
+    return get_measurement(session, series_id)
 
 
-def require_verdict(
-    standing: ReviewState, seen: Verdict | None, verdict: ReviewVerdict, reason: str | None
-) -> str | None:
-    """The reason of a verdict that may be given, without blanks around it.
-
-    Raises Conflict if somebody gave another verdict since `seen` (None: not compared), or for reopening what
-    waits already, BadInput for a rejection without a reason.
-    """
-    if seen is not None and standing.verdict != seen:
-        name = name_or_somebody(standing.reviewer)
-        raise Conflict("reviews-verdict-given-meanwhile", name=name, verdict=standing.verdict)
-    told = (reason or "").strip() or None
-    if verdict == "rejected" and told is None:
-        raise BadInput("reviews-rejection-needs-reason-say-what-wrong")
-    if verdict == "reopened" and standing.verdict in ("to_review", "reopened"):
-        raise Conflict("reviews-waits-review-already")
-    return told
+def require_revision(session: Session, series_id: int, revision: int) -> Measurement | ScanHeight:
+    """The current revision of a height, if it is the one that the caller saw. Raises NotFound, Conflict."""
+    if is_of_line_scan(session, series_id):
+        return require_scan_height_revision(session, series_id, revision)
+    return require_measurement_revision(session, series_id, revision)
 
 
 def review_queue(
@@ -124,7 +96,7 @@ def review_queue(
     limit: int | None = None,
     actor: int | None,
 ) -> tuple[QueueItem, ...]:
-    """A survey's standing measurements by what was said of them; reopened ones are "to_review" again.
+    """A survey's standing heights by what was said of them; reopened ones are "to_review" again.
 
     Those most likely wrong come first, one's own last; a page of at most `limit` starts `after` a measurement
     (also one that left the queue meanwhile). `only`: that measurement alone, if it is in this state. `lot`:
@@ -146,33 +118,37 @@ def review_queue(
             wanted = [one for one in wanted if one not in places or places[one].in_sample]
         if state != "all":
             wanted = [one for one in wanted if order[one].verdict == state]
-    found = _standing(session, wanted[:limit], state)
-    sheets = list_sheets_by_id(session, {one.vehicle_id for one in found})
-    by_id = {vehicle.id: vehicle for vehicle in sheets}
-    drawn = _drawn(session, survey_id, found, actor)
-    return tuple(
-        _item(one, by_id[one.vehicle_id], order[one.id], one.id in drawn, places.get(one.id)) for one in found
+    ids = wanted[:limit]
+    query = measurement_revision_rows().where(
+        is_current, revision_rows.c.series_id.in_([one for one in ids if not order[one].scanned])
     )
+    filmed = fetch_measurements(session, query)
+    scanned = scan_heights_of(session, [one for one in ids if order[one].scanned])
+    facts = _told(filmed, facts_of_vehicles(session, {one.vehicle_id for one in filmed}))
+    facts |= _told(scanned, facts_of_scanned(session, {one.vehicle_id for one in scanned}))
+    heights: tuple[Measurement | ScanHeight, ...] = (*filmed, *scanned)
+    by_id = {one.id: one for one in heights}
+    drawn = _drawn(session, survey_id, filmed, actor)
+    return tuple(
+        QueueItem(by_id[id_], facts[id_], order[id_].mine, _judged(order[id_], id_ in drawn, places.get(id_)))
+        for id_ in ids
+        if id_ in by_id and (state == "all" or _plain(by_id[id_].review.verdict) == state)
+    )
+
+
+def _told(
+    found: Iterable[Measurement | ScanHeight], facts: Mapping[int, VehicleFacts]
+) -> dict[int, VehicleFacts]:
+    return {one.id: facts[one.vehicle_id] for one in found}
 
 
 def _sample_of(place: LotPlace, lot: int) -> bool:
     return place.in_sample and place.lot_id == lot
 
 
-def _item(
-    one: Measurement, vehicle: VehicleSheet, place: Standing, drawn: bool, lot: LotPlace | None
-) -> QueueItem:
+def _judged(place: Standing, drawn: bool, lot: LotPlace | None) -> Judged:
     error_m, u_m = place.error_m, place.u_error_m
-    judged = Judged(drawn and not place.mine, place.signs, error_m, u_m and COVERAGE_95 * u_m, lot)
-    return QueueItem(one, vehicle, place.mine, judged)
-
-
-def _standing(session: Session, ids: Sequence[int], state: QueueState) -> tuple[Measurement, ...]:
-    """The current revisions of these, in their order; those in another state are left out."""
-    query = measurement_revision_rows().where(is_current, revision_rows.c.series_id.in_(ids))
-    by_id = {one.id: one for one in fetch_measurements(session, query)}
-    fits = (by_id[id_] for id_ in ids if id_ in by_id)
-    return tuple(one for one in fits if state == "all" or _plain(one.review.verdict) == state)
+    return Judged(drawn and not place.mine, place.signs, error_m, u_m and COVERAGE_95 * u_m, lot)
 
 
 def _plain(verdict: Verdict) -> Verdict:
@@ -180,12 +156,20 @@ def _plain(verdict: Verdict) -> Verdict:
 
 
 def review_work(session: Session, survey_id: int, *, actor: int | None) -> ReviewWork:
-    """What waits for a verdict, by whose it is."""
+    """What waits for a verdict, by whose it is, and what has one."""
     places = places_in_open_lots(session, survey_id)
     held = {number for number, place in places.items() if not place.in_sample}
     order = standing_order(session, survey_id, actor)
     waiting = [one.mine for number, one in order.items() if one.verdict == "to_review" and number not in held]
-    return ReviewWork(waiting.count(False), waiting.count(True), len(held))
+    said = Counter(one.verdict for one in order.values())
+    return ReviewWork(
+        to_review=waiting.count(False),
+        own=waiting.count(True),
+        in_lots=len(held),
+        accepted=said["accepted"] + said["fixed"],
+        rejected=said["rejected"],
+        heights=len(order),
+    )
 
 
 def require_clicked_again(session: Session, one: Measurement, actor: int) -> None:

@@ -38,11 +38,12 @@ from sightline.infra.csv_package.files import Staging
 from sightline.infra.csv_package.schema import Cell, Column, Table
 from sightline.infra.database import Session
 from sightline.linescan.parts import Gap
+from sightline.measurements.csv import given_verdict, standing_verdict
 from sightline.messages.said import Said
 from sightline.recordings.csv import started_column
 from sightline.scans.clock import Passing
 from sightline.scans.heights.csv import TABLES as HEIGHT_TABLES
-from sightline.scans.heights.csv import VERDICT, HeightRecords
+from sightline.scans.heights.csv import HeightRecords
 from sightline.scans.records import Scan, ScanMeasurement, ScanReview
 from sightline.scans.references.csv import SCAN_REFERENCES, ListedReference, listed_references
 from sightline.scans.references.store import reference_history_of_scan, standing_references
@@ -64,6 +65,10 @@ def _reason(one: ScanMeasurement) -> Said | None:
 
 def _warnings(one: ScanMeasurement) -> list[Said]:
     return one.values.warnings
+
+
+def _import_notes(one: Scan) -> list[Said]:
+    return one.notes
 
 
 def _gap_reason(one: Gap) -> Said | None:
@@ -240,7 +245,9 @@ _MOTION: tuple[Column[ScanMeasurement], ...] = (
     person("created_by_id", "who made it; empty for the program itself", lambda m: m.created_by),
     moment("created_at", "when the revision was stored", lambda m: m.created_at),
 )
-_VERDICT: tuple[Column[ScanMeasurement], ...] = of_part(VERDICT, lambda m: m.review)
+_VERDICT: tuple[Column[ScanMeasurement], ...] = of_part(
+    standing_verdict(("to_review", *get_args(ScanVerdict))), lambda m: m.review
+)
 
 
 def _motion(shown: ShownVehicle) -> ScanMeasurement | None:
@@ -338,7 +345,7 @@ LINE_SCANS: Table[Scan] = Table(
         started_column("when line 0 was taken", lambda s: s.started_at, lambda s: s.time_zone),
         text("time_zone", "time zone of these times (IANA)", lambda s: s.time_zone),
         number("u_start_s", "standard uncertainty of started_at (k = 1)", "s", lambda s: s.u_start_s),
-        text("notes", "notes of the import, separated by semicolons", lambda s: joined(s.notes)),
+        *said("notes", "notes of the import, separated by semicolons", _import_notes),
         moment("created_at", "when it was made", lambda s: s.created_at),
         text(
             "lanes",
@@ -432,10 +439,7 @@ SCAN_REVIEWS: Table[ScanReview] = Table(
     (
         key("id", "verdict", lambda r: r.id),
         key("measurement_id", "revision that was judged, in scan_measurements", lambda r: r.measurement_id),
-        text("verdict", "verdict", lambda r: r.verdict, required=True, enum=get_args(ScanVerdict)),
-        text("reason", "the reviewer's reason", lambda r: r.reason),
-        person("reviewer_id", "who reviewed", lambda r: r.reviewer),
-        moment("at", "when", lambda r: r.at),
+        *given_verdict(get_args(ScanVerdict)),
     ),
     primary=("id",),
     foreign=(

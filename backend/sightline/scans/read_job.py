@@ -20,6 +20,7 @@ from sightline.media.store.local import key_of
 from sightline.media.strips.reader import Strip, check_pair, open_strip
 from sightline.media.strips.stored_writer import SUFFIX, StoredStrip, store_strip
 from sightline.media.strips.video import cut_strips
+from sightline.messages.said import Said
 from sightline.recordings.frames.stills import stills_of
 from sightline.scans.records import Scan, StripFacts
 from sightline.scans.service import FIND, READ, tidy
@@ -28,7 +29,7 @@ from sightline.scans.store import get_scan, note_reading_failed, note_scan_read
 TIDY = "scan_tidy"
 STOPPED = "The import was cancelled; start it again or delete the line-scan recording."
 MOST_SATURATED = 0.02
-_READING = "Reading the strips."
+_READING = Said("job-strips-reading")
 
 
 def mark_failed(session: Session, job: Job, error: str) -> None:
@@ -130,7 +131,7 @@ def _opened(
             along=scan.cut_along or "columns",
             work_dir=folder,
             name=video.recording.name,
-            on_progress=lambda fraction: context.progress(share * fraction, "Cutting the strips."),
+            on_progress=lambda fraction: context.progress(share * fraction, Said("job-strips-cutting")),
             is_cancelled=context.is_cancelled,
             stream_number=video.media.stream_number,
         )
@@ -158,26 +159,30 @@ def _store(context: JobContext, strip: Strip, target: Path, begin: float, share:
     )
 
 
-def _notes(scan: Scan, pair: tuple[Strip, Strip]) -> list[str]:
+def _notes(scan: Scan, pair: tuple[Strip, Strip]) -> list[Said]:
     """What the recorder said: lost lines, another line rate than the one that was given."""
     notes = []
     for strip in pair:
         lost = sum(gap.count for gap in strip.notes.dropped)
         if lost:
-            notes.append(f"The recorder of {strip.name} lost {lost} lines; they were replaced by copies.")
+            notes.append(Said("scan-recorder-lost", name=strip.name, count=lost))
         told = strip.notes.line_rate_hz
         if told is not None and abs(told / scan.rig.line_rate_hz - 1) > 1e-3:
+            line_rate_hz = float(f"{scan.rig.line_rate_hz:g}")
             notes.append(
-                f"{strip.name} states a line rate of {told:g} Hz, but {scan.rig.line_rate_hz:g} Hz "
-                "was given and is used; check which one is right."
+                Said(
+                    "scan-recorder-other-rate",
+                    name=strip.name,
+                    told_hz=float(f"{told:g}"),
+                    line_rate_hz=line_rate_hz,
+                )
             )
     return notes
 
 
-def _saturation(stored: tuple[StoredStrip, StoredStrip]) -> list[str]:
+def _saturation(stored: tuple[StoredStrip, StoredStrip]) -> list[Said]:
     return [
-        f"{one.saturated:.0%} of camera {camera}'s pixels are saturated, so edges are lost there; "
-        "reduce the light or the exposure."
+        Said("scan-pixels-saturated", percent=round(100 * one.saturated), camera=camera)
         for camera, one in enumerate(stored, 1)
         if one.saturated > MOST_SATURATED
     ]

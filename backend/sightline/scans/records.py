@@ -69,7 +69,7 @@ class StripFacts:
     rows_px: int
     lines: int
     bits: int
-    notes: list[str]
+    notes: list[Said]
 
 
 @dataclass(frozen=True, slots=True)
@@ -108,7 +108,7 @@ class StripPair:
     rows_px: int | None
     lines: int | None
     bits: int | None
-    notes: list[str]
+    notes: list[Said]
     rig: Rig
     lighting: Lighting | None
     heard_at: Annotated[

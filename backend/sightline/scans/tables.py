@@ -77,7 +77,7 @@ scans = Table(
     Column("rows_px", Integer),
     Column("lines", BigInteger),
     Column("bits", Integer),
-    Column("notes", CanonicalJson, nullable=False),
+    Column("notes", Saying, nullable=False),
     Column("baseline_m", Float, nullable=False),
     Column("u_baseline_m", Float, nullable=False),
     Column("line_rate_hz", Float, nullable=False),

@@ -38,7 +38,10 @@ def _scan_cells(told: Told) -> Cells:
     """A start is told in UTC and written by the clocks of its zone; lanes are one cell, notes another."""
     clock = clock_of(told)
     start = {} if clock is None else {"started_at": clock.filming.at()}
-    return {**told, "lanes": lanes_text(told.get("lanes")), "notes": joined(told["notes"]), **start}
+    cells = {**told, "lanes": lanes_text(told.get("lanes")), **start}
+    if any(isinstance(one, str) for one in cells.pop("notes")):  # an event of an earlier program has words
+        return {**cells, "notes": joined(told["notes"])}
+    return {**cells, "notes_code": canonical_json(told["notes"]) if told["notes"] else None}
 
 
 def _motion_cells(told: Told) -> Cells:

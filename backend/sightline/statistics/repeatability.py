@@ -23,6 +23,8 @@ import numpy as np
 import scipy
 from numpy.typing import ArrayLike, NDArray
 
+from sightline.messages.said import Said
+
 Floats = NDArray[np.float64]
 Codes = NDArray[np.intp]
 
@@ -44,7 +46,7 @@ class Spread:
     low: float | None
     high: float | None
     freedom: int
-    reason: str | None = None
+    reason: Said | None = None
 
 
 @dataclass(frozen=True)
@@ -71,12 +73,12 @@ def codes_of(labels: Sequence[Hashable]) -> Codes:
     return np.array([known.setdefault(label, len(known)) for label in labels], dtype=np.intp)
 
 
-def no_spread(reason: str, freedom: int = 0) -> Spread:
+def no_spread(reason: Said, freedom: int = 0) -> Spread:
     """A standard deviation that is not there, and why."""
     return Spread(None, None, None, freedom, reason)
 
 
-def spread_of(sum_of_squares: float, freedom: int, few: str) -> Spread:
+def spread_of(sum_of_squares: float, freedom: int, few: Said) -> Spread:
     """The standard deviation of a sum of squares with its exact interval; `few`: the reason if too few."""
     if freedom < LEAST_FREEDOM:
         return no_spread(few, freedom)
@@ -131,16 +133,16 @@ def gauge(values: ArrayLike, items: Codes, persons: Codes) -> Gauge:
     y, item, person = y[often], items[often], persons[often]
     counts = (len(y), len(np.unique(item)), len(np.unique(person)))
     if not counts[0]:
-        nothing = no_spread("No repeat measurements yet.")
+        nothing = no_spread(Said("repeats-nothing-yet"))
         return Gauge(*counts, nothing, nothing)
     scale, squares = _persons_part(y, item, person)
     within = _centred(y[:, None], item)[:, 0]
     residual = max(float(within @ within) - float(squares.sum()), 0.0)
     freedom = counts[0] - counts[1] - len(scale)
-    few = f"Too few repeats: {max(freedom, 0)} degrees of freedom, at least {LEAST_FREEDOM} are needed."
+    few = Said("repeats-few", freedom=max(freedom, 0), least=LEAST_FREEDOM)
     repeatability = spread_of(residual, freedom, few)
     if not len(scale):  # said before "too few": more repeats of one person would not help
-        alone = no_spread("No target was repeated by a second operator; ask another operator to repeat some.")
+        alone = no_spread(Said("repeats-one-operator"))
         return Gauge(*counts, repeatability, alone)
     if repeatability.sd is None:
         return Gauge(*counts, repeatability, no_spread(few, len(scale)))
@@ -148,9 +150,7 @@ def gauge(values: ArrayLike, items: Codes, persons: Codes) -> Gauge:
     low, high = _pivot_interval(scale, squares, residual, freedom)
     between = Spread(float(np.sqrt(max(variance, 0.0))), low, high, len(scale))
     if high <= 0:  # an interval from 0 to 0 would claim what nobody knows
-        between = no_spread(
-            "No difference between operators can be detected; add repeats to narrow the estimate.", len(scale)
-        )
+        between = no_spread(Said("repeats-no-difference"), len(scale))
     return Gauge(
         *counts, repeatability, between, variance, _interaction_p(y, item, person, residual, freedom)
     )
@@ -224,7 +224,7 @@ class UncertaintyCheck:
     claimed: float | None
     observed: float | None
     freedom: int
-    reason: str | None = None
+    reason: Said | None = None
 
 
 def uncertainty_check(values: ArrayLike, u_clicks: ArrayLike, items: Codes) -> UncertaintyCheck:
@@ -243,7 +243,7 @@ def uncertainty_check(values: ArrayLike, u_clicks: ArrayLike, items: Codes) -> U
     y, u, items = y[usable], u[usable], items[usable]
     freedom = len(y) - len(np.unique(items))
     if freedom < LEAST_FREEDOM:
-        few = f"Too few repeats to compare: {freedom}, at least {LEAST_FREEDOM} are needed."
+        few = Said("repeats-few-to-compare", freedom=freedom, least=LEAST_FREEDOM)
         return UncertaintyCheck(
             ratio=None, low=None, high=None, claimed=None, observed=None, freedom=freedom, reason=few
         )
@@ -251,7 +251,7 @@ def uncertainty_check(values: ArrayLike, u_clicks: ArrayLike, items: Codes) -> U
     weights = 1 / np.square(u)
     means = np.bincount(item, weights * y) / np.bincount(item, weights)
     total = float((weights * np.square(y - means[item])).sum())
-    found = spread_of(total, freedom, "")
+    found = spread_of(total, freedom, Said("repeats-nothing-yet"))
     assert found.sd is not None
     often = np.bincount(item)[item] > 1
     claimed = float(np.sqrt(np.mean(np.square(u[often]))))

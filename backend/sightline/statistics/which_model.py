@@ -6,6 +6,8 @@ import numpy as np
 import scipy
 from numpy.typing import ArrayLike, NDArray
 
+from sightline.messages.said import Said
+
 Floats = NDArray[np.float64]
 Bools = NDArray[np.bool_]
 
@@ -40,7 +42,7 @@ def fit_models(
     u_sizes_m: ArrayLike,
     same_class: ArrayLike | None = None,
     ranking: ArrayLike | None = None,
-) -> ModelFits | str:
+) -> ModelFits | Said:
     """Fit of N models' `sizes_m`, `u_sizes_m` (N, K) to `measured_m`, `u_measured_m` (K,), NaN where unknown,
     metres; or the reason why there is none. `same_class` (N,): 1 the vehicle's own class, 0 another, NaN
     unknown. `ranking` (K,): whether a size ranks; left out: all do.
@@ -56,11 +58,11 @@ def fit_models(
     u_sizes = np.asarray(u_sizes_m, dtype=np.float64).reshape(sizes.shape)
     used = np.isfinite(measured) & (u_measured > 0)
     if not used.any():
-        return "No size in the catalogue has been measured on this vehicle yet."
+        return Said("models-nothing-measured")
     known = np.isfinite(sizes) & used
     compared = known.sum(axis=1)
     if not compared.any():
-        return "No model in the catalogue has a size that was measured on this vehicle."
+        return Said("models-no-such-size")
     variance = u_measured**2 + u_sizes**2
     deviate = np.where(known, (measured - sizes) / np.sqrt(variance), np.nan)
     score = np.where(known, deviate**2 + np.log(variance), _of_any(measured, u_measured, sizes, known))

@@ -1,11 +1,12 @@
 """What studies take, and what is said of one: lengths in metres; a figure that is missing has its reason."""
 
+from dataclasses import dataclass
 from datetime import datetime
 from typing import Annotated
 
 from pydantic import Field
 
-from sightline.enums import ComparisonVerdict, RuleVerdict, StandardHeight, StatisticsTarget
+from sightline.enums import RuleVerdict, StandardHeight, StatisticsTarget
 from sightline.infra.audit.records import Who
 from sightline.infra.web.bodies import Finite, In, JobBody, Name, Out, Text
 from sightline.infra.web.named import SurveyId
@@ -121,18 +122,12 @@ class RuleRow(Out):
     reason: str | None
 
 
-class YearRow(Out):
-    target: StatisticsTarget
+@dataclass(frozen=True, slots=True, kw_only=True)
+class YearRow(StudyDifference):
+    """A figure of the second year less that of the first."""
+
     first_year: int
     second_year: int
-    percent: float | None
-    n_first: int
-    n_second: int
-    value_m: float | None
-    low_m: float | None
-    high_m: float | None
-    verdict: ComparisonVerdict | None
-    reason: str | None
 
 
 class BesideBody(Out):

@@ -11,6 +11,7 @@ from sightline.infra.database import Session
 from sightline.infra.jobs import registry
 from sightline.media.store.local import key_of, sha256_of
 from sightline.messages import SOURCE
+from sightline.messages.said import Said
 from sightline.people.store import get_person
 from sightline.studies.members_store import require_surveys
 from sightline.studies.store import add_study_result, get_study
@@ -50,18 +51,18 @@ def result_of(context: registry.JobContext, study_id: int, language: str = SOURC
         found = compute(
             session,
             stored,
-            lambda part: context.progress(_COMPUTED * part, "Computing the figures."),
+            lambda part: context.progress(_COMPUTED * part, Said("job-study-figures")),
         )
     with tempfile.TemporaryDirectory(prefix="study-", dir=services.scratch) as name:
         folder = Path(name)
-        context.progress(_COMPUTED, "Writing the package.")
+        context.progress(_COMPUTED, Said("job-study-package"))
         staging = Staging(folder / "study")
         staging.folder.mkdir()
         write_study(staging, found.study, [])
         package = folder / "study.zip"
         zip_folder(staging, package)
         size, sha256 = package.stat().st_size, sha256_of(package)
-        context.progress(_PACKED, "Writing the report.")
+        context.progress(_PACKED, Said("job-study-report"))
         report = folder / "report.pdf"
         report.write_bytes(study_report(stored, found, sha256, now(), language))
         report_sha256 = sha256_of(report)

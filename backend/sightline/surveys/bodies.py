@@ -1,9 +1,8 @@
 """What surveys take, and what is said of one."""
 
-from datetime import datetime
 from typing import Annotated, get_args
 
-from pydantic import Field, computed_field
+from pydantic import Field
 
 from sightline.enums import (
     AskedTarget,
@@ -12,19 +11,15 @@ from sightline.enums import (
     ClassSet,
     EuClass,
     Hand,
-    InsetName,
     InsetPlace,
     Lighting,
     SamplingMethod,
     StreetLamps,
 )
-from sightline.geometry.insets import INSET_CHOICES, ROOF_OF_CLASS
-from sightline.geometry.sides import TrafficFacts
+from sightline.geometry.insets import INSET_CHOICES
 from sightline.infra.web.bodies import In, Name, Out, Text, example
 from sightline.statistics.sampling import MOST_HEADWAY_S, MOST_STEP, Quota, Sampling
-from sightline.surveys.classes import VehicleClass
-from sightline.surveys.place import Place
-from sightline.surveys.records import Asked, Inset
+from sightline.surveys.records import Inset
 
 Metres = Annotated[float, Field(ge=-10, le=10, allow_inf_nan=False)]
 Uncertainty = Annotated[float, Field(ge=0, le=10, allow_inf_nan=False)]
@@ -137,36 +132,6 @@ class SamplingIn(In):
         """As the store takes it."""
         quotas = tuple(Quota(**one.model_dump()) for one in self.quotas)
         return Sampling(**{**self.model_dump(exclude={"quotas"}), "quotas": quotas})
-
-
-class SurveyFacts(Out):
-    id: int
-    name: str
-    site: str
-    description: str
-    is_demo: bool
-    simulated: bool
-    open_to_all: bool
-    version: int
-    created_at: datetime
-    traffic: TrafficFacts
-    place: Place
-    asked: Asked
-    classes: tuple[VehicleClass, ...]
-    sampling: Sampling
-    insets: Insets
-
-    @computed_field  # type: ignore[prop-decorator]
-    @property
-    def inset_choices(self) -> dict[str, list[InsetChoice]]:
-        """What can be told apart by looking at a vehicle."""
-        return inset_choices(self.insets)
-
-    @computed_field  # type: ignore[prop-decorator]
-    @property
-    def roof_insets(self) -> dict[Category, InsetName]:
-        """Which inset the roof of each class has; one that is not named has that of no class."""
-        return dict(ROOF_OF_CLASS)
 
 
 class NewSurvey(In):

@@ -6,7 +6,7 @@ from typing import get_args
 
 from sightline.enums import AskedTarget, Category, ClassSet, InsetName, Lighting, SamplingMethod, StreetLamps
 from sightline.infra.csv_package.columns import flag, integer, key, metres, number, text
-from sightline.infra.csv_package.files import Files, read_columns, read_rows, unsafe
+from sightline.infra.csv_package.files import Files, read_columns, read_rows, record_in, unsafe
 from sightline.infra.csv_package.files import number as figure
 from sightline.infra.csv_package.schema import Table
 from sightline.statistics.sampling import Quota, Sampling
@@ -196,13 +196,4 @@ def place_in(files: Files) -> Place:
     """The place of a package's survey."""
     (row,) = read_rows(files, SURVEY.path)
     lamps: dict[str, StreetLamps] = {word: word for word in get_args(StreetLamps)}
-    return Place(
-        latitude_deg=figure(row["latitude_deg"]),
-        longitude_deg=figure(row["longitude_deg"]),
-        road_class=unsafe(row["road_class"]) or None,
-        lane=unsafe(row["lane"]) or None,
-        travel_direction=unsafe(row["travel_direction"]) or None,
-        speed_limit_mps=figure(row["speed_limit_mps"]),
-        street_lamps=lamps.get(row["street_lamps"]),
-        time_zone=unsafe(row["time_zone"]) or None,
-    )
+    return record_in(Place, row, street_lamps=lamps.get(row["street_lamps"]))

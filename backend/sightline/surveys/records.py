@@ -45,22 +45,34 @@ class Asked:
         return tuple(target for target in get_args(AskedTarget) if target in wanted)
 
 
-@dataclass(frozen=True, slots=True)
-class Survey:
-    """Words, traffic, place, targets, classes, sample, insets by `InsetName`; its progress: `results`."""
+@dataclass(frozen=True, slots=True, kw_only=True)
+class SurveyContent:
+    """What people say of a survey, but for its insets."""
 
-    id: int
     name: str
     site: str
     description: str
-    is_demo: bool
-    simulated: bool
-    open_to_all: bool
-    version: int
-    created_at: datetime
     traffic: TrafficFacts
     place: Place
     asked: Asked
     classes: tuple[VehicleClass, ...]
     sampling: Sampling
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class SurveyFacts(SurveyContent):
+    """A survey but for its insets; its progress: `results`."""
+
+    id: int
+    is_demo: bool
+    simulated: bool
+    open_to_all: bool
+    version: int
+    created_at: datetime
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Survey(SurveyFacts):
+    """A survey with its insets by `InsetName`."""
+
     insets: Mapping[str, Inset]

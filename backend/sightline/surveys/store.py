@@ -18,16 +18,11 @@ from sightline.infra.web.person import Seen
 from sightline.statistics.sampling import MOST_HEADWAY_S, MOST_STEP, Quota, Sampling
 from sightline.surveys.classes import USUAL_CLASSES, VehicleClass, classes_of, stored_classes
 from sightline.surveys.place import PLACE, Place, checked_place
-from sightline.surveys.records import Asked, Inset, Survey, insets_of
+from sightline.surveys.records import Asked, Inset, Survey, SurveyContent, insets_of
 from sightline.surveys.tables import surveys
 
 TRAFFIC = ("traffic_side", "steering_side", "camera_place")
 EDITABLE = ("name", "site", "description", *TRAFFIC, *PLACE, "asked", "classes", "sampling", "insets")
-
-
-def default_insets() -> dict[str, Inset]:
-    """The insets a new survey starts with, by name (estimates, see geometry.insets)."""
-    return {name: Inset(inset, u_inset, note) for name, (inset, u_inset, note) in USUAL_INSETS.items()}
 
 
 def create_survey(
@@ -39,21 +34,26 @@ def create_survey(
     traffic: TrafficFacts = TrafficFacts(),
     place: Place = Place(),
     asked: Asked = Asked(),
-    classes: tuple[VehicleClass, ...] = USUAL_CLASSES,
-    sampling: Sampling = Sampling(),
-    insets: Mapping[str, Inset] | None = None,
     is_demo: bool = False,
     simulated: bool = False,
     open_to_all: bool = False,
     actor: int | None,
 ) -> Survey:
-    """A new, empty survey without members; simulated: no figure of it says anything of real roads. Raises
-    BadInput without a name.
+    """A new, empty survey without members, with the usual classes, sample and insets; simulated: no figure of
+    it says anything of real roads. Raises BadInput without a name.
     """
     moment = now()
-    content = _content(
-        name, site, description, traffic, place, asked, classes, sampling, insets or default_insets()
+    told = SurveyContent(
+        name=name,
+        site=site,
+        description=description,
+        traffic=traffic,
+        place=place,
+        asked=asked,
+        classes=USUAL_CLASSES,
+        sampling=Sampling(),
     )
+    content = _content(told, {})
     stamps = {"created_at": moment, "created_by": actor, "updated_at": moment, "updated_by": actor}
     content |= {"open_to_all": open_to_all, "simulated": simulated}
     survey_id = add_row(session, surveys, {**content, **stamps, "is_demo": is_demo, "version": 1})
@@ -106,63 +106,41 @@ def demo_survey_id(session: Session) -> int | None:
     return session.execute(query).scalar_one_or_none()
 
 
-def update_survey(
-    session: Session,
-    survey_id: int,
-    *,
-    name: str,
-    site: str,
-    description: str,
-    traffic: TrafficFacts,
-    place: Place,
-    asked: Asked,
-    classes: tuple[VehicleClass, ...],
-    sampling: Sampling,
-    insets: Mapping[str, Inset],
-    version: int,
-    actor: int | None,
-) -> Survey:
-    """Change it. Raises Conflict, naming who and when, if `version` is not the current one."""
-    before = get_row(session, surveys, survey_id, "survey")
-    if before["version"] != version:
+def update_survey(session: Session, changed: Survey, *, actor: int | None) -> Survey:
+    """Change what people say of it. Raises Conflict, naming who and when, if the survey that was `changed` is
+    of another version than the current one.
+    """
+    before = get_row(session, surveys, changed.id, "survey")
+    if before["version"] != changed.version:
         who, when = last_change(session, before)
         raise Conflict("surveys-changed-survey-look-again-redo", name=who, when=when)
-    content = _content(name, site, description, traffic, place, asked, classes, sampling, insets)
-    stamps = {"version": version + 1, "updated_at": now(), "updated_by": actor}
-    change_row(session, surveys, survey_id, {**content, **stamps})
+    content = _content(changed, changed.insets)
+    stamps = {"version": changed.version + 1, "updated_at": now(), "updated_by": actor}
+    change_row(session, surveys, changed.id, {**content, **stamps})
     what = trail.changed(before, content, EDITABLE)
-    trail.record(session, actor, "update", "survey", survey_id, survey_id, *what)
-    return get_survey(session, survey_id)
+    trail.record(session, actor, "update", "survey", changed.id, changed.id, *what)
+    return get_survey(session, changed.id)
 
 
-def _content(
-    name: str,
-    site: str,
-    description: str,
-    traffic: TrafficFacts,
-    place: Place,
-    asked: Asked,
-    classes: tuple[VehicleClass, ...],
-    sampling: Sampling,
-    insets: Mapping[str, Inset],
-) -> dict[str, Any]:
-    if not name.strip():
+def _content(told: SurveyContent, insets: Mapping[str, Inset]) -> dict[str, Any]:
+    if not told.name.strip():
         raise BadInput("surveys-survey-needs-name-fill")
-    if not asked.daytime or not asked.low_light:
+    if not told.asked.daytime or not told.asked.low_light:
         raise BadInput("surveys-asks-nothing-choose-target")
     for target, inset in insets.items():
         if target not in USUAL_INSETS or not inset.u_inset_m >= 0:
             raise BadInput("surveys-inset-cannot-used-give-known-target", target=target)
-    whole = {**default_insets(), **insets}
+    whole: dict[str, Inset] = {name: Inset(*usual) for name, usual in USUAL_INSETS.items()}  # estimates
+    whole.update(insets)
     return {
-        "name": name.strip(),
-        "site": site.strip(),
-        "description": description.strip(),
-        **asdict(traffic),
-        **asdict(checked_place(place)),
-        "asked": {lighting: list(dict.fromkeys(targets)) for lighting, targets in asdict(asked).items()},
-        "classes": stored_classes(classes),
-        "sampling": stored_sampling(sampling),
+        "name": told.name.strip(),
+        "site": told.site.strip(),
+        "description": told.description.strip(),
+        **asdict(told.traffic),
+        **asdict(checked_place(told.place)),
+        "asked": {lighting: list(dict.fromkeys(found)) for lighting, found in asdict(told.asked).items()},
+        "classes": stored_classes(told.classes),
+        "sampling": stored_sampling(told.sampling),
         "insets": {target: asdict(inset) for target, inset in whole.items()},
     }
 

@@ -109,7 +109,7 @@ const job = (part: Partial<Job>): Job => ({
   kind: "demonstration",
   state: "running",
   progress: 0.4,
-  message: "drawing daytime.mp4",
+  message: { code: "told", values: {}, message: "drawing daytime.mp4" },
   error: null,
   said: null,
   result: null,
@@ -197,7 +197,7 @@ describe("the surveys", () => {
     answers = {
       "/session": person("operator"),
       "/surveys": [],
-      "/jobs": [job({ state: "queued", message: "" })],
+      "/jobs": [job({ state: "queued", message: null })],
     };
     show("/");
     await shown("being created");

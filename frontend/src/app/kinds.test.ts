@@ -58,8 +58,8 @@ const SAMPLES: readonly (Sample & { theirs: Json })[] = [
   },
   { kind: "vehicle", about: { id: 7 }, saved: VEHICLE, want: { make: "Saab" }, theirs: VEHICLE },
   {
-    ...{ kind: "pass-added", about: { recordingId: 1, surveyId: 5 }, saved: null, theirs: VEHICLE },
-    ...{ want: { first_frame: 1, last_frame: 9, known: [] } },
+    ...{ kind: "pass-added", about: { recordingId: 1 }, saved: null, theirs: VEHICLE },
+    ...{ want: { first_frame: 1, last_frame: 9 } },
   },
   {
     ...{ kind: "pass-there", about: { id: 7 }, want: false, theirs: VEHICLE },
@@ -102,12 +102,8 @@ const SAMPLES: readonly (Sample & { theirs: Json })[] = [
     ...{ theirs: SCANNED },
   },
   {
-    ...{
-      kind: "height-verdict",
-      about: { id: 5, revision: 3, vehicleId: 9, target: "roof", by: 1 },
-      saved: LINE_HEIGHT,
-    },
-    ...{ want: VERDICT, theirs: LINE_HEIGHT },
+    ...{ kind: "verdict", about: { id: 5, revision: 3, by: 1 }, saved: LINE_HEIGHT, theirs: LINE_HEIGHT },
+    ...{ want: { ...VERDICT, points: null } },
   },
   {
     ...{ kind: "wheel-pair", about: { id: 7, surveyId: 5 }, saved: null, theirs: PAIR },
@@ -196,11 +192,12 @@ function respond(answer: Answer, signal: AbortSignal | null | undefined): Promis
 /** A kind of the test's own, always answered as it should be: "later wishes are sent". */
 const later: Kind<{ id: number }, string, null> = {
   once: true,
-  send: async (_wish, signal) =>
-    (await api.write("POST /surveys", {}, { body: { name: "later" }, signal })) as unknown as { id: number },
+  send: async (_wish, sending) =>
+    (await api.write("POST /surveys", {}, { body: { name: "later" }, ...sending })) as unknown as {
+      id: number;
+    },
   read: async () => null,
   isSaved: (answer): answer is { id: number } => answer !== null,
-  done: ({ saved }) => saved !== null,
   version: () => 0,
   words: () => "",
 };

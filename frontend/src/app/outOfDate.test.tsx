@@ -37,7 +37,7 @@ async function measure(): Promise<ComponentChild> {
   const own = vehicle([measured()], { doubts: [] });
   const model = new MeasureModel(5);
   model.reel.recordings.value = [recording()];
-  model.put(own);
+  model.reading.put(own);
   model.open(own);
   return <VehiclePanel model={model} />;
 }

@@ -1,7 +1,7 @@
 /** What a screen says while it loads, when it is empty, when something is wrong, and how far work has come. */
 import type { ComponentChildren } from "preact";
 import { ApiError, explain } from "../core/api";
-import { say } from "../core/messages";
+import { say, sentenceOf } from "../core/messages";
 import type { Resource } from "../core/resource";
 import type { Job } from "../core/types";
 import { Button } from "./Button";
@@ -133,7 +133,7 @@ export function Progress({ value, label, figure, still }: ProgressProps) {
 
 /** A job's progress with its own words. */
 export function JobProgress({ job, onCancel }: { job: Job; onCancel?: () => void }) {
-  const label = job.message || (job.state === "queued" ? say("job-queued") : say("job-working"));
+  const label = sentenceOf(job.message) ?? (job.state === "queued" ? say("job-queued") : say("job-working"));
   return (
     <div class="row">
       <div class="grow">

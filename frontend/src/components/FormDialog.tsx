@@ -1,5 +1,6 @@
 import type { ComponentChildren } from "preact";
 import { useId, useState } from "preact/hooks";
+import { useAction } from "../core/action";
 import { say } from "../core/messages";
 import { Button } from "./Button";
 import { ask, Dialog } from "./Dialog";
@@ -21,8 +22,7 @@ interface FormDialogProps {
 /** A dialog that asks for a few things and sends them once: Enter or the button. */
 export function FormDialog({ title, action, onClose, submit, disabled, wide, children }: FormDialogProps) {
   const id = useId();
-  const [problem, setProblem] = useState<unknown>(null);
-  const [busy, setBusy] = useState(false);
+  const { busy, problem, run } = useAction();
   const [touched, setTouched] = useState(false);
   /** Esc is pressed by mistake, Cancel is not: what was entered is lost only when that is wanted. */
   const leave = async () => {
@@ -33,15 +33,7 @@ export function FormDialog({ title, action, onClose, submit, disabled, wide, chi
     event.preventDefault();
     if (busy || disabled) return;
     const sent = submit();
-    if (sent === null) return;
-    setBusy(true);
-    setProblem(null);
-    try {
-      await sent;
-    } catch (error) {
-      setProblem(error);
-      setBusy(false);
-    }
+    if (sent !== null) await run(() => sent);
   };
   return (
     <Dialog

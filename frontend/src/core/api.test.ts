@@ -167,11 +167,33 @@ describe("a lost connection", () => {
     await expect(done).resolves.toEqual([]);
   });
 
-  it("does not send a write twice that may not be, and says so in words", async () => {
+  it("does not send a POST that stores nothing again unless that is wished, and says so in words", async () => {
     server.mockRejectedValueOnce(new TypeError("failed to fetch"));
-    const error = await api.write("POST /surveys", {}, { body: { name: "A" } }).catch((e: unknown) => e);
+    const error = await api.ask("POST /audit/verify").catch((e: unknown) => e);
     expect(error).toMatchObject({ status: 0, said: { code: "problem-unreachable" } });
     expect(server).toHaveBeenCalledTimes(1);
+  });
+
+  const keyOf = (call: number) => new Headers(server.mock.calls[call]?.[1]?.headers).get("Idempotency-Key");
+
+  it("sends every write again with its key, by which the server knows it", async () => {
+    server.mockRejectedValueOnce(new TypeError("failed to fetch"));
+    const done = api.write("POST /surveys", {}, { body: { name: "A" } });
+    await vi.waitFor(() => expect(connection.value.lost).toBe(true));
+    server.mockImplementation(async () => answer(201, { id: 1 }));
+    tryAgainNow();
+    await expect(done).resolves.toEqual({ id: 1 });
+    expect(keyOf(0)).toMatch(/^[0-9a-f-]{36}$/);
+    expect(keyOf(1)).toBe(keyOf(0));
+    await api.write("POST /surveys", {}, { body: { name: "A" } });
+    expect(keyOf(2)).not.toBe(keyOf(0));
+  });
+
+  it("takes the key that is given; a question has none", async () => {
+    server.mockImplementation(async () => answer(200, { id: 1 }));
+    await api.write("POST /surveys", {}, { body: { name: "A" }, idempotencyKey: "mine" });
+    await api.ask("GET /surveys");
+    expect([keyOf(0), keyOf(1)]).toEqual(["mine", null]);
   });
 
   it("treats a proxy without its server as a lost connection", async () => {
@@ -217,10 +239,20 @@ describe("a lost connection", () => {
     vi.useRealTimers();
   });
 
-  it("says that it is not known what became of a write that may not be repeated", async () => {
+  it("says that an answer that is none cannot be read, where the question may not be repeated", async () => {
     server.mockResolvedValueOnce(new Response("<html>Sign in</html>"));
-    const error = await api.write("POST /surveys", {}, { body: { name: "A" } }).catch((e: unknown) => e);
+    const error = await api.ask("POST /audit/verify").catch((e: unknown) => e);
     expect(error).toMatchObject({ said: { code: "problem-unreadable" } });
+  });
+
+  it("sends a write whose answer is none again, for its key tells what became of it", async () => {
+    server.mockResolvedValueOnce(new Response("<html>Sign in</html>"));
+    const done = api.write("POST /surveys", {}, { body: { name: "A" } });
+    await vi.waitFor(() => expect(connection.value.lost).toBe(true));
+    server.mockResolvedValueOnce(answer(201, { id: 1 }));
+    tryAgainNow();
+    await expect(done).resolves.toEqual({ id: 1 });
+    expect(keyOf(1)).toBe(keyOf(0));
   });
 
   it("lets go of a request that is not wanted any more", async () => {

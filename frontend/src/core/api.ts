@@ -1,6 +1,7 @@
 /** The only door to the server. One error shape, one header against cross-site requests, retries that are never silent. */
 import { computed, signal } from "@preact/signals";
 import { language, type MessageKey, type Said, say, sayCode, sentence } from "./messages";
+import { newKey } from "./random";
 import type { AddressOf, AnswerOf, BodyOf, Deed, ParamsOf, Question, Route } from "./routes";
 import { changeSave } from "./save";
 
@@ -21,8 +22,9 @@ export class ApiError extends Error {
 
 interface RequestOptions {
   signal?: AbortSignal;
-  /** Send again when the connection breaks. On by default for GET, PUT and DELETE, which may be sent twice; switch it on for a
-   *  POST only if the server treats a repeated one as the same (a measurement carries its `client_key`). */
+  /** The key by which the server knows a write again: one of its own unless given. */
+  idempotencyKey?: string;
+  /** Send a question again when the connection breaks: on by default for all but POST. A write bears a key and always is. */
   retry?: boolean;
   /** Do not lead to the sign-in page on 401. */
   allowSignedOut?: boolean;
@@ -126,8 +128,9 @@ async function send(
   write: boolean,
 ): Promise<Answer> {
   const { signal } = options;
-  const init: RequestInit = { method, ...contentOf(body), signal, credentials: "same-origin" };
-  const mayRepeat = options.retry ?? !["POST", "PATCH"].includes(method);
+  const { idempotencyKey: key = write ? newKey() : null } = options;
+  const init: RequestInit = { method, ...contentOf(body, key), signal, credentials: "same-origin" };
+  const mayRepeat = key !== null || (options.retry ?? method !== "POST");
   for (;;) {
     const answer = await fetchOnce(path, init, mayRepeat);
     const unable = answer && (SERVER_AWAY.includes(answer.status) || !answer.readable);
@@ -150,11 +153,12 @@ function saidBy(answer: Answer | null): ApiError | null {
   return error?.said ? error : null;
 }
 
-function contentOf(body: unknown): Pick<RequestInit, "headers" | "body"> {
+function contentOf(body: unknown, key: string | null): Pick<RequestInit, "headers" | "body"> {
   const headers: Record<string, string> = {
     Accept: "application/json",
     "Accept-Language": language.value,
     "X-Sightline": "1",
+    ...(key === null ? {} : { "Idempotency-Key": key }),
   };
   if (body === undefined) return { headers, body };
   if (body instanceof File) {
@@ -226,6 +230,11 @@ export function toApiError(status: number, body: unknown): ApiError {
 /** An error of this program's own, told like one of the server's. */
 export function problemOf(code: MessageKey, values: Said["values"], status: number): ApiError {
   return new ApiError(sentence(code, values), status, { code, values });
+}
+
+/** Whether a write is refused because it was stored already, and its answer cannot be had any more. */
+export function isStoredAlready(error: ApiError): boolean {
+  return error.said?.code === "request-done-before" || error.said?.code === "request-key-of-another";
 }
 
 /** One sentence for any error, to show to a person. */

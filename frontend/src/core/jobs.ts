@@ -1,5 +1,6 @@
 /** Long work: poll the server's job table, tell progress, tell the end once. */
 import { useEffect, useState } from "preact/hooks";
+import { type Action, useAction } from "./action";
 import { ApiError, api } from "./api";
 import { say } from "./messages";
 import type { Job } from "./types";
@@ -29,11 +30,6 @@ export function isOver(job: Job): boolean {
   return job.state === "done" || job.state === "failed" || job.state === "cancelled";
 }
 
-/** What a job stopped at, as an error that is shown in its own words. */
-export function jobProblem(job: Job, otherwise: string): ApiError {
-  return new ApiError(job.error ?? otherwise, 500);
-}
-
 /** Follows one job until it is over. Polls quickly at first, then every two seconds. */
 export async function followJob(
   id: number,
@@ -49,26 +45,65 @@ export async function followJob(
 }
 
 export function cancelJob(id: number): Promise<Job> {
-  return api.write("POST /jobs/{job_id}/cancel", { job_id: id }, { retry: true });
+  return api.write("POST /jobs/{job_id}/cancel", { job_id: id });
 }
 
-/** A job as it stands now; `onOver` is called once when it ends. */
-export function useJob(
-  id: number | null,
-  onOver: (job: Job) => void,
-  onProblem: (error: unknown) => void,
-): Job | null {
+/** What a job stopped at, as an error that is shown in its own words. */
+export function jobProblem(job: Job, otherwise: string): ApiError {
+  return new ApiError(job.error ?? otherwise, 500);
+}
+
+export interface JobAction extends Action {
+  /** As it stands now; null: none is under way, or nothing is known of it yet. */
+  job: Job | null;
+  /** From the press that starts it until what it made was read. */
+  underWay: boolean;
+  start: (ask: () => Promise<Job>) => Promise<boolean>;
+  follow: (id: number | null) => void;
+  cancel: () => void;
+}
+
+interface Following {
+  /** Of one that is known to be under way already. */
+  known?: number | null;
+  /** Said where it fails without words of its own; left out: its failure is told elsewhere. */
+  stopped?: string;
+  /** Called once when it ends, however it does. */
+  over: (job: Job) => unknown;
+}
+
+/** A job that a person sets going, or that began by itself: followed until it is over and what it made was read. */
+export function useJobAction({ known = null, stopped, over }: Following): JobAction {
+  const action = useAction();
+  const { run, setProblem } = action;
+  const [id, follow] = useState<number | null>(known);
   const [job, setJob] = useState<Job | null>(null);
+  useEffect(() => {
+    if (known !== null) follow(known);
+  }, [known]);
   useEffect(() => {
     setJob(null);
     if (id === null) return;
     const stop = new AbortController();
-    followJob(id, setJob, stop.signal).then(onOver, (error) => {
-      if (!stop.signal.aborted) onProblem(error);
-    });
+    const ended = async (job: Job) => {
+      if (job.state === "failed" && stopped) setProblem(jobProblem(job, stopped));
+      await over(job);
+    };
+    followJob(id, setJob, stop.signal)
+      .then(ended)
+      .catch((error) => {
+        if (!stop.signal.aborted) setProblem(error);
+      })
+      .finally(() => {
+        if (!stop.signal.aborted) follow(null);
+      });
     return () => stop.abort();
   }, [id]);
-  return job;
+  const start = (ask: () => Promise<Job>) => run(async () => follow((await ask()).id));
+  const cancel = () => {
+    if (id !== null) void cancelJob(id).catch(setProblem);
+  };
+  return { ...action, job, underWay: id !== null, start, follow, cancel };
 }
 
 function sleep(ms: number, signal?: AbortSignal): Promise<void> {

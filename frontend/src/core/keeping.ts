@@ -5,7 +5,15 @@
 import { newKey } from "./random";
 import type { Wanted } from "./wish";
 
+/** A write that was sent and whose answer has not come: its key, and what it asks for. */
+export interface Begun {
+  readonly idempotencyKey: string;
+  readonly want: unknown;
+}
+
 export interface Kept extends Wanted<unknown, unknown, unknown> {
+  /** Sent again with its key before anything else, so that it is stored once. */
+  readonly begun: Begun | null;
   readonly order: number;
   readonly tab: string;
   /** Milliseconds since 1970 at which its tab was last alive. */

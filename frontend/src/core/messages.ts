@@ -20,7 +20,7 @@ const OF_SERVER = "server";
 export const LANGUAGES: readonly string[] = [SOURCE, ...Object.keys(words).filter((name) => name !== SOURCE)];
 
 export type MessageKey = keyof Messages;
-type PlainKey = { [K in MessageKey]: Messages[K] extends null ? K : never }[MessageKey];
+export type PlainKey = { [K in MessageKey]: Messages[K] extends null ? K : never }[MessageKey];
 type Values<K extends MessageKey> = Messages[K] extends null ? [] : [values: Messages[K]];
 
 const chosen = stored<string>("language", "", (v) => typeof v === "string");
@@ -159,6 +159,11 @@ export function sentenceOf(said: Said): string;
 export function sentenceOf(said: Said | null | undefined): string | null;
 export function sentenceOf(said: Said | null | undefined): string | null {
   return said ? (sayCode(said) ?? said.message ?? said.code) : null;
+}
+
+/** Several of them one after the other, as in a paragraph. */
+export function sentencesOf(each: readonly Said[]): string {
+  return each.map(sentenceOf).join(" ");
 }
 
 const MOST_DIGITS = 15;

@@ -241,9 +241,9 @@ describe("what waits for the connection", () => {
     const made = new Outbox("a", () => localStorage, Date.now, undefined);
     made.register(
       "note",
-      noteKind(async ({ want }, signal) => {
+      noteKind(async ({ want }, sending) => {
         const body = { name: want };
-        return (await api.write("POST /surveys", {}, { body, retry: true, signal })) as unknown as Note;
+        return (await api.write("POST /surveys", {}, { body, ...sending })) as unknown as Note;
       }),
     );
     made.open(1);
@@ -255,5 +255,110 @@ describe("what waits for the connection", () => {
     await made.settled("two");
     expect(made.wishes.value.size).toBe(0);
     expect(saveState.value).toMatchObject({ waiting: 0, pending: 0, failed: false });
+  });
+});
+
+describe("a write that was sent", () => {
+  /** What the server was asked for, under which key. */
+  interface Sent {
+    readonly want: string;
+    readonly key: string;
+  }
+  function box(answer: (sent: Sent) => Promise<Note>): { made: Outbox; sent: Sent[] } {
+    const sent: Sent[] = [];
+    const made = new Outbox("a", () => localStorage, Date.now, undefined);
+    const kind = noteKind(async ({ want }, { idempotencyKey: key }) => {
+      sent.push({ want, key });
+      return answer({ want, key });
+    });
+    made.register("note", kind);
+    made.open(1);
+    opened.push(made);
+    return { made, sent };
+  }
+  const lost = () => new Promise<Note>(() => {});
+  const stored = async ({ want }: Sent): Promise<Note> => ({ id: 1, text: want });
+
+  it("is sent again by the next page with the key that it had", async () => {
+    const before = box(lost);
+    before.made.want(note("a", "one"));
+    await vi.waitFor(() => expect(before.sent).toHaveLength(1));
+    before.made.close();
+    const after = box(stored);
+    await after.made.settled("a");
+    expect(after.sent).toEqual(before.sent);
+    expect(localStorage.length).toBe(0);
+  });
+
+  it("is finished before what was wanted meanwhile, which has a key of its own", async () => {
+    const before = box(lost);
+    before.made.want(note("a", "one"));
+    await vi.waitFor(() => expect(before.sent).toHaveLength(1));
+    before.made.want(note("a", "two"));
+    before.made.close();
+    const after = box(stored);
+    await after.made.settled("a");
+    expect(after.sent.map(({ want }) => want)).toEqual(["one", "two"]);
+    expect(after.sent[0]).toEqual(before.sent[0]);
+    expect(after.sent[1]?.key).not.toBe(after.sent[0]?.key);
+  });
+
+  it.each([
+    ["another key once it was refused", 422, 2],
+    ["its key as long as nobody has looked", 401, 1],
+    ["its key where the server failed", 500, 1],
+  ])("has %s", async (_which, status, keys) => {
+    const { made, sent } = box(async () => {
+      throw new ApiError("No.", status);
+    });
+    made.want(note("a", "one"));
+    await made.settled("a");
+    made.send("a");
+    await made.settled("a");
+    expect(sent).toHaveLength(2);
+    expect(new Set(sent.map(({ key }) => key)).size).toBe(keys);
+    expect(made.get("a")?.state).toBe("failed");
+  });
+
+  it.each(["request-done-before", "request-key-of-another"])(
+    "is there where the server says so without its answer (%s)",
+    async (code) => {
+      const ended: unknown[] = [];
+      const current = { id: 7, text: "as it is stored" };
+      const { made } = box(lost);
+      made.listen("note", ({ state, saved }) => {
+        if (state === "saved") ended.push(saved);
+      });
+      made.register(
+        "note",
+        noteKind(
+          async () => {
+            throw new ApiError("Stored.", 409, { code, values: {} }, { current });
+          },
+          { once: true },
+        ),
+      );
+      made.want(note("a", "one"));
+      await made.settled("a");
+      expect(ended).toEqual([current]);
+      expect(made.wishes.value.size).toBe(0);
+    },
+  );
+
+  it("is let go of where the server has it and nothing tells what it is", async () => {
+    const { made } = box(lost);
+    made.register(
+      "note",
+      noteKind(
+        async () => {
+          throw new ApiError("Stored.", 409, { code: "request-done-before", values: {} });
+        },
+        { read: async () => null },
+      ),
+    );
+    made.want(note("a", "one"));
+    await made.settled("a");
+    expect(made.wishes.value.size).toBe(0);
+    expect(localStorage.length).toBe(0);
   });
 });

@@ -3,20 +3,21 @@
  * server has it, so that a lost connection, a closed lid or a crash loses nothing.
  *
  * One wish per thing: a change of mind replaces what was wanted. Wishes of one lane go out one after the other, in the
- * order in which they were made, each until the server has it. A repeat is harmless: a new thing carries its key, a change
- * the version that was seen, and a refusal of a version is looked into before anybody is asked.
+ * order in which they were made, each until the server has it. Each write bears a key that is kept with it until its answer
+ * is here: whoever sends it again, this page or the next, is answered as the first time and stores nothing twice.
  *
  * Whatever the server answers, a wish is done, waits for the connection, or rests with a reason until it is sent again or
  * taken back; and the next one goes out. An answer of another shape than its kind's is no answer.
  */
 import { computed, effect, signal } from "@preact/signals";
-import { ApiError, connection, explain, problemOf } from "./api";
-import { Keeping, type Kept } from "./keeping";
+import { ApiError, connection, explain, isStoredAlready, problemOf } from "./api";
+import { type Begun, Keeping, type Kept } from "./keeping";
 import { say } from "./messages";
+import { newKey } from "./random";
 import { changeSave } from "./save";
 import type { Kind, Wanted, Wish } from "./wish";
 
-export type { Kind, Wanted, Wish } from "./wish";
+export type { Kind, Sending, Wanted, Wish } from "./wish";
 
 // biome-ignore lint/suspicious/noExplicitAny: a registry holds kinds of all types; `register` and `listen` give them back
 type AnyKind = Kind<any, any, any>;
@@ -40,6 +41,7 @@ export class Outbox {
   private readonly listeners = new Map<string, Set<Listener>>();
   private readonly lanes = new Map<string, Promise<void>>();
   private readonly orders = new Map<string, number>();
+  private readonly begun = new Map<string, Begun>();
   private readonly refusals = new Map<string, ApiError>();
   /** What ends the sending of a wish that is taken back. */
   private readonly sending = new Map<string, AbortController>();
@@ -75,6 +77,7 @@ export class Outbox {
     this.ended.abort();
     this.ended = new AbortController();
     this.lanes.clear();
+    this.begun.clear();
     this.sending.clear();
     this.wishes.value = new Map();
   }
@@ -86,12 +89,13 @@ export class Outbox {
     if (orphans().some(({ kind }) => !this.kinds.has(kind))) await this.bringKinds().catch(() => undefined);
     if (signal.aborted) return;
     const known = orphans().filter(({ kind }) => this.kinds.has(kind));
-    for (const { order, tab: _tab, touched: _touched, ...wanted } of known.sort(
+    for (const { order, begun, tab: _tab, touched: _touched, ...wanted } of known.sort(
       (a, b) => a.order - b.order,
     )) {
       this.orders.set(wanted.key, order);
       // kept by another version of this page, it may be of another shape: then the server is asked what there is
       const saved = this.kinds.get(wanted.kind)?.isSaved(wanted.saved) ? wanted.saved : null;
+      if (begun) this.begun.set(wanted.key, begun);
       this.want({ ...wanted, saved });
     }
   }
@@ -107,6 +111,7 @@ export class Outbox {
   /** What a thing is to become, kept at once and sent in its turn. */
   want<S, W, A>(wanted: Wanted<S, W, A>, { held = false } = {}): Wish<S, W, A> {
     const before = this.get<S, W, A>(wanted.key);
+    if (before?.state === "failed") this.begun.delete(wanted.key);
     // what is on its way may have been stored since the caller looked: here the newer of both is known
     const saved = before && before.state !== "failed" ? before.saved : wanted.saved;
     const [problem, theirs] = before?.state === "conflict" ? [before.problem, before.theirs] : [null, null];
@@ -225,21 +230,35 @@ export class Outbox {
 
   private async step(wish: Wish, steps: number, signal: AbortSignal): Promise<void> {
     const kind = this.kinds.get(wish.kind) as AnyKind;
-    if (kind.done(wish)) return this.end(wish, "saved");
+    if (!this.begun.has(wish.key) && kind.done?.(wish)) return this.end(wish, "saved");
+    const { idempotencyKey, want } = this.begin(wish);
+    const sent = { ...wish, want };
     try {
       if (steps > MOST_STEPS) throw problemOf("unsaved-otherwise", {}, 0);
-      const saved: unknown = await kind.send(wish, signal);
+      const saved: unknown = await kind.send(sent, { signal, idempotencyKey });
       if (signal.aborted) return;
-      if (saved === null ? !kind.done({ ...wish, saved }) : !kind.isSaved(saved))
+      if (saved === null ? !kind.done?.({ ...sent, saved }) : !kind.isSaved(saved))
         throw problemOf("problem-unreadable", {}, 0);
-      this.arrived(kind, wish, saved);
+      this.arrived(kind, sent, saved);
     } catch (error) {
-      if (!signal.aborted) await this.refused(kind, wish, error, signal);
+      if (!signal.aborted) await this.refused(kind, sent, error, signal);
     }
+  }
+
+  /** The write that was begun before, by another page maybe, or a new one; kept before it is sent. */
+  private begin(wish: Wish): Begun {
+    const before = this.begun.get(wish.key);
+    // what was kept is a copy of what is wanted
+    const same = before && JSON.stringify(before.want) === JSON.stringify(wish.want);
+    const begun = before ?? { idempotencyKey: newKey(), want: wish.want };
+    this.begun.set(wish.key, same ? { ...begun, want: wish.want } : begun);
+    if (!before) this.keep(wish);
+    return this.begun.get(wish.key) ?? begun;
   }
 
   /** What was sent is there; what was wanted meanwhile is sent next. */
   private arrived(kind: AnyKind, sent: Wish, saved: unknown): void {
+    this.begun.delete(sent.key);
     const now = this.get(sent.key);
     if (!now) return;
     changeSave(() => ({ savedAt: new Date(), failed: false }));
@@ -247,16 +266,24 @@ export class Outbox {
     else this.patch(now.key, { saved, want: kind.left ? kind.left(sent.want, now.want) : now.want });
   }
 
-  /** A refusal may be the echo of a write whose answer was lost, or both changes may fit; else it rests until it is decided. */
+  /** It may be there already, or both changes may fit; else it rests until it is decided. */
   private async refused(kind: AnyKind, sent: Wish, error: unknown, signal: AbortSignal): Promise<void> {
     const refusal = error instanceof ApiError ? error : new ApiError(explain(error), 0);
     this.refusals.set(sent.key, refusal);
-    const theirs = refusal.status === 409 ? await readInstead(kind, sent, refusal, signal) : undefined;
+    const stored = isStoredAlready(refusal);
+    const look = stored || refusal.status === 409;
+    const theirs = look ? await readInstead(kind, sent, refusal, signal) : undefined;
     const now = this.get(sent.key);
     if (signal.aborted || !now) return;
-    const problem = explain(refusal);
-    if (theirs !== undefined && kind.done({ ...sent, saved: theirs })) this.arrived(kind, sent, theirs);
-    else if (theirs === undefined || kind.version(theirs) === kind.version(sent.saved))
+    if (tellsWhetherStored(refusal)) this.begun.delete(sent.key);
+    const known = theirs !== undefined && (theirs !== null || !stored);
+    if (known && (stored || kind.done?.({ ...sent, saved: theirs }))) this.arrived(kind, sent, theirs);
+    else if (stored) this.end(now, "dropped");
+    else this.rest(kind, sent, now, theirs, explain(refusal));
+  }
+
+  private rest(kind: AnyKind, sent: Wish, now: Wish, theirs: unknown, problem: string): void {
+    if (theirs === undefined || kind.version(theirs) === kind.version(sent.saved))
       this.patch(now.key, { state: "failed", problem });
     else if (theirs !== null && kind.fits?.(now, theirs)) this.patch(now.key, { saved: theirs, problem });
     else this.patch(now.key, { state: "conflict", problem, theirs });
@@ -266,6 +293,7 @@ export class Outbox {
     const left = new Map(this.wishes.value);
     left.delete(wish.key);
     this.orders.delete(wish.key);
+    this.begun.delete(wish.key);
     this.refusals.delete(wish.key);
     this.wishes.value = left;
     this.keeping.forget(wish.key);
@@ -301,8 +329,14 @@ export class Outbox {
   private keep(wish: Wish): void {
     const { state: _state, problem: _problem, theirs: _theirs, ...wanted } = wish;
     if (!this.orders.has(wish.key)) this.orders.set(wish.key, Math.max(0, ...this.orders.values()) + 1);
-    this.keeping.keep({ ...wanted, order: this.orders.get(wish.key) ?? 0 });
+    const begun = this.begun.get(wish.key) ?? null;
+    this.keeping.keep({ ...wanted, begun, order: this.orders.get(wish.key) ?? 0 });
   }
+}
+
+/** Whether the server has looked: who is not let in, or not answered, learns nothing of a write before, and its key stays. */
+function tellsWhetherStored({ status }: ApiError): boolean {
+  return status >= 400 && status < 500 && ![401, 403, 429].includes(status);
 }
 
 /** What the server has where it refused; undefined where that cannot be had. */

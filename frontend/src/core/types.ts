@@ -8,7 +8,7 @@ type Schemas = components["schemas"];
 /** A point in the picture, pixels; (0, 0) is the centre of the top-left pixel. */
 export type Px = [x: number, y: number];
 
-export type Role = Schemas["PersonBody"]["role"];
+export type Role = Schemas["PersonFacts"]["role"];
 export type Target = Schemas["MeasurementBody"]["target"];
 export type Verdict = Schemas["ReviewState"]["verdict"];
 export type StepKey = Schemas["Step"]["key"];
@@ -29,8 +29,8 @@ export type Candidate = Schemas["Candidate"];
 export type ActingRole = Survey["my_role"];
 export const SURVEY_ROLE_NAMES = wordsOf("role-", "viewer", "operator", "reviewer", "manager");
 
-export type Person = Schemas["PersonBody"];
-export type ApiToken = Schemas["TokenBody"];
+export type Person = Schemas["PersonFacts"];
+export type ApiToken = Schemas["ApiTokenFacts"];
 export type MadeToken = Schemas["MadeToken"];
 export type Me = Schemas["Me"];
 
@@ -172,7 +172,6 @@ export type LinePoses = Schemas["LinePosesBody"];
 export type RodMark = Schemas["Mark"];
 export type SolvedRod = Schemas["SolvedRodBody"];
 export type LineHeight = Schemas["ScanHeightBody"];
-export type LineHeightQueue = Schemas["LineHeightQueue"];
 export type LineHeightAnswer = Schemas["LineHeightAnswer"];
 export type ScanMethod = NonNullable<Schemas["FindWanted"]["method"]>;
 export type ScanStatistics = Schemas["ScanStatisticsBody"];
@@ -182,7 +181,7 @@ export type ReferenceSource = ScanReference["source"];
 export type ReferencePlan = Schemas["ReferencePlan"];
 export type ReferenceRow = Schemas["ReferenceRow"];
 export type ReferenceGroup = Schemas["ReferenceGroup"];
-export type CarRuns = Schemas["CarRunsBody"];
+export type CarRuns = Schemas["CarRuns"];
 export type RunsTogether = Schemas["RunsTogether"];
 export type LiveStream = Schemas["LiveStreamBody"];
 export type LiveVehicle = LiveStream["vehicles"][number];

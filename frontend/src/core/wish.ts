@@ -26,15 +26,22 @@ export interface Wish<S = unknown, W = unknown, A = unknown> {
 /** A wish as it is made. */
 export type Wanted<S, W, A> = Omit<Wish<S, W, A>, "state" | "problem" | "theirs">;
 
+/** How one write goes out: what ends it, and the key by which the server knows it when it comes again. */
+export interface Sending {
+  readonly signal: AbortSignal;
+  readonly idempotencyKey: string;
+}
+
 /** How things of one kind are brought to the server. */
 export interface Kind<S, W, A> {
-  /** One step nearer to what is wanted; answers what the server has then. */
-  send(wish: Wish<S, W, A>, signal: AbortSignal): Promise<S | null>;
+  /** One write, which brings it nearer to what is wanted; answers what the server has then. */
+  send(wish: Wish<S, W, A>, sending: Sending): Promise<S | null>;
   /** What the server has; `error` is the refusal that made it worth asking. */
   read(wish: Wish<S, W, A>, error: ApiError, signal: AbortSignal): Promise<S | null>;
   /** Whether an answer is such a thing, with all that is read of it here. */
   isSaved(answer: unknown): answer is S;
-  done(wish: Wish<S, W, A>): boolean;
+  /** Nothing is left to write; left out where that is so as soon as the one write is stored. */
+  done?(wish: Wish<S, W, A>): boolean;
   /** Another one means that somebody changed it. */
   version(saved: S | null): string | number;
   /** The value in words, for whoever has to choose. */

@@ -1,7 +1,7 @@
 import { language, speak } from "./language";
 import { LANGUAGES } from "./say";
 
-/** The page in another language; the conclusion, the figures and the report stay in the package's. */
+/** The page in another language; a package's conclusion, figures and report stay in its own. */
 export function Languages() {
   if (LANGUAGES.length < 2) return null;
   return (

@@ -3,7 +3,7 @@ import { Checked } from "./Checked";
 import { type Row, unsafe } from "./csv";
 import { shown } from "./digits";
 import { Languages } from "./Languages";
-import { language } from "./language";
+import { told } from "./language";
 import { Measurements } from "./Measurements";
 import {
   again,
@@ -269,7 +269,7 @@ function Table({ path, name: table, columns, rows }: TableProps) {
             <thead>
               <tr>
                 {names.map((name) => (
-                  <th key={name} scope="col" title={language.value === "en" ? columns[name] : undefined}>
+                  <th key={name} scope="col" title={told(columns[name] ?? "")}>
                     {name}
                   </th>
                 ))}

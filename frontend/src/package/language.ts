@@ -1,20 +1,21 @@
-/** The language that a page is read in: that of the package's report, until somebody chooses another. */
+/** The language that a page is read in: that of its package or evidence file, until somebody chooses another. */
 
 import { signal } from "@preact/signals";
 
 export const language = signal("en");
 
-/** Sentences and names of the tables in the language of the package, by their English. */
+/** The language of what a page carries, and its sentences in each, by their English. */
 interface Spoken {
   readonly language?: string;
-  readonly said?: Readonly<Record<string, string>>;
+  readonly said?: Readonly<Record<string, Readonly<Record<string, string>>>>;
 }
 
 function spoken(): Spoken {
   try {
-    return JSON.parse(document.getElementById("about")?.textContent ?? "{}") as Spoken;
+    const carried = document.querySelector("#about, #evidence");
+    return JSON.parse(carried?.textContent ?? "{}") as Spoken;
   } catch {
-    return {}; // the page says elsewhere that it cannot read its package
+    return {}; // the page says elsewhere that it cannot read what it carries
   }
 }
 
@@ -26,14 +27,14 @@ export function speak(name: string): void {
   document.documentElement.lang = name;
 }
 
-/** Speaks that of the package, if there is one of these. */
+/** Speaks that of what the page carries, if it is one of these. */
 export function begin(known: readonly string[]): void {
   speak(known.find((name) => name === about.language) ?? "en");
 }
 
-/** A sentence of a table, in the language of the package if that is spoken. */
+/** A sentence of what the page carries, in the language that is spoken. */
 export function told(text: string): string {
-  return (language.value === about.language && about.said?.[text]) || text;
+  return about.said?.[language.value]?.[text] ?? text;
 }
 
 /** A number that was written with a decimal point, as the language writes it. */

@@ -52,6 +52,10 @@ export class FakeServer {
     this.on("PUT", /^\/measurements\/(\d+)$/, (match, body) => this.revise(match, body));
     this.on("DELETE", /^\/measurements\/(\d+)\?/, (match) => this.revise(match, { withdrawn: true }));
     this.on("POST", /^\/measurements\/(\d+)\/restore$/, (match) => this.revise(match, { withdrawn: false }));
+    this.on("GET", /^\/measurements\/(\d+)\/history$/, (match) => {
+      const now = this.stored.get(Number(match[1]));
+      return { revisions: now ? [now] : [], reviews: [] };
+    });
     this.on("GET", /^\/vehicles\/(\d+)$/, () =>
       vehicle([...this.stored.values()].filter((m) => !m.withdrawn)),
     );

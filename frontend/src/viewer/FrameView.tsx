@@ -46,7 +46,7 @@ export function FrameView({ player, stage, children, above, describedBy }: Frame
         <>
           {above}
           {bright.value && (
-            <p class="frame-display" data-testid="display-only">
+            <p class="stage-note frame-display" data-testid="display-only">
               {say("viewer-bright")}
             </p>
           )}

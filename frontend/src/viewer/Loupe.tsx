@@ -43,7 +43,7 @@ export function Loupe({ player, stage }: { player: Player; stage: FrameStage }) 
       <canvas ref={canvas} width={SIDE_PX} height={SIDE_PX} />
       <p>
         {say("viewer-pointer", { x: fixed(at[0], 1), y: fixed(at[1], 1) })}
-        {bright.value && <span class="loupe__display">{say("viewer-bright")}</span>}
+        {bright.value && <span class="stage-note loupe__display">{say("viewer-bright")}</span>}
       </p>
     </div>
   );

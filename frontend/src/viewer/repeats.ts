@@ -29,15 +29,15 @@ interface About {
 }
 
 const repeatKind: Kind<Measurement, RepeatWanted, About> = {
-  send({ key, about, saved, want: { clicks, withdrawn } }, signal) {
+  send({ key, about, saved, want: { clicks, withdrawn } }, sending) {
     if (saved) {
       const { id: measurement_id, revision } = saved;
       return withdrawn
-        ? api.write("DELETE /measurements/{measurement_id}", { measurement_id, revision }, { signal })
+        ? api.write("DELETE /measurements/{measurement_id}", { measurement_id, revision }, sending)
         : api.write(
             "POST /measurements/{measurement_id}/restore",
             { measurement_id },
-            { body: { revision }, retry: true, signal },
+            { body: { revision }, ...sending },
           );
     }
     if (!clicks) return Promise.resolve(null);
@@ -46,7 +46,7 @@ const repeatKind: Kind<Measurement, RepeatWanted, About> = {
     return api.write(
       "POST /vehicles/{vehicle_id}/measurements",
       { vehicle_id: about.vehicleId },
-      { body: { client_key: key, ...clicked }, retry: true, signal },
+      { body: { client_key: key, ...clicked }, ...sending },
     );
   },
   read: async ({ saved }, _error, signal) =>

@@ -16,6 +16,7 @@ from sightline.infra.jobs.records import Job
 from sightline.infra.jobs.store import request_job_cancel
 from sightline.infra.jobs.workers import run_workers
 from sightline.media.store.s3 import StorageAway
+from sightline.messages.said import Said
 from sightline.settings import load_settings
 from sightline.surveys.store import create_survey
 
@@ -26,7 +27,7 @@ def make_survey(context: registry.JobContext) -> registry.Outcome:
     (Path(context.payload["folder"]) / f"attempt-{context.job.attempts}").write_text(str(os.getpid()))
     until = time.monotonic() + (context.payload["first_s"] if context.job.attempts == 1 else 0.2)
     while time.monotonic() < until:
-        context.progress(0.5, "Half way.")
+        context.progress(0.5, Said("said", sentence="Half way."))
         time.sleep(0.02)
 
     def finish(session: Session) -> Mapping[str, Any]:
@@ -74,7 +75,7 @@ def _broken_finish(session: Session) -> Mapping[str, Any]:
 def wait(context: registry.JobContext) -> registry.Outcome:
     """Goes on until it is told to stop."""
     while not context.is_cancelled():
-        context.progress(0.25, "Waiting.")
+        context.progress(0.25, Said("said", sentence="Waiting."))
         time.sleep(0.02)
     raise registry.Cancelled("said", sentence="Cancelled.")
 

@@ -31,6 +31,7 @@ from sightline.infra.jobs.store import (
 )
 from sightline.infra.jobs.tables import jobs
 from sightline.infra.services import Services, open_services
+from sightline.messages.said import Said
 from sightline.settings import Settings
 from sightline.surveys.store import create_survey, list_surveys
 from tests.infra.jobs import handlers
@@ -123,7 +124,7 @@ def test_a_running_job_reports_and_is_cancelled(runner: Runner, factory: Session
     thread.start()
     until(lambda: job_now(factory, job).progress == 0.25)
     running = job_now(factory, job)
-    assert (running.state, running.message) == ("running", "Waiting.")
+    assert (running.state, str(running.message)) == ("running", "Waiting.")
     with writing(factory) as session:
         assert request_job_cancel(session, job.id, actor=None).cancel_requested
     thread.join(NEVER_S)
@@ -271,7 +272,7 @@ def test_progress_that_found_the_database_busy_is_stored_with_the_next_look(
     monkeypatch.setattr(runner_module, "note_progress", note)
     monkeypatch.setattr(runner_module, "PROGRESS_S", 0.01)
     with Watch(services.sessions, claimed, threading.Event()) as watch:
-        watch.report(0.5, "Half.")
+        watch.report(0.5, Said("said", sentence="Half."))
         until(lambda: job_now(services.sessions, job).progress == 0.5)
     assert not busy
     assert [one for one in caplog.records if one.levelname == "WARNING"] == []
@@ -290,7 +291,7 @@ def test_what_is_away_puts_a_job_back_for_later_and_uses_up_no_attempt(
         assert runner.run(job.id)  # the worker goes on with others
         waits = job_now(factory, job)
         assert (waits.state, waits.attempts, waits.worker) == ("queued", 0, None)
-        assert waits.not_before is not None and "tried again by itself" in waits.message
+        assert waits.not_before is not None and waits.message == Said("job-tried-again")
         pauses.append(waits.not_before - begun)
         with reading(factory) as session:
             assert queued_jobs(session) == {}

@@ -16,6 +16,7 @@ from sightline.geometry.reshoot import places_missing
 from sightline.infra.audit.records import Who
 from sightline.infra.web.bodies import FrameNumber, Out
 from sightline.infra.web.named import RecordingId
+from sightline.messages.said import Said
 
 
 class ViewBody(Out):
@@ -25,7 +26,7 @@ class ViewBody(Out):
     image_id: int | None
     frame: int | None
     used: bool
-    reason: str | None
+    reason: Said | None
     rms_px: float | None
     corners_px: list[Point]
     residuals_px: list[Point]
@@ -34,7 +35,7 @@ class ViewBody(Out):
 class CrossValidationBody(Out):
     """Two halves of the pictures, calibrated separately. Where that could not be done, `reason` says why."""
 
-    reason: str | None
+    reason: Said | None
     views: list[int] | None = Field(description="How many are in each half.")
     fit_rms_px: float | None
     held_out_rms_px: float | None = Field(description="Of each half's views under the other half's lens.")
@@ -79,12 +80,12 @@ class CalibrationBody(Out):
     created_by: Who | None
     source: CalibrationSource
     trusted: bool
-    summary: str
+    summary: Said
     document: CameraDocument
     cross_validation: CrossValidationBody | None = Field(description="Null for an import.")
     board_shape: BoardShapeBody | None
-    reshoot: list[str] = Field(description="What pictures are missing, in words.")
-    warnings: list[str]
+    reshoot: list[Said] = Field(description="What pictures are missing.")
+    warnings: list[Said]
     coverage: list[list[int]] = Field(description="Corners per cell, 12 rows of 16; empty for an import.")
     views: list[ViewBody]
     recording_id: int | None

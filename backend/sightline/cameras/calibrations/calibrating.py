@@ -21,6 +21,7 @@ from sightline.infra.database import Session
 from sightline.infra.jobs.records import Job
 from sightline.infra.jobs.store import list_jobs
 from sightline.infra.services import Services
+from sightline.messages.said import Said
 
 CALIBRATE = "calibrate"
 # Beyond this, views add time and hardly any knowledge of the lens.
@@ -160,12 +161,19 @@ def view_rows(seen: Sequence[DetectedView], result: CalibrationResult) -> list[J
     return rows
 
 
-def summary_of(camera: Camera, used: int, given: int) -> str:
-    """In one sentence: how many views, how well they fit, and the focal length with its uncertainty."""
-    focal = f"focal length {camera.fx_px:.1f} px"
-    if camera.covariance is not None:
-        focal += f" (standard uncertainty {float(np.sqrt(camera.covariance[0, 0])):.1f} px)"
-    return f"{used} of {given} views used, residual {camera.rms_px:.2f} px, {focal}."
+def summary_of(camera: Camera, used: int, given: int) -> Said:
+    """How many views, how well they fit, and the focal length with its uncertainty."""
+    rms_px, focal_px = round(camera.rms_px or 0.0, 2), round(camera.fx_px, 1)
+    if camera.covariance is None:
+        return Said("calibration-made", used=used, given=given, rms_px=rms_px, focal_px=focal_px)
+    return Said(
+        "calibration-made-u",
+        used=used,
+        given=given,
+        rms_px=rms_px,
+        focal_px=focal_px,
+        u_focal_px=round(float(np.sqrt(camera.covariance[0, 0])), 1),
+    )
 
 
 def import_calibration(
@@ -190,6 +198,7 @@ def import_calibration(
     camera = imported.camera
     # What had to be guessed (the lens model, which of several cameras) is said wherever the camera is used.
     warnings = [*imported.notes, *([] if camera.covariance is not None else [NO_COVARIANCE])]
+    focal_px = round(camera.fx_px, 1)
     with services.writing() as session:
         return add_calibration(
             session,
@@ -200,12 +209,9 @@ def import_calibration(
             warnings=warnings,
             coverage=[],
             views=[],
-            summary=f"Imported from {file_name}: {camera.model} model, focal length {camera.fx_px:.1f} px.",
+            summary=Said("calibration-imported", file_name=file_name, model=camera.model, focal_px=focal_px),
             actor=actor,
         )
 
 
-NO_COVARIANCE = (
-    "The file states no uncertainty of the lens, so that component is missing from the "
-    "uncertainty of every height."
-)
+NO_COVARIANCE = Said("calibration-no-covariance")

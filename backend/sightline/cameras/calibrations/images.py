@@ -17,6 +17,7 @@ from sightline.geometry.corners import Corners, find_board
 from sightline.infra.services import Services
 from sightline.infra.stored_bytes import put_bytes, suffix_of
 from sightline.media.images import jpeg
+from sightline.messages.said import Said
 
 JPEG_QUALITY = 92
 
@@ -32,7 +33,7 @@ def detection_of(corners: Corners, board: Board) -> Detection:
     dictionary = None if charuco is None else charuco.dictionary
     marker_share = None if charuco is None else round(charuco.marker_m / board.square_m, 6)
     if not corners.found:
-        reason = corners.reason or "No board was found."
+        reason = corners.reason or Said("board-not-found")
         return Detection(
             found=False,
             reason=reason,

@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 from sightline.cameras.records import CalibrationSummary
 from sightline.enums import JsonObject
+from sightline.messages.said import Said
 
 
 @dataclass(frozen=True, slots=True)
@@ -11,7 +12,7 @@ class Calibration(CalibrationSummary):
     """A calibration with its camera.json `document`; never changed once written."""
 
     document: JsonObject
-    warnings: list[str]
+    warnings: list[Said]
     coverage: list[list[int]]
     views: list[JsonObject]
     recording_id: int | None
@@ -27,7 +28,7 @@ class Detection:
     """
 
     found: bool
-    reason: str | None
+    reason: Said | None
     corners_px: list[list[float]]
     columns: int
     rows: int

@@ -15,6 +15,7 @@ from sightline.infra.audit import trail
 from sightline.infra.database.people import people
 from sightline.infra.database.rows import add_row, change_row, get_row, missing, stored_hash, who
 from sightline.infra.database.types import columns_of, now
+from sightline.messages.said import Said
 
 
 def add_calibration(
@@ -24,10 +25,10 @@ def add_calibration(
     source: CalibrationSource,
     document: JsonObject,
     trusted: bool,
-    warnings: Sequence[str],
+    warnings: Sequence[Said],
     coverage: Sequence[Sequence[int]],
     views: Sequence[JsonObject],
-    summary: str,
+    summary: Said,
     recording_id: int | None = None,
     make_current: bool = True,
     actor: int | None,

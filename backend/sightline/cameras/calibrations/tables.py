@@ -9,7 +9,6 @@ from sqlalchemy import (
     Integer,
     String,
     Table,
-    Text,
 )
 
 from sightline.enums import CalibrationSource
@@ -17,6 +16,7 @@ from sightline.infra.audit.vouched import WrittenOnce, vouched
 from sightline.infra.database.types import (
     NEEDS_MEDIA,
     CanonicalJson,
+    Saying,
     enum_check,
     identity,
     made_columns,
@@ -33,7 +33,7 @@ calibration_images = Table(
     Column("width_px", Integer, nullable=False),
     Column("height_px", Integer, nullable=False),
     Column("found", Boolean, nullable=False),
-    Column("reason", Text),
+    Column("reason", Saying),
     Column("corners_px", CanonicalJson, nullable=False),
     Column("columns", Integer, nullable=False),
     Column("rows", Integer, nullable=False),
@@ -55,10 +55,10 @@ calibrations = Table(
     Column("recording_id", ForeignKey("recordings.id")),
     Column("document", CanonicalJson, nullable=False),
     Column("trusted", Boolean, nullable=False),
-    Column("warnings", CanonicalJson, nullable=False),
+    Column("warnings", Saying, nullable=False),
     Column("coverage", CanonicalJson, nullable=False),
     Column("views", CanonicalJson, nullable=False),
-    Column("summary", Text, nullable=False),
+    Column("summary", Saying, nullable=False),
     *made_columns(),
     enum_check("source", CalibrationSource),
     info=vouched(WrittenOnce("calibration", "calibration")),

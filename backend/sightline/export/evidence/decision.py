@@ -13,7 +13,7 @@ from typing import Any
 
 from sightline.enums import JsonObject, JudgedQuantity
 from sightline.export.evidence.records import SIDES, UNITS, Rule
-from sightline.messages import say
+from sightline.messages import SOURCE, decimal_sign, say
 from sightline.messages.said import Said, SaidDocument
 from sightline.statistics.conformity import decide, require_risk
 
@@ -29,22 +29,22 @@ _FEWEST_CHANCE = 1e-4
 Document = Mapping[str, Any]
 
 
-def decision_of(document: Document, rule: Rule | None) -> JsonObject:
-    """What an evidence file says of conformity: rule, value, answer or none, and the words for it.
+def decision_of(document: Document, rule: Rule | None, language: str = SOURCE) -> JsonObject:
+    """What an evidence file says of conformity: rule, value, answer or none, and the words in a language.
 
     Raises BadInput for a risk that no rule has.
     """
     if rule is None:
-        return {"rule": None, "answer": None, "words": say("evidence-no-rule", {})}
+        return {"rule": None, "answer": None, "words": say("evidence-no-rule", {}, language)}
     require_risk(rule.risk)
     told: JsonObject = {"rule": {**asdict(rule), "side": SIDES[rule.quantity], "unit": UNITS[rule.quantity]}}
     value, u = _judged(document, rule)
     told |= {"value": value, "u": u}
     why = _why_none(document, rule, value, u)
     if why is not None or value is None or u is None:
-        return {**told, "answer": None, "words": why}
+        return {**told, "answer": None, "words": why and why.sentence(language)}
     found = decide(value, u, rule.limit, SIDES[rule.quantity], rule.risk)
-    return {**told, **asdict(found), "words": _words(rule, value, u, found)}
+    return {**told, **asdict(found), "words": _words(rule, value, u, found, language)}
 
 
 def rule_of(decision: Document) -> Rule | None:
@@ -61,39 +61,42 @@ def _judged(document: Document, rule: Rule) -> tuple[float | None, float | None]
     return gap.get(name), gap.get(f"u_{name}")
 
 
-def _why_none(document: Document, rule: Rule, value: float | None, u: float | None) -> str | None:
+def _why_none(document: Document, rule: Rule, value: float | None, u: float | None) -> Said | None:
     """Why there is no decision; None where one can be made."""
     measured, before, gap = document["measurement"], document["before"], document["gap"]
     if measured["status"] != "ok":
-        return say("evidence-none-refused", {"reason": _in_words(measured["reason"])})
+        return Said("evidence-none-refused", reason=_reason(measured["reason"]))
     if measured["rig"] != document["rig_now"]:
-        return say("evidence-none-rig", {})
+        return Said("evidence-none-rig")
     if document["review"]["verdict"] != "accepted":
-        return say("evidence-none-review", {"verdict": document["review"]["verdict"]})
+        return Said("evidence-none-review", verdict=document["review"]["verdict"])
     if rule.quantity != "speed":
         if before is None or gap is None:
-            return say("evidence-none-first", {})
+            return Said("evidence-none-first")
         if before["status"] != "ok" or before["rig"] != document["rig_now"]:
-            return say("evidence-none-before", {"number": before["number"]})
+            return Said("evidence-none-before", number=before["number"])
         if before["review"]["verdict"] != "accepted":
-            said = {"number": before["number"], "verdict": before["review"]["verdict"]}
-            return say("evidence-none-before-review", said)
+            verdict = before["review"]["verdict"]
+            return Said("evidence-none-before-review", number=before["number"], verdict=verdict)
     if value is None or u is None or not u > 0:
-        return say("evidence-none-value", {"reason": _in_words((gap or {}).get("reason"))})
+        return Said("evidence-none-value", reason=_reason((gap or {}).get("reason")))
     return None
 
 
-def _in_words(reason: SaidDocument | None) -> str:
-    return "" if reason is None else str(Said.read(reason))
+def _reason(stored: SaidDocument | None) -> Said | str:
+    return "" if stored is None else Said.read(stored)
 
 
-def _words(rule: Rule, value: float, u: float, found: Any) -> str:
+def _words(rule: Rule, value: float, u: float, found: Any, language: str) -> str:
     unit, factor = _SHOWN[rule.quantity]
     decimals = max(0, 1 - floor(log10(u * factor)))
     chance = found.chance_false
 
+    def written(number: str) -> str:
+        return number.replace(".", decimal_sign(language))
+
     def number(of: float) -> str:
-        return f"{of * factor:.{decimals}f}"
+        return written(f"{of * factor:.{decimals}f}")
 
     return say(
         "evidence-decided",
@@ -103,12 +106,13 @@ def _words(rule: Rule, value: float, u: float, found: Any) -> str:
             "unit": unit,
             "value": number(value),
             "u": number(u),
-            "limit": f"{rule.limit * factor:.10g}",
+            "limit": written(f"{rule.limit * factor:.10g}"),
             "side": SIDES[rule.quantity],
             "guard": number(found.guard_band),
-            "factor": f"{found.factor:.3g}",
-            "risk": f"{100 * rule.risk:.3g}",
-            "chance": f"{100 * chance:.2g}" if chance >= _FEWEST_CHANCE else f"{100 * _FEWEST_CHANCE:.2g}",
+            "factor": written(f"{found.factor:.3g}"),
+            "risk": written(f"{100 * rule.risk:.3g}"),
+            "chance": written(f"{100 * max(chance, _FEWEST_CHANCE):.2g}"),
             "least": "under" if chance < _FEWEST_CHANCE else "about",
         },
+        language,
     )

@@ -18,6 +18,7 @@ from sightline.infra.version import code_version
 from sightline.linescan.clock import since_start_s
 from sightline.linescan.gaps import gaps
 from sightline.linescan.rig import baseline_of
+from sightline.messages import SOURCE
 from sightline.messages.said import Said
 from sightline.scans.clock import clock_of, passing_of
 from sightline.scans.records import Scan, ScanMeasurement, ScanValues, ScanVehicle
@@ -76,7 +77,7 @@ def facts_of(
     }
     told: JsonObject = plain(stated)
     found = derived(told)
-    return {**told, **found, "words": _words(measured.values, found["gap"])}
+    return {**told, **found, "words": words_of(scan.notes, measured.values, found["gap"])}
 
 
 def audit_of(survey_id: int, head: AuditHead, events: Sequence[AuditEvent]) -> JsonObject:
@@ -116,13 +117,16 @@ def _gap(document: Document) -> JsonObject | None:
     return gap
 
 
-def _words(values: ScanValues, gap: JsonObject | None) -> JsonObject:
-    """What the codes of the motion and of the gap say; the page has no catalogue of them."""
+def words_of(
+    notes: Sequence[Said], values: ScanValues, gap: JsonObject | None, language: str = SOURCE
+) -> JsonObject:
+    """What the codes of the import, of the motion and of the gap say; the page has no catalogue of them."""
     why = gap and gap["reason"]
     return {
-        "reason": values.reason and str(values.reason),
-        "warnings": [str(one) for one in values.warnings],
-        "gap": why and str(Said.read(why)),
+        "reason": values.reason and values.reason.sentence(language),
+        "warnings": [one.sentence(language) for one in values.warnings],
+        "gap": why and Said.read(why).sentence(language),
+        "notes": [one.sentence(language) for one in notes],
     }
 
 

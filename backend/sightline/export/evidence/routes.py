@@ -7,7 +7,7 @@ from sightline.enums import Conformity, JudgedQuantity
 from sightline.export.evidence.records import Evidence, Rule
 from sightline.export.evidence.service import make_evidence
 from sightline.infra.web.bodies import In, Out
-from sightline.infra.web.deps import Exporter, PathId, Wired
+from sightline.infra.web.deps import AskedIn, Exporter, PathId, Wired
 from sightline.statistics.conformity import LEAST_RISK, MOST_RISK
 
 router = APIRouter()
@@ -37,19 +37,22 @@ class EvidenceBody(Out):
 
 @router.post("/scan-vehicles/{vehicle_id}/evidence", status_code=201)
 def make_evidence_of_vehicle(
-    vehicle_id: PathId, body: EvidenceWanted, who: Exporter, services: Wired
+    vehicle_id: PathId, body: EvidenceWanted, who: Exporter, services: Wired, asked_in: AskedIn
 ) -> EvidenceBody:
-    """One file with both pictures, numbers, budget, decision and signature; noted in the audit trail."""
+    """One file with both pictures, numbers, budget, decision and signature; noted in the audit trail; its
+    page opens in the language of the request.
+    """
     rule = None if body.rule is None else Rule(**body.rule.model_dump())
-    return _body(make_evidence(services, vehicle_id, rule, actor=who.id))
+    return _body(make_evidence(services, vehicle_id, rule, language=asked_in, actor=who.id), asked_in)
 
 
-def _body(made: Evidence) -> EvidenceBody:
+def _body(made: Evidence, language: str) -> EvidenceBody:
+    words = made.document["decision"]["words"]
     return EvidenceBody(
         filename=made.filename,
         html=made.content.decode("utf-8"),
         sha256=made.sha256,
         signing_key=made.document["key"],
         answer=made.document["decision"]["answer"],
-        decision=made.document["decision"]["words"],
+        decision=made.document["said"].get(language, {}).get(words, words),
     )

@@ -12,6 +12,7 @@ from sightline.export.evidence.page import program_of_page, written_page
 from sightline.export.evidence.pictures import pictures_of
 from sightline.export.evidence.records import Evidence, Rule
 from sightline.export.evidence.store import events_about, note_evidence
+from sightline.export.evidence.translated import translations_of
 from sightline.infra.audit import trail
 from sightline.infra.audit.checkpoints import known_keys, take_key
 from sightline.infra.audit.hashing import content_hash
@@ -20,6 +21,7 @@ from sightline.infra.audit.signing import SigningKey, signing_key
 from sightline.infra.database import Session
 from sightline.infra.database.types import now
 from sightline.infra.services import Services
+from sightline.messages import SOURCE
 from sightline.people.store import get_person
 from sightline.scans.records import ScanMeasurement, ScanVehicle
 from sightline.scans.service import open_strips
@@ -29,8 +31,11 @@ from sightline.scans.vehicles.store import get_scan_vehicle, list_scan_vehicles
 from sightline.surveys.store import get_survey
 
 
-def make_evidence(services: Services, vehicle_id: int, rule: Rule | None, *, actor: int | None) -> Evidence:
-    """The file of a vehicle as it is now, held against a rule (None: none), noted in the survey's chain.
+def make_evidence(
+    services: Services, vehicle_id: int, rule: Rule | None, *, language: str = SOURCE, actor: int | None
+) -> Evidence:
+    """The file of a vehicle as it is now, held against a rule (None: none), noted in the survey's chain; its
+    page opens in a language.
 
     Raises NotFound, BadInput (never measured, a rule that cannot be, pages not built), Conflict (measured
     again meanwhile), Damaged (strips, key).
@@ -50,6 +55,7 @@ def make_evidence(services: Services, vehicle_id: int, rule: Rule | None, *, act
         document = _stated(session, vehicle, before, page, actor)
         document["pictures"] = [one.facts for one in pictures]
         document["decision"] = decision_of(document, rule)
+        document |= {"language": language, "said": translations_of(document)}
         document |= _vouched(session, vehicle, before, key, actor)
         sha256 = content_hash(document)
         made = {"measurement_id": seen.id, "sha256": sha256, "key": key.public}

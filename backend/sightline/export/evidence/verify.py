@@ -18,11 +18,13 @@ from sightline.errors import BadInput, Damaged
 from sightline.export.evidence.decision import decision_of, rule_of
 from sightline.export.evidence.document import FORMAT, derived, values_of_document
 from sightline.export.evidence.page import ReadPage, program_of_page, read_page
+from sightline.export.evidence.translated import translations_of
 from sightline.infra.audit.checkpoints import KEY_PARTS, are_handed_on
 from sightline.infra.audit.hashing import chain_hash, plain
 from sightline.infra.audit.records import survey_chain
 from sightline.infra.audit.signing import holds
 from sightline.infra.csv_package.schema import sha256_hex
+from sightline.infra.version import code_version
 from sightline.linescan.either_way import exact_at_camera_1
 from sightline.linescan.equations import ExactMotion, travelled_m
 from sightline.media.images import image_size
@@ -67,7 +69,7 @@ def verify_evidence(content: bytes, key: str | None = None) -> EvidenceCheck:
     if page.document.get("format") != FORMAT:
         raise Damaged("evidence-not-one")
     problems = [*_guarded(_sealed, page), *_guarded(_signature, page)]
-    for check in (_pictures, _events, _derived, _numbers, _decision):
+    for check in (_pictures, _events, _derived, _numbers, _decision, _translations):
         problems += _guarded(check, page)
     document = page.document
     if key is not None and not _is_known(document, key):
@@ -186,6 +188,13 @@ def _decision(page: ReadPage) -> Iterator[str]:
     other = sorted(name for name in {*told, *found} if told.get(name) != found.get(name))
     if other:
         yield say("evidence-made-again", {"named": ", ".join(f"decision: {name}" for name in other)})
+
+
+def _translations(page: ReadPage) -> Iterator[str]:
+    """What this version says in other languages; another one may word it otherwise."""
+    document = page.document
+    if document["program"] == code_version() and document["said"] != translations_of(document):
+        yield say("evidence-made-again", {"named": "said"})
 
 
 def _numbers(page: ReadPage) -> Iterator[str]:

@@ -62,7 +62,7 @@ class CalibrationFacts:
     views_used: int
     views_given: int
     parameters: tuple[LensParameter, ...]
-    warnings: tuple[str, ...] = ()
+    warnings: tuple[Said, ...] = ()
     trusted: bool = False
 
 
@@ -92,7 +92,7 @@ class PoseFacts:
     distance_m: float | None
     rms_px: float | None
     expected: tuple[ExpectedHeight, ...] = ()
-    warnings: tuple[str, ...] = ()
+    warnings: tuple[Said, ...] = ()
 
 
 @dataclass(frozen=True)

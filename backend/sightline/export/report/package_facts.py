@@ -36,10 +36,12 @@ from sightline.infra.csv_package.files import (
     read_columns,
     read_rows,
     read_whole,
+    record_in,
     unsafe,
     whole,
 )
 from sightline.infra.csv_package.schema import Written
+from sightline.messages.said import Said
 from sightline.results.csv import selection_in
 from sightline.results.survey_statistics import StatisticsOptions
 from sightline.surveys.csv import place_in, sampling_in
@@ -96,10 +98,7 @@ def report_facts(files: Files, made: PackageStatistics, written: Mapping[str, Wr
             for row in read_rows(files, "poses.csv")
             if row["id"] in used.poses
         ),
-        insets=tuple(
-            InsetFacts(row["target"], float(row["inset_m"]), float(row["u_inset_m"]), unsafe(row["note"]))
-            for row in read_rows(files, "insets.csv")
-        ),
+        insets=tuple(record_in(InsetFacts, row) for row in read_rows(files, "insets.csv")),
         exclusions=tuple(islice(_exclusions(files), MOST_EXCLUSIONS)),
         exclusions_total=exclusions,
         scans=scan_facts(files, made.scans),
@@ -188,19 +187,8 @@ class _Measurements:
 
 
 def _recording(row: Mapping[str, str], cameras: Mapping[str, str]) -> RecordingFacts:
-    return RecordingFacts(
-        name=unsafe(row["name"]),
-        camera=cameras.get(row["camera_id"], ""),
-        lighting=row["lighting"],
-        frames=whole(row["frame_count"]),
-        duration_s=number(row["duration_s"]),
-        width_px=whole(row["width_px"]),
-        height_px=whole(row["height_px"]),
-        sha256=row["sha256"],
-        started_at=row["started_at"],
-        time_zone=unsafe(row["time_zone"]),
-        weather=unsafe(row["weather"]),
-    )
+    camera, frames = cameras.get(row["camera_id"], ""), whole(row["frame_count"])
+    return record_in(RecordingFacts, row, camera=camera, frames=frames)
 
 
 def _record(files: Files, kind: str, id_: str) -> dict[str, Any]:
@@ -212,20 +200,16 @@ def _calibration(files: Files, row: Mapping[str, str]) -> CalibrationFacts:
     record = _record(files, "calibration", row["id"])
     document = record["document"]
     views = record.get("views") or document.get("views") or []
-    return CalibrationFacts(
+    return record_in(
+        CalibrationFacts,
+        row,
         camera=unsafe(row["camera_name"]),
         number=int(row["id"]),
         made_on=date.fromisoformat(row["created_at"][:10]),
-        source=row["source"],
-        model=row["model"],
-        width_px=int(row["width_px"]),
-        height_px=int(row["height_px"]),
-        rms_px=number(row["rms_px"]),
         views_used=sum(1 for view in views if view.get("used")),
         views_given=len(views),
         parameters=tuple(_parameters(document)),
-        warnings=tuple(str(one) for one in record.get("warnings") or ()),
-        trusted=row["trusted"] == "true",
+        warnings=tuple(Said.read(one) for one in record.get("warnings") or ()),
     )
 
 
@@ -256,25 +240,21 @@ def _pose(
         millimetres = 1000 * float(row["square_m"])
         square = decimal(f"{millimetres:g}")
         board = said("report-board-of", columns=row["board_columns"], rows=row["board_rows"], square=square)
-    return PoseFacts(
+    return record_in(
+        PoseFacts,
+        row,
         number=int(row["id"]),
         recording=unsafe(recordings.get(row["recording_id"], {}).get("name", "")),
         camera=unsafe(lens.get("camera_name", "")),
         calibration=int(row["calibration_id"]),
-        first_frame=int(row["first_frame"] or 0),
-        last_frame=int(row["last_frame"] or 0),
         camera_height_m=float(pose.centre_m[2]),
         board=board,
-        reference_height_m=number(row["reference_height_m"]),
-        u_reference_height_m=number(row["u_reference_height_m"]),
-        u_lean_rad=number(row["u_lean_rad"]),
         distance_m=number(row["board_distance_m"]),
-        rms_px=number(row["rms_px"]),
         expected=tuple(
             ExpectedHeight(float(one["distance_m"]), one["U95_height_m"])
             for one in record.get("expected") or ()
         ),
-        warnings=tuple(str(one) for one in record.get("warnings") or ()),
+        warnings=tuple(Said.read(one) for one in record.get("warnings") or ()),
     )
 
 

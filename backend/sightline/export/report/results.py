@@ -22,7 +22,7 @@ from sightline.export.report.units import (
     limit,
     percent,
 )
-from sightline.results.survey_statistics import standards_of
+from sightline.results.survey_statistics import RULE_OF, standards_of
 from sightline.statistics.agreement import BlandAltman, ReferencePart
 from sightline.statistics.distributions import Percentile, Share
 from sightline.statistics.errors import ALL_FIGURES, GROUPS, LENGTHS, ErrorGroup, Interval
@@ -51,8 +51,12 @@ def rule_values(one: RuleToday, scale: Scale, small: Scale) -> Values:
     ends = [scale.number(end) for end in (one.U95_low_m, one.U95_high_m)]
     return {
         "name": told(standard.name),
-        "of": told(standard.vehicle_class) if one.by_class else said("report-all-vehicles"),
-        "percent": decimal(f"{standard.percent:g}"),
+        "rule": said(
+            "statistics-rule-of",
+            what=words.heading(words.TARGETS[RULE_OF[standard.what][0]]),
+            percent=decimal(f"{standard.percent:g}"),
+            **{"class": told(standard.vehicle_class) if one.by_class else said("report-all-vehicles")},
+        ),
         "standard": scale.number(standard.height_m),
         "value": scale.number(one.value_m),
         "ci95": None if one.U95_low_m is None else {"low": ends[0], "high": ends[1]},

@@ -15,7 +15,7 @@ from sightline.export.report.units import HEIGHT, SMALL, SPEED, Scale, fixed, pe
 from sightline.export.report.words import GROUPS, LIGHTING, SOURCES, target_words
 from sightline.linescan.rig import RigEstimate
 from sightline.scans.statistics.heights import ScannedHeights
-from sightline.scans.statistics.service import ReferenceGroup, Row, ScanStatistics, Spread
+from sightline.scans.statistics.service import ReferenceGroup, ScanRow, ScanStatistics, Spread
 from sightline.statistics.distributions import Percentile
 from sightline.statistics.errors import ErrorGroup
 
@@ -193,7 +193,7 @@ def _height(heights: ScannedHeights, scale: Scale) -> Values:
     }
 
 
-def _vehicle(row: Row, unit: LengthUnit) -> Values:
+def _vehicle(row: ScanRow, unit: LengthUnit) -> Values:
     speed, length = scale_of("m/s", unit), scale_of("m", unit)
     acceleration = Scale(HEIGHT[unit].factor, "", 2)
     off = None

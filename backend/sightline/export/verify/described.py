@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
 from sightline.errors import Damaged
-from sightline.export.contents import LIBRARIES, PARTS, about_of, described, made_with, tables_of
+from sightline.export.contents import LIBRARIES, PARTS, about_of, described, made_with
 from sightline.export.report.words import selection_words
 from sightline.export.seal import AUDIT_SCRIPT, CHECKPOINT
 from sightline.export.verify.chain import ReplayedState
@@ -71,15 +71,14 @@ class Described:
         """Whether this program computes as version `by`, which computed a row of this package."""
         return by == code_version() or (by == self.program and self.is_made_alike(part))
 
-    def read_in_its_format(self, files: Files) -> Files:
-        """The package, with nothing in the tables and columns of this program that it lacks."""
-        if self.made_by_this_program():
-            return files
-        return EarlierFiles(files, self.tables_of_this_program(), self.tables)
+    @property
+    def most_frames(self) -> int:
+        """For how many frames of a measurement the package has columns."""
+        return count_frames(self.headers.get(MEASUREMENTS.path, ()))
 
-    def tables_of_this_program(self) -> tuple[AnyTable, ...]:
-        """Those that it would write, for as many frames as this package has columns for."""
-        return tables_of(count_frames(self.headers.get(MEASUREMENTS.path, ())))
+    def read_in_its_format(self, files: Files, mine: Sequence[AnyTable]) -> Files:
+        """The package, with nothing in the tables and columns of this program (`mine`) that it lacks."""
+        return files if self.made_by_this_program() else EarlierFiles(files, mine, self.tables)
 
 
 def read_description(files: Files) -> Described:
@@ -96,14 +95,18 @@ def read_description(files: Files) -> Described:
 
 
 def check_description(
-    files: Files, found: Described, told: ReplayedState, written: Mapping[str, Written]
+    files: Files,
+    found: Described,
+    told: ReplayedState,
+    written: Mapping[str, Written],
+    mine: Sequence[AnyTable],
 ) -> list[str]:
-    """datapackage.json is what this program would say of these files; of another version's, that it names
-    every file with its bytes. Returns what could not be compared. Raises Damaged.
+    """datapackage.json is what this program, whose tables are `mine`, would say of these files; of another
+    version's, that it names every file with its bytes. Returns what could not be compared. Raises Damaged.
     """
     words = {name: str(told.survey.get(name, "")) for name in ("name", "site", "description")}
     about = about_of(**words, created=told.moment, only=selection_words(selection_in(files)))
-    expected = described(about, found.language, found.tables_of_this_program(), written)
+    expected = described(about, found.language, mine, written)
     expected["made_with"] = found.document["made_with"]
     if found.made_with.get("sightline") == code_version():
         _check_own(found, expected)

@@ -16,25 +16,18 @@ with a key of their own, which is told by the key that the installation shows (`
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Sequence
 from pathlib import Path
 
-from sightline.cameras.calibrations.verify import check_calibrations
-from sightline.cameras.verify import check_cameras
 from sightline.errors import BadInput, Damaged
-from sightline.export.contents import DRAWING, STATISTICS, WORDS
+from sightline.export.contents import DRAWING, WORDS
 from sightline.export.exclusions import EXCLUSIONS
+from sightline.export.package_tables import MADE, STORED, Part, tables_of
 from sightline.export.seal import CHECKPOINT, check_seal, read_seal
 from sightline.export.verify.chain import ReplayedState, walk
-from sightline.export.verify.derived import (
-    check_crops,
-    check_drawn,
-    check_page_again,
-    check_statistics,
-    check_tables_again,
-)
-from sightline.export.verify.described import Described, check_description, read_description
+from sightline.export.verify.checking import Checking, PackageCheck
+from sightline.export.verify.derived import check_drawn, check_page_again, check_tables_again
+from sightline.export.verify.described import check_description, read_description
 from sightline.infra.audit.checkpoints import checkpoint_problem
 from sightline.infra.audit.records import AuditHead, survey_chain
 from sightline.infra.csv_package.columns import CODE, check_words
@@ -53,68 +46,12 @@ from sightline.infra.csv_package.files import (
     sum_of,
 )
 from sightline.infra.csv_package.forms import check_forms, read_json
-from sightline.infra.csv_package.recomputing import Recomputing
 from sightline.infra.csv_package.schema import CHECKSUMS, Written
 from sightline.infra.csv_package.verify import check_keys
-from sightline.measurements.again.verify import check_computings, check_out_of_date
-from sightline.measurements.csv import CLICKS, CLICKS_FOLDER, MEASUREMENTS, REVISIONS
-from sightline.measurements.sheets.verify import check_vehicles
-from sightline.measurements.verify import Recomputed, check_frames, check_measurements
+from sightline.measurements.csv import CLICKS, CLICKS_FOLDER, REVISIONS
 from sightline.messages import say
-from sightline.poses.verify import check_poses
-from sightline.quality.checks.verify import check_wheel_pairs
-from sightline.quality.repeats.csv import REPEATS
-from sightline.quality.repeats.verify import check_repeats
-from sightline.recordings.verify import check_recordings
-from sightline.results.verify import check_standards
-from sightline.reviews.lots.verify import check_lots
-from sightline.reviews.verify import check_verdicts
-from sightline.scans.verify import check_scans
-from sightline.surveys.photographs.verify import check_photographs
-from sightline.surveys.verify import check_survey
 
 _LEAST_OF_HEAD = 16
-
-
-@dataclass(frozen=True)
-class PackageCheck:
-    """What was checked; `problem` is one sentence, None when all is well. `notes`: what could not be.
-
-    `not_checked`: the parts that another version of the program made, which this one did not compare:
-    "heights", "words", "description", "statistics", "drawings", "page".
-    """
-
-    ok: bool
-    files: int
-    checked: int
-    heights: int
-    head_hash: str
-    problem: str | None
-    keys: int = 0
-    statistics: int = 0
-    crops: int = 0
-    drawings: int = 0
-    signed_at: str = ""
-    key: str = ""
-    not_checked: list[str] = field(default_factory=list)
-    notes: list[str] = field(default_factory=list)
-
-
-@dataclass(eq=False)
-class _Found:
-    """Counts so far, told even when something is wrong."""
-
-    checked: int = 0
-    heights: int = 0
-    head: str = ""
-    keys: int = 0
-    statistics: int = 0
-    crops: int = 0
-    drawings: int = 0
-    signed_at: str = ""
-    key: str = ""
-    not_checked: list[str] = field(default_factory=list)
-    notes: list[str] = field(default_factory=list)
 
 
 def verify_place(
@@ -144,124 +81,69 @@ def verify_package(
     """Check everything; the first problem found is told. `head`: (the beginning of) the chain's last hash,
     `key`: (the beginning of) a key of the installation that made the package, as they were kept elsewhere.
     """
-    found = _Found()
-    problem = None
+    found = PackageCheck(ok=False, files=len(files.paths))
     try:
         _check(files, head, key, found, tick)
+        found.ok = True
     except (Damaged, BadInput) as error:
-        problem = error.message
+        found.problem = error.message
     except (KeyError, ValueError, TypeError, IndexError) as error:
         # Checksums agree, yet a column is missing or holds what it cannot: another version, or a forger's.
         problem = f"A table lacks or cannot hold {error}; export the survey again with this version."
-        problem = " ".join(problem.split())
-    return PackageCheck(
-        ok=problem is None,
-        files=len(files.paths),
-        checked=found.checked,
-        heights=found.heights,
-        head_hash=found.head,
-        problem=problem,
-        keys=found.keys,
-        statistics=found.statistics,
-        crops=found.crops,
-        drawings=found.drawings,
-        signed_at=found.signed_at,
-        key=found.key,
-        not_checked=found.not_checked,
-        notes=found.notes,
-    )
+        found.problem = " ".join(problem.split())
+    return found
 
 
-def _check(files: Files, head: str | None, key: str | None, found: _Found, tick: Tick) -> None:
+def _check(files: Files, head: str | None, key: str | None, found: PackageCheck, tick: Tick) -> None:
     written = checksums(files)
     tick(0.1)
     described = read_description(files)
     check_forms(files, {CLICKS_FOLDER: CLICKS.path})
     seal = read_seal(files)
     told = walk(files, seal, described.headers)
-    found.checked, found.head = told.count, told.head
+    found.checked, found.head_hash = told.count, told.head
     found.notes += _same_head(told, head)
     check_seal(seal, written)
     found.signed_at, found.key = _signed(files, told, seal.survey_id, key)
     found.notes += _of_key(found.key, key)
     tick(0.2)
-    _check_rows(described.read_in_its_format(files), described, told, written, found)
+    tables = tables_of(described.most_frames)
+    checking = Checking(described.read_in_its_format(files, tables), described, told, written, found)
+    _check_rows(checking)
     tick(0.6)
-    _tell(found, "description", check_description(files, described, told, written))
-    read = described.read_in_its_format(files)
-    statistics, found.statistics, difference = check_statistics(
-        read, same_program=described.is_made_alike(STATISTICS)
-    )
-    if statistics is None:
-        _tell(found, "statistics", [say("export-statistics-sealed-only", {"difference": difference})])
-    found.crops = check_crops(read, written)
+    found.tell("description", check_description(files, described, told, written, tables))
+    _check_parts(MADE, checking)
     tick(0.8)
-    if statistics is not None and described.is_made_alike(DRAWING):
-        found.drawings = check_drawn(files, seal.as_of, statistics, written, described.language)
+    if checking.statistics is not None and described.is_made_alike(DRAWING):
+        found.drawings = check_drawn(files, seal.as_of, checking.statistics, written, described.language)
     else:
-        _tell(found, "drawings", [say("export-drawings-sealed-only", {})])
+        found.tell("drawings", [say("export-drawings-sealed-only", {})])
     check_tables_again(files, described)
     if not check_page_again(files, described, written):
-        _tell(found, "page", [say("export-page-sealed-only", {})])
+        found.tell("page", [say("export-page-sealed-only", {})])
 
 
-def _tell(found: _Found, part: str, notes: Sequence[str]) -> None:
-    """Note what another version made and this one did not compare."""
-    if notes:
-        found.not_checked.append(part)
-        found.notes += notes
-
-
-def _check_rows(
-    files: Files,
-    described: Described,
-    told: ReplayedState,
-    written: Mapping[str, Written],
-    found: _Found,
-) -> None:
+def _check_rows(checking: Checking) -> None:
     """Every row against its audit events, and every height from its clicks."""
-    replay = told.replay
-    check_poses(files, replay)
-    check_calibrations(files, replay)
-    check_cameras(files, replay)
-    check_survey(files, told.survey)
-    check_standards(files, told.survey)
-    recomputing = Recomputing(described.is_computed_alike)
+    described, found, recomputing = checking.described, checking.found, checking.recomputing
     same_words = described.is_made_alike(WORDS)
-    if (
-        same_words
-    ):  # what is excluded has the words of people too; it is derived, and held against its sources
+    if same_words:
+        # what is excluded has the words of people too; it is derived, and held against its sources
         headers = {path: one for path, one in described.headers.items() if path != EXCLUSIONS.path}
-        check_words(files, headers)
-    heights = Recomputed(files, recomputing)
-    check_measurements(files, told.measurements, told.is_gone, told.drift.drift_flag, heights)
-    check_repeats(files, told.measurements, told.is_gone, heights)
-    found.heights = recomputing.equal
-    for path in (MEASUREMENTS.path, REPEATS.path):
-        if "out_of_date" in told.measurements.headers[path]:
-            check_out_of_date(
-                files,
-                path,
-                told.measurements.follows_from,
-                told.survey,
-                replay.of("vehicle"),
-                told.pose_in_force,
-            )
-    check_vehicles(files, replay)
-    check_recordings(files, replay, told.drift)
-    check_wheel_pairs(files, replay)
-    computings = check_computings(files, replay, told.computed)
-    check_verdicts(files, replay)
-    check_lots(files, told.lots, replay, told.measurements.of_vehicle)
-    check_frames(files, told.measurements)
-    check_scans(files, replay, computings, recomputing)
-    check_photographs(files, replay, written)
-    found.keys = check_keys(files, described.tables)
+        check_words(checking.files, headers)
+    _check_parts(STORED, checking)
+    found.keys = check_keys(checking.files, described.tables)
     if recomputing.differing:
         values: dict[str, str | int] = {"count": recomputing.differing, "first": recomputing.first}
-        _tell(found, "heights", [say("export-heights-of-another-version", values)])
+        found.tell("heights", [say("export-heights-of-another-version", values)])
     if not same_words and f"reason{CODE}" in described.headers[REVISIONS.path]:
-        _tell(found, "words", [say("export-words-sealed-only", {})])
+        found.tell("words", [say("export-words-sealed-only", {})])
+
+
+def _check_parts(parts: Sequence[Part], checking: Checking) -> None:
+    for part in parts:
+        if part.check is not None:
+            part.check(checking)
 
 
 def _same_head(told: ReplayedState, head: str | None) -> list[str]:

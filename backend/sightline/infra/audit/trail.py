@@ -13,9 +13,21 @@ from datetime import date, datetime
 from functools import cache
 from typing import Any
 
-from sqlalchemy import ColumnElement, Row, Select, Update, and_, bindparam, insert, or_, select, update
+from sqlalchemy import (
+    CTE,
+    ColumnElement,
+    Row,
+    Select,
+    Update,
+    and_,
+    bindparam,
+    insert,
+    or_,
+    select,
+    type_coerce,
+    update,
+)
 from sqlalchemy.orm import Session
-from sqlalchemy.sql.dml import ReturningInsert
 
 from sightline.enums import JsonObject
 from sightline.infra.audit.hashing import GENESIS, canonical_json, chain_hash, event_hash, plain
@@ -25,6 +37,8 @@ from sightline.infra.audit.tables import audit_chains, audit_events
 from sightline.infra.database.people import people
 from sightline.infra.database.rows import add_rows
 from sightline.infra.database.types import columns_of, now
+from sightline.infra.idempotency.store import key_to_note, note_key, noted_values, refusing_repeats
+from sightline.infra.idempotency.tables import idempotency_keys
 
 #: The chains of what belongs to no survey, by kind; what is not named is a setting.
 SETTINGS = "settings"
@@ -87,10 +101,15 @@ def record_many(
     if not rows:
         return 0
     end = {"of_chain": chain, "end_count": rows[-1]["number"], "end_hash": rows[-1]["hash"]}
-    if len(rows) == 1 and session.get_bind().dialect.name == "postgresql":
-        return int(session.execute(_add_one(), {**rows[0], **end}).scalar_one())
-    ids = add_rows(session, audit_events, rows)
-    session.execute(_move_last(), end)
+    note = key_to_note(session)
+    with refusing_repeats():
+        if len(rows) == 1 and session.get_bind().dialect.name == "postgresql":
+            added = session.execute(_add_one(keyed=note is not None), {**rows[0], **end, **(note or {})})
+            return int(added.scalar_one())
+        ids = add_rows(session, audit_events, rows)
+        session.execute(_move_last(), end)
+        if note is not None:
+            session.execute(note_key(), {**note, "of_event": ids[-1]})
     return ids[-1]
 
 
@@ -129,10 +148,16 @@ def _move_last() -> Update:
 
 
 @cache
-def _add_one() -> ReturningInsert[int]:
-    """An event and the new end of its chain in one statement, which SQLite does not know."""
+def _add_one(*, keyed: bool) -> Select[int]:
+    """An event, its chain's new end and its request's key in one statement, which SQLite does not know."""
     values: dict[str, Any] = {one.name: bindparam(one.name) for one in columns_of(audit_events, "id")}
-    return insert(audit_events).values(values).add_cte(_move_last().cte("moved")).returning(audit_events.c.id)
+    added = insert(audit_events).values(values).returning(audit_events.c.id).cte("added")
+    beside: list[CTE] = [_move_last().cte("moved")]
+    if keyed:
+        noted = noted_values(added.c.id)
+        columns = [type_coerce(value, idempotency_keys.c[name].type) for name, value in noted.items()]
+        beside.append(insert(idempotency_keys).from_select(list(noted), select(*columns)).cte("noted"))
+    return select(added.c.id).add_cte(*beside)
 
 
 def heads(session: Session) -> dict[str, AuditHead]:

@@ -40,6 +40,7 @@ from sightline.infra.database.engine import (
 )
 from sightline.infra.database.pages import require_whole_pages
 from sightline.infra.database.rows import row_hash
+from sightline.infra.database.types import Saying
 
 Promises = dict[str, dict[int, str]]
 
@@ -216,14 +217,18 @@ def _rows(session: Session, walk: _Walk) -> None:
 def _changed(session: Session, told: dict[int, dict[str, Any]], words: str, table: Table) -> None:
     """Every record is what its events made of it, for results are compared with what it says."""
     missing = set(told)
+    sayings = {column.name for column in table.columns if isinstance(column.type, Saying)}
     for row in _all(session, table):
         now = {**row, "deleted": row["deleted_at"] is not None}
         events = told.get(row["id"])
-        if events is None or any(plain(now.get(name)) != value for name, value in events.items()):
+        if events is None or any(
+            plain(now.get(name)) != (plain(Saying.said(value)) if name in sayings else value)
+            for name, value in events.items()
+        ):
             raise _Problem(f"The {words} {row['id']} is not what its events say; restore a backup.")
         missing.discard(row["id"])
     if missing:
-        raise _Problem(f"The {words} {min(missing)} was removed behind the program's back; restore a backup.")
+        raise _Problem(f"The {words} {min(missing)} was removed without an audit event; restore a backup.")
 
 
 def _compare(promised: dict[int, str], words: str, stored: Iterator[tuple[int, str]]) -> None:
@@ -233,7 +238,7 @@ def _compare(promised: dict[int, str], words: str, stored: Iterator[tuple[int, s
             raise _Problem(f"The {words} {row_id} is not what was written at first; restore a backup.")
         missing.discard(row_id)
     if missing:
-        raise _Problem(f"The {words} {min(missing)} was removed behind the program's back; restore a backup.")
+        raise _Problem(f"The {words} {min(missing)} was removed without an audit event; restore a backup.")
 
 
 def _all(session: Session, table: Table) -> Iterator[Any]:

@@ -14,12 +14,12 @@ import stat
 import tempfile
 import zipfile
 import zlib
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import AbstractContextManager, contextmanager, nullcontext
-from functools import cached_property
+from functools import cache, cached_property
 from itertools import islice
 from pathlib import Path
-from typing import BinaryIO, Generic, Protocol, TypeVar, cast
+from typing import BinaryIO, Generic, Protocol, TypeVar, cast, get_type_hints
 
 from sightline.errors import BadInput, Damaged
 from sightline.infra.csv_package.schema import (
@@ -473,3 +473,32 @@ def number(text: str) -> float | None:
 def whole(text: str) -> int | None:
     """An integer, None for an empty cell."""
     return int(text) if text else None
+
+
+def record_in(kind: type[Made], row: Mapping[str, str], **more: object) -> Made:
+    """A dataclass of words and numbers out of a row's cells by its fields' names, and `more` besides.
+
+    A cell that is empty gives None where the field may be that, else 0 or no words. Raises KeyError for a
+    column that is not there, TypeError for a field of another type.
+    """
+    record: type = kind
+    cells: dict[str, object] = {
+        name: _READERS[hint](row[name]) for name, hint in _plain_hints(record) if name not in more
+    }
+    return kind(**cells, **more)
+
+
+_READERS: dict[object, Callable[[str], Cell]] = {
+    str: unsafe,
+    str | None: lambda cell: unsafe(cell) or None,
+    int: lambda cell: whole(cell) or 0,
+    int | None: whole,
+    float: lambda cell: number(cell) or 0.0,
+    float | None: number,
+    bool: lambda cell: cell == "true",
+}
+
+
+@cache
+def _plain_hints(kind: type) -> tuple[tuple[str, object], ...]:
+    return tuple(get_type_hints(kind).items())

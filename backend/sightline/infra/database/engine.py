@@ -20,7 +20,7 @@ from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 from types import ModuleType
-from typing import Any, Literal
+from typing import Any
 
 from sqlalchemy import Connection, Engine, TextClause, create_engine, event, make_url, text
 from sqlalchemy.exc import ArgumentError, DatabaseError, OperationalError
@@ -246,21 +246,30 @@ class SurveyOf:
 
 #: The number of a survey, or whose survey it is: then it is found by what waits for its turn.
 InSurvey = int | SurveyOf
-#: Who signs in is noted beside all chains, in a turn of its own: nobody is kept out by who writes a survey.
-SignIn = Literal["sign-in"]
-SIGN_IN: SignIn = "sign-in"
+
+
+@dataclass(frozen=True, slots=True)
+class Beside:
+    """What is written beside all chains has a turn of its own: nobody is kept out by who writes a survey."""
+
+    turn: str
+
+
+#: Who signs in is noted; what a request was answered is kept, for when it is sent again.
+SIGN_IN, ANSWERS = Beside("/sign-in"), Beside("/answers")
 
 
 @contextmanager
 def writing(
-    factory: SessionFactory, within: InSurvey | SignIn | None = None, *, unsynced: bool = False
+    factory: SessionFactory, within: InSurvey | Beside | None = None, *, unsynced: bool = False
 ) -> Iterator[Session]:
     """A session that may write; commits at the end, rolls back on any error.
 
     It is the only one that does. Within a survey (whose rows, chain and nothing else it changes) it is on
-    PostgreSQL the only one of that survey, and others are written meanwhile; with `SIGN_IN` (which changes no
-    chain) the only one that signs in. An `unsynced` one is not yet sure to outlast a power cut: call `sync`
-    before anybody is told. Raises DatabaseAway where its turn, or an answer, does not come in time.
+    PostgreSQL the only one of that survey, and others are written meanwhile; with `SIGN_IN` or `ANSWERS`
+    (which change no chain) the only one of that kind. An `unsynced` one is not yet sure to outlast a power
+    cut: call `sync` before anybody is told. Raises DatabaseAway where its turn, or an answer, does not come
+    in time.
     """
     if engine_of(factory).dialect.name == "sqlite":
         with _sqlite_writer, _write(factory, within, unsynced) as session:
@@ -302,7 +311,7 @@ def _sync_log(log: Path) -> None:
 
 
 @contextmanager
-def _write(factory: SessionFactory, within: InSurvey | SignIn | None, unsynced: bool) -> Iterator[Session]:
+def _write(factory: SessionFactory, within: InSurvey | Beside | None, unsynced: bool) -> Iterator[Session]:
     session = factory()
     try:
         with explained():
@@ -318,7 +327,7 @@ def _write(factory: SessionFactory, within: InSurvey | SignIn | None, unsynced: 
         session.close()
 
 
-def _await_turn(session: Session, within: InSurvey | SignIn | None, unsynced: bool) -> None:
+def _await_turn(session: Session, within: InSurvey | Beside | None, unsynced: bool) -> None:
     """Wait for the turn to write; SQLite's BEGIN IMMEDIATE has done it already."""
     limits = _limits()
     idle_s, answer_s = float(session.info.get("idle_s", LONG_IDLE_S)), limits.LONG_WRITE_S
@@ -328,8 +337,8 @@ def _await_turn(session: Session, within: InSurvey | SignIn | None, unsynced: bo
     everything = {**_EVERYTHING, "idle_ms": str(round(idle_s * 1000))}
     if within is None:
         session.execute(_ALONE_LATER if unsynced else _ALONE_NOW, everything)
-    elif within == SIGN_IN:
-        session.execute(_ALONE_NOW, {**everything, "turn": "/sign-in"})
+    elif isinstance(within, Beside):
+        session.execute(_ALONE_LATER if unsynced else _ALONE_NOW, {**everything, "turn": within.turn})
     else:
         table, number = (within.table, within.id) if isinstance(within, SurveyOf) else (None, within)
         session.execute(_turn_in_survey(table, unsynced), {**everything, "number": number})

@@ -106,7 +106,11 @@ class Saying(CanonicalJson):
     cache_ok = True
 
     def process_result_value(self, value: str | None, dialect: Dialect) -> Any:
-        read = super().process_result_value(value, dialect)
+        return self.said(super().process_result_value(value, dialect))
+
+    @staticmethod
+    def said(read: Any) -> Any:
+        """What was stored, a text of an earlier program too, as `Said`."""
         return [Said.read(one) for one in read] if isinstance(read, list) else read and Said.read(read)
 
 

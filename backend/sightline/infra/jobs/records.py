@@ -4,14 +4,16 @@ from dataclasses import dataclass
 from datetime import datetime
 
 from sightline.enums import JobState, JsonObject
+from sightline.messages.said import Said
 
 
 @dataclass(frozen=True, slots=True)
 class Job:
     """A piece of long work; the job table owns the truth about it.
 
-    `error`: why it failed, in English; `said`: the code and the values of that sentence. `outages`: how often
-    the database or the storage was away while it was done; it is begun again `not_before` then.
+    `message`: what is being done. `error`: why it failed, in English; `said`: the code and the values of that
+    sentence. `outages`: how often the database or the storage was away while it was done; it is begun again
+    `not_before` then.
     """
 
     id: int
@@ -19,7 +21,7 @@ class Job:
     state: JobState
     payload: JsonObject
     progress: float
-    message: str
+    message: Said | None
     error: str | None
     said: JsonObject | None
     result: JsonObject | None

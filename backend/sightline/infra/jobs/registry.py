@@ -21,6 +21,7 @@ from sightline.errors import BadInput, Conflict, SightlineError
 from sightline.infra.jobs.engine import engine_of_session
 from sightline.infra.jobs.records import Job
 from sightline.infra.jobs.store import create_job, request_job_cancel
+from sightline.messages.said import Said
 
 if TYPE_CHECKING:
     from sightline.infra.services import Services
@@ -41,7 +42,7 @@ class JobContext:
 
     job: Job
     services: Services
-    report: Callable[[float, str], None]
+    report: Callable[[float, Said | None], None]
     cancelled: Callable[[], bool]
 
     @property
@@ -54,7 +55,7 @@ class JobContext:
         """Who asked for it; pass it on as the actor of every write."""
         return self.job.created_by
 
-    def progress(self, fraction: float, message: str = "") -> None:
+    def progress(self, fraction: float, message: Said | None = None) -> None:
         """Say how far the job is (0 to 1). Raises Cancelled if it is to stop, JobLost if another has it."""
         self.report(fraction, message)
 

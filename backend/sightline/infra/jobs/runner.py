@@ -25,6 +25,7 @@ from sightline.infra.jobs.store import (
     note_progress,
 )
 from sightline.infra.services import Services
+from sightline.messages.said import Said
 
 log = logging.getLogger("sightline.jobs")
 
@@ -114,7 +115,8 @@ class Watch:
 
     def __init__(self, sessions: SessionFactory, job: Job, stopping: threading.Event) -> None:
         self._sessions, self._job, self._stopping = sessions, job, stopping
-        self._progress = self._stored = (0.0, "")
+        self._progress: tuple[float, Said | None] = (0.0, None)
+        self._stored: tuple[float, Said | None] = self._progress
         self._hold = Hold(True, False)
         self._ended = threading.Event()
         self._thread = threading.Thread(target=self._keep, name=f"watch-{job.id}", daemon=True)
@@ -127,7 +129,7 @@ class Watch:
         self._ended.set()
         self._thread.join()
 
-    def report(self, fraction: float, message: str) -> None:
+    def report(self, fraction: float, message: Said | None) -> None:
         """Note the progress; the thread stores it. Raises Cancelled or JobLost."""
         self._progress = (min(max(fraction, 0.0), 1.0), message or self._progress[1])
         if not self._hold.held:

@@ -20,6 +20,7 @@ from sightline.infra.database.rows import add_row, change_row, get_row
 from sightline.infra.database.types import now
 from sightline.infra.jobs.records import Job
 from sightline.infra.jobs.tables import jobs
+from sightline.messages.said import Said
 
 MAX_ATTEMPTS = 3
 #: how long a job waits for the database or the storage at first, and at most
@@ -58,7 +59,7 @@ def create_job(
     }
     of = {"scan_id": scan_id, "study_id": study_id}
     content |= {name: id_ for name, id_ in of.items() if id_ is not None}
-    stamps = {"state": "queued", "progress": 0.0, "message": "", "attempts": 0}
+    stamps = {"state": "queued", "progress": 0.0, "attempts": 0}
     job_id = add_row(session, jobs, {**content, **stamps, "created_at": now(), "created_by": actor})
     trail.record(session, actor, "create", "job", job_id, survey_id, None, content)
     return get_job(session, job_id)
@@ -120,7 +121,7 @@ def request_job_cancel(session: Session, job_id: int, *, actor: int | None) -> J
     if before.state not in ("queued", "running"):
         raise Conflict("jobs-job-already-nothing-cancel", job_id=job_id, state=before.state)
     if before.state == "queued":
-        change: dict[str, Any] = {"state": "cancelled", "finished_at": now(), "message": "Cancelled."}
+        change: dict[str, Any] = {"state": "cancelled", "finished_at": now(), "message": None}
     else:
         change = {"cancel_requested": True}
     change_row(session, jobs, job_id, change)
@@ -152,7 +153,7 @@ def check_hold(session: Session, job: Job) -> Hold:
     return Hold(row is not None, row is not None and bool(row[0]))
 
 
-def note_progress(session: Session, job: Job, fraction: float, message: str) -> Hold:
+def note_progress(session: Session, job: Job, fraction: float, message: Said | None) -> Hold:
     """Store how far the job is (0 to 1)."""
     change = update(jobs).where(*_held(job)).values(progress=fraction, message=message)
     row = session.execute(change.returning(jobs.c.cancel_requested)).first()
@@ -172,7 +173,7 @@ def fail_job(session: Session, job: Job, error: SightlineError) -> Job:
 
 def job_cancelled(session: Session, job: Job) -> Job:
     """The worker stopped because it was asked to. Raises JobLost."""
-    return _end(session, job, "cancelled", {"message": "Cancelled."})
+    return _end(session, job, "cancelled", {"message": None})
 
 
 def running_jobs(session: Session, *, worker: str | None = None) -> tuple[Job, ...]:
@@ -193,14 +194,14 @@ def queued_jobs(session: Session) -> dict[int, str]:
 def requeue_job(session: Session, job: Job) -> Job:
     """Give the job of a dead worker to the next one. Raises JobLost if it moved on meanwhile."""
     change: dict[str, Any] = {"state": "queued", "worker": None, "progress": 0.0}
-    change["message"] = "The job was interrupted and is started again."
+    change["message"] = Said("job-begun-again")
     return _back(session, job, change, "requeue")
 
 
 def release_job(session: Session, job: Job) -> Job:
     """Put a job back because its worker shuts down; that attempt does not count. Raises JobLost."""
     change: dict[str, Any] = {"state": "queued", "worker": None, "progress": 0.0}
-    change |= {"attempts": job.attempts - 1, "message": "Waiting to be started again."}
+    change |= {"attempts": job.attempts - 1, "message": Said("job-waits-to-begin-again")}
     return _back(session, job, change, "release")
 
 
@@ -212,7 +213,7 @@ def postpone_job(session: Session, job: Job) -> Job:
     pause = min(FIRST_PAUSE * 2 ** min(job.outages, 16), LONGEST_PAUSE)
     change: dict[str, Any] = {"state": "queued", "worker": None, "progress": 0.0}
     change |= {"attempts": job.attempts - 1, "outages": job.outages + 1, "not_before": now() + pause}
-    change["message"] = "The database or the storage does not answer; the job is tried again by itself."
+    change["message"] = Said("job-tried-again")
     return _back(session, job, change, "release")
 
 

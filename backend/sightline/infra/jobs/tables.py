@@ -17,6 +17,7 @@ from sqlalchemy import (
 from sightline.enums import JobState
 from sightline.infra.database.types import (
     CanonicalJson,
+    Saying,
     UtcDateTime,
     enum_check,
     identity,
@@ -32,7 +33,7 @@ jobs = Table(
     Column("state", String(20), nullable=False),
     Column("payload", CanonicalJson, nullable=False),
     Column("progress", Float, nullable=False),
-    Column("message", Text, nullable=False),
+    Column("message", Saying),
     # why it failed, in English, and the key and the values of that sentence
     Column("error", Text),
     Column("said", CanonicalJson),

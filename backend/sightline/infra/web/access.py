@@ -42,7 +42,6 @@ THINGS: Mapping[str, str] = {
     "scans": "scans",
     "scan-vehicles": "scan_vehicles",
     "scan-measurements": "scan_measurements",
-    "line-heights": "measurement_series",
     "exports": "exports",
     "jobs": "jobs",
     "studies": "studies",

@@ -5,9 +5,10 @@ import time
 from collections.abc import Callable
 from dataclasses import dataclass
 from datetime import datetime
-from typing import Protocol
+from typing import Annotated, Protocol
 
 from cachetools import TTLCache
+from pydantic import Field
 from starlette.datastructures import Headers
 
 from sightline.enums import Scope
@@ -25,16 +26,24 @@ MOST_TOKENS = 4096
 
 
 @dataclass(frozen=True, slots=True)
-class ApiToken:
+class ApiTokenFacts:
     """A token of a person's own: what it may do, and until when."""
 
     id: int
-    person_id: int
     name: str
     scopes: tuple[Scope, ...]
     created_at: datetime
     expires_at: datetime
-    last_used_at: datetime | None
+    last_used_at: Annotated[
+        datetime | None, Field(description="To the minute or so: not each request is noted.")
+    ]
+
+
+@dataclass(frozen=True, slots=True)
+class ApiToken(ApiTokenFacts):
+    """One with whose it is."""
+
+    person_id: int
 
 
 class TokenStore(Protocol):

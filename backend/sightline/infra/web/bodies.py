@@ -6,6 +6,7 @@ from typing import Annotated, Any
 from pydantic import BaseModel, ConfigDict, Field, field_validator
 
 from sightline.enums import JobState
+from sightline.messages.said import Said, SaidDocument
 
 Finite = Annotated[float, Field(allow_inf_nan=False)]
 Point = Annotated[tuple[Finite, Finite], Field(examples=[[320.5, 240.25]])]
@@ -55,21 +56,16 @@ class ErrorBody(Out):
     current: Any | None = None  # left out where nothing is there, and the description says so (`openapi`)
 
 
-class SaidBody(Out):
-    code: str = Field(description="The sentence's name in the catalogue of messages.")
-    values: dict[str, str | int | float] = Field(description="What the sentence holds.")
-
-
 class JobBody(Out):
     id: int
     kind: str
     state: JobState
     progress: float
-    message: str
+    message: Said | None
     error: Annotated[
         str | None, Field(description="Why it failed, in the language of the request where that has it.")
     ]
-    said: SaidBody | None
+    said: SaidDocument | None
     result: dict[str, Any] | None
     survey_id: int | None
     recording_id: int | None

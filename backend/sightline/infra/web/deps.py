@@ -25,6 +25,7 @@ from sqlalchemy.orm import Session
 from sightline.enums import ActingRole, Scope
 from sightline.errors import NotAllowed, NotSignedIn
 from sightline.infra.database.engine import SurveyOf
+from sightline.infra.idempotency.request import keyed_request
 from sightline.infra.services import Services
 from sightline.infra.web.access import RANK, Access
 from sightline.infra.web.bearer import Bearers, bearer_of
@@ -105,8 +106,16 @@ async def asking(request: Request) -> Asking:
     if bearer_of(request.headers) is None:
         known: Person | None = request.app.state.sign_in.known_person_of(request)
         if known is not None:
-            return Asking(known)
-    return await run_in_threadpool(_asking, request)
+            return _noted(Asking(known))
+    return _noted(await run_in_threadpool(_asking, request))
+
+
+def _noted(asking: Asking) -> Asking:
+    """A request that bears a key is known by who asks."""
+    request = keyed_request()
+    if request is not None:
+        request.person_id = asking.person.id
+    return asking
 
 
 def _asking(request: Request) -> Asking:

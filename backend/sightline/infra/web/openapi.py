@@ -14,7 +14,9 @@ VERSION = version("sightline").partition("+")[0]
 DESCRIPTION = (
     "Heights of vehicles from roadside video, with their uncertainty and an audit trail. "
     "Sign in with POST /api/session; every request that changes something carries the header "
-    '`X-Sightline: 1`. Every error is `{"error": {"kind", "code", "values", "message"}}` with one '
+    "`X-Sightline: 1`. With an `Idempotency-Key` of its own it may be sent again when no answer came: it is "
+    "stored once, and answered as the first time. "
+    'Every error is `{"error": {"kind", "code", "values", "message"}}` with one '
     "sentence that says what is wrong and what to do."
 )
 

@@ -10,8 +10,8 @@ Seen = frozenset[int] | None
 
 
 @dataclass(frozen=True, slots=True)
-class Person:
-    """An account. `session_key` changes when every signed-in session of theirs must end."""
+class PersonFacts:
+    """What is told of an account."""
 
     id: int
     name: str
@@ -21,6 +21,12 @@ class Person:
     created_at: datetime
     last_seen_at: datetime | None
     has_password: bool
+
+
+@dataclass(frozen=True, slots=True)
+class Person(PersonFacts):
+    """An account. `session_key` changes when every signed-in session of theirs must end."""
+
     session_key: int
 
 

@@ -23,7 +23,7 @@ _API = "/api/"
 SENTENCES = frozenset(
     {
         "advice", "caution", "cited_by", "consequence", "error", "flags", "message", "misalignment_words",
-        "misfits", "notes", "order", "order_note", "paper_note", "problem", "reason", "reasons", "reshoot",
+        "misfits", "notes", "order", "paper_note", "problem", "reason", "reasons", "reshoot",
         "summary", "values", "vehicle_class", "verdict", "warning", "warnings", "words",
     }
 )  # fmt: skip

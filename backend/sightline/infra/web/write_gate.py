@@ -5,7 +5,8 @@ from collections import deque
 from collections.abc import AsyncIterator, Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import AbstractContextManager, asynccontextmanager
-from dataclasses import dataclass
+from contextvars import Context, copy_context
+from dataclasses import dataclass, field
 from typing import Any, TypeVar, cast
 
 import anyio
@@ -22,12 +23,16 @@ MOST_TOGETHER = 16
 
 @dataclass(slots=True, eq=False)
 class _Write:
-    """A transaction that waits to be done: for which request, of which survey, what it does."""
+    """A transaction that waits to be done: for which request, of which survey, what it does.
+
+    `asked_in`: what is known of the request, on whichever thread it is done.
+    """
 
     services: Services
     survey: InSurvey
     work: Callable[[Session], Any]
     answer: "asyncio.Future[Any]"
+    asked_in: Context = field(default_factory=copy_context)
     result: Any = None
     error: Exception | None = None
 
@@ -149,7 +154,7 @@ def _write_each(some: Sequence[_Write], unsynced: bool) -> None:
     for one in some:
         try:
             with one.services.writing(one.survey, unsynced=unsynced) as session:
-                one.result = one.work(session)
+                one.result = one.asked_in.run(one.work, session)
         except Exception as error:
             one.error = error
 

@@ -136,22 +136,23 @@ class StripReader:
 
 
 class ReaderCache:
-    """Open readers by path, the most recently used 16. Stored forms never change, so they stay right.
+    """Open readers, the most recently used 16. Stored forms never change, so they stay right. Scans
+    that share a strip but not the camera's depth, which a pair tells, have a reader each.
 
     One that is pushed out is not closed here: another thread may be reading it. It closes its file when
     nobody holds it any more. Thread-safe.
     """
 
     def __init__(self) -> None:
-        self._readers: LRUCache[Path, StripReader] = LRUCache(_MOST_OPEN)
+        self._readers: LRUCache[tuple[Path, int], StripReader] = LRUCache(_MOST_OPEN)
         self._lock = threading.Lock()
 
     def reader(self, path: Path, name: str | None = None, bits: int = 8) -> StripReader:
         """The reader of a stored strip. Raises like StripReader."""
         with self._lock:
-            kept = self._readers.get(path)
+            kept = self._readers.get((path, bits))
         if kept is not None:
             return kept
         fresh = StripReader(path, name, bits)
         with self._lock:
-            return self._readers.setdefault(path, fresh)
+            return self._readers.setdefault((path, bits), fresh)

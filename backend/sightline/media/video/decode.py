@@ -16,6 +16,7 @@ from av.video.stream import VideoStream
 from sightline.errors import BadInput
 from sightline.media.video.picture import Gray, Layout, layout_of, upright_gray
 from sightline.media.video.sniff import why_not_video
+from sightline.messages.said import Said
 
 FORMATS = "mov,mp4,m4a,3gp,3g2,mj2,matroska,webm,avi,mpegts,mpeg,h264,hevc"
 MAX_SIDE_PX = 16_384
@@ -37,11 +38,19 @@ class Picture:
     still: bool
     off: bool
 
-    @property
-    def words(self) -> str:
-        """As "h264, 640x480"."""
-        told = ["unknown codec"] if self.codec is None else [self.codec, f"{self.width_px}x{self.height_px}"]
-        return ", ".join(told + ["a still picture"] * self.still + ["switched off"] * self.off)
+    def said(self, number: int) -> Said:
+        """As "2 (h264, 640x480)"."""
+        if self.codec is None:
+            return Said("video-track-unknown", number=number)
+        states = [name for name, holds in (("still", self.still), ("off", self.off)) if holds]
+        return Said(
+            "video-track",
+            number=number,
+            codec=self.codec,
+            width_px=self.width_px,
+            height_px=self.height_px,
+            kind="_".join(states) or "moving",
+        )
 
 
 @dataclass(frozen=True)
@@ -76,16 +85,16 @@ class VideoFacts:
     pictures: tuple[Picture, ...] = ()
 
     @property
-    def layout_note(self) -> str | None:
-        """In words, what was done to the decoded picture to show it upright; None if nothing."""
+    def shown_upright(self) -> list[Said]:
+        """What was done to the decoded picture to show it upright; empty if nothing."""
         done = []
         if self.sample_aspect != 1:
-            done.append(f"stretched for pixels of {self.sample_aspect}")
+            done.append(Said("video-stretched", aspect=str(self.sample_aspect)))
         if self.rotation_deg:
-            done.append(f"turned by {self.rotation_deg} degrees clockwise")
+            done.append(Said("video-turned", degrees=self.rotation_deg))
         if self.mirrored:
-            done.append("mirrored")
-        return " and ".join(done) or None
+            done.append(Said("video-mirrored"))
+        return done
 
 
 @dataclass

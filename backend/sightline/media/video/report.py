@@ -1,4 +1,4 @@
-"""What an ingest noticed about a recording, as counts and in words that an operator reads."""
+"""What an ingest noticed about a recording, as counts and in sayings for an operator."""
 
 from __future__ import annotations
 
@@ -13,6 +13,7 @@ from sightline.media.video.decode import Damage, VideoFacts
 from sightline.media.video.remux import WorkingCopy
 from sightline.media.video.sniff import Extent
 from sightline.media.video.stated import Stated
+from sightline.messages.said import Said, listed, with_commas
 
 RATE_TOLERANCE = 0.02
 ROUNDING = 1.001
@@ -36,7 +37,7 @@ class IngestReport:
 
     `unordered`: frames whose time stamp is not later than the one before. `damaged`: something could not
     be read. `rate_hz` is measured from the time stamps (None for fewer than two frames). `notes`:
-    sentences for people.
+    what people should know.
     """
 
     vfr: bool
@@ -44,7 +45,7 @@ class IngestReport:
     unordered: int
     damaged: bool
     rate_hz: float | None
-    notes: tuple[str, ...]
+    notes: tuple[Said, ...]
     clock_doubt: ClockDoubt | None = None
 
 
@@ -127,12 +128,9 @@ def times_of_filming(time_s: NDArray[np.float64], filmed_hz: float, name: str = 
     return time_s * (played_hz / filmed_hz)
 
 
-def _filmed_notes(filmed_hz: float, time_s: NDArray[np.float64]) -> list[str]:
+def _filmed_notes(filmed_hz: float, time_s: NDArray[np.float64]) -> list[Said]:
     played_hz = _played_hz(time_s) or 0.0
-    return [
-        f"Filmed at {filmed_hz:.6g} frames per second, as entered; the file plays {played_hz:.4g} "
-        "per second. Times are those of filming."
-    ]
+    return [Said("video-filmed-at", filmed_hz=_figures(filmed_hz, 6), played_hz=_figures(played_hz, 4))]
 
 
 def _played_hz(time_s: NDArray[np.float64]) -> float | None:
@@ -143,32 +141,28 @@ def _played_hz(time_s: NDArray[np.float64]) -> float | None:
     return 1.0 / step_s if step_s > 0 else float("inf")
 
 
-def _clock_notes(doubt: ClockDoubt | None, time_s: NDArray[np.float64], stated: Stated) -> list[str]:
+def _clock_notes(doubt: ClockDoubt | None, time_s: NDArray[np.float64], stated: Stated) -> list[Said]:
     played_hz = _played_hz(time_s)
     if doubt is None or played_hz is None:
         return []
     if doubt == "no_rate":
-        return [
-            f"The file states no frame rate: {played_hz:.4g} frames per second are assumed. Its times are "
-            "unreliable, so no motion is measured from them."
-        ]
+        return [Said("video-no-rate", played_hz=_figures(played_hz, 4))]
     if doubt == "impossible_rate":
-        rate = "infinitely many" if played_hz == float("inf") else f"{played_hz:.6g}"
-        return [
-            f"The time stamps give {rate} frames per second, which no camera films. Its times are "
-            "unreliable, so no motion is measured from them."
-        ]
+        if played_hz == float("inf"):
+            return [Said("video-impossible-rate-endless")]
+        return [Said("video-impossible-rate", played_hz=_figures(played_hz, 6))]
     if stated.filmed_hz is None:
-        how = "The file is marked as slow motion"
-    else:
-        how = f"The file states that it was filmed at {stated.filmed_hz:.4g} frames per second"
-    return [
-        f"{how}; it plays {played_hz:.4g} frames per second. Heights from single frames are valid, but no "
-        "motion is measured until you enter the filming rate."
-    ]
+        return [Said("video-slow-motion", played_hz=_figures(played_hz, 4))]
+    stated_hz = _figures(stated.filmed_hz, 4)
+    return [Said("video-slow-motion-at", filmed_hz=stated_hz, played_hz=_figures(played_hz, 4))]
 
 
-def _gap_notes(time_s: NDArray[np.float64]) -> list[str]:
+def _figures(value: float, count: int) -> float:
+    """Rounded to so many significant figures."""
+    return float(f"{value:.{count}g}")
+
+
+def _gap_notes(time_s: NDArray[np.float64]) -> list[Said]:
     """Where pictures are missing, as after lost packets or between two recordings in one file."""
     steps = np.diff(np.sort(time_s))
     if len(steps) < 3:
@@ -177,22 +171,16 @@ def _gap_notes(time_s: NDArray[np.float64]) -> list[str]:
     if len(gaps) == 0:
         return []
     longest = int(gaps[np.argmax(steps[gaps])])
-    count = "one gap" if len(gaps) == 1 else f"{len(gaps)} gaps"
-    return [f"Frames are missing: {count}, the longest {steps[longest]:.2f} s after frame {longest}."]
+    return [Said("video-gaps", count=len(gaps), gap_s=round(float(steps[longest]), 2), frame=longest)]
 
 
-def _extent_notes(extent: Extent, time_s: NDArray[np.float64]) -> list[str]:
+def _extent_notes(extent: Extent, time_s: NDArray[np.float64]) -> list[Said]:
     notes = []
     if extent.missing:
-        notes.append(
-            f"The file is truncated: {extent.missing} bytes are missing at its end. {len(time_s)} frames "
-            f"({float(time_s.max()):.2f} s) were imported; copy it again for the rest."
-        )
+        span_s = round(float(time_s.max()), 2)
+        notes.append(Said("video-truncated", missing=extent.missing, count=len(time_s), span_s=span_s))
     if extent.another:
-        notes.append(
-            "The file contains another recording after this one, which is not imported. Split the file and "
-            "add each part."
-        )
+        notes.append(Said("video-another-recording-after"))
     return notes
 
 
@@ -214,25 +202,28 @@ def _rate_hz(time_s: NDArray[np.float64]) -> float | None:
     return (len(time_s) - 1) / span_s if span_s > 0 else None
 
 
-def _shape_notes(facts: VideoFacts) -> list[str]:
+def _shape_notes(facts: VideoFacts) -> list[Said]:
     notes = []
     if facts.pictures:
         numbered = list(enumerate(facts.pictures, start=1))
-        others = [f"{number} ({one.words})" for number, one in numbered if number != facts.stream]
-        count = "another video track" if len(others) == 1 else f"{len(others)} other video tracks"
+        others = [one.said(number) for number, one in numbered if number != facts.stream]
         notes.append(
-            f"The file contains {count}: {', '.join(others)}; track {facts.stream} ({facts.codec}, "
-            f"{facts.width_px}x{facts.height_px}) was imported."
+            Said(
+                "video-other-tracks",
+                count=len(others),
+                others=with_commas(others),
+                stream=facts.stream,
+                codec=facts.codec,
+                width_px=facts.width_px,
+                height_px=facts.height_px,
+            )
         )
-    if facts.layout_note:
-        notes.append(f"The frames were {facts.layout_note}, as their header states.")
+    if facts.shown_upright:
+        notes.append(Said("video-shown-upright", done=listed(facts.shown_upright)))
     if facts.left_turned_deg > LEAST_TURN_DEG:
-        notes.append(
-            f"The header asks for a further rotation by {facts.left_turned_deg:.0f} degrees, which is not "
-            "applied: only quarter turns keep the pixels as filmed."
-        )
+        notes.append(Said("video-not-turned", degrees=round(facts.left_turned_deg)))
     if facts.interlaced:
-        notes.append("The recording is interlaced: moving edges are combed, prefer a progressive recording.")
+        notes.append(Said("video-interlaced"))
     return notes
 
 
@@ -242,79 +233,54 @@ def _time_notes(
     rate: float | None,
     vfr: bool,
     copy: WorkingCopy | None,
-) -> list[str]:
+) -> list[Said]:
     notes = []
     if copy is not None and copy.assumed_rate_hz is None:
-        notes.append(
-            "Frames are served from a working copy with an index; they are identical to the original's."
-        )
+        notes.append(Said("video-working-copy"))
     if copy is not None and copy.assumed_rate_hz is not None:
-        notes.append(
-            "The stream holds no usable time stamps: "
-            f"{copy.assumed_rate_hz:.6g} frames per second are assumed, so do not trust its times."
-        )
+        notes.append(Said("video-no-time-stamps", rate_hz=_figures(copy.assumed_rate_hz, 6)))
     if vfr:
         steps = np.diff(np.sort(time_s))
-        notes.append(
-            f"The frame rate varies: {steps.min():.4f} to {steps.max():.4f} s between frames; "
-            "times come from the time stamps."
-        )
+        least_s, most_s = round(float(steps.min()), 4), round(float(steps.max()), 4)
+        notes.append(Said("video-rate-varies", least_s=least_s, most_s=most_s))
     if rate and facts.rate_hz and not vfr and abs(facts.rate_hz / rate - 1) > RATE_TOLERANCE:
-        notes.append(
-            f"The header states {facts.rate_hz:.4g} frames per second, the time stamps give "
-            f"{rate:.4g}; the time stamps are used."
-        )
+        stated_hz = _figures(facts.rate_hz, 4)
+        notes.append(Said("video-other-rate", stated_hz=stated_hz, rate_hz=_figures(rate, 4)))
     return notes
 
 
-def _order_notes(duplicates: int, unordered: int) -> list[str]:
+def _order_notes(duplicates: int, unordered: int) -> list[Said]:
     notes = []
     if duplicates:
-        notes.append(f"{duplicates} {_frames(duplicates)} the same image as the one before.")
+        notes.append(Said("video-same-image", count=duplicates))
     if unordered:
-        notes.append(
-            f"{unordered} {_frames(unordered)} a time stamp not later than the one before; "
-            "the times were sorted."
-        )
+        notes.append(Said("video-not-later", count=unordered))
     return notes
 
 
-def _frames(count: int) -> str:
-    return "frame has" if count == 1 else "frames have"
-
-
-def _damage_notes(facts: VideoFacts, count: int, damage: Damage) -> list[str]:
+def _damage_notes(facts: VideoFacts, count: int, damage: Damage) -> list[Said]:
     notes = []
     claimed = facts.reported_frames
     if damage.reads:
-        notes.append(f"The file could not be read to its end; {count} frames were found before that.")
+        notes.append(Said("video-unreadable-end", count=count))
     if damage.packets:
-        packets = "damaged packet was" if damage.packets == 1 else "damaged packets were"
-        notes.append(f"{damage.packets} {packets} skipped; frames are missing there.")
+        notes.append(Said("video-packets-damaged", count=damage.packets))
     if damage.patched:
-        frames = "frame is" if len(damage.patched) == 1 else "frames are"
-        notes.append(
-            f"{len(damage.patched)} {frames} damaged and completed by the decoder, the first one at "
-            f"{damage.patched[0]}; do not measure there."
-        )
+        notes.append(Said("video-frames-patched", count=len(damage.patched), first=damage.patched[0]))
     if damage.other_size:
-        notes.append(f"{damage.other_size} frames of another size were skipped.")
+        notes.append(Said("video-other-size-skipped", count=damage.other_size))
     if claimed is not None and claimed != count:
-        notes.append(
-            f"The header states {claimed} frames, {count} could be decoded; frame numbers refer to these."
-        )
+        notes.append(Said("video-other-count", claimed=claimed, count=count))
     return notes
 
 
-def _duration_notes(facts: VideoFacts, pts: NDArray[np.int64], time_s: NDArray[np.float64]) -> list[str]:
+def _duration_notes(facts: VideoFacts, pts: NDArray[np.int64], time_s: NDArray[np.float64]) -> list[Said]:
     """Where the header counts no frames, its duration alone tells that some are gone."""
     if facts.reported_frames is not None or not _cut_short(facts, pts, time_s):
         return []
     end_s = _end_s(facts, pts, time_s)
-    return [
-        f"The header states {facts.duration_s:.1f} s, the frames end after {end_s:.1f} s; the file "
-        "may be truncated."
-    ]
+    duration_s = round(facts.duration_s or 0.0, 1)
+    return [Said("video-ends-early", duration_s=duration_s, end_s=round(end_s, 1))]
 
 
 def _cut_short(facts: VideoFacts, pts: NDArray[np.int64], time_s: NDArray[np.float64]) -> bool:

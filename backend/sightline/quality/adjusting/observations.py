@@ -13,6 +13,7 @@ from sightline.infra.database import Session
 from sightline.measurements.height_of_clicks import DEFAULT_SIGMA_PX
 from sightline.measurements.records import VehicleSheet
 from sightline.measurements.sheets.query import list_sheets
+from sightline.messages.said import Said
 from sightline.quality.adjusting.records import LeftOutVehicle
 from sightline.quality.checks.records import WheelPair
 from sightline.quality.checks.store import list_wheel_pairs
@@ -22,7 +23,7 @@ from sightline.vehicles.catalogue.store import catalogue_of_models
 from sightline.vehicles.records import is_reference
 
 _SAME_LENGTH_M = 1e-4
-_BY_SIZE = "Its model was chosen by its sizes, so what is known of the model is no reference."
+_BY_SIZE = Said("adjustment-model-by-size")
 _CROWNS = {(inset, u) for _, inset, u in INSET_CHOICES.get("roof", ())[1:]}
 
 
@@ -89,21 +90,21 @@ def _tyres(
     pair: WheelPair | None,
     models: Mapping[tuple[str, str], list[CatalogueEntry]],
     u_wheelbase_m: float,
-) -> ObservedPass | str | None:
+) -> ObservedPass | Said | None:
     """Both tyres with the wheelbase of the model; why not; None where nobody clicked them."""
     if pair is None:
         return None
     if not vehicle.make or not vehicle.model:
-        return "Its make and model are not filled in, so its wheelbase is unknown."
+        return Said("adjustment-no-model")
     if not is_reference(vehicle.model_chosen_by):
         return _BY_SIZE
     entries = models.get((vehicle.make.lower(), vehicle.model.lower()), [])
     fitting = [one for one in entries if one.wheelbase_m is not None and one.built_in(vehicle.year)]
     lengths = [one.wheelbase_m for one in fitting if one.wheelbase_m is not None]
     if not lengths:
-        return "The catalogue has no wheelbase of this model and year."
+        return Said("adjustment-no-wheelbase")
     if max(lengths) - min(lengths) > _SAME_LENGTH_M:
-        return "The catalogue has several wheelbases of this model; fill in the year."
+        return Said("adjustment-several-wheelbases")
     u_m = fitting[0].u_wheelbase_m
     return ObservedPass(
         name=f"{vehicle.number} tyres",
@@ -115,18 +116,18 @@ def _tyres(
     )
 
 
-def _roof(vehicle: VehicleSheet) -> ObservedPass | str | None:
+def _roof(vehicle: VehicleSheet) -> ObservedPass | Said | None:
     """The roof with its known height and inset; why not; None where nobody measured it."""
     made = next((one for one in vehicle.measurements if one.values.target == "roof"), None)
     if made is None or made.review.verdict == "rejected":
         return None
     if vehicle.manufacturer_height_m is None:
-        return "The manufacturer's height is not filled in."
+        return Said("adjustment-no-height")
     if vehicle.reference_m is None:
         return _BY_SIZE
     values = made.values
     if values.inset_m is None or values.u_inset_m is None or (values.inset_m, values.u_inset_m) in _CROWNS:
-        return "The roof was not clicked at its near edge."
+        return Said("adjustment-roof-not-near-edge")
     frames = np.repeat(np.array(values.frames), 2)
     points = [point for both in zip(values.contacts, values.target_points, strict=True) for point in both]
     return ObservedPass(

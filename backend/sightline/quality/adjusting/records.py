@@ -7,6 +7,7 @@ from pydantic import Field
 
 from sightline.adjustment.adjust import Moved
 from sightline.enums import Target
+from sightline.messages.said import Said
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -27,7 +28,7 @@ class LeftOutVehicle:
     vehicle_id: int
     number: int
     what: Annotated[str, Field(description="tyres or roof")]
-    reason: str
+    reason: Said
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -65,7 +66,7 @@ class PoseAdjustment:
     known: KnownUncertainties
     tyres: Annotated[int, Field(description="Vehicles with both tyres clicked and a known wheelbase.")]
     roofs: Annotated[int, Field(description="Vehicles with a measured roof and a known height.")]
-    reason: str | None = None
+    reason: Said | None = None
     passes: int = 0
     used: int = 0
     left_out: tuple[LeftOutVehicle, ...] = ()
@@ -73,7 +74,7 @@ class PoseAdjustment:
     degrees_of_freedom: int = 0
     chi2_limit: float | None = None
     moved: tuple[Moved, ...] = ()
-    notes: tuple[str, ...] = ()
+    notes: tuple[Said, ...] = ()
     without_model: tuple[WithoutModel, ...] = ()
     heights: tuple[AdjustedHeight, ...] = ()
     largest_change_m: float | None = None

@@ -20,6 +20,7 @@ from sightline.measurements.height_of_clicks import measured_frames, measured_pa
 from sightline.measurements.records import Measurement, MeasurementValues
 from sightline.measurements.service import clicked_again, road_pose
 from sightline.measurements.store import list_measurements
+from sightline.messages.said import Said
 from sightline.poses.records import Pose
 from sightline.poses.service import Solved, described
 from sightline.poses.store import get_pose
@@ -68,17 +69,14 @@ def _checked(
     )
     if stored.adjusted_from is not None:
         # the traffic is in its covariance already; used twice it would count as twice as much
-        return replace(empty, reason="This pose is already adjusted to the traffic."), None
+        return replace(empty, reason=Said("adjustment-done-before")), None
     if not seen.seen:
-        reason = (
-            "No lengths are known yet: click both tyres of vehicles of a known model, or measure their roofs."
-        )
-        return replace(empty, reason=reason), None
+        return replace(empty, reason=Said("adjustment-no-lengths-yet")), None
     pose = road_pose(session, pose_id)
     try:
         found = _adjusted(pose, seen.seen, known)
     except BadInput as refused:
-        return replace(empty, reason=refused.message), None
+        return replace(empty, reason=refused.said), None
     heights = _heights(session, stored.survey_id, pose, found.pose, seen.numbers)
     return _told(empty, pose, seen, found, heights), found
 
@@ -214,7 +212,8 @@ def put_in_force(
     """
     told, found = _checked(session, pose_id, known)
     if found is None or found.used == 0:
-        raise BadInput("said", sentence=told.reason or "No pass with a known length could be used.")
+        why = told.reason or Said("adjustment-no-pass")
+        raise BadInput(why.code, **why.values)
     if abs(_camera_height(found).value - seen_camera_height_m) > _SAME_M:
         raise Conflict("adjusting-says-something-else-now")
     before = get_pose(session, pose_id)
@@ -234,12 +233,12 @@ def put_in_force(
 def _adjusted_pose(before: Pose, found: Adjustment) -> Solved:
     corners = np.asarray(before.overlay.get("corners_px") or [], dtype=np.float64).reshape(-1, 2)
     solved = described(found.pose, corners)
-    told = f"Adjusted by {found.used} passes of known wheelbase or height."
+    told = Said("pose-adjusted-by-passes", passes=found.used)
     return replace(
         solved,
-        summary=f"{told} {solved.summary}",
+        summary=[told, *solved.summary],
         document={**solved.document, "adjustment": adjustment_to_dict(found)},
-        warnings=[*before.warnings, f"{told} The previous pose is number {before.id}.", *found.notes],
+        warnings=[*before.warnings, told, Said("pose-before", pose=before.id), *found.notes],
     )
 
 

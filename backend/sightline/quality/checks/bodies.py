@@ -5,6 +5,7 @@ from typing import Annotated
 from pydantic import Field
 
 from sightline.infra.web.bodies import Finite, FrameNumber, In, Out, Point
+from sightline.messages.said import Said
 from sightline.poses.records import PoseOverlay
 from sightline.quality.checks.records import WheelPair
 from sightline.quality.checks.traffic import VehicleHeading
@@ -32,8 +33,8 @@ class PoseCheckBody(Out):
     u_mean_rad: float | None
     spread_rad: float | None
     proposed: bool
-    reason: str | None
-    verdict: str
+    reason: Said | None
+    verdict: list[Said]
     changes: Changes | None
 
 
@@ -63,8 +64,8 @@ class TurnedPose(Out):
     pose_id: int
     turn_rad: float
     u_turn_rad: float
-    summary: str
-    warnings: list[str]
+    summary: list[Said]
+    warnings: list[Said]
     overlay: PoseOverlay
     changes: Changes
 

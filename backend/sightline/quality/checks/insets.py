@@ -27,6 +27,7 @@ from sightline.measurements.records import Measurement, VehicleSheet
 from sightline.measurements.service import road_pose
 from sightline.measurements.sheets.query import list_sheets
 from sightline.measurements.store import list_measurements
+from sightline.messages.said import Said
 from sightline.recordings.store import list_recordings
 from sightline.statistics.agreement import U_MANUFACTURER_M
 from sightline.surveys.records import Inset, Survey
@@ -46,7 +47,7 @@ _CASES: tuple[tuple[InsetName, float], ...] = (
     ("roof_box", 3.60),
 )
 _OFFER_STEP_M = 0.01
-_NO_GAIN = "Agrees with the current inset; using it would make no height more certain."
+_NO_GAIN = Said("inset-no-gain")
 _NOTES: dict[InsetMethod, str] = {
     "known_heights": "from the manufacturers' heights of {n} vehicles of this survey",
     "trend": "from the trend with distance of {n} vehicles of this survey",
@@ -79,14 +80,14 @@ class Estimate:
     """
 
     method: InsetMethod
-    reason: str | None = None
+    reason: Said | None = None
     inset_m: float | None = None
     u_inset_m: float | None = None
     spread_m: Annotated[
         float | None, Field(description="Standard deviation between vehicles, where it is known.")
     ] = None
     vehicles: int = 0
-    caution: Annotated[str | None, Field(description="Why it should not be used; null where it can be.")] = (
+    caution: Annotated[Said | None, Field(description="Why it should not be used; null where it can be.")] = (
         None
     )
     left_out: Annotated[
@@ -244,7 +245,7 @@ def _from_known(rows: _Rows, known: dict[int, VehicleSheet]) -> Estimate:
     u = [known[one.vehicle_id].u_manufacturer_height_m for one in rows.made]
     has = np.array([height is not None for height in heights], dtype=np.bool_)
     if rows.seen is None or not has.any():
-        return Estimate("known_heights", "No vehicle with a manufacturer's height has a measured roof.")
+        return Estimate("known_heights", Said("inset-no-known-roof"))
     found = inset_from_known_heights(
         rows.seen.only(has),
         [height for height in heights if height is not None],
@@ -256,7 +257,7 @@ def _from_known(rows: _Rows, known: dict[int, VehicleSheet]) -> Estimate:
 
 def _from_trend(rows: _Rows, known: dict[int, VehicleSheet]) -> Estimate:
     if rows.seen is None:
-        return Estimate("trend", "No measurements of this target.")
+        return Estimate("trend", Said("inset-nothing-measured"))
     return _estimate("trend", inset_from_trend(rows.seen), rows.made, known)
 
 
@@ -275,11 +276,11 @@ def _from_solved(made: Sequence[Measurement], known: dict[int, VehicleSheet]) ->
 
 def _estimate(
     method: InsetMethod,
-    found: InsetEstimate | str,
+    found: InsetEstimate | Said,
     made: Sequence[Measurement],
     known: dict[int, VehicleSheet],
 ) -> Estimate:
-    if isinstance(found, str):
+    if isinstance(found, Said):
         return Estimate(method, found)
     gone = [known[made[i].vehicle_id] for i in found.left_out]
     return Estimate(
@@ -309,7 +310,7 @@ def _offered(one: Estimate, name: InsetName, in_force: Inset, seen: Sightings | 
         between = USUAL_INSETS[name][1] if one.spread_m is None else one.spread_m
         u = float(np.ceil(np.hypot(one.u_inset_m, between) / _OFFER_STEP_M - 1e-9)) * _OFFER_STEP_M
         note = _NOTES[one.method].format(n=one.vehicles)
-        mean = f"{one.inset_m:.3f} m (u {one.u_inset_m:.3f} m) on average, {between:.2f} m between vehicles"
+        mean = f"{one.inset_m:.3f} m (u = {one.u_inset_m:.3f} m) on average, {between:.2f} m between vehicles"
         agrees = abs(one.inset_m - in_force.inset_m) <= COVERAGE_95 * one.u_inset_m
         if agrees and round(u, 2) >= in_force.u_inset_m:
             caution = _NO_GAIN

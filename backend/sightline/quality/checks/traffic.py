@@ -68,8 +68,8 @@ class PoseCheck:
     u_mean_rad: float | None = None
     spread_rad: float | None = None
     proposed: bool = False
-    reason: str | None = None
-    verdict: str = ""
+    reason: Said | None = None
+    verdict: tuple[Said, ...] = ()
     changes: Changes | None = None
 
 
@@ -115,8 +115,9 @@ def turn_of(session: Session, pose_id: int, seen_rad: float | None = None) -> Tu
     at = next((one for one in check_traffic(session, survey_id) if one.pose_id == pose_id), None)
     if at is None:
         raise Conflict("quality-no-recording-uses-road-pose-any")
-    if at.mean_rad is None or at.u_mean_rad is None or at.changes is None:
-        raise BadInput("said", sentence=at.verdict)
+    if at.reason is not None:
+        raise BadInput(at.reason.code, **at.reason.values)
+    assert at.mean_rad is not None and at.u_mean_rad is not None and at.changes is not None
     if seen_rad is not None and abs(seen_rad - at.mean_rad) > _SAME_TURN_RAD:
         raise Conflict(
             "quality-traffics-direction-now-not-what-you", turn_deg=format(np.rad2deg(at.mean_rad), "+.2f")
@@ -150,8 +151,8 @@ def check_pose(
         vehicles=shown,
         used=len(good),
     )
-    if isinstance(summary, str):
-        return replace(check, reason=summary, verdict=summary)
+    if isinstance(summary, Said):
+        return replace(check, reason=summary, verdict=(summary,))
     standing = list_measurements(session, stored.survey_id)
     changes = changes_of_heights(pose, summary.mean_rad, [one for one in standing if one.recording_id in ids])
     return replace(
@@ -235,20 +236,21 @@ def _shown(one: _Told, used: bool) -> VehicleHeading:
     )
 
 
-def _verdict(found: Headings, changes: Changes) -> str:
-    """In plain words: how the axes lie against the traffic, and what it matters."""
-    mean, u = np.rad2deg(found.mean_rad), np.rad2deg(found.u_mean_rad)
-    count = int(found.used.sum())
-    figures = f"{abs(mean):.2f}° (u {u:.2f}°, {count} vehicles)"
-    if found.proposed:
-        said = f"The road's X axis is rotated by {figures} against the traffic."
-    else:
-        said = f"The road's X axis agrees with the traffic: rotated by {figures}, not significant."
+def _verdict(found: Headings, changes: Changes) -> tuple[Said, ...]:
+    """How the axes lie against the traffic, and what it matters."""
+    mean_deg = round(abs(float(np.rad2deg(found.mean_rad))), 2)
+    u_deg, count = round(float(np.rad2deg(found.u_mean_rad)), 2), int(found.used.sum())
+    axes = (
+        Said("traffic-turned", mean_deg=mean_deg, u_deg=u_deg, count=count)
+        if found.proposed
+        else Said("traffic-agrees", mean_deg=mean_deg, u_deg=u_deg, count=count)
+    )
     if not changes.count:
-        return said
+        return (axes,)
+    largest_m = round(changes.largest_m, 4)
     if not found.proposed:
-        return f"{said} Rotating it would change stored heights by up to {1000 * changes.largest_m:.1f} mm."
-    return f"{said} This changes {changes.count} stored heights by up to {1000 * changes.largest_m:.1f} mm."
+        return axes, Said("traffic-turn-would-change", largest_m=largest_m)
+    return axes, Said("traffic-turn-changes", count=changes.count, largest_m=largest_m)
 
 
 def store_pair(

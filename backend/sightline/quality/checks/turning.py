@@ -17,6 +17,7 @@ from sightline.infra.database import Session
 from sightline.measurements.height_of_clicks import measured_pass
 from sightline.measurements.records import Measurement
 from sightline.measurements.service import clicked_again, road_pose
+from sightline.messages.said import Said
 from sightline.poses.records import Pose
 from sightline.poses.service import Solved, described
 from sightline.poses.store import get_pose
@@ -99,10 +100,11 @@ def turned_pose(session: Session, pose_id: int, turn_rad: float, u_turn_rad: flo
     stored = get_pose(session, pose_id)
     pose = turned(road_pose(session, pose_id), turn_rad, u_turn_rad)
     corners = np.asarray(stored.overlay.get("corners_px") or [], dtype=np.float64).reshape(-1, 2)
-    told = f"Rotated by {np.rad2deg(turn_rad):+.2f}° to the direction of {vehicles} vehicles."
+    turn_deg = round(float(np.rad2deg(turn_rad)), 2)
+    told = Said("pose-turned-by-vehicles", turn_deg=turn_deg, vehicles=vehicles)
     solved = described(pose, corners)
-    warnings = [*stored.warnings, f"{told} The previous pose is number {pose_id}."]
-    return replace(solved, summary=f"{told} {solved.summary}", warnings=warnings)
+    warnings = [*stored.warnings, told, Said("pose-before", pose=pose_id)]
+    return replace(solved, summary=[told, *solved.summary], warnings=warnings)
 
 
 def store_turned(

@@ -59,12 +59,12 @@ def look_for_drift(context: registry.JobContext) -> registry.Outcome:
     looks = []
     frames = frames_to_look_at(recording.frame_count or 0, recording.duration_s or 0.0)
     for index, n in enumerate(frames):
-        context.progress(0.9 * index / len(frames), f"Searching for the background in frame {n}.")
+        context.progress(0.9 * index / len(frames), Said("job-drift-background", frame=n))
         looks.append(Look(n, register(ours, stills_of(services).gray(recording_id, n))))
-    context.progress(0.92, "Searching for camera movement.")
+    context.progress(0.92, Said("job-drift-searching"))
 
     def look_at(n: int) -> Motion | Said:
-        context.progress(0.95, f"Searching for the background in frame {n}.")
+        context.progress(0.95, Said("job-drift-background", frame=n))
         if not 0 <= n < (recording.frame_count or 0):
             return Said("drift-no-such-frame")
         return register(ours, stills_of(services).gray(recording_id, n))

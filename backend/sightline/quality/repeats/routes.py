@@ -11,6 +11,7 @@ from sightline.infra.web.bodies import In
 from sightline.infra.web.deps import Operator, PathId, Reading, Reviewer, Viewer, Writing
 from sightline.measurements.bodies import MeasurementBody, measurement_body
 from sightline.measurements.records import ClickSigma
+from sightline.messages.said import Said
 from sightline.quality.repeats import service
 from sightline.quality.repeats.anchoring import Anchoring, anchoring
 from sightline.quality.repeats.query import Blind
@@ -28,7 +29,7 @@ class ComparisonBody:
     difference_m: float | None
     expected_m: float | None
     agrees: bool | None
-    reason: str | None
+    reason: Said | None
 
 
 class SigmaChoice(In):

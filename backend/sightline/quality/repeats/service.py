@@ -20,6 +20,7 @@ from sightline.infra.database import Session
 from sightline.measurements.click_sigma_store import choose_click_sigma, list_click_sigmas
 from sightline.measurements.records import ClickSigma, Measurement
 from sightline.measurements.store import get_measurement
+from sightline.messages.said import Said
 from sightline.people.store import get_person
 from sightline.quality.repeats.clicks import Click, alone, clicks_of_survey
 from sightline.quality.repeats.query import Blind, blind, measurements_to_click_again, repeats_of_measurement
@@ -114,7 +115,7 @@ class Comparison:
     difference_m: float | None
     expected_m: float | None
     agrees: bool | None
-    reason: str | None
+    reason: Said | None
 
 
 def findings(session: Session, survey_id: int) -> Findings:
@@ -198,9 +199,7 @@ def _another_frame(clicks: Sequence[Click]) -> Spread:
         cells.append(name[:-1])
         heights.append(fmean(_floats([one.height_m for one in found])))
     sums = within_cells(heights, codes_of(cells))
-    return spread_of(
-        *sums, f"{sums[1]} repeated on another frame by one operator; {LEAST_FREEDOM} are needed."
-    )
+    return spread_of(*sums, Said("repeats-few-other-frame", count=sums[1], least=LEAST_FREEDOM))
 
 
 def _elsewhere(clicks: Sequence[Click]) -> list[Click]:
@@ -231,7 +230,7 @@ def _of_person(clicks: Sequence[Click], person: Who, chosen: ClickSigma | None) 
         _floats([one.height_m for one in measured]), codes_of([one.item for one in measured])
     )
     pairs = points[1] // 2
-    few = f"{person.name} has {pairs} own repeats; {LEAST_FREEDOM} are needed."
+    few = Said("repeats-few-own", name=person.name, pairs=pairs, least=LEAST_FREEDOM)
     enough = pairs >= LEAST_FREEDOM
     both = (points[0] + contacts[0], points[1] + contacts[1])
     contact, target, sigma = (
@@ -322,7 +321,7 @@ def _comparison(
             difference_m=None,
             expected_m=None,
             agrees=None,
-            reason=reason or "A height has no uncertainty.",
+            reason=reason or Said("repeat-no-uncertainty"),
         )
     difference, expected = again_m - height_m, expanded(hypot(u_m, u_again_m))
     return Comparison(
@@ -337,15 +336,15 @@ def _comparison(
 
 def _not_alike(
     first: Measurement, one: Measurement, height_m: float | None, again_m: float | None
-) -> str | None:
+) -> Said | None:
     if height_m is None:
-        return f"The first clicks give no height: {first.values.reason}"
+        return Said("repeat-first-no-height", reason=first.values.reason)
     if again_m is None:
-        return f"The second clicks give no height: {one.values.reason}"
+        return Said("repeat-second-no-height", reason=one.values.reason)
     if first.values.frame != one.values.frame:
-        return "They were clicked on different frames, so not only the clicks differ."
+        return Said("repeat-other-frame")
     if first.values.pose_id != one.values.pose_id:
-        return "The camera pose changed since, so not only the clicks differ."
+        return Said("repeat-other-pose")
     if first.values.inset_m != one.values.inset_m:
-        return "The insets differ, so not only the clicks differ."
+        return Said("repeat-other-inset")
     return None

@@ -62,4 +62,4 @@ class WhichModel:
         FittingModel | None, Field(description="The row of make and model filled in; of several the best.")
     ]
     limit_p: Annotated[float, Field(description="Below this p a model cannot fit.")]
-    reason: Annotated[str | None, Field(description="Why nothing can be said.")]
+    reason: Annotated[Said | None, Field(description="Why nothing can be said.")]

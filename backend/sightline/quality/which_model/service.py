@@ -41,13 +41,13 @@ def which_model(session: Session, vehicle_id: int) -> WhichModel:
     entries = all_of_catalogue(session)
     measured = (*(_height(sheet, size) for size in TARGET_OF), _wheelbase(session, vehicle_id))
     if not entries:
-        return _nothing(measured, "The catalogue is empty.")
+        return _nothing(measured, Said("models-none-in-catalogue"))
     values, u = (_numbers([getattr(one, name) for one in measured]) for name in ("value_m", "u_m"))
     sizes = _numbers([[entry.size(one.size) for one in measured] for entry in entries])
     u_sizes = _numbers([[_u_of(entry, one.size) for one in measured] for entry in entries])
     ranking = [one.size in RANKING for one in measured]
     fits = fit_models(values, u, sizes, u_sizes, _same_class(sheet, entries), ranking)
-    if isinstance(fits, str):
+    if isinstance(fits, Said):
         return _nothing(measured, fits)
     shown = [
         _fitting(entries[index], index, fits, measured, np.hypot(u, u_sizes[index])) for index in fits.order
@@ -61,11 +61,11 @@ def which_model(session: Session, vehicle_id: int) -> WhichModel:
         cannot_fit=len(shown) - len(can),
         chosen=next((one for one in shown if _is_chosen(one.entry, sheet)), None),
         limit_p=CANNOT_FIT_P,
-        reason=None if can else "No model in the catalogue fits what was measured on this vehicle.",
+        reason=None if can else Said("models-none-fits"),
     )
 
 
-def _nothing(measured: tuple[MeasuredSize, ...], reason: str) -> WhichModel:
+def _nothing(measured: tuple[MeasuredSize, ...], reason: Said) -> WhichModel:
     return WhichModel(
         measured=measured,
         fitting=(),

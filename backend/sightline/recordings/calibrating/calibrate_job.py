@@ -29,6 +29,7 @@ from sightline.infra.jobs import registry
 from sightline.infra.jobs.records import Job
 from sightline.infra.jobs.registry import Finish, JobContext
 from sightline.infra.services import Services
+from sightline.messages.said import Said
 from sightline.recordings.frames.stills import stills_of
 from sightline.recordings.store import get_recording
 
@@ -69,7 +70,7 @@ def run_calibration(context: JobContext) -> Finish:
     services = context.services
     asked = dict(context.payload)
     camera_id = int(asked.pop("camera_id"))
-    context.progress(0.0, "Searching for the board.")
+    context.progress(0.0, Said("job-board-searching"))
     wish = CalibrationRequest(**asked)
     with services.reading() as session:
         camera = get_camera(session, camera_id)
@@ -78,7 +79,7 @@ def run_calibration(context: JobContext) -> Finish:
         if wish.recording_id is None
         else (_from_recording(context, services, wish))
     )
-    context.progress(FITTING, "Fitting the lens, and the two halves separately.")
+    context.progress(FITTING, Said("job-lens-fitting"))
     views = unique_names(seen)
     named_views = [(one.name, one.corners, one.size) for one in views]
     checked = calibrate_and_check(named_views, wish.board, wish.model, wish.bent_board)
@@ -113,7 +114,7 @@ def _from_images(
         images = list_calibration_images(session, camera_id)
     seen = []
     for index, image in enumerate(images):
-        context.progress(LOOKING * index / len(images), f"Searching for the board in {image.name}.")
+        context.progress(LOOKING * index / len(images), Said("job-board-searching-in", name=image.name))
         seen.append(_seen_image(services, image, wish.board))
     return seen
 
@@ -133,7 +134,7 @@ def _from_recording(context: JobContext, services: Services, wish: CalibrationRe
     frames = frames_of(wish, len(opened.media))
     seen = []
     for index, n in enumerate(frames):
-        context.progress(LOOKING * index / len(frames), f"Searching for the board in frame {n}.")
+        context.progress(LOOKING * index / len(frames), Said("job-board-searching-frame", frame=n))
         gray = stills_of(services).gray(wish.recording_id, n)
         size = (int(gray.shape[1]), int(gray.shape[0]))
         seen.append(

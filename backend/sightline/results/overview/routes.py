@@ -1,29 +1,51 @@
 """Surveys as they go out: their words, insets, counts, and what to do next."""
 
+from dataclasses import dataclass, replace
 from typing import Annotated
 
 from fastapi import APIRouter
 from pydantic import Field
 
-from sightline.enums import ActingRole
+from sightline.enums import ActingRole, Category, InsetName
+from sightline.geometry.insets import ROOF_OF_CLASS
 from sightline.geometry.sides import TrafficFacts
+from sightline.infra.by_name import filled_from
 from sightline.infra.web.deps import ActingAs, Operator, PathId, Reading, SurveysSeen, Viewer, Writing
 from sightline.measurements.again.service import ask_for_waiting
 from sightline.results.overview.query import survey_overview, survey_overviews
 from sightline.results.overview.records import ChangesSince, Step, SurveyCounts, SurveyOverview
 from sightline.scans.records import ScanProgress
 from sightline.surveys import store
-from sightline.surveys.bodies import FirstSurvey, InsetChanges, NewSurvey, SurveyChange, SurveyFacts
+from sightline.surveys.bodies import (
+    FirstSurvey,
+    InsetChanges,
+    InsetChoice,
+    Insets,
+    NewSurvey,
+    SurveyChange,
+    inset_choices,
+)
 from sightline.surveys.classes import VehicleClass, chosen_classes
 from sightline.surveys.members.store import put_member, roles_by_thing
 from sightline.surveys.place import Place
-from sightline.surveys.records import Asked, Inset
+from sightline.surveys.records import Asked, Inset, SurveyFacts
 
 router = APIRouter()
 
 
+@dataclass(frozen=True, slots=True, kw_only=True)
 class SurveyBody(SurveyFacts):
-    my_role: ActingRole = Field(description="What the person who asks is in this survey.")
+    """A survey with its overview, as one object."""
+
+    insets: Insets
+    inset_choices: Annotated[
+        dict[str, list[InsetChoice]], Field(description="What can be told apart by looking at a vehicle.")
+    ]
+    roof_insets: Annotated[
+        dict[Category, InsetName],
+        Field(description="Which inset the roof of each class has; one not named has that of no class."),
+    ]
+    my_role: Annotated[ActingRole, Field(description="What the person who asks is in this survey.")]
     counts: SurveyCounts
     steps: tuple[Step, ...]
     scans: ScanProgress
@@ -35,9 +57,16 @@ class SurveyBody(SurveyFacts):
 
 def survey_body(overview: SurveyOverview, role: ActingRole) -> SurveyBody:
     """A survey with its overview as one object."""
-    facts = SurveyFacts.model_validate(overview.survey).model_dump(exclude={"inset_choices"})
-    progress = {name: getattr(overview, name) for name in ("counts", "steps", "scans", "since_package")}
-    return SurveyBody.model_validate({**facts, "my_role": role, **progress})
+    insets = Insets.model_validate(overview.survey.insets)
+    return filled_from(
+        SurveyBody,
+        overview.survey,
+        overview,
+        insets=insets,
+        inset_choices=inset_choices(insets),
+        roof_insets=dict(ROOF_OF_CLASS),
+        my_role=role,
+    )
 
 
 def _traffic(body: NewSurvey, before: TrafficFacts) -> TrafficFacts:
@@ -94,12 +123,9 @@ def change_survey(
     Where the traffic tells the driver's side now, a job computes the eyes that waited for it.
     """
     before = store.get_survey(session, survey_id)
-    insets = dict(before.insets)
-    for target, inset in (body.insets or InsetChanges()).model_dump(exclude_none=True).items():
-        insets[target] = Inset(**inset)
-    store.update_survey(
-        session,
-        survey_id,
+    insets = (body.insets or InsetChanges()).model_dump(exclude_none=True)
+    changed = replace(
+        before,
         name=body.name,
         site=body.site,
         description=body.description,
@@ -110,10 +136,10 @@ def change_survey(
             (VehicleClass(**one.model_dump()) for one in body.classes or ()), before.classes
         ),
         sampling=before.sampling if body.sampling is None else body.sampling.record(),
-        insets=insets,
+        insets={**before.insets, **{name: Inset(**inset) for name, inset in insets.items()}},
         version=body.version,
-        actor=who.id,
     )
-    if _traffic(body, before.traffic) != before.traffic:
+    store.update_survey(session, changed, actor=who.id)
+    if changed.traffic != before.traffic:
         ask_for_waiting(session, survey_id, actor=who.id)
     return survey_body(survey_overview(session, survey_id), role)

@@ -37,8 +37,9 @@ _newest: ColumnElement[bool] = ~exists().where(
 
 
 def waiting_measurements(session: Session, survey_id: int) -> Sequence[Any]:
-    """The standing heights of a survey that wait for a verdict and are in no lot that is open, nor went to
-    full inspection with this revision: (series_id, revision, target, lighting, operator_id, day).
+    """The standing heights on frames that wait for a verdict and are in no lot that is open, nor went to full
+    inspection with this revision: (series_id, revision, target, lighting, operator_id, day). Those in line
+    scans are judged one by one: a lot's items are revisions of measurements.csv in the package.
     """
     light = func.coalesce(vehicles.c.lighting, recordings.c.lighting).label("lighting")
     closed = (

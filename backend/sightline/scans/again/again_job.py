@@ -7,6 +7,7 @@ from sightline.infra.database import Session
 from sightline.infra.jobs.registry import JobContext, Outcome, handler
 from sightline.measurements.again.records import Computing
 from sightline.measurements.again.service import KIND
+from sightline.messages.said import Said
 from sightline.scans.again.service import AllAnswers, changes_to_come, compute_again, undo_computing
 
 _WRITING = 0.9  # of the progress; writing is one transaction that tells none
@@ -19,17 +20,17 @@ def run_compute_again(context: JobContext) -> Outcome:
     if survey_id is None:
         raise ValueError("heights are computed again for a survey")
     if asked.get("undo"):
-        context.progress(0.1, "Restoring the previous heights.")
+        context.progress(0.1, Said("job-heights-restoring"))
         return lambda session: _result(undo_computing(session, int(asked["undo"]), actor=context.actor))
     answers = AllAnswers()
     only_waiting = bool(asked.get("only_waiting"))
 
     def tell(fraction: float) -> None:
-        context.progress(_WRITING * fraction, "Computing the heights.")
+        context.progress(_WRITING * fraction, Said("job-heights-computing"))
 
     with context.services.reading() as session:
         changes_to_come(session, survey_id, answers, only_waiting=only_waiting, tell=tell)
-    context.progress(_WRITING, "Saving the heights that changed.")
+    context.progress(_WRITING, Said("job-heights-saving"))
 
     def store(session: Session) -> Mapping[str, Any]:
         return _result(

@@ -10,10 +10,10 @@ from sightline.enums import DriverSide, LineClicksStatus, ScanPoseStatus, Target
 from sightline.infra.audit.records import Who
 from sightline.infra.web.bodies import Finite, In, Out
 from sightline.infra.web.named import ScanVehicleId
-from sightline.infra.web.quantities import BudgetEntryBody, InsetM, Revision, SigmaPx, UInsetM
+from sightline.infra.web.quantities import BudgetEntryBody, InsetM, SigmaPx, UInsetM
 from sightline.measurements.records import ReviewState, ScanHeightValues
 from sightline.messages.said import Said
-from sightline.scans.bodies import DistanceM, Line, NewScanReview
+from sightline.scans.bodies import DistanceM, Line
 from sightline.scans.heights.poses import Mark
 
 Row = Annotated[Finite, Field(ge=-1, le=1e6, description="Row of strip 1, fractional, from the top.")]
@@ -113,12 +113,6 @@ class NewLineHeight(LineClicks):
     revision: SeenRevision
 
 
-class ScanHeightReview(NewScanReview):
-    """A verdict on the revision that was seen."""
-
-    revision: Revision
-
-
 class LineRungBody(Out):
     """The row of a height above the contact, at the target's distance."""
 
@@ -151,6 +145,7 @@ class ScanHeightBody(ScanHeightValues):
     revision: int
     revision_id: int
     vehicle_id: int
+    scan_id: int
     older: Annotated[bool, Field(description="Its calibration or inset was changed since.")]
     U95_distance_m: float | None
     withdrawn: bool

@@ -23,11 +23,10 @@ from sightline.infra.csv_package.files import Staging
 from sightline.infra.csv_package.schema import Column, Table
 from sightline.infra.database import Session
 from sightline.measurements.again.csv import out_of_date
-from sightline.measurements.csv import MEASUREMENTS
-from sightline.measurements.records import ReviewState, ScanHeight, ScanHeightValues
+from sightline.measurements.csv import MEASUREMENTS, given_verdict
+from sightline.measurements.query import reviews_of_series
+from sightline.measurements.records import Review, ScanHeight, ScanHeightValues
 from sightline.measurements.tables import measurement_series
-from sightline.reviews.query import reviews_of_series
-from sightline.reviews.records import Review
 from sightline.scans.heights.pose_store import line_pose_history
 from sightline.scans.heights.poses import line_pose_result
 from sightline.scans.heights.records import LinePoseValues, StoredLinePose
@@ -40,7 +39,6 @@ _MAKER = "who made it; empty for the program itself"
 _MADE_AT = "when the revision was stored"
 _MAKER_KEY = (("created_by_id",), "people", ("id",))
 _REVIEWER_KEY = (("reviewer_id",), "people", ("id",))
-_REVIEWER, _WHY = "who reviewed", "the reviewer's reason"
 
 
 @dataclass(frozen=True, slots=True)
@@ -182,20 +180,6 @@ def _clicked(what: str, meaning: str, of: Callable[[ScanHeightValues], Point]) -
     )
 
 
-#: Of the revision of a motion or height: what stands of its reviews.
-VERDICT: tuple[Column[ReviewState], ...] = (
-    text(
-        "verdict",
-        "state of the review of this revision",
-        lambda r: r.verdict,
-        required=True,
-        enum=("to_review", *get_args(ScanVerdict)),
-    ),
-    text("review_reason", _WHY, lambda r: r.reason),
-    person("reviewer_id", _REVIEWER, lambda r: r.reviewer),
-    moment("reviewed_at", "when it was reviewed", lambda r: r.at),
-)
-
 _COLUMNS = {one.name: one for one in MEASUREMENTS.columns}
 
 
@@ -251,16 +235,19 @@ LINE_HEIGHTS: Table[ListedHeight] = Table(
         _REVIEWER_KEY,
     ),
 )
+
+
+def _given(judged: JudgedHeight) -> Review:
+    return judged.review
+
+
 LINE_HEIGHT_REVIEWS: Table[JudgedHeight] = Table(
     "line_height_reviews",
     "Every verdict given on a revision of a height measured in a line scan, oldest first.",
     (
         key("id", "verdict", lambda j: j.review.id),
         key("height_id", "revision that was judged, in line_heights", lambda j: j.height_id),
-        text("verdict", "verdict", lambda j: j.review.verdict, required=True, enum=get_args(ScanVerdict)),
-        text("reason", _WHY, lambda j: j.review.reason),
-        person("reviewer_id", _REVIEWER, lambda j: j.review.reviewer),
-        moment("at", "when", lambda j: j.review.at),
+        *of_part(given_verdict(get_args(ScanVerdict)), _given),
     ),
     primary=("id",),
     foreign=((("height_id",), "line_heights", ("id",)), _REVIEWER_KEY),

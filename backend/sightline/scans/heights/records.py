@@ -1,9 +1,9 @@
-"""Records of the poses of line cameras from rod marks, and of the queue of heights in line scans."""
+"""Records of the poses of line cameras from rod marks."""
 
 from dataclasses import dataclass
 from datetime import datetime
 
-from sightline.enums import JsonObject, Target
+from sightline.enums import JsonObject
 from sightline.infra.audit.records import Who
 
 
@@ -37,27 +37,3 @@ class StoredLinePose:
     values: LinePoseValues
     created_by: Who | None
     created_at: datetime
-
-
-@dataclass(frozen=True, slots=True)
-class WaitingLineHeight:
-    """A height of a line scan that waits for a verdict; `mine`: of the asker's own clicks."""
-
-    id: int
-    scan_id: int
-    scan_name: str
-    vehicle_id: int
-    number: int
-    target: Target
-    height_m: float | None
-    U95_height_m: float | None
-    mine: bool
-
-
-@dataclass(frozen=True, slots=True)
-class LineHeightQueue:
-    """The heights of a survey's line scans that wait: for the asker, and the asker's own."""
-
-    to_review: int
-    own: int
-    items: tuple[WaitingLineHeight, ...]

@@ -6,10 +6,8 @@ from fastapi import APIRouter, Query
 
 from sightline.coverage import expanded
 from sightline.enums import Target
-from sightline.infra.by_name import filled_from
-from sightline.infra.database import Session
-from sightline.infra.web.deps import Operator, PathId, Reading, Reviewer, Viewer, Writing
-from sightline.measurements.records import Clicks, ScanHeight
+from sightline.infra.web.deps import Operator, PathId, Reading, Viewer, Writing
+from sightline.measurements.records import Clicks
 from sightline.scans.heights import pose_store, poses, service, store
 from sightline.scans.heights.bodies import (
     LineClicks,
@@ -22,17 +20,14 @@ from sightline.scans.heights.bodies import (
     NewLinePose,
     RodIn,
     ScanHeightBody,
-    ScanHeightReview,
     SeenRevision,
     SolvedRodBody,
 )
 from sightline.scans.heights.poses import Mark, Rod, SolvedRod
-from sightline.scans.heights.queue import line_height_queue
-from sightline.scans.heights.records import LineHeightQueue, StoredLinePose
-from sightline.scans.heights.service import causes_now_of_scan
+from sightline.scans.heights.presenters import scan_height_bodies
+from sightline.scans.heights.records import StoredLinePose
 from sightline.scans.store import get_scan
 from sightline.scans.vehicles.store import get_scan_vehicle
-from sightline.surveys.store import get_survey
 
 router = APIRouter()
 
@@ -90,15 +85,14 @@ def preview_line_height(
 def list_scan_heights(scan_id: PathId, who: Viewer, session: Reading) -> list[ScanHeightBody]:
     """The newest revision of every target of every vehicle, withdrawn ones too."""
     get_scan(session, scan_id)
-    return _height_bodies(session, scan_id, store.list_scan_heights(session, scan_id), who.id)
+    return scan_height_bodies(session, store.list_scan_heights(session, scan_id), who.id)
 
 
 @router.get("/scan-vehicles/{vehicle_id}/heights")
 def history_of_scan_heights(vehicle_id: PathId, who: Viewer, session: Reading) -> list[ScanHeightBody]:
     """Every revision of a vehicle's heights, oldest first."""
-    vehicle = get_scan_vehicle(session, vehicle_id, deleted=True)
-    history = store.scan_height_history(session, vehicle_id)
-    return _height_bodies(session, vehicle.scan_id, history, who.id)
+    get_scan_vehicle(session, vehicle_id, deleted=True)
+    return scan_height_bodies(session, store.scan_height_history(session, vehicle_id), who.id)
 
 
 @router.post("/scan-vehicles/{vehicle_id}/heights", status_code=201)
@@ -108,7 +102,7 @@ def store_scan_height(
     """Store a target's height with the newest calibration: a new revision."""
     clicked = _clicked(body, (body.target_line, body.target_row_px))
     made = service.store_scan_height(session, vehicle_id, clicked, seen_revision=body.revision, actor=who.id)
-    return _height_bodies(session, made.scan_id, (made,), who.id)[0]
+    return scan_height_bodies(session, (made,), who.id)[0]
 
 
 @router.delete("/scan-vehicles/{vehicle_id}/heights")
@@ -121,31 +115,7 @@ def withdraw_scan_height(
 ) -> ScanHeightBody:
     """Take a height back; nothing of it is erased."""
     made = store.withdraw_scan_height(session, vehicle_id, target, seen_revision=revision, actor=who.id)
-    return _height_bodies(session, made.scan_id, (made,), who.id)[0]
-
-
-@router.post("/line-heights/{height_id}/review", status_code=201)
-def review_scan_height(
-    height_id: PathId, body: ScanHeightReview, who: Reviewer, session: Writing
-) -> ScanHeightBody:
-    """Accept, reject (with a reason) or reopen a revision; never clicks of one's own."""
-    judged = service.review_scan_height(
-        session,
-        height_id,
-        revision=body.revision,
-        verdict=body.verdict,
-        reason=body.reason,
-        seen=body.seen,
-        actor=who.id,
-    )
-    return _height_bodies(session, judged.scan_id, (judged,), who.id)[0]
-
-
-@router.get("/surveys/{survey_id}/line-height-queue")
-def list_waiting_line_heights(survey_id: PathId, who: Viewer, session: Reading) -> LineHeightQueue:
-    """The heights of the survey's line scans that wait for a verdict, one's own last; 200 at most."""
-    get_survey(session, survey_id)
-    return line_height_queue(session, survey_id, actor=who.id)
+    return scan_height_bodies(session, (made,), who.id)[0]
 
 
 _OF_FOUND = ("reason", "distance_m", "height_m", "u_height_m", "U95_height_m")
@@ -181,23 +151,3 @@ def _pose_body(one: StoredLinePose) -> LinePoseBody:
     names = ("marks", "sigma_px", "u_distance_m", "u_lean_rad")
     body = {name: getattr(one.values, name) for name in names} | {name: getattr(one, name) for name in _MADE}
     return LinePoseBody.model_validate({**body, "solved": _solved_body(poses.line_pose_result(one))})
-
-
-def _height_bodies(
-    session: Session, scan_id: int, found: tuple[ScanHeight, ...], asker: int
-) -> list[ScanHeightBody]:
-    pose = pose_store.current_line_poses(session, scan_id)
-    pose_id = None if pose is None else pose.id
-    insets = get_survey(session, get_scan(session, scan_id).survey_id).insets
-    own = store.revisions_of_own_clicks(session, scan_id, asker)
-    return [
-        filled_from(
-            ScanHeightBody,
-            one,
-            one.values,
-            older=bool(causes_now_of_scan(one.values, pose_id, insets, one.category)),
-            U95_distance_m=expanded(one.values.u_distance_m),
-            mine=one.revision_id in own,
-        )
-        for one in found
-    ]

@@ -1,4 +1,4 @@
-"""Heights of scanned vehicles from two clicks in strip 1: to look at, stored, judged.
+"""Heights of scanned vehicles from two clicks in strip 1: to look at, and stored.
 
 What is shown while the pointer moves, what is stored and what a check recomputes all come from `answer`.
 Points are (line, row) of strip 1.
@@ -10,8 +10,8 @@ from collections.abc import Mapping
 from dataclasses import asdict, dataclass
 
 from sightline.coverage import expanded
-from sightline.enums import Category, ComputingCause, ScanVerdict, Verdict
-from sightline.errors import BadInput, Conflict
+from sightline.enums import Category, ComputingCause
+from sightline.errors import BadInput
 from sightline.geometry.insets import SIDE_UNKNOWN
 from sightline.geometry.sides import FoundSide
 from sightline.infra.by_name import filled_from
@@ -23,15 +23,14 @@ from sightline.measurements.again.differences import causes_now, facts_of
 from sightline.measurements.height_of_clicks import filled_in
 from sightline.measurements.records import Clicks, ScanHeight, ScanHeightValues
 from sightline.messages.said import Said
-from sightline.reviews.store import give_verdict
 from sightline.scans.heights.pose_store import current_line_poses
 from sightline.scans.heights.poses import pose_of
 from sightline.scans.heights.records import StoredLinePose
-from sightline.scans.heights.store import append_scan_height, get_scan_height
+from sightline.scans.heights.store import append_scan_height
 from sightline.scans.records import ScanVehicle
 from sightline.scans.service import shows
 from sightline.scans.store import get_scan
-from sightline.scans.vehicles.store import get_scan_vehicle, require_scan_vehicle_version
+from sightline.scans.vehicles.store import get_scan_vehicle
 from sightline.surveys.records import Inset
 from sightline.surveys.store import get_survey
 
@@ -102,31 +101,6 @@ def store_scan_height(
     found = answer(pose_of(pose.values), clicks)
     values = height_values(pose.id, clicks, found, _beside(vehicle, clicks))
     return append_scan_height(session, vehicle_id, values, seen_revision=seen_revision, actor=actor)
-
-
-def review_scan_height(
-    session: Session,
-    height_id: int,
-    *,
-    revision: int,
-    verdict: ScanVerdict,
-    reason: str | None = None,
-    seen: Verdict | None = None,
-    actor: int,
-) -> ScanHeight:
-    """Give a verdict on the revision, and in place of the verdict, that was seen.
-
-    Raises Conflict if there is a newer revision, a withdrawn height or none, or another verdict than `seen`;
-    NotAllowed for clicks of one's own, BadInput for a rejection without a reason.
-    """
-    before = get_scan_height(session, height_id)
-    require_scan_vehicle_version(session, before.vehicle_id, None)
-    if before.revision != revision:
-        raise Conflict("scans-height-measured-again-meanwhile-look-newer")
-    if before.withdrawn or before.values.status != "ok":
-        raise Conflict("scans-height-without-figure-nothing-review")
-    give_verdict(session, before, verdict=verdict, reason=reason, seen=seen, actor=actor)
-    return get_scan_height(session, height_id)
 
 
 def answer(pose: LinePose, clicks: Clicks) -> LineHeight:

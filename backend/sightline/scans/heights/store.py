@@ -1,5 +1,6 @@
 """Heights of scanned vehicles: one measurement a vehicle's target; a withdrawn one is a revision too."""
 
+from collections.abc import Collection
 from itertools import pairwise
 from typing import Any
 
@@ -12,6 +13,7 @@ from sightline.infra.audit.records import name_or_somebody
 from sightline.infra.database.rows import add_row, missing
 from sightline.measurements.again.query import Made
 from sightline.measurements.query import (
+    OF_LINES,
     is_current,
     is_own,
     scan_height_of_row,
@@ -19,7 +21,7 @@ from sightline.measurements.query import (
     with_verdict,
 )
 from sightline.measurements.records import ScanHeight, ScanHeightValues
-from sightline.measurements.store import append_revision, verdict_that_stood
+from sightline.measurements.store import append_revision, require_seen, verdict_that_stood
 from sightline.measurements.tables import measurement_series, measurements, reviews
 from sightline.scans.tables import scan_vehicles, scans
 from sightline.scans.vehicles.store import require_scan_vehicle_version
@@ -61,28 +63,40 @@ def current(session: Session, vehicle_id: int, target: Target) -> ScanHeight | N
     return found[0] if found else None
 
 
-def get_scan_height(session: Session, height_id: int) -> ScanHeight:
-    """The newest revision of a height. Raises NotFound."""
-    found = _where(session, _s.id == height_id, is_current)
-    if not found:
-        raise missing("height in a line scan", height_id)
-    return found[0]
+def scan_heights_of(session: Session, height_ids: Collection[int]) -> tuple[ScanHeight, ...]:
+    """The newest revision of each of these; of frames none."""
+    return _where(session, _s.id.in_(height_ids), is_current)
 
 
-def revisions_of_own_clicks(session: Session, scan_id: int, person_id: int) -> frozenset[int]:
-    """The revisions of a scan whose clicks or figures this person made."""
-    query = select(_m.id).join(measurement_series, _s.id == _m.series_id)
-    query = query.where(_s.scan_id == scan_id, is_own(person_id))
+def require_scan_height_revision(session: Session, height_id: int, revision: int) -> ScanHeight:
+    """The newest revision, if it is the one that the caller saw. Raises NotFound, Conflict."""
+    (current,) = scan_heights_of(session, (height_id,))
+    require_scan_vehicle_version(session, current.vehicle_id, None)
+    require_seen(current, revision)
+    return current
+
+
+def is_of_line_scan(session: Session, height_id: int) -> bool:
+    """Whether a height is of a line scan: then it is read here, else with the measurements of frames."""
+    query = select(_s.id).where(_s.id == height_id, _s.scan_id.is_not(None))
+    return session.execute(query).first() is not None
+
+
+def revisions_of_own_clicks(
+    session: Session, revision_ids: Collection[int], person_id: int
+) -> frozenset[int]:
+    """Of these revisions, those whose clicks or figures this person made."""
+    query = select(_m.id).where(_m.id.in_(revision_ids), is_own(person_id))
     return frozenset(session.execute(query).scalars())
 
 
 def scan_height_states(*conditions: ColumnElement[bool]) -> Select[Any]:
-    """(scan, verdict) of each standing height with a figure, of living vehicles: what counts are made of."""
+    """(scan, verdict) of each standing height of living vehicles: what counts are made of."""
     return (
         with_verdict(_s.scan_id, reviews.c.verdict)
         .join(scan_vehicles, scan_vehicles.c.id == _s.scan_vehicle_id)
         .join(scans, scans.c.id == _s.scan_id)
-        .where(stands, _m.status == "ok", *conditions)
+        .where(stands, *conditions)
     )
 
 
@@ -108,6 +122,11 @@ def scan_heights_made_by(session: Session, computing_id: int) -> tuple[Made, ...
         for before, one in pairwise(all_)
         if one.computing_id == computing_id and not all_[-1].withdrawn
     )
+
+
+def scan_height_revisions(session: Session, height_id: int) -> tuple[ScanHeight, ...]:
+    """Every revision of a height, oldest first."""
+    return _where(session, _s.id == height_id)
 
 
 def scan_height_history(session: Session, vehicle_id: int) -> tuple[ScanHeight, ...]:
@@ -146,7 +165,7 @@ def _append(
         )
     else:
         series_id = before.id
-    made = append_revision(
+    return append_revision(
         session,
         series_id,
         revision + 1,
@@ -157,9 +176,9 @@ def _append(
         actor=actor,
         verdict_of_revision=None
         if before is None or withdrawn
-        else verdict_that_stood(session, series_id, values),
+        else verdict_that_stood(session, OF_LINES, series_id, values),
+        made_of=lambda row: _where(session, _m.id == row.id)[0],
     )
-    return _where(session, _m.id == made.revision_id)[0]
 
 
 def _where(session: Session, *conditions: ColumnElement[bool]) -> tuple[ScanHeight, ...]:

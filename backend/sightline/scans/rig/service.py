@@ -8,7 +8,6 @@ from typing import Annotated, get_args
 
 from pydantic import Field
 
-from sightline.coverage import expanded
 from sightline.enums import KnownLength
 from sightline.infra.database import Session
 from sightline.linescan.rig import (
@@ -95,7 +94,7 @@ def _implied(scan: Scan, vehicles: Sequence[ScanVehicle], of: KnownLength) -> Im
         u = alone(size, getattr(values, f"u_{of}_m"), baseline_m, u_baseline_m)
         scale = baseline_of(at_lane(scan.rig, values.lane, values.direction))[0] / baseline_m
         rows.append((scale * size, scale * u, true, getattr(one, f"u_true_{of}_m") or 0.0))
-    ratio = baseline_ratio(*([row[k] for row in rows] for k in range(4)))
+    ratio = baseline_ratio(of, *([row[k] for row in rows] for k in range(4)))
     if ratio.value is None or ratio.u is None:
         return ImpliedBaseline(
             of=of, ratio=ratio, baseline_m=None, u_baseline_m=None, differs=False, words=ratio.reason
@@ -108,22 +107,7 @@ def _implied(scan: Scan, vehicles: Sequence[ScanVehicle], of: KnownLength) -> Im
         baseline_m=implied - opening,
         u_baseline_m=u,
         differs=ratio.warning is not None,
-        words=_words(of, ratio),
-    )
-
-
-def _words(of: str, ratio: RigEstimate) -> Said:
-    assert ratio.value is not None and ratio.u is not None
-    u = 100 * ratio.u
-    if ratio.warning is None:
-        return Said("rig-baseline-agrees", count=ratio.n, of=of, U95_percent=round(expanded(u), 2))
-    return Said(
-        "rig-baseline-off",
-        count=ratio.n,
-        of=of,
-        percent=round(100 * abs(ratio.value - 1), 2),
-        than="longer" if ratio.value > 1 else "shorter",
-        u_percent=round(u, 2),
+        words=ratio.warning or ratio.agrees,
     )
 
 

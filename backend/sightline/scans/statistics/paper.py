@@ -21,11 +21,6 @@ class PaperCar:
     true_length_m: float
     fit_error_percent: float
 
-    @property
-    def length_error_m(self) -> float:
-        """Size minus true length, which is not printed."""
-        return self.size_m - self.true_length_m
-
 
 TABLE_I = (
     PaperCar(2123, 62.1, 0.44, 4.04, None, 3.84, 0.63),

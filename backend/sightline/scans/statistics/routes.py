@@ -1,11 +1,12 @@
 """Statistics of a survey's line scans."""
 
+from dataclasses import dataclass
 from typing import Annotated
 
 from fastapi import APIRouter, Query
 from pydantic import Field
 
-from sightline.enums import KnownLength, ReferenceQuantity, ReferenceSource
+from sightline.infra.by_name import filled_from
 from sightline.infra.web.bodies import Out
 from sightline.infra.web.deps import PathId, Reading, Viewer
 from sightline.infra.web.figures import DensityBody, EcdfBody, FigureBody, ReasonBody
@@ -13,11 +14,10 @@ from sightline.linescan.rig import RigEstimate
 from sightline.recordings.bodies import FilmedAsked
 from sightline.scans.statistics.figures import scan_height_statistics, scan_statistics
 from sightline.scans.statistics.heights import ScannedHeights
-from sightline.scans.statistics.paper import NOTE, TABLE_I
-from sightline.scans.statistics.service import ReferenceGroup, ScanStatistics, Spread
+from sightline.scans.statistics.paper import NOTE, TABLE_I, PaperCar
+from sightline.scans.statistics.service import CarRuns, ReferenceGroup, ScanRow, ScanStatistics, Spread
 from sightline.statistics.distributions import Density, Ecdf, Percentile
 from sightline.statistics.errors import ErrorGroup
-from sightline.statistics.runs import RunsTogether
 from sightline.surveys.store import get_survey
 
 router = APIRouter()
@@ -47,49 +47,10 @@ class ScanSpreadBody(Out):
     percentiles: list[Percentile]
 
 
-class RowReferenceBody(Out):
-    """A reference value of a vehicle in the table: m/s or m, u at k = 1."""
+@dataclass(frozen=True)
+class PaperCarBody(PaperCar):
+    """A row of Table I with the error of its length, size minus true length, which is not printed there."""
 
-    quantity: ReferenceQuantity
-    source: ReferenceSource
-    value: float
-    u: float
-
-
-class ScanRowBody(Out):
-    """A vehicle in the layout of the paper's Table I."""
-
-    vehicle_id: int
-    scan_id: int
-    number: int
-    speed_mps: float | None
-    acceleration_mps2: float | None
-    length_m: float | None
-    true_length_m: float | None
-    fit_error_percent: float | None
-    references: list[RowReferenceBody]
-
-
-class CarRunsBody(Out):
-    """The runs of one car; the chi-square holds each size against what the runs state (k = 1)."""
-
-    car: str
-    runs: list[ScanRowBody]
-    speed_mean_mps: float
-    speed_sd_mps: float | None
-    sizes: dict[KnownLength, RunsTogether]
-
-
-class PaperCarBody(Out):
-    """A row of the paper's Table I as printed; the length's error is not printed there."""
-
-    car_id: int
-    speed_kmh: float
-    acceleration_mps2: float
-    size_m: float
-    counter: str | None
-    true_length_m: float
-    fit_error_percent: float
     length_error_m: float
 
 
@@ -101,9 +62,9 @@ class ScanStatisticsBody(Out):
     length_ratio: RigEstimate = Field(description=_RATIO)
     wheelbase_ratio: RigEstimate = Field(description=_RATIO)
     spreads: list[ScanSpreadBody] = Field(description="Speed, length, time gap, distance gap, headway.")
-    table: list[ScanRowBody]
+    table: tuple[ScanRow, ...]
     references: list[ReferenceGroup]
-    cars: list[CarRunsBody]
+    cars: tuple[CarRuns, ...]
     heights: list[ScannedHeights]
     paper: list[PaperCarBody]
     paper_note: str
@@ -133,11 +94,13 @@ def _body(found: ScanStatistics, heights: tuple[ScannedHeights, ...]) -> ScanSta
         length_ratio=found.length_ratio,
         wheelbase_ratio=found.wheelbase_ratio,
         spreads=[_spread(one) for one in found.spreads],
-        table=[ScanRowBody.model_validate(one) for one in found.table],
+        table=found.table,
         references=list(found.references),
-        cars=[CarRunsBody.model_validate(one) for one in found.cars],
+        cars=found.cars,
         heights=list(heights),
-        paper=[PaperCarBody.model_validate(one) for one in TABLE_I],
+        paper=[
+            filled_from(PaperCarBody, one, length_error_m=one.size_m - one.true_length_m) for one in TABLE_I
+        ],
         paper_note=NOTE,
     )
 

@@ -109,7 +109,7 @@ class CarRuns:
     """
 
     car: str
-    runs: tuple[Row, ...]
+    runs: tuple[ScanRow, ...]
     speed_mean_mps: float
     speed_sd_mps: float | None
     sizes: dict[KnownLength, RunsTogether]
@@ -130,7 +130,7 @@ class Spread:
 
 
 @dataclass(frozen=True)
-class Row:
+class ScanRow:
     """A vehicle in the layout of the paper's Table I."""
 
     vehicle_id: int
@@ -143,7 +143,7 @@ class Row:
     fit_error_percent: float | None
     status: str
     reason: Said | None
-    references: tuple[ReferenceValues, ...] = ()
+    references: tuple[ReferenceValues, ...]
 
 
 @dataclass(frozen=True, eq=False)
@@ -159,7 +159,7 @@ class ScanStatistics:
     length_ratio: RigEstimate
     wheelbase_ratio: RigEstimate
     spreads: tuple[Spread, ...]
-    table: tuple[Row, ...]
+    table: tuple[ScanRow, ...]
     references: tuple[ReferenceGroup, ...]
     cars: tuple[CarRuns, ...]
 
@@ -186,8 +186,8 @@ def statistics_of_seen(
         counted=counted,
         length_errors=_errors(chosen, "length_m"),
         wheelbase_errors=_errors(chosen, "wheelbase_m"),
-        length_ratio=_ratio(chosen, "length_m"),
-        wheelbase_ratio=_ratio(chosen, "wheelbase_m"),
+        length_ratio=_ratio(chosen, "length"),
+        wheelbase_ratio=_ratio(chosen, "wheelbase"),
         spreads=tuple(
             _spread(name, unit, [v for one in chosen if (v := one.values.get(_NAMED[name])) is not None])
             for name, unit in QUANTITIES.items()
@@ -256,10 +256,11 @@ def _errors(chosen: Sequence[VehicleMotion], name: str) -> dict[str, ErrorGroup]
     return error_table(measured, true, [one.lighting for one in pairs], "none")
 
 
-def _ratio(chosen: Sequence[VehicleMotion], name: str) -> RigEstimate:
+def _ratio(chosen: Sequence[VehicleMotion], of: KnownLength) -> RigEstimate:
     """Measured over true, which tells of a wrong baseline."""
-    pairs = _pairs(chosen, name)
+    pairs = _pairs(chosen, f"{of}_m")
     return baseline_ratio(
+        of,
         [one.measured_m for one in pairs],
         [one.u_measured_m for one in pairs],
         [one.true_m for one in pairs],
@@ -267,9 +268,9 @@ def _ratio(chosen: Sequence[VehicleMotion], name: str) -> RigEstimate:
     )
 
 
-def _row(one: VehicleMotion) -> Row:
+def _row(one: VehicleMotion) -> ScanRow:
     motion = ("speed_mps", "acceleration_mps2", "length_m", "fit_error_percent")
-    return Row(
+    return ScanRow(
         vehicle_id=one.vehicle_id,
         scan_id=one.scan_id,
         number=one.number,

@@ -32,9 +32,9 @@ from sightline.scans.vehicles.store import (
 
 SAME_SHARE = 0.5
 NEIGHBOURS = 4
-Report = Callable[[float, str], None]
-_LOOKING = "Searching for vehicles."
-_AGAIN = "Measuring the known vehicles again."
+Report = Callable[[float, Said], None]
+_LOOKING = Said("job-vehicles-searching")
+_AGAIN = Said("job-vehicles-again")
 _NOT_COMPARED = ("cause", "run_id", "code_version", "placed_by")
 
 
@@ -85,7 +85,7 @@ def search(report: Report, rig: Rig, method: ScanMethod, readers: Readers) -> Se
     motions: list[Motion] = []
     for done, passages in _passages(finder, readers):
         motions += [measured(one, rig, method, readers) for one in passages]
-        report(0.9 * done / readers[0].lines, f"{_LOOKING} {len(motions)} so far.")
+        report(0.9 * done / readers[0].lines, Said("job-vehicles-found", count=len(motions)))
     motions.sort(key=lambda one: one.crossings.front_line_1)
     return Search(tuple(motions), tuple(faults.notes_of(finder)))
 

@@ -7,7 +7,7 @@ from sightline.errors import Conflict, NotAllowed
 from sightline.infra.audit import trail
 from sightline.infra.database.rows import add_row, stored_hash
 from sightline.infra.database.types import now
-from sightline.reviews.store import require_verdict
+from sightline.measurements.verdicts import require_verdict
 from sightline.scans.query import reviews_where
 from sightline.scans.records import ScanMeasurement, ScanReview
 from sightline.scans.tables import scan_measurements, scan_reviews

@@ -6,16 +6,14 @@ from datetime import datetime
 from sightline.infra.audit.records import Who
 
 
-@dataclass(frozen=True, slots=True)
-class Photograph:
+@dataclass(frozen=True, slots=True, kw_only=True)
+class PhotographFacts:
     """A picture of a survey's set-up; `sha256` and the size are of the JPEG that is kept."""
 
     id: int
     survey_id: int
     name: str
     caption: str
-    position: int
-    media_key: str
     sha256: str
     size_bytes: int
     width_px: int
@@ -23,6 +21,14 @@ class Photograph:
     version: int
     created_at: datetime
     created_by: Who | None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Photograph(PhotographFacts):
+    """One with its place among the others and where its JPEG is."""
+
+    position: int
+    media_key: str
     deleted: bool
 
 

@@ -1,19 +1,19 @@
 """Photographs of a survey's set-up: added, captioned, put in order, taken out and brought back."""
 
-from datetime import datetime
+from dataclasses import dataclass
 from typing import Annotated
 
 from fastapi import APIRouter, Form, Query, Response, UploadFile
 from pydantic import Field
 
-from sightline.infra.audit.records import Who
-from sightline.infra.web.bodies import In, Out
+from sightline.infra.by_name import filled_from
+from sightline.infra.web.bodies import In
 from sightline.infra.web.deps import Operator, PathId, Reading, Viewer, Wired, Writing
 from sightline.infra.web.named import PhotographId
 from sightline.infra.web.pictures import PHOTOGRAPH
 from sightline.infra.web.uploaded import clean_name, whole_file
 from sightline.surveys.photographs import service, store
-from sightline.surveys.photographs.records import Photograph
+from sightline.surveys.photographs.records import Photograph, PhotographFacts
 from sightline.surveys.photographs.store import MOST_CAPTION, MOST_PHOTOGRAPHS
 from sightline.surveys.store import get_survey
 
@@ -24,18 +24,10 @@ Caption = Annotated[str, Field(max_length=MOST_CAPTION)]
 Version = Annotated[int, Field(ge=1, le=2**31 - 1)]
 
 
-class PhotographBody(Out):
-    id: int
-    survey_id: int
-    name: str
-    caption: str
-    width_px: int
-    height_px: int
-    size_bytes: int
-    sha256: str
-    version: int
-    created_at: datetime
-    created_by: Who | None
+@dataclass(frozen=True, slots=True, kw_only=True)
+class PhotographBody(PhotographFacts):
+    """A photograph with the address of its picture."""
+
     url: str
 
 
@@ -52,9 +44,7 @@ class OrderIn(In):
 
 def body_of(one: Photograph) -> PhotographBody:
     """A photograph as it goes out, with its address."""
-    names = PhotographBody.model_fields.keys() - {"url"}
-    values = {name: getattr(one, name) for name in names}
-    return PhotographBody.model_validate({**values, "url": f"/api/photographs/{one.id}.jpg"})
+    return filled_from(PhotographBody, one, url=f"/api/photographs/{one.id}.jpg")
 
 
 @router.get("/surveys/{survey_id}/photographs")

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, fields
 from functools import partial
 from statistics import median
@@ -89,6 +89,17 @@ class Choices:
 
 
 NO_CHOICES = Choices({})
+
+
+def columns_chosen(given: Iterable[str]) -> dict[str, str]:
+    """Fields by header of choices like "make=Hersteller". Raises BadInput."""
+    found: dict[str, str] = {}
+    for one in given:
+        field, equals, header = one.partition("=")
+        if not equals:
+            raise BadInput("catalogue-column-choice", column=one[:100])
+        found[header] = field
+    return found
 
 
 @dataclass(frozen=True)

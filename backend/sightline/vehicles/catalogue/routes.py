@@ -6,13 +6,18 @@ from fastapi import APIRouter, File, Query, Response, UploadFile
 from pydantic import Field
 
 from sightline.enums import Category, OnConflict, SizeUnit
-from sightline.errors import BadInput
 from sightline.infra.web.bodies import Finite, In, Text
 from sightline.infra.web.deps import Operator, PathId, Reading, Viewer, Wired, Writing
 from sightline.infra.web.uploaded import whole_file
 from sightline.vehicles.catalogue import store
 from sightline.vehicles.catalogue.csv import catalogue_csv
-from sightline.vehicles.catalogue.import_csv import MOST_BYTES, Choices, import_csv, plan_import
+from sightline.vehicles.catalogue.import_csv import (
+    MOST_BYTES,
+    Choices,
+    columns_chosen,
+    import_csv,
+    plan_import,
+)
 from sightline.vehicles.catalogue.records import (
     CatalogueEntry,
     CataloguePage,
@@ -134,7 +139,7 @@ def preview_catalogue_import(
     name = file.filename or "The file"
     data = whole_file(file, MOST_BYTES, name)
     with services.reading() as session:
-        return plan_import(session, data, name, Choices(_columns(column), unit, on_conflict))
+        return plan_import(session, data, name, Choices(columns_chosen(column), unit, on_conflict))
 
 
 @router.post("/catalogue/import")
@@ -150,15 +155,5 @@ def import_catalogue(
     name = file.filename or "The file"
     data = whole_file(file, MOST_BYTES, name)
     with services.writing() as session:
-        choices = Choices(_columns(column), unit, on_conflict)
+        choices = Choices(columns_chosen(column), unit, on_conflict)
         return import_csv(session, data, name, choices, actor=who.id)
-
-
-def _columns(given: list[str]) -> dict[str, str]:
-    found: dict[str, str] = {}
-    for one in given:
-        field, equals, header = one.partition("=")
-        if not equals:
-            raise BadInput("catalogue-column-choice", column=one[:100])
-        found[header] = field
-    return found

@@ -19,6 +19,7 @@ from sightline.infra.jobs.registry import Cancelled, Finish, JobContext
 from sightline.infra.jobs.store import list_jobs
 from sightline.infra.services import Services
 from sightline.media.video.passes import PassesCancelled, find_passes
+from sightline.messages.said import Said
 from sightline.poses.store import get_pose
 from sightline.recordings.frames.stills import stills_of
 from sightline.recordings.ingest_job import LOW_LIGHT_BELOW, PASSES
@@ -55,13 +56,13 @@ def look_for_passes(context: JobContext) -> Finish:
     opened = stills_of(services).open(recording_id)
     recording = opened.recording
     board, square_at = _posed(services, recording)
-    context.progress(0.0, "Searching for passes.")
+    context.progress(0.0, Said("job-passes-searching"))
     try:
         search = find_passes(
             opened.media.path,
             rate_hz=_rate_hz(opened.time_s),
             square_at=square_at,
-            on_progress=lambda fraction: context.progress(0.98 * fraction, "Searching for passes."),
+            on_progress=lambda fraction: context.progress(0.98 * fraction, Said("job-passes-searching")),
             is_cancelled=context.is_cancelled,
             name=recording.name,
             stream_number=opened.media.stream_number,

@@ -15,6 +15,7 @@ from sightline.infra.jobs.registry import Cancelled, Finish, JobContext
 from sightline.infra.jobs.store import list_jobs
 from sightline.media.video.proposals import ProposalsCancelled, propose_in_video
 from sightline.messages import say
+from sightline.messages.said import Said
 from sightline.poses.store import get_pose
 from sightline.proposals.propose import POINTS, Proposals, Proposed
 from sightline.recordings.frames.stills import stills_of
@@ -63,7 +64,7 @@ def make_proposals(context: JobContext) -> Finish:
         pose = pose_from_dict(get_pose(session, pose_id).document, "the camera pose")
     times = opened.time_s
     span_s = float(times[-1] - times[0]) if len(times) > 1 else 0.0
-    context.progress(0.0, say("proposals-looking", {}))
+    context.progress(0.0, Said("proposals-looking"))
     made: list[PointProposal] = []
     try:
         found = propose_in_video(
@@ -71,7 +72,7 @@ def make_proposals(context: JobContext) -> Finish:
             [_found(one) for one in vehicles],
             pose,
             rate_hz=(len(times) - 1) / span_s if span_s > 0 else None,
-            on_progress=lambda fraction: context.progress(0.98 * fraction, say("proposals-looking", {})),
+            on_progress=lambda fraction: context.progress(0.98 * fraction, Said("proposals-looking")),
             is_cancelled=context.is_cancelled,
             name=recording.name,
             stream_number=opened.media.stream_number,

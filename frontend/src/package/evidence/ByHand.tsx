@@ -1,6 +1,7 @@
 /** Both pictures with boundaries that the reader sets, laid over each other, and what these boundaries give. */
 
 import { useState } from "preact/hooks";
+import { decimal } from "../language";
 import { say } from "../say";
 import { allSet, type Hand, plainOf, spanOf, speedOf } from "./byHand";
 import type { Evidence, Held, Lines, PictureFacts } from "./document";
@@ -177,7 +178,7 @@ function Table({ evidence, hand, place }: TableProps) {
                     }}
                   />
                 </td>
-                <td>{m[name].toFixed(1)}</td>
+                <td>{decimal(m[name].toFixed(1))}</td>
               </tr>
             );
           })}
@@ -204,11 +205,14 @@ function Table({ evidence, hand, place }: TableProps) {
 
 function speedWords(speed_mps: number | null, none: string): string {
   if (speed_mps === null) return none;
-  return say("opened-evidence-speed-of", { kmh: (KMH * speed_mps).toFixed(2), mps: speed_mps.toFixed(3) });
+  return say("opened-evidence-speed-of", {
+    kmh: decimal((KMH * speed_mps).toFixed(2)),
+    mps: decimal(speed_mps.toFixed(3)),
+  });
 }
 
 function lengthWords(length_m: number | null, none: string): string {
-  return length_m === null ? none : `${length_m.toFixed(3)} m`;
+  return length_m === null ? none : `${decimal(length_m.toFixed(3))}\u00a0m`;
 }
 
 interface OverlayProps {
@@ -326,8 +330,8 @@ function Overlay({ evidence, addresses, hand, zoom }: OverlayProps) {
       </div>
       <p data-testid="shift-words">
         {say("opened-evidence-shift-words", {
-          lines: shift.toFixed(1),
-          ms: ((1e3 * shift) / rate).toFixed(3),
+          lines: decimal(shift.toFixed(1)),
+          ms: decimal(((1e3 * shift) / rate).toFixed(3)),
           speed: speedWords(speedOf(Math.abs(shift), baseline_m, rate), say("opened-evidence-no-shift")),
         })}
       </p>

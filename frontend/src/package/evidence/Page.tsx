@@ -1,5 +1,7 @@
 import { useEffect, useState } from "preact/hooks";
 import { Checked } from "../Checked";
+import { Languages } from "../Languages";
+import { language } from "../language";
 import { say } from "../say";
 import type { Check } from "../verdict";
 import { ByHand } from "./ByHand";
@@ -12,6 +14,7 @@ export function Page({ file }: { file: Held }) {
   return (
     <main class="opened">
       <header class="opened__head">
+        <Languages />
         <h1 class="opened__title">
           {say("opened-evidence-title", { number: evidence.vehicle.number, scan: evidence.scan.name })}
         </h1>
@@ -50,6 +53,7 @@ function vehicleWords({ vehicle }: Evidence): string {
 
 function Checks({ file }: { file: Held }) {
   const [checks, setChecks] = useState<readonly Check[] | null>(null);
+  const spoken = language.value; // what a check says is made when it is checked
   useEffect(() => {
     checked(file)
       .catch((error: unknown) => [failed(error)])
@@ -57,7 +61,7 @@ function Checks({ file }: { file: Held }) {
         setChecks(found);
         document.documentElement.dataset["checked"] = "true";
       });
-  }, [file]);
+  }, [file, spoken]);
   return (
     <Checked
       checks={checks ?? []}

@@ -1,8 +1,9 @@
 /** What the file says, part by part; every number as it stands there. */
 
 import type { ComponentChildren } from "preact";
+import { decimal, told } from "../language";
 import { say } from "../say";
-import type { Evidence, Measured } from "./document";
+import type { AuditEvent, Evidence, Measured } from "./document";
 
 const KMH = 3.6;
 const NONE = "–";
@@ -10,10 +11,12 @@ const NONE = "–";
 /** A number with as many decimals as two digits of its uncertainty need, and the uncertainty itself. */
 function withU(value: number | null, u: number | null, unit: string): string {
   if (value === null) return NONE;
-  if (u === null || !(u > 0)) return `${value} ${unit}`;
+  if (u === null || !(u > 0)) return `${decimal(String(value))}\u00a0${unit}`;
   const decimals = Math.min(12, Math.max(0, 1 - Math.floor(Math.log10(u))));
-  return say("opened-evidence-with-u", { value: value.toFixed(decimals), u: u.toFixed(decimals), unit });
+  return say("opened-evidence-with-u", { value: fixed(value, decimals), u: fixed(u, decimals), unit });
 }
+
+const fixed = (value: number, decimals: number) => decimal(value.toFixed(decimals));
 
 const times = (value: number | null, factor: number) => (value === null ? null : value * factor);
 
@@ -46,7 +49,7 @@ export function Decision({ evidence }: { evidence: Evidence }) {
   return (
     <Section id="decision" name={say("opened-evidence-decision")}>
       <p class="evidence__decision" data-answer={answer ?? "none"}>
-        {words}
+        {told(words)}
       </p>
       {rule?.source && <p>{say("opened-evidence-rule-source", { source: rule.source })}</p>}
       <p class="opened__quiet">{say("opened-evidence-decision-note")}</p>
@@ -60,16 +63,19 @@ export function Motion({ evidence }: { evidence: Evidence }) {
   const u = m.u_speed_mps;
   return (
     <Section id="motion" name={say("opened-evidence-motion")}>
-      {words.reason && <p>{words.reason}</p>}
+      {words.reason && <p>{told(words.reason)}</p>}
       {words.warnings.map((one) => (
-        <p key={one}>{one}</p>
+        <p key={one}>{told(one)}</p>
       ))}
       <div class="opened__scroll">
         <Facts
           rows={[
             [
               say("opened-evidence-speed"),
-              `${withU(times(m.speed_mps, KMH), times(u, KMH), "km/h")}; ${withU(m.speed_mps, u, "m/s")}`,
+              say("opened-evidence-pair", {
+                first: withU(times(m.speed_mps, KMH), times(u, KMH), "km/h"),
+                second: withU(m.speed_mps, u, "m/s"),
+              }),
             ],
             [say("opened-evidence-acceleration"), withU(m.acceleration_mps2, m.u_acceleration_mps2, "m/s²")],
             [say("opened-evidence-length"), withU(m.length_m, m.u_length_m, "m")],
@@ -79,8 +85,8 @@ export function Motion({ evidence }: { evidence: Evidence }) {
             ],
             ...laneRow(m),
             [say("opened-evidence-axles"), axleWords(m)],
-            [say("opened-evidence-lines-1"), `${m.front_line_1.toFixed(2)}; ${m.rear_line_1.toFixed(2)}`],
-            [say("opened-evidence-lines-2"), `${m.front_line_2.toFixed(2)}; ${m.rear_line_2.toFixed(2)}`],
+            [say("opened-evidence-lines-1"), pair(m.front_line_1, m.rear_line_1)],
+            [say("opened-evidence-lines-2"), pair(m.front_line_2, m.rear_line_2)],
             [say("opened-evidence-time-gap"), gapWords(evidence, "time_gap_s", "s")],
             [say("opened-evidence-distance-gap"), gapWords(evidence, "distance_gap_m", "m")],
             [say("opened-evidence-method"), methodWords(m)],
@@ -91,6 +97,9 @@ export function Motion({ evidence }: { evidence: Evidence }) {
     </Section>
   );
 }
+
+const pair = (front: number, rear: number) =>
+  say("opened-evidence-pair", { first: fixed(front, 2), second: fixed(rear, 2) });
 
 /** None where the rig has no lanes. */
 function laneRow({ lane, rig }: Measured): [string, string][] {
@@ -105,7 +114,7 @@ function axleWords({ axle_lines, axles_by }: Measured): string {
 
 function gapWords({ gap, words }: Evidence, name: "time_gap_s" | "distance_gap_m", unit: string): string {
   if (gap === null) return say("opened-evidence-gap-none");
-  return gap[name] === null ? (words.gap ?? NONE) : withU(gap[name], gap[`u_${name}`], unit);
+  return gap[name] === null ? told(words.gap ?? NONE) : withU(gap[name], gap[`u_${name}`], unit);
 }
 
 function methodWords(m: Measured): string {
@@ -145,17 +154,17 @@ export function Budget({ measured }: { measured: Measured }) {
           <tbody>
             {measured.budget.map((one) => (
               <tr key={one.source}>
-                <th scope="row">{one.source}</th>
-                <td>{one.u_speed_mps.toFixed(5)}</td>
-                <td>{one.u_acceleration_mps2.toFixed(5)}</td>
-                <td>{one.u_length_m.toFixed(5)}</td>
+                <th scope="row">{told(one.source)}</th>
+                <td>{fixed(one.u_speed_mps, 5)}</td>
+                <td>{fixed(one.u_acceleration_mps2, 5)}</td>
+                <td>{fixed(one.u_length_m, 5)}</td>
               </tr>
             ))}
             <tr>
               <th scope="row">{say("opened-evidence-combined")}</th>
-              <td>{measured.u_speed_mps?.toFixed(5)}</td>
-              <td>{measured.u_acceleration_mps2?.toFixed(5)}</td>
-              <td>{measured.u_length_m?.toFixed(5)}</td>
+              {[measured.u_speed_mps, measured.u_acceleration_mps2, measured.u_length_m].map((u, n) => (
+                <td key={n}>{u === null ? NONE : fixed(u, 5)}</td>
+              ))}
             </tr>
           </tbody>
         </table>
@@ -172,18 +181,20 @@ export function Times({ evidence }: { evidence: Evidence }) {
     const u = time.u_filmed_at_s;
     rows.push([
       say("opened-evidence-passed"),
-      u === null ? at : say("opened-evidence-passed-u", { at, u_s: Number(u.toPrecision(2)).toString() }),
+      u === null
+        ? at
+        : say("opened-evidence-passed-u", { at, u_s: decimal(String(Number(u.toPrecision(2)))) }),
     ]);
     rows.push([
       say("opened-evidence-start"),
       say("opened-evidence-start-u", {
         at: clock.started_at,
         zone: clock.time_zone,
-        u_s: String(clock.u_start_s),
+        u_s: decimal(String(clock.u_start_s)),
       }),
     ]);
   }
-  rows.push([say("opened-evidence-since"), `${time.since_start_s.toFixed(4)} s`]);
+  rows.push([say("opened-evidence-since"), `${fixed(time.since_start_s, 4)}\u00a0s`]);
   return (
     <Section id="time" name={say("opened-evidence-time")}>
       {clock === null && <p>{say("opened-evidence-clock-none")}</p>}
@@ -211,9 +222,9 @@ export function Rig({ evidence }: { evidence: Evidence }) {
               say("opened-evidence-divergence"),
               withU(1e3 * rig.divergence_rad, 1e3 * rig.u_divergence_rad, "mrad"),
             ],
-            [say("opened-evidence-distance"), rig.distance_m === null ? NONE : `${rig.distance_m} m`],
+            [say("opened-evidence-distance"), withU(rig.distance_m, null, "m")],
             [say("opened-evidence-misalignment"), withU(rig.misalignment_px, rig.u_misalignment_px, "px")],
-            [say("opened-evidence-shadow"), `${Math.round(100 * rig.shadow_share)} %`],
+            [say("opened-evidence-shadow"), `${Math.round(100 * rig.shadow_share)}\u00a0%`],
             [
               say("opened-evidence-strips"),
               say("opened-evidence-strips-size", {
@@ -228,8 +239,8 @@ export function Rig({ evidence }: { evidence: Evidence }) {
           ]}
         />
       </div>
-      {scan.notes.map((one) => (
-        <p key={one}>{one}</p>
+      {evidence.words.notes.map((one) => (
+        <p key={one}>{told(one)}</p>
       ))}
     </Section>
   );
@@ -258,7 +269,7 @@ export function Audit({ evidence }: { evidence: Evidence }) {
               <tr key={one.number}>
                 <td>{one.number}</td>
                 <td>{one.at.slice(0, 19).replace("T", " ")}</td>
-                <td>{`${one.action} ${one.entity} ${one.entity_id ?? ""}`}</td>
+                <td>{eventWords(one)}</td>
                 <td>
                   <code class="evidence__hash">{one.hash}</code>
                 </td>
@@ -277,4 +288,8 @@ export function Audit({ evidence }: { evidence: Evidence }) {
       </ol>
     </Section>
   );
+}
+
+function eventWords({ action, entity, entity_id }: AuditEvent): string {
+  return say("opened-evidence-event", { action, entity, number: String(entity_id ?? "") });
 }

@@ -72,8 +72,16 @@ export interface AuditEvent extends Record<string, Json> {
   readonly chain: string;
   readonly number: number;
   readonly at: string;
-  readonly action: string;
-  readonly entity: string;
+  readonly action:
+    | "create"
+    | "read"
+    | "recorded"
+    | "reading_failed"
+    | "restart_reading"
+    | "review"
+    | "swap_cameras"
+    | "update";
+  readonly entity: "scan" | "scan_measurement" | "scan_review";
   readonly entity_id: number | null;
   readonly after: string | null;
   readonly previous_hash: string;
@@ -103,7 +111,6 @@ export interface Evidence {
     readonly bits: number;
     readonly first_sha256: string;
     readonly second_sha256: string;
-    readonly notes: readonly string[];
   };
   readonly vehicle: {
     readonly number: number;
@@ -131,11 +138,12 @@ export interface Evidence {
     readonly u_filmed_at_s: number | null;
   };
   readonly at_vehicle: { readonly baseline_m: number; readonly u_baseline_m: number };
-  /** What the codes of the motion and of the gap before it say. */
+  /** What the codes of the import, of the motion and of the gap before it say. */
   readonly words: {
     readonly reason: string | null;
     readonly warnings: readonly string[];
     readonly gap: string | null;
+    readonly notes: readonly string[];
   };
   readonly pictures: readonly PictureFacts[];
   readonly decision: {

@@ -42,8 +42,8 @@ export function OutOfDateNotice({ surveyId, computed }: NoticeProps) {
           canWork.value && (
             <Button
               small
-              busy={work.busy}
-              onClick={() => void work.run(() => api.write("POST /surveys/{survey_id}/computings", where))}
+              busy={work.underWay}
+              onClick={() => void work.start(() => api.write("POST /surveys/{survey_id}/computings", where))}
             >
               {say("computing-start")}
             </Button>

@@ -1,13 +1,12 @@
 /** Did the camera move: the verdict in words, a plot over the recording's time, looking again, and a person's decision. */
 import { useState } from "preact/hooks";
 import { Button, JobProgress, type MarkShape, Problem, Shape, TextField } from "../../components";
-import { useAction } from "../../core/action";
 import { api } from "../../core/api";
-import { jobProblem, useJob } from "../../core/jobs";
+import { useJobAction } from "../../core/jobs";
 import { say, sentenceOf } from "../../core/messages";
 import { useResource } from "../../core/resource";
 import { may } from "../../core/session";
-import type { Drift, Job } from "../../core/types";
+import type { Drift } from "../../core/types";
 import { DriftPlot } from "./DriftPlot";
 import "./drift.css";
 
@@ -23,20 +22,15 @@ export function DriftVerdict({ recordingId, poseId, open }: Props) {
     (signal) => api.ask("GET /recordings/{recording_id}/drift", { recording_id: recordingId }, { signal }),
     [recordingId, poseId],
   );
-  const [jobId, setJobId] = useState<number | null>(null);
-  const { problem, setProblem, run } = useAction();
-  const over = (ended: Job): void => {
-    setJobId(null);
-    if (ended.state === "failed") setProblem(jobProblem(ended, say("drift-stopped")));
-    void drift.reload();
-  };
-  const job = useJob(jobId ?? drift.data?.job?.id ?? null, over, setProblem);
+  const { job, problem, setProblem, start } = useJobAction({
+    known: drift.data?.job?.id ?? null,
+    stopped: say("drift-stopped"),
+    over: drift.reload,
+  });
   if (poseId === null || !drift.data) return null;
   const { check, decision, flagged } = drift.data;
   const look = () =>
-    run(async () => {
-      setJobId((await api.write("POST /recordings/{recording_id}/drift", { recording_id: recordingId })).id);
-    });
+    start(() => api.write("POST /recordings/{recording_id}/drift", { recording_id: recordingId }));
   const lookButton = (words: string) =>
     may("operator") &&
     !job && (

@@ -169,12 +169,13 @@ function Legend({ entries }: { entries: readonly LegendEntry[] }) {
   return (
     <ul class="stat-legend">
       {entries.map((one) => (
-        <li key={one.word}>
+        <li key={one.word} class="row">
           <svg width="30" height="12" viewBox="-15 -6 30 12" aria-hidden="true">
-            {one.dot ? (
-              <path d={DOTS[one.dot]} fill="none" stroke="currentColor" stroke-width="1.5" />
-            ) : (
+            {(one.dash || !one.dot) && (
               <path d="M-15 0H15" stroke={hueOf(one)} stroke-width="2" stroke-dasharray={one.dash} />
+            )}
+            {one.dot && (
+              <path d={DOTS[one.dot]} fill="var(--surface)" stroke="currentColor" stroke-width="1.5" />
             )}
           </svg>
           {one.word}

@@ -1,5 +1,5 @@
 import { DataTable, Panel } from "../../components";
-import { say } from "../../core/messages";
+import { say, wordsOf } from "../../core/messages";
 import { lengthScale, plainHeight, plainPercent, plainSmall, smallScale } from "../../core/units";
 import "./figures.css";
 import { NONE, percent } from "./numbers";
@@ -10,6 +10,16 @@ export type Rule = Omit<RuleToday, "standard" | "by_pose_m"> & {
   standard: Pick<RuleToday["standard"], "name" | "what" | "height_m" | "percent" | "vehicle_class">;
 };
 
+/** The height that the rule of a standard is a percentile of. */
+const HEIGHT_OF: Readonly<Record<RuleToday["standard"]["what"], string>> = wordsOf({
+  eye_car: "target-driver_eye",
+  eye_truck: "target-driver_eye",
+  object_stopping: "target-taillight",
+  object_passing: "target-taillight",
+  headlight: "target-headlight",
+  vehicle: "target-roof",
+});
+
 const SMALLEST_RISK = 0.001; // draws tell no smaller one
 
 /** The percentile that each standard is set by, in today's heights of its class, and what may be said of it. */
@@ -19,6 +29,9 @@ export function SameRule({ rules }: { rules: readonly Rule[] }) {
   const unit = lengthScale()[1];
   return (
     <Panel title={say("statistics-rule-title")} data-testid="same-rule">
+      {there.every((one) => one.verdict === "unknown") && (
+        <p class="stat-notes">{say("statistics-rule-none")}</p>
+      )}
       <DataTable
         label={say("statistics-rule-title")}
         rows={there}
@@ -27,6 +40,7 @@ export function SameRule({ rules }: { rules: readonly Rule[] }) {
           rowHead(say("statistics-rule-standard"), (one) => one.standard.name),
           col(say("statistics-rule-rule"), (one) =>
             say("statistics-rule-of", {
+              what: HEIGHT_OF[one.standard.what],
               percent: plainPercent(one.standard.percent),
               class: one.by_class ? one.standard.vehicle_class : say("statistics-rule-all"),
             }),

@@ -1,6 +1,7 @@
 import { describe, expect, it } from "vitest";
 import { speak } from "../../core/messages";
 import {
+  aroundOne,
   densityMarks,
   ecdfMarks,
   marginOf,
@@ -56,6 +57,14 @@ describe("curves", () => {
     const [first] = (drawn[0]?.data ?? []) as { y: number }[];
     expect(first?.y).toBeCloseTo(4); // 4 a metre: 4 % in each centimetre
     expect(shareStep("ft")).toEqual({ m: 0.0254, name: "in" });
+  });
+
+  it("has an axis of some width about one value alone", () => {
+    expect(aroundOne([63.4, Number.NaN, 63.4])).toEqual({ domain: [50, 70] });
+    expect(aroundOne([4.66])).toEqual({ domain: [4, 6] });
+    expect(aroundOne([0])).toEqual({ domain: [0, 1] });
+    expect(aroundOne([-0.31])).toEqual({ domain: [expect.closeTo(-0.4), expect.closeTo(-0.2)] });
+    expect(aroundOne([63.4, 63.5])).toEqual({});
   });
 
   it("have no band where there are too few for one", () => {

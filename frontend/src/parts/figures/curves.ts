@@ -29,11 +29,15 @@ const lineStyle = (curve: Curve) => ({
   strokeDasharray: curve.dash,
 });
 
-/** One value alone spans no axis: whole units about it do. Numbers that are none (NaN) count for nothing. */
+/** One value alone spans no axis: units of its first digit about it do, 50 to 70 about 63. Numbers that are none (NaN)
+ *  count for nothing. */
 export function aroundOne(values: readonly number[]): { domain?: [number, number] } {
   const there = values.filter(Number.isFinite);
   const [least, most] = [Math.min(...there), Math.max(...there)];
-  return least === most ? { domain: [Math.floor(least), Math.floor(least) + 1] } : {};
+  if (least !== most) return {};
+  const unit = least === 0 ? 1 : 10 ** Math.floor(Math.log10(Math.abs(least)));
+  const low = unit * (Math.round(least / unit) - 1);
+  return { domain: [least < 0 ? low : Math.max(0, low), low + 2 * unit] };
 }
 
 /** A cumulative distribution as steps, with its band. */

@@ -1,9 +1,7 @@
 /** A button that starts work on a recording, follows it, and says what came of it. */
-import { useEffect, useState } from "preact/hooks";
 import { Button, JobProgress, Problem } from "../../components";
 import type { IconName } from "../../components/Icon";
-import { useAction } from "../../core/action";
-import { cancelJob, isOver, jobProblem, useJob } from "../../core/jobs";
+import { isOver, useJobAction } from "../../core/jobs";
 import { may } from "../../core/session";
 import { toast } from "../../core/toasts";
 import type { Job, Recording } from "../../core/types";
@@ -28,48 +26,32 @@ export interface RecordingJobProps {
 
 export function RecordingJob({ recording, kind, icon, start, words, over }: RecordingJobProps) {
   const known = recording.job;
-  const underWay = known?.kind === kind && !isOver(known) ? known.id : null;
-  const [jobId, setJobId] = useState<number | null>(underWay);
-  // work that began by itself when the video was read
-  useEffect(() => {
-    if (underWay !== null) setJobId(underWay);
-  }, [underWay]);
-  const { problem, setProblem, run } = useAction();
-  const job = useJob(
-    jobId,
-    (done) => {
-      setJobId(null);
-      if (done.state === "failed") setProblem(jobProblem(done, words.failed));
-      else toast(told(words, done));
-      void over();
+  const work = useJobAction({
+    // work that began by itself when the video was read, too
+    known: known?.kind === kind && !isOver(known) ? known.id : null,
+    stopped: words.failed,
+    over: (done) => {
+      if (done.state !== "failed") toast(told(words, done));
+      return over();
     },
-    (error) => {
-      setJobId(null);
-      setProblem(error);
-    },
-  );
+  });
   if (!may("operator") || recording.state !== "ready") return null;
-  const begin = () =>
-    run(async () => {
-      setJobId((await start()).id);
-    });
-  const stop = () => void cancelJob(jobId ?? 0).catch(setProblem);
   return (
     <div class="find-passes">
-      {jobId !== null && job ? (
-        <JobProgress job={job} onCancel={stop} />
+      {work.job ? (
+        <JobProgress job={work.job} onCancel={work.cancel} />
       ) : (
         <Button
           kind="plain"
           icon={icon}
-          disabled={jobId !== null}
+          disabled={work.underWay}
           title={words.title}
-          onClick={() => void begin()}
+          onClick={() => void work.start(start)}
         >
           {words.action}
         </Button>
       )}
-      <Problem error={problem} />
+      <Problem error={work.problem} />
     </div>
   );
 }

@@ -3,12 +3,12 @@ import { api } from "../../core/api";
 import { say } from "../../core/messages";
 import { useResource } from "../../core/resource";
 import { formatMoment } from "../../core/times";
-import type { History, Measurement } from "../../core/types";
+import type { History } from "../../core/types";
 import { formatHeight } from "../../core/units";
 import { STATE_WORDS } from "../../core/words";
 import "./vehicle.css";
 
-function revisionWords(m: Measurement): string {
+function revisionWords(m: History["revisions"][number]): string {
   if (m.withdrawn) return STATE_WORDS.withdrawn;
   return m.status === "ok" ? formatHeight(m.height_m, m.U95_height_m) : STATE_WORDS.not_measurable;
 }

@@ -1,6 +1,7 @@
 /** The list of passes as the operator wants to see it: filter, order, next and previous. */
 import { wordsOf } from "../../core/messages";
 import type { Vehicle } from "../../core/types";
+import { beside, nextThat } from "../worklist";
 
 export type Filter = "all" | "to_do" | "rejected" | "measured" | "doubtful" | "no_class" | "left_out";
 export type Order = "number" | "time" | "state";
@@ -77,9 +78,7 @@ export function neighbour(
   from: Vehicle | undefined,
   step: 1 | -1,
 ): Vehicle | undefined {
-  if (!from) return step === 1 ? list[0] : list.at(-1);
-  const at = list.findIndex((vehicle) => vehicle.id === from.id);
-  if (at >= 0) return list[at + step];
+  if (!from || list.some((vehicle) => vehicle.id === from.id)) return beside(list, from?.id ?? null, step);
   return step === 1
     ? list.find((vehicle) => vehicle.number > from.number)
     : list.findLast((vehicle) => vehicle.number < from.number);
@@ -87,9 +86,7 @@ export function neighbour(
 
 /** The next pass with something to do, searching on from one and then from the start. */
 export function nextOpen(list: readonly Vehicle[], from: Vehicle | undefined): Vehicle | undefined {
-  const at = from ? list.findIndex((vehicle) => vehicle.id === from.id) : -1;
-  const round = [...list.slice(at + 1), ...list.slice(0, at + 1)];
-  return round.find((vehicle) => isOpen(vehicle) && vehicle.id !== from?.id);
+  return nextThat(list, from?.id ?? null, isOpen);
 }
 
 /** Where to begin: a pass that nobody has begun, else one begun or sent back. */

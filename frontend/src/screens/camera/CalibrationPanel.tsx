@@ -1,7 +1,7 @@
 import { useState } from "preact/hooks";
 import { Button, Loading, Notice, Problem, StateMark } from "../../components";
 import { api } from "../../core/api";
-import { say, wordsOf } from "../../core/messages";
+import { say, sentenceOf, wordsOf } from "../../core/messages";
 import { useResource } from "../../core/resource";
 import { formatMoment } from "../../core/times";
 import type { Calibration, CameraDetail, CameraView } from "../../core/types";
@@ -15,7 +15,7 @@ import { ViewPicture } from "./ViewPicture";
 interface Props {
   id: number;
   camera: CameraDetail;
-  makeCurrent?: (id: number) => Promise<void>;
+  makeCurrent?: (id: number) => Promise<unknown>;
 }
 
 /** What a calibration came to: verdict, figures with uncertainties, where the picture was covered, which view fits worst. */
@@ -59,8 +59,8 @@ export function CalibrationPanel({ id, camera, makeCurrent }: Props) {
         </div>
       </header>
       <div class="panel__body stack">
-        {c.summary && <p>{c.summary}</p>}
-        {c.warnings.map((warning) => (
+        <p>{sentenceOf(c.summary)}</p>
+        {c.warnings.map(sentenceOf).map((warning) => (
           <Notice kind="warning" key={warning}>
             {warning}
           </Notice>
@@ -152,13 +152,13 @@ function Coverage({ calibration }: { calibration: Calibration }) {
 }
 
 /** Which pictures to take next, from the places and tilts that are missing. */
-function Reshoot({ missing }: { missing: string[] }) {
+function Reshoot({ missing }: { missing: Calibration["reshoot"] }) {
   if (missing.length === 0) return <p class="small">{say("camera-covered")}</p>;
   return (
     <div class="reshoot small">
       <h3>{say("camera-reshoot")}</h3>
       <ul>
-        {missing.map((sentence) => (
+        {missing.map(sentenceOf).map((sentence) => (
           <li key={sentence}>{sentence}</li>
         ))}
       </ul>
@@ -215,7 +215,7 @@ function Views({ calibration, camera }: { calibration: Calibration; camera: Came
               {leftOut.map((view) => (
                 <div key={view.file}>
                   <dt>{view.file}</dt>
-                  <dd class="muted">{view.reason ?? say("camera-no-reason")}</dd>
+                  <dd class="muted">{sentenceOf(view.reason) ?? say("camera-no-reason")}</dd>
                 </div>
               ))}
             </dl>

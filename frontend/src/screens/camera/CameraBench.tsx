@@ -1,7 +1,6 @@
 import { useState } from "preact/hooks";
 import { Button, DropFiles, Icon, JobProgress, Notice, Panel, Problem, Segments } from "../../components";
 import { Said } from "../../components/Said";
-import { cancelJob } from "../../core/jobs";
 import { say } from "../../core/messages";
 import { may } from "../../core/session";
 import type { CalibrationImage, CameraDetail } from "../../core/types";
@@ -67,8 +66,7 @@ export function CameraBench({ camera, surveyId, reload, set }: Props) {
               busy={work.calibrating}
               calibrate={(recipe) => void work.calibrate(recipe)}
             />
-            {work.job && <JobProgress job={work.job} onCancel={() => cancelIt(work)} />}
-            {work.failed && <Notice kind="problem">{work.failed}</Notice>}
+            {work.job && <JobProgress job={work.job} onCancel={work.cancel} />}
             <Problem error={work.problem} />
           </div>
         </Panel>
@@ -110,10 +108,6 @@ function Images({ camera, board, stale, work }: ImagesProps) {
       )}
     </>
   );
-}
-
-function cancelIt(work: CameraWork): void {
-  if (work.job) void cancelJob(work.job.id).catch(work.setProblem);
 }
 
 /** A board lying on its side is the same board: the detector names columns and rows as it sees them. */

@@ -1,5 +1,5 @@
 import { Button, Panel, StateMark, Table } from "../../components";
-import { say, wordsOf } from "../../core/messages";
+import { say, sentenceOf, wordsOf } from "../../core/messages";
 import { formatMoment } from "../../core/times";
 import type { CameraDetail } from "../../core/types";
 
@@ -37,7 +37,7 @@ export function History({ camera, shownId, show }: Props) {
             <td>
               <StateMark state={entry.trusted ? "trusted" : "not_trusted"} />
             </td>
-            <td>{entry.summary}</td>
+            <td>{sentenceOf(entry.summary)}</td>
             <td class="num">
               {entry.id === camera.current_calibration_id && (
                 <span class="badge badge--solid">{say("in-use")}</span>

@@ -1,5 +1,5 @@
 import { Button, StateMark } from "../../components";
-import { say } from "../../core/messages";
+import { say, sentenceOf } from "../../core/messages";
 import type { CalibrationImage } from "../../core/types";
 import { STATE_WORDS } from "../../core/words";
 import { CornerMarks } from "./CornerMarks";
@@ -50,7 +50,7 @@ export function ImageGrid({
               word={image.found ? foundInWords(image) : STATE_WORDS.left_out}
             />
           </p>
-          {image.reason && <p class="small muted">{image.reason}</p>}
+          {image.reason && <p class="small muted">{sentenceOf(image.reason)}</p>}
         </li>
       ))}
     </ul>

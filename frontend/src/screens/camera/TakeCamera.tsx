@@ -1,7 +1,7 @@
 import { useState } from "preact/hooks";
 import { FormDialog, Loading, Notice, Problem, SelectField } from "../../components";
 import { api } from "../../core/api";
-import { say } from "../../core/messages";
+import { say, sentenceOf } from "../../core/messages";
 import { useResource } from "../../core/resource";
 import type { Camera } from "../../core/types";
 
@@ -63,7 +63,7 @@ export function TakeCamera({ surveyId, close, added }: Props) {
           value={String(camera?.id)}
           onChange={(value) => setPicked(Number(value))}
           options={calibrated.map((one) => ({ value: String(one.id), label: one.name }))}
-          hint={now?.summary}
+          hint={sentenceOf(now?.summary) ?? undefined}
         />
       )}
     </FormDialog>

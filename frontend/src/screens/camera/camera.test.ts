@@ -199,7 +199,7 @@ describe("checks in words", () => {
   it("a reason stands where there are no halves", () => {
     const none = {
       ...halves,
-      reason: "Two halves need at least 6 usable views; there are 4.",
+      reason: { code: "calibration-halves-few", values: { least: 6, usable: 4, board: "flat" }, message: "" },
       height_differences: [],
     };
     expect(halvesInWords(none)).toMatch(/^Not done\. Two halves need at least 6/);

@@ -1,5 +1,5 @@
 /** The checks of a calibration in words. Pure; the numbers are the server's. */
-import { allOf, say } from "../../core/messages";
+import { allOf, say, sentenceOf } from "../../core/messages";
 import type { Calibration } from "../../core/types";
 import { fixed, formatSmall, lengthScale, smallScale } from "../../core/units";
 
@@ -29,7 +29,7 @@ export function px(value: number | null): string {
 
 /** "Two halves of the pictures, calibrated separately, differ by ... in a height", or why that is not known. */
 export function halvesInWords(halves: Halves): string {
-  if (halves.reason !== null) return say("camera-halves-not-done", { reason: halves.reason });
+  if (halves.reason !== null) return say("camera-halves-not-done", { reason: sentenceOf(halves.reason) });
   const told = halves.height_differences.flatMap((d) =>
     d.difference_m === null ? [] : [differenceAt(d.difference_m, d.distance_m)],
   );

@@ -1,6 +1,6 @@
 import { useState } from "preact/hooks";
 import { api, explain } from "../../core/api";
-import { useJob } from "../../core/jobs";
+import { useJobAction } from "../../core/jobs";
 import { say } from "../../core/messages";
 import { refreshSurvey } from "../../core/survey";
 import { toast } from "../../core/toasts";
@@ -22,25 +22,10 @@ export function useCameraWork(
   set: (change: (now: CameraDetail) => CameraDetail) => void,
 ) {
   const [sending, setSending] = useState<Sending[]>([]);
-  const [busy, setBusy] = useState(false);
-  const [problem, setProblem] = useState<unknown>(null);
-  const [failed, setFailed] = useState<string | null>(null);
-  const [jobId, setJobId] = useState<number | null>(camera.calibrating?.id ?? null);
   const [shownId, setShownId] = useState<number | null>(
     camera.current_calibration_id ?? camera.calibrations.at(-1)?.id ?? null,
   );
 
-  const run = async (work: () => Promise<unknown>) => {
-    setBusy(true);
-    setProblem(null);
-    setFailed(null);
-    try {
-      await work();
-    } catch (error) {
-      setProblem(error);
-    }
-    setBusy(false);
-  };
   const refresh = async () => {
     await reload();
     await refreshSurvey();
@@ -51,19 +36,14 @@ export function useCameraWork(
     await refresh();
   };
 
-  const job = useJob(
-    jobId,
-    (over) => {
-      setJobId(null);
-      setFailed(over.state === "failed" ? (over.error ?? say("camera-failed")) : null);
-      const made = over.result?.["calibration_id"];
-      void (typeof made === "number" ? show(made) : refresh());
+  const { job, busy, underWay, problem, setProblem, run, start, cancel } = useJobAction({
+    known: camera.calibrating?.id ?? null,
+    stopped: say("camera-failed"),
+    over: (ended) => {
+      const made = ended.result?.["calibration_id"];
+      return typeof made === "number" ? show(made) : refresh();
     },
-    (error) => {
-      setJobId(null);
-      setProblem(error);
-    },
-  );
+  });
 
   /** One after the other: the server looks for the board in each before it takes the next. */
   const addImages = async (files: File[]) => {
@@ -85,12 +65,11 @@ export function useCameraWork(
     waiting: sending.filter((entry) => entry.problem === null).length,
     busy,
     problem,
-    failed,
     job,
-    calibrating: jobId !== null,
+    calibrating: underWay,
     shownId,
     setShownId,
-    setProblem,
+    cancel,
     addImages,
     detectAgain: () =>
       run(async () => {
@@ -107,19 +86,13 @@ export function useCameraWork(
         await api.write("DELETE /calibration-images/{image_id}", { image_id: image.id });
         set((now) => ({ ...now, images: now.images.filter((other) => other.id !== image.id) }));
       }),
-    calibrate: (recipe: Recipe) =>
-      run(async () => {
-        if (!board) return;
-        setJobId(
-          (
-            await api.write(
-              "POST /cameras/{camera_id}/calibrations",
-              { camera_id: camera.id },
-              { body: { ...board, ...recipe } },
-            )
-          ).id,
+    calibrate: async (recipe: Recipe) => {
+      const where = { camera_id: camera.id };
+      if (board)
+        await start(() =>
+          api.write("POST /cameras/{camera_id}/calibrations", where, { body: { ...board, ...recipe } }),
         );
-      }),
+    },
     importFile: (file: File) =>
       run(async () => {
         const made = await api.write(

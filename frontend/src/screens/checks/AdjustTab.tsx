@@ -2,19 +2,18 @@
 import { useState } from "preact/hooks";
 import {
   Button,
+  DataTable,
   Empty,
   JobProgress,
   Loading,
   Notice,
   Panel,
   Problem,
-  TableScroll,
   TextField,
 } from "../../components";
-import { useAction } from "../../core/action";
 import { api } from "../../core/api";
-import { cancelJob, useJob } from "../../core/jobs";
-import { allOf, say, wordsOf } from "../../core/messages";
+import { useJobAction } from "../../core/jobs";
+import { allOf, say, sentenceOf, wordsOf } from "../../core/messages";
 import { useResource } from "../../core/resource";
 import { canWork } from "../../core/session";
 import { refreshSurvey } from "../../core/survey";
@@ -58,20 +57,17 @@ export function AdjustTab({ surveyId }: { surveyId: number }) {
     [surveyId, JSON.stringify(known)],
     { keep: true },
   );
-  const [jobId, setJobId] = useState<number | null>(null);
-  const { busy, problem, setProblem, run } = useAction();
   const again = () => Promise.all([read.reload(), refreshSurvey()]);
-  const over = async () => {
-    setJobId(null);
-    await again();
-  };
-  const job = useJob(jobId, () => void over(), setProblem);
+  const { job, underWay, busy, problem, run, follow, cancel } = useJobAction({
+    stopped: say("computing-job"),
+    over: again,
+  });
   const decide = (ask: () => Promise<{ job: Job | null }>, done: string) =>
     run(async () => {
       try {
         const answer = await ask();
         toast(done);
-        setJobId(answer.job?.id ?? null);
+        follow(answer.job?.id ?? null);
       } finally {
         await again();
       }
@@ -86,9 +82,9 @@ export function AdjustTab({ surveyId }: { surveyId: number }) {
     <>
       <KnownFields known={known} change={setKnown} />
       <Problem error={problem ?? read.error} />
-      {jobId !== null && job && (
+      {job && (
         <div class="panel panel__body">
-          <JobProgress job={job} onCancel={() => void cancelJob(job.id)} />
+          <JobProgress job={job} onCancel={cancel} />
         </div>
       )}
       {read.data.length === 0 && <Empty title={say("adjust-no-pose")} />}
@@ -97,7 +93,7 @@ export function AdjustTab({ surveyId }: { surveyId: number }) {
           key={one.pose_id}
           surveyId={surveyId}
           found={one}
-          busy={busy || jobId !== null || read.loading}
+          busy={busy || underWay || read.loading}
           put={(change) =>
             decide(
               () =>
@@ -196,9 +192,9 @@ function OfPose({ surveyId, found, busy, put, takeBack }: PoseProps) {
         ) : (
           <p>{say("adjust-seen", { tyres: found.tyres, roofs: found.roofs })}</p>
         )}
-        {found.reason && found.adjusted_from === null && <Notice>{found.reason}</Notice>}
+        {found.reason && found.adjusted_from === null && <Notice>{sentenceOf(found.reason)}</Notice>}
         {found.used > 0 && <p>{inWords(found)}</p>}
-        {found.notes.map((note) => (
+        {found.notes.map(sentenceOf).map((note) => (
           <Notice kind="warning" key={note}>
             {note}
           </Notice>
@@ -236,33 +232,20 @@ function inItsUnit(name: string, value: number): string {
 function MovedTable({ found }: { found: PoseAdjustment }) {
   const named = found.moved.filter((one) => MOVED[one.name] && one.by_u !== null);
   return (
-    <TableScroll label={say("adjust-moved-title")}>
-      <table class="table" data-testid="moved">
-        <caption class="inset-words__caption">{say("adjust-moved-title")}</caption>
-        <thead>
-          <tr>
-            <th>{say("adjust-what")}</th>
-            <th class="num">{say("adjust-value")}</th>
-            <th class="num" title={say("adjust-by-u-help")}>
-              {say("adjust-by-u")}
-            </th>
-            <th class="num">{say("adjust-u-before")}</th>
-            <th class="num">{say("adjust-u-after")}</th>
-          </tr>
-        </thead>
-        <tbody>
-          {named.map((one) => (
-            <tr key={one.name}>
-              <td>{MOVED[one.name]}</td>
-              <td class="num">{inItsUnit(one.name, one.value)}</td>
-              <td class="num">{scaled(one.by_u, 1, 1)}</td>
-              <td class="num">{inItsUnit(one.name, one.u_before)}</td>
-              <td class="num">{inItsUnit(one.name, one.u_after)}</td>
-            </tr>
-          ))}
-        </tbody>
-      </table>
-    </TableScroll>
+    <DataTable
+      label={say("adjust-moved-title")}
+      caption={say("adjust-moved-title")}
+      data-testid="moved"
+      rows={named}
+      keyOf={(one) => one.name}
+      columns={({ col, num }) => [
+        col(say("adjust-what"), (one) => MOVED[one.name]),
+        num(say("adjust-value"), (one) => inItsUnit(one.name, one.value)),
+        { ...num(say("adjust-by-u"), (one) => scaled(one.by_u, 1, 1)), title: say("adjust-by-u-help") },
+        num(say("adjust-u-before"), (one) => inItsUnit(one.name, one.u_before)),
+        num(say("adjust-u-after"), (one) => inItsUnit(one.name, one.u_after)),
+      ]}
+    />
   );
 }
 
@@ -270,51 +253,38 @@ function LeftOut({ surveyId, found }: { surveyId: number; found: PoseAdjustment 
   if (found.left_out.length === 0)
     return found.used > 0 ? <p class="panel__body muted">{say("adjust-left-none")}</p> : null;
   return (
-    <TableScroll label={say("adjust-left-title")} class="adjust-left">
-      <table class="table" data-testid="left-out">
-        <caption class="inset-words__caption">{say("adjust-left-title")}</caption>
-        <tbody>
-          {found.left_out.map((one) => (
-            <tr key={`${one.vehicle_id} ${one.what}`}>
-              <td>
-                <a href={`/surveys/${surveyId}/measure?vehicle=${one.vehicle_id}`}>#{one.number}</a>
-              </td>
-              <td>{one.what === "tyres" ? say("adjust-of-tyres") : say("adjust-of-roof")}</td>
-              <td>{one.reason}</td>
-            </tr>
-          ))}
-        </tbody>
-      </table>
-    </TableScroll>
+    <DataTable
+      label={say("adjust-left-title")}
+      scroll="adjust-left"
+      caption={say("adjust-left-title")}
+      data-testid="left-out"
+      rows={found.left_out}
+      keyOf={(one) => `${one.vehicle_id} ${one.what}`}
+      columns={({ col }) => [
+        col(say("computing-vehicle"), (one) => <a href={vehicleAt(surveyId, one)}>#{one.number}</a>),
+        col(say("adjust-what"), (one) => say(one.what === "tyres" ? "adjust-of-tyres" : "adjust-of-roof")),
+        col(say("computing-kind"), (one) => sentenceOf(one.reason)),
+      ]}
+    />
   );
 }
 
 function ModelsTable({ found }: { found: PoseAdjustment }) {
   return (
     <>
-      <TableScroll label={say("adjust-models-title")} class="adjust-left">
-        <table class="table">
-          <caption class="inset-words__caption">{say("adjust-models-title")}</caption>
-          <thead>
-            <tr>
-              <th>{say("adjust-model")}</th>
-              <th class="num">{say("adjust-vehicles")}</th>
-              <th class="num">{say("adjust-camera")}</th>
-              <th class="num">{say("adjust-by-u")}</th>
-            </tr>
-          </thead>
-          <tbody>
-            {found.without_model.map((one) => (
-              <tr key={one.model}>
-                <td>{one.model}</td>
-                <td class="num">{one.vehicles}</td>
-                <td class="num">{formatSmall(one.camera_height_change_m)}</td>
-                <td class="num">{fixed(one.by_u, 1)}</td>
-              </tr>
-            ))}
-          </tbody>
-        </table>
-      </TableScroll>
+      <DataTable
+        label={say("adjust-models-title")}
+        scroll="adjust-left"
+        caption={say("adjust-models-title")}
+        rows={found.without_model}
+        keyOf={(one) => one.model}
+        columns={({ col, num }) => [
+          col(say("adjust-model"), (one) => one.model),
+          num(say("adjust-vehicles"), (one) => one.vehicles),
+          num(say("adjust-camera"), (one) => formatSmall(one.camera_height_change_m)),
+          num(say("adjust-by-u"), (one) => fixed(one.by_u, 1)),
+        ]}
+      />
       <p class="panel__body muted small">{say("adjust-models-note")}</p>
     </>
   );
@@ -322,32 +292,24 @@ function ModelsTable({ found }: { found: PoseAdjustment }) {
 
 function HeightsTable({ surveyId, found }: { surveyId: number; found: PoseAdjustment }) {
   return (
-    <TableScroll label={say("adjust-heights-title")} class="again-heights">
-      <table class="table" data-testid="adjusted-heights">
-        <caption class="inset-words__caption">{say("adjust-heights-title")}</caption>
-        <thead>
-          <tr>
-            <th>{say("computing-vehicle")}</th>
-            <th>{say("computing-target")}</th>
-            <th class="num">{say("adjust-now")}</th>
-            <th class="num">{say("adjust-then")}</th>
-            <th class="num">{say("computing-change")}</th>
-          </tr>
-        </thead>
-        <tbody>
-          {found.heights.map((one) => (
-            <tr key={one.measurement_id}>
-              <td>
-                <a href={`/surveys/${surveyId}/measure?vehicle=${one.vehicle_id}`}>#{one.number}</a>
-              </td>
-              <td>{TARGET_WORDS[one.target]}</td>
-              <td class="num">{formatHeight(one.height_m, one.U95_height_m)}</td>
-              <td class="num">{formatHeight(one.adjusted_m, one.U95_adjusted_m)}</td>
-              <td class="num">{formatSmall(one.change_m)}</td>
-            </tr>
-          ))}
-        </tbody>
-      </table>
-    </TableScroll>
+    <DataTable
+      label={say("adjust-heights-title")}
+      scroll="again-heights"
+      caption={say("adjust-heights-title")}
+      data-testid="adjusted-heights"
+      rows={found.heights}
+      keyOf={(one) => one.measurement_id}
+      columns={({ col, num }) => [
+        col(say("computing-vehicle"), (one) => <a href={vehicleAt(surveyId, one)}>#{one.number}</a>),
+        col(say("computing-target"), (one) => TARGET_WORDS[one.target]),
+        num(say("adjust-now"), (one) => formatHeight(one.height_m, one.U95_height_m)),
+        num(say("adjust-then"), (one) => formatHeight(one.adjusted_m, one.U95_adjusted_m)),
+        num(say("computing-change"), (one) => formatSmall(one.change_m)),
+      ]}
+    />
   );
+}
+
+function vehicleAt(surveyId: number, { vehicle_id }: { vehicle_id: number }): string {
+  return `/surveys/${surveyId}/measure?vehicle=${vehicle_id}`;
 }

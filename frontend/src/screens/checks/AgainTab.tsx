@@ -2,7 +2,6 @@
 import { Button, DataTable, JobProgress, Loading, Notice, Panel, Problem } from "../../components";
 import { query, setQuery } from "../../core/address";
 import { api } from "../../core/api";
-import { cancelJob } from "../../core/jobs";
 import { say, wordsOf } from "../../core/messages";
 import { useResource } from "../../core/resource";
 import { canWork } from "../../core/session";
@@ -25,7 +24,7 @@ export function AgainTab({ surveyId }: { surveyId: number }) {
     if (job.state === "done") setQuery({ computing: null });
     return read.reload();
   });
-  const start = () => work.run(() => api.write("POST /surveys/{survey_id}/computings", where));
+  const start = () => work.start(() => api.write("POST /surveys/{survey_id}/computings", where));
   if (!read.data)
     return read.error ? (
       <Problem error={read.error} again={read.reload} />
@@ -38,13 +37,10 @@ export function AgainTab({ surveyId }: { surveyId: number }) {
   return (
     <>
       <Problem error={work.problem} />
-      <Stale found={read.data} busy={work.job !== null} start={start} />
+      <Stale found={read.data} busy={work.underWay} start={start} />
       {work.job && (
         <div class="panel panel__body">
-          <JobProgress
-            job={work.job}
-            onCancel={work.job.progress < 0.9 ? () => void cancelJob(work.job?.id ?? 0) : undefined}
-          />
+          <JobProgress job={work.job} onCancel={work.job.progress < 0.9 ? work.cancel : undefined} />
         </div>
       )}
       <Runs computings={computings} shown={shown?.id ?? 0} />
@@ -53,9 +49,9 @@ export function AgainTab({ surveyId }: { surveyId: number }) {
           key={`${shown.id} ${shown.undone_by}`}
           surveyId={surveyId}
           computing={shown}
-          busy={work.job !== null}
+          busy={work.underWay}
           undo={() =>
-            work.run(() => api.write("POST /computings/{computing_id}/undo", { computing_id: shown.id }))
+            work.start(() => api.write("POST /computings/{computing_id}/undo", { computing_id: shown.id }))
           }
         />
       )}
@@ -63,7 +59,7 @@ export function AgainTab({ surveyId }: { surveyId: number }) {
   );
 }
 
-function Stale({ found, busy, start }: { found: Computings; busy: boolean; start(): Promise<void> }) {
+function Stale({ found, busy, start }: { found: Computings; busy: boolean; start(): Promise<unknown> }) {
   const stale = found.out_of_date;
   const button = canWork.value && (
     <Button kind={stale.heights > 0 ? "primary" : undefined} busy={busy} onClick={() => void start()}>

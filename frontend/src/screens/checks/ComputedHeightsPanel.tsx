@@ -15,7 +15,7 @@ interface Props {
   surveyId: number;
   computing: Computing;
   busy: boolean;
-  undo(): Promise<void>;
+  undo(): Promise<unknown>;
 }
 
 export function ComputedHeightsPanel({ surveyId, computing, busy, undo }: Props) {

@@ -1,10 +1,10 @@
 /** Per target: the inset in force, what the survey itself says of it, and a button to use that. */
 import { useState } from "preact/hooks";
-import { Button, Loaded, Panel, Problem, TableScroll } from "../../components";
+import { Button, DataTable, Loaded, Panel, Problem, TableScroll } from "../../components";
 import { Said } from "../../components/Said";
 import { useAction } from "../../core/action";
 import { api } from "../../core/api";
-import { allOf, say, wordsOf } from "../../core/messages";
+import { allOf, say, sentenceOf, wordsOf } from "../../core/messages";
 import { useResource } from "../../core/resource";
 import { canWork } from "../../core/session";
 import { refreshSurvey } from "../../core/survey";
@@ -101,7 +101,7 @@ function TargetRows({ target, busy, use }: RowsProps) {
           <td>{METHODS[one.method]}</td>
           {one.reason ? (
             <td colSpan={2} class="muted small">
-              {one.reason}
+              {sentenceOf(one.reason)}
             </td>
           ) : (
             <Figures name={target.name} one={one} busy={busy} use={use} />
@@ -129,7 +129,7 @@ function Figures(props: { name: InsetName; one: Estimate; busy: string | null; u
         {one.spread_m !== null && (
           <div class="small muted">{say("checks-spread", { spread: formatLength(one.spread_m, 2) })}</div>
         )}
-        {one.caution && <div class="small">{one.caution}</div>}
+        {one.caution && <div class="small">{sentenceOf(one.caution)}</div>}
         {one.offer && canWork.value && (
           <Button small busy={busy === at} disabled={busy !== null} onClick={() => void use(name, one)}>
             {say("checks-use", {
@@ -176,42 +176,29 @@ function Explanation({ check }: { check: InsetCheck }) {
           </p>
         </div>
       </div>
-      <TableScroll label={say("checks-missing-inset")}>
-        <table class="table">
-          <caption class="inset-words__caption">
-            {say("checks-missing-inset-caption", { camera_height: formatLength(check.camera_height_m, 2) })}
-          </caption>
-          <thead>
-            <tr>
-              <th>{say("checks-target")}</th>
-              <th class="num">{say("checks-height")}</th>
-              <th class="num">{say("checks-inset")}</th>
-              {check.cases_at_m.map((distance) => (
-                <th class="num" key={distance}>
-                  {say("checks-at", { distance: formatLength(distance, 0) })}
-                </th>
-              ))}
-            </tr>
-          </thead>
-          <tbody>
-            {check.cases.map((one) => (
-              <tr key={`${one.target} ${one.place} ${one.height_m}`}>
-                <td>
-                  {TARGET_NAMES[one.target]}
-                  {one.place && <span class="muted">, {INSET_PLACE_WORDS[one.place]}</span>}
-                </td>
-                <td class="num">{formatLength(one.height_m, 2)}</td>
-                <td class="num">{formatLength(one.inset_m, 2)}</td>
-                {one.bias_m.map((bias, i) => (
-                  <td class="num" key={check.cases_at_m[i]}>
-                    {formatSmall(bias)}
-                  </td>
-                ))}
-              </tr>
-            ))}
-          </tbody>
-        </table>
-      </TableScroll>
+      <DataTable
+        label={say("checks-missing-inset")}
+        caption={say("checks-missing-inset-caption", {
+          camera_height: formatLength(check.camera_height_m, 2),
+        })}
+        rows={check.cases}
+        keyOf={(one) => `${one.target} ${one.place} ${one.height_m}`}
+        columns={({ col, num }) => [
+          col(say("checks-target"), (one) => (
+            <>
+              {TARGET_NAMES[one.target]}
+              {one.place && <span class="muted">, {INSET_PLACE_WORDS[one.place]}</span>}
+            </>
+          )),
+          num(say("checks-height"), (one) => formatLength(one.height_m, 2)),
+          num(say("checks-inset"), (one) => formatLength(one.inset_m, 2)),
+          ...check.cases_at_m.map((distance, i) =>
+            num(say("checks-at", { distance: formatLength(distance, 0) }), (one) =>
+              formatSmall(one.bias_m[i] ?? 0),
+            ),
+          ),
+        ]}
+      />
     </Panel>
   );
 }

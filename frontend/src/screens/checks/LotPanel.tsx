@@ -1,6 +1,7 @@
 /** One lot: its plan's operating characteristic with both risk points, how far its sample is, and what is decided. */
 import { useState } from "preact/hooks";
 import { ask, Button, Panel, Problem, Progress } from "../../components";
+import { useAction } from "../../core/action";
 import { api } from "../../core/api";
 import { say } from "../../core/messages";
 import { may } from "../../core/session";
@@ -79,20 +80,17 @@ function inWords({ lot, progress, state, outgoing }: ShownLot): string {
 
 function Acts({ surveyId, shown, done }: Props) {
   const [busy, setBusy] = useState<Act | null>(null);
-  const [problem, setProblem] = useState<unknown>(null);
+  const { problem, run } = useAction();
   const { lot, progress, state } = shown;
   const act = async (one: Act) => {
     setBusy(one);
-    setProblem(null);
     const where = { lot_id: lot.id };
-    try {
+    await run(async () => {
       if (one === "accept") await api.write("POST /lots/{lot_id}/accept", where);
       if (one === "inspect") await api.write("POST /lots/{lot_id}/inspect", where);
       if (one === "dissolve") await api.write("POST /lots/{lot_id}/dissolve", where);
       if (one === "take-back") await api.write("POST /lots/{lot_id}/take-back", where);
-    } catch (error) {
-      setProblem(error);
-    }
+    });
     await done();
     setBusy(null);
   };

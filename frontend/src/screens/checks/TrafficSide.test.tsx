@@ -16,7 +16,7 @@ afterEach(() => {
 
 function shown(proposed: boolean): string {
   const pose = {
-    verdict: "The road's X axis agrees with the traffic.",
+    verdict: [],
     mean_rad: 0.00087,
     u_mean_rad: 0.001,
     spread_rad: 0.002,

@@ -1,6 +1,6 @@
 /** What the traffic says of the pose, the vehicles with their headings, and the turn before it is accepted. */
 import { Button, DataTable, num, SelectField, Table } from "../../components";
-import { say, sentenceOf } from "../../core/messages";
+import { say, sentenceOf, sentencesOf } from "../../core/messages";
 import { canWork } from "../../core/session";
 import type { Vehicle } from "../../core/types";
 import { formatLength, formatSmall } from "../../core/units";
@@ -35,7 +35,7 @@ function Verdict({ model }: { model: TrafficModel }) {
   return (
     <section class="traffic__pose" aria-label={say("checks-verdict")}>
       <p class="traffic__verdict" data-testid="traffic-verdict">
-        {pose.verdict}
+        {sentencesOf(pose.verdict)}
       </p>
       {pose.mean_rad !== null && (
         <dl class="facts small">
@@ -83,7 +83,7 @@ function Preview({ model, preview }: { model: TrafficModel; preview: TurnedPose 
   return (
     <section class="traffic__pose" aria-label={say("checks-turned-pose")} data-testid="turn-preview">
       <h2>{say("checks-turned-by", { turn: formatDegrees(preview.turn_rad) })}</h2>
-      <p class="small">{preview.summary}</p>
+      <p class="small">{sentencesOf(preview.summary)}</p>
       <p class="small">
         {changes.count === 0
           ? say("checks-turn-no-heights")

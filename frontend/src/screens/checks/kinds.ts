@@ -16,11 +16,11 @@ export interface PairAbout {
 
 const pairKind: Kind<WheelPair, Clicks | null, PairAbout> = {
   once: true,
-  send({ about: { id: vehicle_id }, saved, want }, signal) {
+  send({ about: { id: vehicle_id }, saved, want }, sending) {
     const seen = idOf(saved);
-    if (!want) return api.write("DELETE /vehicles/{vehicle_id}/wheel-pair", { vehicle_id, seen }, { signal });
+    if (!want) return api.write("DELETE /vehicles/{vehicle_id}/wheel-pair", { vehicle_id, seen }, sending);
     const body = { ...want, seen };
-    return api.write("POST /vehicles/{vehicle_id}/wheel-pair", { vehicle_id }, { body, retry: true, signal });
+    return api.write("POST /vehicles/{vehicle_id}/wheel-pair", { vehicle_id }, { body, ...sending });
   },
   async read({ about: { id, surveyId } }, _error, signal) {
     const found = await api.ask(

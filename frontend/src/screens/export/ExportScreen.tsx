@@ -15,7 +15,7 @@ import {
 import { nameOfLanguage } from "../../components/LanguageChoice";
 import { Said } from "../../components/Said";
 import { api } from "../../core/api";
-import { cancelJob, isOver, useJob } from "../../core/jobs";
+import { isOver, useJobAction } from "../../core/jobs";
 import { apart, say } from "../../core/messages";
 import type { ScreenProps } from "../../core/places";
 import { useResource } from "../../core/resource";
@@ -67,42 +67,20 @@ export default function ExportScreen({ surveyId }: ScreenProps) {
     (signal) => api.ask("GET /surveys/{survey_id}/exports", { survey_id: surveyId }, { signal }),
     [surveyId],
   );
-  const [jobId, setJobId] = useState<number | null>(null);
-  const [starting, setStarting] = useState(false);
-  const [problem, setProblem] = useState<unknown>(null);
-  const [failed, setFailed] = useState<string | null>(null);
   const [crops, setCrops] = useState(true);
   const [wanted, setWanted] = useState<Wanted>(ALL);
-  useRunning(Number(surveyId), setJobId);
-  const job = useJob(
-    jobId,
-    (over) => {
-      setJobId(null);
-      if (over.state === "done") toast(say("export-ready"));
-      setFailed(over.state === "failed" ? (over.error ?? say("export-failed")) : null);
-      void packages.reload();
+  const { job, busy, underWay, problem, start, follow, cancel } = useJobAction({
+    stopped: say("export-failed"),
+    over: (ended) => {
+      if (ended.state === "done") toast(say("export-ready"));
+      return packages.reload();
     },
-    setProblem,
-  );
-  const build = async () => {
-    setStarting(true);
-    setProblem(null);
-    setFailed(null);
-    try {
-      setJobId(
-        (
-          await api.write(
-            "POST /surveys/{survey_id}/exports",
-            { survey_id: surveyId },
-            { body: { ...wanted, crops } },
-          )
-        ).id,
-      );
-    } catch (error) {
-      setProblem(error);
-    }
-    setStarting(false);
-  };
+  });
+  useRunning(Number(surveyId), follow);
+  const build = () =>
+    start(() =>
+      api.write("POST /surveys/{survey_id}/exports", { survey_id: surveyId }, { body: { ...wanted, crops } }),
+    );
   const counts = survey.value?.counts;
   return (
     <div class="page">
@@ -112,17 +90,12 @@ export default function ExportScreen({ surveyId }: ScreenProps) {
             <input
               type="checkbox"
               checked={crops}
-              disabled={jobId !== null}
+              disabled={underWay}
               onChange={(event) => setCrops(event.currentTarget.checked)}
             />
             <span>{say("export-crops")}</span>
           </label>
-          <Button
-            kind="primary"
-            icon="package"
-            busy={starting || jobId !== null}
-            onClick={() => void build()}
-          >
+          <Button kind="primary" icon="package" busy={busy || underWay} onClick={() => void build()}>
             {say("export-build")}
           </Button>
         </div>
@@ -140,10 +113,9 @@ export default function ExportScreen({ surveyId }: ScreenProps) {
       )}
       {job && (
         <div class="panel panel__body">
-          <JobProgress job={job} onCancel={() => void cancelJob(job.id).catch(setProblem)} />
+          <JobProgress job={job} onCancel={cancel} />
         </div>
       )}
-      {failed && <Notice kind="problem">{failed}</Notice>}
       <Problem error={problem} again={() => void build()} />
       <Panel title={say("export-packages")}>
         <Loaded of={packages} what={say("export-loading")} />

@@ -14,7 +14,7 @@ import { useAction } from "../../core/action";
 import { query, setQuery } from "../../core/address";
 import { api, fromAddress } from "../../core/api";
 import { cancelJob, isOver, jobName } from "../../core/jobs";
-import { say } from "../../core/messages";
+import { say, sentenceOf } from "../../core/messages";
 import { useEvery, useResource } from "../../core/resource";
 import { may } from "../../core/session";
 import { formatAgo, formatMoment } from "../../core/times";
@@ -100,7 +100,9 @@ function Row({ job, survey, run }: RowProps) {
       <td>
         <StateMark state={job.state} />
       </td>
-      <td>{isOver(job) ? toldOf(job) : <Progress value={job.progress} label={job.message || "…"} />}</td>
+      <td>
+        {isOver(job) ? toldOf(job) : <Progress value={job.progress} label={sentenceOf(job.message) ?? "…"} />}
+      </td>
       <td class="muted nowrap" title={formatMoment(job.created_at)}>
         {formatAgo(job.created_at)}
       </td>
@@ -136,7 +138,7 @@ function Actions({ job, run }: Omit<RowProps, "survey">) {
 function toldOf({ error, message, result, state }: Job): string {
   const told = result?.["message"];
   if (typeof told === "string") return told;
-  return error ?? (state === "done" ? "" : message);
+  return error ?? (state === "done" ? "" : (sentenceOf(message) ?? ""));
 }
 
 /** Where its work is looked at. */

@@ -17,13 +17,13 @@ import { DriftLine } from "./assist/DriftLine";
 import { SnapLayer } from "./assist/SnapLayer";
 import type { Selection } from "./flow";
 import type { MeasureModel } from "./model";
-import { idOf } from "./points";
 import { ProposalLayer } from "./proposals/ProposalLayer";
 import { SecondMarks } from "./SecondFrameParts";
+import { idOf } from "./standing";
 import { FollowedMarks } from "./WholePassParts";
 
 export function FramePanel({ model, player }: { model: MeasureModel; player: Player }) {
-  const { stage, points, assist } = model;
+  const { stage, standing, assist } = model;
   return (
     <section class="frame-place" aria-label={say("stage-frame")}>
       <FrameView
@@ -45,7 +45,7 @@ export function FramePanel({ model, player }: { model: MeasureModel; player: Pla
         }
       >
         <AnswerLines geometry={model.geometry} stage={stage} />
-        <Marks model={model} selections={points.selectable()} />
+        <Marks model={model} selections={standing.selectable()} />
         <SnapLayer snapping={model.snapping} stage={stage} />
         <AssistLayer assist={assist} stage={stage} />
         <ProposalLayer proposals={model.proposals} stage={stage} />
@@ -56,13 +56,13 @@ export function FramePanel({ model, player }: { model: MeasureModel; player: Pla
 }
 
 function Marks({ model, selections }: { model: MeasureModel; selections: readonly Selection[] }) {
-  const { stage, points } = model;
+  const { stage, standing } = model;
   const selected = model.flow.value.selection;
-  const here = points.entriesHere();
+  const here = standing.entriesHere();
   const renew = model.flow.value.renew;
   const isSelected = (one: Selection): boolean => {
     if (!selected || selected.role !== one.role) return false;
-    return selected.key === one.key || samePoint(points.positionOf(selected), points.positionOf(one));
+    return selected.key === one.key || samePoint(standing.positionOf(selected), standing.positionOf(one));
   };
   return (
     <>
@@ -71,13 +71,13 @@ function Marks({ model, selections }: { model: MeasureModel; selections: readonl
           {here
             .filter(({ key }) => key === selected.key)
             .map((entry) => {
-              const { contact, point } = points.here(entry);
+              const { contact, point } = standing.here(entry);
               return <Line key={entry.key} points={[pair(contact), pair(point)]} kind="guide" />;
             })}
         </InImage>
       )}
       {selections.map((one) => {
-        const at = points.positionOf(one);
+        const at = standing.positionOf(one);
         const entry = here.find((candidate) => candidate.key === one.key);
         return (
           at && (
@@ -109,7 +109,7 @@ function Hint({ model }: { model: MeasureModel }) {
       {target && model.hasPose.value && <strong>{TARGET_WORDS[target]}</strong>}
       {target === "driver_eye" && vehicle && model.hasPose.value && <Driver model={model} />}
       <span role="status">{hintWords(model)}</span>
-      {!target && vehicle && canWork.value && model.points.missing().length === 0 && (
+      {!target && vehicle && canWork.value && model.standing.missing().length === 0 && (
         <InHint
           name="next-pass"
           title={commandName("confirmNext") + hint("confirmNext")}
@@ -176,7 +176,7 @@ function hintWords(model: MeasureModel): string {
   if (!canWork.value) return say("measure-look-only");
   if (model.geometry.problem.value) return model.geometry.problem.value;
   if (target === null) {
-    const done = model.points.missing().length === 0;
+    const done = model.standing.missing().length === 0;
     return done ? say("measure-vehicle-done") : say("measure-choose-target");
   }
   if (model.awaiting.value === "contact") return say("blind-contact");

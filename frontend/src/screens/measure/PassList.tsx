@@ -3,6 +3,7 @@ import { useComputed, useSignalEffect } from "@preact/signals";
 import { useRef } from "preact/hooks";
 import { Button, Icon, LongList, StateMark } from "../../components";
 import { bringInSight } from "../../components/inSight";
+import { late } from "../../components/late";
 import { useOneTabStop } from "../../components/oneTabStop";
 import { Said } from "../../components/Said";
 import { hint } from "../../core/commands";
@@ -11,7 +12,6 @@ import { canWork } from "../../core/session";
 import { formatPlaceClock, formatPlaceMoment } from "../../core/times";
 import type { Vehicle } from "../../core/types";
 import { LIGHTING_NOUNS, LIGHTING_WORDS, STATE_WORDS, vehicleName } from "../../core/words";
-import { FindPasses } from "../../parts/vehicles/FindPasses";
 import {
   FILTER_WORDS,
   FILTERS,
@@ -27,8 +27,10 @@ import { filter, type MeasureModel, order } from "./model";
 import { readAgain } from "./passes/actions";
 import { PassMark } from "./passes/marks";
 import { PassMenu } from "./passes/PassMenu";
-import { ProposeButton } from "./proposals/ProposeButton";
 import "../../parts/vehicles/passes.css";
+
+const FindPasses = late(async () => (await import("../../parts/vehicles/FindPasses")).FindPasses);
+const ProposeButton = late(async () => (await import("./proposals/ProposeButton")).ProposeButton);
 
 /** A pass and what stands below it. */
 const ROW_PX = 43;

@@ -4,7 +4,7 @@ import { useEffect, useRef, useState } from "preact/hooks";
 import { Button, Problem } from "../../components";
 import { api } from "../../core/api";
 import { hint, useCommands } from "../../core/commands";
-import { allOf, say } from "../../core/messages";
+import { allOf, say, sentenceOf } from "../../core/messages";
 import { type Resource, useResource } from "../../core/resource";
 import type { CatalogueRow, FittingModel, ModelFits, ModelSize, Vehicle } from "../../core/types";
 import { formatSmall } from "../../core/units";
@@ -133,7 +133,7 @@ export function WhichModel({ found, locked, onChoose }: Props) {
         <span class="muted small">{hint("whichModel")}</span>
       </h4>
       {found.error !== null && <Problem error={found.error} again={() => void found.reload()} />}
-      {found.data?.reason && <p class="small muted">{found.data.reason}</p>}
+      {found.data?.reason && <p class="small muted">{sentenceOf(found.data.reason)}</p>}
       {found.data && rows.length > 0 && (
         <p class="small muted" data-testid="which-model-rank">
           {rankWords(found.data)}

@@ -3,7 +3,6 @@ import { computed, effect, untracked } from "@preact/signals";
 import { AFTER_CLICK_MS } from "../../viewer/geometry";
 import type { ImagePoint } from "../../viewer/points";
 import type { PassDesk } from "./desk";
-import type { Points } from "./points";
 import type { SecondFrame } from "./secondFrame";
 
 export class Aiming {
@@ -12,7 +11,6 @@ export class Aiming {
 
   constructor(
     private readonly desk: PassDesk,
-    private readonly points: Points,
     private readonly second: SecondFrame,
   ) {
     this.stops = [
@@ -63,7 +61,7 @@ export class Aiming {
   private refuseContact(): void {
     if (this.desk.geometry.axes.value?.ok !== false) return;
     untracked(() => {
-      if (this.points.entriesHere().length === 0) this.desk.dispatch({ type: "new-contact" });
+      if (this.desk.standing.entriesHere().length === 0) this.desk.dispatch({ type: "new-contact" });
     });
   }
 }

@@ -11,7 +11,9 @@ import type { Inset } from "../../viewer/values";
 import type { Snapping } from "./assist/snapping";
 import type { Changes } from "./fields";
 import type { Effect, Flow, FlowEvent, Role } from "./flow";
+import type { Reading } from "./reading";
 import type { Entry, Records } from "./records";
+import type { Standing } from "./standing";
 import type { Vehicles } from "./vehicles";
 
 export interface Desk {
@@ -23,6 +25,7 @@ export interface Desk {
   readonly snaps: ReadonlySignal<boolean>;
   readonly geometry: Geometry;
   readonly records: Records;
+  readonly standing: Standing;
   readonly flow: ReadonlySignal<Flow>;
   readonly vehicleId: ReadonlySignal<number | null>;
   readonly entries: ReadonlySignal<readonly Entry[]>;
@@ -34,8 +37,6 @@ export interface Desk {
   /** What a click comes to is carried out by the tool that dispatched it. */
   dispatch(event: FlowEvent): Effect | null;
   insetOf(target: Target): Inset | null;
-  /** Whether a pointer rests where the contact was clicked, or where that went: no height is asked for there. */
-  atContact(pointer: ImagePoint): boolean;
   /** What is asked for of the open vehicle and was not said to be unseen. */
   asked(): readonly Target[];
   stepName(step: string): string;
@@ -49,11 +50,11 @@ export interface PassDesk extends Desk {
   readonly loaded: ReadonlySignal<boolean>;
   readonly vehicle: ReadonlySignal<Vehicle | undefined>;
   readonly vehicles: Vehicles;
+  readonly reading: Reading;
   /** Those that are shown, in their order. */
   readonly list: ReadonlySignal<readonly Vehicle[]>;
   /** Opens a pass at its best frame, or at the frame asked for. */
   open(vehicle: Vehicle, frame?: number): void;
-  put(vehicle: Vehicle): void;
   /** Edits facts of the open vehicle, as a step that can be undone. */
   edit(changes: Changes): void;
 }

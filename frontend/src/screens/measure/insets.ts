@@ -23,7 +23,7 @@ export class Insets {
 
   /** The inset a click would be stored with: chosen now, or of the measurement it revises; null: the survey's. */
   of(target: Target): Inset | null {
-    return this.chosen.value.get(target) ?? this.points.revised(target)?.values.inset ?? null;
+    return this.chosen.value.get(target) ?? this.desk.standing.revised(target)?.values.inset ?? null;
   }
 
   /** Chooses the inset of a target of this vehicle, for what is measured of it and for the clicks to come. */

@@ -1,7 +1,7 @@
 /** How the outbox brings clicks and facts of vehicles to the server: addresses, bodies, and when two of them are the same. */
 import { type ApiError, api } from "../../core/api";
 import { allOf, say } from "../../core/messages";
-import { type Kind, outbox } from "../../core/outbox";
+import { type Kind, outbox, type Sending } from "../../core/outbox";
 import type {
   Category,
   Direction,
@@ -45,24 +45,24 @@ export interface MeasurementAbout {
 
 /** The server's side, so that the kinds can be tested without one. */
 export interface RecordsPort {
-  create(vehicleId: number, clientKey: string, values: Values, signal: AbortSignal): Promise<Measurement>;
-  revise(id: number, revision: number, values: Values, signal: AbortSignal): Promise<Measurement>;
-  withdraw(id: number, revision: number, signal: AbortSignal): Promise<Measurement>;
-  restore(id: number, revision: number, signal: AbortSignal): Promise<Measurement>;
+  create(vehicleId: number, clientKey: string, values: Values, sending: Sending): Promise<Measurement>;
+  revise(id: number, revision: number, values: Values, sending: Sending): Promise<Measurement>;
+  withdraw(id: number, revision: number, sending: Sending): Promise<Measurement>;
+  restore(id: number, revision: number, sending: Sending): Promise<Measurement>;
   read(id: number, signal: AbortSignal): Promise<Measurement>;
 }
 
 export interface VehiclesPort {
   /** Fields left out stay as they are. */
-  save(id: number, version: number, changes: Changes, signal: AbortSignal): Promise<Vehicle>;
+  save(id: number, version: number, changes: Changes, sending: Sending): Promise<Vehicle>;
 }
 
 export const measurementKind = (port: RecordsPort): Kind<Measurement, Values, MeasurementAbout> => ({
-  send({ key, about, saved, want }, signal) {
-    if (!saved) return port.create(about.vehicleId, key, want, signal);
-    if (want.withdrawn) return port.withdraw(saved.id, saved.revision, signal);
-    if (saved.withdrawn) return port.restore(saved.id, saved.revision, signal);
-    return port.revise(saved.id, saved.revision, want, signal);
+  send({ key, about, saved, want }, sending) {
+    if (!saved) return port.create(about.vehicleId, key, want, sending);
+    if (want.withdrawn) return port.withdraw(saved.id, saved.revision, sending);
+    if (saved.withdrawn) return port.restore(saved.id, saved.revision, sending);
+    return port.revise(saved.id, saved.revision, want, sending);
   },
   // a new one is refused where the target stands measured: the refusal brings what stands
   read: async ({ saved }, error, signal) =>
@@ -76,7 +76,7 @@ export const measurementKind = (port: RecordsPort): Kind<Measurement, Values, Me
 });
 
 export const vehicleKind = (port: VehiclesPort): Kind<Vehicle, Changes, { id: number }> => ({
-  send: ({ about, saved, want }, signal) => port.save(about.id, saved?.version ?? 0, want, signal),
+  send: ({ about, saved, want }, sending) => port.save(about.id, saved?.version ?? 0, want, sending),
   async read(_wish, error) {
     const found = currentOf<Vehicle>(error);
     if (!found) throw error;
@@ -118,38 +118,36 @@ function currentOf<T>(error: ApiError): T | undefined {
 }
 
 const recordsPort: RecordsPort = {
-  create: (vehicle_id, client_key, values, signal) =>
+  create: (vehicle_id, client_key, values, sending) =>
     api.write(
       "POST /vehicles/{vehicle_id}/measurements",
       { vehicle_id },
       {
         body: { client_key, made: madeOf(values), ...snappedFrom(values), ...clickBody(values) },
-        retry: true,
-        signal,
+        ...sending,
       },
     ),
-  revise: (measurement_id, revision, values, signal) =>
+  revise: (measurement_id, revision, values, sending) =>
     api.write(
       "PUT /measurements/{measurement_id}",
       { measurement_id },
-      { body: { revision, ...snappedFrom(values), ...clickBody(values) }, signal },
+      { body: { revision, ...snappedFrom(values), ...clickBody(values) }, ...sending },
     ),
-  withdraw: (measurement_id, revision, signal) =>
-    api.write("DELETE /measurements/{measurement_id}", { measurement_id, revision }, { signal }),
-  // a repeated one is answered with 409, in which the outbox recognises its own echo
-  restore: (measurement_id, revision, signal) =>
+  withdraw: (measurement_id, revision, sending) =>
+    api.write("DELETE /measurements/{measurement_id}", { measurement_id, revision }, sending),
+  restore: (measurement_id, revision, sending) =>
     api.write(
       "POST /measurements/{measurement_id}/restore",
       { measurement_id },
-      { body: { revision }, retry: true, signal },
+      { body: { revision }, ...sending },
     ),
   read: (measurement_id, signal) =>
     api.ask("GET /measurements/{measurement_id}", { measurement_id }, { signal }),
 };
 
 const vehiclesPort: VehiclesPort = {
-  save: (vehicle_id, version, changes, signal) =>
-    api.write("PUT /vehicles/{vehicle_id}", { vehicle_id }, { body: { version, ...changes }, signal }),
+  save: (vehicle_id, version, changes, sending) =>
+    api.write("PUT /vehicles/{vehicle_id}", { vehicle_id }, { body: { version, ...changes }, ...sending }),
 };
 
 outbox.register(MEASUREMENT, measurementKind(recordsPort));

@@ -12,7 +12,6 @@ import { toast } from "../../core/toasts";
 import type { AskedTarget, NotVisible, Target, Vehicle } from "../../core/types";
 import { bestFrame, type Filter, listed, neighbour, nextOpen, type Order } from "../../parts/vehicles/passes";
 import { Geometry } from "../../viewer/geometry";
-import { type ImagePoint, screenDistance } from "../../viewer/points";
 import { Reel } from "../../viewer/reel";
 import { FrameStage } from "../../viewer/stage";
 import type { Inset } from "../../viewer/values";
@@ -30,13 +29,12 @@ import { Passes } from "./passes/list";
 import { Points } from "./points";
 import * as server from "./ports";
 import { Proposals } from "./proposals/proposals";
+import { Reading } from "./reading";
 import { Records } from "./records";
 import { SecondFrame } from "./secondFrame";
+import { Standing } from "./standing";
 import { Vehicles } from "./vehicles";
 import { WholePass } from "./wholePass";
-
-/** A pointer this near to the contact is at it. */
-const AT_CONTACT_PX = 12;
 
 export const filter = stored<Filter>("passes.filter", "all");
 export const order = stored<Order>("passes.order", "number");
@@ -57,6 +55,7 @@ export class MeasureModel implements PassDesk {
   readonly geometry = new Geometry();
   readonly records: Records;
   readonly vehicles: Vehicles;
+  readonly standing: Standing = new Standing(this);
   readonly second: SecondFrame = new SecondFrame(this, () => this.points);
   readonly points: Points = new Points(this, this.second);
   readonly passes: Passes = new Passes(this);
@@ -104,13 +103,11 @@ export class MeasureModel implements PassDesk {
   private wishesThen = 0;
   readonly facts: ReturnType<typeof factLedger>;
   private readonly stops: (() => void)[] = [];
-  /** Vehicles of which something was stored since they were read. */
-  private readonly stale = new Set<number>();
-  private refreshTimer: ReturnType<typeof setTimeout> | undefined;
+  readonly reading = new Reading(this, (vehicleId) => this.proposals.doubted(vehicleId));
 
   constructor(readonly surveyId: number) {
     const stored = (vehicleId: number): void => {
-      this.refreshSoon(vehicleId);
+      this.reading.soon(vehicleId);
       this.onStored(vehicleId);
     };
     this.records = new Records(outbox, surveyId, stored);
@@ -123,12 +120,13 @@ export class MeasureModel implements PassDesk {
       () => this.confirmNext(),
     );
     this.facts = factLedger(this.vehicles);
-    this.aiming = new Aiming(this, this.points, this.second);
+    this.aiming = new Aiming(this, this.second);
     this.address = new PageAddress(this, (vehicle) => this.enter(vehicle));
     this.stops.push(
       ...[PASS_ADDED, PASS_THERE, PASS_SPLIT, PASS_JOINED].map((kind) =>
         outbox.listen(kind, (wish) => {
-          if (this.passes.cameThrough(wish)) void this.readAgain();
+          // where it fails, the list is read again with the next change
+          if (this.passes.cameThrough(wish)) void this.reading.again().catch(() => undefined);
         }),
       ),
       effect(() => {
@@ -148,14 +146,12 @@ export class MeasureModel implements PassDesk {
       ]);
       batch(() => {
         this.reel.recordings.value = recordings;
-        this.vehicles.takeAll(vehicles);
-        for (const vehicle of vehicles) this.records.take(vehicle);
+        this.reading.takeAll(vehicles);
         this.loaded.value = true;
       });
       this.address.openFirst();
       this.records.resume();
-      // what an earlier page left may have been stored while the list was read
-      for (const id of this.stale) this.refreshSoon(id);
+      this.reading.staleSoon();
     } catch (error) {
       this.problem.value = error;
     }
@@ -164,7 +160,7 @@ export class MeasureModel implements PassDesk {
   close(): void {
     for (const stop of this.stops) stop();
     this.address.close();
-    clearTimeout(this.refreshTimer);
+    this.reading.close();
     this.aiming.close();
     const id = this.vehicleId.value;
     if (id !== null) void this.vehicles.flush(id);
@@ -192,8 +188,8 @@ export class MeasureModel implements PassDesk {
 
   /** Opens a pass on the frame that is there. */
   private enter(vehicle: Vehicle): void {
-    const contacts = this.points.contactsOf(vehicle.id);
-    const target = canWork.value ? firstMissing(this.points.targetsOf(vehicle.id), askedOf(vehicle)) : null;
+    const contacts = this.standing.contactsOf(vehicle.id);
+    const target = canWork.value ? firstMissing(this.standing.targetsOf(vehicle.id), askedOf(vehicle)) : null;
     batch(() => {
       this.step({ type: "open", vehicleId: vehicle.id, target, contacts });
       this.insets.forget();
@@ -254,7 +250,7 @@ export class MeasureModel implements PassDesk {
 
   /** That of what is proposed and still asked for, else the best one. */
   private usualFrame(vehicle: Vehicle): number {
-    const have = this.points.targetsOf(vehicle.id);
+    const have = this.standing.targetsOf(vehicle.id);
     const missing = askedOf(vehicle).filter((target) => !have.has(target));
     return this.proposals.frameOf(vehicle.id, missing) ?? bestFrame(vehicle);
   }
@@ -284,7 +280,7 @@ export class MeasureModel implements PassDesk {
   /** The target that is not visible: asks why, beside its row. */
   askWhyUnseen(): void {
     const target = this.flow.value.target;
-    if (target && target !== "other" && !this.points.targetsOf(this.vehicleId.value).has(target))
+    if (target && target !== "other" && !this.standing.targetsOf(this.vehicleId.value).has(target))
       this.whyUnseen.value = target;
   }
 
@@ -297,7 +293,7 @@ export class MeasureModel implements PassDesk {
     void this.vehicles.flush(vehicle.id);
     if (!why) this.step({ type: "choose", target });
     else {
-      const missing = this.points.missing();
+      const missing = this.standing.missing();
       this.step({ type: "stored", missing });
       if (missing.length === 0) this.answered();
     }
@@ -310,7 +306,7 @@ export class MeasureModel implements PassDesk {
 
   /** Make and model were the last thing asked for of a vehicle that had none: on to the next one. */
   named(before: Vehicle): void {
-    const done = this.asked().length > 0 && this.points.missing().length === 0;
+    const done = this.asked().length > 0 && this.standing.missing().length === 0;
     if (done && before.id === this.vehicleId.value && !before.make && !before.model) this.confirmNext();
   }
 
@@ -322,46 +318,6 @@ export class MeasureModel implements PassDesk {
         step.touch(this.facts, { id: vehicle.id, field });
       this.vehicles.edit(vehicle.id, changes);
     });
-  }
-
-  private async readAgain(): Promise<void> {
-    try {
-      const vehicles = await server.listVehicles(this.surveyId);
-      batch(() => {
-        this.vehicles.takeAll(vehicles);
-        for (const vehicle of vehicles) this.records.take(vehicle);
-      });
-    } catch {
-      // the list is read again with the next change
-    }
-  }
-
-  put(vehicle: Vehicle): void {
-    this.vehicles.take(vehicle);
-    this.records.take(vehicle);
-  }
-
-  /** Reads one vehicle again: its state and version follow from what was stored. */
-  refreshSoon(vehicleId: number): void {
-    this.stale.add(vehicleId);
-    clearTimeout(this.refreshTimer);
-    this.refreshTimer = setTimeout(() => {
-      if (!this.loaded.value) return;
-      for (const id of this.stale) void this.refresh(id);
-      this.stale.clear();
-    }, 250);
-  }
-
-  async refresh(vehicleId: number): Promise<void> {
-    try {
-      const vehicle = await server.readVehicle(vehicleId);
-      this.put(vehicle);
-      const left = vehicleId !== this.vehicleId.value && vehicle.doubts.length > 0;
-      if (left && this.proposals.doubted(vehicleId))
-        toast(say("measure-proposed-doubt", { vehicle: String(vehicle.number) }), { kind: "problem" });
-    } catch {
-      // it is read again after the next change
-    }
   }
 
   private step(event: FlowEvent): Effect | null {
@@ -378,16 +334,6 @@ export class MeasureModel implements PassDesk {
     this.geometry.forgetHeight();
     const id = this.vehicleId.value;
     if (id !== null && this.vehicles.drafts.value.has(id)) void this.vehicles.flush(id);
-  }
-
-  atContact(pointer: ImagePoint): boolean {
-    const contact = this.contact.value;
-    if (!contact) return false;
-    const view = this.stage.view.value;
-    const clicked = this.snapping.of(this.seenFrame.value, contact)?.from;
-    return [contact, ...(clicked ? [clicked] : [])].some(
-      (at) => screenDistance(view.toScreen(at), view.toScreen(pointer)) <= AT_CONTACT_PX,
-    );
   }
 }
 

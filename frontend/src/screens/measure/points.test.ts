@@ -5,7 +5,7 @@ import type { Target } from "../../core/types";
 import { FakeServer, recording, vehicle } from "../../testing/server";
 import { imagePoint, pair } from "../../viewer/points";
 import { MeasureModel } from "./model";
-import { idOf } from "./points";
+import { idOf } from "./standing";
 
 let server: FakeServer;
 let model: MeasureModel;
@@ -402,7 +402,7 @@ describe("measuring with clicks", () => {
   it("moves a contact for all measurements that stand on it, as one step", async () => {
     for (const point of [at(100, 400), at(101, 250), at(90, 300)]) model.points.place(point);
     await quiet();
-    const selection = model.points.selectable().find((one) => one.role === "contact");
+    const selection = model.standing.selectable().find((one) => one.role === "contact");
     if (!selection) throw new Error("no contact to drag");
     model.points.drag(idOf(selection), at(104, 398), "move");
     model.points.drag(idOf(selection), at(105, 397), "end");
@@ -490,7 +490,7 @@ describe("measuring with clicks", () => {
     const label = model.history.undoLabel.value;
     const writes = [...server.writes];
     for (const role of ["contact", "point"] as const) {
-      const selection = model.points.selectable().find((one) => one.role === role);
+      const selection = model.standing.selectable().find((one) => one.role === role);
       if (!selection) throw new Error("nothing to drag");
       model.points.drag(idOf(selection), at(140, 380), "move");
       model.points.drag(idOf(selection), at(0, 0), "cancel");

@@ -9,13 +9,14 @@ import type { HeightAnswer, Target } from "../../core/types";
 import { TARGET_NOUNS } from "../../core/words";
 import { type ImagePoint, imagePoint, samePoint } from "../../viewer/points";
 import type { DragPhase, Handle } from "../../viewer/tool";
-import { type FramePoints, type Inset, movedOn, pointsOn } from "../../viewer/values";
+import { type FramePoints, type Inset, movedOn } from "../../viewer/values";
 import type { ClickTool, Desk } from "./desk";
 import { awaiting, type Effect, type Selection } from "./flow";
 import { type ClickLedger, clickLedger, contactLedger } from "./ledgers";
 import { Previews } from "./previews";
 import type { Entry } from "./records";
 import type { SecondFrame } from "./secondFrame";
+import { idOf } from "./standing";
 
 /** A run of nudges becomes one revision and one undo step when it has been quiet for so long. */
 const BURST_MS = 600;
@@ -46,8 +47,8 @@ export class Points implements ClickTool {
     () => canWork.value && this.desk.hasPose.value && this.desk.awaiting.value !== null,
   );
   readonly handles = computed<readonly Handle<ImagePoint>[]>(() =>
-    this.selectable().flatMap((selection) => {
-      const at = this.positionOf(selection);
+    this.desk.standing.selectable().flatMap((selection) => {
+      const at = this.desk.standing.positionOf(selection);
       return at ? [{ id: idOf(selection), at }] : [];
     }),
   );
@@ -114,7 +115,7 @@ export class Points implements ClickTool {
       geometry.forgetHeight();
       return true;
     }
-    if (this.desk.atContact(point)) {
+    if (this.desk.snapping.isAtContact(point)) {
       geometry.forgetHeight();
       return true;
     }
@@ -126,15 +127,15 @@ export class Points implements ClickTool {
       point,
       target,
       inset: this.desk.insetOf(target),
-      sigma_px: this.revised(target)?.values.sigma_px ?? null,
-      more: this.moreKept(target, seenFrame.value),
+      sigma_px: this.desk.standing.revised(target)?.values.sigma_px ?? null,
+      more: this.desk.standing.moreKept(target, seenFrame.value),
     });
     return true;
   }
 
   /** The operator picked a point on the picture. */
   pick(handle: string): void {
-    const selection = this.selectionOf(handle);
+    const selection = this.desk.standing.selectionOf(handle);
     if (selection) this.select(selection);
   }
 
@@ -144,7 +145,7 @@ export class Points implements ClickTool {
   }
 
   selectNext(): void {
-    const all = this.selectable();
+    const all = this.desk.standing.selectable();
     if (all.length === 0) return;
     const now = this.desk.flow.value.selection;
     const at = all.findIndex((one) => one.key === now?.key && one.role === now?.role);
@@ -152,45 +153,9 @@ export class Points implements ClickTool {
     if (next) this.select(next);
   }
 
-  /** Points on the frame that is seen; a contact that several measurements share is one point. */
-  selectable(): Selection[] {
-    const here = this.entriesHere();
-    const points: Selection[] = here.map((entry) => ({ key: entry.key, role: "point" }));
-    const contacts: Selection[] = [];
-    const seen: ImagePoint[] = [];
-    for (const entry of here) {
-      const { contact } = this.here(entry);
-      if (seen.some((one) => samePoint(one, contact))) continue;
-      seen.push(contact);
-      contacts.push({ key: entry.key, role: "contact" });
-    }
-    const contact = this.desk.contact.value;
-    if (contact && !seen.some((one) => samePoint(one, contact)))
-      contacts.push({ key: null, role: "contact" });
-    return [...points.reverse(), ...contacts];
-  }
-
-  positionOf(selection: Selection): ImagePoint | null {
-    if (selection.key === null) return this.desk.contact.value;
-    const entry = this.desk.records.find(selection.key);
-    return entry ? this.here(entry)[selection.role] : null;
-  }
-
-  /** The points of a measurement on the frame that is seen; on any other, those of its first frame. */
-  here({ values }: Entry): FramePoints {
-    return pointsOn(values, this.desk.seenFrame.value) ?? values;
-  }
-
-  entriesHere(): Entry[] {
-    const frame = this.desk.seenFrame.value;
-    return this.desk.entries.value.filter(
-      (entry) => pointsOn(entry.values, frame) !== undefined && !entry.values.withdrawn,
-    );
-  }
-
   /** One step of a drag; the end of it stores, and a cancelled one puts everything back. */
   drag(handle: string, point: ImagePoint, phase: DragPhase): void {
-    const selection = this.burst?.selection ?? this.selectionOf(handle);
+    const selection = this.burst?.selection ?? this.desk.standing.selectionOf(handle);
     if (!selection || !canWork.value) return;
     if (phase === "cancel") {
       void this.burst?.changes.drop();
@@ -208,7 +173,7 @@ export class Points implements ClickTool {
   /** Moves the selected point. False if there is none. */
   nudge(dx: number, dy: number): boolean {
     const selection = this.desk.flow.value.selection;
-    const at = selection && this.positionOf(selection);
+    const at = selection && this.desk.standing.positionOf(selection);
     if (!selection || !at || !canWork.value) return false;
     if (!this.burst) this.begin(selection);
     this.moveTo(imagePoint(at[0] + dx, at[1] + dy));
@@ -232,7 +197,7 @@ export class Points implements ClickTool {
   /** Esc takes back one thing at a time. */
   cancel(): boolean {
     this.endBurst();
-    const used = this.entriesHere().length > 0;
+    const used = this.desk.standing.entriesHere().length > 0;
     this.desk.dispatch({ type: "escape", frame: this.desk.seenFrame.value, used });
     return true;
   }
@@ -270,28 +235,9 @@ export class Points implements ClickTool {
     });
   }
 
-  /** Targets that a vehicle has; a rejected one counts as missing. */
-  targetsOf(vehicleId: number | null): Set<Target> {
-    return new Set(this.standingOf(vehicleId).map((entry) => entry.values.target));
-  }
-
-  /** The contact to go on with on each frame; that of a rejected measurement is not offered again. */
-  contactsOf(vehicleId: number): Map<number, ImagePoint> {
-    return new Map(this.standingOf(vehicleId).map((entry) => [entry.values.frame, entry.values.contact]));
-  }
-
-  missing(): Target[] {
-    const have = this.targetsOf(this.desk.vehicleId.value);
-    return this.desk.asked().filter((target) => !have.has(target));
-  }
-
-  private standingOf(vehicleId: number | null): Entry[] {
-    return this.desk.records.of(vehicleId).filter((entry) => !entry.values.withdrawn && !isRejected(entry));
-  }
-
   private labelOf(target: Target): string {
     if (this.desk.awaiting.value === "contact") return say("measure-step-contact");
-    return this.revised(target) ? say("measure-step-new", { target }) : TARGET_NOUNS[target];
+    return this.desk.standing.revised(target) ? say("measure-step-new", { target }) : TARGET_NOUNS[target];
   }
 
   private contactKey(frame: number) {
@@ -302,10 +248,10 @@ export class Points implements ClickTool {
     const { vehicleId, target, frame, contact, point } = effect;
     const { records, geometry } = this.desk;
     const inset = this.desk.insetOf(target);
-    const more = this.moreKept(target, frame);
+    const more = this.desk.standing.moreKept(target, frame);
     const preview = geometry.answerFor(contact, point, target, inset, more);
     const snapped = this.desk.snapping.of(frame, contact);
-    const old = this.revised(target);
+    const old = this.desk.standing.revised(target);
     const key = old?.key ?? newKey();
     changes.touch(this.clicks, key);
     if (old) {
@@ -326,7 +272,7 @@ export class Points implements ClickTool {
       records.create(vehicleId, values, preview, key);
       this.second.last = key;
     }
-    const missing = this.missing();
+    const missing = this.desk.standing.missing();
     this.desk.dispatch({ type: "stored", missing });
     if (missing.length === 0 && !old) this.desk.answered();
   }
@@ -349,28 +295,15 @@ export class Points implements ClickTool {
         this.desk.records.create(vehicleId, { ...click, ...rest }, one.preview, key);
         this.second.last = key;
       }
-      this.desk.dispatch({ type: "stored", missing: this.missing() });
+      this.desk.dispatch({ type: "stored", missing: this.desk.standing.missing() });
     });
   }
 
   /** What was taken back is asked for again; what is there again is not. */
   private chooseAfter(entry: Entry, withdrawn: boolean): void {
     if (entry.vehicleId !== this.desk.vehicleId.value) return;
-    const target = withdrawn ? entry.values.target : (this.missing()[0] ?? null);
+    const target = withdrawn ? entry.values.target : (this.desk.standing.missing()[0] ?? null);
     this.desk.dispatch({ type: "choose", target });
-  }
-
-  /** The measurement that a click at this target would revise; "other" always makes a new one. */
-  revised(target: Target): Entry | undefined {
-    if (target === "other") return undefined;
-    return this.desk.entries.value.findLast(
-      (entry) => entry.values.target === target && !entry.values.withdrawn && entry.state !== "conflict",
-    );
-  }
-
-  private moreKept(target: Target, frame: number): readonly FramePoints[] {
-    const old = this.revised(target)?.values;
-    return old?.frame === frame ? old.more : [];
   }
 
   /** Waits for the server; an undo that was refused says why. */
@@ -382,24 +315,15 @@ export class Points implements ClickTool {
 
   private begin(selection: Selection): void {
     const frame = this.desk.seenFrame.value;
-    const keys = this.groupOf(selection).map((entry) => entry.key);
+    const keys = this.desk.standing.groupOf(selection).map((entry) => entry.key);
     const changes = this.desk.history.begin(this.desk.stepName(say("measure-step-move")));
     for (const key of keys) changes.touch(this.clicks, key);
     const contact = this.desk.contact.value;
     const movesContact =
       selection.role === "contact" &&
-      (selection.key === null || samePoint(this.positionOf(selection), contact));
+      (selection.key === null || samePoint(this.desk.standing.positionOf(selection), contact));
     if (movesContact) changes.touch(this.contacts, this.contactKey(frame));
     this.burst = { selection, keys, frame, changes, movesContact, timer: undefined };
-  }
-
-  /** Measurements that move with a point: all that share a contact, or the one. */
-  private groupOf({ key, role }: Selection): Entry[] {
-    const entry = key === null ? undefined : this.desk.records.find(key);
-    if (!entry) return [];
-    if (role === "point") return [entry];
-    const { contact } = this.here(entry);
-    return this.entriesHere().filter((other) => samePoint(this.here(other).contact, contact));
   }
 
   private moveTo(point: ImagePoint): void {
@@ -413,17 +337,4 @@ export class Points implements ClickTool {
     if (burst.movesContact) this.desk.dispatch({ type: "set-contact", frame, point });
     this.previews.want(keys);
   }
-
-  private selectionOf(handle: string): Selection | undefined {
-    return this.selectable().find((selection) => idOf(selection) === handle);
-  }
-}
-
-export function idOf(selection: Selection): string {
-  return `${selection.role}:${selection.key ?? ""}`;
-}
-
-/** Rejected by a reviewer and not yet clicked again. */
-function isRejected(entry: Entry): boolean {
-  return entry.state === "saved" && entry.saved?.review.verdict === "rejected";
 }

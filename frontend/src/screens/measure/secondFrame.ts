@@ -203,7 +203,7 @@ export class SecondFrame implements ClickTool {
       geometry.forgetHeight();
       return true;
     }
-    if (this.desk.atContact(point)) {
+    if (this.desk.snapping.isAtContact(point)) {
       geometry.forgetHeight();
       return true;
     }

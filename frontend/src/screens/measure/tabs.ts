@@ -23,7 +23,7 @@ export function useTabs(model: MeasureModel): void {
     if (!channel) return;
     channel.onmessage = ({ data }: MessageEvent<News>) => {
       if (data.survey !== model.surveyId) return;
-      if (data.kind === "stored") void model.refresh(data.vehicle);
+      if (data.kind === "stored") void model.reading.one(data.vehicle);
       if (data.vehicle !== model.vehicleId.peek() || data.kind === "stored") return;
       if (data.kind === "opened") tell("here-too", data.vehicle);
       toast(say("measure-other-tab"));
@@ -39,7 +39,7 @@ export function useTabs(model: MeasureModel): void {
     // another person may have worked meanwhile: read the open vehicle again when the window comes back
     const back = (): void => {
       const vehicle = model.vehicleId.peek();
-      if (document.visibilityState === "visible" && vehicle !== null) void model.refresh(vehicle);
+      if (document.visibilityState === "visible" && vehicle !== null) void model.reading.one(vehicle);
     };
     document.addEventListener("visibilitychange", back);
     return () => document.removeEventListener("visibilitychange", back);

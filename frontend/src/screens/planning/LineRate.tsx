@@ -49,7 +49,7 @@ export function LineRate({ surveyId }: { surveyId: number }) {
 function Form({ values }: { values: Values }) {
   const length = lengthUnit.value;
   return (
-    <form class="panel plan-form" onSubmit={(event) => event.preventDefault()}>
+    <form class="panel panel__body stack plan-form" onSubmit={(event) => event.preventDefault()}>
       <div class="plan-form__lines">
         <Value name="speed_mps" label={say("planning-speed")} unit={speedScale()[1]} values={values} />
         <Value name="error" label={say("planning-error")} unit="%" values={values} />

@@ -1,7 +1,8 @@
 import { useEffect, useRef, useState } from "preact/hooks";
 import { SelectField, TextField } from "../../components";
 import { setQuery } from "../../core/address";
-import { say } from "../../core/messages";
+import { say, sentenceOf } from "../../core/messages";
+import { formatDay } from "../../core/times";
 import type { Camera } from "../../core/types";
 import { lengthUnit } from "../../core/units";
 import { type Name, shown, typed, type Values, withCamera } from "./values";
@@ -16,7 +17,7 @@ export function PlanForm({ cameras, values }: Props) {
   const length = lengthUnit.value;
   const px = say("unit-px");
   return (
-    <form class="panel plan-form" onSubmit={(event) => event.preventDefault()}>
+    <form class="panel panel__body stack plan-form" onSubmit={(event) => event.preventDefault()}>
       <div class="plan-form__camera">
         <CameraChoice cameras={cameras} values={values} />
         {!values.calibration_id && (
@@ -51,15 +52,18 @@ function CameraChoice({ cameras, values }: Props) {
       value: String(one.id),
       label: say(
         one.id === camera.current_calibration_id ? "planning-calibration-in-use" : "planning-calibration",
-        { camera: camera.name, calibration: one.summary },
+        { camera: camera.name, id: String(one.id), day: formatDay(one.created_at) },
       ),
+      summary: one.summary,
     })),
   );
   const chosen = values.calibration_id ?? "plain";
-  const known = chosen === "plain" || options.some((option) => option.value === chosen);
+  const found = options.find((option) => option.value === chosen);
+  const known = chosen === "plain" || found !== undefined;
   return (
     <SelectField
       label={say("planning-camera")}
+      hint={sentenceOf(found?.summary) ?? undefined}
       value={chosen}
       options={[
         ...options.reverse(),

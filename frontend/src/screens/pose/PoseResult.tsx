@@ -2,7 +2,7 @@
 import { useSignalEffect } from "@preact/signals";
 import { useRef } from "preact/hooks";
 import { Button, Notice, Shape } from "../../components";
-import { say } from "../../core/messages";
+import { say, sentenceOf, sentencesOf } from "../../core/messages";
 import { canWork } from "../../core/session";
 import { formatMoment } from "../../core/times";
 import type { Pose } from "../../core/types";
@@ -55,7 +55,7 @@ export function PoseResult({ model }: { model: PoseModel }) {
 function Verdict({ pose }: { pose: Pose }) {
   return (
     <div data-testid="pose-verdict" class="stack stack--tight">
-      <p>{pose.summary}</p>
+      <p>{sentencesOf(pose.summary)}</p>
       <table class="expected">
         <caption class="visually-hidden">{say("pose-expected")}</caption>
         <thead>
@@ -72,7 +72,7 @@ function Verdict({ pose }: { pose: Pose }) {
           <tr>
             <th scope="row">{say("pose-expected-good")}</th>
             {pose.expected.map((one) => (
-              <td key={one.distance_m} class="num" title={one.reason ?? undefined}>
+              <td key={one.distance_m} class="num" title={sentenceOf(one.reason) ?? undefined}>
                 <strong>
                   {one.U95_height_m === null
                     ? "–"
@@ -89,12 +89,12 @@ function Verdict({ pose }: { pose: Pose }) {
             <p key={one.distance_m} class="small muted">
               {say("pose-expected-reason", {
                 distance: formatLength(one.distance_m, 0),
-                reason: one.reason,
+                reason: sentenceOf(one.reason),
               })}
             </p>
           ),
       )}
-      {pose.warnings.map((warning) => (
+      {pose.warnings.map(sentenceOf).map((warning) => (
         <Notice key={warning} kind="warning">
           {warning}
         </Notice>

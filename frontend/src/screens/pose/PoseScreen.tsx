@@ -3,7 +3,7 @@ import { useEffect, useMemo } from "preact/hooks";
 import { Button, Empty, Loading, Problem } from "../../components";
 import { CommandButton } from "../../components/CommandButton";
 import { useCommands } from "../../core/commands";
-import { say } from "../../core/messages";
+import { say, sentencesOf } from "../../core/messages";
 import type { ScreenProps } from "../../core/places";
 import { canWork } from "../../core/session";
 import type { BoardFinding } from "../../core/types";
@@ -126,7 +126,7 @@ function BoardHint({ model }: { model: PoseModel }) {
   const advice = say(inUse ? "pose-go-again" : "pose-go");
   const problem = model.findingProblem.value;
   const words = finding?.found
-    ? finding.order_note
+    ? sentencesOf(finding.order_notes)
     : model.looking.value
       ? say("pose-looking")
       : inUse || problem === null

@@ -4,7 +4,7 @@ import { asked, query } from "../../core/address";
 import { api, explain } from "../../core/api";
 import { cancelJob, followJob } from "../../core/jobs";
 import { Latest } from "../../core/latest";
-import { say } from "../../core/messages";
+import { say, sentenceOf } from "../../core/messages";
 import { canWork } from "../../core/session";
 import { refreshSurvey } from "../../core/survey";
 import { toast, toastProblem } from "../../core/toasts";
@@ -85,7 +85,7 @@ export class PoseModel {
       this.looking.value = false;
       if (this.reel.player.value?.frame.value !== wish.frame) return;
       this.finding.value = finding;
-      this.findingProblem.value = finding.found ? null : finding.reason;
+      this.findingProblem.value = finding.found ? null : sentenceOf(finding.reason);
       if (finding.found) void this.offerSpan(wish);
     },
     (error) => {

@@ -11,7 +11,7 @@ import { fixed } from "../../core/units";
 interface Props {
   recording: Recording;
   /** Run a request; its refusal is shown on the card. */
-  run: (work: () => Promise<unknown>) => Promise<void>;
+  run: (work: () => Promise<unknown>) => Promise<unknown>;
   reload: () => Promise<void>;
 }
 

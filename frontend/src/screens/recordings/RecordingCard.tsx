@@ -1,8 +1,9 @@
 import { useState } from "preact/hooks";
 import { ask, Button, JobProgress, Notice, Problem, StateMark } from "../../components";
+import { useAction } from "../../core/action";
 import { api } from "../../core/api";
 import { cancelJob } from "../../core/jobs";
-import { say } from "../../core/messages";
+import { say, sentenceOf } from "../../core/messages";
 import { may } from "../../core/session";
 import { formatDuration, formatMoment } from "../../core/times";
 import { toast } from "../../core/toasts";
@@ -24,16 +25,8 @@ interface Props {
 }
 
 export function RecordingCard({ recording, passes, cameras, changed, reload }: Props) {
-  const [problem, setProblem] = useState<unknown>(null);
+  const { problem, run } = useAction();
   const canWork = may("operator");
-  const run = async (work: () => Promise<unknown>) => {
-    setProblem(null);
-    try {
-      await work();
-    } catch (error) {
-      setProblem(error);
-    }
-  };
   const change = async (body: RecordingChange) =>
     changed(await api.write("PUT /recordings/{recording_id}", { recording_id: recording.id }, { body }));
   const put = (part: RecordingChange) => run(() => change(part));
@@ -107,7 +100,7 @@ export function RecordingCard({ recording, passes, cameras, changed, reload }: P
         )}
         {recording.notes.length > 0 && (
           <ul class="recording__notes">
-            {recording.notes.map((note) => (
+            {recording.notes.map(sentenceOf).map((note) => (
               <li key={note}>{note}</li>
             ))}
           </ul>
@@ -177,7 +170,7 @@ function Name({ recording, rename }: { recording: Recording; rename: (name: stri
   const [typed, setTyped] = useState<string | null>(null);
   if (typed === null) {
     return (
-      <h2 class="clip recording__name">
+      <h2 class="row clip recording__name">
         {recording.name}
         {may("operator") && (
           <Button
@@ -215,6 +208,13 @@ function Name({ recording, rename }: { recording: Recording; rename: (name: stri
   );
 }
 
+/** The kind of a file, of those that its reader serves ("mov,mp4,m4a"): the one that its name ends in. */
+function kindOf(name: string, container: string): string {
+  const kinds = container.split(",");
+  const ending = name.split(".").at(-1)?.toLowerCase() ?? "";
+  return kinds.includes(ending) ? ending : (kinds[0] ?? "");
+}
+
 function Facts({ recording, passes }: Pick<Props, "recording" | "passes">) {
   const { width_px, height_px, frame_count, duration_s, codec, container } = recording;
   const rate = frame_count && duration_s ? frame_count / duration_s : null;
@@ -225,7 +225,9 @@ function Facts({ recording, passes }: Pick<Props, "recording" | "passes">) {
     rate
       ? say(recording.vfr ? "recordings-rate-average" : "recordings-rate", { rate: fixed(rate, 2) })
       : null,
-    codec && container ? say("recordings-codec", { codec, container: container.split(",")[0] ?? "" }) : codec,
+    codec && container
+      ? say("recordings-codec", { codec, container: kindOf(recording.name, container) })
+      : codec,
     formatBytes(recording.size_bytes),
   ].filter(Boolean);
   return (

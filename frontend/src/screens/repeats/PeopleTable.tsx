@@ -1,5 +1,5 @@
 import { Button, num, Panel, Table } from "../../components";
-import { say } from "../../core/messages";
+import { say, sentenceOf } from "../../core/messages";
 import { may } from "../../core/session";
 import type { PersonRepeats } from "../../core/types";
 import { fixed, formatSmall } from "../../core/units";
@@ -38,7 +38,7 @@ export function PeopleTable({ people, busy, choose }: Props) {
             <td class="num">{one.pairs}</td>
             {one.sigma.sd === null ? (
               <td class="small muted repeats__reason" colSpan={3}>
-                {one.sigma.reason}
+                {sentenceOf(one.sigma.reason)}
               </td>
             ) : (
               <>

@@ -1,5 +1,5 @@
 import { num, Panel, Table } from "../../components";
-import { say } from "../../core/messages";
+import { say, sentenceOf } from "../../core/messages";
 import type { RepeatSpread, Repeats, TargetRepeats } from "../../core/types";
 import { fixed, formatSmall } from "../../core/units";
 import { TARGET_WORDS } from "../../core/words";
@@ -67,7 +67,7 @@ function Row({ one }: { one: TargetRepeats }) {
 
 export function SpreadCell({ one, words = spreadWords }: { one: RepeatSpread; words?: typeof spreadWords }) {
   const said = words(one);
-  if (!said) return <td class="small muted repeats__reason">{one.reason}</td>;
+  if (!said) return <td class="small muted repeats__reason">{sentenceOf(one.reason)}</td>;
   return (
     <td>
       <span class="nowrap">{said.value}</span>

@@ -1,7 +1,13 @@
 import { describe, expect, it } from "vitest";
 import { claimVerdict, pixelWords, shiftWords, spreadWords } from "./words";
 
-const few = { sd: null, low: null, high: null, freedom: 2, reason: "Too few repeats." };
+const few = {
+  sd: null,
+  low: null,
+  high: null,
+  freedom: 2,
+  reason: { code: "told", values: {}, message: "Too few repeats." },
+};
 
 describe("figures of repeats in words", () => {
   it("says a spread with its interval, and nothing where there is none", () => {
@@ -25,6 +31,8 @@ describe("figures of repeats in words", () => {
     expect(claimVerdict({ ...claim, ratio: 1.5, low: 1.1, high: 2.0 })).toBe("more than stated");
     expect(claimVerdict({ ...claim, ratio: 0.5, low: 0.4, high: 0.7 })).toBe("less than stated");
     const none = { ratio: null, low: null, high: null, claimed: null, observed: null, freedom: 1 };
-    expect(claimVerdict({ ...none, reason: "Too few." })).toBe("Too few.");
+    expect(claimVerdict({ ...none, reason: { code: "told", values: {}, message: "Too few." } })).toBe(
+      "Too few.",
+    );
   });
 });

@@ -1,5 +1,5 @@
 /** Figures of repeats in words; every number is the server's. */
-import { say } from "../../core/messages";
+import { say, sentenceOf } from "../../core/messages";
 import type { ProposedTarget, RepeatSpread, TargetRepeats } from "../../core/types";
 import { fixed, formatSmall, smallNumber } from "../../core/units";
 
@@ -21,7 +21,7 @@ export function pixelWords(one: RepeatSpread): { value: string; interval: string
 
 /** What the interval of observed over claimed says: 1 is "as claimed". */
 export function claimVerdict(claim: TargetRepeats["uncertainty_check"]): string {
-  if (claim.low === null || claim.high === null) return claim.reason ?? "–";
+  if (claim.low === null || claim.high === null) return sentenceOf(claim.reason) ?? "–";
   if (claim.low > 1) return say("repeats-more");
   return say(claim.high < 1 ? "repeats-less" : "repeats-as");
 }

@@ -1,7 +1,7 @@
 /** The second click beside the first: before it, nothing is told; after it, how far apart they are. */
 import { Button, Icon, StateMark } from "../../components";
 import { Said } from "../../components/Said";
-import { say } from "../../core/messages";
+import { say, sentenceOf } from "../../core/messages";
 import { me } from "../../core/session";
 import type { Comparison, Measurement, ReviewItem } from "../../core/types";
 import { formatLength, formatSmall } from "../../core/units";
@@ -81,7 +81,7 @@ function Who({ repeat, own }: { repeat: Measurement; own: boolean }) {
 /** "agree: 3 mm apart, expected within 9 mm"; the server says whether they do. */
 function comparisonWords(one: Comparison): string {
   if (one.difference_m === null || one.expected_m === null)
-    return one.reason ?? say("review-again-not-compared");
+    return sentenceOf(one.reason) ?? say("review-again-not-compared");
   const apart = formatSmall(Math.abs(one.difference_m));
   const expected = formatSmall(one.expected_m);
   return say(one.agrees ? "review-again-agree" : "review-again-differ", { apart, expected });

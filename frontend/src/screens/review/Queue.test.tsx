@@ -1,45 +1,29 @@
 import { render } from "preact";
 import { afterEach, expect, it } from "vitest";
-import type { LineHeightQueue, ReviewItem, Verdict } from "../../core/types";
+import type { ReviewItem, Verdict } from "../../core/types";
 import { ReviewModel } from "./model";
 import { Queue } from "./Queue";
-
-const line = (id: number, mine: boolean): LineHeightQueue["items"][number] => ({
-  id,
-  scan_id: 4,
-  scan_name: "East",
-  vehicle_id: 10 + id,
-  number: id,
-  target: "roof",
-  height_m: 1.45,
-  U95_height_m: 0.03,
-  mine,
-});
 
 const judged = (id: number, verdict: Verdict): ReviewItem =>
   ({
     measurement: { id, target: "roof", status: "ok", height_m: 1.5, U95_height_m: 0.02, review: { verdict } },
     mine: false,
-    vehicle: { number: id },
+    vehicle: { number: id, scan_name: null },
     judged: { blind: false, signs: [], lot: { number: 2 } },
   }) as unknown as ReviewItem;
 
 afterEach(() => render(null, document.body));
 
-it("counts the heights of line scans that wait and leads to each one's bench", () => {
+it("has heights of line scans among the others, and says of which", () => {
   const model = new ReviewModel(7);
-  model.queue.items.value = [];
-  model.queue.lineHeights.value = { to_review: 1, own: 1, items: [line(1, false), line(2, true)] };
+  const filmed = judged(1, "to_review");
+  const scanned = judged(2, "to_review");
+  model.queue.items.value = [filmed, { ...scanned, vehicle: { ...scanned.vehicle, scan_name: "East" } }];
   render(<Queue model={model} />, document.body);
-  const rows = [...document.querySelectorAll<HTMLAnchorElement>("a.review__row")];
-  expect(rows.map((one) => one.getAttribute("href"))).toEqual([
-    "/surveys/7/scan?scan=4&vehicle=11",
-    "/surveys/7/scan?scan=4&vehicle=12",
-  ]);
-  expect(rows[1]?.textContent).toContain("mine");
-  const told = document.querySelector("[data-testid=review-lines]")?.textContent;
-  expect(told).toContain("1 height of a line scan to review.");
-  expect(told).toContain("1 of your own measurements waits");
+  const badges = [...document.querySelectorAll(".review__row")].map((row) =>
+    [...row.querySelectorAll<HTMLElement>(".badge")].map((one) => one.title || one.textContent),
+  );
+  expect(badges.map((one) => one.includes("East"))).toEqual([false, true]);
   model.close();
 });
 

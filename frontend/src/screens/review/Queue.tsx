@@ -8,9 +8,8 @@ import { PageTabs } from "../../components/PageTabs";
 import { Said } from "../../components/Said";
 import { say, wordsOf } from "../../core/messages";
 import { may } from "../../core/session";
-import { survey } from "../../core/survey";
 import { reviewTabs } from "../../core/tabs";
-import type { LineHeightQueue, ReviewItem } from "../../core/types";
+import type { ReviewItem } from "../../core/types";
 import { formatHeight } from "../../core/units";
 import { STATE_WORDS, TARGET_WORDS, vehicleName } from "../../core/words";
 import type { ReviewModel } from "./model";
@@ -21,7 +20,6 @@ const SHOWN_WORDS: Readonly<Record<Shown, string>> = wordsOf("review-state-");
 
 export function Queue({ model }: { model: ReviewModel }) {
   const items = model.queue.items.value ?? [];
-  const counts = survey.value?.counts;
   const work = model.queue.work.value;
   const box = useRef<HTMLUListElement>(null);
   useOneTabStop(box, ".pass");
@@ -60,15 +58,14 @@ export function Queue({ model }: { model: ReviewModel }) {
         </div>
         <Plan model={model} />
         <LotLine model={model} />
-        <LinesLine model={model} />
-        {counts && (
+        {work && (
           <p class="small muted" data-testid="review-counts">
             {say("review-counts", {
-              accepted: counts.accepted,
-              rejected: counts.rejected,
-              count: counts.measurements,
+              accepted: work.accepted,
+              rejected: work.rejected,
+              count: work.heights,
             })}{" "}
-            {work !== null && work.own > 0 && say("review-own-waiting", { count: work.own })}
+            {work.own > 0 && say("review-own-waiting", { count: work.own })}
           </p>
         )}
       </header>
@@ -83,61 +80,14 @@ export function Queue({ model }: { model: ReviewModel }) {
             </Button>
           </li>
         )}
-        {linesShown(model).map((one) => (
-          <LineRow key={`line-${one.id}`} surveyId={model.surveyId} one={one} />
-        ))}
       </ul>
     </nav>
-  );
-}
-
-type Line = LineHeightQueue["items"][number];
-
-/** They have no lots, and here only those that wait. */
-function linesShown(model: ReviewModel): readonly Line[] {
-  const shown =
-    model.queue.lot === null &&
-    (model.queue.shown.value === "to_review" || model.queue.shown.value === "all");
-  return shown ? (model.queue.lineHeights.value?.items ?? []) : [];
-}
-
-function LinesLine({ model }: { model: ReviewModel }) {
-  const found = model.queue.lineHeights.value;
-  if (!found || found.to_review + found.own === 0) return null;
-  return (
-    <p class="small muted" data-testid="review-lines">
-      {say("review-lines", { count: found.to_review })}{" "}
-      {found.own > 0 && say("review-own-waiting", { count: found.own })}
-    </p>
-  );
-}
-
-/** Opens the bench of line scans at its vehicle, where the verdict is given. */
-function LineRow({ surveyId, one }: { surveyId: number; one: Line }) {
-  return (
-    <li>
-      <a
-        class="pass review__row"
-        data-testid={`review-line-${one.id}`}
-        href={benchOf(surveyId, one)}
-        title={one.scan_name}
-      >
-        <strong class="pass__number">{vehicleName(one.number)}</strong>
-        <span>{TARGET_WORDS[one.target]}</span>
-        <span class="badge">{say(one.mine ? "review-mine" : "review-line")}</span>
-        <span class="pass__name">{formatHeight(one.height_m, one.U95_height_m)}</span>
-      </a>
-    </li>
   );
 }
 
 /** The lot's own page, where it is decided upon. */
 export function lotAddress(surveyId: number, lot: number): string {
   return `/surveys/${surveyId}/lots?lot=${lot}`;
-}
-
-export function benchOf(surveyId: number, one: Line): string {
-  return `/surveys/${surveyId}/scan?scan=${one.scan_id}&vehicle=${one.vehicle_id}`;
 }
 
 /** While the sample of one lot is judged, how to come back to the lot or to all; else how much waits for its lot's sample. */
@@ -232,6 +182,11 @@ function Row({ model, item }: { model: ReviewModel; item: ReviewItem }) {
       >
         <strong class="pass__number">{vehicleName(item.vehicle.number)}</strong>
         <span>{TARGET_WORDS[m.target]}</span>
+        {item.vehicle.scan_name !== null && (
+          <span class="badge" title={item.vehicle.scan_name}>
+            {say("review-line")}
+          </span>
+        )}
         {item.mine ? (
           <span class="badge">{say("review-mine")}</span>
         ) : (

@@ -39,7 +39,7 @@ export function ReviewFrame({ model, player }: { model: ReviewModel; player: Pla
 
 /** Where it was clicked again on this frame, and by whom; not while the points are being moved. */
 function SecondClicks({ model }: { model: ReviewModel }) {
-  const frame = model.current.value?.measurement.frame;
+  const frame = model.ofFrame.value?.frame;
   if (model.fix.value) return null;
   return (
     <g data-testid="second-clicks">

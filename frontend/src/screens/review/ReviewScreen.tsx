@@ -7,12 +7,14 @@ import { type ActionId, useCommands } from "../../core/commands";
 import { say } from "../../core/messages";
 import type { ScreenProps } from "../../core/places";
 import { may } from "../../core/session";
-import { survey } from "../../core/survey";
+import type { Measurement } from "../../core/types";
 import { BlindFrame } from "../../viewer/BlindFrame";
-import { brightSwitch, frameCommands, loupeSwitch } from "../../viewer/stageCommands";
+import type { Player } from "../../viewer/player";
+import { brightSwitch, frameCommands, loupeSwitch, pictureCommands } from "../../viewer/stageCommands";
 import { Transport } from "../../viewer/Transport";
+import { LineFrame } from "./LineFrame";
 import { ReviewModel } from "./model";
-import { benchOf, lotAddress, Queue } from "./Queue";
+import { lotAddress, Queue } from "./Queue";
 import { ReviewFrame } from "./ReviewFrame";
 import { REASONS } from "./reasons";
 import { VerdictPanel } from "./VerdictPanel";
@@ -29,7 +31,10 @@ export default function ReviewScreen({ surveyId }: ScreenProps) {
   const player = model.reel.player.value;
   const steps = useMemo(() => historyCommands(model.history, { back: () => model.stage.back() }), [model]);
   useUndoTools(model.history, steps);
-  useCommands([steps.undo, steps.redo, ...reviewCommands(model), ...frameCommands(model.stage, player)]);
+  const item = model.current.value;
+  const ofPicture =
+    item && !model.ofFrame.value ? pictureCommands(model.strips.stage) : frameCommands(model.stage, player);
+  useCommands([steps.undo, steps.redo, ...reviewCommands(model), ...ofPicture]);
   if (model.problem.value) {
     return (
       <div class="page">
@@ -44,35 +49,45 @@ export default function ReviewScreen({ surveyId }: ScreenProps) {
       <Queue model={model} />
       {items === null ? (
         <Loading what={say("review-loading")} />
-      ) : model.current.value && player ? (
+      ) : item && (player || !model.ofFrame.value) ? (
         <>
           <section class="frame-place" aria-label={say("stage-frame")}>
-            {model.hidden.value ? (
-              <BlindFrame key={player.recordingId} blind={model.blind} player={player} stage={model.stage} />
-            ) : (
-              <ReviewFrame key={player.recordingId} model={model} player={player} />
-            )}
+            <Shown model={model} player={player} />
           </section>
-          <VerdictPanel model={model} item={model.current.value} />
-          <section class="review__time frame-tools" aria-label={say("stage-frames")}>
-            <Transport player={player} stage={model.stage} />
-            <span class="grow" />
-            {!model.onFrame.value && (
-              <Button
-                small
-                onClick={() => model.current.value && model.showFrame(model.current.value.measurement)}
-              >
-                {say("review-back-to-frame", { frame: String(model.current.value.measurement.frame) })}
-              </Button>
-            )}
-            <CommandButton command={brightSwitch}>{say("stage-bright")}</CommandButton>
-            <CommandButton command={loupeSwitch(model.stage)}>{say("stage-loupe")}</CommandButton>
-          </section>
+          <VerdictPanel model={model} item={item} />
+          {player && model.ofFrame.value && (
+            <FrameTools model={model} player={player} m={model.ofFrame.value} />
+          )}
         </>
       ) : (
         <NothingHere surveyId={surveyId} model={model} />
       )}
     </div>
+  );
+}
+
+/** The picture of what is open: a frame, one to be clicked again, or the strips. */
+function Shown({ model, player }: { model: ReviewModel; player: Player | null }) {
+  if (!player || !model.ofFrame.value) return <LineFrame picture={model.strips} />;
+  const key = player.recordingId;
+  if (model.hidden.value)
+    return <BlindFrame key={key} blind={model.blind} player={player} stage={model.stage} />;
+  return <ReviewFrame key={key} model={model} player={player} />;
+}
+
+function FrameTools({ model, player, m }: { model: ReviewModel; player: Player; m: Measurement }) {
+  return (
+    <section class="review__time frame-tools" aria-label={say("stage-frames")}>
+      <Transport player={player} stage={model.stage} />
+      <span class="grow" />
+      {!model.onFrame.value && (
+        <Button small onClick={() => model.showFrame(m)}>
+          {say("review-back-to-frame", { frame: String(m.frame) })}
+        </Button>
+      )}
+      <CommandButton command={brightSwitch}>{say("stage-bright")}</CommandButton>
+      <CommandButton command={loupeSwitch(model.stage)}>{say("stage-loupe")}</CommandButton>
+    </section>
   );
 }
 
@@ -98,22 +113,7 @@ function NothingHere({ surveyId, model }: { surveyId: number; model: ReviewModel
       </Empty>
     );
   }
-  const line = model.queue.lineHeights.value?.items.find((one) => !one.mine);
-  if (line) {
-    return (
-      <Empty
-        title={say("review-lines-left-title")}
-        actions={
-          <Button kind="primary" href={benchOf(surveyId, line)}>
-            {say("review-lines-open")}
-          </Button>
-        }
-      >
-        <p>{say("review-lines-left")}</p>
-      </Empty>
-    );
-  }
-  const measured = survey.value?.counts.measurements ?? 0;
+  const measured = model.queue.work.value?.heights ?? 0;
   return (
     <Empty
       title={say(measured > 0 ? "review-all-done-title" : "review-none-title")}

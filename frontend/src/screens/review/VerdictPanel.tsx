@@ -5,7 +5,7 @@ import { allOf, say, sentenceOf } from "../../core/messages";
 import { may } from "../../core/session";
 import { survey } from "../../core/survey";
 import { formatFrameTime, formatMoment, formatPlaceMoment } from "../../core/times";
-import type { Measurement, Px, Recording, ReviewItem, Target } from "../../core/types";
+import type { LineHeight, Measurement, Px, Recording, ReviewItem, Target } from "../../core/types";
 import { formatHeight, formatLength } from "../../core/units";
 import {
   INSET_PLACE_WORDS,
@@ -22,6 +22,7 @@ import { Revisions } from "../../parts/vehicles/Revisions";
 import { cropUrl } from "../../viewer/frames";
 import { clamp } from "../../viewer/view";
 import { BlindPanel, Comparisons } from "./Comparisons";
+import { type Height, isOfFrame, isOfLine } from "./kinds";
 import type { ReviewModel } from "./model";
 import { Reject, RejectButton } from "./Reject";
 
@@ -47,6 +48,7 @@ export function VerdictPanel({ model, item }: { model: ReviewModel; item: Review
           </p>
         )}
         <StaleMarks measurementId={m.id} />
+        {isOfLine(m) && m.older && <p>{say("scan-height-older")}</p>}
         <OutOfDateNotice surveyId={model.surveyId} computed={() => model.load()} />
         {m.reason && <p>{sentenceOf(m.reason)}</p>}
         {m.flags.map((flag) => (
@@ -56,14 +58,23 @@ export function VerdictPanel({ model, item }: { model: ReviewModel; item: Review
         ))}
         <Signs item={item} />
         <Comparisons model={model} />
-        <Crops m={m} recording={model.reel.player.value?.recording.value ?? null} />
-        <Neighbours m={m} recording={model.reel.player.value?.recording.value ?? null} model={model} />
+        {isOfFrame(m) && <Pieces m={m} model={model} />}
         <Facts item={item} />
         {m.budget.length > 0 && <Budget entries={m.budget} total_m={m.u_height_m} />}
         <Revisions id={m.id} revision={m.revision} />
       </div>
       <Verdict model={model} item={item} />
     </aside>
+  );
+}
+
+function Pieces({ m, model }: { m: Measurement; model: ReviewModel }) {
+  const recording = model.reel.player.value?.recording.value ?? null;
+  return (
+    <>
+      <Crops m={m} recording={recording} />
+      <Neighbours m={m} recording={recording} model={model} />
+    </>
   );
 }
 
@@ -148,6 +159,31 @@ function Facts({ item }: { item: ReviewItem }) {
           <dd>{LIGHTING_NOUNS[vehicle.lighting]}</dd>
         </>
       )}
+      {isOfFrame(m) ? <FrameFacts m={m} /> : <ScanFacts m={m} name={vehicle.scan_name} />}
+      <dt>{say("review-distance")}</dt>
+      <dd>{formatLength(m.distance_m, 2)}</dd>
+      <dt>{say("review-inset")}</dt>
+      <dd>
+        {say("review-inset-estimate", {
+          inset: formatLength(m.inset_m, 2),
+          u_inset: formatLength(m.u_inset_m, 2),
+        })}
+      </dd>
+      <dt>{say("review-points-set")}</dt>
+      <dd data-testid="review-made">
+        {say("review-made-by", {
+          made: isOfFrame(m) ? m.made : "clicked",
+          person: m.created_by?.name ?? say("person-unknown"),
+          time: formatMoment(m.created_at),
+        })}
+      </dd>
+    </dl>
+  );
+}
+
+function FrameFacts({ m }: { m: Measurement }) {
+  return (
+    <>
       <dt>{say("stage-frame")}</dt>
       <dd>
         {say("review-frame-at", { frame: String(m.frame), time: formatFrameTime(m.time_s) })}
@@ -161,29 +197,24 @@ function Facts({ item }: { item: ReviewItem }) {
           <dd>{allOf(m.more_frames.map((one) => String(one.frame)))}</dd>
         </>
       )}
-      <dt>{say("review-distance")}</dt>
-      <dd>{formatLength(m.distance_m, 2)}</dd>
-      <dt>{say("review-inset")}</dt>
+    </>
+  );
+}
+
+/** The recording, with the way to the vehicle on its bench, where it is measured again. */
+function ScanFacts({ m, name }: { m: LineHeight; name: string | null }) {
+  return (
+    <>
+      <dt>{say("page-scan")}</dt>
       <dd>
-        {say("review-inset-estimate", {
-          inset: formatLength(m.inset_m, 2),
-          u_inset: formatLength(m.u_inset_m, 2),
-        })}
+        <a href={`/surveys/${survey.value?.id}/scan?scan=${m.scan_id}&vehicle=${m.vehicle_id}`}>{name}</a>
       </dd>
-      <dt>{say("review-points-set")}</dt>
-      <dd data-testid="review-made">
-        {say("review-made-by", {
-          made: m.made,
-          person: m.created_by?.name ?? say("person-unknown"),
-          time: formatMoment(m.created_at),
-        })}
-      </dd>
-    </dl>
+    </>
   );
 }
 
 /** Near or far, in the survey's words; null where the inset is neither. */
-function sideWords(m: Measurement): string | null {
+function sideWords(m: Height): string | null {
   const choices = survey.value?.inset_choices?.[m.target] ?? [];
   const chosen = choices.find((one) => one.inset_m === m.inset_m && one.u_inset_m === m.u_inset_m);
   return chosen ? INSET_PLACE_WORDS[chosen.place] : null;
@@ -268,7 +299,7 @@ function Verdict({ model, item }: { model: ReviewModel; item: ReviewItem }) {
   }
   if (model.rejecting.value) return <Reject model={model} />;
   if (model.fix.value) {
-    const changed = model.poseChanged(item.measurement);
+    const changed = isOfFrame(item.measurement) && model.poseChanged(item.measurement);
     return (
       <footer class="review__verdict">
         {changed && <Notice kind="warning">{say("review-pose-changed")}</Notice>}
@@ -306,18 +337,20 @@ function Verdict({ model, item }: { model: ReviewModel; item: ReviewItem }) {
             {commandName("reviewAccept")} <Key of="reviewAccept" />
           </Button>
         </span>
-        <span data-testid="review-fix">
-          <Button
-            disabled={!model.mayJudge}
-            title={commandName("reviewFix") + hint("reviewFix")}
-            onClick={() => model.startFix()}
-          >
-            {commandName("reviewFix")} <Key of="reviewFix" />
-          </Button>
-        </span>
+        {model.ofFrame.value && (
+          <span data-testid="review-fix">
+            <Button
+              disabled={!model.mayJudge}
+              title={commandName("reviewFix") + hint("reviewFix")}
+              onClick={() => model.startFix()}
+            >
+              {commandName("reviewFix")} <Key of="reviewFix" />
+            </Button>
+          </span>
+        )}
         <RejectButton model={model} />
       </div>
-      {own && own.repeat.frame === item.measurement.frame && (
+      {own && own.repeat.frame === model.ofFrame.value?.frame && (
         <Button small disabled={!model.mayJudge} onClick={() => model.startFix(own.repeat)}>
           {say("review-fix-mine")}
         </Button>

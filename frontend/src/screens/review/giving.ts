@@ -5,9 +5,9 @@ import { outbox, type Wanted } from "../../core/outbox";
 import { me } from "../../core/session";
 import { refreshSurvey } from "../../core/survey";
 import { toast } from "../../core/toasts";
-import type { Measurement, ReviewItem } from "../../core/types";
+import type { ReviewItem } from "../../core/types";
 import { STATE_WORDS, TARGET_WORDS, vehicleName } from "../../core/words";
-import { type GivenVerdict, VERDICT, type VerdictAbout } from "./kinds";
+import { type GivenVerdict, type Height, VERDICT, type VerdictAbout } from "./kinds";
 import { isWaiting, type ReviewQueue } from "./queue";
 
 export class Verdicts {
@@ -43,7 +43,7 @@ export class Verdicts {
     outbox.discard(keyOf(item));
   }
 
-  private verdictOn(item: ReviewItem, want: GivenVerdict): Wanted<Measurement, GivenVerdict, VerdictAbout> {
+  private verdictOn(item: ReviewItem, want: GivenVerdict): Wanted<Height, GivenVerdict, VerdictAbout> {
     const m = item.measurement;
     const verdict = STATE_WORDS[want.verdict];
     return {
@@ -63,8 +63,8 @@ export class Verdicts {
   }
 }
 
-/** A measurement as it will be once the verdict is stored. */
-function expected(m: Measurement, { verdict, reason, points }: GivenVerdict): Measurement {
+/** A height as it will be once the verdict is stored. */
+function expected(m: Height, { verdict, reason, points }: GivenVerdict): Height {
   const reviewer = me.value ? { id: me.value.person.id, name: me.value.person.name } : null;
   return { ...m, ...points, review: { verdict, reason, reviewer, at: null, lot_id: null } };
 }

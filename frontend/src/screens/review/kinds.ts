@@ -2,11 +2,31 @@
 import { api } from "../../core/api";
 import { say } from "../../core/messages";
 import { type Kind, outbox } from "../../core/outbox";
-import type { Measurement, Verdict } from "../../core/types";
+import { shapeOf } from "../../core/shape";
+import type { LineHeight, Measurement, ReviewItem, Verdict } from "../../core/types";
 import { STATE_WORDS } from "../../core/words";
-import { isMeasurement } from "../../viewer/values";
 
 export const VERDICT = "verdict";
+
+/** A height of a frame, or of a line of a line scan. */
+export type Height = ReviewItem["measurement"];
+
+export function isOfFrame(m: Height): m is Measurement {
+  return "recording_id" in m;
+}
+
+export function isOfLine(m: Height): m is LineHeight {
+  return !isOfFrame(m);
+}
+
+const isHeight = shapeOf<Height>({
+  id: "number",
+  revision: "number",
+  target: "string",
+  contact: "list",
+  target_point: "list",
+  review: "object",
+});
 
 export interface GivenVerdict {
   readonly verdict: "accepted" | "rejected" | "fixed" | "reopened";
@@ -27,28 +47,25 @@ export interface VerdictAbout {
   readonly by: number;
 }
 
-const verdictKind: Kind<Measurement, GivenVerdict, VerdictAbout> = {
+const verdictKind: Kind<Height, GivenVerdict, VerdictAbout> = {
   once: true,
-  send({ about, saved, want: { verdict, reason, points } }, signal) {
+  send({ about, saved, want: { verdict, reason, points } }, sending) {
     const seen = saved ? { seen: saved.review.verdict } : {};
     const body = { revision: about.revision, verdict, ...seen, ...(reason ? { reason } : {}), ...points };
     return api.write(
       "POST /measurements/{measurement_id}/reviews",
       { measurement_id: about.id },
-      { body, retry: true, signal },
+      { body, ...sending },
     );
   },
-  read: ({ about: { id } }, _error, signal) =>
-    api.ask("GET /measurements/{measurement_id}", { measurement_id: id }, { signal }),
-  isSaved: isMeasurement,
+  read: ({ about: { id } }, _error, signal) => readHeight(id, signal),
+  isSaved: isHeight,
   done({ about, saved, want }) {
     const review = saved?.review;
     // what waits needs no reopening: a verdict that was taken back before it was sent
     if (want.verdict === "reopened" && review?.verdict === "to_review") return true;
     if (review?.verdict !== want.verdict || review.reviewer?.id !== about.by) return false;
-    return (
-      (review.reason ?? null) === want.reason && (!want.points || fits(saved as Measurement, want.points))
-    );
+    return (review.reason ?? null) === want.reason && (!want.points || fits(saved as Height, want.points));
   },
   version: (saved) => (saved ? `${saved.revision} ${saved.review.verdict} ${saved.review.at}` : ""),
   words: (saved) =>
@@ -60,7 +77,14 @@ const verdictKind: Kind<Measurement, GivenVerdict, VerdictAbout> = {
       : say("review-verdict-none"),
 };
 
-function fits(saved: Measurement, points: NonNullable<GivenVerdict["points"]>): boolean {
+/** The newest revision. */
+export async function readHeight(measurement_id: number, signal?: AbortSignal): Promise<Height | null> {
+  const route = "GET /measurements/{measurement_id}/history";
+  const { revisions } = await api.ask(route, { measurement_id }, signal ? { signal } : {});
+  return revisions.at(-1) ?? null;
+}
+
+function fits(saved: Height, points: NonNullable<GivenVerdict["points"]>): boolean {
   const { contact, target_point } = points;
   return `${saved.contact} ${saved.target_point}` === `${contact} ${target_point}`;
 }

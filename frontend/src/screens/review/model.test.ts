@@ -2,7 +2,7 @@ import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
 import { tryAgainNow } from "../../core/api";
 import { outbox } from "../../core/outbox";
 import { toasts } from "../../core/toasts";
-import type { ReviewItem } from "../../core/types";
+import type { Measurement, ReviewItem } from "../../core/types";
 import { FakeServer, recording } from "../../testing/server";
 import { imagePoint, pair } from "../../viewer/points";
 import { ReviewModel } from "./model";
@@ -47,7 +47,14 @@ beforeEach(() => {
   server = new FakeServer("reviewer");
   server.on("GET", /\/review-queue/, () => items);
   server.on("GET", /\/review-plan$/, () => ({ blind_one_in: blind ? 1 : 0, version: 0 }));
-  server.on("GET", /\/review-work$/, () => ({ to_review: 2, own: 0 }));
+  server.on("GET", /\/review-work$/, () => ({
+    to_review: 2,
+    own: 0,
+    in_lots: 0,
+    accepted: 0,
+    rejected: 0,
+    heights: 2,
+  }));
   server.on("GET", /\/recordings$/, () => [recording()]);
   server.on("POST", /^\/measurements\/(\d+)\/reviews$/, (match, body) => {
     judged.push(body);
@@ -102,12 +109,43 @@ describe("the review queue", () => {
     server.on("POST", /\/reviews$/, () => {
       throw 409;
     });
-    server.on("GET", /^\/measurements\/1$/, () => server.save(1, { ...server.stored.get(1), revision: 2 }));
+    server.save(1, { ...server.stored.get(1), revision: 2 });
     await model.judge("accepted");
     await quiet();
     expect(model.current.value?.measurement).toMatchObject({ id: 1, revision: 2 });
     expect(outbox.wishes.value.size).toBe(0);
     expect(judged).toEqual([]);
+  });
+
+  it("judges heights of line scans like the others, on their strips, and corrects none", async () => {
+    const { recording_id: _, frame: __, ...line } = item(4).measurement as Measurement;
+    const scanned = { ...line, scan_id: 9, contact: [3000, 150], target_point: [3040, 40] };
+    server.on("GET", /^\/scans\/9$/, () => ({ id: 9, lines: 8000, rows_px: 200, levels: [] }));
+    server.on("POST", /^\/measurements\/4\/reviews$/, (_match, body) => {
+      judged.push(body);
+      return {
+        ...scanned,
+        review: { verdict: body["verdict"], reason: null, reviewer: { id: 1, name: "R" } },
+      };
+    });
+    await open(0);
+    const of = { vehicle: { number: 8, scan_name: "East" }, judged: { blind: false, signs: [] } };
+    items = [{ ...of, measurement: scanned, mine: false } as unknown as ReviewItem, item(2)];
+    await model.load();
+    await quiet();
+    expect([model.currentId.value, model.ofFrame.value]).toEqual([4, null]);
+    const { line0, perPx, width } = model.strips.stage.view.value;
+    expect(line0).toBeLessThan(3000);
+    expect(line0 + width * perPx).toBeGreaterThan(3040);
+    model.startFix();
+    expect(model.fix.value).toBeNull();
+    await model.judge("accepted");
+    expect(judged).toEqual([{ revision: 1, verdict: "accepted", seen: "to_review" }]);
+    expect([model.currentId.value, model.ofFrame.value?.id]).toEqual([2, 2]);
+    await model.history.undo();
+    await quiet();
+    expect(judged.at(-1)).toMatchObject({ verdict: "reopened", seen: "accepted" });
+    expect(model.currentId.value).toBe(4);
   });
 
   it("stores dragged and nudged points as a fix with Enter", async () => {

@@ -16,6 +16,8 @@ import { FrameStage } from "../../viewer/stage";
 import { insetOf, valuesOf } from "../../viewer/values";
 import { type Fix, FixTool } from "./fix";
 import { Verdicts } from "./giving";
+import { isOfFrame, isOfLine } from "./kinds";
+import { LinePicture } from "./LinePicture";
 import { isWaiting, ReviewQueue, type Shown } from "./queue";
 import { isOwn, Repeats } from "./repeats";
 
@@ -29,6 +31,8 @@ export class ReviewModel {
         : [this.fixing, this.verdicts],
   );
   readonly geometry = new Geometry();
+  /** Where a height of a line scan was clicked. */
+  readonly strips = new LinePicture();
   readonly queue: ReviewQueue;
   readonly repeats: Repeats;
   readonly problem = signal<unknown>(null);
@@ -69,19 +73,24 @@ export class ReviewModel {
   private readonly revealed = signal<ReadonlySet<number>>(new Set());
 
   readonly current = computed(() => this.queue.find(this.currentId.value) ?? null);
+  /** What is open, where it is of a frame: in a line scan nothing is fixed or clicked again. */
+  readonly ofFrame = computed<Measurement | null>(() => {
+    const m = this.current.value?.measurement;
+    return m && isOfFrame(m) ? m : null;
+  });
   /** Neither points nor height of what is open may be seen yet. */
   readonly hidden = computed(() => this.current.value !== null && this.isHidden(this.current.value));
   readonly contact = computed<ImagePoint | null>(() => {
-    const m = this.current.value?.measurement;
+    const m = this.ofFrame.value;
     return this.fix.value?.contact ?? (m ? fromServer(m.contact) : null);
   });
   readonly point = computed<ImagePoint | null>(() => {
-    const m = this.current.value?.measurement;
+    const m = this.ofFrame.value;
     return this.fix.value?.point ?? (m ? fromServer(m.target_point) : null);
   });
   /** The picture that is seen is the one the points were clicked on. */
   readonly onFrame = computed(
-    () => this.reel.seen.value !== null && this.reel.seen.value === this.current.value?.measurement.frame,
+    () => this.reel.seen.value !== null && this.reel.seen.value === this.ofFrame.value?.frame,
   );
 
   /** Whether a fix would be computed with another road pose than the measurement was: then its words say so. */
@@ -92,7 +101,7 @@ export class ReviewModel {
 
   /** Other points than those that stand, or the same with a road pose that they were not computed with. */
   private differs({ contact, point }: Fix): boolean {
-    const m = this.current.value?.measurement;
+    const m = this.ofFrame.value;
     if (!m) return false;
     const moved = !samePoint(contact, fromServer(m.contact)) || !samePoint(point, fromServer(m.target_point));
     return moved || this.poseChanged(m);
@@ -136,6 +145,7 @@ export class ReviewModel {
   close(): void {
     for (const stop of this.stops) stop();
     this.reel.close();
+    this.strips.close();
   }
 
   async leaveLot(): Promise<void> {
@@ -156,8 +166,8 @@ export class ReviewModel {
   private reveal(id: number): void {
     if (this.blind.wanted.value?.measurement_id === id) this.blind.begin(null);
     this.revealed.value = new Set(this.revealed.value).add(id);
-    const item = this.current.value;
-    if (item?.measurement.id === id) this.aimAt(item.measurement);
+    const m = this.ofFrame.value;
+    if (m?.id === id) this.aimAt(m);
   }
 
   async show(shown: Shown): Promise<void> {
@@ -175,13 +185,19 @@ export class ReviewModel {
       this.rejecting.value = false;
       this.repeats.comparisons.value = null;
       this.geometry.forgetHeight();
-      this.showFrame(m);
-      if (this.isHidden(item)) this.stage.whole();
-      else this.aimAt(m);
-      this.blind.begin(this.isHidden(item) ? { ...m, measurement_id: m.id } : null);
+      if (isOfFrame(m)) this.openFrame(item, m);
+      else this.blind.begin(null);
+      this.strips.show(isOfLine(m) ? m : null);
     });
     setQuery({ measurement: m.id });
-    void this.readComparisons(m.id);
+    if (isOfFrame(m)) void this.readComparisons(m.id);
+  }
+
+  private openFrame(item: ReviewItem, m: Measurement): void {
+    this.showFrame(m);
+    if (this.isHidden(item)) this.stage.whole();
+    else this.aimAt(m);
+    this.blind.begin(this.isHidden(item) ? { ...m, measurement_id: m.id } : null);
   }
 
   /** Back to the frame on which the points were clicked. */
@@ -222,10 +238,11 @@ export class ReviewModel {
     const item = this.current.value;
     const fix = this.fix.value;
     if (!item || !(verdict === "rejected" ? this.mayReject : this.mayJudge)) return;
-    const { id, target, frame } = item.measurement;
+    const { id, target } = item.measurement;
+    const frame = this.ofFrame.value?.frame;
     this.busy.value = true;
     try {
-      if (verdict === "fixed" && fix)
+      if (verdict === "fixed" && fix && frame !== undefined)
         await this.given.give(item, {
           verdict,
           reason: null,
@@ -256,7 +273,7 @@ export class ReviewModel {
     if (!contact || !point || !this.mayJudge) return;
     this.rejecting.value = false;
     this.fixing.begin(contact, point);
-    const m = this.current.value?.measurement;
+    const m = this.ofFrame.value;
     if (m) this.showFrame(m);
     if (own && this.fix.value) this.askHeight(this.fix.value);
     this.stage.focus();
@@ -280,7 +297,7 @@ export class ReviewModel {
   }
 
   private askHeight(fix: Fix): void {
-    const m = this.current.value?.measurement;
+    const m = this.ofFrame.value;
     if (!m) return;
     const inset = insetOf(m);
     this.geometry.wantHeight({
@@ -328,7 +345,7 @@ export class ReviewModel {
   }
 
   private followAxes(): void {
-    const m = this.current.value?.measurement;
+    const m = this.ofFrame.value;
     const contact = this.contact.value;
     if (this.hidden.value) return;
     const show = m && contact && this.onFrame.value;

@@ -3,14 +3,8 @@ import { computed, signal } from "@preact/signals";
 import { asked } from "../../core/address";
 import { api } from "../../core/api";
 import { toastProblem } from "../../core/toasts";
-import type {
-  LineHeightQueue,
-  Measurement,
-  ReviewItem,
-  ReviewPlan,
-  ReviewWork,
-  Verdict,
-} from "../../core/types";
+import type { ReviewItem, ReviewPlan, ReviewWork, Verdict } from "../../core/types";
+import { type Height, readHeight } from "./kinds";
 
 /** The states that the queue can be asked for; reopened ones are to review again. */
 export type Shown = Exclude<Verdict, "reopened"> | "all";
@@ -25,8 +19,6 @@ export class ReviewQueue {
   /** Which measurements are clicked blind: the survey's, not the reviewer's choice. */
   readonly plan = signal<ReviewPlan | null>(null);
   readonly work = signal<ReviewWork | null>(null);
-  /** Heights of line scans that wait: they have a bench of their own, and stand in this queue. */
-  readonly lineHeights = signal<LineHeightQueue | null>(null);
   /** The sample of the lot that is shown has its verdicts: what is next is to decide on the lot. */
   readonly lotJudged = computed(
     () =>
@@ -88,7 +80,7 @@ export class ReviewQueue {
   }
 
   /** The measurement as it is now, in the place of what was read. */
-  replace(measurement: Measurement): void {
+  replace(measurement: Height): void {
     this.items.value = (this.items.value ?? []).map((other) =>
       other.measurement.id === measurement.id ? { ...other, measurement } : other,
     );
@@ -97,8 +89,8 @@ export class ReviewQueue {
   /** Reads a measurement anew; answers whether it has another revision now, which is then in its place. */
   async refresh(measurement_id: number): Promise<boolean> {
     try {
-      const now = await api.ask("GET /measurements/{measurement_id}", { measurement_id });
-      if (now.revision === this.find(measurement_id)?.measurement.revision) return false;
+      const now = await readHeight(measurement_id);
+      if (!now || now.revision === this.find(measurement_id)?.measurement.revision) return false;
       this.replace(now);
       return true;
     } catch {
@@ -133,10 +125,9 @@ export class ReviewQueue {
 
   private async readPlan(): Promise<void> {
     const survey_id = this.surveyId;
-    [this.plan.value, this.work.value, this.lineHeights.value] = await Promise.all([
+    [this.plan.value, this.work.value] = await Promise.all([
       api.ask("GET /surveys/{survey_id}/review-plan", { survey_id }),
       api.ask("GET /surveys/{survey_id}/review-work", { survey_id }),
-      api.ask("GET /surveys/{survey_id}/line-height-queue", { survey_id }),
     ]);
   }
 
@@ -153,6 +144,6 @@ export class ReviewQueue {
 }
 
 /** True while nobody has said anything of what stands; what was reopened waits again. */
-export function isWaiting({ review }: Measurement): boolean {
+export function isWaiting({ review }: Height): boolean {
   return review.verdict === "to_review" || review.verdict === "reopened";
 }

@@ -3,7 +3,7 @@ import { useEffect, useMemo, useState } from "preact/hooks";
 import { Button, Empty, JobProgress, Loading, Notice, Problem } from "../../components";
 import { type ButtonCommand, CommandButton } from "../../components/CommandButton";
 import { historyCommands, useUndoTools } from "../../components/undoTools";
-import { query } from "../../core/address";
+import { navigate, query } from "../../core/address";
 import { type ActionId, useCommands } from "../../core/commands";
 import { cancelJob } from "../../core/jobs";
 import { say, sentenceOf } from "../../core/messages";
@@ -32,13 +32,14 @@ export default function BenchScreen({ surveyId }: ScreenProps) {
   const model = useMemo(() => new ScanModel(id), [id]);
   useEffect(() => {
     if (id > 0) void model.load();
+    else navigate(`/surveys/${surveyId}/scans`, { replace: true }); // where one is chosen
     return () => model.close();
   }, [model]);
   const steps = useMemo(() => historyCommands(model.history, { back: () => model.stage.back() }), [model]);
   useUndoTools(model.history, steps);
   useCommands([steps.undo, steps.redo, ...benchCommands(model)]);
   const scan = model.scan.value;
-  if (id === 0) return <Nothing surveyId={surveyId} />;
+  if (id === 0) return null;
   if (model.problem.value) {
     return (
       <div class="page">
@@ -47,7 +48,7 @@ export default function BenchScreen({ surveyId }: ScreenProps) {
     );
   }
   if (!scan) return <Loading what={say("scan-loading")} />;
-  if (scan.survey_id !== surveyId) return <Nothing surveyId={surveyId} elsewhere />;
+  if (scan.survey_id !== surveyId) return <Elsewhere surveyId={surveyId} />;
   if (scan.state !== "ready") return <NotReady scan={scan} model={model} surveyId={surveyId} />;
   return (
     <div class="scan">
@@ -188,8 +189,8 @@ function Stream({ scan }: { scan: Scan }) {
   return <Notice kind="warning">{say("live-stopped", { time: formatMoment(scan.heard_at) })}</Notice>;
 }
 
-function Nothing({ surveyId, elsewhere }: { surveyId: number; elsewhere?: boolean }) {
-  const words = elsewhere ? say("address-elsewhere", { what: "scan" }) : say("scan-none-title");
+function Elsewhere({ surveyId }: { surveyId: number }) {
+  const words = say("address-elsewhere", { what: "scan" });
   return (
     <div class="page">
       <Empty
@@ -232,7 +233,7 @@ function benchCommands(model: ScanModel): ButtonCommand[] {
     { id: "passPrevious", label: say("scan-previous-vehicle"), run: () => model.step(-1) },
     { id: "selectNext", run: () => model.selectNext() },
     { id: "remove", label: say("scan-take-out-vehicle"), run: () => void model.edits.remove() },
-    { id: "reviewAccept", run: () => model.judging.accept() },
+    { id: "reviewAccept", run: () => void model.judging.review("accepted") },
     { id: "reviewReject", run: () => model.judging.reject() },
     ...pictureCommands(stage),
   ];

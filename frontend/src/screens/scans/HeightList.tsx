@@ -1,28 +1,25 @@
 /** The chosen vehicle's heights: one line per target; budget, inset and history on demand. */
 import { useEffect, useRef, useState } from "preact/hooks";
-import { Button, Notice, Problem, Segments } from "../../components";
-import { Said } from "../../components/Said";
-import { api } from "../../core/api";
+import { Button, Notice, Segments, StateMark } from "../../components";
 import { keyMap, showChord } from "../../core/commands";
 import { say, sentenceOf, wordsOf } from "../../core/messages";
 import { outbox } from "../../core/outbox";
-import { canWork } from "../../core/session";
+import { canWork, may } from "../../core/session";
 import { survey } from "../../core/survey";
-import { formatMoment } from "../../core/times";
 import type { InsetChoice, LineHeight, LineHeightAnswer, Target } from "../../core/types";
 import { fixed, formatHeight, formatLength } from "../../core/units";
 import { INSET_PLACE_WORDS, STATE_WORDS, TARGET_WORDS, TARGETS } from "../../core/words";
 import { Budget } from "../../parts/vehicles/Budget";
 import { insetChoices, usualInset } from "../../parts/vehicles/insets";
-import { heightKey } from "./heights";
+import { Revisions } from "../../parts/vehicles/Revisions";
+import { heightKey } from "./keptHeights";
 import type { Inset } from "./kinds";
 import type { ScanModel } from "./model";
-import { HeightVerdict } from "./Verdict";
 
 export function HeightList({ model }: { model: ScanModel }) {
   const { heights } = model;
-  const pose = heights.pose.value;
-  if (heights.poses.value === null) return null;
+  const pose = heights.kept.pose.value;
+  if (heights.kept.poses.value === null) return null;
   return (
     <section class="panel line-heights" aria-labelledby="line-heights">
       <header class="panel__head">
@@ -52,7 +49,7 @@ export function HeightList({ model }: { model: ScanModel }) {
 const KEYS = ["target1", "target2", "target3", "target4", "target5"] as const;
 
 function Older({ model }: { model: ScanModel }) {
-  const count = model.heights.older.value.length;
+  const count = model.heights.kept.older.value.length;
   if (count === 0) return null;
   return (
     <div class="line-heights__older small">
@@ -109,10 +106,22 @@ function Row({ model, target, index }: { model: ScanModel; target: Target; index
       )}
       {live?.problem && <Notice kind="warning">{live.problem}</Notice>}
       <Why one={one} live={live?.answer ?? null} />
-      {one && !active && <HeightVerdict model={model} one={one} open={open} />}
+      {one && !active && <Standing one={one} />}
       {(active || open) && <InsetOf model={model} target={target} />}
       {one && open && <Detail model={model} one={one} />}
     </li>
+  );
+}
+
+/** The verdict on it, and the way to the review, where a second person gives it. */
+function Standing({ one: { id, review, mine } }: { one: LineHeight }) {
+  return (
+    <div class="line-heights__verdict small">
+      <StateMark state={review.verdict} />
+      {id > 0 && !mine && may("reviewer") && (
+        <a href={`/surveys/${survey.value?.id}/review?measurement=${id}`}>{say("page-review")}</a>
+      )}
+    </div>
   );
 }
 
@@ -220,7 +229,7 @@ function Detail({ model, one }: { model: ScanModel; one: LineHeight }) {
           })}
         </dd>
       </dl>
-      <Revisions one={one} />
+      {one.id > 0 && <Revisions id={one.id} revision={one.revision} />}
       {canWork.value && (
         <div class="row row--wrap">
           {one.older && (
@@ -234,43 +243,5 @@ function Detail({ model, one }: { model: ScanModel; one: LineHeight }) {
         </div>
       )}
     </div>
-  );
-}
-
-function Revisions({ one }: { one: LineHeight }) {
-  const [all, setAll] = useState<readonly LineHeight[]>([]);
-  const [error, setError] = useState<unknown>(null);
-  useEffect(() => {
-    const stop = new AbortController();
-    const asked = api.ask(
-      "GET /scan-vehicles/{vehicle_id}/heights",
-      { vehicle_id: one.vehicle_id },
-      { signal: stop.signal },
-    );
-    asked.then(setAll, (problem) => {
-      if (!stop.signal.aborted) setError(problem);
-    });
-    return () => stop.abort();
-  }, [one.revision_id]);
-  if (error) return <Problem error={error} />;
-  return (
-    <ul class="scan__history small">
-      {all
-        .filter((revision) => revision.target === one.target)
-        .reverse()
-        .map((revision) => (
-          <li key={revision.revision_id}>
-            <Said
-              what="scan-height-revision"
-              values={{
-                height: revision.withdrawn ? STATE_WORDS.withdrawn : valueWords(revision, null),
-                person: revision.created_by?.name ?? say("scan-by-program"),
-                time: formatMoment(revision.created_at),
-              }}
-              parts={{ muted: (text) => <span class="muted">{text}</span> }}
-            />
-          </li>
-        ))}
-    </ul>
   );
 }

@@ -5,7 +5,7 @@ import { PageTabs } from "../../components/PageTabs";
 import { Said } from "../../components/Said";
 import { query, setQuery } from "../../core/address";
 import { api } from "../../core/api";
-import { say } from "../../core/messages";
+import { say, sentenceOf } from "../../core/messages";
 import type { ScreenProps } from "../../core/places";
 import { useResource } from "../../core/resource";
 import { resultsTabs } from "../../core/tabs";
@@ -98,7 +98,7 @@ export default function ResultsScreen({ surveyId }: ScreenProps) {
                   kind="warning"
                   title={say(n === 0 ? "motion-by-lengths" : "motion-by-wheelbases")}
                 >
-                  {one.warning}
+                  {sentenceOf(one.warning)}
                 </Notice>
               ),
           )}

@@ -1,15 +1,10 @@
 /** The rig calibrated by passes of a staff or board: typed or from a CSV, looked at, put in force; those before it. */
-
-import { Fragment } from "preact";
 import { useState } from "preact/hooks";
-import type { components } from "#schema";
 import {
   Button,
-  DataTable,
   Dialog,
   DropFiles,
   Loading,
-  Notice,
   num,
   Problem,
   Segments,
@@ -19,34 +14,17 @@ import {
 import { useAction } from "../../core/action";
 import { api } from "../../core/api";
 import { say } from "../../core/messages";
-import { useResource } from "../../core/resource";
-import { toast, toastProblem } from "../../core/toasts";
 import type { Scan } from "../../core/types";
-import {
-  fixed,
-  formatCount,
-  formatHeight,
-  formatLength,
-  formatSmall,
-  lengthUnit,
-  parseLength,
-  parseNumber,
-} from "../../core/units";
+import { lengthUnit, parseLength, parseNumber } from "../../core/units";
 import { typedLanes } from "./lanes";
-import { type RigChange, typedOf } from "./rig";
+import { type Look, RigAnswer } from "./RigAnswer";
+import { type Lane, type PutRig, RigHistory, tellStored } from "./RigHistory";
+import { typedOf } from "./rig";
 import { COLUMNS, headOf, nextPass, type PassTyped, tableOf, USUAL, type Way } from "./rigPasses";
-
-type Look = components["schemas"]["CalibrationLook"];
-type Figures = components["schemas"]["CalibrationFigures"];
-type Shown = components["schemas"]["RigCalibrationShown"];
-/** Where the vehicles drive: without it their baseline would be the one at the cameras. */
-type Lane = { distance_m: number; u_distance_m: number };
-type PutRig = (values: RigChange, version: number) => Promise<Scan>;
 
 interface Props {
   scan: Scan;
   onClose: () => void;
-  /** Changes values of the rig, and tells whoever shows it. */
   put: PutRig;
   /** The scan as it is after a calibration was put in force. */
   take: (scan: Scan) => Promise<void>;
@@ -156,8 +134,8 @@ export function RigCalibration({ scan, onClose, put, take }: Props) {
         />
         <Problem error={problem} />
         {busy && !look && <Loading what={say("scans-calibrate-busy")} />}
-        {look && <Answer look={look} />}
-        <History scan={scan} put={put} onClose={onClose} lane={said && laneOf(said)} />
+        {look && <RigAnswer look={look} />}
+        <RigHistory scan={scan} put={put} onClose={onClose} lane={said && laneOf(said)} />
       </div>
     </Dialog>
   );
@@ -279,166 +257,4 @@ function Passes({ way, passes, change }: PassesProps) {
       ))}
     </Table>
   );
-}
-
-function Answer({ look }: { look: Look }) {
-  const { figures } = look;
-  return (
-    <section class="stack stack--tight" aria-label={say("scans-calibrate-answer")} data-testid="rig-answer">
-      {look.reason && <Notice kind="warning">{look.reason}</Notice>}
-      {figures && <FiguresOf figures={figures} />}
-      {figures && <Residuals figures={figures} />}
-      {look.refused.length > 0 && (
-        <ul class="small">
-          {look.refused.map((one) => (
-            <li key={one.row}>
-              {say("scans-passes-refused", { row: one.row })} <span>{one.reason}</span>
-            </li>
-          ))}
-        </ul>
-      )}
-    </section>
-  );
-}
-
-function FiguresOf({ figures }: { figures: Figures }) {
-  const lanes = figures.lanes.length > 0 ? figures.lanes : figures.lane ? [figures.lane] : [];
-  const mrad = (value: number) => fixed(1000 * value, 3);
-  return (
-    <>
-      <dl class="facts small">
-        {lanes.map((lane) => (
-          <Fragment key={lane.name}>
-            <dt>
-              {say("scans-calibrate-lane", { distance: formatLength(lane.distance_m, 2) })}
-              {lane.name && ` (${lane.name})`}
-            </dt>
-            <dd>
-              {formatHeight(lane.baseline_m, lane.U95_baseline_m, 4)}{" "}
-              <span class="muted">
-                {say("scans-calibrate-share", { percent: fixed(lane.U95_percent, 3) })}
-              </span>
-            </dd>
-          </Fragment>
-        ))}
-        <dt>{say("scans-calibrate-baseline")}</dt>
-        <dd>{formatHeight(figures.baseline_m, figures.U95_baseline_m, 4)}</dd>
-        <dt>{say("scans-rig-divergence")}</dt>
-        <dd>
-          {say("scans-calibrate-mrad", {
-            value: mrad(figures.divergence_rad),
-            U95: mrad(figures.U95_divergence_rad),
-          })}
-        </dd>
-        <dt>{say("scans-rig-correlation")}</dt>
-        <dd>{fixed(figures.baseline_correlation, 3)}</dd>
-        <dt>{say("scans-calibrate-agree")}</dt>
-        <dd>
-          {say("scans-calibrate-chi2", {
-            chi2: fixed(figures.chi2, 1),
-            degrees: figures.degrees_of_freedom,
-            percent: fixed(100 * figures.p_value, 1),
-          })}
-        </dd>
-      </dl>
-      {[...lanes.map((one) => one.warning), ...figures.warnings].map(
-        (one) => one && <Notice key={one}>{one}</Notice>,
-      )}
-    </>
-  );
-}
-
-function Residuals({ figures }: { figures: Figures }) {
-  return (
-    <DataTable
-      label={say("scans-calibrate-passes")}
-      scroll="scan__lines"
-      class="table--dense"
-      rows={figures.passes}
-      keyOf={(one) => one.name}
-      columns={({ col, num }) => [
-        col(say("scans-passes-number"), (one) => one.name),
-        num(say("scans-passes-distance-shown"), (one) => formatLength(one.distance_m, 2)),
-        num(say("scans-calibrate-span"), (one) =>
-          say("with-u", { value: formatLength(one.span_m, 4), u: formatLength(one.u_span_m, 4) }),
-        ),
-        num(say("scans-calibrate-residual"), (one) => formatSmall(one.residual_m)),
-      ]}
-    />
-  );
-}
-
-interface HistoryProps extends Pick<Props, "scan" | "put" | "onClose"> {
-  lane: Lane | null;
-}
-
-function History({ scan, put, onClose, lane }: HistoryProps) {
-  const found = useResource(
-    (signal) => api.ask("GET /scans/{scan_id}/rig-calibrations", { scan_id: scan.id }, { signal }),
-    [scan.id, scan.version],
-  );
-  if (found.error) return <Problem error={found.error} again={found.reload} />;
-  if (!found.data || found.data.length === 0) return null;
-  const use = async (one: Shown): Promise<void> => {
-    try {
-      const stored = await put({ ...calibrated(one.figures), ...lane }, scan.version);
-      onClose();
-      tellStored(scan, stored, put);
-    } catch (error) {
-      toastProblem(error);
-    }
-  };
-  return (
-    <section class="stack stack--tight" aria-label={say("scans-calibrate-history")}>
-      <h3>{say("scans-calibrate-history")}</h3>
-      <ul class="plain small" data-testid="rig-history">
-        {found.data.map((one) => (
-          <li key={one.id} class="row row--wrap">
-            <span>
-              {say("scans-calibrate-one", {
-                number: one.revision,
-                who: one.created_by?.name ?? "–",
-                passes: formatCount(one.figures.passes.length),
-              })}
-            </span>
-            <span class="nowrap">{formatHeight(one.figures.baseline_m, one.figures.U95_baseline_m, 4)}</span>
-            {one.in_force ? (
-              <strong>{say("scans-calibrate-in-force")}</strong>
-            ) : (
-              <Button
-                small
-                disabled={!lane}
-                label={say("scans-calibrate-use-one", { number: one.revision })}
-                onClick={() => void use(one)}
-              >
-                {say("scans-traffic-use")}
-              </Button>
-            )}
-          </li>
-        ))}
-      </ul>
-    </section>
-  );
-}
-
-function calibrated(from: Figures | Scan["rig"]): RigChange {
-  return {
-    baseline_m: from.baseline_m,
-    u_baseline_m: from.u_baseline_m,
-    divergence_rad: from.divergence_rad,
-    u_divergence_rad: from.u_divergence_rad,
-    baseline_correlation: from.baseline_correlation,
-  };
-}
-
-/** Putting the values before back in force is one press; the calibration stays in the history. */
-function tellStored(before: Scan, stored: Scan, put: PutRig): void {
-  const run = async (): Promise<void> => {
-    const now = await api.ask("GET /scans/{scan_id}", { scan_id: before.id });
-    const { distance_m, u_distance_m } = before.rig;
-    await put({ ...calibrated(before.rig), distance_m, u_distance_m }, now.version);
-  };
-  toast(say(stored.counts.older > 0 ? "scans-rig-stored-older" : "scans-rig-stored"), {
-    action: { label: say("command-undo"), run: () => void run().catch(toastProblem) },
-  });
 }

@@ -1,6 +1,6 @@
 /** What the vehicles say of the rig, beside what is in force. Nothing changes unless somebody takes a value over. */
 
-import { Button, Loading, Notice, Problem, TableScroll } from "../../components";
+import { Button, Loading, Notice, num, Problem, Table } from "../../components";
 import { api } from "../../core/api";
 import { say, sentenceOf } from "../../core/messages";
 import { useResource } from "../../core/resource";
@@ -66,72 +66,67 @@ function Told({ found, scan, use, narrow, changed }: Props & { found: Found }) {
           {sentenceOf(found.order)}
         </Notice>
       )}
-      <TableScroll label={say("scans-traffic-table")}>
-        <table class={narrow ? "table table--dense" : "table"}>
-          <thead>
-            <tr>
-              <th>{say("scans-traffic-says")}</th>
-              <th class="num">{say("scans-traffic-value")}</th>
-              <th class="num">{say("scans-traffic-from")}</th>
-              {!narrow && <th class="num">{say("scans-traffic-in-force")}</th>}
-              <th>
-                <span class="visually-hidden">{say("scans-traffic-take")}</span>
-              </th>
-            </tr>
-          </thead>
-          <tbody>
-            <Row
-              what={say("scans-rig-misalignment")}
-              value={pixels(misalignment.value, misalignment.u)}
-              n={misalignment.n}
-              inForce={
-                narrow
-                  ? null
-                  : rig.misalignment_px === null
-                    ? say("scans-rig-from-traffic")
-                    : (pixels(rig.misalignment_px, rig.u_misalignment_px) ?? "–")
-              }
-              reason={sentenceOf(misalignment.reason)}
-              use={() =>
-                use({
-                  misalignment: fixed(misalignment.value ?? 0, 4),
-                  uMisalignment: fixed(misalignment.u ?? 0, 4),
-                })
-              }
-            />
-            <Row
-              what={say("scans-traffic-gain")}
-              value={withU(gain.value, gain.u)}
-              n={gain.n}
-              inForce={narrow ? null : say("scans-traffic-gain-own")}
-              reason={sentenceOf(gain.reason)}
-            />
-            {found.baselines.map((one) => (
-              <Row
-                key={one.of}
-                what={say("scans-traffic-baseline", { of: one.of })}
-                value={
-                  one.baseline_m === null || one.u_baseline_m === null
-                    ? null
-                    : length(one.baseline_m, one.u_baseline_m)
-                }
-                n={one.ratio.n}
-                inForce={narrow ? null : length(rig.baseline_m, rig.u_baseline_m)}
-                reason={sentenceOf(one.ratio.reason)}
-                use={
-                  one.differs
-                    ? () =>
-                        use({
-                          baseline: typedLength(one.baseline_m ?? 0, 5),
-                          uBaseline: typedLength(one.u_baseline_m ?? 0, 5),
-                        })
-                    : undefined
-                }
-              />
-            ))}
-          </tbody>
-        </table>
-      </TableScroll>
+      <Table
+        label={say("scans-traffic-table")}
+        class={narrow ? "table--dense" : undefined}
+        heads={[
+          say("scans-traffic-says"),
+          num(say("scans-traffic-value")),
+          num(say("scans-traffic-from")),
+          ...(narrow ? [] : [num(say("scans-traffic-in-force"))]),
+          <span class="visually-hidden">{say("scans-traffic-take")}</span>,
+        ]}
+      >
+        <Row
+          what={say("scans-rig-misalignment")}
+          value={pixels(misalignment.value, misalignment.u)}
+          n={misalignment.n}
+          inForce={
+            narrow
+              ? null
+              : rig.misalignment_px === null
+                ? say("scans-rig-from-traffic")
+                : (pixels(rig.misalignment_px, rig.u_misalignment_px) ?? "–")
+          }
+          reason={sentenceOf(misalignment.reason)}
+          use={() =>
+            use({
+              misalignment: fixed(misalignment.value ?? 0, 4),
+              uMisalignment: fixed(misalignment.u ?? 0, 4),
+            })
+          }
+        />
+        <Row
+          what={say("scans-traffic-gain")}
+          value={withU(gain.value, gain.u)}
+          n={gain.n}
+          inForce={narrow ? null : say("scans-traffic-gain-own")}
+          reason={sentenceOf(gain.reason)}
+        />
+        {found.baselines.map((one) => (
+          <Row
+            key={one.of}
+            what={say("scans-traffic-baseline", { of: one.of })}
+            value={
+              one.baseline_m === null || one.u_baseline_m === null
+                ? null
+                : length(one.baseline_m, one.u_baseline_m)
+            }
+            n={one.ratio.n}
+            inForce={narrow ? null : length(rig.baseline_m, rig.u_baseline_m)}
+            reason={sentenceOf(one.ratio.reason)}
+            use={
+              one.differs
+                ? () =>
+                    use({
+                      baseline: typedLength(one.baseline_m ?? 0, 5),
+                      uBaseline: typedLength(one.u_baseline_m ?? 0, 5),
+                    })
+                : undefined
+            }
+          />
+        ))}
+      </Table>
       {words.map((one) => (
         <p key={one} class="small muted">
           {one}

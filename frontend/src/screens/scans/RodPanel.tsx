@@ -1,5 +1,5 @@
 /** The line camera's calibration: where the rod stood, its marks with their residuals, and what they give. */
-import { Button, Empty, Notice, TableScroll } from "../../components";
+import { Button, DataTable, Empty, Notice } from "../../components";
 import { CommitField } from "../../components/CommitField";
 import { say, wordsOf } from "../../core/messages";
 import type { RodMark } from "../../core/types";
@@ -102,50 +102,34 @@ function Marks({ model, marks, residuals }: MarksProps) {
   const largest = Math.max(...residuals.map(Math.abs), 0);
   return (
     <section aria-label={say("scan-rod-marks")}>
-      <TableScroll label={say("scan-rod-marks")}>
-        <table class="table table--dense" data-testid="rod-marks">
-          <thead>
-            <tr>
-              <th class="num">{say("scan-rod-head-distance")}</th>
-              <th class="num">{say("scan-rod-head-height")}</th>
-              <th class="num">{say("scan-rod-head-row")}</th>
-              <th class="num">{say("scan-rod-head-residual")}</th>
-              <th aria-label={say("scan-rod-head-remove")} />
-            </tr>
-          </thead>
-          <tbody>
-            {marks.map((mark, index) => {
-              const residual = residuals[index];
-              const worst = residual !== undefined && Math.abs(residual) === largest && largest > 1;
-              return (
-                <tr key={index}>
-                  <td class="num">{formatLength(mark.distance_m, 3)}</td>
-                  <td class="num">{formatLength(mark.height_m, 3)}</td>
-                  <td class="num">{fixed(mark.row_px, 1)}</td>
-                  <td class="num">
-                    {residual === undefined ? (
-                      "–"
-                    ) : (
-                      <span class={worst ? "rod__worst" : ""}>
-                        {say("value-px", { value: fixed(residual, 2) })}
-                      </span>
-                    )}
-                  </td>
-                  <td>
-                    <Button
-                      small
-                      kind="quiet"
-                      icon="trash"
-                      label={say("scan-rod-remove", { number: String(index + 1) })}
-                      onClick={() => model.rod.remove(index)}
-                    />
-                  </td>
-                </tr>
-              );
-            })}
-          </tbody>
-        </table>
-      </TableScroll>
+      <DataTable
+        label={say("scan-rod-marks")}
+        class="table--dense"
+        data-testid="rod-marks"
+        rows={marks}
+        keyOf={(_, index) => index}
+        columns={({ col, num }) => [
+          num(say("scan-rod-head-distance"), (mark) => formatLength(mark.distance_m, 3)),
+          num(say("scan-rod-head-height"), (mark) => formatLength(mark.height_m, 3)),
+          num(say("scan-rod-head-row"), (mark) => fixed(mark.row_px, 1)),
+          num(say("scan-rod-head-residual"), (_, index) => {
+            const residual = residuals[index];
+            if (residual === undefined) return "–";
+            const worst = Math.abs(residual) === largest && largest > 1;
+            const words = say("value-px", { value: fixed(residual, 2) });
+            return <span class={worst ? "rod__worst" : ""}>{words}</span>;
+          }),
+          col(<span class="visually-hidden">{say("scan-rod-head-remove")}</span>, (_, index) => (
+            <Button
+              small
+              kind="quiet"
+              icon="trash"
+              label={say("scan-rod-remove", { number: String(index + 1) })}
+              onClick={() => model.rod.remove(index)}
+            />
+          )),
+        ]}
+      />
     </section>
   );
 }
@@ -184,7 +168,7 @@ function Result({ model }: { model: ScanModel }) {
           {say("scan-rod-store")}
         </Button>
         {marks > 0 && <Button onClick={() => rod.clear()}>{say("scan-rod-clear")}</Button>}
-        {rod.changed.value && model.heights.pose.value && (
+        {rod.changed.value && model.heights.kept.pose.value && (
           <Button kind="quiet" onClick={() => rod.reset()}>
             {say("scan-rod-reset")}
           </Button>

@@ -2,7 +2,7 @@
 import { useState } from "preact/hooks";
 import { ask, Button, Empty, JobProgress, Loaded, Notice, PageHead, StateMark } from "../../components";
 import { api } from "../../core/api";
-import { say } from "../../core/messages";
+import { say, sentenceOf } from "../../core/messages";
 import type { ScreenProps } from "../../core/places";
 import { useEvery, useResource } from "../../core/resource";
 import { canWork } from "../../core/session";
@@ -174,7 +174,7 @@ function ScanCard({ scan, reload }: { scan: Scan; reload: () => Promise<void> })
             {scan.error ?? say("scans-not-read")}
           </Notice>
         )}
-        {scan.notes.map((note) => (
+        {scan.notes.map(sentenceOf).map((note) => (
           <p key={note} class="small">
             {note}
           </p>

@@ -1,6 +1,6 @@
 /** Lengths and wheelbases against what their makers say. */
 import { num, Panel, Table } from "../../components";
-import { say, wordsOf } from "../../core/messages";
+import { say, sentenceOf, wordsOf } from "../../core/messages";
 import type { ScanErrorGroup, ScanStatistics } from "../../core/types";
 import { formatSmall } from "../../core/units";
 
@@ -29,6 +29,13 @@ export function SizeErrors({ found }: { found: ScanStatistics }) {
         <Rows words={LENGTHS} groups={found.length_errors} />
         <Rows words={WHEELBASES} groups={found.wheelbase_errors} />
       </Table>
+      <div class="stat-notes small" data-testid="scan-errors-note">
+        {[found.length_ratio, found.wheelbase_ratio].map((one) => {
+          const agrees = sentenceOf(one.agrees);
+          return agrees && <p key={agrees}>{agrees}</p>;
+        })}
+        <p>{say("motion-errors-scatter")}</p>
+      </div>
     </Panel>
   );
 }

@@ -1,5 +1,5 @@
 /** The vehicles in the layout of the paper's Table I, the printed table beside them. */
-import { Panel, TableScroll } from "../../components";
+import { DataTable, Panel } from "../../components";
 import { say } from "../../core/messages";
 import type { ScanStatistics } from "../../core/types";
 import { fixed, heads, plainAcceleration, plainLength, plainSpeed, speedScale } from "../../core/units";
@@ -18,45 +18,31 @@ export function TableOne({ found }: { found: ScanStatistics }) {
   );
 }
 
-function Head({ first, counter }: { first: string; counter: string }) {
-  const units = heads();
-  return (
-    <thead>
-      <tr>
-        <th>{first}</th>
-        <th class="num">{say("with-unit", { name: say("motion-head-speed"), unit: units.speed })}</th>
-        <th class="num">
-          {say("with-unit", { name: say("motion-head-acceleration"), unit: units.acceleration })}
-        </th>
-        <th class="num">{say("with-unit", { name: say("motion-head-size"), unit: units.length })}</th>
-        <th>{counter}</th>
-        <th class="num">{say("with-unit", { name: say("motion-head-true"), unit: units.length })}</th>
-        <th class="num">{say("motion-head-fit-error")}</th>
-      </tr>
-    </thead>
-  );
-}
+const speedHead = () => say("with-unit", { name: say("motion-head-speed"), unit: heads().speed });
+const accelerationHead = () =>
+  say("with-unit", { name: say("motion-head-acceleration"), unit: heads().acceleration });
+const lengthHead = (of: "motion-head-size" | "motion-head-true") =>
+  say("with-unit", { name: say(of), unit: heads().length });
 
 function Own({ found }: { found: ScanStatistics }) {
   return (
-    <TableScroll label={say("motion-paper-own")}>
-      <table class="table" data-testid="scan-table-own">
-        <Head first={say("motion-head-vehicle")} counter={say("motion-head-reference")} />
-        <tbody>
-          {found.table.map((row) => (
-            <tr key={row.vehicle_id}>
-              <td>{vehicleName(row.number)}</td>
-              <td class="num">{plainSpeed(row.speed_mps)}</td>
-              <td class="num">{plainAcceleration(row.acceleration_mps2)}</td>
-              <td class="num">{plainLength(row.length_m)}</td>
-              <td>{speedsOf(row.references)}</td>
-              <td class="num">{plainLength(row.true_length_m)}</td>
-              <td class="num">{row.fit_error_percent === null ? "–" : fixed(row.fit_error_percent, 2)}</td>
-            </tr>
-          ))}
-        </tbody>
-      </table>
-    </TableScroll>
+    <DataTable
+      label={say("motion-paper-own")}
+      data-testid="scan-table-own"
+      rows={found.table}
+      keyOf={(row) => row.vehicle_id}
+      columns={({ col, num }) => [
+        col(say("motion-head-vehicle"), (row) => vehicleName(row.number)),
+        num(speedHead(), (row) => plainSpeed(row.speed_mps)),
+        num(accelerationHead(), (row) => plainAcceleration(row.acceleration_mps2)),
+        num(lengthHead("motion-head-size"), (row) => plainLength(row.length_m)),
+        col(say("motion-head-reference"), (row) => speedsOf(row.references)),
+        num(lengthHead("motion-head-true"), (row) => plainLength(row.true_length_m)),
+        num(say("motion-head-fit-error"), (row) =>
+          row.fit_error_percent === null ? "–" : fixed(row.fit_error_percent, 2),
+        ),
+      ]}
+    />
   );
 }
 
@@ -70,23 +56,19 @@ function speedsOf(references: ScanStatistics["table"][number]["references"]): st
 
 function Printed({ found }: { found: ScanStatistics }) {
   return (
-    <TableScroll label={say("motion-paper-printed")}>
-      <table class="table">
-        <Head first={say("motion-head-car")} counter={say("motion-head-counter")} />
-        <tbody>
-          {found.paper.map((row) => (
-            <tr key={row.car_id}>
-              <td>{row.car_id}</td>
-              <td class="num">{plainSpeed(row.speed_kmh / speedScale("m")[0])}</td>
-              <td class="num">{plainAcceleration(row.acceleration_mps2)}</td>
-              <td class="num">{plainLength(row.size_m)}</td>
-              <td>{row.counter ?? ""}</td>
-              <td class="num">{plainLength(row.true_length_m)}</td>
-              <td class="num">{fixed(row.fit_error_percent, 2)}</td>
-            </tr>
-          ))}
-        </tbody>
-      </table>
-    </TableScroll>
+    <DataTable
+      label={say("motion-paper-printed")}
+      rows={found.paper}
+      keyOf={(row) => row.car_id}
+      columns={({ col, num }) => [
+        col(say("motion-head-car"), (row) => row.car_id),
+        num(speedHead(), (row) => plainSpeed(row.speed_kmh / speedScale("m")[0])),
+        num(accelerationHead(), (row) => plainAcceleration(row.acceleration_mps2)),
+        num(lengthHead("motion-head-size"), (row) => plainLength(row.size_m)),
+        col(say("motion-head-counter"), (row) => row.counter ?? ""),
+        num(lengthHead("motion-head-true"), (row) => plainLength(row.true_length_m)),
+        num(say("motion-head-fit-error"), (row) => fixed(row.fit_error_percent, 2)),
+      ]}
+    />
   );
 }

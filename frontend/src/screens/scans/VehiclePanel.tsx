@@ -250,7 +250,7 @@ function Tools({ model, m }: { model: ScanModel; m: ScanMotion | null }) {
           {say("scan-axles-again")}
         </Button>
       )}
-      {model.heights.pose.value && (
+      {model.heights.kept.pose.value && (
         <Button
           small
           pressed={model.mode.value === "height"}

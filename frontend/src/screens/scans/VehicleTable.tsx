@@ -75,7 +75,7 @@ function Row({ vehicle, model, lanes }: { vehicle: ScanVehicle; model: ScanModel
   const here = model.chosenId.value === vehicle.id;
   const m = vehicle.measurement;
   const gap = vehicle.gap;
-  const waiting = model.heights.waitingOf(vehicle.id).length;
+  const waiting = model.heights.kept.waitingOf(vehicle.id);
   return (
     <tr
       data-vehicle={vehicle.id}

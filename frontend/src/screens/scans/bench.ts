@@ -2,8 +2,8 @@
 import type { ReadonlySignal, Signal } from "@preact/signals";
 import type { ChangeSet, History } from "../../core/history";
 import type { ScanVehicle } from "../../core/types";
-import type { Crossings, Edge } from "./kinds";
-import type { StripsView } from "./view";
+import type { StripsView } from "../../parts/strips/view";
+import type { HeldBoundaries } from "./held";
 
 /** The tool that is taken up; "look": none, boundaries are dragged and vehicles chosen. */
 export type Mode = "look" | "wheels" | "axles" | "new" | "rod" | "height";
@@ -28,11 +28,6 @@ export interface Bench {
 /** What the tools on the strips need beside that: the vehicles and the boundaries in hand. */
 export interface Strips extends Bench {
   readonly vehicles: ReadonlySignal<readonly ScanVehicle[]>;
-  readonly crossings: ReadonlySignal<Crossings | null>;
-  readonly edge: Signal<Edge | null>;
-  readonly draft: Signal<Crossings | null>;
+  readonly boundaries: HeldBoundaries;
   choose(id: number | null): void;
-  moveEdge(edge: Edge, line: number): void;
-  nudge(by: number): boolean;
-  storeDraft(): Promise<void>;
 }

@@ -15,18 +15,14 @@ import type {
 } from "../../core/types";
 import { fixed, formatHeight, formatLength } from "../../core/units";
 import { CATEGORY_WORDS, STATE_WORDS } from "../../core/words";
-import type { Place } from "./view";
+import { type Crossings, EDGES } from "../../parts/strips/draw";
+import { type Place, placeOf } from "../../parts/strips/view";
 
 export const LINE_HEIGHT = "line-height";
 export const ROD = "rod";
 export const SCANNED = "scanned";
 export const ADDED = "added";
 export const SCAN_VERDICT = "scan-verdict";
-export const HEIGHT_VERDICT = "height-verdict";
-
-export const EDGES = ["front_line_1", "rear_line_1", "front_line_2", "rear_line_2"] as const;
-export type Edge = (typeof EDGES)[number];
-export type Crossings = Record<Edge, number>;
 
 /** An inset of its own, or the side of the driver, whose inset the survey has. */
 export type Inset = { readonly inset_m: number; readonly u_inset_m: number } | { readonly side: DriverSide };
@@ -68,15 +64,15 @@ const isScanned = shapeOf<ScanVehicle>({ id: "number", version: "number", delete
 
 const heightKind: Kind<LineHeight, HeightWanted, HeightAbout> = {
   once: true,
-  send({ about: { id: vehicle_id, target }, saved, want }, signal) {
+  send({ about: { id: vehicle_id, target }, saved, want }, sending) {
     const revision = saved?.revision ?? 0;
     if (!want.clicks) {
       const asked = { vehicle_id, target, revision };
-      return api.write("DELETE /scan-vehicles/{vehicle_id}/heights", asked, { signal });
+      return api.write("DELETE /scan-vehicles/{vehicle_id}/heights", asked, sending);
     }
     const body = { ...clickBody(target, want.clicks), revision };
     const route = "POST /scan-vehicles/{vehicle_id}/heights";
-    return api.write(route, { vehicle_id }, { body, retry: true, signal });
+    return api.write(route, { vehicle_id }, { body, ...sending });
   },
   read: ({ about: { id, target } }, _error, signal) => readHeight(id, target, signal),
   isSaved: isHeight,
@@ -109,10 +105,6 @@ export function clicksOf(one: LineHeight): Clicks {
     point: placeOf(one.target_point),
     inset: insetSaid(one),
   };
-}
-
-export function placeOf([line, row]: LineHeight["contact"]): Place {
-  return { line, row };
 }
 
 /** What was said of a height's inset; null: nothing, so it is the survey's, whatever that is by now. */
@@ -156,11 +148,11 @@ type Uncertainties = Pick<LinePose, "sigma_px" | "u_distance_m" | "u_lean_rad">;
 
 const rodKind: Kind<LinePose, RodValues, { scanId: number }> = {
   once: true,
-  send: ({ about, saved, want }, signal) =>
+  send: ({ about, saved, want }, sending) =>
     api.write(
       "PUT /scans/{scan_id}/line-pose",
       { scan_id: about.scanId },
-      { body: { ...want, marks: [...want.marks], revision: saved?.revision ?? 0 }, signal },
+      { body: { ...want, marks: [...want.marks], revision: saved?.revision ?? 0 }, ...sending },
     ),
   read: async ({ about }, _error, signal) =>
     (await api.ask("GET /scans/{scan_id}/line-pose", { scan_id: about.scanId }, { signal })).current,
@@ -207,33 +199,33 @@ interface ScannedAbout {
 }
 
 const scannedKind: Kind<ScanVehicle, ScannedWanted, ScannedAbout> = {
-  async send({ about: { id: vehicle_id }, saved, want }, signal) {
+  async send({ about: { id: vehicle_id }, saved, want }, sending) {
     const [at, version] = [{ vehicle_id }, saved?.version ?? 0];
     if (saved?.deleted && want.there)
-      return api.write("POST /scan-vehicles/{vehicle_id}/restore", at, { retry: true, signal });
+      return api.write("POST /scan-vehicles/{vehicle_id}/restore", at, sending);
     if (want.boundaries && !hasBoundaries(saved, want.boundaries)) {
       const body = { ...want.boundaries, version };
-      return api.write("PUT /scan-vehicles/{vehicle_id}/boundaries", at, { body, signal });
+      return api.write("PUT /scan-vehicles/{vehicle_id}/boundaries", at, { body, ...sending });
     }
     if (want.hubs && !hasHubs(saved, want.hubs)) {
       const [front_wheel_line, rear_wheel_line] = want.hubs;
       const body = { front_wheel_line, rear_wheel_line, version };
-      return api.write("PUT /scan-vehicles/{vehicle_id}/wheels", at, { body, signal });
+      return api.write("PUT /scan-vehicles/{vehicle_id}/wheels", at, { body, ...sending });
     }
     if (want.axles !== undefined && !hasAxles(saved, want.axles)) {
       const body = { axle_lines: want.axles && [...want.axles], version };
-      return api.write("PUT /scan-vehicles/{vehicle_id}/axles", at, { body, signal });
+      return api.write("PUT /scan-vehicles/{vehicle_id}/axles", at, { body, ...sending });
     }
     if (want.lane !== undefined && !hasLane(saved, want.lane)) {
       const body = { lane: want.lane, version };
-      return api.write("PUT /scan-vehicles/{vehicle_id}/lane", at, { body, signal });
+      return api.write("PUT /scan-vehicles/{vehicle_id}/lane", at, { body, ...sending });
     }
     if (want.facts && !hasFacts(saved, want.facts))
       return api.write("PUT /scan-vehicles/{vehicle_id}/facts", at, {
         body: { ...want.facts, version },
-        signal,
+        ...sending,
       });
-    await api.write("DELETE /scan-vehicles/{vehicle_id}", { ...at, version }, { signal });
+    await api.write("DELETE /scan-vehicles/{vehicle_id}", { ...at, version }, sending);
     return saved && { ...saved, deleted: true, version: version + 1 };
   },
   read: ({ about: { id } }, _error, signal) => readVehicle(id, signal),
@@ -331,16 +323,10 @@ interface Added {
 
 const addedKind: Kind<ScanVehicle, Added, { scanId: number }> = {
   once: true,
-  send: ({ about, want }, signal) =>
-    // the same lines from the same person are the same vehicle, so that a repeat adds none
-    api.write(
-      "POST /scans/{scan_id}/vehicles",
-      { scan_id: about.scanId },
-      { body: want, retry: true, signal },
-    ),
+  send: ({ about, want }, sending) =>
+    api.write("POST /scans/{scan_id}/vehicles", { scan_id: about.scanId }, { body: want, ...sending }),
   read: async () => null,
   isSaved: isScanned,
-  done: ({ saved }) => saved !== null,
   version: () => 0,
   words: () => "",
 };
@@ -359,14 +345,13 @@ interface VerdictAbout {
 
 const verdictKind: Kind<ScanVehicle, Verdict, VerdictAbout> = {
   once: true,
-  send: ({ about, saved, want: { verdict, reason } }, signal) =>
+  send: ({ about, saved, want: { verdict, reason } }, sending) =>
     api.write(
       "POST /scan-measurements/{measurement_id}/review",
       { measurement_id: about.measurementId },
       {
         body: { verdict, seen: saved?.measurement?.review.verdict, ...(reason ? { reason } : {}) },
-        retry: true,
-        signal,
+        ...sending,
       },
     ),
   read: ({ about: { id } }, _error, signal) => readVehicle(id, signal),
@@ -402,42 +387,6 @@ export function verdictWords({ verdict, reason }: Verdict): string {
     : say("scan-wish-verdict-word", { verdict });
 }
 
-export interface HeightVerdictAbout {
-  readonly id: number;
-  /** The one that is judged. */
-  readonly revision: number;
-  readonly vehicleId: number;
-  readonly target: Target;
-  /** Who gives it. */
-  readonly by: number;
-}
-
-const heightVerdictKind: Kind<LineHeight, Verdict, HeightVerdictAbout> = {
-  once: true,
-  send: ({ about, saved, want: { verdict, reason } }, signal) =>
-    api.write(
-      "POST /line-heights/{height_id}/review",
-      { height_id: about.id },
-      {
-        body: {
-          revision: about.revision,
-          verdict,
-          seen: saved?.review.verdict,
-          ...(reason ? { reason } : {}),
-        },
-        retry: true,
-        signal,
-      },
-    ),
-  read: ({ about: { vehicleId, target } }, _error, signal) => readHeight(vehicleId, target, signal),
-  isSaved: isHeight,
-  done({ about, saved, want }) {
-    return saved?.revision === about.revision && isGiven(saved.review, want, about.by);
-  },
-  version: (saved) => (saved ? `${saved.revision_id} ${saved.review.verdict} ${saved.review.at}` : ""),
-  words: (saved) => (saved ? reviewWords(saved.review) : ""),
-};
-
 /** The same values under these names. */
 function same<T extends object>(
   a: T,
@@ -452,4 +401,3 @@ outbox.register(ROD, rodKind);
 outbox.register(SCANNED, scannedKind);
 outbox.register(ADDED, addedKind);
 outbox.register(SCAN_VERDICT, verdictKind);
-outbox.register(HEIGHT_VERDICT, heightVerdictKind);

@@ -1,11 +1,11 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
 import { me } from "../../core/session";
 import { toasts } from "../../core/toasts";
+import type { StripPoint } from "../../parts/strips/view";
 import { FakeServer } from "../../testing/server";
 import { Gestures } from "../../viewer/gestures";
 import { screenPoint } from "../../viewer/points";
 import { ScanModel } from "./model";
-import type { StripPoint } from "./view";
 
 const LINES = { front_line_1: 200, rear_line_1: 500, front_line_2: 220, rear_line_2: 520 };
 
@@ -79,7 +79,7 @@ describe("the strips", () => {
   it("have boundaries that are dragged on their own strip, as one step", async () => {
     const drag = hand();
     drag(202, 262, 330); // the front at camera 2 stands at 220, out of reach
-    expect(model.draft.value).toBeNull();
+    expect(model.boundaries.draft.value).toBeNull();
     model.stage.fit();
     drag(202, 262);
     await quiet();
@@ -91,12 +91,12 @@ describe("the strips", () => {
 
   it("keep a boundary where it was when its drag is cancelled, or nudged forth and back", async () => {
     hand()(200, 260, 100, true);
-    expect(model.draft.value).toBeNull();
-    model.edge.value = "front_line_1";
+    expect(model.boundaries.draft.value).toBeNull();
+    model.boundaries.edge.value = "front_line_1";
     model.stage.nudge(1, 0);
     model.stage.nudge(-1, 0);
     await vi.advanceTimersByTimeAsync(1000);
-    expect(model.draft.value).toBeNull();
+    expect(model.boundaries.draft.value).toBeNull();
     expect(puts()).toEqual([]);
     expect(model.history.undoLabel.value).toBeNull();
   });
@@ -187,52 +187,6 @@ describe("judging vehicles of a line scan", () => {
     model.stage.view.value = model.stage.view.value.resized({ width: 1000, height: 424 });
     await model.load();
     await quiet();
-  });
-
-  it("goes through a vehicle's heights with the same keys, each verdict a step", async () => {
-    const given: string[] = [];
-    const height = (id: number, target: string, part: object = {}) => ({
-      ...{ id, target, vehicle_id: 2, revision: 1, status: "ok", withdrawn: false, mine: false },
-      ...{ revision_id: id, contact: [300, 150], target_point: [310, 40] },
-      ...{ review: REVIEW, flags: [], budget: [], ...part },
-    });
-    let heights: Record<string, unknown>[] = [
-      height(31, "driver_eye"),
-      height(30, "roof"),
-      height(32, "taillight", { mine: true }),
-      height(33, "headlight", { status: "not_measurable" }),
-    ];
-    server.on("GET", /^\/scans\/3\/heights$/, () => heights);
-    server.on("POST", /^\/line-heights\/(\d+)\/review/, ([, id], { verdict, reason, seen }) => {
-      given.push([id, verdict, seen, reason].filter(Boolean).join(" "));
-      heights = heights.map((one) =>
-        String(one["id"]) === id ? { ...one, review: { verdict, reason } } : one,
-      );
-      return heights.find((one) => String(one["id"]) === id);
-    });
-    await model.heights.load();
-    expect(model.judging.judged.value).toBeNull();
-    model.judging.accept();
-    await quiet();
-    // the vehicle stays until its heights are through: roof, then eye
-    expect([model.chosenId.value, model.judging.judged.value?.target]).toEqual([2, "roof"]);
-    model.judging.accept();
-    await quiet();
-    expect(model.judging.judged.value?.target).toBe("driver_eye");
-    model.judging.reject();
-    expect(model.judging.rejecting.value).toBe(31);
-    if (model.judging.judged.value)
-      await model.judging.reviewHeight(model.judging.judged.value, "rejected", "It is hidden.");
-    await quiet();
-    expect(model.chosenId.value).toBe(4);
-    await model.history.undo();
-    await quiet();
-    expect([model.chosenId.value, model.judging.judged.value?.target]).toEqual([2, "driver_eye"]);
-    expect(given).toEqual([
-      "30 accepted to_review",
-      "31 rejected to_review It is hidden.",
-      "31 reopened rejected",
-    ]);
   });
 
   it("begins with the first that waits, as large as the window lets it be", () => {

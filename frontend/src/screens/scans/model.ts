@@ -8,30 +8,23 @@ import { outbox } from "../../core/outbox";
 import { may } from "../../core/session";
 import { toast, toastProblem } from "../../core/toasts";
 import type { Scan, ScanVehicle, ScanVehicleDetail } from "../../core/types";
+import { EDGES } from "../../parts/strips/draw";
+import { StripStage } from "../../parts/strips/stage";
+import { Tiles, tileAddress } from "../../parts/strips/tiles";
+import { revealLines, type StripPoint, showLines } from "../../parts/strips/view";
+import { beside } from "../../parts/worklist";
 import type { Tool } from "../../viewer/tool";
 import type { Mode, Strips } from "./bench";
 import { VehicleEdits } from "./edits";
 import { LineHeights } from "./heights";
+import { HeldBoundaries } from "./held";
 import { Judging } from "./judging";
-import {
-  ADDED,
-  type Crossings,
-  crossingsOf,
-  EDGES,
-  type Edge,
-  HEIGHT_VERDICT,
-  ROD,
-  SCAN_VERDICT,
-  SCANNED,
-} from "./kinds";
+import { ADDED, ROD, SCAN_VERDICT, SCANNED } from "./kinds";
 import { type RigChange, type RigName, rigValues } from "./rig";
 import { RodDraft } from "./rod";
 import { ScannedVehicles, type ScannedWish } from "./scanned";
 import { Search } from "./search";
-import { StripStage } from "./stage";
-import { Tiles } from "./tiles";
 import { AxlesTool, Boundaries, HeightTool, RodTool, TwoLines } from "./tools";
-import { revealLines, type StripPoint, showLines } from "./view";
 
 export class ScanModel implements Strips {
   readonly scan = signal<Scan | null>(null);
@@ -46,9 +39,6 @@ export class ScanModel implements Strips {
     () => this.show("fit"),
   );
   readonly view = this.stage.view;
-  readonly edge = signal<Edge | null>(null);
-  /** Boundaries in hand, not stored yet. */
-  readonly draft = signal<Crossings | null>(null);
   readonly mode = signal<Mode>("look");
   readonly busy = signal(false);
   /** Undo goes to the vehicle that it changes. */
@@ -59,7 +49,10 @@ export class ScanModel implements Strips {
     };
   });
   readonly heights = new LineHeights(this);
-  readonly judging = new Judging(this, this.scanned, this.heights);
+  readonly judging = new Judging(this, this.scanned);
+  readonly boundaries: HeldBoundaries = new HeldBoundaries(this, this.scanned.boundaries, () => {
+    this.heights.selected.value = null;
+  });
   readonly edits = new VehicleEdits(this, this.scanned);
   readonly search = new Search(this, () => this.readScan(), this.stop.signal);
   readonly rod = new RodDraft(this, this.heights);
@@ -75,10 +68,6 @@ export class ScanModel implements Strips {
   readonly tiles: Tiles;
 
   readonly chosen = computed(() => this.scanned.of(this.chosenId.value));
-  readonly crossings = computed<Crossings | null>(() => {
-    const measured = this.chosen.value?.measurement;
-    return this.draft.value ?? (measured ? crossingsOf(measured) : null);
-  });
   /** The hub lines of the chosen vehicle, the first click among them. */
   readonly wheels = computed<readonly (number | null)[]>(() => {
     if (this.twoLines.first.value !== null) return [this.twoLines.first.value];
@@ -95,19 +84,14 @@ export class ScanModel implements Strips {
       if (noted && wish.state === "saved" && !this.busy.value) void this.reread();
     }),
     // what an earlier page left, or what was kept without a connection, has come through
-    ...[ADDED, SCAN_VERDICT, HEIGHT_VERDICT, ROD].map((kind) =>
+    ...[ADDED, SCAN_VERDICT, ROD].map((kind) =>
       outbox.listen(kind, ({ state, lane }) => {
         if (state === "saved" && lane === this.lane && !this.busy.value) void this.reread();
       }),
     ),
   ];
-  private nudging: ReturnType<typeof setTimeout> | undefined;
-
   constructor(readonly id: number) {
-    this.tiles = new Tiles(
-      ({ camera, level, index }) =>
-        `/api/scans/${id}/tiles/${camera}/${level}/${index}?v=${this.scan.value?.tiles_version ?? ""}`,
-    );
+    this.tiles = new Tiles((key) => (this.scan.value ? tileAddress(this.scan.value, key) : ""));
   }
 
   async load(): Promise<void> {
@@ -131,18 +115,18 @@ export class ScanModel implements Strips {
 
   close(): void {
     this.stop.abort();
-    this.flush();
-    for (const stop of [...this.deaf, this.heights.close]) stop();
+    this.boundaries.flush();
+    for (const stop of [...this.deaf, this.heights.kept.close]) stop();
     this.tiles.close();
   }
 
   choose(id: number | null): void {
-    this.flush();
+    this.boundaries.flush();
     this.heights.end();
     this.mode.value = "look";
     this.twoLines.back();
-    this.edge.value = null;
-    this.judging.rejecting.value = null;
+    this.boundaries.edge.value = null;
+    this.judging.rejecting.value = false;
     this.chosenId.value = id;
     this.detail.value = null;
     setQuery({ vehicle: id });
@@ -157,16 +141,14 @@ export class ScanModel implements Strips {
   }
 
   step(by: 1 | -1): void {
-    const all = this.vehicles.value;
-    const at = all.findIndex((one) => one.id === this.chosenId.value);
-    const next = at < 0 ? (by === 1 ? all[0] : all.at(-1)) : all[at + by];
+    const next = beside(this.vehicles.value, this.chosenId.value, by);
     if (next) this.choose(next.id);
     else toast(say(by === 1 ? "scan-last-vehicle" : "scan-first-vehicle"));
   }
 
   /** The chosen vehicle in sight: just so, or filling the window. */
   show(how: "reveal" | "fit"): void {
-    const lines = this.crossings.value;
+    const lines = this.boundaries.crossings.value;
     const view = this.view.value;
     if (!lines) return;
     const first = Math.min(lines.front_line_1, lines.front_line_2);
@@ -175,57 +157,20 @@ export class ScanModel implements Strips {
   }
 
   selectNext(): void {
-    const at = this.edge.value ? EDGES.indexOf(this.edge.value) : -1;
+    const { edge, crossings } = this.boundaries;
+    const at = edge.value ? EDGES.indexOf(edge.value) : -1;
     // after the last boundary the points of the heights, then the first boundary again
-    const last = this.heights.selected.value !== null || at === EDGES.length - 1 || !this.crossings.value;
-    if (last && this.heights.selectNext()) this.edge.value = null;
-    else if (this.crossings.value) this.edge.value = EDGES[(at + 1) % EDGES.length] ?? null;
-  }
-
-  moveEdge(edge: Edge, line: number): void {
-    const now = this.crossings.value;
-    const scan = this.scan.value;
-    if (!now || !scan?.lines || !may("operator")) return;
-    this.edge.value = edge;
-    this.heights.selected.value = null;
-    this.draft.value = { ...now, [edge]: Math.min(Math.max(line, 0), scan.lines - 1) };
-  }
-
-  /** By keyboard; stored once the keys rest. */
-  nudge(by: number): boolean {
-    const edge = this.edge.value;
-    const now = this.crossings.value;
-    if (!edge || !now) return false;
-    this.moveEdge(edge, now[edge] + by);
-    clearTimeout(this.nudging);
-    this.nudging = setTimeout(() => void this.storeDraft(), 600);
-    return true;
-  }
-
-  /** What is in hand is measured and stored as a revision. */
-  async storeDraft(): Promise<void> {
-    clearTimeout(this.nudging);
-    this.nudging = undefined;
-    const draft = this.draft.value;
-    const vehicle = this.chosen.value;
-    const before = vehicle?.measurement;
-    if (!draft || !vehicle || !before) return;
-    if (!sameCrossings(draft, before))
-      await this.change(say("scan-step-boundaries", { vehicle: String(vehicle.number) }), async (changes) => {
-        await changes.write(this.scanned.boundaries, vehicle.id, draft);
-      });
-    if (this.draft.value === draft) this.draft.value = null;
+    const last = this.heights.selected.value !== null || at === EDGES.length - 1 || !crossings.value;
+    if (last && this.heights.selectNext()) edge.value = null;
+    else if (crossings.value) edge.value = EDGES[(at + 1) % EDGES.length] ?? null;
   }
 
   cancel(): boolean {
-    clearTimeout(this.nudging);
-    const placing = this.mode.value !== "look" || this.judging.rejecting.value !== null;
-    const chosen = this.edge.value !== null || this.heights.selected.value !== null;
-    const held = this.draft.value !== null || chosen || placing;
-    this.judging.rejecting.value = null;
+    const placing = this.mode.value !== "look" || this.judging.rejecting.value;
+    const chosen = this.heights.selected.value !== null;
+    this.judging.rejecting.value = false;
     this.heights.end();
-    this.draft.value = null;
-    this.edge.value = null;
+    const held = this.boundaries.drop() || chosen || placing;
     this.mode.value = "look";
     this.twoLines.back();
     return held;
@@ -267,7 +212,7 @@ export class ScanModel implements Strips {
   private async readScan(): Promise<void> {
     const scan = await api.ask("GET /scans/{scan_id}", { scan_id: this.id });
     this.take(scan);
-    if (scan.state === "ready") await Promise.all([this.refresh(), this.heights.load()]);
+    if (scan.state === "ready") await Promise.all([this.refresh(), this.heights.kept.load()]);
   }
 
   take(scan: Scan): void {
@@ -293,7 +238,7 @@ export class ScanModel implements Strips {
   };
 
   private async reread(): Promise<void> {
-    await Promise.all([this.refresh(), this.heights.load()]).catch(toastProblem);
+    await Promise.all([this.refresh(), this.heights.kept.load()]).catch(toastProblem);
   }
 
   numberOf(id: number): number {
@@ -322,12 +267,6 @@ export class ScanModel implements Strips {
     }
   }
 
-  /** Boundaries in hand are stored before something else is taken up. */
-  private flush(): void {
-    if (this.nudging !== undefined) void this.storeDraft();
-    else this.draft.value = null;
-  }
-
   /** Kept at once: the outbox sends one change after the other. */
   change(label: string, work: (changes: ChangeSet) => Promise<void>): Promise<void> {
     return this.told(() => this.history.run(label, work));
@@ -349,8 +288,4 @@ export class ScanModel implements Strips {
       this.busy.value = false;
     }
   }
-}
-
-function sameCrossings(a: Crossings, b: Crossings): boolean {
-  return EDGES.every((edge) => a[edge] === b[edge]);
 }

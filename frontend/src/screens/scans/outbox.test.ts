@@ -101,12 +101,12 @@ describe("what is done on the strips without a connection", () => {
     server.down = true;
     void model.edits.fillIn({ make: "Fiat" });
     await quiet();
-    model.moveEdge("front_line_1", 210);
-    void model.storeDraft();
+    model.boundaries.move("front_line_1", 210);
+    void model.boundaries.store();
     await quiet();
     await click();
     expect(model.chosen.value?.make).toBe("Fiat");
-    expect(model.crossings.value?.front_line_1).toBe(210);
+    expect(model.boundaries.crossings.value?.front_line_1).toBe(210);
     expect(model.heights.of("roof")?.contact[0]).toBe(300);
     expect(written()).toEqual([]);
 
@@ -116,8 +116,8 @@ describe("what is done on the strips without a connection", () => {
     await page();
     await quiet();
     expect(written()).toEqual([
-      "PUT /scan-vehicles/9/boundaries",
       "PUT /scan-vehicles/9/facts",
+      "PUT /scan-vehicles/9/boundaries",
       "POST /scan-vehicles/9/heights",
     ]);
     expect(vehicle).toMatchObject({ make: "Fiat", version: 3, measurement: { front_line_1: 210 } });

@@ -1,57 +1,149 @@
-/** The rig's values as they are typed, and what is wrong with them. */
+/** The rig's values, each described once: how it is typed, read, shown, and what is wrong with it. */
 import type { components } from "#schema";
-import { say } from "../../core/messages";
+import { type PlainKey, say } from "../../core/messages";
 import type { BodyOf } from "../../core/routes";
 import type { Scan } from "../../core/types";
-import { fixed, lengthScale, parseLength, parseNumber } from "../../core/units";
+import { fixed, lengthScale, lengthUnit, parseLength, parseNumber } from "../../core/units";
 
 export type RigOfTraffic = components["schemas"]["RigOfTraffic"];
 
-export interface RigTyped {
-  baseline: string;
-  uBaseline: string;
-  rate: string;
-  ratePpm: string;
-  /** mrad */
-  divergence: string;
-  uDivergence: string;
-  distance: string;
-  uDistance: string;
-  /** Of the errors of baseline and divergence; empty: none. */
-  correlation: string;
-  /** Empty: estimated from the traffic. */
-  misalignment: string;
-  uMisalignment: string;
-  /** % of the rows; empty: as usual. */
-  shadow: string;
-}
-
 /** Lanes are typed in a list of their own. */
 export type RigValues = Omit<Scan["rig"], "lanes">;
-export type RigProblems = Partial<Record<keyof RigTyped, string>>;
 
-export const NEW_RIG: RigTyped = {
-  baseline: "",
-  uBaseline: "",
-  rate: "",
-  ratePpm: "",
-  divergence: "",
-  uDivergence: "",
-  distance: "",
-  uDistance: "",
-  correlation: "",
-  misalignment: "",
-  uMisalignment: "",
-  shadow: "",
-};
-
-const PER_M_RAD = 1000;
 /** %, and the most that can be left out. */
 const USUAL_SHADOW = 15;
 const MOST_SHADOW = 60;
 export const isShadow = (value: number) => value >= 0 && value <= MOST_SHADOW;
 export const positive = (value: number) => value > 0;
 export const notNegative = (value: number) => value >= 0;
+const isAngle = (mrad: number) => Math.abs(mrad) <= 200;
+
+/** A value of the rig as a person types it. */
+interface RigField {
+  value: keyof RigValues;
+  /** What is typed over the value in SI units; left out: it is a length in the shown unit. */
+  per?: number;
+  /** Decimals of a length, digits of anything else. */
+  digits?: number;
+  fine: (typed: number) => boolean;
+  problem: PlainKey;
+  /** As what an empty field is read; left out: it may not be empty. */
+  empty?: number | null;
+  label: PlainKey;
+  unit: () => string;
+  hint?: PlainKey;
+  placeholder?: () => string;
+}
+
+const [length, px, mrad] = [() => lengthUnit.value, () => say("unit-px"), () => say("unit-mrad")];
+const u = { fine: notNegative, empty: 0, label: "scans-rig-u", problem: "scans-rig-problem-length" } as const;
+const angle = { per: 1000, unit: mrad, empty: 0, problem: "scans-rig-problem-angle" } as const;
+
+const DESCRIBED = {
+  baseline: {
+    value: "baseline_m",
+    unit: length,
+    fine: positive,
+    problem: "scans-rig-problem-baseline",
+    label: "scans-rig-baseline",
+    hint: "scans-rig-baseline-hint",
+  },
+  uBaseline: { ...u, value: "u_baseline_m", unit: length, hint: "scans-rig-baseline-u-hint" },
+  rate: {
+    value: "line_rate_hz",
+    per: 1,
+    digits: 17,
+    unit: () => say("unit-hz"),
+    fine: positive,
+    label: "scans-rig-rate",
+    problem: "scans-rig-problem-rate",
+  },
+  ratePpm: {
+    ...u,
+    value: "u_line_rate_ratio",
+    per: 1e6,
+    unit: () => say("unit-ppm"),
+    label: "scans-rig-clock",
+    hint: "scans-rig-clock-hint",
+    problem: "scans-rig-problem-number",
+  },
+  // empty: estimated from the traffic
+  misalignment: {
+    value: "misalignment_px",
+    per: 1,
+    unit: px,
+    fine: () => true,
+    empty: null,
+    problem: "scans-rig-problem-misalignment",
+    label: "scans-rig-misalignment",
+    placeholder: () => say("scans-rig-from-traffic"),
+    hint: "scans-rig-misalignment-hint",
+  },
+  uMisalignment: { ...u, value: "u_misalignment_px", per: 1, unit: px, problem: "scans-rig-problem-number" },
+  divergence: {
+    ...angle,
+    value: "divergence_rad",
+    fine: isAngle,
+    label: "scans-rig-divergence",
+    hint: "scans-rig-divergence-hint",
+  },
+  uDivergence: {
+    ...u,
+    ...angle,
+    value: "u_divergence_rad",
+    hint: "scans-rig-divergence-u-hint",
+    fine: (value: number) => value >= 0 && isAngle(value),
+  },
+  distance: {
+    value: "distance_m",
+    digits: 2,
+    unit: length,
+    fine: positive,
+    empty: null,
+    problem: "scans-rig-problem-length",
+    label: "scans-rig-distance",
+    hint: "scans-rig-distance-hint",
+  },
+  uDistance: { ...u, value: "u_distance_m", unit: length, hint: "scans-rig-distance-u-hint" },
+  // of the errors of baseline and divergence; empty: none
+  correlation: {
+    value: "baseline_correlation",
+    per: 1,
+    unit: () => "",
+    empty: 0,
+    fine: (value: number) => Math.abs(value) <= 1,
+    problem: "scans-rig-problem-correlation",
+    label: "scans-rig-correlation",
+    hint: "scans-rig-correlation-hint",
+  },
+  // of the rows; empty: as usual
+  shadow: {
+    value: "shadow_share",
+    per: 100,
+    unit: () => "%",
+    fine: isShadow,
+    empty: USUAL_SHADOW,
+    problem: "scans-rig-problem-shadow",
+    label: "scans-rig-shadow",
+    hint: "scans-rig-shadow-hint",
+    placeholder: () => String(USUAL_SHADOW),
+  },
+} as const satisfies Record<string, RigField>;
+
+export type RigFieldName = keyof typeof DESCRIBED;
+export type RigTyped = Record<RigFieldName, string>;
+export type RigProblems = Partial<RigTyped>;
+export const RIG_FIELDS: Readonly<Record<RigFieldName, RigField>> = DESCRIBED;
+
+function ofEach<T>(what: (field: RigField, name: RigFieldName) => T): Record<RigFieldName, T> {
+  const names = Object.keys(DESCRIBED) as RigFieldName[];
+  return Object.fromEntries(names.map((name) => [name, what(DESCRIBED[name], name)])) as Record<
+    RigFieldName,
+    T
+  >;
+}
+
+export const NEW_RIG: RigTyped = ofEach(() => "");
 
 /** Reads typed fields one by one: null and a sentence among the problems for one that is wrong; `empty`: of a field
  * that may be left empty. */
@@ -80,71 +172,30 @@ export function typedLength(metres: number, digits = 4): string {
 }
 
 export function typedOf({ rig }: { rig: RigValues }): RigTyped {
-  const unlessZero = (value: number, text: string) => (value === 0 ? "" : text);
-  const plain = (value: number) => String(Number(value.toPrecision(9)));
-  return {
-    baseline: typedLength(rig.baseline_m),
-    uBaseline: unlessZero(rig.u_baseline_m, typedLength(rig.u_baseline_m)),
-    rate: String(rig.line_rate_hz),
-    ratePpm: unlessZero(rig.u_line_rate_ratio, plain(rig.u_line_rate_ratio * 1e6)),
-    divergence: unlessZero(rig.divergence_rad, plain(rig.divergence_rad * PER_M_RAD)),
-    uDivergence: unlessZero(rig.u_divergence_rad, plain(rig.u_divergence_rad * PER_M_RAD)),
-    distance: rig.distance_m === null ? "" : typedLength(rig.distance_m, 2),
-    uDistance: unlessZero(rig.u_distance_m, typedLength(rig.u_distance_m)),
-    correlation: unlessZero(rig.baseline_correlation, plain(rig.baseline_correlation)),
-    misalignment: rig.misalignment_px === null ? "" : plain(rig.misalignment_px),
-    uMisalignment: unlessZero(rig.u_misalignment_px, plain(rig.u_misalignment_px)),
-    shadow: plain(100 * rig.shadow_share),
-  };
+  return ofEach(({ value: name, per, digits, empty }) => {
+    const value = rig[name];
+    if (value === null || (value === 0 && empty === 0)) return "";
+    return per === undefined
+      ? typedLength(value, digits)
+      : String(Number((value * per).toPrecision(digits ?? 9)));
+  });
 }
 
 /** The values in SI units, or for each field that is wrong a sentence. `lanes`: distances are told lane by lane. */
 export function valuesOf(typed: RigTyped, lanes = false): RigValues | RigProblems {
   const wrong: RigProblems = {};
   const read = readerOf(typed, wrong);
-  const small = (value: number) => Math.abs(value) <= 200;
-  const number = say("scans-rig-problem-number");
-  const length = say("scans-rig-problem-length");
-  const angle = say("scans-rig-problem-angle");
-  const values = {
-    baseline_m: read("baseline", parseLength, positive, say("scans-rig-problem-baseline")),
-    u_baseline_m: read("uBaseline", parseLength, notNegative, length, 0),
-    line_rate_hz: read("rate", parseNumber, positive, say("scans-rig-problem-rate")),
-    ppm: read("ratePpm", parseNumber, notNegative, number, 0),
-    divergence: read("divergence", parseNumber, small, angle, 0),
-    uDivergence: read("uDivergence", parseNumber, (value) => value >= 0 && small(value), angle, 0),
-    distance_m: read("distance", parseLength, positive, length, null),
-    u_distance_m: read("uDistance", parseLength, notNegative, length, 0),
-    baseline_correlation: read(
-      "correlation",
-      parseNumber,
-      (value) => Math.abs(value) <= 1,
-      say("scans-rig-problem-correlation"),
-      0,
-    ),
-    misalignment_px: read(
-      "misalignment",
-      parseNumber,
-      () => true,
-      say("scans-rig-problem-misalignment"),
-      null,
-    ),
-    u_misalignment_px: read("uMisalignment", parseNumber, notNegative, number, 0),
-    shadow: read("shadow", parseNumber, isShadow, say("scans-rig-problem-shadow"), USUAL_SHADOW),
-  };
-  const { ppm, divergence, uDivergence, shadow, ...rest } = values;
-  if ((divergence || uDivergence) && rest.distance_m === null && !lanes && !wrong.distance)
+  const each = ofEach(({ value, per, fine, problem, empty }, name) => {
+    const found = read(name, per === undefined ? parseLength : parseNumber, fine, say(problem), empty);
+    return [value, found === null ? null : found / (per ?? 1)] as const;
+  });
+  const values = Object.fromEntries(Object.values(each)) as RigValues;
+  const angled = values.divergence_rad || values.u_divergence_rad;
+  if (angled && values.distance_m === null && !lanes && !wrong.distance)
     wrong.distance = say("scans-rig-problem-distance");
-  if (rest.misalignment_px === null && rest.u_misalignment_px && !wrong.misalignment)
+  if (values.misalignment_px === null && values.u_misalignment_px && !wrong.misalignment)
     wrong.misalignment = say("scans-rig-problem-misalignment-u");
-  if (Object.keys(wrong).length > 0) return wrong;
-  return {
-    ...rest,
-    u_line_rate_ratio: (ppm ?? 0) / 1e6,
-    divergence_rad: (divergence ?? 0) / PER_M_RAD,
-    u_divergence_rad: (uDivergence ?? 0) / PER_M_RAD,
-    shadow_share: (shadow ?? USUAL_SHADOW) / 100,
-  } as RigValues;
+  return Object.keys(wrong).length > 0 ? wrong : values;
 }
 
 /** What a calibration gives; the correlation is that of these values' errors. */

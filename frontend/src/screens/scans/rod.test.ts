@@ -2,11 +2,11 @@ import { signal } from "@preact/signals";
 import { beforeEach, describe, expect, it } from "vitest";
 import { History } from "../../core/history";
 import type { LineHeight, LinePose, LinePoses } from "../../core/types";
+import { fitAll } from "../../parts/strips/view";
 import { FakeServer } from "../../testing/server";
 import type { Bench } from "./bench";
 import { LineHeights } from "./heights";
 import { RodDraft } from "./rod";
-import { fitAll } from "./view";
 
 const SOLVED = { status: "ok", residuals_px: [], warnings: [], camera_height_m: 1.2 };
 const MARK = { distance_m: 2.7, height_m: 0, row_px: 250, line: 10 };
@@ -57,7 +57,7 @@ describe("the rod's marks", () => {
 
   it("keeps what is not stored yet, goes back on demand, and shows what an undo changes", async () => {
     const { rod, heights, model, undo } = bench();
-    heights.poses.value = pose();
+    heights.kept.poses.value = pose();
     rod.open();
     expect(rod.values.value).toMatchObject({ marks: [MARK], sigma_px: 0.5 });
     rod.remove(0);
@@ -84,7 +84,7 @@ describe("the rod's marks", () => {
       ["height", "height"],
     ] as const) {
       const { rod, heights, model } = bench();
-      heights.poses.value = pose();
+      heights.kept.poses.value = pose();
       rod.open();
       rod.remove(0);
       const stored = rod.store();
@@ -100,7 +100,12 @@ describe("a vehicle's heights", () => {
     const { heights } = bench();
     const one = (target: string, withdrawn = false, vehicle_id = 3) =>
       ({ target, withdrawn, vehicle_id }) as LineHeight;
-    heights.stored.value = [one("roof"), one("taillight", true), one("driver_eye"), one("roof", false, 4)];
+    heights.kept.stored.value = [
+      one("roof"),
+      one("taillight", true),
+      one("driver_eye"),
+      one("roof", false, 4),
+    ];
     const seen: unknown[] = [];
     while (heights.selectNext()) seen.push({ ...heights.selected.value });
     expect(seen).toEqual([

@@ -7,10 +7,10 @@ import { say } from "../../core/messages";
 import { outbox } from "../../core/outbox";
 import { toast, toastProblem } from "../../core/toasts";
 import type { LinePose, RodMark, SolvedRod } from "../../core/types";
+import { type Place, showLines } from "../../parts/strips/view";
 import type { Bench } from "./bench";
 import type { LineHeights } from "./heights";
 import { ROD, type RodValues, rodWords } from "./kinds";
-import { type Place, showLines } from "./view";
 
 /** Where the next click belongs: the rod's distance, the mark's height, and how much higher the one after it is. */
 export interface NextMark {
@@ -56,7 +56,7 @@ export class RodDraft {
 
   /** Back to the marks that are stored, or to none. */
   reset(): void {
-    const pose = this.heights.pose.value;
+    const pose = this.heights.kept.pose.value;
     const kept = this.kept();
     if (kept) this.show(kept);
     else {
@@ -102,11 +102,11 @@ export class RodDraft {
     const values = this.values.value;
     await this.bench.change(say("scan-step-calibration"), async (changes) => {
       // before the first one there was none, and none can be put back
-      if (this.heights.pose.value) await changes.write(this.stored, "pose", values);
+      if (this.heights.kept.pose.value) await changes.write(this.stored, "pose", values);
       else await this.send(values);
       // what was taken up while it was stored stays
       if (this.bench.mode.value === "rod") this.bench.cancel();
-      const older = this.heights.older.value.length;
+      const older = this.heights.kept.older.value.length;
       toast(say(older > 0 ? "scan-rod-stored-older" : "scan-rod-stored"));
     });
   }
@@ -122,15 +122,15 @@ export class RodDraft {
       what: say("scan-step-calibration"),
       mine: rodWords(values.marks),
       page: this.bench.page(),
-      saved: this.heights.pose.value,
+      saved: this.heights.kept.pose.value,
       want: values,
     });
-    if (stored) await this.heights.load();
+    if (stored) await this.heights.kept.load();
     if (this.values.value === values) this.changed.value = false;
   }
 
   private readonly stored: Ledger<"pose", RodValues | null> = {
-    read: () => this.kept() ?? (this.heights.pose.value ? valuesOf(this.heights.pose.value) : null),
+    read: () => this.kept() ?? (this.heights.kept.pose.value ? valuesOf(this.heights.kept.pose.value) : null),
     write: (_key, values) => (values ? this.send(values) : undefined),
   };
 

@@ -6,10 +6,10 @@ import { say } from "../../core/messages";
 import { outbox, type Wish } from "../../core/outbox";
 import { me } from "../../core/session";
 import type { ScanVehicle } from "../../core/types";
+import type { Crossings } from "../../parts/strips/draw";
 import type { Bench } from "./bench";
 import {
   type Axles,
-  type Crossings,
   crossingsOf,
   type Facts,
   type Hubs,
@@ -21,7 +21,6 @@ import {
   type Verdict,
   verdictWords,
 } from "./kinds";
-import { verdictLedger } from "./verdicts";
 
 type ScannedAbout = { id: number; scanId: number };
 export type ScannedWish = Wish<ScanVehicle, ScannedWanted, ScannedAbout>;
@@ -87,18 +86,18 @@ export class ScannedVehicles {
     write: (id, lane) => this.want(id, { lane }),
   };
 
-  readonly verdicts = verdictLedger<number>(
-    (id) => {
+  /** The verdict that stands on the newest revision; what waits is written as reopened. */
+  readonly verdicts: Ledger<number, Verdict> = {
+    read: (id) => {
       const measured = this.measurementOf(id);
-      return (
-        measured && {
-          review: measured.review,
-          kept: outbox.get<ScanVehicle, Verdict, unknown>(verdictKey(measured.id))?.want,
-        }
-      );
+      const kept = measured && outbox.get<ScanVehicle, Verdict, unknown>(verdictKey(measured.id))?.want;
+      if (kept) return kept;
+      const { verdict, reason } = measured?.review ?? {};
+      if (verdict !== "accepted" && verdict !== "rejected") return { verdict: "reopened", reason: null };
+      return { verdict, reason: reason ?? null };
     },
-    (id, want) => this.giveVerdict(id, want),
-  );
+    write: (id, want) => this.giveVerdict(id, want),
+  };
 
   private async giveVerdict(id: number, want: Verdict): Promise<void> {
     const vehicle = this.of(id);

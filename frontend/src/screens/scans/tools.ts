@@ -4,13 +4,13 @@ import { say } from "../../core/messages";
 import { canWork } from "../../core/session";
 import { toast } from "../../core/toasts";
 import { formatLength } from "../../core/units";
+import { EDGES, type Edge } from "../../parts/strips/draw";
+import { type Place, type StripPoint, type StripsView, xOf } from "../../parts/strips/view";
 import { type ScreenPoint, screenPoint } from "../../viewer/points";
 import type { DragPhase, Handle, Tool } from "../../viewer/tool";
 import type { Strips } from "./bench";
 import type { LineHeights } from "./heights";
-import { EDGES, type Edge } from "./kinds";
 import type { RodDraft } from "./rod";
-import { type Place, type StripPoint, type StripsView, xOf } from "./view";
 
 const always = computed(() => true);
 
@@ -128,7 +128,7 @@ export class AxlesTool implements Tool<StripPoint> {
 /** The vehicles: a click chooses one, its boundaries are dragged and nudged, and so are the points of its heights. */
 export class Boundaries implements Tool<StripPoint> {
   readonly handles = computed<readonly Handle<StripPoint>[]>(() => {
-    const lines = this.model.crossings.value;
+    const lines = this.model.boundaries.crossings.value;
     if (!lines || !canWork.value || this.model.mode.value !== "look") return [];
     return EDGES.map((edge) => this.handleOf(edge, lines[edge]));
   });
@@ -145,19 +145,19 @@ export class Boundaries implements Tool<StripPoint> {
   }
 
   pick(handle: string): void {
-    this.model.edge.value = handle as Edge;
+    this.model.boundaries.edge.value = handle as Edge;
     this.heights.selected.value = null;
   }
 
   drag(handle: string, at: StripPoint, phase: DragPhase): void {
-    if (phase === "cancel") this.model.draft.value = null;
-    else this.model.moveEdge(handle as Edge, at.line);
-    if (phase === "end") void this.model.storeDraft();
+    if (phase === "cancel") this.model.boundaries.draft.value = null;
+    else this.model.boundaries.move(handle as Edge, at.line);
+    if (phase === "end") void this.model.boundaries.store();
   }
 
   nudge(dx: number, dy: number): boolean {
     if (!canWork.value) return false;
-    return this.heights.nudge(dx, dy) || (dy === 0 && this.model.nudge(dx));
+    return this.heights.nudge(dx, dy) || (dy === 0 && this.model.boundaries.nudge(dx));
   }
 
   cancel(): boolean {

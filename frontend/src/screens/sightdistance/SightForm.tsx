@@ -13,7 +13,7 @@ import { KIND_WORDS, type Kind, type Sight, STANDARDS_OBJECT, sharesOf, usualObj
 export function SightForm({ standards, found }: { standards: readonly Standard[]; found: Sight | null }) {
   return (
     <form
-      class="panel sight-form"
+      class="panel panel__body stack sight-form"
       aria-label={say("sight-form")}
       onSubmit={(event) => event.preventDefault()}
     >

@@ -46,7 +46,7 @@ export default function SightScreen(_props: ScreenProps) {
       <Problem error={found.error ?? standards.error} again={found.reload} />
       {!data && found.loading && <Loading what={say("sight-loading")} />}
       {data && !found.error && (
-        <div class="sight-body" aria-busy={found.loading}>
+        <div class="figures-body" aria-busy={found.loading}>
           <Sentences sight={data} />
           <Cases sight={data} />
           <KFigure sight={data} />

@@ -1,4 +1,4 @@
-import { Button, num, Panel, Table, TableScroll } from "../../components";
+import { Button, num, Panel, Table } from "../../components";
 import { Said } from "../../components/Said";
 import { say, wordsOf } from "../../core/messages";
 import { formatCount, formatSmall, smallScale } from "../../core/units";
@@ -167,33 +167,27 @@ function NoIntervals({ group }: { group: ErrorGroup }) {
 /** What the paper leaves out: how lopsided the errors are, and how many lie within so many centimetres. */
 function Shares({ errors }: { errors: Errors }) {
   return (
-    <TableScroll label={say("statistics-shares-title")}>
-      <table class="table stat-errors" data-testid="error-shares">
-        <caption class="small">{say("statistics-shares-title")}</caption>
-        <thead>
-          <tr>
-            <th>{say("statistics-errors-head")}</th>
-            <th class="num">{say("statistics-skewness")}</th>
-            {WITHIN_MM.map((within_mm) => (
-              <th key={within_mm} class="num">
-                {say("statistics-within", { within: formatSmall(within_mm / 1000) })}
-              </th>
-            ))}
-          </tr>
-        </thead>
-        <tbody>
-          {errors.groups.map(({ group, figures }) => (
-            <tr key={group}>
-              <th scope="row">{GROUP_WORDS[group] ?? group}</th>
-              <Figure figure={figures["skewness"]} factor={1} digits={2} />
-              {WITHIN_MM.map((mm) => (
-                <Figure key={mm} figure={figures[`share_within_${mm}_mm`]} factor={100} digits={0} />
-              ))}
-            </tr>
+    <Table
+      label={say("statistics-shares-title")}
+      class="stat-errors"
+      data-testid="error-shares"
+      caption={say("statistics-shares-title")}
+      heads={[
+        say("statistics-errors-head"),
+        num(say("statistics-skewness")),
+        ...WITHIN_MM.map((mm) => num(say("statistics-within", { within: formatSmall(mm / 1000) }))),
+      ]}
+    >
+      {errors.groups.map(({ group, figures }) => (
+        <tr key={group}>
+          <th scope="row">{GROUP_WORDS[group] ?? group}</th>
+          <Figure figure={figures["skewness"]} factor={1} digits={2} />
+          {WITHIN_MM.map((mm) => (
+            <Figure key={mm} figure={figures[`share_within_${mm}_mm`]} factor={100} digits={0} />
           ))}
-        </tbody>
-      </table>
-    </TableScroll>
+        </tr>
+      ))}
+    </Table>
   );
 }
 

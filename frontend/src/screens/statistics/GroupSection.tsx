@@ -1,5 +1,5 @@
 import { useState } from "preact/hooks";
-import { Panel, Segments, TableScroll } from "../../components";
+import { Panel, Segments, Table } from "../../components";
 import { say, wordsOf } from "../../core/messages";
 import { lengthScale } from "../../core/units";
 import { type Curve, ECDF_COLUMNS, ecdfMarks, ecdfRows } from "../../parts/figures/curves";
@@ -7,7 +7,7 @@ import type { Hue } from "../../parts/figures/hues";
 import { PlotFigure } from "../../parts/figures/PlotFigure";
 import type { Ecdf } from "../../parts/figures/types";
 import { type Group, groupWord, isThere, type OfTarget, TARGET_TITLES } from "./model";
-import { SpreadCells, SpreadHead } from "./spread";
+import { SpreadCells, spreadHeads } from "./spread";
 
 /** Neighbours differ in hue, the fourth and on in their dashes too. */
 const HUES = 3;
@@ -110,23 +110,16 @@ export function drawn(groups: readonly Group[], grouping: string): { ecdf: Ecdf;
 
 function GroupTable({ groups, grouping }: { groups: readonly Group[]; grouping: GroupingName }) {
   return (
-    <TableScroll label={say("statistics-groups-head", { grouping })}>
-      <table class="table">
-        <thead>
-          <tr>
-            <th>{say("statistics-groups-head", { grouping })}</th>
-            <SpreadHead percents={PERCENTS} />
-          </tr>
-        </thead>
-        <tbody>
-          {groups.map((one) => (
-            <tr key={one.word}>
-              <th scope="row">{groupWord(grouping, one.word)}</th>
-              <SpreadCells of={one} percents={PERCENTS} decimals={3} />
-            </tr>
-          ))}
-        </tbody>
-      </table>
-    </TableScroll>
+    <Table
+      label={say("statistics-groups-head", { grouping })}
+      heads={[say("statistics-groups-head", { grouping }), ...spreadHeads(PERCENTS)]}
+    >
+      {groups.map((one) => (
+        <tr key={one.word}>
+          <th scope="row">{groupWord(grouping, one.word)}</th>
+          <SpreadCells of={one} percents={PERCENTS} decimals={3} />
+        </tr>
+      ))}
+    </Table>
   );
 }

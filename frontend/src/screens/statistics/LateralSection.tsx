@@ -1,5 +1,5 @@
 /** Where vehicles drive across the road: by lane as a figure, by lane and class as a table. */
-import { Panel, TableScroll } from "../../components";
+import { Panel, Table } from "../../components";
 import { say } from "../../core/messages";
 import { lengthScale } from "../../core/units";
 import { ECDF_COLUMNS, ecdfMarks, ecdfRows } from "../../parts/figures/curves";
@@ -7,7 +7,7 @@ import { PlotFigure } from "../../parts/figures/PlotFigure";
 import type { Ecdf } from "../../parts/figures/types";
 import { drawn } from "./GroupSection";
 import { groupWord, isThere, type Lateral } from "./model";
-import { SpreadCells, SpreadHead } from "./spread";
+import { SpreadCells, spreadHeads } from "./spread";
 
 const PERCENTS = [5, 50, 95];
 const laneWord = (word: string) => groupWord("lane", word);
@@ -48,27 +48,20 @@ export function LateralSection({ lateral }: { lateral: Lateral }) {
 
 function LanesTable({ lateral }: { lateral: Lateral }) {
   return (
-    <TableScroll label={say("statistics-lateral-title")}>
-      <table class="table">
-        <thead>
-          <tr>
-            <th>{say("statistics-lateral-vehicles")}</th>
-            <SpreadHead percents={PERCENTS} />
-          </tr>
-        </thead>
-        <tbody>
-          <Row word={say("statistics-lateral-all")} one={lateral.all} />
-          {lateral.lanes.groups.map((lane) => (
-            <>
-              <Row key={lane.word} word={laneWord(lane.word)} one={lane} />
-              {lateral.classes[lane.word]?.groups.map((of) => (
-                <Row key={`${lane.word} ${of.word}`} word={classWord(of.word)} one={of} within />
-              ))}
-            </>
+    <Table
+      label={say("statistics-lateral-title")}
+      heads={[say("statistics-lateral-vehicles"), ...spreadHeads(PERCENTS)]}
+    >
+      <Row word={say("statistics-lateral-all")} one={lateral.all} />
+      {lateral.lanes.groups.map((lane) => (
+        <>
+          <Row key={lane.word} word={laneWord(lane.word)} one={lane} />
+          {lateral.classes[lane.word]?.groups.map((of) => (
+            <Row key={`${lane.word} ${of.word}`} word={classWord(of.word)} one={of} within />
           ))}
-        </tbody>
-      </table>
-    </TableScroll>
+        </>
+      ))}
+    </Table>
   );
 }
 

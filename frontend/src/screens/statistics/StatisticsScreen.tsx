@@ -94,7 +94,7 @@ export default function StatisticsScreen() {
       <FilterBar found={data} />
       <Loaded of={found} what={say("statistics-loading")} />
       {data && !found.error && (
-        <div class="stat-body" aria-busy={found.loading}>
+        <div class="figures-body" aria-busy={found.loading}>
           {data.counted.measurements === 0 ? (
             <Nothing found={data} surveyId={only} />
           ) : errors ? (

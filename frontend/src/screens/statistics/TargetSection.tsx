@@ -1,4 +1,4 @@
-import { Button, Notice, Panel, TableScroll } from "../../components";
+import { Button, Notice, num, Panel, Table } from "../../components";
 import { Said } from "../../components/Said";
 import { allOf, say } from "../../core/messages";
 import { fixed, formatLength, lengthScale, plainHeight } from "../../core/units";
@@ -205,47 +205,36 @@ function Percentiles({ target }: { target: OfTarget }) {
   const unit = lengthScale()[1];
   const shown = rows.length > 0 ? rows : kept(target.raw.percentiles);
   const { total } = target;
+  const title = say("statistics-percentiles", { target: TARGET_TITLES[target.target] });
   return (
     <div class="stat-percentiles">
-      <TableScroll label={say("statistics-percentiles", { target: TARGET_TITLES[target.target] })}>
-        <table class="table" data-testid={`percentiles-${target.target}`}>
-          <caption class="visually-hidden">
-            {say("statistics-percentiles", { target: TARGET_TITLES[target.target] })}
-          </caption>
-          <thead>
-            <tr>
-              <th>{say("statistics-percentile")}</th>
-              {shown.map((one) => (
-                <th key={one.percent} class="num">
-                  {one.percent}
-                </th>
-              ))}
-            </tr>
-          </thead>
-          <tbody>
-            {total && (
-              <PercentileRow
-                head={say("statistics-percentiles-true", { unit })}
-                rows={kept(total.percentiles).map(ofTotal)}
-                strong
-              />
-            )}
-            {rows.length > 0 && (paper || !total) && (
-              <PercentileRow
-                head={say("statistics-percentiles-corrected", { unit })}
-                rows={rows}
-                strong={!total}
-              />
-            )}
-            {(paper || rows.length === 0) && (
-              <PercentileRow
-                head={say("statistics-percentiles-raw", { unit })}
-                rows={kept(target.raw.percentiles)}
-              />
-            )}
-          </tbody>
-        </table>
-      </TableScroll>
+      <Table
+        label={title}
+        aria-label={title}
+        data-testid={`percentiles-${target.target}`}
+        heads={[say("statistics-percentile"), ...shown.map((one) => num(one.percent))]}
+      >
+        {total && (
+          <PercentileRow
+            head={say("statistics-percentiles-true", { unit })}
+            rows={kept(total.percentiles).map(ofTotal)}
+            strong
+          />
+        )}
+        {rows.length > 0 && (paper || !total) && (
+          <PercentileRow
+            head={say("statistics-percentiles-corrected", { unit })}
+            rows={rows}
+            strong={!total}
+          />
+        )}
+        {(paper || rows.length === 0) && (
+          <PercentileRow
+            head={say("statistics-percentiles-raw", { unit })}
+            rows={kept(target.raw.percentiles)}
+          />
+        )}
+      </Table>
       <div class="row row--apart stat-notes small">
         <div class="grow">
           {total && (

@@ -5,7 +5,7 @@ import type { AddressOf } from "../../core/routes";
 export const CORRECTIONS = ["inset", "shift", "none", "regression", "deconvolution"] as const;
 
 /** Names that the server takes, some of them more than once. */
-const SINGLE = [
+const WHICH = [
   "target",
   "lighting",
   "operator",
@@ -16,10 +16,8 @@ const SINGLE = [
   "hour_from",
   "hour_to",
   "state",
-  "rounding",
-  "correction",
-  "u_reference_m",
 ] as const;
+const SINGLE = [...WHICH, "rounding", "correction", "u_reference_m"] as const;
 const REPEATED = ["survey", "category", "class_set", "eye_limit_m", "object_limit_m"] as const;
 export type SingleName = (typeof SINGLE)[number];
 export type RepeatedName = (typeof REPEATED)[number] | "off" | "paper";
@@ -50,20 +48,7 @@ export function setFilter(changes: Parameters<typeof changed>[1]): void {
   navigate(location.pathname + (text ? `?${text}` : ""), { replace: true });
 }
 
-const NARROWING = [
-  "target",
-  "lighting",
-  "category",
-  "class_set",
-  "operator",
-  "first_day",
-  "last_day",
-  "filmed_from",
-  "filmed_to",
-  "hour_from",
-  "hour_to",
-  "state",
-] as const satisfies readonly (SingleName | RepeatedName)[];
+const NARROWING = [...WHICH, "category", "class_set"] as const;
 
 /** What clears all that narrows the measurements beyond the survey. */
 export const WIDE: Partial<Record<SingleName | RepeatedName, null>> = Object.fromEntries(

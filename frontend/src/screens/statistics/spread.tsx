@@ -1,23 +1,18 @@
 /** The columns of a spread: how many vehicles, their mean, SD and percentiles. */
+import { num } from "../../components";
 import { say } from "../../core/messages";
 import { formatCount, lengthScale } from "../../core/units";
 import { NONE, percent, scaled } from "../../parts/figures/numbers";
 import type { Group } from "./model";
 
-export function SpreadHead({ percents }: { percents: readonly number[] }) {
+export function spreadHeads(percents: readonly number[]) {
   const unit = lengthScale()[1];
-  return (
-    <>
-      <th class="num">n</th>
-      <th class="num">{say("statistics-groups-mean", { unit })}</th>
-      <th class="num">{say("statistics-groups-sd", { unit })}</th>
-      {percents.map((one) => (
-        <th key={one} class="num">
-          {percent(one / 100, 0)}
-        </th>
-      ))}
-    </>
-  );
+  return [
+    num("n"),
+    num(say("statistics-groups-mean", { unit })),
+    num(say("statistics-groups-sd", { unit })),
+    ...percents.map((one) => num(percent(one / 100, 0))),
+  ];
 }
 
 interface CellsProps {

@@ -1,16 +1,15 @@
 /** A study of surveys of this installation: what is joined, what came out of it, and its package and report. */
 import { useState } from "preact/hooks";
 import { Button, Empty, FormDialog, JobProgress, Loaded, Notice, PageHead, Problem } from "../../components";
-import { useAction } from "../../core/action";
 import { asked, navigate } from "../../core/address";
 import { api } from "../../core/api";
-import { cancelJob, isOver, useJob } from "../../core/jobs";
+import { isOver, useJobAction } from "../../core/jobs";
 import { say } from "../../core/messages";
 import { useResource } from "../../core/resource";
 import { may } from "../../core/session";
 import { formatMoment } from "../../core/times";
 import { toast } from "../../core/toasts";
-import type { Job, Study, StudyPage, StudyResult } from "../../core/types";
+import type { Study, StudyPage, StudyResult } from "../../core/types";
 import { Beside } from "./Beside";
 import { Figures } from "./Figures";
 import { Joined } from "./Joined";
@@ -54,43 +53,37 @@ function Chosen({ id }: { id: number }) {
 
 /** What runs of a study, and how it is asked for. */
 function useComputing({ study, job: newest }: StudyPage, reload: () => Promise<void>) {
-  const underWay = newest && !isOver(newest) ? newest.id : null;
-  const [started, setStarted] = useState<number | null>(null);
-  const { problem, setProblem, run } = useAction();
-  const over = async (ended: Job) => {
-    if (ended.state === "done") toast(say("study-computed"));
-    await reload();
-    setStarted(null);
-  };
-  const job = useJob(started ?? underWay, (ended) => void over(ended), setProblem);
+  const work = useJobAction({
+    known: newest && !isOver(newest) ? newest.id : null,
+    over: (ended) => {
+      if (ended.state === "done") toast(say("study-computed"));
+      return reload();
+    },
+  });
   const compute = () =>
-    run(async () => {
-      setStarted((await api.write("POST /studies/{study_id}/computings", { study_id: study.id })).id);
-    });
-  const running = job !== null && !isOver(job) ? job : null;
-  const failed = !running && newest?.state === "failed" ? newest.error : null;
-  return { running, failed, problem, setProblem, compute };
+    work.start(() => api.write("POST /studies/{study_id}/computings", { study_id: study.id }));
+  return { ...work, compute, failed: !work.underWay && newest?.state === "failed" ? newest.error : null };
 }
 
 function Page({ page, reload }: { page: StudyPage; reload: () => Promise<void> }) {
   const { study, result } = page;
-  const { running, failed, problem, setProblem, compute } = useComputing(page, reload);
+  const { job: running, underWay, problem, failed, compute, cancel } = useComputing(page, reload);
   const [editing, setEditing] = useState(false);
   const [removing, setRemoving] = useState(false);
   const edit = may("operator") ? () => setEditing(true) : undefined;
   return (
     <>
-      <Head page={page} running={running !== null} compute={() => void compute()} />
+      <Head page={page} running={underWay} compute={() => void compute()} />
       {study.simulated && <Notice kind="warning">{say("study-simulated-note")}</Notice>}
       {running && (
         <div class="panel panel__body">
-          <JobProgress job={running} onCancel={() => void cancelJob(running.id).catch(setProblem)} />
+          <JobProgress job={running} onCancel={cancel} />
         </div>
       )}
       {failed && <Notice kind="problem">{failed}</Notice>}
       <Problem error={problem} />
-      {result && !running && isOld(result) && <Notice kind="warning">{oldWords(result)}</Notice>}
-      {!result && !running && <NotComputed page={page} edit={edit} />}
+      {result && !underWay && isOld(result) && <Notice kind="warning">{oldWords(result)}</Notice>}
+      {!result && !underWay && <NotComputed page={page} edit={edit} />}
       {result && <Figures found={result.found} sites={siteCount(page)} />}
       {result && <Beside studyId={study.id} />}
       <Joined study={study} result={result} edit={edit} remove={edit && (() => setRemoving(true))} />

@@ -1,22 +1,21 @@
 /** The first administrator came by a link and was called by no name: asked once, on the first page, and nothing waits for it. */
 import { useState } from "preact/hooks";
 import { Button, Problem, TextField } from "../../components";
+import { useAction } from "../../core/action";
 import { api } from "../../core/api";
 import { say } from "../../core/messages";
 import { me } from "../../core/session";
 
 export function OwnName() {
   const [name, setName] = useState("");
-  const [problem, setProblem] = useState<unknown>(null);
+  const { problem, run } = useAction();
   if (!me.value?.needs_name) return null;
   const submit = async (event: Event) => {
     event.preventDefault();
     if (!name.trim()) return;
-    try {
+    await run(async () => {
       me.value = await api.write("PUT /session/name", {}, { body: { name: name.trim() } });
-    } catch (error) {
-      setProblem(error);
-    }
+    });
   };
   return (
     <form class="panel panel__body stack stack--tight" onSubmit={submit} data-testid="own-name">

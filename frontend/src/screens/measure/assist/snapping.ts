@@ -4,11 +4,14 @@
  */
 import { type ReadonlySignal, signal } from "@preact/signals";
 import { api } from "../../../core/api";
-import { fromServer, type ImagePoint, pair, samePoint } from "../../../viewer/points";
+import { fromServer, type ImagePoint, pair, samePoint, screenDistance } from "../../../viewer/points";
 import type { FrameStage } from "../../../viewer/stage";
 import type { Snapped } from "../../../viewer/values";
 import type { Flow } from "../flow";
 import type { Entry } from "../records";
+
+/** A pointer this near to the contact is at it. */
+const AT_CONTACT_PX = 12;
 
 /** As much of the measure page as this needs. */
 interface Table {
@@ -61,6 +64,17 @@ export class Snapping {
       ({ values }) => values.frame === frame && samePoint(values.snapped?.to ?? null, contact),
     );
     return stored?.values.snapped;
+  }
+
+  /** Whether a pointer rests where the contact was clicked, or where that went: no height is asked for there. */
+  isAtContact(pointer: ImagePoint): boolean {
+    const contact = this.desk.contact.value;
+    if (!contact) return false;
+    const view = this.desk.stage.view.value;
+    const clicked = this.of(this.desk.seenFrame.value, contact)?.from ?? contact;
+    return [contact, clicked].some(
+      (at) => screenDistance(view.toScreen(at), view.toScreen(pointer)) <= AT_CONTACT_PX,
+    );
   }
 
   /** A proposal of the contact assistant was taken: the server is told where it was asked for. */

@@ -6,7 +6,6 @@ import { toast, toastProblem } from "../../../core/toasts";
 import type { Vehicle } from "../../../core/types";
 import { lightingProposed } from "../../../parts/vehicles/passes";
 import type { MeasureModel } from "../model";
-import { listVehicles } from "../ports";
 import { type JoinAbout, PASS_JOINED, PASS_SPLIT, type Parts, type SplitAbout } from "./kinds";
 
 /** The pass of the same recording that begins next. */
@@ -53,8 +52,8 @@ export async function splitPass(model: MeasureModel): Promise<void> {
     model.history.run(say("measure-step-split", named), (changes) => {
       touchSpan(model, changes, vehicle.id);
       changes.touch(model.passes.presence, made.id);
-      model.put(earlier);
-      model.put(later);
+      model.reading.put(earlier);
+      model.reading.put(later);
     });
     const parts = { ...named, other: String(made.number) };
     toast(say("measure-pass-splitted", { ...parts, frame: String(frame) }));
@@ -95,7 +94,7 @@ export async function joinPass(model: MeasureModel): Promise<void> {
       touchSpan(model, changes, kept.id);
       changes.touch(model.passes.presence, gone.id);
       model.passes.takenOut(gone);
-      model.put(kept);
+      model.reading.put(kept);
       if (opened === gone.id) model.passes.openUnless(kept, opened);
     });
     toast(say("measure-pass-joined", { gone: String(gone.number), kept: String(kept.number) }));
@@ -111,16 +110,10 @@ export function confirmPass(model: MeasureModel): void {
 
 /** Reads the survey's passes anew, after some were found; opens the first where none was open. */
 export async function readAgain(model: MeasureModel): Promise<void> {
-  await tell(async () => {
-    for (const vehicle of await listVehicles(model.surveyId)) model.put(vehicle);
+  try {
+    await model.reading.again();
     const first = model.list.value[0];
     if (first && model.vehicleId.value === null) model.open(first);
-  });
-}
-
-async function tell(work: () => Promise<void>): Promise<void> {
-  try {
-    await work();
   } catch (error) {
     toastProblem(error);
   }

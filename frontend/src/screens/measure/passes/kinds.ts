@@ -15,32 +15,18 @@ export const PASS_JOINED = "pass-joined";
 export interface AddedWant {
   readonly first_frame: number;
   readonly last_frame: number;
-  /** The passes of the recording when it was marked: a repeat whose answer was lost is not among them. */
-  readonly known: readonly number[];
 }
 
-/** One that is the same and was not there before is this one: a repeat makes no second. */
-const addedKind: Kind<Vehicle, AddedWant, { recordingId: number; surveyId: number }> = {
+const addedKind: Kind<Vehicle, AddedWant, { recordingId: number }> = {
   once: true,
-  async send({ about: { recordingId, surveyId }, want: { first_frame, last_frame, known } }, signal) {
-    const there = await api.ask(
-      "GET /surveys/{survey_id}/vehicles",
-      { survey_id: surveyId, recording_id: recordingId },
-      { signal },
-    );
-    const same = (one: Vehicle) => one.first_frame === first_frame && one.last_frame === last_frame;
-    return (
-      there.find((one) => same(one) && !known.includes(one.id)) ??
-      api.write(
-        "POST /recordings/{recording_id}/vehicles",
-        { recording_id: recordingId },
-        { body: { first_frame, last_frame }, signal },
-      )
-    );
-  },
+  send: ({ about: { recordingId: recording_id }, want: { first_frame, last_frame } }, sending) =>
+    api.write(
+      "POST /recordings/{recording_id}/vehicles",
+      { recording_id },
+      { body: { first_frame, last_frame }, ...sending },
+    ),
   read: async () => null,
   isSaved: isVehicle,
-  done: ({ saved }) => saved !== null,
   version: (saved) => saved?.version ?? 0,
   words: (saved) => (saved ? passWords(saved) : say("measure-deleted")),
 };
@@ -55,17 +41,13 @@ export interface Presence {
 const isPresence = shapeOf<Presence>({ there: "boolean", vehicle: "nullable" });
 
 const thereKind: Kind<Presence, boolean, { id: number }> = {
-  async send({ about: { id: vehicle_id }, saved, want }, signal) {
+  async send({ about: { id: vehicle_id }, saved, want }, sending) {
     if (want) {
-      const vehicle = await api.write(
-        "POST /vehicles/{vehicle_id}/restore",
-        { vehicle_id },
-        { retry: true, signal },
-      );
+      const vehicle = await api.write("POST /vehicles/{vehicle_id}/restore", { vehicle_id }, sending);
       return { there: true, version: vehicle.version, vehicle };
     }
     const version = saved?.version ?? null;
-    await api.write("DELETE /vehicles/{vehicle_id}", { vehicle_id, version }, { signal });
+    await api.write("DELETE /vehicles/{vehicle_id}", { vehicle_id, version }, sending);
     return { there: false, version: null, vehicle: saved?.vehicle ?? null };
   },
   async read({ about: { id } }, _error, signal) {
@@ -88,9 +70,9 @@ const isParts = shapeOf<Parts>({ earlier: "object", later: "nullable" });
 
 const splitKind: Kind<Parts, number, SplitAbout> = {
   once: true,
-  async send({ about: { id, version }, want: frame }, signal) {
-    const body = { frame, version: await versionOf(id, version, signal) };
-    return api.write("POST /vehicles/{vehicle_id}/split", { vehicle_id: id }, { body, signal });
+  async send({ about: { id, version }, want: frame }, sending) {
+    const body = { frame, version: await versionOf(id, version, sending.signal) };
+    return api.write("POST /vehicles/{vehicle_id}/split", { vehicle_id: id }, { body, ...sending });
   },
   read: async ({ about: { id } }, _error, signal) => ({
     earlier: await api.ask("GET /vehicles/{vehicle_id}", { vehicle_id: id }, { signal }),
@@ -98,8 +80,6 @@ const splitKind: Kind<Parts, number, SplitAbout> = {
   }),
   isSaved: (answer): answer is Parts =>
     isParts(answer) && isVehicle(answer.earlier) && (answer.later === null || isVehicle(answer.later)),
-  // the echo of a split whose answer was lost: the vehicle ends or begins at the cut
-  done: ({ saved, want }) => saved !== null && (saved.later !== null || endsAt(saved.earlier, want)),
   version: (saved) => saved?.earlier.version ?? 0,
   words: (saved) => (saved ? passWords(saved.earlier) : ""),
 };
@@ -121,25 +101,20 @@ async function versionOf(id: number, seen: number | null, signal: AbortSignal): 
 
 const joinedKind: Kind<Vehicle, readonly [number, number], JoinAbout> = {
   once: true,
-  async send({ about: { id, other_id, version, other_version } }, signal) {
+  async send({ about: { id, other_id, version, other_version } }, sending) {
     const body = {
       other_id,
-      version: await versionOf(id, version, signal),
-      other_version: await versionOf(other_id, other_version, signal),
+      version: await versionOf(id, version, sending.signal),
+      other_version: await versionOf(other_id, other_version, sending.signal),
     };
-    return api.write("POST /vehicles/{vehicle_id}/join", { vehicle_id: id }, { body, signal });
+    return api.write("POST /vehicles/{vehicle_id}/join", { vehicle_id: id }, { body, ...sending });
   },
   read: ({ about: { id } }, _error, signal) =>
     api.ask("GET /vehicles/{vehicle_id}", { vehicle_id: id }, { signal }),
   isSaved: isVehicle,
-  done: ({ saved, want: [first, last] }) => saved?.first_frame === first && saved.last_frame === last,
   version: (saved) => saved?.version ?? 0,
   words: (saved) => (saved ? passWords(saved) : say("measure-deleted")),
 };
-
-function endsAt({ first_frame, last_frame }: Vehicle, frame: number): boolean {
-  return last_frame === frame - 1 || first_frame === frame;
-}
 
 function passWords({ number, first_frame, last_frame }: Vehicle): string {
   return say("measure-pass-title", {

@@ -60,24 +60,23 @@ export class Passes {
   private async add(first: number, last: number): Promise<void> {
     const recordingId = this.desk.reel.player.value?.recordingId;
     if (recordingId === undefined) return;
-    const known = this.desk.vehicles.list.value.filter((one) => one.recording_id === recordingId);
     const opened = this.desk.vehicleId.value;
     await this.inTurn(async () => {
-      const stored = await this.store<Vehicle, AddedWant, { recordingId: number; surveyId: number }>({
+      const stored = await this.store<Vehicle, AddedWant, { recordingId: number }>({
         key: newKey(),
         kind: PASS_ADDED,
         lane: `passes.${recordingId}`,
-        about: { recordingId, surveyId: this.desk.surveyId },
+        about: { recordingId },
         what: say("measure-pass-new"),
         mine: say("measure-pass-new-frames", { first_frame: String(first), last_frame: String(last) }),
         saved: null,
-        want: { first_frame: first, last_frame: last, known: known.map(({ id }) => id) },
+        want: { first_frame: first, last_frame: last },
       });
       const vehicle = stored?.saved;
       if (!vehicle) return toast(say("measure-pass-kept"));
       this.desk.history.run(say("measure-step-new-pass", { vehicle: String(vehicle.number) }), (step) => {
         step.touch(this.presence, vehicle.id);
-        this.desk.put(vehicle);
+        this.desk.reading.put(vehicle);
         this.openUnless(vehicle, opened);
       });
     });
@@ -144,7 +143,7 @@ export class Passes {
       want: there,
     });
     if (there) {
-      this.desk.put(stored?.saved?.vehicle ?? vehicle);
+      this.desk.reading.put(stored?.saved?.vehicle ?? vehicle);
       this.openUnless(vehicle, opened);
       return;
     }

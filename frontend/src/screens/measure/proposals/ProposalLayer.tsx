@@ -2,7 +2,8 @@
 import { say } from "../../../core/messages";
 import { TARGET_NOUNS } from "../../../core/words";
 import type { FrameStage } from "../../../viewer/stage";
-import type { InHand, Proposals, Role } from "./proposals";
+import type { InHand, Role } from "./placed";
+import type { Proposals } from "./proposals";
 
 const DIAMOND = "M0 -10L10 0L0 10L-10 0Z";
 

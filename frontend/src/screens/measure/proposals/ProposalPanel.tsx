@@ -9,14 +9,14 @@ import { heightOrReason } from "../../../viewer/geometry";
 import { PointLoupe } from "../../../viewer/PointLoupe";
 import { samePoint } from "../../../viewer/points";
 import type { MeasureModel } from "../model";
-import type { InHand } from "./proposals";
+import type { InHand } from "./placed";
 import "./proposals.css";
 
 const KEYS = ["target1", "target2", "target3", "target4", "target5"] as const;
 
 export function ProposalPanel({ model }: { model: MeasureModel }) {
-  const { proposals, points } = model;
-  const missing = points.missing();
+  const { proposals, standing } = model;
+  const missing = standing.missing();
   if (missing.length === 0) return null;
   const frame = model.vehicle.value && proposals.frameOf(model.vehicle.value.id, missing);
   const shown = proposals.shown.value;

@@ -14,41 +14,16 @@ import { fromServer, type ImagePoint, imagePoint, samePoint, screenDistance } fr
 import type { DragPhase, Handle, Tool } from "../../../viewer/tool";
 import type { Desk } from "../desk";
 import type { Points } from "../points";
+import { Hands } from "./hands";
+import { bestContact, frameOf, type InHand, type Placed, placedOf, type Role, type Shown } from "./placed";
 
 /** A click this near to a proposed point goes to it. */
 const REACH_PX = 12;
-
-export type Role = "contact" | Target;
-
-/** A point as it is now in hand. */
-export interface InHand {
-  readonly role: Role;
-  readonly at: ImagePoint;
-  readonly proposed: ImagePoint;
-  readonly expected_px: number;
-}
-
-/** What is proposed on the frame that is seen. `contact` may be one that was clicked before: that stays. */
-export interface Shown {
-  readonly vehicleId: number;
-  readonly frame: number;
-  readonly contact: ImagePoint;
-  readonly proposedContact: ImagePoint;
-  /** Null where the contact was clicked before. */
-  readonly contactInHand: InHand | null;
-  readonly targets: readonly (InHand & { readonly role: Target })[];
-}
 
 interface Answered {
   readonly contact: ImagePoint;
   readonly at: ImagePoint;
   readonly answer: HeightAnswer;
-}
-
-interface Placed extends PointProposal {
-  readonly frame: number;
-  readonly point_px: [number, number];
-  readonly expected_px: number;
 }
 
 export class Proposals implements Tool<ImagePoint> {
@@ -60,11 +35,8 @@ export class Proposals implements Tool<ImagePoint> {
   /** The point that the arrow keys move. */
   readonly selected = signal<Role | null>(null);
   private readonly confirmedOf = new Set<number>();
-  /** A key that is held down confirms one vehicle, not every one after it. */
-  private armed = true;
   private asked = 0;
-  /** Somebody has pressed or clicked since the vehicle was opened. */
-  private touched = false;
+  private readonly hands = new Hands();
   /** The vehicle that was begun by hand before its proposals came: no key means another thing until they are wanted. */
   readonly late = signal<number | null>(null);
   private before: ReadonlyMap<Role, ImagePoint> | null = null;
@@ -100,26 +72,13 @@ export class Proposals implements Tool<ImagePoint> {
     private readonly busy: () => boolean,
     private readonly next: () => void,
   ) {
-    const arm = (): void => {
-      this.armed = true;
-    };
-    const touch = (): void => {
-      this.touched = true;
-    };
-    window.addEventListener("keyup", arm);
-    window.addEventListener("keydown", touch, true);
-    window.addEventListener("pointerdown", touch, true);
     this.stops.push(
-      () => {
-        window.removeEventListener("keyup", arm);
-        window.removeEventListener("keydown", touch, true);
-        window.removeEventListener("pointerdown", touch, true);
-      },
+      () => this.hands.close(),
       effect(() => {
         const open = this.desk.vehicleId.value;
         untracked(() => {
           if (this.late.value !== open) this.late.value = null;
-          this.touched = false;
+          this.hands.touched = false;
           this.forget();
         });
       }),
@@ -144,7 +103,7 @@ export class Proposals implements Tool<ImagePoint> {
       this.forget();
       const open = this.desk.vehicleId.peek();
       const isNew = open !== null && !this.byVehicle.peek().has(open) && byVehicle.has(open);
-      this.late.value = isNew && this.touched ? open : null;
+      this.late.value = isNew && this.hands.touched ? open : null;
       this.byVehicle.value = byVehicle;
     } catch (error) {
       toastProblem(error);
@@ -153,14 +112,7 @@ export class Proposals implements Tool<ImagePoint> {
 
   /** The frame on which something is proposed of a vehicle that is asked for; null where nothing is. */
   frameOf(vehicleId: number, missing: readonly Target[]): number | null {
-    const all = this.byVehicle.value.get(vehicleId) ?? [];
-    const wanted = ({ point }: PointProposal) => (missing as readonly string[]).includes(point);
-    // what is measured free is clicked on the same frame, so that the two can be compared
-    const free = all.find((one) => one.reason === "proposals-withheld" && wanted(one));
-    if (free) return free.frame;
-    const placed = placedOf(all);
-    const useful = placed.some(wanted) || (missing.length > 0 && !placed.some(isTarget));
-    return useful ? (bestContact(placed)?.frame ?? null) : null;
+    return frameOf(this.byVehicle.value.get(vehicleId) ?? [], missing);
   }
 
   /** The height of a target with the points as they stand; null until the server has answered for them. */
@@ -210,7 +162,7 @@ export class Proposals implements Tool<ImagePoint> {
     const shown = this.shown.value;
     if (!shown) return this.goOn();
     if (!canWork.value) return false;
-    if (!this.armed || !this.ready.value) return true;
+    if (!this.hands.armed || !this.ready.value) return true;
     if (shown.targets.length === 0) return this.confirmContact(shown);
     const proposedOn = { frame: shown.frame, contact: shown.proposedContact };
     const confirmed = shown.targets.flatMap(({ role, at, proposed }) => {
@@ -219,25 +171,25 @@ export class Proposals implements Tool<ImagePoint> {
       return [{ target: role, point: at, proposed: { ...proposedOn, point: proposed }, preview }];
     });
     if (confirmed.length === 0) return false;
-    this.armed = false;
+    this.hands.armed = false;
     this.selected.value = null;
     this.confirmedOf.add(shown.vehicleId);
     this.points().takeProposed(shown.frame, shown.contact, confirmed);
-    if (this.points().missing().length === 0) this.next();
+    if (this.desk.standing.missing().length === 0) this.next();
     return true;
   }
 
   private goOn(): boolean {
-    const done = this.desk.asked().length > 0 && this.points().missing().length === 0;
+    const done = this.desk.asked().length > 0 && this.desk.standing.missing().length === 0;
     if (!done || !canWork.value || this.busy()) return false;
-    if (this.armed) this.next();
-    this.armed = false;
+    if (this.hands.armed) this.next();
+    this.hands.armed = false;
     return true;
   }
 
   /** Where no target is proposed the contact alone is taken, and the targets are clicked on it. */
   private confirmContact({ vehicleId, frame, contact }: Shown): boolean {
-    this.armed = false;
+    this.hands.armed = false;
     this.selected.value = null;
     this.confirmedOf.add(vehicleId);
     this.points().takeProposed(frame, contact, []);
@@ -347,8 +299,10 @@ export class Proposals implements Tool<ImagePoint> {
 
   /** Asked for, not measured, not turned down; a rejected one is clicked by hand. */
   private missing(): readonly Target[] {
-    const points = this.points();
-    return points.missing().filter((target) => !points.revised(target) && !this.dropped.value.has(target));
+    const { standing } = this.desk;
+    return standing
+      .missing()
+      .filter((target) => !standing.revised(target) && !this.dropped.value.has(target));
   }
 
   private handOf(role: Role, { point_px, expected_px }: Placed): InHand {
@@ -371,20 +325,4 @@ export class Proposals implements Tool<ImagePoint> {
     });
     this.asker.want(wishes);
   }
-}
-
-function placedOf(some: readonly PointProposal[]): readonly Placed[] {
-  return some.filter(
-    (one): one is Placed => one.point_px !== null && one.frame !== null && one.expected_px !== null,
-  );
-}
-
-function isTarget({ point }: PointProposal): boolean {
-  return point !== "contact_rear" && point !== "contact_front";
-}
-
-/** The contact that is surest. */
-function bestContact(placed: readonly Placed[]): Placed | null {
-  const contacts = placed.filter((one) => !isTarget(one));
-  return contacts.sort((a, b) => a.expected_px - b.expected_px)[0] ?? null;
 }

@@ -21,6 +21,11 @@ export interface StripPoint extends Place {
   readonly camera: 1 | 2;
 }
 
+/** From (line, row), as the server tells a click. */
+export function placeOf([line, row]: readonly [number, number]): Place {
+  return { line, row };
+}
+
 /** Height of the band between the strips, which carries the time. */
 export const AXIS_PX = 24;
 const LEAST_HEIGHT_PX = 40;

@@ -2,9 +2,12 @@
 import { say } from "../../core/messages";
 import type { Scan, ScanVehicle } from "../../core/types";
 import { fixed } from "../../core/units";
-import { type Crossings, EDGES, type Edge } from "./kinds";
 import type { Tiles } from "./tiles";
 import { AXIS_PX, levelFor, type StripsView, stripTop, tilesIn, xOf, yOf } from "./view";
+
+export const EDGES = ["front_line_1", "rear_line_1", "front_line_2", "rear_line_2"] as const;
+export type Edge = (typeof EDGES)[number];
+export type Crossings = Record<Edge, number>;
 
 export interface Drawing {
   readonly scan: Scan;

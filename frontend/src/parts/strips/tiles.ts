@@ -1,7 +1,9 @@
 /** Tiles of the strips as bitmaps: fetched when wanted, dropped when no longer. */
 import { signal } from "@preact/signals";
+import type { Scan } from "../../core/types";
 import { BitmapCache } from "../../viewer/bitmapCache";
 import { fetchPicture, isAbort } from "../../viewer/frames";
+import { levelFor, type StripsView, tilesIn } from "./view";
 
 const MOST_BYTES = 160 * 2 ** 20;
 
@@ -55,6 +57,26 @@ export class Tiles {
   close(): void {
     this.cache.clear();
   }
+}
+
+/** Where the tiles of a scan are. */
+export function tileAddress({ id, tiles_version }: Scan, { camera, level, index }: TileKey): string {
+  return `/api/scans/${id}/tiles/${camera}/${level}/${index}?v=${tiles_version ?? ""}`;
+}
+
+/** Tiles of the level that fits, and of the coarsest, which stands in until they are here. */
+export function tilesSeen(scan: Scan, view: StripsView): TileKey[] {
+  if (scan.levels.length === 0) return [];
+  const finest = levelFor(view.perPx, scan.levels.length, window.devicePixelRatio || 1);
+  const keys: TileKey[] = [];
+  for (const level of new Set([finest, scan.levels.length - 1])) {
+    const about = scan.levels[level];
+    if (!about) continue;
+    const [first, last] = tilesIn(view, about.step, scan.tile_lines, about.tiles);
+    for (let index = first; index <= last; index++)
+      for (const camera of [1, 2] as const) keys.push({ camera, level, index });
+  }
+  return keys;
 }
 
 function nameOf(key: TileKey): string {

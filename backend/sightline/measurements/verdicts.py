@@ -1,0 +1,25 @@
+"""What a verdict must be, on a height or on the motion of a scanned vehicle."""
+
+from sightline.enums import ReviewVerdict, Verdict
+from sightline.errors import BadInput, Conflict
+from sightline.infra.audit.records import name_or_somebody
+from sightline.measurements.records import ReviewState
+
+
+def require_verdict(
+    standing: ReviewState, seen: Verdict | None, verdict: ReviewVerdict, reason: str | None
+) -> str | None:
+    """The reason of a verdict that may be given, without blanks around it.
+
+    Raises Conflict if somebody gave another verdict since `seen` (None: not compared), or for reopening what
+    waits already, BadInput for a rejection without a reason.
+    """
+    if seen is not None and standing.verdict != seen:
+        name = name_or_somebody(standing.reviewer)
+        raise Conflict("reviews-verdict-given-meanwhile", name=name, verdict=standing.verdict)
+    told = (reason or "").strip() or None
+    if verdict == "rejected" and told is None:
+        raise BadInput("reviews-rejection-needs-reason-say-what-wrong")
+    if verdict == "reopened" and standing.verdict in ("to_review", "reopened"):
+        raise Conflict("reviews-waits-review-already")
+    return told

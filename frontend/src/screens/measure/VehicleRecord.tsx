@@ -1,0 +1,188 @@
+/** The record of a vehicle: its model, what is known of it, how it was filmed; saved by itself. */
+import { useMemo, useRef } from "preact/hooks";
+import { SelectField } from "../../components";
+import { CommitField } from "../../components/CommitField";
+import { TypingHold } from "../../components/typing";
+import { say } from "../../core/messages";
+import { canWork } from "../../core/session";
+import type { CatalogueRow, ModelSize, Vehicle } from "../../core/types";
+import { lengthProblem, lengthText, lengthUnit, parseLength } from "../../core/units";
+import { CATEGORY_WORDS, DIRECTION_WORDS, DISCARDED_WORDS, LIGHTING_WORDS } from "../../core/words";
+import { CatalogueField } from "../../parts/vehicles/CatalogueField";
+import { ModelYears } from "../../parts/vehicles/ModelYears";
+import { lacksClass } from "../../parts/vehicles/passes";
+import { FIELD_WORDS } from "./fields";
+import { fromCatalogue } from "./fromCatalogue";
+import { KnownHeights } from "./KnownHeights";
+import type { MeasureModel } from "./model";
+import { noteModel, RecentModels } from "./RecentModels";
+import { CannotFit, ModelChosen, useModelFits, WhichModel } from "./WhichModel";
+
+/** What can be chosen, or nothing. */
+function choices<W extends string>(words: Readonly<Record<W, string>>): { value: W | ""; label: string }[] {
+  const named = (Object.keys(words) as W[]).map((value) => ({ value, label: words[value] }));
+  return [{ value: "", label: "–" }, ...named];
+}
+
+export function VehicleRecord({ model, vehicle }: { model: MeasureModel; vehicle: Vehicle }) {
+  const unit = lengthUnit.value;
+  const locked = !canWork.value;
+  const draft = model.vehicles.drafts.value.get(vehicle.id);
+  const hold = useMemo(
+    () => ({ start: () => model.vehicles.hold(vehicle.id), end: () => model.vehicles.release(vehicle.id) }),
+    [model, vehicle.id],
+  );
+  const fits = useModelFits(vehicle);
+  const make = useRef<HTMLInputElement>(null);
+  const take = (row: CatalogueRow, sizes?: readonly ModelSize[]): void => {
+    noteModel(row);
+    model.edit(fromCatalogue(row, vehicle, sizes), vehicle);
+  };
+  const takeLast = (row: CatalogueRow): void => {
+    take(row);
+    model.named(vehicle);
+  };
+  const toMake = (): void => {
+    make.current?.focus();
+    make.current?.select();
+  };
+  return (
+    <section class="facts-form" aria-label={say("measure-record")}>
+      <h3>{say("measure-record")}</h3>
+      {draft?.state === "failed" && (
+        <p class="small" role="alert">
+          {draft.problem}
+        </p>
+      )}
+      <TypingHold.Provider value={hold}>
+        <div class="facts-form__grid">
+          <div class="facts-form__wide">
+            <RecentModels locked={locked} onChoose={takeLast} toMake={toMake} />
+          </div>
+          <CatalogueField
+            label={FIELD_WORDS.make}
+            field={make}
+            value={vehicle.make ?? ""}
+            query={(text) => text}
+            disabled={locked}
+            onChoose={(row) => take(row)}
+            onCommit={(text) => model.edit({ make: text || null })}
+          />
+          <CatalogueField
+            label={FIELD_WORDS.model}
+            value={vehicle.model ?? ""}
+            query={(text) => `${vehicle.make ?? ""} ${text}`.trim()}
+            disabled={locked}
+            onChoose={(row) => take(row)}
+            onCommit={(text) => model.edit({ model: text || null })}
+          />
+          <div class="facts-form__wide">
+            <ModelChosen
+              vehicle={vehicle}
+              locked={locked}
+              onSeen={() => model.edit({ model_chosen_by: "seen" })}
+            />
+            <CannotFit fits={fits.data} vehicle={vehicle} />
+            <WhichModel found={fits} locked={locked} onChoose={take} />
+          </div>
+          <CommitField
+            label={FIELD_WORDS.year}
+            value={vehicle.year === null ? "" : String(vehicle.year)}
+            numeric
+            disabled={locked}
+            check={yearProblem}
+            onCommit={(text) => model.edit({ year: text === "" ? null : Number(text) })}
+          />
+          <SelectField
+            label={FIELD_WORDS.category}
+            value={vehicle.category ?? ""}
+            options={choices(CATEGORY_WORDS)}
+            hint={lacksClass(vehicle) ? say("measure-class-missing") : undefined}
+            disabled={locked}
+            onChange={(category) => model.edit({ category: category === "" ? null : category })}
+          />
+          <div class="facts-form__wide">
+            <ModelYears make={vehicle.make} model={vehicle.model} year={vehicle.year} />
+          </div>
+          <CommitField
+            label={say("measure-makers-height")}
+            value={lengthText(vehicle.manufacturer_height_m, unit)}
+            numeric
+            unit={unit}
+            disabled={locked}
+            check={(text) => lengthProblem(text, { empty: true })}
+            onCommit={(text) => model.edit({ manufacturer_height_m: parseLength(text) })}
+          />
+          <CommitField
+            label={say("measure-makers-height-u")}
+            value={lengthText(vehicle.u_manufacturer_height_m, unit)}
+            numeric
+            unit={unit}
+            disabled={locked}
+            check={(text) => lengthProblem(text, { empty: true })}
+            onCommit={(text) => model.edit({ u_manufacturer_height_m: parseLength(text) })}
+          />
+          <div class="facts-form__wide">
+            <CommitField
+              label={FIELD_WORDS.height_source}
+              value={vehicle.height_source ?? ""}
+              disabled={locked}
+              onCommit={(text) => model.edit({ height_source: text || null })}
+            />
+          </div>
+          <div class="facts-form__wide">
+            <KnownHeights vehicle={vehicle} locked={locked} edit={(changes) => model.edit(changes)} />
+          </div>
+          <SelectField
+            label={FIELD_WORDS.lighting}
+            value={vehicle.lighting ?? ""}
+            options={choices(LIGHTING_WORDS)}
+            disabled={locked}
+            onChange={(lighting) => model.edit({ lighting: lighting === "" ? null : lighting })}
+          />
+          <SelectField
+            label={FIELD_WORDS.direction}
+            value={vehicle.direction ?? ""}
+            options={choices(DIRECTION_WORDS)}
+            disabled={locked}
+            onChange={(direction) => model.edit({ direction: direction === "" ? null : direction })}
+          />
+          <div class="facts-form__wide">
+            <SelectField
+              label={FIELD_WORDS.discarded}
+              value={vehicle.discarded ?? ""}
+              options={[
+                {
+                  value: "" as const,
+                  label: say(vehicle.in_sample ? "measure-in-sample" : "measure-out-of-sample"),
+                },
+                ...choices(DISCARDED_WORDS).slice(1),
+              ]}
+              hint={vehicle.measurements.length > 0 ? say("measure-discard-measured") : undefined}
+              disabled={locked || (vehicle.measurements.length > 0 && !vehicle.discarded)}
+              onChange={(why) => model.edit({ discarded: why === "" ? null : why })}
+            />
+          </div>
+          <div class="facts-form__wide">
+            <CommitField
+              rows={2}
+              label={FIELD_WORDS.notes}
+              value={vehicle.notes}
+              disabled={locked}
+              onCommit={(notes) => model.edit({ notes })}
+            />
+          </div>
+        </div>
+      </TypingHold.Provider>
+    </section>
+  );
+}
+
+/** The server's limits: the first motor car, and next year's models, which are sold already. */
+function yearProblem(text: string): string | null {
+  const most = new Date().getFullYear() + 1;
+  const year = /^\d{4}$/.test(text) ? Number(text) : 0;
+  return text === "" || (year >= 1885 && year <= most)
+    ? null
+    : say("measure-year-problem", { most: String(most) });
+}

@@ -1,0 +1,96 @@
+/** What passes of a staff or board say of the rig: its figures, how well each pass agrees, and the rows that were refused. */
+import { Fragment } from "preact";
+import type { components } from "#schema";
+import { DataTable, Notice } from "../../components";
+import { say } from "../../core/messages";
+import { fixed, formatHeight, formatLength, formatSmall } from "../../core/units";
+
+export type Look = components["schemas"]["CalibrationLook"];
+type Figures = components["schemas"]["CalibrationFigures"];
+
+export function RigAnswer({ look }: { look: Look }) {
+  const { figures } = look;
+  return (
+    <section class="stack stack--tight" aria-label={say("scans-calibrate-answer")} data-testid="rig-answer">
+      {look.reason && <Notice kind="warning">{look.reason}</Notice>}
+      {figures && <FiguresOf figures={figures} />}
+      {figures && <Residuals figures={figures} />}
+      {look.refused.length > 0 && (
+        <ul class="small">
+          {look.refused.map((one) => (
+            <li key={one.row}>
+              {say("scans-passes-refused", { row: one.row })} <span>{one.reason}</span>
+            </li>
+          ))}
+        </ul>
+      )}
+    </section>
+  );
+}
+
+function FiguresOf({ figures }: { figures: Figures }) {
+  const lanes = figures.lanes.length > 0 ? figures.lanes : figures.lane ? [figures.lane] : [];
+  const mrad = (value: number) => fixed(1000 * value, 3);
+  return (
+    <>
+      <dl class="facts small">
+        {lanes.map((lane) => (
+          <Fragment key={lane.name}>
+            <dt>
+              {say("scans-calibrate-lane", { distance: formatLength(lane.distance_m, 2) })}
+              {lane.name && ` (${lane.name})`}
+            </dt>
+            <dd>
+              {formatHeight(lane.baseline_m, lane.U95_baseline_m, 4)}{" "}
+              <span class="muted">
+                {say("scans-calibrate-share", { percent: fixed(lane.U95_percent, 3) })}
+              </span>
+            </dd>
+          </Fragment>
+        ))}
+        <dt>{say("scans-calibrate-baseline")}</dt>
+        <dd>{formatHeight(figures.baseline_m, figures.U95_baseline_m, 4)}</dd>
+        <dt>{say("scans-rig-divergence")}</dt>
+        <dd>
+          {say("scans-calibrate-mrad", {
+            value: mrad(figures.divergence_rad),
+            U95: mrad(figures.U95_divergence_rad),
+          })}
+        </dd>
+        <dt>{say("scans-rig-correlation")}</dt>
+        <dd>{fixed(figures.baseline_correlation, 3)}</dd>
+        <dt>{say("scans-calibrate-agree")}</dt>
+        <dd>
+          {say("scans-calibrate-chi2", {
+            chi2: fixed(figures.chi2, 1),
+            degrees: figures.degrees_of_freedom,
+            percent: fixed(100 * figures.p_value, 1),
+          })}
+        </dd>
+      </dl>
+      {[...lanes.map((one) => one.warning), ...figures.warnings].map(
+        (one) => one && <Notice key={one}>{one}</Notice>,
+      )}
+    </>
+  );
+}
+
+function Residuals({ figures }: { figures: Figures }) {
+  return (
+    <DataTable
+      label={say("scans-calibrate-passes")}
+      scroll="scan__lines"
+      class="table--dense"
+      rows={figures.passes}
+      keyOf={(one) => one.name}
+      columns={({ col, num }) => [
+        col(say("scans-passes-number"), (one) => one.name),
+        num(say("scans-passes-distance-shown"), (one) => formatLength(one.distance_m, 2)),
+        num(say("scans-calibrate-span"), (one) =>
+          say("with-u", { value: formatLength(one.span_m, 4), u: formatLength(one.u_span_m, 4) }),
+        ),
+        num(say("scans-calibrate-residual"), (one) => formatSmall(one.residual_m)),
+      ]}
+    />
+  );
+}

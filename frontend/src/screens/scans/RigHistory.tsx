@@ -1,0 +1,95 @@
+/** Calibrations of a rig before: which is in force, and putting another one in force again. */
+import type { components } from "#schema";
+import { Button, Problem } from "../../components";
+import { api } from "../../core/api";
+import { say } from "../../core/messages";
+import { useResource } from "../../core/resource";
+import { toast, toastProblem } from "../../core/toasts";
+import type { Scan } from "../../core/types";
+import { formatCount, formatHeight } from "../../core/units";
+import type { RigChange } from "./rig";
+
+type Figures = components["schemas"]["CalibrationFigures"];
+type Shown = components["schemas"]["RigCalibrationShown"];
+/** Where the vehicles drive: without it their baseline would be the one at the cameras. */
+export type Lane = { distance_m: number; u_distance_m: number };
+/** Changes values of the rig, and tells whoever shows it. */
+export type PutRig = (values: RigChange, version: number) => Promise<Scan>;
+
+interface Props {
+  scan: Scan;
+  put: PutRig;
+  onClose: () => void;
+  lane: Lane | null;
+}
+
+export function RigHistory({ scan, put, onClose, lane }: Props) {
+  const found = useResource(
+    (signal) => api.ask("GET /scans/{scan_id}/rig-calibrations", { scan_id: scan.id }, { signal }),
+    [scan.id, scan.version],
+  );
+  if (found.error) return <Problem error={found.error} again={found.reload} />;
+  if (!found.data || found.data.length === 0) return null;
+  const use = async (one: Shown): Promise<void> => {
+    try {
+      const stored = await put({ ...calibrated(one.figures), ...lane }, scan.version);
+      onClose();
+      tellStored(scan, stored, put);
+    } catch (error) {
+      toastProblem(error);
+    }
+  };
+  return (
+    <section class="stack stack--tight" aria-label={say("scans-calibrate-history")}>
+      <h3>{say("scans-calibrate-history")}</h3>
+      <ul class="plain small" data-testid="rig-history">
+        {found.data.map((one) => (
+          <li key={one.id} class="row row--wrap">
+            <span>
+              {say("scans-calibrate-one", {
+                number: one.revision,
+                who: one.created_by?.name ?? "–",
+                passes: formatCount(one.figures.passes.length),
+              })}
+            </span>
+            <span class="nowrap">{formatHeight(one.figures.baseline_m, one.figures.U95_baseline_m, 4)}</span>
+            {one.in_force ? (
+              <strong>{say("scans-calibrate-in-force")}</strong>
+            ) : (
+              <Button
+                small
+                disabled={!lane}
+                label={say("scans-calibrate-use-one", { number: one.revision })}
+                onClick={() => void use(one)}
+              >
+                {say("scans-traffic-use")}
+              </Button>
+            )}
+          </li>
+        ))}
+      </ul>
+    </section>
+  );
+}
+
+function calibrated(from: Figures | Scan["rig"]): RigChange {
+  return {
+    baseline_m: from.baseline_m,
+    u_baseline_m: from.u_baseline_m,
+    divergence_rad: from.divergence_rad,
+    u_divergence_rad: from.u_divergence_rad,
+    baseline_correlation: from.baseline_correlation,
+  };
+}
+
+/** Putting the values before back in force is one press; the calibration stays in the history. */
+export function tellStored(before: Scan, stored: Scan, put: PutRig): void {
+  const run = async (): Promise<void> => {
+    const now = await api.ask("GET /scans/{scan_id}", { scan_id: before.id });
+    const { distance_m, u_distance_m } = before.rig;
+    await put({ ...calibrated(before.rig), distance_m, u_distance_m }, now.version);
+  };
+  toast(say(stored.counts.older > 0 ? "scans-rig-stored-older" : "scans-rig-stored"), {
+    action: { label: say("command-undo"), run: () => void run().catch(toastProblem) },
+  });
+}
